@@ -1,0 +1,45 @@
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/par.h"
+
+#include <string.h>
+
+enum { DEPTH = 16 };
+
+static double seconds[CLOCK_PARTS];
+static long calls[CLOCK_PARTS];
+static enum clock_part stack[DEPTH];
+static int depth;
+static double since;
+
+void clock_begin(enum clock_part part) {
+    const double now = par_seconds();
+    ENSURE(depth < DEPTH, "clocks nest %d deep", depth);
+    if (depth > 0) seconds[stack[depth - 1]] += now - since;
+    stack[depth++] = part;
+    calls[part]++;
+    since = now;
+}
+
+void clock_end(enum clock_part part) {
+    const double now = par_seconds();
+    ENSURE(depth > 0 && stack[depth - 1] == part, "the %s clock ends out of order", clock_name(part));
+    seconds[part] += now - since;
+    depth--;
+    since = now;
+}
+
+double clock_seconds(enum clock_part part) { return seconds[part]; }
+
+long clock_calls(enum clock_part part) { return calls[part]; }
+
+const char *clock_name(enum clock_part part) {
+    static const char *const name[CLOCK_PARTS] = {"momentum", "poisson", "halo",      "forcing", "probe",
+                                                  "solid",    "contact", "interface", "output"};
+    return name[part];
+}
+
+void clock_reset(void) {
+    memset(seconds, 0, sizeof seconds);
+    memset(calls, 0, sizeof calls);
+}

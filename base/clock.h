@@ -1,0 +1,22 @@
+/* Wall seconds by part of the program. Parts nest: an inner part's time is not counted in the outer one's. */
+#pragma once
+
+enum clock_part {
+    CLOCK_MOMENTUM,
+    CLOCK_POISSON,
+    CLOCK_HALO,
+    CLOCK_FORCING,
+    CLOCK_PROBE,
+    CLOCK_SOLID,
+    CLOCK_CONTACT,
+    CLOCK_INTERFACE,
+    CLOCK_OUTPUT,
+    CLOCK_PARTS
+};
+
+void clock_begin(enum clock_part part); /* Not collective. */
+void clock_end(enum clock_part part);   /* Not collective. */
+double clock_seconds(enum clock_part part);
+long clock_calls(enum clock_part part);
+const char *clock_name(enum clock_part part);
+void clock_reset(void);

@@ -1,0 +1,59 @@
+#include "base/memory.h"
+#include "base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+enum { ALIGNMENT = 64, HUGE_PAGE = 2 << 20 };
+
+struct header {
+    size_t bytes;
+    void *start;
+    enum memory_part part;
+};
+
+static size_t held[MEMORY_PARTS];
+
+void *memory_new(enum memory_part part, size_t count, size_t size) {
+    const size_t bytes = count * size, align = bytes >= HUGE_PAGE ? HUGE_PAGE : ALIGNMENT;
+    void *start = NULL;
+    if ((size != 0 && count > (size_t)-1 / 4 / size) || posix_memalign(&start, align, bytes + 2 * ALIGNMENT))
+        die(EXIT_CODE_FILE, "no memory left for %zu x %zu bytes of the %s", count, size, memory_name(part));
+    if (bytes >= HUGE_PAGE) madvise(start, bytes + 2 * ALIGNMENT, MADV_HUGEPAGE);
+    memset(start, 0, bytes + 2 * ALIGNMENT);
+    char *data = (char *)start + ALIGNMENT;
+    *(struct header *)(void *)(data - sizeof(struct header)) = (struct header){bytes, start, part};
+    held[part] += bytes;
+    return data;
+}
+
+double *memory_new_work(enum memory_part part, size_t count) {
+    double *work = memory_new(part, count, sizeof *work);
+#ifdef FRANA_DEBUG
+    for (size_t i = 0; i < count; i++) work[i] = NAN;
+#endif
+    return work;
+}
+
+void memory_free(void *p) {
+    if (!p) return;
+    const struct header *h = (const struct header *)(const void *)((char *)p - sizeof(struct header));
+    held[h->part] -= h->bytes;
+    free(h->start);
+}
+
+size_t memory_bytes(enum memory_part part) { return held[part]; }
+
+size_t memory_peak(void) {
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return (size_t)usage.ru_maxrss * 1024;
+}
+
+const char *memory_name(enum memory_part part) {
+    static const char *const name[MEMORY_PARTS] = {"fluid", "solid", "ibm", "coupling", "output"};
+    return name[part];
+}

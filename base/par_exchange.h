@@ -1,0 +1,29 @@
+/* Items that travel between two layouts: each rank names, for each of its items, the rank that serves it; the plan is
+ * built once and executed often, there (forward) and back (backward). The item's order is kept: what comes back stands
+ * where it was sent from. */
+#pragma once
+#include <stddef.h>
+
+struct par_exchange; /* opaque, owned by the caller */
+
+/* dest[n]: the rank that serves item i, or -1 for an item that stays out of it. Collective. */
+struct par_exchange *par_exchange_new(int n, const int *dest);
+void par_exchange_free(struct par_exchange *x);
+int par_exchange_count(const struct par_exchange *x); /* items this rank serves */
+
+/* mine [n] items of bytes each -> served [count] items. Collective. */
+void par_exchange_forward(struct par_exchange *x, const void *mine, void *served, size_t bytes);
+/* served [count] items -> mine [n] items; items that stayed out are left untouched. Collective. */
+void par_exchange_backward(struct par_exchange *x, const void *served, void *mine, size_t bytes);
+
+/* Ghosts: each rank owns the ids first[rank] .. first[rank+1]-1 and wants copies of others'. */
+struct par_ghost; /* opaque, owned by the caller */
+
+/* first [size+1]; id [n] wanted ids, not owned here, in the order in which they are to arrive. Collective. */
+struct par_ghost *par_ghost_new(const long *first, int n, const long *id);
+void par_ghost_free(struct par_ghost *g);
+/* For each of the fields: field[f][n_owned .. n_owned+n-1] <- the owners' values. Collective. */
+void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int n_owned);
+void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned);
+/* The owned indices that other ranks hold as ghosts: count, and the list (borrowed). Not collective. */
+int par_ghost_sent(const struct par_ghost *g, const int **owned_index);

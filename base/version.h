@@ -1,0 +1,3 @@
+/* Version, git revision, compiler and flags of this build. */
+#pragma once
+#include "frana_version.h"

@@ -1,0 +1,99 @@
+/* The fluid: what it is made from, its state, and the calls that a time step is put together from.  (001: ch. 3.4, 4.1) */
+#pragma once
+#include "base/error.h"
+#include "fluid/grid.h"
+
+/* Conditions of one side. Each stands for a Dirichlet or Neumann condition on u, v, w and the pressure correction. */
+enum fluid_side_type {
+    FLUID_PERIODIC,
+    FLUID_WALL,     /* no slip; may move in its plane */
+    FLUID_SLIP,     /* no normal velocity, no shear */
+    FLUID_INFLOW,   /* normal velocity from a profile; pressure Neumann */
+    FLUID_OUTFLOW,  /* convective, mass-conserving; pressure correction Neumann */
+    FLUID_PRESSURE, /* open: given pressure, velocities Neumann; pressure correction Dirichlet */
+    FLUID_GENERAL   /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
+};
+enum fluid_profile { FLUID_UNIFORM, FLUID_POISEUILLE, FLUID_PROFILE_FILE };
+enum fluid_condition { FLUID_DIRICHLET, FLUID_NEUMANN };
+
+struct fluid_side {
+    enum fluid_side_type type;
+    double velocity[3];              /* wall: its velocity, m/s; general: the values */
+    enum fluid_profile profile;      /* inflow */
+    double bulk_velocity;            /* inflow: mean normal velocity into the domain, m/s */
+    char file[256];                  /* inflow profile from a file: text, one normal velocity a line, second tangential index fastest */
+    double pressure;                 /* pressure: Pa */
+    enum fluid_condition condition[4]; /* general: of u, v, w, p */
+};
+
+enum fluid_driving_type { FLUID_DRIVING_NONE, FLUID_DRIVING_GRADIENT, FLUID_DRIVING_BULK };
+struct fluid_driving {
+    enum fluid_driving_type type;
+    int direction;
+    double value; /* gradient: -dp/dx, Pa/m; bulk: mean velocity, m/s */
+};
+
+struct fluid_input {
+    int n[3];
+    double length[3];
+    double density;   /* kg/m3 */
+    double viscosity; /* kinematic, m2/s */
+    struct fluid_side side[3][2]; /* [direction][low, high] */
+    struct fluid_driving driving;
+    double body_force[3];       /* per unit mass, m/s2 */
+    double initial_velocity[3]; /* m/s */
+    int initial_poiseuille;     /* 1: a parabola between the walls with that mean instead */
+    int immersed;               /* 1: three ghost layers, and arrays for the forcing */
+};
+
+/* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid.h; ghosts are rebuilt. */
+struct fluid_state {
+    double *u, *v, *w; /* faces, m/s */
+    double *p;         /* centres, Pa */
+    double driving;    /* the pressure gradient now applied, Pa/m */
+};
+
+struct fluid; /* opaque: grid, parameters, state, work, plans */
+
+struct fluid *fluid_new(const struct fluid_input *in); /* Collective. */
+void fluid_free(struct fluid *f);
+const struct fluid_grid *fluid_grid_of(const struct fluid *f);
+const struct fluid_input *fluid_input_of(const struct fluid *f);
+struct fluid_state *fluid_state_of(struct fluid *f);
+
+/* One low-storage RK3 step is, for r = 0, 1, 2:
+ *     fluid_predict(f, r, dt); [ibm_force(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001: sec. 3.4.3) */
+extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
+
+/* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), with boundary values and ghosts set. Collective. */
+void fluid_predict(struct fluid *f, int r, double dt);
+/* The predicted velocity u*, to which a forcing adds in place (faces inside the domain only). [3] borrowed. */
+double *const *fluid_predicted(struct fluid *f);
+/* Ghosts of u*, v*, w* after somebody changed them: boundary values and `layers` exchanged layers. Collective. */
+void fluid_predicted_refresh(struct fluid *f, int layers);
+/* Pressure solve, projection, new velocity and pressure, ghosts (one layer) set. Collective. */
+void fluid_project(struct fluid *f, int r, double dt);
+/* All `halo` ghost layers of the state's u, v, w, p, as a probe reads them. Collective. */
+void fluid_state_refresh(struct fluid *f);
+
+/* The largest stable step, by its convective and viscous limits; either is INFINITY where it does not bind. Collective. */
+struct fluid_limits {
+    double convective, viscous, step;
+};
+struct fluid_limits fluid_stable_step(struct fluid *f);
+
+/* NaN or velocity beyond reason: where and which. Not collective (agree with step_status_agree). */
+struct step_status fluid_check(struct fluid *f);
+
+/* Measures. Collective. */
+double fluid_divergence_max(struct fluid *f);                  /* 1/s */
+double fluid_cfl(struct fluid *f, double dt);
+double fluid_bulk_velocity(struct fluid *f, int direction);    /* m/s */
+double fluid_kinetic_energy(struct fluid *f);                  /* J */
+void fluid_mean_pressure(struct fluid *f, int direction, double *mean); /* [n[direction]] section means, Pa, on every rank */
+/* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
+ * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
+void fluid_box_force(struct fluid *f, double out[3]);
+void fluid_momentum(struct fluid *f, double out[3]);           /* rho int u dV, kg m/s */
+
+size_t fluid_cells(const struct fluid *f); /* of the whole domain */

@@ -1,0 +1,36 @@
+/* The staggered grid and this rank's piece of it.
+ *
+ * Pencils along x: a rank holds all of x and a piece of y and z. With local indices i,j,k = 0..m-1 (x fastest):
+ *     p(i,j,k)  centre          x = (lo_x + i + 1/2) dx, y, z alike
+ *     u(i,j,k)  right x face    x = (lo_x + i + 1)   dx, y and z at the centre
+ *     v(i,j,k)  upper y face,   w(i,j,k)  far z face
+ * so u(-1,j,k) is the low face of the domain, u(m_x-1,j,k) the high one. Every array has `halo` layers of ghosts on all
+ * six sides, [m_z+2h][m_y+2h][m_x+2h]: h = 1 for a fluid alone, 3 when something is immersed. */
+#pragma once
+#include <stddef.h>
+
+struct par_halo; /* base/par_halo.h */
+
+struct fluid_grid {
+    int n[3];         /* cells of the whole domain */
+    double length[3]; /* m */
+    double d[3];      /* cell size, m */
+    int periodic[3];
+    int halo;
+    int lo[3], m[3];         /* this rank's first cell, and how many */
+    int ranks[3];            /* process grid: ranks[0] = 1 */
+    ptrdiff_t row, plane;    /* strides of j and k */
+    size_t size;             /* doubles in an array with its ghosts */
+    struct par_halo *halos;  /* owned: exchange of ghosts between ranks and across periodic sides */
+};
+
+static inline size_t fluid_grid_at(const struct fluid_grid *g, int i, int j, int k) {
+    return (size_t)((k + g->halo) * g->plane + (j + g->halo) * g->row + (i + g->halo));
+}
+
+/* Process grid chosen here. Dies (exit 2) in one sentence if the mesh does not admit the ranks. Collective. */
+struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo);
+void fluid_grid_free(struct fluid_grid *g);
+/* The rank that owns the cell holding the point, which is first wrapped in periodic directions; -1 outside the domain.
+ * Not collective. */
+int fluid_grid_rank_of(const struct fluid_grid *g, const double x[3]);

@@ -1,0 +1,34 @@
+/* Immersed boundary: multidirect forcing at markers, and the normal probe.  (001: sec. 3.5; Breugem 2012) */
+#pragma once
+#include "fluid/fluid.h"
+#include <stdint.h>
+
+/* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.79) */
+double ibm_kernel(double t);
+
+struct ibm; /* opaque: markers served here, their weights, the exchange */
+
+/* iterations: N_s. Arrays are allocated when the first markers arrive. Collective. */
+struct ibm *ibm_new(struct fluid *f, int iterations);
+void ibm_free(struct ibm *b);
+
+/* The markers of this time step, each rank its own: position (wrapped where periodic; one outside the domain is left out),
+ * velocity, and volume A_h dx (m3). Weights are kept when no marker has moved since the last call. Collective. */
+void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume);
+
+/* Multidirect forcing of the fluid's predicted velocity at RK stage r; dt_r = gamma_r dt. Collective. */
+void ibm_force(struct ibm *b, int r, double dt);
+/* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid, N. Collective. */
+void ibm_force_total(struct ibm *b, double force[3]);
+double ibm_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
+
+/* Tractions at n points with outward unit normals, from the fluid's state (whose ghosts must be fresh: fluid_state_refresh).
+ * acceleration_n [n]: dV_h/dt . n at the root, m/s2, may be NULL (at rest). A point whose tip lies outside the domain gets 0
+ * and active[i] = 0. Collective.  (001: eqs 3.83-3.95, signs as in SPEC 4) */
+struct ibm_probe_input {
+    int n;
+    const double *x[3], *normal[3]; /* [n] root m on the interface, outward unit normal */
+    const double *acceleration_n;   /* [n] */
+    double length;                  /* probe length / dx, default 2 */
+};
+void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const traction[3], double *pressure, uint8_t *active);

@@ -1,0 +1,25 @@
+/* What is read off the solid for series and fields; nothing here is computed unless written.  (SPEC 7) */
+#pragma once
+#include "solid/solid.h"
+
+struct solid_energy {
+    double kinetic, strain; /* J, whole solid */
+};
+struct solid_energy solid_measure_energy(struct solid *s);     /* Collective. */
+void solid_measure_damage(const struct solid *s, double *phi); /* [n], 1 - sum(lambda Gamma V)/sum(Gamma V). Not collective. */
+/* Bond-force flux stress and least-squares strain, each [n][6] as xx yy zz xy yz zx; Pa and 1. Not collective. */
+void solid_measure_stress(const struct solid *s, double (*stress)[6]);
+void solid_measure_strain(const struct solid *s, double (*strain)[6]);
+/* Principal values, largest first, and von Mises of a symmetric tensor. */
+void solid_measure_principal(const double t[6], double value[3]);
+double solid_measure_von_mises(const double t[6]);
+
+/* Connected components of intact bonds. id[n]: the smallest global id of the fragment, a name that all ranks share. */
+struct solid_fragment {
+    long id;
+    long particles;
+    double mass, x[3], v[3]; /* kg, centre of mass m, mean velocity m/s */
+    int held;                /* has a held or driven particle */
+};
+/* Returns the number of fragments; list (malloc'ed, on every rank, largest first) may be NULL. Collective. */
+int solid_measure_fragments(struct solid *s, long *id, struct solid_fragment **list);

@@ -1,0 +1,150 @@
+/* The solid: bond-based peridynamics on material particles.  (001: ch. 3.3)
+ *
+ * Numbering: each body's particles are numbered along a space-filling curve, bodies one after another; a rank owns the
+ * global ids first[rank] .. first[rank+1]-1 and knows them as 0..n-1. Behind them stand n_ghost copies of other ranks'
+ * particles that some family here needs. State is displacement d = X - X0, never X: stretches of 1e-4 keep their digits. */
+#pragma once
+#include "base/error.h"
+#include <stddef.h>
+#include <stdint.h>
+
+struct par_ghost;
+struct solid_family; /* opaque: the bonds, solid/family.h */
+struct solid_contact;
+
+struct solid_material {
+    double youngs_modulus;  /* Pa */
+    double density;         /* kg/m3 */
+    double fracture_energy; /* G0, J/m2; INFINITY: never breaks */
+    double horizon_ratio;   /* m = delta / spacing */
+};
+
+enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS };
+
+/* A body cut from a cubic lattice whose points stand at origin + (i + 1/2) spacing. */
+struct solid_body {
+    char name[64];
+    enum solid_shape shape;
+    double low[3], high[3];    /* box, m */
+    double centre[3], radius;  /* sphere, cylinder */
+    int axis;                  /* cylinder */
+    double length;             /* cylinder */
+    /* spherical cavities on a cubic array, cut out of any shape; period 0: none */
+    double cavity_period, cavity_radius, cavity_centre[3];
+    /* SOLID_POINTS: particles as they are, on no lattice; borrowed, [points] */
+    long points;
+    const double *point[3];
+    const double *point_volume;
+    int material;
+};
+
+/* What is imposed on the particles of a region (X0 inside the box): per direction free, or the velocity given. */
+struct solid_constraint {
+    double low[3], high[3];
+    int direction[3];   /* 1: held or driven in this direction */
+    double velocity[3]; /* 0: held */
+};
+
+/* Bonds with an end in the region (X0) never break. */
+struct solid_region {
+    double low[3], high[3];
+};
+
+struct solid_input {
+    double spacing;   /* m */
+    double origin[3]; /* of the lattice */
+    int periodic[3];  /* bonded across, with these lengths */
+    double length[3];
+    int bodies;
+    const struct solid_body *body; /* borrowed during the call */
+    int materials;
+    const struct solid_material *material;
+    int constraints;
+    const struct solid_constraint *constraint;
+    int unbreakables;
+    const struct solid_region *unbreakable;
+    double body_force[3]; /* per unit mass, m/s2 */
+    int surface_correction; /* volume method on (default 1) */
+    int general_bonds;      /* 1: lists of bonds even for lattice bodies (tests) */
+    int contact;            /* 1: particles that come near repel; costs nothing before they can */
+    double contact_stiffness; /* k_c / c0, default 15 */
+    double contact_exponent;  /* n_c, default 1 */
+    double contact_radius;    /* r_c / spacing, default 1 */
+};
+
+enum solid_integrator { SOLID_RK3, SOLID_VERLET };
+
+/* Set at the start of each stage of a run. */
+struct solid_stage {
+    enum solid_integrator integrator;
+    int breakage;            /* 0: nothing breaks */
+    double damping_relative; /* k_d, N s/m^7 (pairwise, along the bond), 0: off */
+    double damping_absolute; /* k_a, 1/s, 0: off */
+};
+
+enum solid_flag {
+    SOLID_HELD_X = 1, SOLID_HELD_Y = 2, SOLID_HELD_Z = 4, /* velocity imposed in the direction */
+    SOLID_UNBREAKABLE = 8,  /* in an unbreakable region */
+    SOLID_BROKEN = 16,      /* has lost a bond */
+    SOLID_INTERFACE = 32,
+    SOLID_FIRST = 64        /* was on the interface at the start */
+};
+
+struct solid {
+    struct solid_input in;     /* the copied numbers; body, material and the like point to owned copies */
+    struct solid_stage stage;
+    long n_global;
+    long *first;               /* [size+1] */
+    int n, n_ghost;
+    struct par_ghost *ghost;
+    /* parameters, [n + n_ghost] */
+    double *x0[3];             /* m */
+    double *volume;            /* m3 */
+    double *family_volume;     /* V_h = sum Gamma V of the unbroken family, m3 (ghosts too) */
+    uint8_t *body;
+    uint8_t *flag;             /* enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
+    /* state, [n + n_ghost]; with the bonds' lambda, what a checkpoint stores */
+    double *d[3];              /* displacement X - X0, m */
+    double *v[3];              /* velocity, m/s */
+    /* work, [n] */
+    double *a[3];              /* acceleration of the last force sweep, m/s2 */
+    double *load[3];           /* external force per unit volume F_h, N/m3, written by the coupling */
+    struct solid_family *family;
+    struct solid_contact *contact; /* NULL until something can touch */
+    /* counters and energies, this rank's share */
+    long bonds_total;          /* undirected, whole solid, at the start */
+    long bonds_broken;         /* undirected, whole solid; valid after solid_count_bonds */
+    int broke;                 /* 1: a bond of an owned particle broke since the flag was last cleared */
+    double e_damped;           /* J taken out by damping so far */
+    double e_fracture;         /* J released by broken bonds so far: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
+    double e_constraint;       /* J put in by driven layers so far */
+    double work_load;          /* J put in by load so far */
+};
+
+struct solid *solid_new(const struct solid_input *in); /* Collective. Dies (exit 2) on an empty or impossible body. */
+void solid_free(struct solid *s);
+
+/* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.28) */
+double solid_micromodulus(const struct solid_material *m, double spacing);
+double solid_critical_stretch(const struct solid_material *m, double spacing);
+
+/* One force sweep at the present d, v: a = (bonds + load + contact + damping)/rho, constraints applied; breaks bonds when
+ * asked to and the stage allows it. Ghosts must be current. Collective only through contact. */
+void solid_force(struct solid *s, int may_break);
+void solid_ghosts_update(struct solid *s); /* d (and v when damping needs it). Collective. */
+
+/* Substeps of the stage's integrator under constant load. Collective. */
+void solid_advance(struct solid *s, double dt, int substeps);
+/* The largest stable step of the assembled, intact solid for the integrator: sqrt(3)/omega_max (RK3), 2/omega_max
+ * (Verlet), omega_max by power iteration.  Collective. */
+double solid_stable_step(struct solid *s, enum solid_integrator integrator);
+/* Adaptive dynamic relaxation to static equilibrium under the present load: steps taken, or -1 if not converged to
+ * |residual| <= tolerance * |load|. Breakage off. Collective. */
+int solid_relax(struct solid *s, double tolerance, int max_steps);
+
+struct step_status solid_check(const struct solid *s); /* NaN. Not collective. */
+
+/* The current position X0 + d. */
+static inline void solid_position(const struct solid *s, int h, double x[3]) {
+    for (int c = 0; c < 3; c++) x[c] = s->x0[c][h] + s->d[c][h];
+}
