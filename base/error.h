@@ -12,17 +12,17 @@ enum exit_code {
 
 /* What a step found, the same on every rank once agreed (step_status_agree). */
 struct step_status {
-    int failed;           /* 0: fine */
-    int rank;             /* the rank that saw it first */
-    double x[3];          /* where, m */
-    char field[16];       /* which field: "u", "p", "velocity", ... */
+    int failed;     /* 0: fine */
+    int rank;       /* the rank that saw it first */
+    double x[3];    /* where, m */
+    char field[16]; /* which field: "u", "p", "velocity", ... */
     double value;
 };
 
 /* Our own bug: aborts with rank, file, line. Not collective. */
-#define ENSURE(cond, ...)                                                                                            \
-    do {                                                                                                             \
-        if (!(cond)) error_bug(__FILE__, __LINE__, #cond, __VA_ARGS__);                                              \
+#define ENSURE(cond, ...)                                                                                    \
+    do {                                                                                                     \
+        if (!(cond)) error_bug(__FILE__, __LINE__, #cond, __VA_ARGS__);                                      \
     } while (0)
 
 _Noreturn void error_bug(const char *file, int line, const char *cond, const char *format, ...)

@@ -7,10 +7,10 @@
 #include <string.h>
 
 struct par_exchange {
-    int n, sent, served;           /* items here, of these sent, items served */
-    int *order;                    /* [sent] item index, by destination */
+    int n, sent, served;              /* items here, of these sent, items served */
+    int *order;                       /* [sent] item index, by destination */
     int *to, *to_at, *from, *from_at; /* [size] counts and offsets */
-    int alone;                     /* nothing crosses a rank anywhere */
+    int alone;                        /* nothing crosses a rank anywhere */
     char *buffer;
     size_t buffer_bytes;
 };
@@ -77,14 +77,15 @@ static void all_to_some(const char *send, const int *to, const int *to_at, char 
     int requests = 0;
     for (int r = 0; r < size; r++)
         if (from[r] > 0 && r != rank)
-            MPI_Irecv(recv + (size_t)from_at[r] * bytes, (int)((size_t)from[r] * bytes), MPI_BYTE, r, 71, MPI_COMM_WORLD,
-                      &request[requests++]);
+            MPI_Irecv(recv + (size_t)from_at[r] * bytes, (int)((size_t)from[r] * bytes), MPI_BYTE, r, 71,
+                      MPI_COMM_WORLD, &request[requests++]);
     for (int r = 0; r < size; r++)
         if (to[r] > 0 && r != rank)
-            MPI_Isend(send + (size_t)to_at[r] * bytes, (int)((size_t)to[r] * bytes), MPI_BYTE, r, 71, MPI_COMM_WORLD,
-                      &request[requests++]);
+            MPI_Isend(send + (size_t)to_at[r] * bytes, (int)((size_t)to[r] * bytes), MPI_BYTE, r, 71,
+                      MPI_COMM_WORLD, &request[requests++]);
     if (to[rank] > 0)
-        memcpy(recv + (size_t)from_at[rank] * bytes, send + (size_t)to_at[rank] * bytes, (size_t)to[rank] * bytes);
+        memcpy(recv + (size_t)from_at[rank] * bytes, send + (size_t)to_at[rank] * bytes,
+               (size_t)to[rank] * bytes);
     MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
     free(request);
 }

@@ -5,34 +5,48 @@
 
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
+/* The default retraction of the markers, in cells.  (Breugem 2012) */
+#define SCENE_RETRACTION 0.3
+/* A family holds at most 512 bonds: |xi| < (m + 1/2) spacing gives 484 just below m = 4.5 and 514 just above. */
+#define SCENE_HORIZON_MAX 4.5
+
 struct scene_domain {
-    double size[3]; /* m */
-    int cells[3];   /* a scene without fluid may leave them out: 0 */
+    double size[3];  /* m */
+    int cells[3];    /* a scene without fluid may leave them out: 0 */
+    int periodic[3]; /* with a fluid: as its sides; without: domain.periodic, default false */
 };
 
 /* fluid.sides.x_low ... z_high */
-enum scene_side_type { SCENE_PERIODIC, SCENE_WALL, SCENE_SLIP, SCENE_INFLOW, SCENE_OUTFLOW, SCENE_PRESSURE, SCENE_GENERAL };
+enum scene_side_type {
+    SCENE_PERIODIC,
+    SCENE_WALL,
+    SCENE_SLIP,
+    SCENE_INFLOW,
+    SCENE_OUTFLOW,
+    SCENE_PRESSURE,
+    SCENE_GENERAL
+};
 enum scene_profile { SCENE_UNIFORM, SCENE_POISEUILLE, SCENE_PROFILE_FILE };
 enum scene_condition { SCENE_DIRICHLET, SCENE_NEUMANN };
 struct scene_side {
     enum scene_side_type type;
-    double velocity[3];           /* wall, general */
-    enum scene_profile profile;   /* inflow: uniform, poiseuille, file */
-    double bulk_velocity;         /* inflow */
-    char file[SCENE_PATH];        /* inflow, profile: file; relative to the scene's folder, made absolute on loading */
-    double pressure;              /* pressure */
+    double velocity[3];         /* wall, general */
+    enum scene_profile profile; /* inflow: uniform, poiseuille, file */
+    double bulk_velocity;       /* inflow: into the domain, m/s; uniform and poiseuille, a file has its own */
+    char file[SCENE_PATH];      /* inflow, profile: file; made absolute on loading */
+    double pressure;            /* pressure */
     enum scene_condition u, v, w, p; /* general */
 };
 enum scene_driving { SCENE_DRIVING_NONE, SCENE_DRIVING_GRADIENT, SCENE_DRIVING_BULK };
 struct scene_fluid {
-    double density, viscosity; /* kg/m3; kinematic, m2/s */
-    double initial_velocity[3];
-    int initial_poiseuille;        /* initial: {poiseuille: true} */
-    struct scene_side side[3][2];  /* YAML keys sides.x_low, sides.x_high, ... */
-    enum scene_driving driving;    /* driving.type: none, pressure_gradient, bulk_velocity */
-    int driving_direction;         /* driving.direction: x, y or z */
-    double driving_value;          /* driving.value */
-    double body_force[3];          /* m/s2 */
+    double density, viscosity;    /* kg/m3; kinematic, m2/s */
+    double initial_velocity[3];   /* m/s */
+    int initial_poiseuille;       /* initial: {poiseuille: true}: a parabola with that mean */
+    struct scene_side side[3][2]; /* YAML keys sides.x_low, sides.x_high, ... */
+    enum scene_driving driving;   /* driving.type: none, pressure_gradient, bulk_velocity */
+    int driving_direction;        /* driving.direction: x, y or z */
+    double driving_value;         /* driving.value */
+    double body_force[3];         /* m/s2 */
 };
 
 enum scene_shape { SCENE_BOX, SCENE_SPHERE, SCENE_CYLINDER, SCENE_POINTS };
@@ -41,22 +55,23 @@ struct scene_material {
     double youngs_modulus, density;
     double poisson_ratio;   /* must be 0.25 for bond-based 3D; default 0.25 */
     double fracture_energy; /* J/m2; left out: never breaks (INFINITY) */
-    double horizon_ratio;   /* m, default 3 */
+    double horizon_ratio;   /* m, default 3; 1 <= m < SCENE_HORIZON_MAX */
 };
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
     int material_index;
     enum scene_shape shape;
-    double low[3], high[3];                  /* box */
-    double centre[3], radius, length;        /* sphere, cylinder */
-    int axis;                                /* cylinder: x, y or z */
-    char file[SCENE_PATH];                   /* points: text, x y z volume a line */
-    int has_cavities;                        /* cavities: {period, radius, centre} */
+    double low[3], high[3];           /* box */
+    double centre[3], radius, length; /* sphere, cylinder */
+    int axis;                         /* cylinder: x, y or z */
+    char file[SCENE_PATH];            /* points: text, x y z volume a line */
+    int has_cavities;                 /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
 };
 struct scene_constraint {
     double low[3], high[3];
-    int direction[3];   /* directions: xyz (a word of the letters x, y, z) */
+    char directions[4]; /* directions: xyz (a word of the letters x, y, z), default xyz */
+    int direction[3];   /* 1: held or driven in it */
     double velocity[3]; /* default 0: held */
 };
 struct scene_region {
@@ -84,8 +99,10 @@ struct scene_coupling {
     int forcing_iterations; /* N_s, default 2 */
     double retraction;      /* r_d / dx, default the calibrated value */
     double probe_length;    /* / dx, default 2 */
-    double box_low[3], box_high[3]; /* medium: {low, high}: the box in which porosity and permeability are measured; default: all bodies' bounds within the domain */
-    int has_box;
+    /* medium: {low, high}: the box in which porosity and permeability are measured; default: all bodies' bounds within
+     * the domain */
+    double box_low[3], box_high[3];
+    int has_box; /* 0: not given, and a body of points has bounds that only its particles know */
 };
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
@@ -93,21 +110,21 @@ enum scene_integrator { SCENE_RK3, SCENE_VERLET };
 struct scene_stage {
     char name[SCENE_NAME];
     long steps;
-    double time_step;   /* s; 0: automatic (key left out or "auto") */
-    double cfl;         /* automatic: fraction of the limits, default 0.9 */
+    double time_step;            /* s; 0: automatic (key left out or "auto") */
+    double cfl;                  /* automatic: fraction of the limits, default 0.9 */
     enum scene_solid_mode solid; /* rigid, elastic; default elastic where there is a solid */
-    int relax;          /* solid alone: true: find static equilibrium by adaptive dynamic relaxation instead of stepping */
+    int relax; /* solid alone, true: to static equilibrium by adaptive dynamic relaxation, no stepping */
     enum scene_integrator integrator; /* rk3 (default), verlet */
-    int substeps;       /* 0: auto, from the stable step */
-    double safety;      /* of the stable step for auto, default 0.9 */
-    int breakage;       /* default true; false: nothing breaks in this stage */
+    int substeps;                     /* 0: auto, from the stable step */
+    double safety;                    /* of the stable step for auto, default 0.9 */
+    int breakage;                     /* default true; false: nothing breaks in this stage */
     double damping_relative, damping_absolute;
 };
 
 struct scene_output {
     long series_every, fields_every, checkpoint_every; /* steps; 0: never. Defaults 10, 0, 1000 */
     long log_every;                                    /* lines in a log, default 100 */
-    int stress;                                        /* stress and strain tensors into solid fields, default true */
+    int stress;                                        /* tensors into solid fields, default true */
 };
 
 struct scene {
@@ -119,8 +136,9 @@ struct scene {
     struct scene_coupling *coupling; /* NULL unless both */
     int stages;
     struct scene_stage *stage;
-    char start[SCENE_PATH];          /* a checkpoint to start from, or empty; relative to the scene's folder. The stages whose
-                                      * names and contents the checkpoint has finished are skipped */
+    /* A checkpoint to start from, or empty; relative to the scene's folder, made absolute on loading. The stages whose names
+     * and contents the checkpoint has finished are skipped. */
+    char start[SCENE_PATH];
     struct scene_output output;
     char *resolved; /* the scene as YAML with every default, re-runnable */
 };

@@ -2,6 +2,9 @@
 #pragma once
 #include <stdint.h>
 #include <string.h>
+#ifdef __AVX512F__
+#    include <immintrin.h>
+#endif
 
 enum { VEC_LANES = 8 };
 typedef double vec __attribute__((vector_size(64)));
@@ -25,3 +28,57 @@ static inline vec_mask vec_mask_of_bits(unsigned bits) {
 }
 
 static inline vec vec_and(vec_mask m, vec v) { return (vec)(m & (vec_mask)v); }
+
+/* a where a bit of bits is set, 0 elsewhere; one masked move with AVX-512. */
+static inline vec vec_where(unsigned bits, vec a) {
+#ifdef __AVX512F__
+    return (vec)_mm512_maskz_mov_pd((__mmask8)bits, (__m512d)a);
+#else
+    return vec_and(vec_mask_of_bits(bits), a);
+#endif
+}
+
+static inline vec vec_max(vec a, vec b) {
+#ifdef __AVX512F__
+    return (vec)_mm512_max_pd((__m512d)a, (__m512d)b);
+#else
+    for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
+    return a;
+#endif
+}
+
+static inline vec vec_min(vec a, vec b) {
+#ifdef __AVX512F__
+    return (vec)_mm512_min_pd((__m512d)a, (__m512d)b);
+#else
+    for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
+    return a;
+#endif
+}
+
+static inline vec vec_sqrt(vec a) {
+#ifdef __AVX512F__
+    return (vec)_mm512_sqrt_pd((__m512d)a);
+#else
+    for (int k = 0; k < VEC_LANES; k++) a[k] = __builtin_sqrt(a[k]);
+    return a;
+#endif
+}
+
+static inline double vec_highest(vec a) {
+    double m = a[0];
+    for (int k = 1; k < VEC_LANES; k++) m = a[k] > m ? a[k] : m;
+    return m;
+}
+
+static inline double vec_lowest(vec a) {
+    double m = a[0];
+    for (int k = 1; k < VEC_LANES; k++) m = a[k] < m ? a[k] : m;
+    return m;
+}
+
+static inline double vec_sum(vec a) {
+    double sum = 0;
+    for (int k = 0; k < VEC_LANES; k++) sum += a[k];
+    return sum;
+}

@@ -44,6 +44,7 @@ struct fluid_input {
     double initial_velocity[3]; /* m/s */
     int initial_poiseuille;     /* 1: a parabola between the walls with that mean instead */
     int immersed;               /* 1: three ghost layers, and arrays for the forcing */
+    int z_by_transform;         /* 1: Poisson's last direction by a transform even where bands would do */
 };
 
 /* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid.h; ghosts are rebuilt. */
@@ -73,6 +74,8 @@ double *const *fluid_predicted(struct fluid *f);
 void fluid_predicted_refresh(struct fluid *f, int layers);
 /* Pressure solve, projection, new velocity and pressure, ghosts (one layer) set. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
+/* Three stages: a step of a fluid with nothing immersed. Collective. */
+void fluid_step(struct fluid *f, double dt);
 /* All `halo` ghost layers of the state's u, v, w, p, as a probe reads them. Collective. */
 void fluid_state_refresh(struct fluid *f);
 

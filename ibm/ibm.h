@@ -6,6 +6,10 @@
 /* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.79) */
 double ibm_kernel(double t);
 
+/* The frozen retraction r_d: how far a marker stands inside the true wetted face, in cells. A particle's centre stands half a
+ * spacing inside, so it is moved outward by (1/2 - r_d) dx. Measured: docs/retraction.md. */
+#define IBM_RETRACTION 0.6
+
 struct ibm; /* opaque: markers served here, their weights, the exchange */
 
 /* iterations: N_s. Arrays are allocated when the first markers arrive. Collective. */
@@ -22,7 +26,9 @@ void ibm_force(struct ibm *b, int r, double dt);
 void ibm_force_total(struct ibm *b, double force[3]);
 double ibm_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 
-/* Tractions at n points with outward unit normals, from the fluid's state (whose ghosts must be fresh: fluid_state_refresh).
+/* The root's pressure gradient is rho (f - dV_h/dt).n, f the fluid's body force and driving; pressures and tractions include the
+ * linear part of a driving pressure gradient, -G x (x as given, not wrapped), so that it pushes on a body as on the fluid.
+ * Tractions at n points with outward unit normals, from the fluid's state (whose ghosts must be fresh: fluid_state_refresh).
  * acceleration_n [n]: dV_h/dt . n at the root, m/s2, may be NULL (at rest). A point whose tip lies outside the domain gets 0
  * and active[i] = 0. Collective.  (001: eqs 3.83-3.95, signs as in SPEC 4) */
 struct ibm_probe_input {

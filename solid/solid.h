@@ -118,7 +118,14 @@ struct solid {
     double e_damped;           /* J taken out by damping so far */
     double e_fracture;         /* J released by broken bonds so far: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
     double e_constraint;       /* J put in by driven layers so far */
-    double work_load;          /* J put in by load so far */
+    double work_load;          /* J put in by load and body force so far */
+    /* of the last force sweep, this rank's share, W */
+    double power_damped, power_load, power_constraint;
+    long sweeps;               /* force sweeps so far */
+    /* work of the integrators, [n]: rates of the stage before (RK3); load that is in a (Verlet) */
+    double *v_old[3], *a_old[3];
+    uint64_t fingerprint;      /* of the d and v that a belongs to (Verlet); 0: a is of no use */
+    struct solid_stage stage_of_a;
 };
 
 struct solid *solid_new(const struct solid_input *in); /* Collective. Dies (exit 2) on an empty or impossible body. */
@@ -129,11 +136,14 @@ double solid_micromodulus(const struct solid_material *m, double spacing);
 double solid_critical_stretch(const struct solid_material *m, double spacing);
 
 /* One force sweep at the present d, v: a = (bonds + load + contact + damping)/rho, constraints applied; breaks bonds when
- * asked to and the stage allows it. Ghosts must be current. Collective only through contact. */
+ * asked to and the stage allows it. The integrators ask in the first stage of a substep only, so that a bond is judged on
+ * the state of a full step, never on an inner Runge-Kutta stage. Ghosts must be current. Collective only through contact. */
 void solid_force(struct solid *s, int may_break);
 void solid_ghosts_update(struct solid *s); /* d (and v when damping needs it). Collective. */
 
-/* Substeps of the stage's integrator under constant load. Collective. */
+/* Substeps of the stage's integrator under constant load. The energies are integrated by the integrator's own quadrature, so
+ * that kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order (contact stores energy that
+ * is not counted). Collective. */
 void solid_advance(struct solid *s, double dt, int substeps);
 /* The largest stable step of the assembled, intact solid for the integrator: sqrt(3)/omega_max (RK3), 2/omega_max
  * (Verlet), omega_max by power iteration.  Collective. */

@@ -1,0 +1,188 @@
+#include "base/par_halo.h"
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/par.h"
+
+#include <mpi.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct par_halo {
+    struct par_halo_input in;
+    int coordinate[3];
+    int neighbour[3][2]; /* [direction][low, high] rank, this one's own number where it meets itself, -1 beyond a side */
+    size_t row, plane;
+    double *buffer; /* [4][capacity]: sent low and high, received low and high */
+    size_t capacity;
+};
+
+/* Cells low .. high-1 of the three directions, ghosts counted as -1, -2, ... and m, m+1, ... */
+struct box {
+    int low[3], high[3];
+};
+
+static size_t box_cells(const struct box *b) {
+    return (size_t)(b->high[0] - b->low[0]) * (size_t)(b->high[1] - b->low[1]) * (size_t)(b->high[2] - b->low[2]);
+}
+
+static size_t at(const struct par_halo *h, int i, int j, int k) {
+    const int g = h->in.halo;
+    return (size_t)(k + g) * h->plane + (size_t)(j + g) * h->row + (size_t)(i + g);
+}
+
+struct par_halo *par_halo_new(const struct par_halo_input *in) {
+    struct par_halo *h = calloc(1, sizeof *h);
+    const int rank = par_rank(), size = par_size();
+    h->in = *in;
+    h->row = (size_t)(in->m[0] + 2 * in->halo);
+    h->plane = h->row * (size_t)(in->m[1] + 2 * in->halo);
+    ENSURE(in->ranks[0] == 1 && in->ranks[1] * in->ranks[2] == size, "process grid %d x %d x %d on %d ranks",
+           in->ranks[0], in->ranks[1], in->ranks[2], size);
+    const int c[3] = {0, rank % in->ranks[1], rank / in->ranks[1]};
+    const int stride[3] = {0, 1, in->ranks[1]};
+    for (int d = 0; d < 3; d++) {
+        const int n = in->ranks[d];
+        h->coordinate[d] = c[d];
+        for (int side = 0; side < 2; side++) {
+            const int to = c[d] + (side ? 1 : -1);
+            const int wrapped = (to + n) % n;
+            const int outside = to < 0 || to >= n;
+            h->neighbour[d][side] = outside && !in->periodic[d] ? -1 : rank + (wrapped - c[d]) * stride[d];
+            ENSURE(h->neighbour[d][side] < 0 || in->m[d] >= in->halo, "%d cells, %d layers", in->m[d], in->halo);
+        }
+    }
+    return h;
+}
+
+void par_halo_free(struct par_halo *h) {
+    if (!h) return;
+    memory_free(h->buffer);
+    free(h);
+}
+
+int par_halo_at_side(const struct par_halo *h, int direction, int side) {
+    return h->neighbour[direction][side] < 0;
+}
+
+/* The box of a direction's layers at a side: its ghosts, or the owned cells that the neighbour sees as its ghosts. */
+static struct box layers_at(const struct par_halo *h, int direction, int side, int layers, int ghosts) {
+    struct box b;
+    for (int d = 0; d < 3; d++) {
+        b.low[d] = -layers;
+        b.high[d] = h->in.m[d] + layers;
+    }
+    const int m = h->in.m[direction];
+    const int first = side ? (ghosts ? m : m - layers) : (ghosts ? -layers : 0);
+    b.low[direction] = first;
+    b.high[direction] = first + layers;
+    return b;
+}
+
+static void pack(const struct par_halo *h, const struct box *b, int fields, double *const *field, double *to) {
+    const size_t width = (size_t)(b->high[0] - b->low[0]);
+    for (int f = 0; f < fields; f++)
+        for (int k = b->low[2]; k < b->high[2]; k++)
+            for (int j = b->low[1]; j < b->high[1]; j++, to += width)
+                memcpy(to, field[f] + at(h, b->low[0], j, k), width * sizeof *to);
+}
+
+static void unpack(const struct par_halo *h, const struct box *b, int fields, double *const *field, const double *from) {
+    const size_t width = (size_t)(b->high[0] - b->low[0]);
+    for (int f = 0; f < fields; f++)
+        for (int k = b->low[2]; k < b->high[2]; k++)
+            for (int j = b->low[1]; j < b->high[1]; j++, from += width)
+                memcpy(field[f] + at(h, b->low[0], j, k), from, width * sizeof *from);
+}
+
+static void unpack_adding(const struct par_halo *h, const struct box *b, int fields, double *const *field,
+                          const double *from) {
+    const int width = b->high[0] - b->low[0];
+    for (int f = 0; f < fields; f++)
+        for (int k = b->low[2]; k < b->high[2]; k++)
+            for (int j = b->low[1]; j < b->high[1]; j++, from += width) {
+                double *to = field[f] + at(h, b->low[0], j, k);
+                for (int i = 0; i < width; i++) to[i] += from[i];
+            }
+}
+
+static void clear(const struct par_halo *h, const struct box *b, int fields, double *const *field) {
+    const size_t width = (size_t)(b->high[0] - b->low[0]);
+    for (int f = 0; f < fields; f++)
+        for (int k = b->low[2]; k < b->high[2]; k++)
+            for (int j = b->low[1]; j < b->high[1]; j++)
+                memset(field[f] + at(h, b->low[0], j, k), 0, width * sizeof(double));
+}
+
+static void reserve(struct par_halo *h, size_t doubles) {
+    if (doubles <= h->capacity) return;
+    memory_free(h->buffer);
+    h->capacity = doubles;
+    h->buffer = memory_new(MEMORY_FLUID, 4 * doubles, sizeof(double));
+}
+
+/* sent[side] goes to the neighbour at that side, received[side] comes from it; both have `count` doubles. */
+static void swap(struct par_halo *h, int direction, double *const sent[2], double *const received[2], size_t count) {
+    MPI_Request request[4];
+    int requests = 0;
+    const int me = par_rank();
+    for (int side = 0; side < 2; side++) {
+        const int to = h->neighbour[direction][side];
+        if (to >= 0 && to != me) /* what arrives from the low side was sent to the high one */
+            MPI_Irecv(received[side], (int)count, MPI_DOUBLE, to, 80 + !side, MPI_COMM_WORLD, &request[requests++]);
+    }
+    for (int side = 0; side < 2; side++) {
+        const int to = h->neighbour[direction][side];
+        if (to >= 0 && to != me)
+            MPI_Isend(sent[side], (int)count, MPI_DOUBLE, to, 80 + side, MPI_COMM_WORLD, &request[requests++]);
+    }
+    MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
+}
+
+/* One direction: moves owned layers to the ghosts (add = 0), or ghosts to the owned layers (add = 1). */
+static void exchange(struct par_halo *h, int direction, int fields, double *const *field, int layers, int add) {
+    const struct box any = layers_at(h, direction, 0, layers, 1);
+    const size_t count = box_cells(&any) * (size_t)fields;
+    if (h->neighbour[direction][0] >= 0 || h->neighbour[direction][1] >= 0) reserve(h, count);
+    double *const sent[2] = {h->buffer, h->buffer + h->capacity};
+    double *received[2] = {h->buffer + 2 * h->capacity, h->buffer + 3 * h->capacity};
+    for (int side = 0; side < 2; side++) {
+        const struct box from = layers_at(h, direction, side, layers, add);
+        if (h->neighbour[direction][side] >= 0) pack(h, &from, fields, field, sent[side]);
+        if (add) clear(h, &from, fields, field);
+    }
+    if (h->neighbour[direction][0] == par_rank()) { /* a periodic direction with one rank */
+        received[0] = sent[1];
+        received[1] = sent[0];
+    } else {
+        swap(h, direction, sent, received, count);
+    }
+    for (int side = 0; side < 2; side++) {
+        const struct box to = layers_at(h, direction, side, layers, !add);
+        if (h->neighbour[direction][side] < 0) continue;
+        if (add)
+            unpack_adding(h, &to, fields, field, received[side]);
+        else
+            unpack(h, &to, fields, field, received[side]);
+    }
+}
+
+void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers) {
+    if (layers < 1) return;
+    ENSURE(layers <= h->in.halo, "%d layers of %d", layers, h->in.halo);
+    clock_begin(CLOCK_HALO);
+    exchange(h, direction, fields, field, layers, 0);
+    clock_end(CLOCK_HALO);
+}
+
+void par_halo_fill(struct par_halo *h, int fields, double *const *field, int layers) {
+    for (int d = 0; d < 3; d++) par_halo_fill_direction(h, d, fields, field, layers);
+}
+
+void par_halo_add(struct par_halo *h, int fields, double *const *field, int layers) {
+    if (layers < 1) return;
+    ENSURE(layers <= h->in.halo, "%d layers of %d", layers, h->in.halo);
+    clock_begin(CLOCK_HALO);
+    for (int d = 2; d >= 0; d--) exchange(h, d, fields, field, layers, 1);
+    clock_end(CLOCK_HALO);
+}

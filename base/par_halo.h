@@ -1,0 +1,27 @@
+/* Halos: the ghost layers of arrays [m_z+2h][m_y+2h][m_x+2h], exchanged between ranks in y and z, and copied across
+ * periodic sides that stay on a rank. The process grid is ranks[0] = 1 by ranks[1] by ranks[2], y fastest:
+ * rank = c_z ranks[1] + c_y. Ghosts beyond sides that are not periodic are left alone by the filling. */
+#pragma once
+
+struct par_halo; /* opaque, owned by the caller */
+
+struct par_halo_input {
+    int m[3];        /* this rank's cells, x y z */
+    int halo;        /* layers of ghosts that the arrays have, at most m wherever ghosts are filled */
+    int ranks[3];    /* process grid, ranks[0] = 1 */
+    int periodic[3]; /* 1: the direction closes on itself */
+};
+
+struct par_halo *par_halo_new(const struct par_halo_input *in); /* Collective. */
+void par_halo_free(struct par_halo *h);
+
+/* The nearest `layers` ghosts of each field, edges and corners included: x, then y, then z, each over the whole (ghosts
+ * included) extent of the other two. field [fields] arrays as above. Collective. */
+void par_halo_fill(struct par_halo *h, int fields, double *const *field, int layers);
+/* The same for one direction only, so that a side's conditions can be set between them. Collective. */
+void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers);
+/* The adjoint of the filling: what stands in the nearest `layers` ghosts is added to the owners' cells; ghosts beyond sides
+ * that are not periodic are dropped; those ghosts are then zero. Collective. */
+void par_halo_add(struct par_halo *h, int fields, double *const *field, int layers);
+/* Whether this rank's low (side 0) or high (side 1) end of the direction is an end of the domain that is not periodic. */
+int par_halo_at_side(const struct par_halo *h, int direction, int side);

@@ -1,0 +1,33 @@
+/* What is looked at in a scene before it is believed. All of these go on after a mistake, so that all mistakes are said at
+ * once: what was wrong is replaced by something that can be loaded and marked bad, and what rests on it is not looked at. */
+#pragma once
+#include "base/scene.h"
+#include "base/scene_problem.h"
+
+/* Keys, types, ranges, what is missing; fills in the defaults of base/scene_rule.h and puts keys into their order. */
+void scene_check_keys(struct scene_node *root, struct scene_problems *problems);
+
+/* What one needs to look at a loaded scene and to say what is wrong with it. */
+struct scene_check {
+    const struct scene *scene;
+    const struct scene_node *root;
+    struct scene_problems *problems;
+};
+
+/* Combinations of keys that cannot be. */
+void scene_check_parts(const struct scene_check *c);
+void scene_check_fluid(const struct scene_check *c);
+void scene_check_solid(const struct scene_check *c);
+void scene_check_stages(const struct scene_check *c);
+
+/* A path made as by printf, for the calls below: scene_path("solid.bodies[%d].low", b).text */
+struct scene_path {
+    char text[96];
+};
+struct scene_path scene_path(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* Whether the key at the path is there and free of mistakes. */
+int scene_check_clean(const struct scene_check *c, struct scene_path path);
+/* The bounds of a body; 0 for one of points, whose bounds only its particles know. */
+int scene_check_bounds(const struct scene_body *body, double low[3], double high[3]);
+
+extern const char *const scene_check_side[3][2]; /* x_low, ... */

@@ -1,0 +1,124 @@
+/* Sides, driving and initial flow that fit together. */
+#include "base/scene_check.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const type_name[] = {"periodic", "wall",     "slip",   "inflow",
+                                        "outflow",  "pressure", "general"};
+
+static struct scene_path side_path(int d, int end, const char *key) {
+    return scene_path("fluid.sides.%s%s%s", scene_check_side[d][end], *key ? "." : "", key);
+}
+
+static int sides_clean(const struct scene_check *c, int d) {
+    return scene_check_clean(c, side_path(d, 0, "")) && scene_check_clean(c, side_path(d, 1, ""));
+}
+
+static int has_walls(const struct scene_fluid *f, int d) {
+    return f->side[d][0].type == SCENE_WALL && f->side[d][1].type == SCENE_WALL;
+}
+
+static void check_pair(const struct scene_check *c, int d) {
+    const struct scene_side *side = c->scene->fluid->side[d];
+    const int low = side[0].type == SCENE_PERIODIC, high = side[1].type == SCENE_PERIODIC;
+    if (low != high)
+        scene_problem_at(c->problems, c->root, side_path(d, low ? 0 : 1, "type").text,
+                         "periodic sides come in pairs, but %s is %s", scene_check_side[d][low ? 1 : 0],
+                         type_name[side[low ? 1 : 0].type]);
+}
+
+/* What the velocity of the side itself may be. */
+static void check_side(const struct scene_check *c, int d, int end) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const struct scene_side *side = &f->side[d][end];
+    const int a = (d + 1) % 3, b = (d + 2) % 3;
+    if (side->type == SCENE_WALL && side->velocity[d] != 0)
+        scene_problem_at(c->problems, c->root, side_path(d, end, "velocity").text,
+                         "a wall moves in its own plane: the %c component must be 0", "xyz"[d]);
+    if (side->type == SCENE_INFLOW && side->profile == SCENE_POISEUILLE && sides_clean(c, a) &&
+        sides_clean(c, b) && !has_walls(f, a) && !has_walls(f, b))
+        scene_problem_at(c->problems, c->root, side_path(d, end, "profile").text,
+                         "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
+    if (side->type == SCENE_GENERAL) {
+        const enum scene_condition normal = d == 0 ? side->u : d == 1 ? side->v : side->w;
+        if (normal == side->p)
+            scene_problem_at(c->problems, c->root, side_path(d, end, "p").text,
+                             "must be %s where the normal velocity %c is %s",
+                             normal == SCENE_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
+                             normal == SCENE_NEUMANN ? "neumann" : "dirichlet");
+    }
+}
+
+/* What is given to flow in must be able to leave, and an outflow needs something to let out. */
+static void check_flux(const struct scene_check *c) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const double *size = c->scene->domain.size;
+    double net = 0, scale = 0;
+    int from_file = 0, open = 0, source = 0;
+    for (int d = 0; d < 3; d++)
+        for (int end = 0; end < 2; end++) {
+            const struct scene_side *s = &f->side[d][end];
+            const double area = size[0] * size[1] * size[2] / size[d],
+                         normal = end ? -s->velocity[d] : s->velocity[d];
+            const enum scene_condition condition = d == 0 ? s->u : d == 1 ? s->v : s->w;
+            const int given = s->type == SCENE_GENERAL && condition == SCENE_DIRICHLET;
+            const double in = s->type == SCENE_INFLOW ? s->bulk_velocity * area : given ? normal * area : 0;
+            net += in;
+            scale += fabs(in);
+            from_file |= s->type == SCENE_INFLOW && s->profile == SCENE_PROFILE_FILE;
+            open |=
+                s->type == SCENE_OUTFLOW || s->type == SCENE_PRESSURE || (s->type == SCENE_GENERAL && !given);
+            source |= s->type == SCENE_INFLOW || s->type == SCENE_PRESSURE || s->type == SCENE_GENERAL;
+        }
+    if (!open && (from_file || fabs(net) > 1e-12 * scale))
+        scene_problem_at(c->problems, c->root, "fluid.sides",
+                         "the velocities given at the sides do not balance, and no side is an outflow or of "
+                         "given pressure");
+    for (int d = 0; d < 3; d++)
+        for (int end = 0; end < 2; end++)
+            if (f->side[d][end].type == SCENE_OUTFLOW && !source)
+                scene_problem_at(
+                    c->problems, c->root, side_path(d, end, "type").text,
+                    "an outflow needs a side where something comes in (inflow, pressure or general)");
+}
+
+static void check_driving(const struct scene_check *c) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const int d = f->driving_direction;
+    if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving") ||
+        !sides_clean(c, d))
+        return;
+    if (f->side[d][0].type != SCENE_PERIODIC || f->side[d][1].type != SCENE_PERIODIC)
+        scene_problem_at(c->problems, c->root, "fluid.driving.direction",
+                         "must be a periodic direction: %s is %s, %s is %s", scene_check_side[d][0],
+                         type_name[f->side[d][0].type], scene_check_side[d][1],
+                         type_name[f->side[d][1].type]);
+}
+
+static void check_initial(const struct scene_check *c) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const double *u = f->initial_velocity;
+    if (!f->initial_poiseuille || !scene_node_is_clean(c->root, "fluid.initial")) return;
+    const int along = (u[0] != 0) + (u[1] != 0) + (u[2] != 0), d = u[0] != 0 ? 0 : u[1] != 0 ? 1 : 2;
+    const int a = (d + 1) % 3, b = (d + 2) % 3;
+    if (along != 1)
+        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
+                         "needs initial.velocity, its mean, along one of the axes");
+    else if (sides_clean(c, a) && sides_clean(c, b) && !has_walls(f, a) && !has_walls(f, b))
+        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
+                         "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
+}
+
+void scene_check_fluid(const struct scene_check *c) {
+    if (!c->scene->fluid) return;
+    for (int d = 0; d < 3; d++) {
+        if (sides_clean(c, d)) check_pair(c, d);
+        for (int end = 0; end < 2; end++)
+            if (scene_check_clean(c, side_path(d, end, ""))) check_side(c, d, end);
+    }
+    if (scene_node_is_clean(c->root, "fluid.sides") && scene_node_is_clean(c->root, "domain.size"))
+        check_flux(c);
+    check_driving(c);
+    check_initial(c);
+}

@@ -1,0 +1,235 @@
+#include "base/scene_schema.h"
+#include "base/scene_node.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    NEEDED = CYAML_FLAG_DEFAULT,
+    OPTIONAL = CYAML_FLAG_OPTIONAL,
+    LIST = CYAML_FLAG_OPTIONAL | CYAML_FLAG_POINTER
+};
+enum { BODIES_MAX = 255, LIST_MAX = 10000 }; /* a particle knows its body by one byte */
+
+static const cyaml_schema_value_t real = {CYAML_VALUE_FLOAT(NEEDED, double)};
+static const cyaml_schema_value_t whole = {CYAML_VALUE_INT(NEEDED, int)};
+static const cyaml_schema_value_t boolean = {CYAML_VALUE_BOOL(NEEDED, int)};
+
+#define VECTOR(key, flags, type, member) CYAML_FIELD_SEQUENCE_FIXED(key, flags, struct type, member, &real, 3)
+#define NUMBER(key, flags, type, member) CYAML_FIELD_FLOAT(key, flags, struct type, member)
+#define WHOLE(key, flags, type, member) CYAML_FIELD_INT(key, flags, struct type, member)
+#define BOOLEAN(key, flags, type, member) CYAML_FIELD_BOOL(key, flags, struct type, member)
+#define TEXT(key, flags, type, member) CYAML_FIELD_STRING(key, flags, struct type, member, 1)
+#define CHOICE(key, flags, type, member, words)                                                              \
+    CYAML_FIELD_ENUM(key, flags | CYAML_FLAG_STRICT, struct type, member, words, CYAML_ARRAY_LEN(words))
+/* A mapping of the file whose keys stand in the struct around it. */
+#define PART(name, optional, type, its_fields)                                                               \
+    {                                                                                                        \
+        .key = name, .data_offset = 0, .value = { CYAML_VALUE_MAPPING(optional, struct type, its_fields) }   \
+    }
+#define ENTRIES(key, flags, type, member, count, entry, least, most)                                         \
+    CYAML_FIELD_SEQUENCE_COUNT(key, (flags) | CYAML_FLAG_POINTER, struct type, member, count, entry, least,  \
+                               most)
+
+static const cyaml_strval_t axes[] = {{"x", 0}, {"y", 1}, {"z", 2}};
+static const cyaml_strval_t side_types[] = {{"periodic", SCENE_PERIODIC}, {"wall", SCENE_WALL},
+                                            {"slip", SCENE_SLIP},         {"inflow", SCENE_INFLOW},
+                                            {"outflow", SCENE_OUTFLOW},   {"pressure", SCENE_PRESSURE},
+                                            {"general", SCENE_GENERAL}};
+static const cyaml_strval_t profiles[] = {
+    {"uniform", SCENE_UNIFORM}, {"poiseuille", SCENE_POISEUILLE}, {"file", SCENE_PROFILE_FILE}};
+static const cyaml_strval_t conditions[] = {{"dirichlet", SCENE_DIRICHLET}, {"neumann", SCENE_NEUMANN}};
+static const cyaml_strval_t drivings[] = {{"none", SCENE_DRIVING_NONE},
+                                          {"pressure_gradient", SCENE_DRIVING_GRADIENT},
+                                          {"bulk_velocity", SCENE_DRIVING_BULK}};
+static const cyaml_strval_t shapes[] = {
+    {"box", SCENE_BOX}, {"sphere", SCENE_SPHERE}, {"cylinder", SCENE_CYLINDER}, {"points", SCENE_POINTS}};
+static const cyaml_strval_t modes[] = {{"rigid", SCENE_SOLID_RIGID}, {"elastic", SCENE_SOLID_ELASTIC}};
+static const cyaml_strval_t integrators[] = {{"rk3", SCENE_RK3}, {"verlet", SCENE_VERLET}};
+
+static const cyaml_schema_field_t domain_fields[] = {
+    VECTOR("size", NEEDED, scene_domain, size),
+    CYAML_FIELD_SEQUENCE_FIXED("cells", OPTIONAL, struct scene_domain, cells, &whole, 3),
+    CYAML_FIELD_SEQUENCE_FIXED("periodic", OPTIONAL, struct scene_domain, periodic, &boolean, 3),
+    CYAML_FIELD_END};
+
+static const cyaml_schema_field_t initial_fields[] = {
+    VECTOR("velocity", OPTIONAL, scene_fluid, initial_velocity),
+    BOOLEAN("poiseuille", OPTIONAL, scene_fluid, initial_poiseuille), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t side_fields[] = {
+    CHOICE("type", NEEDED, scene_side, type, side_types),
+    VECTOR("velocity", OPTIONAL, scene_side, velocity),
+    CHOICE("profile", OPTIONAL, scene_side, profile, profiles),
+    NUMBER("bulk_velocity", OPTIONAL, scene_side, bulk_velocity),
+    TEXT("file", OPTIONAL, scene_side, file),
+    NUMBER("pressure", OPTIONAL, scene_side, pressure),
+    CHOICE("u", OPTIONAL, scene_side, u, conditions),
+    CHOICE("v", OPTIONAL, scene_side, v, conditions),
+    CHOICE("w", OPTIONAL, scene_side, w, conditions),
+    CHOICE("p", OPTIONAL, scene_side, p, conditions),
+    CYAML_FIELD_END};
+
+#define SIDE(key, d, end) CYAML_FIELD_MAPPING(key, NEEDED, struct scene_fluid, side[d][end], side_fields)
+static const cyaml_schema_field_t sides_fields[] = {
+    SIDE("x_low", 0, 0), SIDE("x_high", 0, 1), SIDE("y_low", 1, 0), SIDE("y_high", 1, 1),
+    SIDE("z_low", 2, 0), SIDE("z_high", 2, 1), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t driving_fields[] = {
+    CHOICE("type", NEEDED, scene_fluid, driving, drivings),
+    CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, axes),
+    NUMBER("value", OPTIONAL, scene_fluid, driving_value), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
+                                                    NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
+                                                    PART("initial", OPTIONAL, scene_fluid, initial_fields),
+                                                    PART("sides", NEEDED, scene_fluid, sides_fields),
+                                                    PART("driving", OPTIONAL, scene_fluid, driving_fields),
+                                                    VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
+                                                    CYAML_FIELD_END};
+
+static const cyaml_schema_field_t material_fields[] = {
+    TEXT("name", NEEDED, scene_material, name),
+    NUMBER("youngs_modulus", NEEDED, scene_material, youngs_modulus),
+    NUMBER("density", NEEDED, scene_material, density),
+    NUMBER("poisson_ratio", OPTIONAL, scene_material, poisson_ratio),
+    NUMBER("fracture_energy", OPTIONAL, scene_material, fracture_energy),
+    NUMBER("horizon_ratio", OPTIONAL, scene_material, horizon_ratio),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t material = {
+    CYAML_VALUE_MAPPING(NEEDED, struct scene_material, material_fields)};
+
+static const cyaml_schema_field_t cavity_fields[] = {
+    NUMBER("period", NEEDED, scene_body, cavity_period), NUMBER("radius", NEEDED, scene_body, cavity_radius),
+    VECTOR("centre", NEEDED, scene_body, cavity_centre), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t body_fields[] = {TEXT("name", OPTIONAL, scene_body, name),
+                                                   TEXT("material", OPTIONAL, scene_body, material),
+                                                   CHOICE("shape", NEEDED, scene_body, shape, shapes),
+                                                   VECTOR("low", OPTIONAL, scene_body, low),
+                                                   VECTOR("high", OPTIONAL, scene_body, high),
+                                                   VECTOR("centre", OPTIONAL, scene_body, centre),
+                                                   NUMBER("radius", OPTIONAL, scene_body, radius),
+                                                   NUMBER("length", OPTIONAL, scene_body, length),
+                                                   CHOICE("axis", OPTIONAL, scene_body, axis, axes),
+                                                   TEXT("file", OPTIONAL, scene_body, file),
+                                                   PART("cavities", OPTIONAL, scene_body, cavity_fields),
+                                                   CYAML_FIELD_END};
+static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
+
+static const cyaml_schema_field_t constraint_fields[] = {
+    VECTOR("low", NEEDED, scene_constraint, low), VECTOR("high", NEEDED, scene_constraint, high),
+    TEXT("directions", OPTIONAL, scene_constraint, directions),
+    VECTOR("velocity", OPTIONAL, scene_constraint, velocity), CYAML_FIELD_END};
+static const cyaml_schema_value_t constraint = {
+    CYAML_VALUE_MAPPING(NEEDED, struct scene_constraint, constraint_fields)};
+
+static const cyaml_schema_field_t region_fields[] = {
+    VECTOR("low", NEEDED, scene_region, low), VECTOR("high", NEEDED, scene_region, high), CYAML_FIELD_END};
+static const cyaml_schema_value_t region = {CYAML_VALUE_MAPPING(NEEDED, struct scene_region, region_fields)};
+
+static const cyaml_schema_field_t load_fields[] = {
+    VECTOR("low", NEEDED, scene_load, low), VECTOR("high", NEEDED, scene_load, high),
+    VECTOR("force", NEEDED, scene_load, force), CYAML_FIELD_END};
+static const cyaml_schema_value_t load = {CYAML_VALUE_MAPPING(NEEDED, struct scene_load, load_fields)};
+
+static const cyaml_schema_field_t contact_fields[] = {
+    BOOLEAN("enabled", OPTIONAL, scene_solid, contact),
+    NUMBER("stiffness", OPTIONAL, scene_solid, contact_stiffness),
+    NUMBER("exponent", OPTIONAL, scene_solid, contact_exponent),
+    NUMBER("radius", OPTIONAL, scene_solid, contact_radius), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t solid_fields[] = {
+    NUMBER("spacing", OPTIONAL, scene_solid, spacing),
+    ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, BODIES_MAX),
+    ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, BODIES_MAX),
+    ENTRIES("constraints", LIST, scene_solid, constraint, constraints, &constraint, 0, LIST_MAX),
+    ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),
+    ENTRIES("loads", LIST, scene_solid, load, loads, &load, 0, LIST_MAX),
+    BOOLEAN("surface_correction", OPTIONAL, scene_solid, surface_correction),
+    VECTOR("body_force", OPTIONAL, scene_solid, body_force),
+    PART("contact", OPTIONAL, scene_solid, contact_fields),
+    CYAML_FIELD_END};
+
+static const cyaml_schema_field_t medium_fields[] = {VECTOR("low", NEEDED, scene_coupling, box_low),
+                                                     VECTOR("high", NEEDED, scene_coupling, box_high),
+                                                     CYAML_FIELD_END};
+
+static const cyaml_schema_field_t coupling_fields[] = {
+    WHOLE("forcing_iterations", OPTIONAL, scene_coupling, forcing_iterations),
+    NUMBER("retraction", OPTIONAL, scene_coupling, retraction),
+    NUMBER("probe_length", OPTIONAL, scene_coupling, probe_length),
+    PART("medium", OPTIONAL, scene_coupling, medium_fields), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t stage_fields[] = {
+    TEXT("name", NEEDED, scene_stage, name),
+    WHOLE("steps", NEEDED, scene_stage, steps),
+    NUMBER("time_step", OPTIONAL, scene_stage, time_step),
+    NUMBER("cfl", OPTIONAL, scene_stage, cfl),
+    CHOICE("solid", OPTIONAL, scene_stage, solid, modes),
+    BOOLEAN("relax", OPTIONAL, scene_stage, relax),
+    CHOICE("integrator", OPTIONAL, scene_stage, integrator, integrators),
+    WHOLE("substeps", OPTIONAL, scene_stage, substeps),
+    NUMBER("safety", OPTIONAL, scene_stage, safety),
+    BOOLEAN("breakage", OPTIONAL, scene_stage, breakage),
+    NUMBER("damping_relative", OPTIONAL, scene_stage, damping_relative),
+    NUMBER("damping_absolute", OPTIONAL, scene_stage, damping_absolute),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t stage = {CYAML_VALUE_MAPPING(NEEDED, struct scene_stage, stage_fields)};
+
+static const cyaml_schema_field_t output_fields[] = {
+    WHOLE("series_every", OPTIONAL, scene_output, series_every),
+    WHOLE("fields_every", OPTIONAL, scene_output, fields_every),
+    WHOLE("checkpoint_every", OPTIONAL, scene_output, checkpoint_every),
+    WHOLE("log_every", OPTIONAL, scene_output, log_every),
+    BOOLEAN("stress", OPTIONAL, scene_output, stress),
+    CYAML_FIELD_END};
+
+static const cyaml_schema_field_t scene_fields[] = {
+    TEXT("title", OPTIONAL, scene, title),
+    CYAML_FIELD_MAPPING("domain", NEEDED, struct scene, domain, domain_fields),
+    CYAML_FIELD_MAPPING_PTR("fluid", OPTIONAL, struct scene, fluid, fluid_fields),
+    CYAML_FIELD_MAPPING_PTR("solid", OPTIONAL, struct scene, solid, solid_fields),
+    CYAML_FIELD_MAPPING_PTR("coupling", OPTIONAL, struct scene, coupling, coupling_fields),
+    TEXT("start", OPTIONAL, scene, start),
+    ENTRIES("stages", NEEDED, scene, stage, stages, &stage, 1, LIST_MAX),
+    CYAML_FIELD_MAPPING("output", OPTIONAL, struct scene, output, output_fields),
+    CYAML_FIELD_END};
+
+const cyaml_schema_value_t scene_schema = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct scene, scene_fields)};
+
+/* Keeps libcyaml's first error as text. */
+static void keep_error(cyaml_log_t level, void *context, const char *format, va_list args) {
+    char **why = context;
+    if (level < CYAML_LOG_ERROR || *why) return;
+    if (vasprintf(why, format, args) < 0) *why = NULL;
+    if (*why) (*why)[strcspn(*why, "\n")] = '\0';
+}
+
+static cyaml_config_t config_of(char **why) {
+    return (cyaml_config_t){.log_fn = keep_error,
+                            .log_ctx = why,
+                            .mem_fn = cyaml_mem,
+                            .log_level = CYAML_LOG_ERROR,
+                            .flags = CYAML_CFG_NO_ALIAS};
+}
+
+struct scene *scene_schema_load(const char *text, char **why) {
+    const cyaml_config_t config = config_of(why);
+    cyaml_data_t *data = NULL;
+    *why = NULL;
+    const cyaml_err_t error =
+        cyaml_load_data((const uint8_t *)text, strlen(text), &config, &scene_schema, &data, NULL);
+    if (error == CYAML_OK) return (struct scene *)data;
+    if (!*why) *why = scene_text("%s", cyaml_strerror(error));
+    return NULL;
+}
+
+void scene_schema_free(struct scene *s) {
+    char *why = NULL;
+    const cyaml_config_t config = config_of(&why);
+    if (s) cyaml_free(&config, &scene_schema, s, 0);
+    free(why);
+}

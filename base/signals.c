@@ -1,0 +1,57 @@
+#include "base/signals.h"
+#include "base/par.h"
+
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static volatile sig_atomic_t caught; /* the signal's number */
+static double wall_deadline;         /* on par_seconds' clock, 0: none */
+static double batch_deadline;        /* seconds since 1970, 0: none */
+
+static void catch (int number) { caught = number; }
+
+void signals_begin(double max_wall) {
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = catch;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGUSR1, &action, NULL);
+    action.sa_flags = SA_RESTART | SA_RESETHAND;
+    sigaction(SIGINT, &action, NULL);
+    caught = 0;
+    wall_deadline = max_wall > 0 ? par_seconds() + max_wall : 0;
+    const char *batch = getenv("SLURM_JOB_END_TIME");
+    batch_deadline = batch ? strtod(batch, NULL) : 0;
+}
+
+static double since_1970(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_REALTIME, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* The reasons' order is no matter: a signal, where some rank has one, then the limits. */
+enum signals_reason signals_stop(double reserve) {
+    double has[3];
+    has[0] = caught != 0;
+    has[1] = wall_deadline > 0 && par_seconds() + reserve > wall_deadline;
+    has[2] = batch_deadline > 0 && since_1970() + reserve > batch_deadline;
+    par_max_array(has, 3);
+    if (has[0] > 0) return SIGNALS_SIGNAL;
+    if (has[1] > 0) return SIGNALS_MAX_WALL;
+    return has[2] > 0 ? SIGNALS_BATCH : SIGNALS_NONE;
+}
+
+const char *signals_name(enum signals_reason reason) {
+    if (reason == SIGNALS_MAX_WALL) return "--max-wall";
+    if (reason == SIGNALS_BATCH) return "the batch system's limit";
+    if (reason == SIGNALS_NONE) return "no reason";
+    return caught == SIGTERM   ? "SIGTERM"
+           : caught == SIGUSR1 ? "SIGUSR1"
+           : caught == SIGINT  ? "SIGINT"
+                               : "a signal";
+}

@@ -1,0 +1,17 @@
+/* Reasons to stop early with a checkpoint: a signal, or the end of the time that the run may take. */
+#pragma once
+
+enum signals_reason {
+    SIGNALS_NONE,
+    SIGNALS_SIGNAL,   /* SIGTERM, SIGUSR1 or SIGINT */
+    SIGNALS_MAX_WALL, /* --max-wall */
+    SIGNALS_BATCH     /* the batch system's limit, SLURM_JOB_END_TIME (seconds since 1970) */
+};
+
+/* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once. Not collective. */
+void signals_begin(double max_wall);
+/* Whether to stop now: the strongest reason any rank has. reserve: seconds that a last step and the checkpoint will take;
+ * limits are met that much earlier. The same on every rank. Collective. */
+enum signals_reason signals_stop(double reserve);
+/* A word for the log: "SIGTERM", "--max-wall", ... Not collective. */
+const char *signals_name(enum signals_reason reason);

@@ -1,0 +1,21 @@
+/* What store.c and store_read.c share. */
+#pragma once
+#include "base/folder.h"
+#include "base/h5.h"
+#include "base/store.h"
+
+struct store {
+    struct h5 h5;
+    char folder[FOLDER_PATH], name[256]; /* writing */
+    int keep;
+    double *scratch;
+    size_t scratch_items;
+};
+
+hid_t store_h5_type(enum store_type type);
+double *store_scratch(struct store *s, size_t items);
+int store_is_contiguous(const struct store_block *b);
+struct h5_block store_h5_block(const struct store_block *b);
+struct h5_block store_h5_range(int comps, long n, long first, long count);
+/* Names of the checkpoints in a folder, best first, malloc'ed; one rank's affair. */
+int store_candidates(const char *folder, char (**name)[256]);

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# The three runs at full size on their shared first stages, and results/ from them.
+# usage: cases/porous_channel/run.sh [RANKS] [RUNS]      (2, runs/porous_channel)
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+n=${1:-2} runs=${2:-runs/porous_channel} case=cases/porous_channel frana=build/frana
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+mkdir -p "$runs"
+go() { # go NAME [--resume...]: goes on with what is there, does nothing for what is done
+  local name=$1; shift
+  grep -qs '"status": *"done"' "$runs/$name/run.json" && return
+  if [ -f "$runs/$name/checkpoint/latest" ]; then set -- --resume; else rm -rf "${runs:?}/$name"; fi
+  mpiexec -n "$n" "$frana" run "$case/$name.yaml" --out "$runs/$name" "$@"
+}
+go s1
+go s2 --resume="$runs/s1/checkpoint/stage_settle.h5"
+go s3 --resume="$runs/s1/checkpoint/stage_settle.h5"
+"$frana" post "$runs/s1" "$runs/s2" "$runs/s3" --out "$runs/compared"
+"$case/collect.sh" "$runs"

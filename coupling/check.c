@@ -1,0 +1,132 @@
+/* frana check: what a run will hold, what it leaves out and why, its stable steps, memory and groups. Steps nothing. */
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/program.h"
+#include "coupling/record.h"
+#include "coupling/run.h"
+#include "solid/family.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+/* Rank 0 prints. */
+static void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void say(const char *format, ...) {
+    if (par_rank() != 0) return;
+    va_list args;
+    va_start(args, format);
+    vprintf(format, args);
+    va_end(args);
+}
+
+static void say_holdings(struct run *r) {
+    char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
+    say("%s\n\nholds\n", r->scene->title);
+    if (r->fluid) {
+        const struct fluid_grid *g = fluid_grid_of(r->fluid);
+        say("  fluid      %d x %d x %d cells of %.6g x %.6g x %.6g m on %d x %d ranks\n", g->n[0], g->n[1],
+            g->n[2], g->d[0], g->d[1], g->d[2], g->ranks[1], g->ranks[2]);
+    }
+    if (r->solid) {
+        const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
+        say("  solid      %ld particles %.6g m apart, %ld bonds\n", r->solid->n_global, r->solid->in.spacing,
+            directed / 2);
+    }
+    if (r->surface)
+        say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
+            r->surface->immersed_area, r->surface->initial_area);
+    if (r->medium) {
+        run_deposit(r);
+        say("  medium     porosity %.5f, connected %.5f\n", medium_porosity(r->medium),
+            medium_porosity_effective(r->medium));
+    }
+    say("\nleaves out\n");
+    const int n = record_left_out(r->scene, sentence);
+    for (int k = 0; k < n; k++) say("  %s\n", sentence[k]);
+    if (n == 0) say("  nothing\n");
+}
+
+static void say_limits(struct run *r) {
+    say("\nstable steps, s\n");
+    if (r->fluid) {
+        const struct fluid_limits l = fluid_stable_step(r->fluid);
+        say("  fluid, viscous          %.6g\n  fluid, convective       %.6g (with the initial velocity)\n",
+            l.viscous, l.convective);
+    }
+    if (r->needs.bonds) {
+        say("  solid, RK3              %.6g\n", solid_stable_step(r->solid, SOLID_RK3));
+        say("  solid, velocity Verlet  %.6g\n", solid_stable_step(r->solid, SOLID_VERLET));
+    }
+    say("\nstages\n");
+    for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
+        const struct scene_stage *stage = &r->scene->stage[r->stage];
+        run_stage_begin(r);
+        say("  %-10s %ld steps", stage->name, stage->steps);
+        if (r->dt > 0)
+            say(" of %.6g s", r->dt);
+        else
+            say(", automatic");
+        if (r->substeps > 0) say(", %d substeps of %.6g s", r->substeps, r->dt / r->substeps);
+        say(":");
+        for (int k = 0; k < r->parts; k++) say("%s %s", k ? "," : "", r->part_name[k]);
+        say("\n");
+        if (r->fluid && r->dt > 0) {
+            const struct fluid_limits l = fluid_stable_step(r->fluid);
+            if (r->dt > l.step)
+                say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, l.step);
+        }
+        if (r->substeps > 0 && r->dt / r->substeps > r->solid_stable)
+            say("  warning: %s's substep is above the solid's limit of %.6g s\n", stage->name,
+                r->solid_stable);
+    }
+}
+
+static void say_memory(void) {
+    double most[MEMORY_PARTS + 1], sum = 0;
+    for (int p = 0; p < MEMORY_PARTS; p++) sum += most[p] = (double)memory_bytes((enum memory_part)p);
+    most[MEMORY_PARTS] = sum;
+    par_max_array(most, MEMORY_PARTS + 1);
+    say("\nmemory per rank, MB (largest of %d)\n", par_size());
+    for (int p = 0; p < MEMORY_PARTS; p++)
+        say("  %-10s %.1f\n", memory_name((enum memory_part)p), most[p] * 1e-6);
+    say("  %-10s %.1f, and the libraries' own\n", "in all", most[MEMORY_PARTS] * 1e-6);
+}
+
+/* The largest inflow or driven velocity of the scene, m/s. */
+static double velocity_of(const struct scene_fluid *f) {
+    double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
+    for (int c = 0; c < 3; c++) {
+        u = fmax(u, fabs(f->initial_velocity[c]));
+        for (int e = 0; e < 2; e++)
+            u = fmax(u, fmax(fabs(f->side[c][e].bulk_velocity), fabs(f->side[c][e].velocity[c])));
+    }
+    return u;
+}
+
+static void say_groups(const struct scene *scene) {
+    const struct scene_fluid *f = scene->fluid;
+    const double u = f ? velocity_of(f) : 0, h = scene->domain.size[1];
+    say("\ngroups\n");
+    if (u > 0) say("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
+    for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
+        const struct scene_material *s = &scene->solid->material[m];
+        const struct solid_material material = {s->youngs_modulus, s->density, s->fracture_energy,
+                                                s->horizon_ratio};
+        const double s0 = solid_critical_stretch(&material, scene->solid->spacing);
+        if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
+        if (u > 0) say("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
+        say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
+        say("  %s: sqrt(E/rho_s) = %.6g m/s\n", s->name, sqrt(s->youngs_modulus / s->density));
+    }
+}
+
+int program_check(const struct scene *scene) {
+    struct run *r = run_new(scene);
+    say_holdings(r);
+    say_limits(r);
+    say_memory();
+    say_groups(scene);
+    run_free(r);
+    return EXIT_CODE_DONE;
+}

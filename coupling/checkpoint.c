@@ -1,0 +1,195 @@
+#include "coupling/checkpoint.h"
+#include "base/clock.h"
+#include "base/folder.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "base/store.h"
+#include "solid/family.h"
+#include "solid/surface_state.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct store_block block_of(const struct fluid_grid *g) {
+    struct store_block b = {.row = g->row, .plane = g->plane};
+    memcpy(b.n, g->n, sizeof b.n);
+    memcpy(b.lo, g->lo, sizeof b.lo);
+    memcpy(b.m, g->m, sizeof b.m);
+    return b;
+}
+
+static const char *const fluid_name[4] = {"u", "v", "w", "p"};
+
+static void fluid_arrays(struct run *r, double *array[4]) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const struct fluid_state *q = fluid_state_of(r->fluid);
+    double *const all[4] = {q->u, q->v, q->w, q->p};
+    for (int f = 0; f < 4; f++) array[f] = all[f] + fluid_grid_at(g, 0, 0, 0);
+}
+
+/* The velocities at the low boundary faces belong to the state where the side is open: they are set by its condition, and are
+ * not stored. */
+static void write_fluid(struct run *r, struct store *s) {
+    const struct store_block b = block_of(fluid_grid_of(r->fluid));
+    double *array[4];
+    fluid_arrays(r, array);
+    for (int f = 0; f < 4; f++) store_write_block(s, fluid_name[f], &b, array[f]);
+    store_write_double(s, "driving", fluid_state_of(r->fluid)->driving);
+}
+
+static int read_fluid(struct run *r, struct store *s) {
+    const struct store_block b = block_of(fluid_grid_of(r->fluid));
+    double *array[4];
+    int bad = 0;
+    fluid_arrays(r, array);
+    for (int f = 0; f < 4 && !bad; f++) bad = store_read_block(s, fluid_name[f], &b, array[f]);
+    return bad || store_read_double(s, "driving", &fluid_state_of(r->fluid)->driving);
+}
+
+/* Arrays of three components by particle: displacement, velocity, velocity a step ago, load. */
+enum { VECTORS = 4 };
+static const char *const vector_name[VECTORS] = {"displacement", "velocity", "velocity_last", "load"};
+
+static int vectors_of(struct run *r, double *const *vector[VECTORS]) {
+    vector[0] = r->solid->d;
+    vector[1] = r->solid->v;
+    vector[2] = r->v_last[0] ? r->v_last : NULL;
+    vector[3] = r->solid->load;
+    return VECTORS;
+}
+
+static const char *const share_name[] = {"e_damped", "e_fracture", "e_constraint", "work_load"};
+
+static void write_bonds(struct run *r, struct store *s) {
+    struct solid *solid = r->solid;
+    const long n = solid->n_global, first = solid->first[par_rank()];
+    double *work = memory_new(MEMORY_OUTPUT, 3 * (size_t)solid->n + 1, sizeof *work);
+    double *const *vector[VECTORS];
+    for (int k = 0, all = vectors_of(r, vector); k < all; k++) {
+        if (!vector[k]) continue;
+        for (int h = 0; h < solid->n; h++)
+            for (int c = 0; c < 3; c++) work[3 * h + c] = vector[k][c][h];
+        store_write_range(s, vector_name[k], STORE_DOUBLE, 3, n, first, solid->n, work);
+    }
+    memory_free(work);
+    const int bytes = solid_family_bytes(solid);
+    uint8_t *bits = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)bytes + 1, 1);
+    for (int h = 0; h < solid->n; h++) solid_family_save(solid, h, bits + (size_t)h * (size_t)bytes);
+    store_write_range(s, "bonds", STORE_BYTE, bytes, n, first, solid->n, bits);
+    memory_free(bits);
+    store_write_range(s, "flag", STORE_BYTE, 1, n, first, solid->n, solid->flag);
+    double share[] = {solid->e_damped, solid->e_fracture, solid->e_constraint, solid->work_load};
+    par_sum_array(share, 4);
+    for (int k = 0; k < 4; k++) store_write_double(s, share_name[k], share[k]);
+    if (r->surface) {
+        const int comps = solid_surface_state_size();
+        double *state = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)comps + 1, sizeof *state);
+        solid_surface_save(solid, r->surface, state);
+        store_write_range(s, "surface", STORE_DOUBLE, comps, n, first, solid->n, state);
+        memory_free(state);
+    }
+}
+
+static int read_bonds(struct run *r, struct store *s) {
+    struct solid *solid = r->solid;
+    const long n = solid->n_global, first = solid->first[par_rank()];
+    double *work = memory_new(MEMORY_OUTPUT, 3 * (size_t)solid->n + 1, sizeof *work);
+    double *const *vector[VECTORS];
+    int bad = 0;
+    for (int k = 0, all = vectors_of(r, vector); k < all && !bad; k++) {
+        if (!vector[k]) continue;
+        bad = store_read_range(s, vector_name[k], STORE_DOUBLE, 3, n, first, solid->n, work);
+        for (int h = 0; h < solid->n && !bad; h++)
+            for (int c = 0; c < 3; c++) vector[k][c][h] = work[3 * h + c];
+    }
+    memory_free(work);
+    const int bytes = solid_family_bytes(solid);
+    uint8_t *bits = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)bytes + 1, 1);
+    bad = bad || store_read_range(s, "bonds", STORE_BYTE, bytes, n, first, solid->n, bits) ||
+          store_read_range(s, "flag", STORE_BYTE, 1, n, first, solid->n, solid->flag);
+    for (int h = 0; h < solid->n && !bad; h++) solid_family_load(solid, h, bits + (size_t)h * (size_t)bytes);
+    memory_free(bits);
+    double share[4] = {0};
+    for (int k = 0; k < 4 && !bad; k++) bad = store_read_double(s, share_name[k], &share[k]);
+    if (bad) return bad;
+    const int keep = par_rank() == 0; /* sums are carried on by rank 0 */
+    solid->e_damped = keep * share[0];
+    solid->e_fracture = keep * share[1];
+    solid->e_constraint = keep * share[2];
+    solid->work_load = keep * share[3];
+    par_ghost_update_bytes(solid->ghost, solid->flag, solid->n);
+    solid_ghosts_update(solid);
+    solid_count_bonds(solid);
+    if (r->surface) {
+        const int comps = solid_surface_state_size();
+        double *state = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)comps + 1, sizeof *state);
+        bad = store_read_range(s, "surface", STORE_DOUBLE, comps, n, first, solid->n, state);
+        if (!bad) solid_surface_load(solid, r->surface, state);
+        memory_free(state);
+    }
+    return bad;
+}
+
+static void write(struct run *r, const char *folder, const char *name, int keep) {
+    clock_begin(CLOCK_OUTPUT);
+    struct store *s = store_begin(folder, name, keep);
+    store_write_double(s, "t", r->t);
+    store_write_double(s, "dt", r->dt);
+    store_write_long(s, "step", r->step);
+    store_write_long(s, "stage_step", r->stage_step);
+    store_write_text(s, "stage", r->scene->stage[r->stage].name);
+    store_write_double(s, "spacing", r->solid ? r->solid->in.spacing : 0);
+    if (r->fluid) write_fluid(r, s);
+    if (r->needs.bonds) write_bonds(r, s);
+    store_end(s);
+    clock_end(CLOCK_OUTPUT);
+}
+
+void checkpoint_write(struct run *r, const char *folder) {
+    char name[64];
+    snprintf(name, sizeof name, "step_%08ld", r->step);
+    write(r, folder, name, 2);
+}
+
+void checkpoint_write_stage(struct run *r, const char *folder) {
+    char name[128];
+    snprintf(name, sizeof name, "stage_%s", r->scene->stage[r->stage].name);
+    write(r, folder, name, 0);
+}
+
+static int stage_of(const struct scene *scene, const char *name) {
+    for (int k = 0; k < scene->stages; k++)
+        if (!strcmp(scene->stage[k].name, name)) return k;
+    return -1;
+}
+
+void checkpoint_read(struct run *r, const char *folder, const char *file) {
+    struct store *s = file ? store_open(file) : store_open_latest(folder);
+    if (!s) die_all(EXIT_CODE_FILE, "%s", store_error());
+    const char *path = store_path(s);
+    char stage[SCENE_NAME];
+    double spacing;
+    if (store_read_double(s, "t", &r->t) || store_read_double(s, "dt", &r->dt) ||
+        store_read_long(s, "step", &r->step) || store_read_long(s, "stage_step", &r->stage_step) ||
+        store_read_text(s, "stage", stage, sizeof stage) || store_read_double(s, "spacing", &spacing))
+        die_all(EXIT_CODE_CHECKPOINT, "%s: %s", path, store_error());
+    r->stage = stage_of(r->scene, stage);
+    if (r->stage < 0)
+        die_all(EXIT_CODE_CHECKPOINT, "%s: was written in stage %s, which the scene does not have", path,
+                stage);
+    if (r->solid && spacing != r->solid->in.spacing)
+        die_all(EXIT_CODE_CHECKPOINT, "%s: has particles %g m apart, the scene %g m", path, spacing,
+                r->solid->in.spacing);
+    if (r->fluid && read_fluid(r, s))
+        die_all(EXIT_CODE_CHECKPOINT, "%s does not fit the scene: %s", path, store_error());
+    if (r->needs.bonds && read_bonds(r, s))
+        die_all(EXIT_CODE_CHECKPOINT, "%s does not fit the scene: %s", path, store_error());
+    store_close(s);
+    if (r->stage_step >= r->scene->stage[r->stage].steps && r->stage + 1 < r->scene->stages) {
+        r->stage++;
+        r->stage_step = 0;
+    }
+    r->deposited = -1;
+}

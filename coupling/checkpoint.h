@@ -1,0 +1,19 @@
+/* The whole state by global index: resumes on any number of ranks.  (SPEC 9) */
+#pragma once
+#include "coupling/run.h"
+
+/* checkpoint/step_<step>.h5, of which the newest two are kept. Collective. */
+void checkpoint_write(struct run *r, const char *folder);
+/* checkpoint/stage_<name>.h5, at the end of a stage, kept: other runs may start from it. Collective. */
+void checkpoint_write_stage(struct run *r, const char *folder);
+/* From a file, or the newest of the folder where file is NULL. Dies with exit code 4 when there is none that can be
+ * read, 5 when it does not fit the scene. Leaves the run at the beginning of, or within, the stage it had reached. Collective. */
+void checkpoint_read(struct run *r, const char *folder, const char *file);
+
+/* The state kept in memory as the last one known to be good; what a run that has gone unstable leaves behind. */
+struct checkpoint_guard; /* opaque */
+struct checkpoint_guard *checkpoint_guard_new(const struct run *r);
+void checkpoint_guard_free(struct checkpoint_guard *g);
+void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r);
+/* Puts the kept state back; returns its step, or -1 when none was kept. */
+long checkpoint_guard_restore(struct checkpoint_guard *g, struct run *r);

@@ -1,0 +1,107 @@
+#include "coupling/command.h"
+#include "base/error.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *command_usage(void) {
+    return "usage:\n"
+           "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE]] [--max-wall "
+           "HH:MM:SS] [--quiet]\n"
+           "  frana check SCENE.yaml [--set key.path=value]...\n"
+           "  frana post  RUNDIR... [--out DIR]\n"
+           "  frana --version\n"
+           "run and check under mpiexec -n N where they should run in parallel.\n";
+}
+
+/* HH:MM:SS, MM:SS or seconds. */
+static double seconds_of(const char *text) {
+    double total = 0;
+    const char *at = text;
+    for (int field = 0; field < 3; field++) {
+        char *end;
+        const double value = strtod(at, &end);
+        if (end == at || value < 0 || (field > 0 && value >= 60)) break;
+        total = 60 * total + value;
+        if (*end == '\0' && total > 0) return total;
+        if (*end != ':') break;
+        at = end + 1;
+    }
+    die_all(EXIT_CODE_SCENE, "--max-wall %s: must be HH:MM:SS and more than nothing", text);
+}
+
+static enum command_verb verb_of(const char *word) {
+    static const struct {
+        const char *word;
+        enum command_verb verb;
+    } verb[] = {{"run", COMMAND_RUN},           {"check", COMMAND_CHECK}, {"post", COMMAND_POST},
+                {"--version", COMMAND_VERSION}, {"--help", COMMAND_HELP}, {"-h", COMMAND_HELP},
+                {"help", COMMAND_HELP}};
+    for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
+        if (!strcmp(word, verb[k].word)) return verb[k].verb;
+    die_all(EXIT_CODE_SCENE, "%s: unknown command; there are run, check, post, --version and --help", word);
+}
+
+/* runs/NAME, NAME being the scene's file without its ending. */
+static void default_out(struct command *c) {
+    const char *slash = strrchr(c->file[0], '/'), *name = slash ? slash + 1 : c->file[0],
+               *dot = strrchr(name, '.');
+    const int length = dot ? (int)(dot - name) : (int)strlen(name);
+    snprintf(c->out, sizeof c->out, "runs/%.*s", length, name);
+}
+
+static void options(struct command *c, int argc, char **argv) {
+    static const struct option option[] = {
+        {"out", required_argument, NULL, 'o'},    {"set", required_argument, NULL, 's'},
+        {"resume", optional_argument, NULL, 'r'}, {"max-wall", required_argument, NULL, 'w'},
+        {"quiet", no_argument, NULL, 'q'},        {NULL, 0, NULL, 0}};
+    opterr = 0;
+    for (int o; (o = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
+        if ((o == 'r' || o == 'w' || o == 'q') && c->verb != COMMAND_RUN)
+            die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", argv[optind - 1]);
+        if (o == 's' && c->verb == COMMAND_POST)
+            die_all(EXIT_CODE_SCENE, "%s: goes with frana run and check only", argv[optind - 1]);
+        if (o == 'o')
+            snprintf(c->out, sizeof c->out, "%s", optarg);
+        else if (o == 's')
+            c->set[c->sets++] = optarg;
+        else if (o == 'r')
+            c->resume = 1, c->resume_file = optarg;
+        else if (o == 'w')
+            c->max_wall = seconds_of(optarg);
+        else if (o == 'q')
+            c->quiet = 1;
+        else if (o == ':')
+            die_all(EXIT_CODE_SCENE, "%s: needs a value", argv[optind - 1]);
+        else
+            die_all(EXIT_CODE_SCENE, "%s: unknown option; frana --help lists them", argv[optind - 1]);
+    }
+}
+
+struct command *command_new(int argc, char **argv) {
+    struct command *c = calloc(1, sizeof *c);
+    if (argc < 2) {
+        c->verb = COMMAND_HELP;
+        return c;
+    }
+    c->verb = verb_of(argv[1]);
+    c->set = calloc((size_t)argc, sizeof *c->set);
+    if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
+    options(c, argc - 1, argv + 1);
+    c->file = (const char *const *)(argv + 1 + optind);
+    c->files = argc - 1 - optind;
+    if (c->files == 0)
+        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", argv[1],
+                c->verb == COMMAND_POST ? "run folder" : "scene");
+    if (c->files > 1 && c->verb != COMMAND_POST)
+        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one scene", argv[1], c->file[0], c->file[1]);
+    if (c->verb == COMMAND_RUN && !c->out[0]) default_out(c);
+    return c;
+}
+
+void command_free(struct command *c) {
+    free(c->set);
+    free(c);
+}

@@ -1,0 +1,115 @@
+/* Markers and probes from the interface, and the load that the probes bring back.  (001: secs 3.5.2, 3.5.3; SPEC 3, 4) */
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/run.h"
+
+#include <math.h>
+
+static void grow(double **array, int count) {
+    memory_free(*array);
+    *array = memory_new(MEMORY_COUPLING, (size_t)count, sizeof **array);
+}
+
+static void reserve(struct run_markers *m, int markers) {
+    if (markers > m->capacity) {
+        m->capacity = markers + markers / 4 + 64;
+        for (int c = 0; c < 3; c++) {
+            grow(&m->x[c], m->capacity);
+            grow(&m->v[c], m->capacity);
+        }
+        grow(&m->volume, m->capacity);
+    }
+    if (2 * markers > m->probe_capacity) {
+        m->probe_capacity = 2 * m->capacity;
+        for (int c = 0; c < 3; c++) {
+            grow(&m->root[c], m->probe_capacity);
+            grow(&m->normal[c], m->probe_capacity);
+            grow(&m->traction[c], m->probe_capacity);
+        }
+        grow(&m->acceleration_n, m->probe_capacity);
+        grow(&m->pressure, m->probe_capacity);
+        memory_free(m->owner);
+        memory_free(m->active);
+        m->owner = memory_new(MEMORY_COUPLING, (size_t)m->probe_capacity, sizeof *m->owner);
+        m->active = memory_new(MEMORY_COUPLING, (size_t)m->probe_capacity, 1);
+    }
+}
+
+void run_markers_free(struct run *r) {
+    struct run_markers *m = &r->markers;
+    for (int c = 0; c < 3; c++) {
+        memory_free(m->x[c]);
+        memory_free(m->v[c]);
+        memory_free(m->root[c]);
+        memory_free(m->normal[c]);
+        memory_free(m->traction[c]);
+    }
+    memory_free(m->volume);
+    memory_free(m->acceleration_n);
+    memory_free(m->pressure);
+    memory_free(m->owner);
+    memory_free(m->active);
+}
+
+/* A particle's centre stands half a spacing inside the face it wets, the marker r_d inside it: it is moved by
+ * (spacing/2 - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the centre and probes both ways. */
+void run_markers_update(struct run *r) {
+    const struct solid *s = r->solid;
+    const struct solid_surface *surface = r->surface;
+    struct run_markers *m = &r->markers;
+    const double dx = fluid_grid_of(r->fluid)->d[0];
+    const double shift = 0.5 * s->in.spacing - r->scene->coupling->retraction * dx;
+    reserve(m, surface->n);
+    m->n = surface->n;
+    m->probes = 0;
+    for (int i = 0; i < surface->n; i++) {
+        const int h = surface->h[i], two = surface->two_sided[i];
+        double x[3], a_n = 0;
+        solid_position(s, h, x);
+        m->volume[i] = surface->area[i] * dx;
+        for (int c = 0; c < 3; c++) {
+            m->x[c][i] = x[c] + (two ? 0 : shift * surface->normal[c][i]);
+            m->v[c][i] = s->v[c][h];
+            if (r->v_last[0] && r->dt > 0)
+                a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * surface->normal[c][i];
+        }
+        for (int side = 1; side >= (two ? -1 : 1); side -= 2) {
+            const int q = m->probes++;
+            m->owner[q] = i;
+            m->acceleration_n[q] = side * a_n;
+            for (int c = 0; c < 3; c++) {
+                m->normal[c][q] = side * surface->normal[c][i];
+                m->root[c][q] = x[c] + side * shift * surface->normal[c][i];
+            }
+        }
+    }
+}
+
+void run_probe(struct run *r) {
+    struct solid *s = r->solid;
+    const struct solid_surface *surface = r->surface;
+    struct run_markers *m = &r->markers;
+    fluid_state_refresh(r->fluid);
+    const struct ibm_probe_input in = {.n = m->probes,
+                                       .x = {m->root[0], m->root[1], m->root[2]},
+                                       .normal = {m->normal[0], m->normal[1], m->normal[2]},
+                                       .acceleration_n = m->acceleration_n,
+                                       .length = r->scene->coupling->probe_length};
+    ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active);
+    clock_begin(CLOCK_PROBE);
+    /* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4) */
+    for (int c = 0; c < 3; c++) {
+        double sum = 0;
+        for (int h = 0; h < s->n; h++) s->load[c][h] = r->given[c] ? r->given[c][h] : 0;
+        for (int q = 0; q < m->probes; q++) {
+            if (!m->active[q]) continue;
+            const int i = m->owner[q], h = surface->h[i];
+            s->load[c][h] += m->traction[c][q] * surface->area[i] / s->volume[h];
+            sum += m->traction[c][q] * surface->area[i];
+        }
+        r->load[c] = sum;
+    }
+    par_sum_array(r->load, 3);
+    clock_end(CLOCK_PROBE);
+}

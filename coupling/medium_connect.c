@@ -1,0 +1,97 @@
+/* Connected porosity, by flood fill: each rank floods its own cells, hands its outer cells to its neighbours, and goes on
+ * where the flood has come over from them, until it comes to nobody any more. */
+#include "base/par.h"
+#include "base/par_halo.h"
+#include "coupling/medium_parts.h"
+
+#include <string.h>
+
+/* Index of cell i,j,k in the rimmed array. */
+static inline int rimmed(const struct fluid_grid *g, int i, int j, int k) {
+    return ((k + 1) * (g->m[1] + 2) + j + 1) * (g->m[0] + 2) + i + 1;
+}
+
+static void cells_from_fraction(struct medium *m) {
+    const struct fluid_grid *g = m->g;
+    memset(m->cell, MEDIUM_WALL, (size_t)(g->m[0] + 2) * (size_t)(g->m[1] + 2) * (size_t)(g->m[2] + 2));
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double zy = m->weight[2][k] * m->weight[1][j];
+            for (int i = 0; i < g->m[0]; i++)
+                if (zy * m->weight[0][i] > 0 && m->fraction[fluid_grid_at(g, i, j, k)] < 0.5)
+                    m->cell[rimmed(g, i, j, k)] = MEDIUM_PORE;
+        }
+}
+
+/* Sets the cells at (i,j,k)'s section i that the level may enter; returns how many, on the stack. */
+static int start_at_section(struct medium *m, int i, uint8_t level) {
+    const struct fluid_grid *g = m->g;
+    int n = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const int at = rimmed(g, i, j, k);
+            if (m->cell[at] != level - 1) continue;
+            m->cell[at] = level;
+            m->stack[n++] = at;
+        }
+    return n;
+}
+
+/* One side of this rank's piece, across y (c = 1) or z (c = 2): the outermost cells' states go to carry (give), or what has
+ * come into the ghosts beyond them enters them (take). Returns the cells entered, added to the stack's n. */
+static int side_give_or_take(struct medium *m, int c, int high, int take, uint8_t level, int n) {
+    const struct fluid_grid *g = m->g;
+    const int other = 3 - c, last = g->m[c] - 1;
+    const int own = high ? last : 0, ghost = high ? last + 1 : -1;
+    for (int t = 0; t < g->m[other]; t++)
+        for (int i = 0; i < g->m[0]; i++) {
+            const int at = c == 1 ? rimmed(g, i, own, t) : rimmed(g, i, t, own);
+            if (!take) {
+                m->carry[c == 1 ? fluid_grid_at(g, i, own, t) : fluid_grid_at(g, i, t, own)] = m->cell[at];
+            } else if (m->cell[at] == level - 1) {
+                const double come =
+                    m->carry[c == 1 ? fluid_grid_at(g, i, ghost, t) : fluid_grid_at(g, i, t, ghost)];
+                if (come != level) continue;
+                m->cell[at] = level;
+                m->stack[n++] = at;
+            }
+        }
+    return n;
+}
+
+/* Floods a level from section i on all ranks. Collective. */
+static void flood(struct medium *m, int i, uint8_t level) {
+    const struct fluid_grid *g = m->g;
+    int n = start_at_section(m, i, level);
+    do {
+        medium_flood(g->m, level, n, m->stack, m->cell);
+        n = 0;
+        for (int c = 1; c < 3; c++)
+            for (int high = 0; high < 2; high++) side_give_or_take(m, c, high, 0, level, 0);
+        par_halo_fill(g->halos, 1, &m->carry, 1);
+        for (int c = 1; c < 3; c++)
+            for (int high = 0; high < 2; high++)
+                if (!par_halo_at_side(g->halos, c, high)) n = side_give_or_take(m, c, high, 1, level, n);
+    } while (par_sum_long(n) > 0);
+}
+
+double medium_porosity_effective(struct medium *m) {
+    const struct fluid_grid *g = m->g;
+    int front = 0, back = g->m[0] - 1; /* a rank holds all of x */
+    while (m->weight[0][front] == 0) front++;
+    while (m->weight[0][back] == 0) back--;
+
+    cells_from_fraction(m);
+    flood(m, front, MEDIUM_FRONT);
+    flood(m, back, MEDIUM_BOTH);
+
+    double open = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double zy = m->weight[2][k] * m->weight[1][j];
+            for (int i = front; i <= back; i++)
+                if (m->cell[rimmed(g, i, j, k)] == MEDIUM_BOTH)
+                    open += zy * m->weight[0][i] * (1 - m->fraction[fluid_grid_at(g, i, j, k)]);
+        }
+    return par_sum(open) / m->total;
+}

@@ -1,0 +1,172 @@
+/* frana run: stages, samples, fields, checkpoints, and every way in which a run may end. */
+#include "coupling/program.h"
+#include "base/aside.h"
+#include "base/folder.h"
+#include "base/log.h"
+#include "base/par.h"
+#include "base/signals.h"
+#include "coupling/checkpoint.h"
+#include "coupling/fields.h"
+#include "coupling/record.h"
+#include "coupling/run.h"
+#include "coupling/series.h"
+
+#include <math.h>
+#include <stdio.h>
+
+struct program {
+    const struct command *command;
+    const struct scene *scene;
+    struct run *run;
+    struct series *series;
+    struct checkpoint_guard *guard;
+    long checked; /* last step at which a checkpoint was written, -1: none */
+    double slowest_step, checkpoint_seconds;
+};
+
+static int due(long every, long step) { return every > 0 && step % every == 0; }
+
+static void write_resolved(const struct program *p) {
+    char path[FOLDER_PATH];
+    struct aside a;
+    if (par_rank() != 0) return;
+    aside_begin(&a, folder_path(path, p->command->out, "scene.resolved.yaml"));
+    fputs(p->scene->resolved, a.file);
+    aside_end(&a);
+}
+
+static void checkpoint(struct program *p) {
+    if (p->checked == p->run->step) return;
+    const double start = par_seconds();
+    checkpoint_write(p->run, p->command->out);
+    record_write(p->run, p->command->out, "running", 0);
+    p->checked = p->run->step;
+    p->checkpoint_seconds = par_max(par_seconds() - start);
+}
+
+static void progress(struct program *p) {
+    const struct scene_stage *stage = &p->scene->stage[p->run->stage];
+    const struct series_sample *s = series_last(p->series);
+    const long every = p->scene->output.log_every;
+    if (p->run->needs.immersed && p->run->needs.bonds)
+        log_progress(stage->name, p->run->stage_step, stage->steps, every,
+                     "t %.4g s  dp %.4g Pa  broken %.0f", p->run->t, s->dp, s->bonds_broken);
+    else if (p->run->needs.immersed)
+        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", p->run->t,
+                     s->dp);
+    else if (p->run->needs.fluid)
+        log_progress(stage->name, p->run->stage_step, stage->steps, every,
+                     "t %.4g s  u %.4g m/s  div %.1e 1/s", p->run->t, s->u_bulk, s->div_max);
+    else
+        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  broken %.0f", p->run->t,
+                     s->bonds_broken);
+}
+
+/* A fault of the numbers: what and where, the last good state on disk, exit code 3. */
+static int unstable(struct program *p, const struct step_status *status) {
+    log_line("unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m, rank %d", p->run->step, status->field,
+             status->value, status->x[0], status->x[1], status->x[2], status->rank);
+    if (par_rank() == 0)
+        fprintf(stderr, "frana: unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d\n",
+                p->run->step, status->field, status->value, status->x[0], status->x[1], status->x[2],
+                status->rank);
+    const long step = checkpoint_guard_restore(p->guard, p->run);
+    if (step >= 0 && step != p->checked) checkpoint_write(p->run, p->command->out);
+    log_line("the last good state is that of step %ld", step);
+    record_write(p->run, p->command->out, "unstable", EXIT_CODE_UNSTABLE);
+    return EXIT_CODE_UNSTABLE;
+}
+
+static int stopped(struct program *p, enum signals_reason reason) {
+    checkpoint(p);
+    log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(reason),
+             p->run->step);
+    record_write(p->run, p->command->out, "stopped", EXIT_CODE_REQUEUE);
+    return EXIT_CODE_REQUEUE;
+}
+
+/* One step and whatever is due after it. Returns an exit code to leave with, or -1. */
+static int step(struct program *p) {
+    struct run *r = p->run;
+    const struct scene_output *out = &p->scene->output;
+    const struct scene_stage *stage = &p->scene->stage[r->stage];
+    const int last = r->stage_step + 1 == stage->steps;
+    const int sampled = due(out->series_every, r->step + 1) || (last && out->series_every > 0);
+    const double start = par_seconds();
+    struct step_status status;
+    if (sampled) series_prepare(p->series, r);
+    run_step(r);
+    if (run_check(r, &status)) return unstable(p, &status);
+    if (sampled) {
+        series_sample(p->series, r);
+        checkpoint_guard_keep(p->guard, r);
+    }
+    p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
+    progress(p);
+    if (due(out->fields_every, r->step) || (last && out->fields_every > 0)) fields_write(r, p->command->out);
+    if (due(out->checkpoint_every, r->step)) checkpoint(p);
+    const enum signals_reason reason = signals_stop(2 * p->slowest_step + 1.5 * p->checkpoint_seconds);
+    return reason != SIGNALS_NONE ? stopped(p, reason) : -1;
+}
+
+static int stages(struct program *p) {
+    struct run *r = p->run;
+    for (;; r->stage++, r->stage_step = 0) {
+        const struct scene_stage *stage = &p->scene->stage[r->stage];
+        run_stage_begin(r);
+        if (r->stage_step < stage->steps)
+            log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
+                     r->dt > 0 ? "" : " (automatic)");
+        if (r->substeps > 0)
+            log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
+                     r->dt / r->substeps, r->solid_stable);
+        while (r->stage_step < stage->steps) {
+            const int code = step(p);
+            if (code >= 0) return code;
+            if (r->stage_step == stage->steps) checkpoint_write_stage(r, p->command->out);
+        }
+        if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;
+    }
+}
+
+static void begin(struct program *p) {
+    const struct command *c = p->command;
+    const int here = c->resume && !c->resume_file;
+    if (!here && folder_has_run(c->out))
+        die_all(EXIT_CODE_FILE,
+                "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
+    folder_make(c->out);
+    log_begin(c->out, c->quiet, here);
+    signals_begin(c->max_wall);
+    log_line("frana: %s", p->scene->title);
+    p->run = run_new(p->scene);
+    if (c->resume) {
+        checkpoint_read(p->run, c->out, c->resume_file);
+        p->checked = p->run->step;
+        log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
+        if (here) fields_cut(p->run, c->out);
+    }
+    write_resolved(p);
+    p->series = series_new(p->run, c->out, here ? p->run->step : -1);
+    p->guard = checkpoint_guard_new(p->run);
+    checkpoint_guard_keep(p->guard, p->run);
+    char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
+    for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++)
+        log_line("left out: %s", sentence[k]);
+}
+
+int program_run(const struct command *c, const struct scene *scene) {
+    struct program p = {.command = c, .scene = scene, .checked = -1};
+    begin(&p);
+    const int code = stages(&p);
+    if (code == EXIT_CODE_DONE) {
+        if (scene->output.checkpoint_every > 0) checkpoint(&p);
+        record_write(p.run, c->out, "done", code);
+        log_line("done: %ld steps in %.1f s", p.run->step, par_seconds() - p.run->wall_start);
+    }
+    checkpoint_guard_free(p.guard);
+    series_free(p.series);
+    run_free(p.run);
+    log_end();
+    return code;
+}

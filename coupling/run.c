@@ -1,0 +1,102 @@
+#include "coupling/run.h"
+#include "base/memory.h"
+#include "base/par.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int inside(const struct solid *s, int h, const double low[3], const double high[3]) {
+    for (int c = 0; c < 3; c++)
+        if (s->x0[c][h] < low[c] || s->x0[c][h] > high[c]) return 0;
+    return 1;
+}
+
+/* The loads that the scene gives: a force per unit volume on the particles of each region. */
+static void given_new(struct run *r) {
+    const struct scene_solid *scene = r->scene->solid;
+    struct solid *s = r->solid;
+    for (int c = 0; c < 3; c++) r->given[c] = memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof(double));
+    for (int k = 0; k < scene->loads; k++)
+        for (int h = 0; h < s->n; h++)
+            if (inside(s, h, scene->load[k].low, scene->load[k].high))
+                for (int c = 0; c < 3; c++) r->given[c][h] += scene->load[k].force[c];
+    for (int c = 0; c < 3; c++) memcpy(s->load[c], r->given[c], (size_t)s->n * sizeof(double));
+}
+
+/* The box in which porosity and permeability are measured: given, or the particles' bounds within the domain. */
+static struct medium *medium_of(struct run *r) {
+    const struct scene *scene = r->scene;
+    double low[3], high[3];
+    for (int c = 0; c < 3; c++) {
+        low[c] = INFINITY, high[c] = -INFINITY;
+        for (int h = 0; h < r->solid->n; h++) {
+            low[c] = fmin(low[c], r->solid->x0[c][h] - 0.5 * r->solid->in.spacing);
+            high[c] = fmax(high[c], r->solid->x0[c][h] + 0.5 * r->solid->in.spacing);
+        }
+    }
+    par_min_array(low, 3);
+    par_max_array(high, 3);
+    for (int c = 0; c < 3; c++) {
+        low[c] = scene->coupling->has_box ? scene->coupling->box_low[c] : fmax(low[c], 0);
+        high[c] =
+            scene->coupling->has_box ? scene->coupling->box_high[c] : fmin(high[c], scene->domain.size[c]);
+    }
+    return medium_new(fluid_grid_of(r->fluid), low, high);
+}
+
+struct run *run_new(const struct scene *scene) {
+    struct run *r = calloc(1, sizeof *r);
+    r->scene = scene;
+    r->needs = setup_needs_of(scene);
+    r->wall_start = par_seconds();
+    r->deposited = -1;
+    if (r->needs.fluid) {
+        struct fluid_input in;
+        setup_fluid(scene, &in);
+        r->fluid = fluid_new(&in);
+    }
+    if (r->needs.solid) {
+        struct solid_input *in = setup_solid(scene);
+        r->solid = solid_new(in);
+        setup_solid_free(in);
+        if (scene->solid->loads > 0) given_new(r);
+    }
+    if (r->needs.immersed) {
+        r->surface = solid_surface_new(r->solid);
+        r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
+        r->medium = medium_of(r);
+        if (r->needs.bonds)
+            for (int c = 0; c < 3; c++)
+                r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
+    }
+    return r;
+}
+
+void run_deposit(struct run *r) {
+    const struct solid *s = r->solid;
+    if (r->deposited == r->step) return;
+    double *x[3];
+    for (int c = 0; c < 3; c++) {
+        x[c] = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof(double));
+        for (int h = 0; h < s->n; h++) x[c][h] = s->x0[c][h] + s->d[c][h];
+    }
+    medium_deposit(r->medium, s->n, (const double *const *)x, s->volume);
+    for (int c = 0; c < 3; c++) memory_free(x[c]);
+    r->deposited = r->step;
+}
+
+void run_free(struct run *r) {
+    if (!r) return;
+    run_markers_free(r);
+    for (int c = 0; c < 3; c++) {
+        memory_free(r->given[c]);
+        memory_free(r->v_last[c]);
+    }
+    medium_free(r->medium);
+    ibm_free(r->ibm);
+    solid_surface_free(r->surface);
+    solid_free(r->solid);
+    fluid_free(r->fluid);
+    free(r);
+}

@@ -1,0 +1,77 @@
+/* A run: the parts a scene needs, where it stands, and the step that is put together from them. */
+#pragma once
+#include "base/scene.h"
+#include "coupling/medium.h"
+#include "coupling/setup.h"
+#include "fluid/fluid.h"
+#include "ibm/ibm.h"
+#include "solid/solid.h"
+#include "solid/surface.h"
+
+struct run;
+typedef void run_part(struct run *r);
+enum { RUN_PARTS_MAX = 8 };
+
+/* What travels between the interface particles and the fluid: one entry a particle of the surface, two probes for a
+ * two-sided one. Work, rebuilt from the state. */
+struct run_markers {
+    int n, capacity;
+    double *x[3], *v[3], *volume; /* [n] marker position m, velocity m/s, volume A_h dx m3 */
+    int probes, probe_capacity;
+    int *owner;                     /* [probes] entry of the surface */
+    double *root[3], *normal[3];    /* [probes] m; outward unit normal */
+    double *acceleration_n;         /* [probes] dV/dt . n at the root, m/s2 */
+    double *traction[3], *pressure; /* [probes] Pa */
+    uint8_t *active;
+};
+
+struct run {
+    const struct scene *scene; /* borrowed */
+    struct setup_needs needs;
+    struct fluid *fluid;           /* NULL: no fluid */
+    struct solid *solid;           /* NULL: no solid */
+    struct solid_surface *surface; /* NULL unless immersed */
+    struct ibm *ibm;               /* NULL unless immersed */
+    struct medium *medium;         /* NULL unless immersed */
+    struct run_markers markers;
+    double *given[3];  /* [n] loads the scene gives, N/m3; NULL: none */
+    double *v_last[3]; /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
+    double load[3];    /* force of the fluid on the solid at the last probe, whole solid, N */
+
+    /* where the run stands */
+    double t;        /* s */
+    long step;       /* over all stages */
+    int stage;       /* index into scene->stage */
+    long stage_step; /* steps done of it */
+
+    /* of the present stage */
+    double dt;           /* s */
+    int substeps;        /* of the solid in a step */
+    double solid_stable; /* s, stable step of the present integrator */
+    int parts;
+    run_part *part[RUN_PARTS_MAX];
+    const char *part_name[RUN_PARTS_MAX];
+
+    long deposited;                      /* step of the last deposit, -1: none */
+    long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond */
+    double wall_start;
+};
+
+struct run *
+run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only shows when it is made. */
+void run_free(struct run *r);
+
+/* Puts the step of the present stage together. Collective. */
+void run_stage_begin(struct run *r);
+/* One step: every part in turn. Collective. */
+void run_step(struct run *r);
+/* Tractions at the interface and their sum, from the present fields (samples in stages whose step has no probe). Collective. */
+void run_probe(struct run *r);
+/* The particles' volume in the medium's cells, at most once a step. Collective. */
+void run_deposit(struct run *r);
+/* NaN or beyond reason anywhere: the same answer on every rank. Collective. */
+int run_check(struct run *r, struct step_status *status);
+
+/* Markers and probes from the surface's present state. Not collective. */
+void run_markers_update(struct run *r);
+void run_markers_free(struct run *r);

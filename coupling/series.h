@@ -1,0 +1,23 @@
+/* series.csv: the columns a scene has, and one sample of them.  (SPEC 9) */
+#pragma once
+#include "coupling/run.h"
+
+struct series; /* opaque */
+
+/* resume_step < 0: a new file. Collective. */
+struct series *series_new(struct run *r, const char *folder, long resume_step);
+void series_free(struct series *s);
+/* Before the step after which a sample is taken: remembers what rates are formed from. Collective. */
+void series_prepare(struct series *s, struct run *r);
+/* Measures and appends a row. Collective. */
+void series_sample(struct series *s, struct run *r);
+
+/* The last sample, for lines in the log. A quantity the scene lacks is NaN. */
+struct series_sample {
+    double step, t, dt, div_max, cfl, u_bulk, dp, porosity, porosity_effective, permeability, tortuosity;
+    double load[3], forcing[3], momentum_residual;
+    double e_kinetic_fluid, e_kinetic_solid, e_strain, e_damped, e_fracture, work_fluid;
+    double damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
+        interface_particles;
+};
+const struct series_sample *series_last(const struct series *s);

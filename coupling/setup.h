@@ -1,0 +1,20 @@
+/* From the scene to the inputs of the rooms. */
+#pragma once
+#include "base/scene.h"
+#include "fluid/fluid.h"
+#include "solid/solid.h"
+
+void setup_fluid(const struct scene *scene, struct fluid_input *in);
+/* The input with the bodies' and materials' arrays behind it; free with setup_solid_free once the solid is made. */
+struct solid_input *setup_solid(const struct scene *scene);
+void setup_solid_free(struct solid_input *in);
+void setup_stage(const struct scene_stage *from, struct solid_stage *to);
+
+/* Which parts a scene needs, from its sections and stages alone. */
+struct setup_needs {
+    int fluid, solid; /* sections present */
+    int bonds;        /* some stage has an elastic solid */
+    int immersed;     /* both */
+    int breakage;     /* some stage lets bonds break, and some material can */
+};
+struct setup_needs setup_needs_of(const struct scene *scene);

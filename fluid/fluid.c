@@ -1,0 +1,116 @@
+#include "base/memory.h"
+#include "base/par_halo.h"
+#include "fluid/internal.h"
+#include "fluid/outflow.h"
+#include "fluid/profile.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static struct fluid_poisson *new_poisson(const struct fluid *f) {
+    const struct fluid_grid *g = f->grid;
+    struct fluid_poisson_input in = {.row = g->row, .plane = g->plane};
+    if (f->in.z_by_transform) in.last = FLUID_POISSON_TRANSFORM;
+    for (int d = 0; d < 3; d++) {
+        in.n[d] = g->n[d];
+        in.d[d] = g->d[d];
+        in.ranks[d] = g->ranks[d];
+        for (int side = 0; side < 2; side++)
+            in.end[d][side] = g->periodic[d]                                                     ? FLUID_END_PERIODIC
+                              : f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET ? FLUID_END_DIRICHLET
+                                                                                                 : FLUID_END_NEUMANN;
+    }
+    return fluid_poisson_new(&in);
+}
+
+/* The initial velocity: uniform, or for each component the developed profile of that mean. */
+static void fill_velocity(struct fluid *f) {
+    const struct fluid_grid *g = f->grid;
+    for (int c = 0; c < 3; c++) {
+        double *q = fluid_component(&f->state, c), *profile = NULL;
+        int a, b;
+        fluid_boundary_others(c, &a, &b);
+        if (f->in.initial_poiseuille) {
+            profile = memory_new(MEMORY_FLUID, (size_t)g->n[a] * (size_t)g->n[b], sizeof *profile);
+            fluid_profile_developed(&f->in, c, profile);
+        }
+        for (int k = -1; k < g->m[2]; k++) /* low faces too: they start an outflow there */
+            for (int j = -1; j < g->m[1]; j++)
+                for (int i = -1; i < g->m[0]; i++) {
+                    const int at[3] = {i, j, k};
+                    const int ja = at[a] + g->lo[a], jb = at[b] + g->lo[b];
+                    const double shape = !profile || ja < 0 || jb < 0 ? 1 : profile[jb * g->n[a] + ja];
+                    q[fluid_grid_at(g, i, j, k)] = f->in.initial_velocity[c] * shape;
+                }
+        memory_free(profile);
+    }
+}
+
+static void check_driving(const struct fluid_input *in) {
+    const int d = in->driving.direction;
+    if (in->driving.type == FLUID_DRIVING_BULK && in->side[d][0].type != FLUID_PERIODIC)
+        die_all(EXIT_CODE_SCENE, "fluid.driving: a bulk velocity can be held only in a periodic direction, and %c is not", "xyz"[d]);
+}
+
+struct fluid *fluid_new(const struct fluid_input *in) {
+    struct fluid *f = calloc(1, sizeof *f);
+    int periodic[3];
+    f->in = *in;
+    check_driving(in);
+    for (int d = 0; d < 3; d++) periodic[d] = in->side[d][0].type == FLUID_PERIODIC && in->side[d][1].type == FLUID_PERIODIC;
+    f->grid = fluid_grid_new(in->n, in->length, periodic, in->immersed ? 3 : 1);
+    f->boundary = fluid_boundary_new(f->grid, in);
+    double **arrays[] = {&f->state.u,      &f->state.v,      &f->state.w, &f->state.p, &f->predicted[0], &f->predicted[1],
+                         &f->predicted[2], &f->rate[0], &f->rate[1], &f->rate[2], &f->correction};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
+    f->poisson = new_poisson(f);
+    if (in->driving.type == FLUID_DRIVING_GRADIENT) f->state.driving = in->driving.value;
+    fill_velocity(f);
+    fluid_project_start(f);
+    return f;
+}
+
+void fluid_free(struct fluid *f) {
+    if (!f) return;
+    memory_free(f->state.u);
+    memory_free(f->state.v);
+    memory_free(f->state.w);
+    memory_free(f->state.p);
+    for (int c = 0; c < 3; c++) {
+        memory_free(f->predicted[c]);
+        memory_free(f->rate[c]);
+    }
+    memory_free(f->correction);
+    fluid_poisson_free(f->poisson);
+    fluid_boundary_free(f->boundary);
+    fluid_grid_free(f->grid);
+    free(f);
+}
+
+const struct fluid_grid *fluid_grid_of(const struct fluid *f) { return f->grid; }
+const struct fluid_input *fluid_input_of(const struct fluid *f) { return &f->in; }
+struct fluid_state *fluid_state_of(struct fluid *f) { return &f->state; }
+double *const *fluid_predicted(struct fluid *f) { return f->predicted; }
+size_t fluid_cells(const struct fluid *f) { return (size_t)f->grid->n[0] * (size_t)f->grid->n[1] * (size_t)f->grid->n[2]; }
+
+void fluid_predicted_refresh(struct fluid *f, int layers) { fluid_boundary_velocity(f->boundary, f->grid, f->predicted, layers); }
+
+void fluid_state_refresh(struct fluid *f) {
+    double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    const int layers = f->grid->halo;
+    fluid_outflow_take(f->boundary, f->grid, q);
+    fluid_boundary_velocity(f->boundary, f->grid, q, layers);
+    if (f->boundary->low_unowned) {
+        fluid_boundary_close(f->boundary, f->grid, q);
+        fluid_outflow_take(f->boundary, f->grid, q);
+        fluid_boundary_velocity(f->boundary, f->grid, q, layers);
+    }
+    fluid_boundary_pressure(f->boundary, f->grid, f->state.p, layers, 0);
+}
+
+void fluid_step(struct fluid *f, double dt) {
+    for (int r = 0; r < 3; r++) {
+        fluid_predict(f, r, dt);
+        fluid_project(f, r, dt);
+    }
+}

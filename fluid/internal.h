@@ -1,0 +1,24 @@
+/* What the fluid's files share. Not for other rooms. */
+#pragma once
+#include "fluid/boundary.h"
+#include "fluid/fluid.h"
+#include "fluid/poisson.h"
+
+struct fluid {
+    /* parameters */
+    struct fluid_input in;
+    struct fluid_grid *grid;
+    struct fluid_boundary *boundary;
+    /* state */
+    struct fluid_state state;
+    /* work, arrays of grid->size */
+    double *predicted[3]; /* u*, m/s */
+    double *rate[3];      /* R = -div(uu) + nu lap u of the last stage, m/s2; at open faces, that face's own rate */
+    double *correction;   /* p-hat, Pa */
+    struct fluid_poisson *poisson;
+    double shift[3];      /* uniform velocity that the bulk driving adds in this stage, m/s */
+};
+
+static inline double *fluid_component(const struct fluid_state *s, int c) { return c == 0 ? s->u : c == 1 ? s->v : s->w; }
+
+void fluid_project_start(struct fluid *f); /* the initial velocity made divergence-free. Collective. */

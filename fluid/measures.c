@@ -1,0 +1,138 @@
+#include "base/par.h"
+#include "base/par_halo.h"
+#include "fluid/internal.h"
+#include "fluid/momentum.h"
+
+#include <math.h>
+#include <string.h>
+
+static double cell_volume(const struct fluid_grid *g) { return g->d[0] * g->d[1] * g->d[2]; }
+
+double fluid_divergence_max(struct fluid *f) {
+    const struct fluid_grid *g = f->grid;
+    const double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    double most = 0;
+    for (int k = 0; k < g->m[2]; k++) {
+        double *plane = fluid_poisson_plane(f->poisson, k); /* scratch between steps */
+        fluid_momentum_divergence(g, k, 1, q, plane);
+        for (int n = 0; n < g->m[0] * g->m[1]; n++) most = fmax(most, fabs(plane[n]));
+    }
+    return par_max(most);
+}
+
+/* Half the sum over cells of (low face^power + high face^power) of a component. */
+static double sum_of_faces(const struct fluid *f, int c, int squared) {
+    const struct fluid_grid *g = f->grid;
+    const ptrdiff_t s = fluid_boundary_stride(g, c);
+    double sum = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
+            double part = 0;
+            for (int i = 0; i < g->m[0]; i++) part += squared ? q[i] * q[i] + q[i - s] * q[i - s] : q[i] + q[i - s];
+            sum += part;
+        }
+    return 0.5 * sum;
+}
+
+double fluid_bulk_velocity(struct fluid *f, int direction) {
+    return par_sum(sum_of_faces(f, direction, 0)) / (double)fluid_cells(f);
+}
+
+double fluid_kinetic_energy(struct fluid *f) {
+    const double sum = sum_of_faces(f, 0, 1) + sum_of_faces(f, 1, 1) + sum_of_faces(f, 2, 1);
+    return 0.5 * f->in.density * cell_volume(f->grid) * par_sum(sum);
+}
+
+void fluid_mean_pressure(struct fluid *f, int direction, double *mean) {
+    const struct fluid_grid *g = f->grid;
+    const int n = g->n[direction];
+    memset(mean, 0, (size_t)n * sizeof *mean);
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double *p = f->state.p + fluid_grid_at(g, 0, j, k);
+            const int section = direction == 1 ? j + g->lo[1] : k + g->lo[2];
+            for (int i = 0; i < g->m[0]; i++) mean[direction == 0 ? i : section] += p[i];
+        }
+    par_sum_array(mean, n);
+    for (int i = 0; i < n; i++) mean[i] *= n / (double)fluid_cells(f);
+}
+
+/* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. */
+static void advanced(const struct fluid *f, int c, int low[3], int high[3]) {
+    const struct fluid_grid *g = f->grid;
+    for (int d = 0; d < 3; d++) {
+        low[d] = 0;
+        high[d] = g->m[d];
+    }
+    const struct fluid_boundary_side *side = f->boundary->side[c];
+    if (side[0].here && side[0].normal == FLUID_NORMAL_FREE) low[c] = -1;
+    if (side[1].here && side[1].normal != FLUID_NORMAL_FREE) high[c] = g->m[c] - 1;
+}
+
+void fluid_momentum(struct fluid *f, double out[3]) {
+    const struct fluid_grid *g = f->grid;
+    for (int c = 0; c < 3; c++) {
+        int low[3], high[3];
+        advanced(f, c, low, high);
+        out[c] = 0;
+        for (int k = low[2]; k < high[2]; k++)
+            for (int j = low[1]; j < high[1]; j++) {
+                const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
+                double part = 0;
+                for (int i = low[0]; i < high[0]; i++) part += q[i];
+                out[c] += part;
+            }
+        out[c] *= f->in.density * cell_volume(g);
+    }
+    par_sum_array(out, 3);
+}
+
+/* What crosses the control surface of component c at one side of direction d: outward flux of momentum less the traction,
+ * (q_d q_c - nu dq_c/dx_d + p/rho delta_cd), times the outward sign, summed over the side, m2/s2.
+ * n: the last advanced value of c at the side; s: towards the outside. */
+static double through_side(const struct fluid *f, int c, int d, int side) {
+    const struct fluid_grid *g = f->grid;
+    const double *q = fluid_component(&f->state, c), *through = fluid_component(&f->state, d), *p = f->state.p;
+    const double sign = side ? 1 : -1;
+    const ptrdiff_t sd = fluid_boundary_stride(g, d), s = side ? sd : -sd, sc = fluid_boundary_stride(g, c);
+    const int free_face = f->boundary->side[d][side].normal == FLUID_NORMAL_FREE;
+    int low[3], high[3], at[3];
+    double sum = 0;
+    advanced(f, c, low, high);
+    low[d] = side ? high[d] - 1 : low[d];
+    high[d] = low[d] + 1;
+    for (at[2] = low[2]; at[2] < high[2]; at[2]++)
+        for (at[1] = low[1]; at[1] < high[1]; at[1]++)
+            for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
+                const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
+                if (c == d && free_face) { /* beyond an open face: no gradient */
+                    sum += sign * (q[n] * q[n] + p[side ? n + sd : n] / f->in.density);
+                } else if (c == d) { /* through the centre between the last advanced face and the side's own */
+                    const double mean = 0.5 * (q[n] + q[n + s]);
+                    sum += sign * (mean * mean + p[side ? n + sd : n] / f->in.density) - f->in.viscosity * (q[n + s] - q[n]) / g->d[d];
+                } else { /* through the corners on the side's face */
+                    const ptrdiff_t face = side ? n : n - sd;
+                    const double velocity = 0.5 * (through[face] + through[face + sc]), mean = 0.5 * (q[n] + q[n + s]);
+                    sum += sign * velocity * mean - f->in.viscosity * (q[n + s] - q[n]) / g->d[d];
+                }
+            }
+    return sum;
+}
+
+void fluid_box_force(struct fluid *f, double out[3]) {
+    const struct fluid_grid *g = f->grid;
+    const double volume = cell_volume(g);
+    for (int c = 0; c < 3; c++) {
+        int low[3], high[3];
+        advanced(f, c, low, high);
+        const double source = f->in.body_force[c] + (c == f->in.driving.direction ? f->state.driving / f->in.density : 0);
+        const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+        out[c] = faces * source * volume;
+        for (int d = 0; d < 3; d++)
+            for (int side = 0; side < 2; side++)
+                if (f->boundary->side[d][side].here) out[c] -= through_side(f, c, d, side) * volume / g->d[d];
+        out[c] *= f->in.density;
+    }
+    par_sum_array(out, 3);
+}

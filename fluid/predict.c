@@ -1,0 +1,42 @@
+#include "base/clock.h"
+#include "base/par_halo.h"
+#include "fluid/internal.h"
+#include "fluid/momentum.h"
+#include "fluid/outflow.h"
+
+/* Low-storage Runge-Kutta of third order.  (001: eq. 3.66; Wesseling 2001) */
+const double fluid_alpha[3] = {8.0 / 15, 5.0 / 12, 3.0 / 4};
+const double fluid_beta[3] = {0, -17.0 / 60, -5.0 / 12};
+const double fluid_gamma[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};
+
+/* A side's own face is not advanced by the momentum equation of the inside. */
+static void count_faces(const struct fluid_grid *g, int faces[3]) {
+    for (int d = 0; d < 3; d++) faces[d] = g->m[d] - par_halo_at_side(g->halos, d, 1);
+}
+
+void fluid_predict(struct fluid *f, int r, double dt) {
+    const struct fluid_grid *g = f->grid;
+    double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    struct fluid_momentum_stage s = {.grid = g,
+                                     .a = dt * fluid_alpha[r],
+                                     .b = dt * fluid_beta[r],
+                                     .c = dt * fluid_gamma[r],
+                                     .viscosity = f->in.viscosity,
+                                     .inverse_density = 1 / f->in.density};
+    clock_begin(CLOCK_MOMENTUM);
+    count_faces(g, s.faces);
+    for (int d = 0; d < 3; d++) s.source[d] = f->in.body_force[d];
+    s.source[f->in.driving.direction] += f->state.driving / f->in.density;
+    if (r == 0) fluid_outflow_begin(f->boundary, g, q);
+    const double *const read[3] = {q[0], q[1], q[2]};
+    fluid_momentum_predict(&s, read, f->state.p, f->predicted, f->rate);
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            const struct fluid_boundary_side *b = &f->boundary->side[d][side];
+            if (b->here && b->normal == FLUID_NORMAL_FREE)
+                fluid_momentum_predict_open(&s, d, side, read, f->state.p, f->predicted, f->rate);
+        }
+    fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b);
+    fluid_predicted_refresh(f, 1);
+    clock_end(CLOCK_MOMENTUM);
+}

@@ -1,0 +1,28 @@
+/* Fast transforms of one direction in which the discrete second difference of cell-centred values is diagonal.
+ * Kinds by the pair of conditions at the low and high end (FFTW's names, forward / backward):
+ *     periodic R2HC / HC2R;  NN REDFT10 / 01;  DD RODFT10 / 01;  ND REDFT11;  DN RODFT11.     (001: sec. 4.1.1) */
+#pragma once
+
+enum fluid_end { FLUID_END_PERIODIC, FLUID_END_NEUMANN, FLUID_END_DIRICHLET };
+
+struct fluid_transform; /* opaque: a pair of plans for many lines */
+
+/* Eigenvalues [n] of (q[i-1] - 2 q[i] + q[i+1])/d^2 in the order of the transform's output, 1/m2. */
+void fluid_transform_eigenvalues(int n, double d, enum fluid_end low, enum fluid_end high, double *lambda);
+/* What forward and backward in turn multiply by. */
+double fluid_transform_scale(int n, enum fluid_end low, enum fluid_end high);
+
+struct fluid_transform_input {
+    int n;          /* values of a line */
+    enum fluid_end low, high;
+    int lines;
+    int stride, distance;         /* between values of a line, between lines; of the array transformed in place */
+    int out_stride, out_distance; /* of the array that the backward transform writes; 0: in place */
+};
+
+/* Plans by measuring, on scratch of its own. Not collective. */
+struct fluid_transform *fluid_transform_new(const struct fluid_transform_input *in);
+void fluid_transform_free(struct fluid_transform *t);
+void fluid_transform_forward(const struct fluid_transform *t, double *in_place);
+/* to = from for a transform in place; otherwise from is overwritten. */
+void fluid_transform_backward(const struct fluid_transform *t, double *from, double *to);

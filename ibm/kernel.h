@@ -1,0 +1,57 @@
+/* Roma's kernel as three weights a direction, and the two sweeps of a marker's 3 x 3 x 3 block.  (001: sec. 3.5.1)
+ * Rows are read four wide, for one vector register; the fourth value is ignored when reading, and gets a zero when
+ * writing. It lies within the third ghost layer at most. */
+#pragma once
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+typedef double ibm_row __attribute__((vector_size(32)));
+
+static inline ibm_row ibm_row_load(const double *p) {
+    ibm_row r;
+    memcpy(&r, p, sizeof r);
+    return r;
+}
+static inline void ibm_row_store(double *p, ibm_row r) { memcpy(p, &r, sizeof r); }
+static inline ibm_row ibm_row_set(double a) { return (ibm_row){a, a, a, a}; }
+
+/* phi(t - i), i = -1, 0, 1, for a point at t in [-1/2, 1/2] cells from the grid point 0. The outer two follow from the
+ * middle one, because sum phi = 1 and sum (t - i) phi = 0: one square root a direction.  (001: eq. 3.78) */
+static inline void ibm_kernel_weights(double t, double w[3]) {
+    const double middle = (1 + sqrt(1 - 3 * t * t)) / 3;
+    w[0] = 0.5 * (1 - middle - t);
+    w[1] = middle;
+    w[2] = 0.5 * (1 - middle + t);
+}
+
+/* The probe's two points, half a cell to either side of the tip, share the offset t from their nearest grid points: four
+ * grid points i-1 .. i+2 in all. value: the mean of the two; slope: their difference over the cell size d. */
+static inline void ibm_kernel_pair(double t, double d, double value[4], double slope[4]) {
+    double w[3];
+    ibm_kernel_weights(t, w);
+    value[0] = 0.5 * w[0], value[1] = 0.5 * (w[0] + w[1]), value[2] = 0.5 * (w[1] + w[2]), value[3] = 0.5 * w[2];
+    slope[0] = -w[0] / d, slope[1] = (w[0] - w[1]) / d, slope[2] = (w[1] - w[2]) / d, slope[3] = w[2] / d;
+}
+
+/* sum_kji field w_z[k] w_y[j] w_x[i]  (001: eq. 3.79)
+ * field: first value of the block; row, plane: strides of j and k; x [4], the last unused. */
+static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdiff_t plane, const double *x, const double *y,
+                                       const double *z) {
+    ibm_row sum = ibm_row_set(0);
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            sum += ibm_row_set(z[k] * y[j]) * ibm_row_load(field + k * plane + j * row);
+    return sum[0] * x[0] + sum[1] * x[1] + sum[2] * x[2];
+}
+
+/* field += strength w_z[k] w_y[j] w_x[i]  (001: eq. 3.81)      x [4], the last 0. */
+static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t plane, const double *x, const double *y,
+                                      const double *z, double strength) {
+    const ibm_row along = ibm_row_load(x) * ibm_row_set(strength);
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++) {
+            double *at = field + k * plane + j * row;
+            ibm_row_store(at, ibm_row_load(at) + ibm_row_set(z[k] * y[j]) * along);
+        }
+}

@@ -1,0 +1,28 @@
+/* A picture in linear light with a depth behind every pixel. Pixel (i, j) covers [i, i+1] x [j, j+1], j downward. */
+#pragma once
+
+struct postproc_canvas {
+    int width, height;
+    float *rgb;   /* [height][width][3] linear light; owned */
+    float *depth; /* [height][width] along the line to the eye, larger is nearer; owned */
+};
+
+struct postproc_canvas *postproc_canvas_new(int width, int height);
+void postproc_canvas_free(struct postproc_canvas *c);
+/* Vertical shade between two sRGB colours (0xrrggbb); empties the depth. */
+void postproc_canvas_clear(struct postproc_canvas *c, unsigned top, unsigned bottom);
+/* The mean of every 2 x 2 pixels, as a new canvas; depth is the nearest of the four. */
+struct postproc_canvas *postproc_canvas_halve(const struct postproc_canvas *c);
+
+/* A pen: sRGB colour, opacity and width in pixels. Where the canvas is nearer than the line, opacity is times `hidden`. */
+struct postproc_pen {
+    unsigned colour;
+    double alpha, width, hidden;
+};
+/* A round-ended line from a to b: x, y in pixels, z the depth; antialiased by its distance. */
+void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3],
+                          struct postproc_pen pen);
+/* Pixels x0 <= i < x1, y0 <= j < y1 painted with an sRGB colour. */
+void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int y1, const double srgb[3]);
+/* Returns 0, or -1 (errno). */
+int postproc_canvas_write(const struct postproc_canvas *c, const char *path);

@@ -1,0 +1,187 @@
+/* Several runs over one another: curves, PDFs at the end, a table of their numbers. */
+#include "base/error.h"
+#include "base/folder.h"
+#include "base/memory.h"
+#include "postproc/pdf.h"
+#include "postproc/post.h"
+#include "postproc/report.h"
+#include "postproc/sections.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { RUNS_MAX = 16 };
+
+/* out and the folders above it; 0 or errno. */
+static int make_folders(const char *out) {
+    char path[FOLDER_PATH];
+    snprintf(path, sizeof path, "%s/plots", out);
+    for (char *at = path + 1;; at++) {
+        if (*at != '/' && *at != '\0') continue;
+        const char end = *at;
+        *at = '\0';
+        if (mkdir(path, 0777) != 0 && errno != EEXIST) return errno;
+        *at = end;
+        if (end == '\0') return 0;
+    }
+}
+
+/* The last part of a folder's name. */
+static void label_of(const char *folder, char label[64]) {
+    size_t end = strlen(folder);
+    while (end > 1 && folder[end - 1] == '/') end--;
+    size_t start = end;
+    while (start > 0 && folder[start - 1] != '/') start--;
+    snprintf(label, 64, "%.*s", (int)(end - start), folder + start);
+}
+
+static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_history *const *run,
+                      const char *const *label, const char *plots, int stress) {
+    struct postproc_pdf pdf[RUNS_MAX] = {{0}};
+    struct postproc_curve curve[RUNS_MAX];
+    struct postproc_mark mark[RUNS_MAX];
+    double *middle[RUNS_MAX] = {NULL};
+    int curves = 0, marks = 0;
+    for (int r = 0; r < n; r++) {
+        struct postproc_body *b = postproc_body_new(run[r], run[r]->end);
+        const double *value = !b ? NULL : stress ? b->stress : b->strain;
+        if (value) {
+            long m;
+            double *sample = postproc_body_sample(b, value, &m);
+            pdf[r] = postproc_pdf_new(m, sample);
+            memory_free(sample);
+        }
+        postproc_body_free(b);
+        if (pdf[r].bins < 2) continue; /* none, or all alike */
+        middle[r] = malloc((size_t)pdf[r].bins * sizeof(double));
+        for (int i = 0; i < pdf[r].bins; i++) middle[r][i] = pdf[r].low + (i + 0.5) * pdf[r].width;
+        curve[curves++] = (struct postproc_curve){label[r], pdf[r].bins, middle[r], pdf[r].density, 1};
+        const double threshold = stress ? run[r]->sigma0 : run[r]->s0;
+        if (threshold > 0) mark[marks++] = (struct postproc_mark){threshold, label[r]};
+    }
+    postproc_charts_add(
+        charts,
+        &(struct postproc_plot){
+            .folder = plots,
+            .name = stress ? "pdf_stress" : "pdf_strain",
+            .title = stress ? "Largest principal stress at the end" : "Largest principal strain at the end",
+            .xlabel = stress ? "largest principal stress  [Pa]" : "largest principal strain",
+            .ylabel = "probability density",
+            .curves = curves,
+            .curve = curve,
+            .marks = marks,
+            .mark = mark,
+            .log_y = 1,
+            .x_low = NAN,
+            .x_high = NAN,
+        });
+    for (int r = 0; r < n; r++) {
+        postproc_pdf_free(&pdf[r]);
+        free(middle[r]);
+    }
+}
+
+/* One row a quantity, one column a run; into report and out/summary.csv. Returns 0, or -1 (errno). */
+static int table_write(struct postproc_report *report, int n, const struct postproc_output *const *run,
+                       const char *const *label, const char *out) {
+    char path[FOLDER_PATH];
+    FILE *file = fopen(folder_path(path, out, "summary.csv"), "w");
+    if (!file) return -1;
+    const int m = n + 2;
+    const char **cell = calloc((size_t)(POSTPROC_FACTS + 1) * (size_t)m, sizeof *cell);
+    int rows = 1;
+    cell[0] = "quantity";
+    cell[1] = "unit";
+    fputs("quantity,unit", file);
+    for (int r = 0; r < n; r++) {
+        cell[2 + r] = label[r];
+        fprintf(file, ",%s", label[r]);
+    }
+    fputc('\n', file);
+    /* the quantities of any of the runs, in the order of the first that has them */
+    for (int r = 0; r < n; r++)
+        for (int i = 0; i < run[r]->facts.n; i++) {
+            const struct postproc_fact *fact = &run[r]->facts.fact[i];
+            int seen = 0;
+            for (int q = 0; q < r; q++) seen |= postproc_facts_find(&run[q]->facts, fact->quantity) != NULL;
+            if (seen || rows == POSTPROC_FACTS + 1) continue;
+            cell[rows * m] = fact->quantity;
+            cell[rows * m + 1] = fact->unit;
+            fprintf(file, "\"%s\",%s", fact->quantity, fact->unit);
+            for (int q = 0; q < n; q++) {
+                const struct postproc_fact *its = postproc_facts_find(&run[q]->facts, fact->quantity);
+                cell[rows * m + 2 + q] = its ? its->text : "";
+                fprintf(file, ",\"%s\"", its ? its->text : "");
+            }
+            fputc('\n', file);
+            rows++;
+        }
+    postproc_report_table(report, rows, m, cell);
+    free(cell);
+    const int bad = ferror(file);
+    return fclose(file) || bad ? -1 : 0;
+}
+
+static int compare(int n, struct postproc_history *const *run, const char *const *label, const char *out) {
+    struct postproc_output *output[RUNS_MAX];
+    struct postproc_charts charts = {0};
+    char plots[FOLDER_PATH];
+    int fault = make_folders(out);
+    struct postproc_report *report = fault ? NULL : postproc_report_begin(out, "Runs compared");
+    if (!report) return fault ? fault : errno;
+    folder_path(plots, out, "plots");
+    postproc_charts_draw(&charts, n, run, label, plots);
+    for (int stress = 0; stress < 2; stress++) pdfs_draw(&charts, n, run, label, plots, stress);
+    for (int r = 0; r < n; r++) {
+        output[r] = calloc(1, sizeof *output[r]);
+        postproc_sections_run(output[r], run[r]);
+        postproc_sections_medium(output[r], run[r]);
+        postproc_sections_fracture(output[r], run[r]);
+        postproc_sections_wall(output[r], run[r]);
+    }
+    if (table_write(report, n, (const struct postproc_output *const *)output, label, out)) fault = errno;
+    for (int k = 0; k < charts.n; k++) {
+        char path[128];
+        snprintf(path, sizeof path, "plots/%s.png", charts.name[k]);
+        postproc_report_image(report, path, charts.title[k]);
+    }
+    if (charts.worst != POSTPROC_PLOT_DONE) {
+        postproc_report_text(
+            report, "Plots are missing: gnuplot was not found or failed. Their scripts are in plots (*.gp).");
+        fprintf(stderr, "frana: %s: plots are missing: gnuplot was not found or failed\n", out);
+    }
+    if (postproc_report_end(report) && !fault) fault = errno ? errno : EIO;
+    for (int r = 0; r < n; r++) free(output[r]);
+    if (!fault) printf("%s: report.md, report.html, summary.csv, %d plots of %d runs\n", out, charts.n, n);
+    return fault;
+}
+
+int postproc_compare(int n, const char *const *rundir, const char *out) {
+    struct postproc_history *run[RUNS_MAX];
+    char name[RUNS_MAX][64], error[FOLDER_PATH + 256];
+    const char *label[RUNS_MAX];
+    if (n < 1 || n > RUNS_MAX) {
+        fprintf(stderr, "frana: post: %d run folders: 1 to %d can be compared\n", n, RUNS_MAX);
+        return EXIT_CODE_SCENE;
+    }
+    int have = 0, fault = 0, code = EXIT_CODE_DONE;
+    for (; have < n; have++) {
+        run[have] = postproc_history_new(rundir[have], error, sizeof error);
+        if (!run[have]) break;
+        label_of(rundir[have], name[have]);
+        label[have] = name[have];
+    }
+    if (have < n) {
+        fprintf(stderr, "frana: %s\n", error);
+        code = EXIT_CODE_FILE;
+    } else if ((fault = compare(n, run, label, out)) != 0) {
+        fprintf(stderr, "frana: %s: cannot be written: %s\n", out, strerror(fault));
+        code = EXIT_CODE_FILE;
+    }
+    for (int r = 0; r < have; r++) postproc_history_free(run[r]);
+    return code;
+}

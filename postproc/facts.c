@@ -1,0 +1,63 @@
+#include "postproc/facts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void postproc_facts_number(struct postproc_facts *f, const char *quantity, const char *unit, double value) {
+    if (isnan(value) || f->n == POSTPROC_FACTS) return;
+    struct postproc_fact *fact = &f->fact[f->n++];
+    snprintf(fact->quantity, sizeof fact->quantity, "%s", quantity);
+    snprintf(fact->unit, sizeof fact->unit, "%s", unit);
+    const int whole = value == rint(value) && fabs(value) < 1e9;
+    snprintf(fact->text, sizeof fact->text, whole ? "%.0f" : "%.4g", value);
+    fact->value = value;
+}
+
+void postproc_facts_text(struct postproc_facts *f, const char *quantity, const char *text) {
+    if (!text || f->n == POSTPROC_FACTS) return;
+    struct postproc_fact *fact = &f->fact[f->n++];
+    snprintf(fact->quantity, sizeof fact->quantity, "%s", quantity);
+    snprintf(fact->unit, sizeof fact->unit, "%s", "");
+    snprintf(fact->text, sizeof fact->text, "%s", text);
+    fact->value = NAN;
+}
+
+const struct postproc_fact *postproc_facts_find(const struct postproc_facts *f, const char *quantity) {
+    for (int i = 0; i < f->n; i++)
+        if (strcmp(f->fact[i].quantity, quantity) == 0) return &f->fact[i];
+    return NULL;
+}
+
+/* A CSV cell: in quotes where it holds a comma or a quote. */
+static void put_cell(FILE *file, const char *text) {
+    if (!strpbrk(text, ",\"\n")) {
+        fputs(text, file);
+        return;
+    }
+    fputc('"', file);
+    for (; *text; text++) {
+        if (*text == '"') fputc('"', file);
+        fputc(*text, file);
+    }
+    fputc('"', file);
+}
+
+int postproc_facts_write(const struct postproc_facts *f, const char *path) {
+    FILE *file = fopen(path, "w");
+    if (!file) return -1;
+    fputs("quantity,unit,value\n", file);
+    for (int i = 0; i < f->n; i++) {
+        put_cell(file, f->fact[i].quantity);
+        fputc(',', file);
+        put_cell(file, f->fact[i].unit);
+        fputc(',', file);
+        if (isnan(f->fact[i].value))
+            put_cell(file, f->fact[i].text);
+        else
+            fprintf(file, "%.10g", f->fact[i].value);
+        fputc('\n', file);
+    }
+    const int bad = ferror(file);
+    return fclose(file) || bad ? -1 : 0;
+}

@@ -1,0 +1,19 @@
+/* The numbers of a report: quantity, unit, value, in the order in which they were found. */
+#pragma once
+
+enum { POSTPROC_FACTS = 96 };
+struct postproc_fact {
+    char quantity[96], unit[16], text[160]; /* text: what the report says; a word where value is NAN */
+    double value;
+};
+struct postproc_facts {
+    int n;
+    struct postproc_fact fact[POSTPROC_FACTS];
+};
+
+/* A number that is NAN is left out. */
+void postproc_facts_number(struct postproc_facts *f, const char *quantity, const char *unit, double value);
+void postproc_facts_text(struct postproc_facts *f, const char *quantity, const char *text);
+const struct postproc_fact *postproc_facts_find(const struct postproc_facts *f, const char *quantity);
+/* quantity,unit,value. Returns 0, or -1 (errno). */
+int postproc_facts_write(const struct postproc_facts *f, const char *path);

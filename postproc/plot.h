@@ -1,0 +1,32 @@
+/* Plots by gnuplot, as PNG and SVG: a self-contained script NAME.gp stands beside them and can be run again. */
+#pragma once
+
+struct postproc_curve {
+    const char *title;
+    long n;
+    const double *x, *y; /* [n]; NaN leaves a gap */
+    int bars;            /* 1: steps through the middles of bins */
+};
+struct postproc_mark { /* a vertical line */
+    double x;
+    const char *label;
+};
+struct postproc_plot {
+    const char *folder, *name;   /* folder/name.gp, .png, .svg */
+    const char *title;           /* as it is */
+    const char *xlabel, *ylabel; /* gnuplot's enhanced text */
+    int curves;
+    const struct postproc_curve *curve;
+    int marks;
+    const struct postproc_mark *mark;
+    int log_y;
+    double x_low, x_high; /* NAN: from the data */
+};
+
+enum postproc_plot_status {
+    POSTPROC_PLOT_DONE,
+    POSTPROC_PLOT_NO_FILE,    /* the script could not be written; errno */
+    POSTPROC_PLOT_NO_GNUPLOT, /* the script is written, gnuplot was not found */
+    POSTPROC_PLOT_FAILED      /* gnuplot did not like it */
+};
+enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p);

@@ -1,0 +1,119 @@
+#include "postproc/post.h"
+#include "base/error.h"
+#include "base/folder.h"
+#include "postproc/report.h"
+#include "postproc/sections.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static int refuse(const char *path, int fault) {
+    fprintf(stderr, "frana: %s: cannot be written: %s\n", path, strerror(fault));
+    return EXIT_CODE_FILE;
+}
+
+/* The folders of the results; 0 or errno. */
+static int make_folders(const char *post) {
+    static const char *const inside[2] = {"plots", "pictures"};
+    char path[FOLDER_PATH];
+    if (mkdir(post, 0777) != 0 && errno != EEXIST) return errno;
+    for (int k = 0; k < 2; k++)
+        if (mkdir(folder_path(path, post, inside[k]), 0777) != 0 && errno != EEXIST) return errno;
+    return 0;
+}
+
+/* A heading and the facts that a section has added, if any. */
+static void report_section(struct postproc_report *r, const struct postproc_output *out, const char *heading,
+                           int first, int last) {
+    if (last <= first) return;
+    postproc_report_heading(r, heading);
+    postproc_report_facts(r, &out->facts, first, last);
+}
+
+static void report_images(struct postproc_report *r, const struct postproc_output *out) {
+    char path[128];
+    if (out->pictures) postproc_report_heading(r, "Pictures");
+    for (int k = 0; k < out->pictures; k++) {
+        snprintf(path, sizeof path, "pictures/%s.png", out->picture[k].name);
+        postproc_report_image(r, path, out->picture[k].title);
+    }
+    if (out->charts.n) postproc_report_heading(r, "Plots");
+    for (int k = 0; k < out->charts.n; k++) {
+        snprintf(path, sizeof path, "plots/%s.png", out->charts.name[k]);
+        postproc_report_image(r, path, out->charts.title[k]);
+    }
+}
+
+static const char *plots_missing(enum postproc_plot_status status) {
+    switch (status) {
+    case POSTPROC_PLOT_NO_GNUPLOT:
+        return "No plots: gnuplot was not found. Their scripts are in post/plots (*.gp).";
+    case POSTPROC_PLOT_NO_FILE:
+        return "No plots: their scripts could not be written.";
+    case POSTPROC_PLOT_FAILED:
+        return "Some plots are missing: gnuplot did not accept their scripts in post/plots (*.gp).";
+    default:
+        return NULL;
+    }
+}
+
+int postproc_run(const char *rundir) {
+    static const struct {
+        const char *heading;
+        void (*add)(struct postproc_output *out, const struct postproc_history *h);
+    } section[] = {
+        {"The run", postproc_sections_run},
+        {"The medium", postproc_sections_medium},
+        {"Fracture", postproc_sections_fracture},
+        {"Strain and stress", postproc_sections_pdf},
+        {"Where the time went", postproc_sections_wall},
+        {NULL, postproc_sections_profile},
+        {NULL, postproc_sections_pictures},
+    };
+    enum { SECTIONS = sizeof section / sizeof *section };
+    char error[FOLDER_PATH + 256], post[FOLDER_PATH], plots[FOLDER_PATH], path[FOLDER_PATH];
+    struct postproc_history *h = postproc_history_new(rundir, error, sizeof error);
+    if (!h) {
+        fprintf(stderr, "frana: %s\n", error);
+        return EXIT_CODE_FILE;
+    }
+    struct postproc_output *out = calloc(1, sizeof *out);
+    int code = EXIT_CODE_DONE, last[SECTIONS];
+    out->folder = folder_path(post, rundir, "post");
+    struct postproc_report *report = NULL;
+    int fault = make_folders(post);
+    if (!fault && !(report = postproc_report_begin(post, h->scene->title[0] ? h->scene->title : rundir)))
+        fault = errno;
+    if (fault) {
+        code = refuse(post, fault);
+        goto end;
+    }
+    folder_path(plots, post, "plots");
+    postproc_charts_draw(&out->charts, 1, &h, &rundir, plots);
+    for (int k = 0; k < SECTIONS; k++) {
+        section[k].add(out, h);
+        last[k] = out->facts.n;
+        if (section[k].heading) report_section(report, out, section[k].heading, k ? last[k - 1] : 0, last[k]);
+    }
+    report_images(report, out);
+    const char *missing = plots_missing(out->charts.worst);
+    if (missing) {
+        fprintf(stderr, "frana: %s: %s\n", rundir, missing);
+        postproc_report_text(report, missing);
+    }
+    if (postproc_report_end(report)) postproc_sections_fail(out, post);
+    if (postproc_facts_write(&out->facts, folder_path(path, post, "summary.csv")))
+        postproc_sections_fail(out, path);
+    if (out->failed)
+        code = refuse(out->failed_path, out->failed);
+    else
+        printf("%s: report.md, report.html, summary.csv, %d plots, %d pictures\n", post, out->charts.n,
+               out->pictures);
+end:
+    postproc_history_free(h);
+    free(out);
+    return code;
+}

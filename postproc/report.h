@@ -1,0 +1,17 @@
+/* report.md and report.html: the same words, numbers and pictures twice. */
+#pragma once
+#include "postproc/facts.h"
+
+struct postproc_report; /* opaque: the two open files */
+
+/* folder/report.md, folder/report.html. NULL when they cannot be written (errno). */
+struct postproc_report *postproc_report_begin(const char *folder, const char *title);
+void postproc_report_heading(struct postproc_report *r, const char *text);
+void postproc_report_text(struct postproc_report *r, const char *text);
+/* Facts first <= i < last as a table of quantity, value, unit. */
+void postproc_report_facts(struct postproc_report *r, const struct postproc_facts *f, int first, int last);
+void postproc_report_image(struct postproc_report *r, const char *path,
+                           const char *title); /* relative to the folder */
+/* A table of n rows and m columns, cell by cell, the first row a header. */
+void postproc_report_table(struct postproc_report *r, int n, int m, const char *const *cell);
+int postproc_report_end(struct postproc_report *r); /* 0, or -1 (errno) */

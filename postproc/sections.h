@@ -1,0 +1,34 @@
+/* The parts of a report, each of which adds its numbers, files and plots. A part that the run lacks adds nothing. */
+#pragma once
+#include "postproc/body.h"
+#include "postproc/charts.h"
+#include "postproc/facts.h"
+
+struct postproc_output {
+    const char *folder; /* RUNDIR/post */
+    struct postproc_facts facts;
+    struct postproc_charts charts;
+    int pictures;
+    struct {
+        char name[64], title[64]; /* pictures/NAME.png */
+    } picture[8];
+    int failed; /* errno of a file that could not be written, 0 */
+    char failed_path[256];
+};
+
+void postproc_sections_run(struct postproc_output *out,
+                           const struct postproc_history *h); /* scene and scales */
+void postproc_sections_medium(struct postproc_output *out,
+                              const struct postproc_history *h); /* dp, porosity, k */
+void postproc_sections_fracture(struct postproc_output *out,
+                                const struct postproc_history *h); /* bonds, fragments, onset */
+void postproc_sections_wall(struct postproc_output *out,
+                            const struct postproc_history *h); /* seconds by part */
+void postproc_sections_pdf(struct postproc_output *out,
+                           const struct postproc_history *h); /* strain and stress */
+void postproc_sections_profile(struct postproc_output *out,
+                               const struct postproc_history *h); /* pressure along x */
+void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
+
+/* Notes that a file could not be written, with errno; the first one stays. */
+void postproc_sections_fail(struct postproc_output *out, const char *path);

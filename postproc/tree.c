@@ -1,0 +1,85 @@
+#include "postproc/tree.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <yaml.h>
+
+/* JSON is YAML, and libyaml reads it. */
+struct postproc_tree {
+    yaml_document_t document;
+};
+
+struct postproc_tree *postproc_tree_new(const char *path) {
+    FILE *file = fopen(path, "r");
+    if (!file) return NULL;
+    struct postproc_tree *t = calloc(1, sizeof *t);
+    yaml_parser_t parser;
+    yaml_parser_initialize(&parser);
+    yaml_parser_set_input_file(&parser, file);
+    const int good = yaml_parser_load(&parser, &t->document);
+    yaml_parser_delete(&parser);
+    fclose(file);
+    if (!good) { /* libyaml has released the document */
+        free(t);
+        return NULL;
+    }
+    if (yaml_document_get_root_node(&t->document)) return t;
+    postproc_tree_free(t);
+    return NULL;
+}
+
+void postproc_tree_free(struct postproc_tree *t) {
+    if (!t) return;
+    yaml_document_delete(&t->document);
+    free(t);
+}
+
+/* libyaml's readers do not change the document, but are not declared so. */
+static yaml_document_t *document_of(const struct postproc_tree *t) {
+    return (yaml_document_t *)(size_t)&t->document;
+}
+
+static yaml_node_t *find(const struct postproc_tree *t, const char *path) {
+    if (!t) return NULL;
+    yaml_document_t *d = document_of(t);
+    yaml_node_t *node = yaml_document_get_root_node(d);
+    while (node && *path) {
+        const size_t length = strcspn(path, ".");
+        if (node->type != YAML_MAPPING_NODE) return NULL;
+        yaml_node_t *next = NULL;
+        for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++) {
+            const yaml_node_t *key = yaml_document_get_node(d, p->key);
+            if (key->type == YAML_SCALAR_NODE && key->data.scalar.length == length &&
+                memcmp(key->data.scalar.value, path, length) == 0)
+                next = yaml_document_get_node(d, p->value);
+        }
+        node = next;
+        path += length;
+        if (*path == '.') path++;
+    }
+    return node;
+}
+
+const char *postproc_tree_text(const struct postproc_tree *t, const char *path) {
+    const yaml_node_t *node = find(t, path);
+    return node && node->type == YAML_SCALAR_NODE ? (const char *)node->data.scalar.value : NULL;
+}
+
+double postproc_tree_number(const struct postproc_tree *t, const char *path) {
+    const char *text = postproc_tree_text(t, path);
+    char *end;
+    if (!text || !*text) return NAN;
+    const double value = strtod(text, &end);
+    return *end ? NAN : value;
+}
+
+const char *postproc_tree_key(const struct postproc_tree *t, const char *path, int k) {
+    const yaml_node_t *node = find(t, path);
+    if (!node || node->type != YAML_MAPPING_NODE ||
+        k >= node->data.mapping.pairs.top - node->data.mapping.pairs.start)
+        return NULL;
+    const yaml_node_t *key = yaml_document_get_node(document_of(t), node->data.mapping.pairs.start[k].key);
+    return key->type == YAML_SCALAR_NODE ? (const char *)key->data.scalar.value : NULL;
+}

@@ -1,0 +1,19 @@
+/* Short-range repulsion of particles that no intact bond joins.  (001: eq. 3.40, mended; SPEC 2)
+ *
+ *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, the shortest across periodic sides
+ *
+ * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing. Two kinds of pairs:
+ * broken: particles of one family whose bond is broken; strangers: particles that never were of one family, sought among
+ * interface and broken particles of all ranks. Lists hold pairs within r_c + a skin of half a spacing, and are made anew
+ * when a listed kind of particle has moved 0.2 spacings; a bond that breaks near contact joins its list at once. */
+#pragma once
+#include "solid/solid.h"
+
+/* Makes the lists, once something could touch, or keeps them: after solid_surface_new, then once a step or more often
+ * (nothing may move 0.05 spacings between two calls). Until something could touch s->contact stays NULL. Collective. */
+void solid_contact_update(struct solid *s);
+/* Adds C_h/rho to s->a. Ghosts must be current. Needs s->contact. Collective. */
+void solid_contact_force(struct solid *s);
+/* The repulsion's potential, J, 0 without contact; whole solid. Ghosts must be current. Collective. */
+double solid_contact_energy(struct solid *s);
+void solid_contact_free(struct solid *s);

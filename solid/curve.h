@@ -1,0 +1,8 @@
+/* The order in which particles are numbered: along Hilbert's curve, so that near particles have near ids.  (001: sec. 4.2) */
+#pragma once
+#include <stdint.h>
+
+enum { SOLID_CURVE_BITS = 20 }; /* a coordinate's bits */
+
+/* Position along the curve of a brick with coordinates 0 .. 2^SOLID_CURVE_BITS - 1. */
+uint64_t solid_curve_key(const uint32_t brick[3]);

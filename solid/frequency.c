@@ -1,0 +1,164 @@
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "solid/constraint.h"
+#include "solid/family.h"
+#include "solid/force.h"
+#include "solid/lattice.h"
+#include "solid/list.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The largest frequency by Lanczos's iteration: power iteration that keeps what it has learnt; each costs one sweep. */
+enum { ITERATIONS = 60 };
+static const double ENOUGH = 1e-4; /* relative change of omega^2 at which to stop */
+
+struct krylov {
+    double *u[3], *before[3]; /* [n] unit vectors of the mass-weighted product */
+};
+
+/* Bonds of the unbroken body instead of the present ones; called again with the same arrays it puts them back. */
+static void swap_whole(struct solid *s, uint8_t **other) {
+    struct solid_family *f = s->family;
+    for (int b = 0; b < f->bodies; b++) {
+        uint8_t **bonds = f->lattice[b] ? &f->lattice[b]->lambda : &f->list[b]->intact, *t = *bonds;
+        *bonds = other[b];
+        other[b] = t;
+    }
+}
+
+static uint8_t *whole_new(const struct solid_family *f, int b) {
+    if (f->list[b]) {
+        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)f->list[b]->bonds + 1, 1);
+        memset(intact, 1, (size_t)f->list[b]->bonds);
+        return intact;
+    }
+    const struct solid_lattice *t = f->lattice[b];
+    uint8_t *lambda = memory_new(MEMORY_SOLID, (size_t)t->rows * (size_t)t->stencil->n + 1, 1);
+    for (int r = 0; r < t->rows; r++) solid_lattice_made(t, r, lambda + (size_t)r * (size_t)t->stencil->n);
+    return lambda;
+}
+
+static double product(const struct solid *s, double *const x[3], double *const y[3]) {
+    double sum = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double mass = solid_density(s, h) * s->volume[h];
+        for (int c = 0; c < 3; c++) sum += mass * x[c][h] * y[c][h];
+    }
+    return par_sum(sum);
+}
+
+/* a = -K u/m by one sweep at displacements so small (1e-7 spacings) that the bonds are linear. */
+static void apply(struct solid *s, double *const u[3]) {
+    double most = 0;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) most = fmax(most, fabs(u[c][h]));
+    const double scale = 1e-7 * s->in.spacing / par_max(most);
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) s->d[c][h] = scale * u[c][h];
+    par_ghost_update(s->ghost, 3, s->d, s->n);
+    solid_force_bonds(s, 0, 0);
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++)
+            s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
+}
+
+/* How many eigenvalues of the tridiagonal matrix lie above x: Sturm's sequence. */
+static int eigenvalues_above(int n, const double *diagonal, const double *beside, double x) {
+    int above = 0;
+    double q = 1;
+    for (int i = 0; i < n; i++) {
+        q = diagonal[i] - x - (i ? beside[i - 1] * beside[i - 1] / q : 0);
+        if (q == 0) q = 1e-300;
+        above += q > 0;
+    }
+    return above;
+}
+
+static double largest_eigenvalue(int n, const double *diagonal, const double *beside) {
+    double low = 0, high = 0;
+    for (int i = 0; i < n; i++)
+        high = fmax(high, diagonal[i] + (i ? fabs(beside[i - 1]) : 0) + (i < n - 1 ? fabs(beside[i]) : 0));
+    for (int i = 0; i < 60; i++) {
+        const double middle = 0.5 * (low + high);
+        if (eigenvalues_above(n, diagonal, beside, middle))
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+static double start_value(long id, int c) { /* the same on any number of ranks */
+    uint64_t z = (uint64_t)(3 * id + c) * 0x9e3779b97f4a7c15u + 0x632be59bd9b4e019u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return (double)(z >> 11) * 0x1p-53 - 0.5;
+}
+
+static double lanczos(struct solid *s, struct krylov *k) {
+    double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0, norm;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++)
+            k->u[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : start_value(s->first[par_rank()] + h, c);
+    norm = sqrt(product(s, k->u, k->u));
+    if (!(norm > 0)) return 0; /* all held */
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
+    for (int i = 0; i < ITERATIONS; i++) {
+        apply(s, k->u);
+        diagonal[i] = product(s, k->u, s->a);
+        for (int c = 0; c < 3; c++)
+            for (int h = 0; h < s->n; h++)
+                s->a[c][h] -= diagonal[i] * k->u[c][h] + (i ? beside[i - 1] * k->before[c][h] : 0);
+        beside[i] = sqrt(product(s, s->a, s->a));
+        const double last = eigenvalue;
+        eigenvalue = largest_eigenvalue(i + 1, diagonal, beside);
+        if (i >= 10 && fabs(eigenvalue - last) < ENOUGH * eigenvalue) break;
+        if (!(beside[i] > 1e-10 * eigenvalue)) break; /* the whole space has been seen */
+        for (int c = 0; c < 3; c++)
+            for (int h = 0; h < s->n; h++) {
+                k->before[c][h] = k->u[c][h];
+                k->u[c][h] = s->a[c][h] / beside[i];
+            }
+    }
+    return sqrt(eigenvalue);
+}
+
+static double largest_frequency(struct solid *s) {
+    struct solid_family *f = s->family;
+    struct krylov k;
+    double *d[3];
+    uint8_t **whole = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *whole);
+    for (int b = 0; b < f->bodies; b++) whole[b] = whole_new(f, b);
+    for (int c = 0; c < 3; c++) {
+        k.u[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        k.before[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        d[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        memcpy(d[c], s->d[c], (size_t)s->n * sizeof(double));
+    }
+    const long sweeps = s->sweeps;
+    swap_whole(s, whole);
+    const double omega = lanczos(s, &k);
+    swap_whole(s, whole);
+    s->sweeps = sweeps;
+    s->fingerprint = 0;
+    for (int b = 0; b < f->bodies; b++) memory_free(whole[b]);
+    memory_free(whole);
+    for (int c = 0; c < 3; c++) {
+        memcpy(s->d[c], d[c], (size_t)s->n * sizeof(double));
+        memset(s->a[c], 0, (size_t)s->n * sizeof(double));
+        memory_free(k.u[c]);
+        memory_free(k.before[c]);
+        memory_free(d[c]);
+    }
+    par_ghost_update(s->ghost, 3, s->d, s->n);
+    return omega;
+}
+
+double solid_stable_step(struct solid *s, enum solid_integrator integrator) {
+    const double omega = largest_frequency(s);
+    if (!(omega > 0)) return INFINITY;
+    return (integrator == SOLID_RK3 ? sqrt(3) : 2) / omega;
+}

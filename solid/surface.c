@@ -1,0 +1,171 @@
+#include "solid/surface.h"
+
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/normal.h"
+#include "solid/surface_area.h"
+#include "solid/surface_lists.h"
+#include "solid/surface_lost.h"
+#include "solid/surface_sector.h"
+
+#include <math.h>
+#include <string.h>
+
+static int is_on(const struct solid_watch *w, unsigned open) { return open || w->set_free; }
+
+void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
+    if (f->watch_of[w->h] < 0) {
+        if (f->watched == f->watch_capacity) {
+            f->watch_capacity = 2 * f->watch_capacity + 64;
+            struct solid_watch *more = memory_new(MEMORY_SOLID, (size_t)f->watch_capacity, sizeof *more);
+            if (f->watched) memcpy(more, f->watch, (size_t)f->watched * sizeof *more);
+            memory_free(f->watch);
+            f->watch = more;
+        }
+        f->watch_of[w->h] = f->watched++;
+    }
+    f->watch[f->watch_of[w->h]] = *w;
+}
+
+/* The lists, from the flags and what is kept by particle. Returns the particles on the interface of all ranks. */
+void solid_surface_gather(struct solid *s, struct solid_surface *f) {
+    f->n = 0;
+    for (int h = 0; h < s->n; h++) {
+        if (!(s->flag[h] & SOLID_INTERFACE)) continue;
+        const int i = f->n++;
+        f->h[i] = h;
+        for (int c = 0; c < 3; c++) f->normal[c][i] = f->facing[h].n[c];
+        f->two_sided[i] = f->facing[h].two_sided;
+        f->area[i] = s->flag[h] & SOLID_FIRST ? f->initial_area : solid_surface_fresh_area(s, h);
+    }
+}
+
+static struct solid_surface *allocate(const struct solid *s) {
+    const size_t n = (size_t)s->n + 1;
+    struct solid_surface *f = memory_new(MEMORY_SOLID, 1, sizeof *f);
+    f->capacity = s->n;
+    f->h = memory_new(MEMORY_SOLID, n, sizeof *f->h);
+    for (int c = 0; c < 3; c++) f->normal[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
+    f->two_sided = memory_new(MEMORY_SOLID, n, 1);
+    f->area = memory_new(MEMORY_SOLID, n, sizeof(double));
+    f->facing = memory_new(MEMORY_SOLID, n, sizeof *f->facing);
+    f->bare = memory_new(MEMORY_SOLID, n, 1);
+    f->share = memory_new(MEMORY_SOLID, n, sizeof(double));
+    f->faces = memory_new(MEMORY_SOLID, n, 1);
+    f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
+    f->lost = solid_lost_new(s);
+    return f;
+}
+
+struct solid_surface *solid_surface_new(struct solid *s) {
+    clock_begin(CLOCK_INTERFACE);
+    solid_ghosts_update(s);
+    struct solid_surface *f = allocate(s);
+    struct solid_family_view view;
+    for (int h = 0; h < s->n; h++) {
+        struct solid_watch w;
+        solid_family_view(s, h, &view);
+        solid_sector_look(s, h, &view, &w);
+        s->flag[h] &= (uint8_t) ~(SOLID_INTERFACE | SOLID_FIRST);
+        f->watch_of[h] = -1;
+        f->bare[h] = w.bare;
+        if (w.bare || view.n == 0) {
+            struct solid_facing start;
+            solid_normal_look_start(s, h, &view, w.bare, &start);
+            s->flag[h] |= SOLID_FIRST;
+            f->share[h] = solid_surface_share(s, h, &view, &start);
+            f->faces[h] = start.two_sided ? 2 : 1;
+        }
+        if (w.broken || w.set_free) solid_surface_watch(f, &w);
+        const unsigned open = solid_sector_void(s, &w);
+        if (!is_on(&w, open)) continue;
+        s->flag[h] |= SOLID_INTERFACE;
+        solid_normal_look(s, h, &view, open, &f->facing[h]);
+    }
+    solid_lost_take(s, SOLID_BROKE_SURFACE);
+    solid_surface_gather(s, f);
+    solid_surface_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY}, (double[]){INFINITY, INFINITY, INFINITY});
+    f->total = par_sum_long(f->n);
+    clock_end(CLOCK_INTERFACE);
+    return f;
+}
+
+void solid_surface_free(struct solid_surface *f) {
+    if (!f) return;
+    memory_free(f->h);
+    for (int c = 0; c < 3; c++) memory_free(f->normal[c]);
+    memory_free(f->two_sided);
+    memory_free(f->area);
+    memory_free(f->facing);
+    memory_free(f->bare);
+    memory_free(f->share);
+    memory_free(f->faces);
+    memory_free(f->watch);
+    memory_free(f->watch_of);
+    solid_lost_free(f->lost);
+    memory_free(f);
+}
+
+/* Particles that have lost bonds since the last look: what their test needs, and their normals. */
+static void look_where_broken(struct solid *s, struct solid_surface *f) {
+    struct solid_family_view view;
+    for (int h = 0; h < s->n; h++) {
+        if (!(s->flag[h] & SOLID_BROKEN) || !solid_lost_since(f->lost, s, h)) continue;
+        struct solid_watch w;
+        solid_family_view(s, h, &view);
+        solid_sector_look(s, h, &view, &w);
+        if (w.broken || w.set_free) solid_surface_watch(f, &w);
+        if (s->flag[h] & SOLID_INTERFACE) solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
+    }
+}
+
+/* The watched particles: those whose cracks have opened or closed. Returns the number that came or went. */
+static int look_where_open(struct solid *s, struct solid_surface *f) {
+    struct solid_family_view view;
+    int changes = 0;
+    for (int k = 0; k < f->watched; k++) {
+        const struct solid_watch *w = &f->watch[k];
+        const int h = w->h;
+        const unsigned open = solid_sector_void(s, w);
+        const int was = (s->flag[h] & SOLID_INTERFACE) != 0, is = is_on(w, open);
+        if (is && (!was || open != f->facing[h].open)) {
+            solid_family_view(s, h, &view);
+            solid_normal_look(s, h, &view, open, &f->facing[h]);
+        }
+        if (is == was) continue;
+        s->flag[h] ^= SOLID_INTERFACE;
+        changes++;
+    }
+    return changes;
+}
+
+/* Normals of particles whose family has turned; writes all normals to the list, unless it is about to be made anew. */
+static void look_where_turned(struct solid *s, struct solid_surface *f) {
+    struct solid_family_view view;
+    for (int i = 0; i < f->n; i++) {
+        const int h = f->h[i];
+        if (!solid_normal_has_turned(s, h, &f->facing[h])) continue;
+        solid_family_view(s, h, &view);
+        solid_normal_look(s, h, &view, f->facing[h].open, &f->facing[h]);
+    }
+    for (int i = 0; i < f->n; i++) {
+        const struct solid_facing *facing = &f->facing[f->h[i]];
+        for (int c = 0; c < 3; c++) f->normal[c][i] = facing->n[c];
+        f->two_sided[i] = facing->two_sided;
+    }
+}
+
+int solid_surface_update(struct solid *s, struct solid_surface *f) {
+    clock_begin(CLOCK_INTERFACE);
+    solid_ghosts_update(s);
+    if (solid_lost_take(s, SOLID_BROKE_SURFACE)) look_where_broken(s, f);
+    const int changes = f->watched ? look_where_open(s, f) : 0;
+    if (changes) solid_surface_gather(s, f);
+    look_where_turned(s, f);
+    long all[2] = {changes, f->n};
+    par_sum_long_array(all, 2);
+    f->total = all[1];
+    clock_end(CLOCK_INTERFACE);
+    return all[0] > 0;
+}

@@ -1,0 +1,9 @@
+/* Inside of solid/surface: its lists. */
+#pragma once
+#include "solid/surface.h"
+
+struct solid_watch;
+/* Watches a particle that has lost a nearest neighbour, or renews what is known of it. Not collective. */
+void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w);
+/* The lists of interface particles, from the flags and what is kept by particle. Not collective. */
+void solid_surface_gather(struct solid *s, struct solid_surface *f);

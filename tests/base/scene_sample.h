@@ -1,0 +1,44 @@
+/* The sample scenes of tests/base/scenes, as texts, with one piece of them exchanged for another. */
+#pragma once
+#include "base/scene_read.h"
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SCENES FRANA_SOURCE_DIR "/tests/base/scenes/"
+
+static inline char *sample_text(const char *path) {
+    FILE *in = fopen(path, "rb");
+    assert_non_null(in);
+    char *text = calloc(1, 1 << 16);
+    assert_true(fread(text, 1, (1 << 16) - 1, in) > 0);
+    fclose(in);
+    return text;
+}
+
+/* The text with the first `find` (which must be there) replaced. */
+static inline char *sample_with(const char *text, const char *find, const char *replace) {
+    const char *at = strstr(text, find);
+    if (!at) fail_msg("the sample has no \"%s\"", find);
+    return scene_text("%.*s%s%s", (int)(at - text), text, replace, at + strlen(find));
+}
+
+/* Reads the text as if it stood in the folder of samples. */
+static inline struct scene *sample_read(const char *text, int n, const char *const *set,
+                                        struct scene_problems *problems) {
+    *problems = (struct scene_problems){0};
+    return scene_read(SCENES "it.yaml", text, strlen(text), n, set, 1, problems);
+}
+
+/* A problem's line with the samples' folder as @/, and without it in front: "it.yaml:3: ..."; malloc'ed. */
+static inline char *sample_problem(const struct scene_problems *problems, int i) {
+    const char *text = problems->text[i];
+    if (!strncmp(text, SCENES, strlen(SCENES))) text += strlen(SCENES);
+    return strstr(text, SCENES) ? sample_with(text, SCENES, "@/") : scene_text("%s", text);
+}

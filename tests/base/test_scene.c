@@ -1,0 +1,300 @@
+/* What is read, what is filled in, what --set changes, and that the resolved scene says the same. */
+#include "base/par.h"
+#include "scene_sample.h"
+
+#include <math.h>
+
+static struct scene *read_or_fail(const char *name, int n, const char *const *set) {
+    char *path = scene_text("%s%s", SCENES, name);
+    struct scene *s = scene_new(path, n, set);
+    free(path);
+    return s;
+}
+
+static void assert_vector(const double *v, double x, double y, double z) {
+    assert_true(v[0] == x && v[1] == y && v[2] == z);
+}
+
+static void test_values_are_read(void **state) {
+    (void)state;
+    struct scene *s = read_or_fail("coupled.yaml", 0, NULL);
+    assert_string_equal(s->title, "A held block and a free sphere in a channel");
+    assert_string_equal(s->path, SCENES "coupled.yaml");
+    assert_vector(s->domain.size, 0.04, 0.02, 0.02);
+    assert_int_equal(s->domain.cells[0], 40);
+    assert_true(s->fluid->density == 1000 && s->fluid->viscosity == 1e-3 &&
+                s->fluid->initial_poiseuille == 1);
+    assert_vector(s->fluid->initial_velocity, 0.1, 0, 0);
+    assert_int_equal(s->fluid->side[0][0].type, SCENE_INFLOW);
+    assert_int_equal(s->fluid->side[0][0].profile, SCENE_POISEUILLE);
+    assert_true(s->fluid->side[0][0].bulk_velocity == 0.1);
+    assert_int_equal(s->fluid->side[0][1].type, SCENE_OUTFLOW);
+    assert_int_equal(s->fluid->side[1][1].type, SCENE_WALL);
+    assert_vector(s->fluid->side[1][1].velocity, 0.01, 0, 0);
+    assert_int_equal(s->fluid->driving, SCENE_DRIVING_GRADIENT);
+    assert_int_equal(s->fluid->driving_direction, 2);
+    assert_vector(s->fluid->body_force, 0, -9.81, 0);
+    const struct scene_solid *solid = s->solid;
+    assert_int_equal(solid->materials, 2);
+    assert_int_equal(solid->bodies, 3);
+    assert_string_equal(solid->material[1].name, "glass");
+    assert_true(solid->material[0].fracture_energy == 0.05 && solid->material[1].horizon_ratio == 2);
+    assert_true(solid->body[0].has_cavities && solid->body[0].cavity_radius == 0.002 &&
+                !solid->body[1].has_cavities);
+    assert_int_equal(solid->body[1].shape, SCENE_SPHERE);
+    assert_int_equal(solid->body[2].shape, SCENE_CYLINDER);
+    assert_int_equal(solid->body[2].axis, 2);
+    assert_int_equal(solid->body[0].material_index, 0);
+    assert_int_equal(solid->body[2].material_index, 1);
+    assert_vector(solid->load[0].force, 0, -100, 0);
+    assert_int_equal(solid->unbreakables, 1);
+    assert_vector(s->coupling->box_high, 0.02, 0.01, 0.02);
+    assert_int_equal(s->stages, 3);
+    assert_int_equal(s->stage[0].solid, SCENE_SOLID_RIGID);
+    assert_true(s->stage[0].time_step == 0 && s->stage[0].cfl == 0.5 && s->stage[1].time_step == 1e-5);
+    assert_true(s->stage[1].breakage == 0 && s->stage[1].damping_absolute == 2000);
+    assert_int_equal(s->stage[2].integrator, SCENE_VERLET);
+    assert_int_equal(s->stage[2].substeps, 4);
+    scene_free(s);
+}
+
+static void test_defaults_are_filled_in(void **state) {
+    (void)state;
+    struct scene *s = read_or_fail("coupled.yaml", 0, NULL);
+    assert_true(s->solid->spacing == 0.04 / 40); /* the cell */
+    assert_true(isinf(s->solid->material[1].fracture_energy) && s->solid->material[0].horizon_ratio == 3);
+    assert_true(s->solid->material[0].poisson_ratio == 0.25);
+    assert_true(s->solid->contact && s->solid->contact_stiffness == 15 && s->solid->contact_radius == 1);
+    assert_true(s->solid->surface_correction && s->solid->contact_exponent == 1);
+    assert_true(s->solid->constraint[0].direction[0] && s->solid->constraint[0].direction[1]);
+    assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
+    assert_true(s->coupling->retraction == SCENE_RETRACTION && s->coupling->probe_length == 2);
+    assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
+    assert_true(s->stage[2].solid == SCENE_SOLID_ELASTIC && s->stage[2].time_step == 0 &&
+                s->stage[2].cfl == 0.9);
+    assert_true(s->stage[2].breakage == 1 && s->stage[1].substeps == 0 && s->stage[1].safety == 0.9);
+    assert_true(s->output.checkpoint_every == 1000 && s->output.fields_every == 0 &&
+                s->output.log_every == 100);
+    assert_true(s->output.stress == 1 && s->start[0] == '\0');
+    scene_free(s);
+}
+
+static void test_parts_that_are_left_out_are_null(void **state) {
+    (void)state;
+    struct scene *fluid = read_or_fail("fluid.yaml", 0, NULL), *solid = read_or_fail("solid.yaml", 0, NULL);
+    assert_true(fluid->fluid && !fluid->solid && !fluid->coupling);
+    assert_true(!solid->fluid && solid->solid && !solid->coupling);
+    assert_string_equal(fluid->fluid->side[0][0].file, SCENES "profile.txt"); /* absolute */
+    assert_int_equal(fluid->fluid->side[1][0].w, SCENE_NEUMANN);
+    assert_string_equal(solid->solid->body[0].file, SCENES "points.txt");
+    assert_string_equal(solid->solid->body[1].name, "body2");
+    assert_string_equal(solid->solid->body[1].material, "ceramic"); /* the only one */
+    assert_true(solid->domain.periodic[2] && !solid->domain.periodic[0] && solid->domain.cells[0] == 0);
+    assert_true(solid->stage[0].relax && !solid->stage[1].relax);
+    scene_free(fluid);
+    scene_free(solid);
+}
+
+static void test_medium_is_the_bodies_within_the_domain(void **state) {
+    (void)state;
+    char *sample = sample_text(SCENES "coupled.yaml");
+    char *text = sample_with(sample, "  medium: {low: [0.01, 0, 0], high: [0.02, 0.01, 0.02]}\n", "");
+    struct scene_problems problems;
+    struct scene *s = sample_read(text, 0, NULL, &problems);
+    assert_non_null(s);
+    assert_true(s->coupling->has_box);
+    assert_vector(s->coupling->box_low, 0.005 - 0.002, 0, 0); /* the rod's, the domain's, the domain's */
+    assert_vector(s->coupling->box_high, 0.03 + 0.004, 0.01 + 0.004,
+                  0.02); /* the ball's, the ball's, the block's */
+    scene_free(s);
+    free(text);
+    free(sample);
+}
+
+static void test_settings_override(void **state) {
+    (void)state;
+    const char *const set[] = {"stages[0].steps=7",
+                               "stages.1.steps=8",
+                               "stages.fracture.steps=9",
+                               "domain.size=[0.08, 0.04, 0.04]",
+                               "coupling.retraction=-0.5",
+                               "output={series_every: 3, fields_every: 4}",
+                               "solid.materials.glass.density=2600.5",
+                               "solid.bodies[1].centre[0]=0.031",
+                               "stages.flow.time_step=2e-4"};
+    const char *const kept[] = {"title=\"a: b, c=d\"", "fluid.driving={type: none}"};
+    const int n = (int)(sizeof set / sizeof *set);
+    struct scene *s = read_or_fail("coupled.yaml", 2, kept);
+    assert_string_equal(s->title, "a: b, c=d");
+    assert_int_equal(s->fluid->driving, SCENE_DRIVING_NONE);
+    scene_free(s);
+    s = read_or_fail("coupled.yaml", n, set);
+    assert_int_equal(s->stage[0].steps, 7);
+    assert_int_equal(s->stage[1].steps, 8);
+    assert_int_equal(s->stage[2].steps, 9);
+    assert_vector(s->domain.size, 0.08, 0.04, 0.04);
+    assert_true(s->solid->spacing == 0.08 / 40);
+    assert_true(s->coupling->retraction == -0.5 && s->coupling->forcing_iterations == 2);
+    assert_true(s->output.series_every == 3 && s->output.fields_every == 4 && s->output.log_every == 100);
+    assert_true(s->solid->material[1].density == 2600.5 && s->solid->body[1].centre[0] == 0.031);
+    assert_true(s->stage[0].time_step == 2e-4);
+    scene_free(s);
+}
+
+static void test_settings_make_missing_sections(void **state) {
+    (void)state;
+    const char *const set[] = {"fluid.driving.type=pressure_gradient", "fluid.driving.value=3",
+                               "fluid.driving.direction=z", "output.log_every=5"};
+    struct scene *s = read_or_fail("fluid.yaml", 4, set);
+    assert_true(s->fluid->driving == SCENE_DRIVING_GRADIENT && s->fluid->driving_value == 3);
+    assert_true(s->fluid->driving_direction == 2 && s->output.log_every == 5);
+    scene_free(s);
+}
+
+static void test_wrong_settings_are_refused(void **state) {
+    (void)state;
+    const char *const said[][2] = {
+        {"stages.flow.stepz=10", "--set stages.flow.stepz: unknown key; did you mean steps?"},
+        {"stages.flwo.steps=10", "--set stages.flwo.steps: there is no entry named flwo; did you mean flow?"},
+        {"stages[3].steps=10", "--set stages[3].steps: there is no entry 3: stages has 0 to 2"},
+        {"stages..steps=10",
+         "--set stages..steps: not a path: write it as stages[0].steps or stages.flow.steps"},
+        {"stages[0.steps=10",
+         "--set stages[0.steps: not a path: write it as stages[0].steps or stages.flow.steps"},
+        {"=10", "--set : not a path: write it as stages[0].steps or stages.flow.steps"},
+        {"fluid.density", "--set fluid.density: needs a value: --set key.path=value"},
+        {"fluid.density=", "--set fluid.density: must be a number, greater than 0 (kg/m3)"},
+        {"fluid.density=-1", "--set fluid.density = -1: must be greater than 0"},
+        {"fluid.density.low=1", "--set fluid.density.low: density is a value: nothing is in it"},
+        {"domain.cells=[40, 20",
+         "--set domain.cells: not valid YAML: while parsing a flow sequence: did not find "
+         "expected ',' or ']'"},
+        {"domain.cells=[40, 20, 0]",
+         "--set domain.cells: domain.cells[2] = 0: must be between 1 and 1000000"},
+        {"fluyd.density=1", "--set fluyd.density: unknown key; did you mean fluid?"},
+        {"coupling.medium={low: [0, 0, 0]}", "--set coupling.medium: coupling.medium.high: missing (m)"}};
+    char *text = sample_text(SCENES "coupled.yaml");
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+        struct scene_problems problems;
+        assert_null(sample_read(text, 1, &said[i][0], &problems));
+        assert_string_equal(problems.text[0], said[i][1]);
+        assert_int_equal(problems.n, 1);
+        scene_problems_free(&problems);
+    }
+    free(text);
+}
+
+/* The same numbers in all that both hold. */
+static void assert_same(const struct scene *a, const struct scene *b) {
+    assert_string_equal(a->resolved, b->resolved);
+    assert_string_equal(a->title, b->title);
+    assert_string_equal(a->start, b->start);
+    assert_memory_equal(&a->domain, &b->domain, sizeof a->domain);
+    assert_memory_equal(&a->output, &b->output, sizeof a->output);
+    assert_true(!a->fluid == !b->fluid && !a->solid == !b->solid && !a->coupling == !b->coupling);
+    if (a->fluid) assert_memory_equal(a->fluid, b->fluid, sizeof *a->fluid);
+    if (a->coupling) assert_memory_equal(a->coupling, b->coupling, sizeof *a->coupling);
+    assert_int_equal(a->stages, b->stages);
+    assert_memory_equal(a->stage, b->stage, (size_t)a->stages * sizeof *a->stage);
+    if (!a->solid) return;
+    const struct scene_solid *s = a->solid, *t = b->solid;
+    assert_true(s->spacing == t->spacing && s->materials == t->materials && s->bodies == t->bodies);
+    assert_true(s->constraints == t->constraints && s->unbreakables == t->unbreakables &&
+                s->loads == t->loads);
+    assert_memory_equal(s->material, t->material, (size_t)s->materials * sizeof *s->material);
+    assert_memory_equal(s->body, t->body, (size_t)s->bodies * sizeof *s->body);
+    if (s->constraints)
+        assert_memory_equal(s->constraint, t->constraint, (size_t)s->constraints * sizeof *s->constraint);
+    if (s->unbreakables)
+        assert_memory_equal(s->unbreakable, t->unbreakable, (size_t)s->unbreakables * sizeof *s->unbreakable);
+    if (s->loads) assert_memory_equal(s->load, t->load, (size_t)s->loads * sizeof *s->load);
+    assert_memory_equal(s->body_force, t->body_force, sizeof s->body_force);
+    assert_true(s->contact == t->contact && s->contact_stiffness == t->contact_stiffness);
+    assert_true(s->contact_exponent == t->contact_exponent && s->contact_radius == t->contact_radius);
+    assert_true(s->surface_correction == t->surface_correction);
+}
+
+static void test_resolved_says_the_same(void **state) {
+    (void)state;
+    const char *const name[] = {SCENES "coupled.yaml",
+                                SCENES "fluid.yaml",
+                                SCENES "solid.yaml",
+                                FRANA_SOURCE_DIR "/cases/porous_channel/s1.yaml",
+                                FRANA_SOURCE_DIR "/cases/channel/scene.yaml",
+                                FRANA_SOURCE_DIR "/cases/bar/scene.yaml",
+                                FRANA_SOURCE_DIR "/cases/sphere_array/scene.yaml"};
+    for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
+        struct scene *s = scene_new(name[i], 0, NULL);
+        struct scene_problems problems = {0};
+        struct scene *again =
+            scene_read("elsewhere.yaml", s->resolved, strlen(s->resolved), 0, NULL, 1, &problems);
+        assert_int_equal(problems.n, 0);
+        assert_same(s, again);
+        scene_free(s);
+        scene_free(again);
+    }
+}
+
+static void test_texts_survive_the_resolved_scene(void **state) {
+    (void)state;
+    const char *const title[] = {
+        "plain",           "'it''s: \"quoted\" # no remark'", "\"true\"", "\"12\"",
+        "\"two\\nlines\"", "\"\\u0394x = \\u03bb\"",          "'- dash'", "\"  blanks  \""};
+    const char *const is[] = {
+        "plain",     "it's: \"quoted\" # no remark", "true", "12", "two\nlines", "\u0394x = \u03bb", "- dash",
+        "  blanks  "};
+    char *sample = sample_text(SCENES "fluid.yaml");
+    for (size_t i = 0; i < sizeof title / sizeof *title; i++) {
+        char *text = scene_text("title: %s\n%s", title[i], sample);
+        struct scene_problems problems, none;
+        struct scene *s = sample_read(text, 0, NULL, &problems);
+        assert_non_null(s);
+        assert_string_equal(s->title, is[i]);
+        struct scene *again = sample_read(s->resolved, 0, NULL, &none);
+        assert_non_null(again);
+        assert_same(s, again);
+        scene_free(s);
+        scene_free(again);
+        free(text);
+    }
+    free(sample);
+}
+
+static void test_ranks_hold_the_same(void **state) {
+    (void)state;
+    const char *const set[] = {"stages.flow.steps=33", "fluid.viscosity=1.1e-3"};
+    struct scene *s = read_or_fail("coupled.yaml", 2, set);
+    struct scene_fluid fluid = *s->fluid;
+    struct scene_stage stage = s->stage[0];
+    struct scene_body body = s->solid->body[2];
+    char resolved[8192] = "";
+    assert_true(strlen(s->resolved) < sizeof resolved);
+    strcpy(resolved, s->resolved);
+    par_bcast(&fluid, sizeof fluid, 0);
+    par_bcast(&stage, sizeof stage, 0);
+    par_bcast(&body, sizeof body, 0);
+    par_bcast(resolved, sizeof resolved, 0);
+    assert_memory_equal(&fluid, s->fluid, sizeof fluid);
+    assert_memory_equal(&stage, &s->stage[0], sizeof stage);
+    assert_memory_equal(&body, &s->solid->body[2], sizeof body);
+    assert_string_equal(resolved, s->resolved);
+    assert_true(s->stage[0].steps == 33 && s->fluid->viscosity == 1.1e-3);
+    scene_free(s);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
+                                       cmocka_unit_test(test_defaults_are_filled_in),
+                                       cmocka_unit_test(test_parts_that_are_left_out_are_null),
+                                       cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),
+                                       cmocka_unit_test(test_settings_override),
+                                       cmocka_unit_test(test_settings_make_missing_sections),
+                                       cmocka_unit_test(test_wrong_settings_are_refused),
+                                       cmocka_unit_test(test_resolved_says_the_same),
+                                       cmocka_unit_test(test_texts_survive_the_resolved_scene),
+                                       cmocka_unit_test(test_ranks_hold_the_same)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

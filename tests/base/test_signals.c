@@ -1,0 +1,74 @@
+/* A signal that one rank gets stops all; so do the limits of time. */
+#include "base/par.h"
+#include "base/signals.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+static void one_rank_stops_all(void **state) {
+    (void)state;
+    const int number[] = {SIGTERM, SIGUSR1, SIGINT};
+    const char *const name[] = {"SIGTERM", "SIGUSR1", "SIGINT"};
+    for (int k = 0; k < 3; k++) {
+        signals_begin(0);
+        assert_int_equal(signals_stop(1e9), SIGNALS_NONE);
+        if (par_rank() == par_size() - 1) raise(number[k]);
+        assert_int_equal(signals_stop(0), SIGNALS_SIGNAL);
+        assert_int_equal(signals_stop(0), SIGNALS_SIGNAL); /* and it stays so */
+        if (par_rank() == par_size() - 1) assert_string_equal(signals_name(SIGNALS_SIGNAL), name[k]);
+    }
+}
+
+static void a_second_interrupt_is_the_systems(void **state) {
+    (void)state;
+    struct sigaction action;
+    signals_begin(0);
+    raise(SIGINT);
+    sigaction(SIGINT, NULL, &action);
+    assert_true(action.sa_handler == SIG_DFL);
+    raise(SIGTERM);
+    sigaction(SIGTERM, NULL, &action);
+    assert_true(action.sa_handler != SIG_DFL);
+}
+
+static void wall_time_ends_in_time(void **state) {
+    (void)state;
+    signals_begin(1000);
+    assert_int_equal(signals_stop(900), SIGNALS_NONE);
+    assert_int_equal(signals_stop(1001), SIGNALS_MAX_WALL);
+    signals_begin(par_rank() == 0 ? 1e-9 : 1000); /* clocks differ a little; the first to be late decides */
+    assert_int_equal(signals_stop(0.1), SIGNALS_MAX_WALL);
+    assert_string_equal(signals_name(SIGNALS_MAX_WALL), "--max-wall");
+    signals_begin(0);
+    assert_int_equal(signals_stop(0), SIGNALS_NONE);
+}
+
+static void the_batch_systems_limit_counts(void **state) {
+    (void)state;
+    char end[32];
+    snprintf(end, sizeof end, "%ld", (long)time(NULL) + 500);
+    setenv("SLURM_JOB_END_TIME", end, 1);
+    signals_begin(0);
+    assert_int_equal(signals_stop(400), SIGNALS_NONE);
+    assert_int_equal(signals_stop(502), SIGNALS_BATCH);
+    unsetenv("SLURM_JOB_END_TIME");
+    signals_begin(0);
+    assert_int_equal(signals_stop(502), SIGNALS_NONE);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_rank_stops_all), cmocka_unit_test(a_second_interrupt_is_the_systems),
+        cmocka_unit_test(wall_time_ends_in_time), cmocka_unit_test(the_batch_systems_limit_counts)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

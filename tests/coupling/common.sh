@@ -1,0 +1,37 @@
+# What the program's tests share. usage: script FRANA SOURCE WORK
+set -euo pipefail
+frana=$1 source=$2 work=$3
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
+rm -rf "$work" && mkdir -p "$work" && cd "$work"
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+ranks() { local n=$1; shift; mpiexec --oversubscribe -n "$n" "$frana" "$@"; }
+# code N command...: the command must end with this exit code; what it says goes to out and err
+code() {
+  local want=$1 got=0; shift
+  "$@" >out 2>err || got=$?
+  [ "$got" = "$want" ] || { cat out err >&2; fail "exit code $got, not $want: $*"; }
+}
+# A porous block small enough to test on: 32 x 16 x 16 cells, all stages.
+scene() {
+  sed -e 's/^  cells: .*/  cells: [32, 16, 16]/' -e 's/^  - {name: flow, .*/  - {name: flow, steps: 20, time_step: 2.0e-3, solid: rigid}/' \
+    -e 's/^  - {name: settle, .*/  - {name: settle, steps: 20, time_step: 2.0e-4, breakage: false, damping_absolute: 2000}/' \
+    -e 's/^  - {name: fracture, .*/  - {name: fracture, steps: 20, time_step: 2.0e-4}/' \
+    -e 's/fracture_energy: [0-9.e-]*/fracture_energy: 1.0e-3/' \
+    -e 's/radius: 0.014375/radius: 0.0125/' -e 's/-0.0046875/-0.01875/; s/0.1046875/0.11875/' \
+    -e 's/low: \[0, -0.01, 0\]/low: [0, -0.02, 0]/; s/high: \[0.2, 0.11, 0.1\]/high: [0.2, 0.12, 0.1]/' \
+    -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 20/; s/checkpoint_every: .*/checkpoint_every: 25/' \
+    "$source/cases/porous_channel/s1.yaml"
+}
+# same A B: two series agree, every number to 1e-10 of its column's largest
+same() {
+  awk -F, -v a="$1" -v b="$2" '
+    FNR <= 2 { if (FNR == 1 && NR == 1) for (i = 1; i <= NF; i++) name[i] = $i; next }
+    FILENAME == a { for (i = 1; i <= NF; i++) { v[FNR, i] = $i; s = $i < 0 ? -$i : $i; if (s > big[i]) big[i] = s } rows = FNR; next }
+    { for (i = 1; i <= NF; i++) { d = v[FNR, i] - $i; if (d < 0) d = -d; scale = big[i];
+        if (name[i] ~ /^(load|forcing)_/) scale = big[col_load]; if (name[i] ~ /div_max|momentum_residual/) scale = 1;
+        if (name[i] == "load_x") col_load = i;
+        if (d > 1e-10 * scale) { print name[i], "row", FNR, v[FNR, i], $i > "/dev/stderr"; bad = 1 } } other = FNR }
+    END { exit bad || rows != other }' "$1" "$2" || fail "$1 and $2 differ"
+}

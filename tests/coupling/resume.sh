@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# A run stopped anywhere and resumed on another number of ranks gives the same series; ranks do not matter either.
+. "$(dirname "$0")/common.sh" "$@"
+scene >scene.yaml
+code 0 ranks 2 run scene.yaml --out whole
+grep -q '"status": *"done"' whole/run.json || fail "run.json does not say done"
+rows=$(($(wc -l <whole/series.csv) - 2))
+[ "$rows" = 12 ] || fail "$rows rows in the series, not 12"
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i } END { exit !($b > 0) }' whole/series.csv ||
+  fail "nothing has broken: the resumed fracture would not be tested"
+
+for n in 1 3 4; do
+  code 0 ranks $n run scene.yaml --out ranks$n
+  same whole/series.csv ranks$n/series.csv
+done
+
+# stopped at a random step by a signal, resumed on other ranks until done
+RANDOM=$$
+n=2
+rm -rf stopped
+stops=0
+resume=
+while :; do
+  got=0
+  mpiexec --oversubscribe -n $n "$frana" run scene.yaml --out stopped $resume >out 2>err & pid=$!
+  if [ $stops -lt 3 ]; then
+    for _ in $(seq 400); do
+      steps=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1)
+      case "$steps" in '' | *[!0-9]*) ;; *) [ "$steps" -ge $((stops * 20 + 5 + RANDOM % 10)) ] && break ;; esac
+      sleep 0.02
+    done
+    pkill -TERM -P $pid -x frana 2>/dev/null || true
+  fi
+  wait $pid || got=$?
+  [ "$got" = 0 ] && break
+  [ "$got" = 75 ] || { cat out err >&2; fail "stopped with exit code $got"; }
+  [ -f stopped/checkpoint/latest ] || fail "stopped without a checkpoint"
+  stops=$((stops + 1)) n=$((n % 4 + 1)) resume=--resume
+done
+echo "stopped $stops times"
+same whole/series.csv stopped/series.csv
+
+# another run starts from the end of a stage
+code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5
+sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 40' whole/series.csv >>tail.csv
+same tail.csv branch/series.csv
+echo ok

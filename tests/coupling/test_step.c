@@ -1,0 +1,136 @@
+/* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together from
+ * what the stage needs. */
+#include "base/par.h"
+#include "base/scene.h"
+#include "coupling/run.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <cmocka.h>
+
+static const char *const box = "title: test\n"
+                               "domain: {size: [0.16, 0.16, 0.16], cells: [16, 16, 16]}\n"
+                               "fluid:\n"
+                               "  density: 1000\n"
+                               "  viscosity: 1.0e-3\n"
+                               "  initial: {velocity: [0.1, 0.05, -0.02]}\n"
+                               "  sides:\n"
+                               "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"
+                               "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
+                               "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
+                               "solid:\n"
+                               "  materials:\n"
+                               "    - {name: soft, youngs_modulus: 1.0e6, density: 3000, fracture_energy: 0.05}\n"
+                               "  bodies:\n"
+                               "    - {name: ball, material: soft, shape: sphere, centre: [0.08, 0.08, 0.08], radius: 0.04}\n";
+static const char *const drift = "stages:\n"
+                                 "  - {name: drift, steps: 40, time_step: 2.0e-3}\n";
+static const char *const rigid = "stages:\n"
+                                 "  - {name: flow, steps: 5, time_step: 2.0e-3, solid: rigid}\n";
+
+static struct scene *scene_of(const char *one, const char *two, int n, const char *const *set) {
+    char path[] = "/tmp/frana_test_stepXXXXXX";
+    if (par_rank() == 0) {
+        const int fd = mkstemp(path);
+        assert_true(fd >= 0);
+        assert_int_equal(write(fd, one, strlen(one)), (long)strlen(one));
+        assert_int_equal(write(fd, two, strlen(two)), (long)strlen(two));
+        close(fd);
+    }
+    par_bcast(path, sizeof path, 0);
+    struct scene *scene = scene_new(path, n, set);
+    par_barrier();
+    if (par_rank() == 0) unlink(path);
+    return scene;
+}
+
+/* 40 steps at a tenth of a cell each: four cells. Velocities must stay the flow's, bonds unstretched.  (REFERENCES 5.2.4) */
+static void test_moves_with_flow(void **state) {
+    (void)state;
+    const double velocity[3] = {0.1, 0.05, -0.02};
+    struct scene *scene = scene_of(box, drift, 0, NULL);
+    struct run *r = run_new(scene);
+    for (int h = 0; h < r->solid->n; h++)
+        for (int c = 0; c < 3; c++) r->solid->v[c][h] = velocity[c];
+    run_stage_begin(r);
+    for (int c = 0; c < 3 && r->v_last[0]; c++)
+        for (int h = 0; h < r->solid->n; h++) r->v_last[c][h] = velocity[c];
+    while (r->stage_step < scene->stage[0].steps) run_step(r);
+    double error = 0, load = 0;
+    for (int h = 0; h < r->solid->n; h++)
+        for (int c = 0; c < 3; c++) {
+            error = fmax(error, fabs(r->solid->v[c][h] - velocity[c]));
+            error = fmax(error, fabs(r->solid->d[c][h] - velocity[c] * r->t) / r->t);
+            load = fmax(load, fabs(r->solid->load[c][h]));
+        }
+    assert_true(par_max(error) < 1e-8 * 0.1);
+    /* against rho U2/dx */
+    assert_true(par_max(load) < 1e-8 * 1000 * 0.01 / 0.01);
+    double force[3];
+    ibm_force_total(r->ibm, force);
+    for (int c = 0; c < 3; c++) assert_true(fabs(force[c]) < 1e-8 * 1000 * 0.01 * 0.08 * 0.08);
+    assert_int_equal(r->solid->bonds_broken, 0);
+    run_free(r);
+    scene_free(scene);
+}
+
+static void test_parts(void **state) {
+    (void)state;
+    struct scene *scene = scene_of(box, rigid, 0, NULL);
+    struct run *r = run_new(scene);
+    run_stage_begin(r);
+    assert_int_equal(r->parts, 1);
+    assert_string_equal(r->part_name[0], "fluid with forcing");
+    assert_int_equal(r->substeps, 0);
+    assert_null(r->v_last[0]);
+    run_free(r);
+    scene_free(scene);
+    scene = scene_of(box, drift, 0, NULL);
+    r = run_new(scene);
+    run_stage_begin(r);
+    assert_int_equal(r->parts, 6);
+    /* the least number of substeps within the safety */
+    assert_true(r->dt / r->substeps <= 0.9 * r->solid_stable * (1 + 1e-9));
+    assert_true(r->dt / (r->substeps - 1) > 0.9 * r->solid_stable);
+    run_free(r);
+    scene_free(scene);
+}
+
+/* Number of substeps: the outcome of a step must converge with it, at the integrator's order. */
+static double displacement_after(const char *substeps) {
+    const char *set[] = {substeps, "stages.drift.steps=4"};
+    struct scene *scene = scene_of(box, drift, 2, set);
+    struct run *r = run_new(scene);
+    run_stage_begin(r);
+    while (r->stage_step < 4) run_step(r);
+    double sum = 0;
+    for (int h = 0; h < r->solid->n; h++) sum += r->solid->d[0][h];
+    sum = par_sum(sum) / (double)r->solid->n_global;
+    run_free(r);
+    scene_free(scene);
+    return sum;
+}
+
+static void test_substeps_converge(void **state) {
+    (void)state;
+    const double fine = displacement_after("stages.drift.substeps=64");
+    const double one = fabs(displacement_after("stages.drift.substeps=8") - fine);
+    const double two = fabs(displacement_after("stages.drift.substeps=16") - fine);
+    assert_true(fine > 0);
+    assert_true(two < 0.3 * one || one < 1e-9 * fine);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_moves_with_flow), cmocka_unit_test(test_parts),
+                                       cmocka_unit_test(test_substeps_converge)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

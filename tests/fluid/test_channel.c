@@ -1,0 +1,218 @@
+/* Laminar flows with known solutions. Between walls at 0 and H the scheme holds, at the cell centres, the parabola plus a
+ * constant: u = G/(2 mu) (y (H - y) + dy^2/4). */
+#include "fluid_case.h"
+
+
+/* A channel along `stream` between walls along `across`, thin in the third direction. */
+static struct fluid_input channel(int stream, int across, int n) {
+    struct fluid_input in = {.n = {4, 4, 4}, .length = {4, 4, 4}, .density = 2, .viscosity = 0.5};
+    for (int d = 0; d < 3; d++) all_sides(&in, d, FLUID_PERIODIC);
+    in.n[across] = n;
+    in.length[across] = 1;
+    all_sides(&in, across, FLUID_WALL);
+    in.driving.direction = stream;
+    return in;
+}
+
+static double parabola(const struct fluid_grid *g, int across, int j, double gradient, double mu) {
+    const double y = (j + g->lo[across] + 0.5) * g->d[across];
+    return gradient / (2 * mu) * (y * (g->length[across] - y) + 0.25 * g->d[across] * g->d[across]);
+}
+
+/* Largest distance from the parabola of gradient G over the largest velocity, and largest cross flow. */
+static double off_parabola(struct fluid *f, int stream, int across, double gradient) {
+    const struct fluid_grid *g = fluid_grid_of(f);
+    const double mu = fluid_input_of(f)->viscosity * fluid_input_of(f)->density, most = fabs(gradient) / (8 * mu);
+    double worst = 0;
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < g->m[2]; k++)
+            for (int j = 0; j < g->m[1]; j++)
+                for (int i = 0; i < g->m[0]; i++) {
+                    const int at[3] = {i, j, k};
+                    const double expected = c == stream ? parabola(g, across, at[across], gradient, mu) : 0;
+                    worst = fmax(worst, fabs(component(f, c)[fluid_grid_at(g, i, j, k)] - expected));
+                }
+    return par_max(worst) / most;
+}
+
+static void poiseuille_by_gradient(void **state) {
+    (void)state;
+    for (int stream = 0; stream < 3; stream++)
+        for (int across = 0; across < 3; across++) {
+            if (stream == across) continue;
+            struct fluid_input in = channel(stream, across, 13);
+            in.driving.type = FLUID_DRIVING_GRADIENT;
+            in.driving.value = 3;
+            struct fluid *f = fluid_new(&in);
+            const double dt = 0.9 * fluid_stable_step(f).viscous;
+            for (double t = 0; t * 0.5 < 2.8; t += dt) fluid_step(f, dt);
+            assert_below(off_parabola(f, stream, across, 3), 1e-10);
+            fluid_free(f);
+        }
+}
+
+/* The centreline and quarter heights at nu t/h^2, h the half height, in units of the final centre velocity.  (series solution) */
+static void start_up(void **state) {
+    (void)state;
+    static const double time[] = {0.05, 0.1, 0.2, 0.5, 1, 2};
+    static const double centre[] = {.099956, .197746, .370386, .699455, .912477, .992578};
+    static const double quarter[] = {.096298, .176878, .304159, .537481, .688112, .744752};
+    struct fluid_input in = channel(0, 1, 65); /* odd: the centre is a cell's; y = h/2 lies a quarter cell off one */
+    in.driving.type = FLUID_DRIVING_GRADIENT;
+    in.driving.value = 8 * in.density * in.viscosity; /* centre velocity 1 */
+    struct fluid *f = fluid_new(&in);
+    const struct fluid_grid *g = fluid_grid_of(f);
+    double t = 0;
+    for (int s = 0; s < 6; s++) {
+        const double until = time[s] * 0.25 / in.viscosity;
+        const int steps = (int)ceil((until - t) / (0.9 * fluid_stable_step(f).viscous));
+        for (int i = 0; i < steps; i++) fluid_step(f, (until - t) / steps);
+        t = until;
+        double line[65] = {0};
+        for (int j = 0; j < g->m[1]; j++) line[j + g->lo[1]] = g->lo[2] == 0 ? fluid_state_of(f)->u[fluid_grid_at(g, 0, j, 0)] : 0;
+        par_sum_array(line, 65);
+        const double at = 0.25 * 65 - 0.5;
+        const int low = (int)at;
+        assert_near(line[32], centre[s], 3e-4);
+        assert_near(line[low] + (at - low) * (line[low + 1] - line[low]), quarter[s], 3e-4);
+    }
+    fluid_free(f);
+}
+
+/* Started and fed with the developed profile, a channel with an outflow stays as it is, with the exact pressure gradient,
+ * and the uniform one becomes it. */
+static void inflow_and_outflow(void **state) {
+    (void)state;
+    for (int uniform = 0; uniform < 2; uniform++)
+        for (int stream = 0; stream < 3; stream++)
+            for (int reverse = 0; reverse < 2; reverse++) {
+                const int across = (stream + 1) % 3, n = 12;
+                struct fluid_input in = channel(stream, across, n);
+                const double mean = reverse ? -0.4 : 0.4, mu = in.density * in.viscosity;
+                in.n[stream] = 16;
+                in.length[stream] = 2;
+                in.side[stream][reverse] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.4};
+                in.side[stream][!reverse].type = FLUID_OUTFLOW;
+                in.initial_poiseuille = !uniform;
+                in.initial_velocity[stream] = mean;
+                struct fluid *f = fluid_new(&in);
+                const double dt = 0.9 * fluid_stable_step(f).step, end = uniform ? 15 : 0.5;
+                for (double t = 0; t < end; t += dt) {
+                    fluid_step(f, dt);
+                    if (uniform && t < 10 * dt) assert_below(fluid_divergence_max(f), 1e-12);
+                }
+                /* mean of the discrete parabola: G/(2 mu) (1/6 + dy^2/12 + dy^2/4) */
+                const double dy = 1.0 / n, gradient = 2 * mu * mean / (1.0 / 6 + dy * dy / 3);
+                assert_below(off_parabola(f, stream, across, gradient), uniform ? 1e-9 : 1e-11);
+                double pressure[16];
+                fluid_mean_pressure(f, stream, pressure);
+                assert_near((pressure[4] - pressure[12]) / (8 * in.length[stream] / 16), gradient, 1e-8 * fabs(gradient));
+                assert_near(fluid_bulk_velocity(f, stream), mean, 1e-12);
+                fluid_free(f);
+            }
+}
+
+/* Two open sides at given pressures drive the same parabola, whichever side is high. */
+static void between_pressures(void **state) {
+    (void)state;
+    for (int stream = 0; stream < 3; stream++)
+        for (int reverse = 0; reverse < 2; reverse++) {
+            const int across = (stream + 2) % 3;
+            struct fluid_input in = channel(stream, across, 11);
+            in.n[stream] = 6;
+            in.length[stream] = 3;
+            in.side[stream][reverse] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 7};
+            in.side[stream][!reverse] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 1};
+            struct fluid *f = fluid_new(&in);
+            const double dt = 0.5 * fluid_stable_step(f).viscous;
+            for (double t = 0; t * 0.5 < 2.8; t += dt) fluid_step(f, dt);
+            assert_below(off_parabola(f, stream, across, reverse ? -2 : 2), 1e-10);
+            assert_below(fluid_divergence_max(f), 1e-11);
+            double pressure[6];
+            fluid_mean_pressure(f, stream, pressure);
+            assert_near(pressure[0], reverse ? 1.5 : 6.5, 1e-9);
+            fluid_free(f);
+        }
+}
+
+/* Couette flow by a moving wall, and the same by a side whose conditions are given one by one, against a shear stress given
+ * as a gradient on the other side. */
+static void couette(void **state) {
+    (void)state;
+    for (int general = 0; general < 2; general++) {
+        struct fluid_input in = channel(0, 1, 10);
+        in.side[1][1] = (struct fluid_side){.type = FLUID_WALL, .velocity = {1.5, 0, 0.5}};
+        if (general)
+            in.side[1][1] = (struct fluid_side){.type = FLUID_GENERAL,
+                                                .velocity = {1.5, 0, 0.5},
+                                                .condition = {FLUID_NEUMANN, FLUID_DIRICHLET, FLUID_NEUMANN, FLUID_NEUMANN}};
+        struct fluid *f = fluid_new(&in);
+        const struct fluid_grid *g = fluid_grid_of(f);
+        const double dt = 0.9 * fluid_stable_step(f).viscous;
+        for (double t = 0; t * 0.5 < (general ? 11 : 2.8); t += dt) fluid_step(f, dt);
+        for (int k = 0; k < g->m[2]; k++)
+            for (int j = 0; j < g->m[1]; j++) {
+                const double y = (j + g->lo[1] + 0.5) * g->d[1];
+                assert_near(fluid_state_of(f)->u[fluid_grid_at(g, 1, j, k)], 1.5 * y, 1e-10);
+                assert_near(fluid_state_of(f)->w[fluid_grid_at(g, 1, j, k)], 0.5 * y, 1e-10);
+            }
+        fluid_free(f);
+    }
+}
+
+/* Flow rate through a square duct of side 1 at G/mu = 1: 0.0351442537 (series), approached with the square of the cell. */
+static void square_duct(void **state) {
+    (void)state;
+    for (int stream = 0; stream < 3; stream++) {
+        double error[3];
+        for (int r = 0; r < 3; r++) {
+            const int cells = 8 * (r + 1);
+            struct fluid_input in = channel(stream, (stream + 1) % 3, cells);
+            in.n[(stream + 2) % 3] = cells;
+            in.length[(stream + 2) % 3] = 1;
+            all_sides(&in, (stream + 2) % 3, FLUID_WALL);
+            in.driving.type = FLUID_DRIVING_GRADIENT;
+            in.driving.value = in.density * in.viscosity;
+            in.initial_poiseuille = 1;
+            in.initial_velocity[stream] = 0.03;
+            struct fluid *f = fluid_new(&in);
+            const double dt = 0.9 * fluid_stable_step(f).viscous;
+            for (double t = 0; t * 0.5 < 0.6; t += dt) fluid_step(f, dt);
+            error[r] = fluid_bulk_velocity(f, stream) / 0.0351442537 - 1;
+            fluid_free(f);
+        }
+        const double first = log(error[0] / error[1]) / log(2.0), second = log(error[1] / error[2]) / log(1.5);
+        if (!(first > 1.95 && first < 2.05 && second > 1.95 && second < 2.05)) fail_msg("orders %g %g (errors %g %g %g)", first, second, error[0], error[1], error[2]);
+        /* a h^2 + b h^4 through the three, taken at h = 0 */
+        double limit = 0;
+        for (int r = 0; r < 3; r++) {
+            double weight = 1;
+            for (int o = 0; o < 3; o++)
+                if (o != r) weight *= (double)((r + 1) * (r + 1)) / ((r + 1) * (r + 1) - (o + 1) * (o + 1));
+            limit += weight * error[r];
+        }
+        assert_near(limit, 0, 1e-5);
+    }
+}
+
+/* The bulk velocity is what it should be after every step, from a start that is neither developed nor of that mean. */
+static void bulk_velocity_is_held(void **state) {
+    (void)state;
+    struct fluid_input in = channel(2, 1, 12);
+    in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 2, 0.8};
+    in.initial_velocity[2] = 0.2;
+    struct fluid *f = fluid_new(&in);
+    const double dt = 0.9 * fluid_stable_step(f).viscous;
+    for (int i = 0; i * dt * 0.5 < 2.8; i++) {
+        fluid_step(f, dt);
+        if (i < 20) assert_near(fluid_bulk_velocity(f, 2), 0.8, 1e-14);
+    }
+    const double dy = 1.0 / 12, gradient = 2 * 0.8 / (1.0 / 6 + dy * dy / 3);
+    assert_near(fluid_state_of(f)->driving, gradient, 1e-8 * gradient);
+    assert_below(off_parabola(f, 2, 1, gradient), 1e-9);
+    fluid_free(f);
+}
+
+FLUID_TEST_MAIN(cmocka_unit_test(poiseuille_by_gradient), cmocka_unit_test(start_up), cmocka_unit_test(inflow_and_outflow),
+                cmocka_unit_test(between_pressures), cmocka_unit_test(couette), cmocka_unit_test(square_duct),
+                cmocka_unit_test(bulk_velocity_is_held))

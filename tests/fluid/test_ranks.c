@@ -1,0 +1,129 @@
+/* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare.  Two fluids live side by side. */
+#include "fluid_case.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { NX = 18, NY = 14, NZ = 16, CASES = 4, CELLS = NX * NY * NZ };
+
+static struct fluid_input scene(int which) {
+    struct fluid_input in = {.n = {NX, NY, NZ}, .length = {1.8, 1.4, 1.6}, .density = 1.2, .viscosity = 0.01};
+    all_sides(&in, 0, FLUID_PERIODIC);
+    all_sides(&in, 1, FLUID_WALL);
+    all_sides(&in, 2, FLUID_PERIODIC);
+    in.initial_velocity[0] = 0.5;
+    if (which != 1) {
+        in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
+        in.side[0][1].type = FLUID_OUTFLOW;
+    } else {
+        in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, 0.5};
+        in.z_by_transform = 1;
+    }
+    if (which == 2) {
+        in.side[2][1] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.3};
+        in.side[2][0].type = FLUID_OUTFLOW;
+        in.immersed = 1;
+    }
+    if (which == 3) {
+        in.side[1][0] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 0.2};
+        in.side[2][1].type = FLUID_OUTFLOW;
+        in.side[2][0].type = FLUID_SLIP;
+    }
+    return in;
+}
+
+static void stir(struct fluid *f) {
+    const struct fluid_grid *g = fluid_grid_of(f);
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < g->m[2]; k++)
+            for (int j = 0; j < g->m[1]; j++)
+                for (int i = 0; i < g->m[0]; i++) component(f, c)[fluid_grid_at(g, i, j, k)] += 0.1 * random_at(i, j + g->lo[1], k + g->lo[2], c);
+    fluid_state_refresh(f);
+}
+
+/* u, v, w, p of a whole domain on every rank. */
+static void gather(struct fluid *f, double *all) {
+    const struct fluid_grid *g = fluid_grid_of(f);
+    memset(all, 0, 4 * CELLS * sizeof *all);
+    for (int c = 0; c < 4; c++)
+        for (int k = 0; k < g->m[2]; k++)
+            for (int j = 0; j < g->m[1]; j++)
+                for (int i = 0; i < g->m[0]; i++)
+                    all[((c * NZ + k + g->lo[2]) * NY + j + g->lo[1]) * NX + i] = component(f, c)[fluid_grid_at(g, i, j, k)];
+    par_sum_array(all, 4 * CELLS);
+}
+
+static void same_on_any_number_of_ranks(void **state) {
+    (void)state;
+    struct fluid *f[CASES];
+    double *all = malloc(4 * CELLS * sizeof *all), *reference = malloc(4 * CELLS * sizeof *reference);
+    FILE *file = fopen(FRANA_BINARY_DIR "/fluid_ranks.bin", par_size() == 1 ? "wb" : "rb");
+    assert_non_null(file);
+    for (int w = 0; w < CASES; w++) {
+        const struct fluid_input in = scene(w);
+        f[w] = fluid_new(&in);
+        stir(f[w]);
+    }
+    for (int s = 0; s < 10; s++)
+        for (int w = 0; w < CASES; w++) fluid_step(f[w], 0.02);
+    for (int w = 0; w < CASES; w++) {
+        gather(f[w], all);
+        if (par_size() == 1) {
+            assert_int_equal(fwrite(all, sizeof *all, 4 * CELLS, file), 4 * CELLS);
+        } else {
+            assert_int_equal(fread(reference, sizeof *all, 4 * CELLS, file), 4 * CELLS);
+            for (int c = 0; c < 4; c++) {
+                double most = 0, worst = 0;
+                for (int i = c * CELLS; i < (c + 1) * CELLS; i++) {
+                    most = fmax(most, fabs(reference[i]));
+                    worst = fmax(worst, fabs(reference[i] - all[i]));
+                }
+                assert_true(most > 1e-3 && isfinite(most));
+                if (!(worst < 1e-12 * most)) fail_msg("scene %d, component %d: %g of %g", w, c, worst, most);
+            }
+        }
+        assert_below(fluid_divergence_max(f[w]), 1e-11);
+    }
+    fclose(file);
+    for (int w = 0; w < CASES; w++) fluid_free(f[w]);
+    free(all);
+    free(reference);
+}
+
+/* What a checkpoint holds is enough: state arrays copied into a new fluid continue alike, open low sides included. */
+static void state_is_all_there_is(void **state) {
+    (void)state;
+    for (int w = 0; w < CASES; w++) {
+        const struct fluid_input in = scene(w);
+        struct fluid *f = fluid_new(&in), *other = fluid_new(&in);
+        const struct fluid_grid *g = fluid_grid_of(f);
+        double worst = 0;
+        stir(f);
+        for (int s = 0; s < 5; s++) fluid_step(f, 0.02);
+        for (int c = 0; c < 4; c++)
+            for (int k = 0; k < g->m[2]; k++)
+                for (int j = 0; j < g->m[1]; j++)
+                    for (int i = 0; i < g->m[0]; i++) {
+                        const size_t n = fluid_grid_at(g, i, j, k);
+                        component(other, c)[n] = component(f, c)[n];
+                    }
+        fluid_state_of(other)->driving = fluid_state_of(f)->driving;
+        fluid_state_refresh(other);
+        for (int s = 0; s < 5; s++) {
+            fluid_step(f, 0.02);
+            fluid_step(other, 0.02);
+        }
+        for (int c = 0; c < 4; c++)
+            for (int k = 0; k < g->m[2]; k++)
+                for (int j = 0; j < g->m[1]; j++)
+                    for (int i = 0; i < g->m[0]; i++) {
+                        const size_t n = fluid_grid_at(g, i, j, k);
+                        worst = fmax(worst, fabs(component(other, c)[n] - component(f, c)[n]));
+                    }
+        assert_below(par_max(worst), 1e-12);
+        fluid_free(f);
+        fluid_free(other);
+    }
+}
+
+FLUID_TEST_MAIN(cmocka_unit_test(same_on_any_number_of_ranks), cmocka_unit_test(state_is_all_there_is))

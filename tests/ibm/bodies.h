@@ -1,0 +1,111 @@
+/* Bodies as markers, for tests and measurements: this rank's part of a list that all ranks make alike. */
+#pragma once
+#include "base/par.h"
+#include "ibm/ibm.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct body {
+    int n;                         /* markers of this rank */
+    long total;                    /* of all ranks */
+    double *x[3], *normal[3], *v[3];
+    double *volume, *area;         /* A_h dx; A_h */
+};
+
+static inline struct body body_new(long capacity) {
+    struct body b = {0};
+    for (int d = 0; d < 3; d++) {
+        b.x[d] = calloc((size_t)capacity, sizeof(double));
+        b.normal[d] = calloc((size_t)capacity, sizeof(double));
+        b.v[d] = calloc((size_t)capacity, sizeof(double));
+    }
+    b.volume = calloc((size_t)capacity, sizeof(double));
+    b.area = calloc((size_t)capacity, sizeof(double));
+    return b;
+}
+
+static inline void body_free(struct body *b) {
+    for (int d = 0; d < 3; d++) {
+        free(b->x[d]);
+        free(b->normal[d]);
+        free(b->v[d]);
+    }
+    free(b->volume);
+    free(b->area);
+}
+
+static inline void body_add(struct body *b, const double x[3], const double normal[3]) {
+    const int i = (int)b->total++;
+    for (int d = 0; d < 3; d++) b->x[d][i] = x[d], b->normal[d][i] = normal[d];
+}
+
+/* The wetted area shared evenly by the markers, and this rank's piece of the list cut out. */
+static inline void body_finish(struct body *b, double area, double dx) {
+    const long first = b->total * par_rank() / par_size(), end = b->total * (par_rank() + 1) / par_size();
+    b->n = (int)(end - first);
+    for (int i = 0; i < b->n; i++) {
+        for (int d = 0; d < 3; d++) {
+            b->x[d][i] = b->x[d][i + first];
+            b->normal[d][i] = b->normal[d][i + first];
+        }
+        b->area[i] = area / (double)b->total;
+        b->volume[i] = b->area[i] * dx;
+    }
+}
+
+/* Outer layer of a sphere cut from the lattice lattice[] + i dx: sites within the radius that have a site outside among
+ * their six neighbours; normals radial; every marker moved outward by shift. */
+static inline struct body body_sphere_lattice(const double centre[3], double radius, double dx, const double lattice[3],
+                                              double shift) {
+    static const int neighbour[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    const int reach = (int)(radius / dx) + 2;
+    struct body b = body_new(8L * (2 * reach + 1) * (2 * reach + 1) + 64);
+    int middle[3];
+    for (int d = 0; d < 3; d++) middle[d] = (int)floor((centre[d] - lattice[d]) / dx);
+    for (int k = -reach; k <= reach; k++)
+        for (int j = -reach; j <= reach; j++)
+            for (int i = -reach; i <= reach; i++) {
+                const int site[3] = {middle[0] + i, middle[1] + j, middle[2] + k};
+                double r[3], outer = 0, inner = 0;
+                for (int d = 0; d < 3; d++) {
+                    r[d] = lattice[d] + site[d] * dx - centre[d];
+                    inner += r[d] * r[d];
+                }
+                if (inner >= radius * radius) continue;
+                for (int n = 0; n < 6; n++) {
+                    double far = 0;
+                    for (int d = 0; d < 3; d++) far += pow(r[d] + neighbour[n][d] * dx, 2);
+                    if (far > outer) outer = far;
+                }
+                if (outer < radius * radius) continue;
+                double x[3], normal[3];
+                for (int d = 0; d < 3; d++) {
+                    normal[d] = r[d] / sqrt(inner);
+                    x[d] = centre[d] + r[d] + shift * normal[d];
+                }
+                body_add(&b, x, normal);
+            }
+    body_finish(&b, 4 * M_PI * radius * radius, dx);
+    return b;
+}
+
+/* The same sphere with evenly spread markers (a spiral of equal areas), about one per dx^2, at the depth r_d dx. */
+static inline struct body body_sphere_even(const double centre[3], double radius, double dx, double depth) {
+    const double area = 4 * M_PI * radius * radius;
+    const int n = (int)(area / (dx * dx) + 0.5);
+    struct body b = body_new(n);
+    for (int i = 0; i < n; i++) {
+        const double z = 1 - (2 * i + 1.0) / n, s = sqrt(1 - z * z), turn = M_PI * (3 - sqrt(5)) * i;
+        const double normal[3] = {s * cos(turn), s * sin(turn), z};
+        double x[3];
+        for (int d = 0; d < 3; d++) x[d] = centre[d] + (radius - depth) * normal[d];
+        body_add(&b, x, normal);
+    }
+    body_finish(&b, area, dx);
+    return b;
+}
+
+static inline void body_send(struct ibm *ibm, const struct body *b) {
+    ibm_markers(ibm, b->n, (const double *const *)b->x, (const double *const *)b->v, b->volume);
+}

@@ -1,0 +1,159 @@
+/* Two creeping flows with known answers: through a simple cubic array of spheres, and between planes. */
+#pragma once
+#include "bodies.h"
+
+struct flow_result {
+    double drag;     /* force of the fluid on the markers along x, N, of the whole box */
+    double velocity; /* superficial, m/s */
+    double slip;     /* root mean square at the markers / velocity */
+    long steps, markers;
+    double seconds;  /* of marching */
+};
+
+static inline struct fluid *flow_periodic_box(const int n[3], double dx, double velocity) {
+    struct fluid_input in = {.density = 1, .viscosity = 1, .immersed = 1};
+    for (int d = 0; d < 3; d++) in.n[d] = n[d], in.length[d] = n[d] * dx;
+    in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, velocity};
+    in.initial_velocity[0] = velocity;
+    return fluid_new(&in); /* sides: FLUID_PERIODIC is 0 */
+}
+
+/* Marches at a fraction of the viscous limit, 1.65 dx^2 / (12 nu), until the drag changes by less than tolerance
+ * over a time of `interval`. */
+static inline struct flow_result flow_march(struct fluid *f, const struct body *body, int iterations, double fraction,
+                                            double interval, double tolerance) {
+    const double dx = fluid_grid_of(f)->d[0], dt = fraction * 1.65 * dx * dx / 12;
+    const long every = (long)ceil(interval / dt);
+    struct ibm *b = ibm_new(f, iterations);
+    struct flow_result result = {.markers = body->total, .velocity = fluid_input_of(f)->driving.value};
+    double last = 0, force[3];
+    const double start = par_seconds();
+    for (long step = 1; step < 200 * every; step++) {
+        body_send(b, body);
+        for (int r = 0; r < 3; r++) {
+            fluid_predict(f, r, dt);
+            ibm_force(b, r, dt);
+            fluid_project(f, r, dt);
+        }
+        result.steps = step;
+        if (step % every) continue;
+        ibm_force_total(b, force);
+        result.drag = -force[0];
+        if (fabs(force[0] - last) < tolerance * fabs(force[0])) break;
+        last = force[0];
+    }
+    result.seconds = par_seconds() - start;
+    result.slip = ibm_slip(b) / result.velocity;
+    ibm_free(b);
+    return result;
+}
+
+/* Zick and Homsy's array at c = 0.125: k / L^2, and the radius.  (REFERENCES: K = 4.29159) */
+#define ARRAY_PERMEABILITY 0.0398542
+#define ARRAY_RADIUS 0.31017524 /* (3 c / 4 pi)^(1/3) L */
+
+struct array_case {
+    int n;                           /* cells across the box, L = 1 */
+    int even;                        /* evenly spread markers instead of a lattice's outer layer */
+    double retraction;               /* r_d, cells */
+    double sphere[3], lattice[3];    /* centre of the sphere, and the lattice's site, relative to a cell's centre, cells */
+    int iterations;
+    double fraction;                 /* of the time-step limit */
+};
+
+static inline struct body array_body(const struct array_case *c) {
+    const double dx = 1.0 / c->n;
+    double centre[3], lattice[3];
+    for (int d = 0; d < 3; d++) {
+        centre[d] = (c->n / 2 + 0.5 + c->sphere[d]) * dx;
+        lattice[d] = (0.5 + c->lattice[d]) * dx;
+    }
+    if (c->even) return body_sphere_even(centre, ARRAY_RADIUS, dx, c->retraction * dx);
+    return body_sphere_lattice(centre, ARRAY_RADIUS, dx, lattice, (0.5 - c->retraction) * dx);
+}
+
+/* k / L^2 */
+static inline double array_permeability(const struct array_case *c, struct flow_result *result) {
+    const int n[3] = {c->n, c->n, c->n};
+    struct fluid *f = flow_periodic_box(n, 1.0 / c->n, 1e-3);
+    struct body body = array_body(c);
+    *result = flow_march(f, &body, c->iterations, c->fraction, 0.004, 2e-4);
+    body_free(&body);
+    fluid_free(f);
+    return result->velocity / result->drag;
+}
+
+/* Two sheets of markers `height` cells apart in a periodic box twice as high, driven along x: fluid on both sides. Returns
+ * by how many cells the wall that the flow feels stands out from the markers, e: mean velocity = G (H - 2 e)^3 / (12 mu H).
+ * area: A_h / dx^2 of a marker. */
+static inline double sheets_shift(int height, double offset, double area, int iterations, double fraction,
+                                  struct flow_result *result) {
+    const int n[3] = {4, 2 * height, 4};
+    const double dx = 1.0 / height, up[3] = {0, 1, 0};
+    struct fluid *f = flow_periodic_box(n, dx, 1e-3);
+    struct body body = body_new(32);
+    for (int sheet = 0; sheet < 2; sheet++)
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < 4; i++) {
+                const double y = (sheet ? 1.5 : 0.5) * height + offset;
+                body_add(&body, (double[3]){(i + 0.5) * dx, y * dx, (k + 0.5) * dx}, up);
+            }
+    body_finish(&body, 32 * area * dx * dx, dx);
+    *result = flow_march(f, &body, iterations, fraction, 0.01, 1e-6);
+    body_free(&body);
+    fluid_free(f);
+    const double gradient = result->drag / (n[0] * dx * n[1] * dx * n[2] * dx);
+    return 0.5 * (1 - cbrt(12 * result->velocity / gradient)) * height;
+}
+
+/* Mean of u over the cells of height j. Collective. */
+static inline double walls_mean(struct fluid *f, int j) {
+    const struct fluid_grid *g = fluid_grid_of(f);
+    double sum = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int i = 0; i < g->m[0]; i++)
+            if (j >= g->lo[1] && j < g->lo[1] + g->m[1])
+                sum += fluid_state_of(f)->u[fluid_grid_at(g, i, j - g->lo[1], k)];
+    return par_sum(sum) / (g->n[0] * g->n[2]);
+}
+
+/* Two thick walls, each a pair of sheets with fluid at rest (in the wall's frame) behind them; one moves along x. Returns
+ * e of the wall at rest, cells: where the line through the shear flow between them reaches zero. */
+static inline double walls_shift(double offset, double area, int iterations, double fraction) {
+    enum { GAP = 12, WALL = 6, HEIGHT = 2 * (GAP + WALL) };
+    static const int low[4] = {WALL / 2, WALL / 2 + GAP, WALL / 2 + GAP + WALL, HEIGHT - WALL / 2};
+    struct fluid_input in = {.n = {4, HEIGHT, 4}, .density = 1, .viscosity = 1, .immersed = 1};
+    for (int d = 0; d < 3; d++) in.length[d] = in.n[d];
+    struct fluid *f = fluid_new(&in);
+    const struct fluid_grid *g = fluid_grid_of(f);
+    struct ibm *b = ibm_new(f, iterations);
+    struct body body = body_new(64);
+    const double up[3] = {0, 1, 0}, speed = 1e-3, dt = fraction * 1.65 / 12;
+    for (int sheet = 0; sheet < 4; sheet++)
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < 4; i++) body_add(&body, (double[3]){i + 0.5, low[sheet] + offset, k + 0.5}, up);
+    body_finish(&body, 64 * area, 1);
+    for (int h = 0; h < body.n; h++) body.v[0][h] = body.x[1][h] > low[1] - 1 && body.x[1][h] < low[2] + 1 ? speed : 0;
+    for (int k = 0; k < g->m[2]; k++) /* near the answer: the shear flow between sharp walls */
+        for (int j = 0; j < g->m[1]; j++)
+            for (int i = 0; i < g->m[0]; i++) {
+                const double y = j + g->lo[1] + 0.5 - offset;
+                const double rise = fmin((y - low[0]) / GAP, (low[3] - y) / GAP);
+                fluid_state_of(f)->u[fluid_grid_at(g, i, j, k)] = speed * fmax(0, fmin(1, rise));
+            }
+    fluid_state_refresh(f);
+    for (long step = 0; step < (long)(GAP * GAP / dt); step++) {
+        body_send(b, &body);
+        for (int r = 0; r < 3; r++) {
+            fluid_predict(f, r, dt);
+            ibm_force(b, r, dt);
+            fluid_project(f, r, dt);
+        }
+    }
+    const int j0 = low[0] + 4, j1 = low[1] - 3;
+    const double u0 = walls_mean(f, j0), u1 = walls_mean(f, j1);
+    body_free(&body);
+    ibm_free(b);
+    fluid_free(f);
+    return j0 + 0.5 - u0 * (j1 - j0) / (u1 - u0) - (low[0] + offset);
+}

@@ -1,0 +1,262 @@
+/* frana post as a whole, on run folders made up for it. */
+#include "base/error.h"
+#include "base/par.h"
+#include "postproc/body.h"
+#include "postproc/post.h"
+#include "postproc/profile.h"
+#include "tests/postproc/make_run.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include "tests/postproc/close.h"
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char base[] = FRANA_BINARY_DIR "/tests/postproc/runs";
+static char folder[FOLDER_PATH];
+
+static char *named(const char *name) { return folder_path(folder, base, name); }
+
+/* The file's bytes, -1 when it is not there. */
+static long size_of(const char *run, const char *file) {
+    char path[FOLDER_PATH];
+    struct stat is;
+    return stat(folder_path(path, run, file), &is) == 0 ? (long)is.st_size : -1;
+}
+
+/* Whether a text file holds the words. */
+static int holds(const char *run, const char *file, const char *words) {
+    char path[FOLDER_PATH], line[1024];
+    FILE *f = fopen(folder_path(path, run, file), "r");
+    int found = 0;
+    while (f && fgets(line, sizeof line, f)) found |= strstr(line, words) != NULL;
+    if (f) fclose(f);
+    return found;
+}
+
+/* The value of a quantity in post/summary.csv. */
+static double summary(const char *run, const char *quantity) {
+    char path[FOLDER_PATH], line[1024], quoted[128];
+    double value = NAN;
+    FILE *f = fopen(folder_path(path, run, "post/summary.csv"), "r");
+    snprintf(quoted, sizeof quoted, "\"%s\",", quantity);
+    while (f && fgets(line, sizeof line, f)) {
+        const size_t plain = strlen(quantity);
+        if (strncmp(line, quoted, plain + 3) == 0 ||
+            (strncmp(line, quantity, plain) == 0 && line[plain] == ','))
+            value = strtod(strrchr(line, ',') + 1, NULL);
+    }
+    if (f) fclose(f);
+    return value;
+}
+
+static const char *const files_of_whole_run[] = {"post/report.md",
+                                                 "post/report.html",
+                                                 "post/summary.csv",
+                                                 "post/pdf_strain.csv",
+                                                 "post/pdf_stress.csv",
+                                                 "post/pressure.csv",
+                                                 "post/plots/pressure_drop.png",
+                                                 "post/plots/pressure_drop.svg",
+                                                 "post/plots/porosity.png",
+                                                 "post/plots/permeability.png",
+                                                 "post/plots/bonds_broken.png",
+                                                 "post/plots/fragments.png",
+                                                 "post/plots/energy.png",
+                                                 "post/plots/pdf_strain.png",
+                                                 "post/plots/pdf_stress.svg",
+                                                 "post/plots/pressure.png",
+                                                 "post/pictures/damage_back.png",
+                                                 "post/pictures/damage_front.png",
+                                                 "post/pictures/damage_section.png",
+                                                 "post/pictures/displacement_back.png"};
+enum { FILES = sizeof files_of_whole_run / sizeof *files_of_whole_run };
+
+static void whole_run(void **state) {
+    (void)state;
+    const char *cells = getenv("FRANA_TEST_CELLS"); /* 64 to look at the pictures of the main case */
+    make_run(&(struct make_run){
+        .folder = named("whole"), .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS});
+    assert_int_equal(postproc_run(folder), EXIT_CODE_DONE);
+    for (int k = 0; k < FILES; k++)
+        if (size_of(folder, files_of_whole_run[k]) < 100)
+            fail_msg("%s is missing or empty", files_of_whole_run[k]);
+    /* rho U^2 = 10 Pa; settled to 1900 Pa at step 200, half of it at the end; t0 = 0.1 m / 0.1 m/s */
+    assert_close(summary(folder, "p0 = rho_f U_b^2"), 10, 1e-9);
+    assert_close(summary(folder, "dp/(rho_f U_b^2), before"), 190 * (1 - exp(-10)), 1e-6);
+    assert_close(summary(folder, "dp/(rho_f U_b^2), after"), 95 * (1 - exp(-15)), 1e-6);
+    assert_close(summary(folder, "start of the stage"), make_time(200), 1e-9);
+    assert_close(summary(folder, "t0 = L_ref/U_b"), 1, 1e-9);
+    assert_close(summary(folder, "porosity, before"), 0.7, 1e-9);
+    assert_close(summary(folder, "porosity, after"), 0.72, 1e-9);
+    assert_close(summary(folder, "permeability, after"), 7.8e-6, 1e-12);
+    assert_close(summary(folder, "bonds broken"), 1e5, 0);
+    assert_close(summary(folder, "fragments"), 51, 0);
+    assert_close(summary(folder, "wall time, momentum"), 20.25, 1e-9);
+    assert_close(summary(folder, "first bond broken, t"), make_time(255), 1e-9);
+    /* the crack is about x = 0.095 m, of which the part in the medium lies a little upstream */
+    const double x = summary(folder, "first field with damage, x/L");
+    assert_true(x > 0.75 && x < 0.95);
+    assert_true(holds(folder, "post/report.md", "back (x/L"));
+    assert_true(holds(folder, "post/report.md", "pictures/damage_back.png"));
+    assert_true(holds(folder, "post/report.html", "plots/pdf_strain.png"));
+    assert_true(holds(folder, "post/plots/pdf_strain.gp", "s_0"));
+}
+
+/* s0 = sqrt(5 G0/(6 E delta)) of the scene with the period of 64 cells: 1.8856e-4 for S3 (001: table of chapter 6). */
+static void scales_are_the_scenes(void **state) {
+    (void)state;
+    char error[512];
+    make_run(
+        &(struct make_run){.folder = named("scales"), .cells = 64, .stop = 3 * MAKE_STEPS, .no_fields = 1});
+    struct postproc_history *h = postproc_history_new(folder, error, sizeof error);
+    assert_non_null(h);
+    assert_close(h->s0, 1.8856e-4, 1e-8);
+    assert_close(h->sigma0, 18856, 1);
+    assert_close(h->spacing, 1.5625e-3, 1e-12);
+    assert_string_equal(h->stage, "fracture");
+    assert_int_equal(h->origin_step, 2 * MAKE_STEPS);
+    assert_close(postproc_history_when(h, make_time(300)), 100 * make_dt[2], 1e-12);
+    assert_close(postproc_history_value(h, "step", make_time(207)), 205, 0);
+    assert_close(postproc_history_mean(h, "step", make_time(200), make_time(210)), 207.5, 1e-9);
+    assert_null(postproc_history_column(h, "no such column"));
+    assert_true(isnan(postproc_history_value(h, "step", 0)));
+    postproc_history_free(h);
+}
+
+/* A run on its way is in its second stage: the origin is that one's start, and nothing has broken. */
+static void run_on_its_way(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("going"), .cells = 16, .stop = 160});
+    char path[FOLDER_PATH];
+    FILE *f = fopen(folder_path(path, folder, "series.csv"), "a");
+    fputs("165,0.03", f); /* a row that is just being written */
+    fclose(f);
+    assert_int_equal(unlink(folder_path(path, folder, "run.json")), 0);
+    assert_int_equal(postproc_run(folder), EXIT_CODE_DONE);
+    assert_close(summary(folder, "start of the stage"), make_time(100), 1e-9);
+    assert_close(summary(folder, "end of the data"), make_time(160), 1e-9);
+    assert_close(summary(folder, "bonds broken"), 0, 0);
+    assert_true(isnan(summary(folder, "first bond broken, t")));
+    assert_true(isnan(summary(folder, "wall time")));
+    assert_true(size_of(folder, "post/pictures/damage_back.png") > 1000);
+}
+
+static void fluid_alone(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("fluid"), .cells = 16, .stop = 300, .no_solid = 1});
+    assert_int_equal(postproc_run(folder), EXIT_CODE_DONE);
+    assert_true(size_of(folder, "post/plots/pressure_drop.png") > 1000);
+    assert_true(size_of(folder, "post/pressure.csv") > 100);
+    assert_int_equal(size_of(folder, "post/plots/porosity.png"), -1);
+    assert_int_equal(size_of(folder, "post/pdf_strain.csv"), -1);
+    assert_int_equal(size_of(folder, "post/pictures/damage_back.png"), -1);
+}
+
+static void profile_by_sections(void **state) {
+    (void)state;
+    /* two sections of four cells: pressure 1, 2, 3, 4 and solid 0, 0, 1, 0.5 */
+    const int n[3] = {2, 2, 2};
+    const double pressure[8] = {1, 7, 2, 7, 3, 7, 4, 7}, solid[8] = {0, 1, 0, 1, 1, 1, 0.5, 1};
+    double mean[2], fluid[2], porosity[2];
+    postproc_profile_means(n, pressure, solid, mean, fluid, porosity);
+    assert_close(mean[0], 2.5, 1e-14);
+    assert_close(fluid[0], (1 + 2 + 0.5 * 4) / 2.5, 1e-14);
+    assert_close(porosity[0], 2.5 / 4, 1e-14);
+    assert_close(mean[1], 7, 1e-14);
+    assert_true(isnan(fluid[1]));
+    assert_close(porosity[1], 0, 0);
+}
+
+static void no_gnuplot(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("bare"), .cells = 16, .stop = 300});
+    char path[4096];
+    snprintf(path, sizeof path, "%s", getenv("PATH"));
+    setenv("PATH", "/nowhere", 1);
+    const int code = postproc_run(folder);
+    setenv("PATH", path, 1);
+    assert_int_equal(code, EXIT_CODE_DONE);
+    assert_int_equal(size_of(folder, "post/plots/pressure_drop.png"), -1);
+    assert_true(size_of(folder, "post/plots/pressure_drop.gp") > 500);
+    assert_true(size_of(folder, "post/pictures/damage_back.png") > 1000);
+    assert_true(holds(folder, "post/report.md", "gnuplot was not found"));
+}
+
+static void compared(void **state) {
+    (void)state;
+    char a[FOLDER_PATH], b[FOLDER_PATH], out[FOLDER_PATH];
+    folder_path(a, base, "a");
+    folder_path(b, base, "b/");
+    make_run(&(struct make_run){.folder = a, .cells = 16, .stop = 300});
+    make_run(&(struct make_run){.folder = b, .cells = 16, .stop = 200});
+    const char *const both[2] = {a, b};
+    assert_int_equal(postproc_compare(2, both, folder_path(out, base, "compared/ab")), EXIT_CODE_DONE);
+    assert_true(size_of(out, "plots/pressure_drop.png") > 1000);
+    assert_true(size_of(out, "plots/pdf_strain.svg") > 1000);
+    assert_true(holds(out, "summary.csv", "quantity,unit,a,b"));
+    assert_true(holds(out, "summary.csv", "\"bonds broken\",1,\"100000\",\"0\""));
+    const char *const missing[2] = {a, "/nowhere"};
+    assert_int_equal(postproc_compare(2, missing, out), EXIT_CODE_FILE);
+}
+
+static void refused(void **state) {
+    (void)state;
+    char path[FOLDER_PATH];
+    assert_int_equal(postproc_run("/nowhere/at/all"), EXIT_CODE_FILE);
+    folder_make(named("empty"));
+    folder_clear(folder);
+    assert_int_equal(postproc_run(folder), EXIT_CODE_FILE);
+    assert_int_equal(size_of(folder, "post/report.md"), -1);
+    /* a scene, but nothing has run */
+    make_run(&(struct make_run){.folder = named("unrun"), .cells = 16, .stop = 0, .no_fields = 1});
+    assert_int_equal(unlink(folder_path(path, folder, "series.csv")), 0);
+    assert_int_equal(postproc_run(folder), EXIT_CODE_FILE);
+    /* series that is no series: a row with a word, then one too short in the middle */
+    static const char *const bad[3] = {"#no names\n", "step,t\n#1,s\n1,0.1\n2,word\n",
+                                       "step,t\n#1,s\n1\n2,0.2\n"};
+    for (int k = 0; k < 3; k++) {
+        FILE *f = fopen(folder_path(path, folder, "series.csv"), "w");
+        fputs(bad[k], f);
+        fclose(f);
+        assert_int_equal(postproc_run(folder), EXIT_CODE_FILE);
+    }
+    /* good enough: one row, a value that is not a number */
+    FILE *f = fopen(folder_path(path, folder, "series.csv"), "w");
+    fputs("step,t,dp\n#1,s,Pa\n1,0.1,nan\n", f);
+    fclose(f);
+    assert_int_equal(postproc_run(folder), EXIT_CODE_DONE);
+}
+
+/* A field file cut off by a crash is left out with a sentence, and the one before it is taken. */
+static void broken_field(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("broken"), .cells = 16, .stop = 300});
+    char path[FOLDER_PATH];
+    assert_int_equal(truncate(folder_path(path, folder, "fields/solid_00000300.hdf"), 1000), 0);
+    assert_int_equal(postproc_run(folder), EXIT_CODE_DONE);
+    assert_true(size_of(folder, "post/pictures/damage_back.png") > 1000);
+    assert_true(holds(folder, "post/pdf_strain.csv", "before,0.0374"));
+    assert_true(holds(folder, "post/pdf_strain.csv", "after,0.0391"));
+    assert_false(holds(folder, "post/pdf_strain.csv", "after,0.0408"));
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(whole_run),
+        cmocka_unit_test(scales_are_the_scenes),
+        cmocka_unit_test(run_on_its_way),
+        cmocka_unit_test(fluid_alone),
+        cmocka_unit_test(profile_by_sections),
+        cmocka_unit_test(no_gnuplot),
+        cmocka_unit_test(compared),
+        cmocka_unit_test(refused),
+        cmocka_unit_test(broken_field),
+    };
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

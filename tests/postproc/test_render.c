@@ -1,0 +1,252 @@
+#include "base/par.h"
+#include "postproc/colour.h"
+#include "postproc/font.h"
+#include "postproc/picture.h"
+#include "postproc/render.h"
+
+#include <math.h>
+#include <png.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <cmocka.h>
+#include "tests/postproc/close.h"
+
+enum { WIDTH = 400, HEIGHT = 300 };
+static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
+
+static const float *pixel(const struct postproc_canvas *c, int i, int j) {
+    return c->rgb + 3 * (j * c->width + i);
+}
+
+static struct postproc_canvas *drawn(const double toward[3], struct postproc_cubes *cubes,
+                                     struct postproc_camera *camera, long *faces) {
+    const double window[4] = {0, 0, WIDTH, HEIGHT};
+    struct postproc_canvas *c = postproc_canvas_new(WIDTH, HEIGHT);
+    *camera = postproc_camera_new(toward, low, high, window);
+    for (int k = 0; k < 3; k++) {
+        cubes->low[k] = low[k];
+        cubes->high[k] = high[k];
+    }
+    *faces = postproc_render_cubes(c, camera, cubes, 1);
+    return c;
+}
+
+/* A cube of edge a seen along n covers a^2 (|nx| + |ny| + |nz|) of the picture's plane. */
+static void silhouette(void **state) {
+    (void)state;
+    static const double views[4][3] = {{0, 0, 1}, {1, 0.5, 1.25}, {-1, 0.5, 1.25}, {0.3, -0.7, -0.6}};
+    const double x[1][3] = {{0.1, -0.05, 0.2}};
+    const float colour[1][3] = {{1, 1, 1}};
+    for (int v = 0; v < 4; v++) {
+        struct postproc_cubes cubes = {.n = 1, .x = x, .colour = colour, .size = 0.8};
+        struct postproc_camera camera;
+        long faces, covered = 0;
+        struct postproc_canvas *c = drawn(views[v], &cubes, &camera, &faces);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) covered += c->rgb[3 * i] > 0.5f;
+        double sum = 0;
+        for (int k = 0; k < 3; k++) sum += fabs(camera.toward[k]);
+        const double edge = camera.scale * cubes.size;
+        /* pixels by their middles: the error is below the rim's length, about 6 edges x 1/4 pixel */
+        assert_close(covered, sum * edge * edge, 1.5 * edge);
+        assert_int_equal(faces, v == 0 ? 1 : 3);
+        postproc_canvas_free(c);
+    }
+}
+
+static void front_hides_back(void **state) {
+    (void)state;
+    const double toward[3] = {0, 0, 1};
+    const float colour[2][3] = {{1, 0, 0}, {0, 1, 0}};
+    for (int order = 0; order < 2; order++) {
+        double x[2][3] = {{0, 0, order ? -0.5 : 0.5}, {0, 0, order ? 0.5 : -0.5}};
+        struct postproc_cubes cubes = {.n = 2, .x = (const double(*)[3])x, .colour = colour, .size = 0.4};
+        struct postproc_camera camera;
+        long faces;
+        struct postproc_canvas *c = drawn(toward, &cubes, &camera, &faces);
+        const float *middle = pixel(c, WIDTH / 2, HEIGHT / 2);
+        assert_true(middle[0] == (order ? 0 : 1) && middle[1] == (order ? 1 : 0));
+        assert_close(c->depth[HEIGHT / 2 * WIDTH + WIDTH / 2], 0.7, 1e-6);
+        postproc_canvas_free(c);
+    }
+}
+
+/* Of a solid block of 4^3 only the outer faces towards the eye are drawn; one pushed out shows its neighbours' again. */
+static void inner_faces_left_out(void **state) {
+    (void)state;
+    double x[64][3];
+    float colour[64][3];
+    for (int i = 0; i < 64; i++)
+        for (int k = 0; k < 3; k++) {
+            const int at = k == 0 ? i % 4 : k == 1 ? i / 4 % 4 : i / 16;
+            x[i][k] = (at - 1.5) * 0.2;
+            colour[i][k] = 1;
+        }
+    const double toward[3] = {1, 0.5, 1.25};
+    struct postproc_cubes cubes = {
+        .n = 64, .x = (const double(*)[3])x, .colour = (const float(*)[3])colour, .size = 0.2};
+    struct postproc_camera camera;
+    long faces;
+    postproc_canvas_free(drawn(toward, &cubes, &camera, &faces));
+    assert_int_equal(faces, 48);
+    x[3 + 4 + 16][0] +=
+        0.04; /* a particle of the face x = max, not on an edge: it no longer covers, nor is covered */
+    postproc_canvas_free(drawn(toward, &cubes, &camera, &faces));
+    assert_true(faces > 48 && faces <= 54);
+}
+
+/* Light: the same face in the open is brighter than at the bottom of a shaft. */
+static void shade_in_a_shaft(void **state) {
+    (void)state;
+    enum { N = 9, MIDDLE = 4 };
+    double(*x)[3] = malloc(N * N * N * sizeof *x);
+    float(*colour)[3] = malloc(N * N * N * sizeof *colour);
+    int n = 0;
+    for (int k = 0; k < N; k++)
+        for (int j = 0; j < N; j++)
+            for (int i = 0; i < N; i++) {
+                if (i == MIDDLE && j == MIDDLE && k > 1) continue; /* a shaft along z */
+                const double q[3] = {i, j, k};
+                for (int c = 0; c < 3; c++) {
+                    x[n][c] = (q[c] - MIDDLE) * 0.1;
+                    colour[n][c] = 1;
+                }
+                n++;
+            }
+    const double toward[3] = {0, 0, 1}, window[4] = {0, 0, WIDTH, HEIGHT};
+    struct postproc_camera camera = postproc_camera_new(toward, low, high, window);
+    struct postproc_cubes cubes = {.n = n,
+                                   .x = (const double(*)[3])x,
+                                   .colour = (const float(*)[3])colour,
+                                   .size = 0.1,
+                                   .low = {-1, -1, -1},
+                                   .high = {1, 1, 1}};
+    struct postproc_canvas *c = postproc_canvas_new(WIDTH, HEIGHT);
+    postproc_render_cubes(c, &camera, &cubes, 0);
+    const float bottom = pixel(c, WIDTH / 2, HEIGHT / 2)[1];
+    const float open = pixel(c, WIDTH / 2 + (int)lround(0.2 * camera.scale), HEIGHT / 2)[1];
+    assert_true(bottom > 0 && bottom < 0.4f * open && open <= 1.3f);
+    postproc_canvas_free(c);
+    free(x);
+    free(colour);
+}
+
+static void colours_at_the_ends(void **state) {
+    (void)state;
+    double a[3], b[3];
+    postproc_colour_map(POSTPROC_VIRIDIS, 0, a);
+    assert_close(a[0], 0x44 / 255.0, 1e-12);
+    assert_close(a[2], 0x54 / 255.0, 1e-12);
+    postproc_colour_map(POSTPROC_VIRIDIS, 1, a);
+    assert_close(a[0], 0xfd / 255.0, 1e-12);
+    postproc_colour_map(POSTPROC_VIRIDIS, 7, b);
+    assert_memory_equal(a, b, sizeof a);
+    postproc_colour_map(POSTPROC_MAGMA_REVERSED, 0, a);
+    assert_close(a[0], 0xf6 / 255.0, 1e-12);
+    postproc_colour_map(POSTPROC_MAGMA_REVERSED, 1, a);
+    assert_close(a[2], 4 / 255.0, 1e-12);
+    /* lightness (CIE L*) runs one way, in steps that are alike within a factor of two */
+    for (int map = 0; map < 2; map++) {
+        double last = 0;
+        for (int i = 0; i <= 16; i++) {
+            postproc_colour_map(map ? POSTPROC_VIRIDIS : POSTPROC_MAGMA_REVERSED, i / 16.0, a);
+            const double y = 0.2126 * postproc_colour_linear(a[0]) + 0.7152 * postproc_colour_linear(a[1]) +
+                             0.0722 * postproc_colour_linear(a[2]);
+            const double l = y > 0.008856 ? 116 * cbrt(y) - 16 : 903.3 * y, step = fabs(l - last);
+            if (i > 0) assert_true(step > (map ? 3.3 : 3) && step < (map ? 7 : 9) && (l > last) == map);
+            last = l;
+        }
+    }
+    for (int i = 0; i <= 10; i++)
+        assert_close(postproc_colour_srgb(postproc_colour_linear(i / 10.0)), i / 10.0, 1e-6);
+}
+
+static void text_leaves_ink(void **state) {
+    (void)state;
+    struct postproc_canvas *c = postproc_canvas_new(WIDTH, HEIGHT);
+    postproc_canvas_clear(c, 0xffffff, 0xffffff);
+    const double wide = postproc_font_width(20, "t/t0 = 0.17");
+    postproc_font_draw(c, 50, 100, 20, 0x000000, "t/t0 = 0.17");
+    long inside = 0, outside = 0;
+    for (int j = 0; j < HEIGHT; j++)
+        for (int i = 0; i < WIDTH; i++) {
+            if (pixel(c, i, j)[0] > 0.5f) continue;
+            if (i >= 48 && i < 52 + wide && j >= 76 && j < 108)
+                inside++;
+            else
+                outside++;
+        }
+    assert_true(inside > 300);
+    assert_int_equal(outside, 0);
+    assert_true(wide > 100 && wide < 250);
+    postproc_canvas_free(c);
+}
+
+/* A whole picture, read back by libpng. */
+static void picture_is_a_png(void **state) {
+    (void)state;
+    static const char path[] = FRANA_BINARY_DIR "/tests/postproc/picture.png";
+    const double x[2][3] = {{0.05, 0.05, 0.05}, {0.15, 0.05, 0.05}}, value[2] = {0, 1};
+    const struct postproc_picture p = {.path = path,
+                                       .title = "Two cubes",
+                                       .subtitle = "damage 0 and 1",
+                                       .label = "damage",
+                                       .n = 2,
+                                       .x = x,
+                                       .value = value,
+                                       .value_high = 1,
+                                       .map = POSTPROC_MAGMA_REVERSED,
+                                       .size = 0.04,
+                                       .domain = {0.2, 0.1, 0.1},
+                                       .toward = {0, 0, 1},
+                                       .low = {0, 0, 0},
+                                       .high = {0.2, 0.1, 0.1},
+                                       .width = 700,
+                                       .height = 450};
+    assert_int_equal(postproc_picture_draw(&p), 0);
+    png_image image = {.version = PNG_IMAGE_VERSION};
+    assert_true(png_image_begin_read_from_file(&image, path));
+    assert_int_equal(image.width, 700);
+    assert_int_equal(image.height, 450);
+    image.format = PNG_FORMAT_RGB;
+    unsigned char *rgb = malloc(PNG_IMAGE_SIZE(image));
+    assert_true(png_image_finish_read(&image, NULL, rgb, 0, NULL));
+    /* seen along z, x = 0.05 and 0.15 stand at a quarter and three quarters of the window */
+    const double window[2] = {0.04 * 700, 0.86 * 700};
+    const int row = (int)(0.5 * (0.13 + 0.93) * 450), left = (int)(0.75 * window[0] + 0.25 * window[1]),
+              right = (int)(0.25 * window[0] + 0.75 * window[1]);
+    const unsigned char *light = rgb + 3 * (row * 700 + left), *dark = rgb + 3 * (row * 700 + right);
+    assert_true(light[0] > 180 && light[1] > 180 && light[2] > 160);
+    /* black under the sheen alone: at most 0.036 in linear light, 0.21 in sRGB */
+    assert_true(dark[0] < 54 && dark[1] < 54 && dark[2] < 58);
+    free(rgb);
+    const struct postproc_picture nowhere = {.path = "/nowhere/x.png",
+                                             .title = "",
+                                             .subtitle = "",
+                                             .label = "",
+                                             .x = x,
+                                             .value = value,
+                                             .value_high = 1,
+                                             .size = 1,
+                                             .domain = {1, 1, 1},
+                                             .toward = {0, 0, 1},
+                                             .width = 64,
+                                             .height = 64};
+    assert_int_equal(postproc_picture_draw(&nowhere), -1);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(silhouette),           cmocka_unit_test(front_hides_back),
+        cmocka_unit_test(inner_faces_left_out), cmocka_unit_test(shade_in_a_shaft),
+        cmocka_unit_test(colours_at_the_ends),  cmocka_unit_test(text_leaves_ink),
+        cmocka_unit_test(picture_is_a_png),
+    };
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

@@ -1,0 +1,205 @@
+/* Energies, damage, stress, strain and their invariants. */
+#include "solid/measures.h"
+#include "solid/tensors.h"
+#include "test_surface_bodies.h"
+
+static struct solid *cube_new(int n, int general, int correction) {
+    const struct solid_body body = bodies_box(0, 0, 0, n, n, n);
+    struct solid_input in = bodies_input(1, &body);
+    in.general_bonds = general;
+    in.surface_correction = correction;
+    return solid_new(&in);
+}
+
+/* d = g X0. */
+static void strain_affine(struct solid *s, double g[3][3]) {
+    for (int h = 0; h < s->n; h++)
+        for (int i = 0; i < 3; i++)
+            s->d[i][h] = g[i][0] * s->x0[0][h] + g[i][1] * s->x0[1][h] + g[i][2] * s->x0[2][h];
+    solid_ghosts_update(s);
+}
+
+static int is_within(const struct solid *s, int h, int low, int high) {
+    int p[3];
+    bodies_site(s, h, p);
+    for (int c = 0; c < 3; c++)
+        if (p[c] < low || p[c] > high) return 0;
+    return 1;
+}
+
+/* In the bulk: the lattice's stiffness (m = 3, partial volumes: C11 = 1.02041 * 1.2 E, C12 = C44 = 1.00872 * 0.4 E). */
+static void stress_of_uniform_strain(void **state) {
+    (void)state;
+    const double c11 = 1.02041 * 1.2 * YOUNG, c44 = 1.00872 * 0.4 * YOUNG;
+    for (int general = 0; general < 2; general++) {
+        struct solid *s = cube_new(8, general, 0);
+        double(*stress)[6] = malloc(((size_t)s->n + 1) * sizeof *stress);
+        for (int k = 0; k < 6; k++) {
+            double g[3][3] = {{0}};
+            const double size = 1e-7, weight = k < 3 ? 1 : 0.5;
+            g[k % 3][k < 3 ? k : (k + 1) % 3] = size;
+            strain_affine(s, g);
+            solid_measure_stress(s, stress);
+            for (int h = 0; h < s->n; h++) {
+                if (!is_within(s, h, 3, 4)) continue;
+                for (int j = 0; j < 6; j++) {
+                    const double c = k < 3 ? (j == k ? c11 : j < 3 ? c44 : 0) : j == k ? 2 * c44 : 0;
+                    assert_true(fabs(stress[h][j] - c * weight * size) < 1e-3 * c44 * size);
+                }
+            }
+        }
+        free(stress);
+        solid_free(s);
+    }
+}
+
+/* Exact for affine displacements at every particle, faces, edges and corners too, whatever is broken; none in a turn. */
+static void strain_of_affine_fields(void **state) {
+    (void)state;
+    struct solid *s = cube_new(7, 0, 1);
+    double(*strain)[6] = malloc(((size_t)s->n + 1) * sizeof *strain);
+    struct solid_family_view view;
+    for (int broken = 0; broken < 2; broken++) {
+        double g[3][3];
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) g[i][j] = 1e-2 * (bodies_random(3 * i + j, 1) - 0.5);
+        strain_affine(s, g);
+        solid_measure_strain(s, strain);
+        for (int h = 0; h < s->n; h++)
+            for (int c = 0; c < 3; c++) {
+                const int k = (c + 1) % 3;
+                double e = g[c][c], shear = 0.5 * (g[c][k] + g[k][c]);
+                for (int i = 0; i < 3; i++) {
+                    e += 0.5 * g[i][c] * g[i][c];
+                    shear += 0.5 * g[i][c] * g[i][k];
+                }
+                assert_true(fabs(strain[h][c] - e) < 1e-14);
+                assert_true(fabs(strain[h][3 + c] - shear) < 1e-14);
+            }
+        bodies_turn(s, 1.1, 0.3);
+        solid_ghosts_update(s);
+        solid_measure_strain(s, strain);
+        for (int h = 0; h < s->n; h++)
+            for (int k = 0; k < 6; k++) assert_true(fabs(strain[h][k]) < 1e-12);
+        bodies_cut(s, 1, 3);
+        for (int h = 0; h < s->n; h++) { /* and half of the bonds along a diagonal */
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++)
+                if (view.intact[b] && fabs(view.xi[b][0] - view.xi[b][1]) < 0.1 * SPACING) solid_family_break(s, h, b);
+        }
+    }
+    free(strain);
+    solid_free(s);
+}
+
+/* The energy of a cube of N particles under one strain is a cubic in N once faces do not see each other: its third
+ * difference is six times the bulk's. Isotropic: W/W0 = 1.01574; along x: C11/(1.2 E). */
+static void strain_energy_of_the_bulk(void **state) {
+    (void)state;
+    const double size = 1e-6, volume = SPACING * SPACING * SPACING;
+    for (int k = 0; k < 2; k++) {
+        double energy[4];
+        for (int n = 0; n < 4; n++) {
+            struct solid *s = cube_new(6 + n, n % 2, 0);
+            double g[3][3] = {{size, 0, 0}, {0, k ? 0 : size, 0}, {0, 0, k ? 0 : size}};
+            strain_affine(s, g);
+            energy[n] = solid_measure_energy(s).strain;
+            assert_true(solid_measure_energy(s).kinetic == 0);
+            solid_free(s);
+        }
+        const double bulk = (energy[3] - 3 * energy[2] + 3 * energy[1] - energy[0]) / 6;
+        const double w0 = k ? 0.5 * 1.2 * YOUNG * size * size : 3 * YOUNG * size * size;
+        assert_true(fabs(bulk / (w0 * volume) - (k ? 1.02041 : 1.01574)) < 1e-3);
+    }
+}
+
+static void kinetic_energy(void **state) {
+    (void)state;
+    struct solid *s = cube_new(5, 0, 1);
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3; c++) s->v[c][h] = c + 1;
+    const double expected = 0.5 * DENSITY * 125 * SPACING * SPACING * SPACING * 14;
+    assert_true(fabs(solid_measure_energy(s).kinetic / expected - 1) < 1e-12);
+    assert_true(solid_measure_energy(s).strain == 0);
+    solid_free(s);
+}
+
+/* Beside a cut, layer by layer: what a flat face's families have lost. Of a full family's .98989 V0 are left .6142, .8341,
+ * .9704. */
+static void damage_beside_a_cut(void **state) {
+    (void)state;
+    for (int general = 0; general < 2; general++) {
+        const struct solid_body body = bodies_box(0, 0, 0, 10, 10, 12);
+        struct solid_input in = bodies_input(1, &body);
+        in.general_bonds = general;
+        for (int c = 0; c < 2; c++) {
+            in.periodic[c] = 1;
+            in.length[c] = 10 * SPACING;
+        }
+        in.length[2] = 1;
+        struct solid *s = solid_new(&in);
+        double *phi = malloc(((size_t)s->n + 1) * sizeof *phi);
+        solid_measure_damage(s, phi);
+        for (int h = 0; h < s->n; h++) assert_true(phi[h] == 0);
+        bodies_cut(s, 2, 6);
+        solid_measure_damage(s, phi);
+        const double left[3] = {.6142 / .98989, .8341 / .98989, .9704 / .98989};
+        for (int h = 0; h < s->n; h++) {
+            int p[3];
+            bodies_site(s, h, p);
+            const int depth = p[2] < 6 ? 5 - p[2] : p[2] - 6;
+            if (depth < 3) assert_true(fabs(1 - phi[h] - left[depth]) < 1e-3);
+            if (depth >= 3) assert_true(phi[h] == 0);
+        }
+        free(phi);
+        solid_free(s);
+    }
+}
+
+static void invariants(void **state) {
+    (void)state;
+    double value[3], vector[3][3];
+    solid_measure_principal((double[]){1, 5, -2, 0, 0, 0}, value);
+    assert_true(value[0] == 5 && value[1] == 1 && value[2] == -2);
+    assert_true(fabs(solid_measure_von_mises((double[]){7, 0, 0, 0, 0, 0}) - 7) < 1e-14);
+    assert_true(fabs(solid_measure_von_mises((double[]){0, 0, 0, 3, 0, 0}) - 3 * sqrt(3)) < 1e-14);
+    assert_true(fabs(solid_measure_von_mises((double[]){4, 4, 4, 0, 0, 0})) < 1e-14);
+    solid_measure_principal((double[]){0, 0, 0, 0, 0, 2}, value);
+    assert_true(fabs(value[0] - 2) < 1e-14 && fabs(value[1]) < 1e-14 && fabs(value[2] + 2) < 1e-14);
+    for (int k = 0; k < 200; k++) {
+        double t[6], trace = 0, norm = 0;
+        for (int i = 0; i < 6; i++) t[i] = bodies_random(k, i) - 0.5;
+        if (k % 4 == 0) t[3] = t[4] = 0;                    /* a block */
+        if (k % 4 == 1) t[0] = t[1], t[3] *= 1e-9;          /* nearly a double value */
+        for (int c = 0; c < 3; c++) {
+            trace += t[c];
+            norm += t[c] * t[c] + 2 * t[3 + c] * t[3 + c];
+        }
+        solid_tensors_eigen(t, value, vector);
+        assert_true(value[0] >= value[1] && value[1] >= value[2]);
+        assert_true(fabs(value[0] + value[1] + value[2] - trace) < 1e-14);
+        assert_true(fabs(value[0] * value[0] + value[1] * value[1] + value[2] * value[2] - norm) < 1e-14);
+        for (int i = 0; i < 3; i++) {
+            const double *v = vector[i];
+            const double tv[3] = {t[0] * v[0] + t[3] * v[1] + t[5] * v[2], t[3] * v[0] + t[1] * v[1] + t[4] * v[2],
+                                  t[5] * v[0] + t[4] * v[1] + t[2] * v[2]};
+            for (int c = 0; c < 3; c++) assert_true(fabs(tv[c] - value[i] * v[c]) < 1e-14);
+            for (int j = 0; j < 3; j++) {
+                const double dot = v[0] * vector[j][0] + v[1] * vector[j][1] + v[2] * vector[j][2];
+                assert_true(fabs(dot - (i == j)) < 1e-14);
+            }
+        }
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(stress_of_uniform_strain),  cmocka_unit_test(strain_of_affine_fields),
+        cmocka_unit_test(strain_energy_of_the_bulk), cmocka_unit_test(kinetic_energy),
+        cmocka_unit_test(damage_beside_a_cut),       cmocka_unit_test(invariants),
+    };
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

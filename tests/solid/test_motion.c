@@ -1,0 +1,129 @@
+/* What a free body keeps. */
+#include "make.h"
+
+static void shake(struct solid *s, double strain, double speed) {
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3; c++) {
+            s->d[c][h] = strain * SPACING * noise(s, h, c);
+            s->v[c][h] = speed * noise(s, h, c + 3) + speed * (c + 1) * s->x0[(c + 1) % 3][h] / SPACING;
+        }
+}
+
+/* rate 0: momentum and angular momentum; rate 1: total force and torque. Also the sum of the sizes of the terms. */
+static void totals(const struct solid *s, int rate, double total[6], double *size) {
+    double sum[7] = {0};
+    double *const *y = rate ? s->a : s->v;
+    for (int h = 0; h < s->n; h++) {
+        double x[3];
+        solid_position(s, h, x);
+        const double m = DENSITY * s->volume[h];
+        for (int c = 0; c < 3; c++) {
+            const int d = (c + 1) % 3, e = (c + 2) % 3;
+            sum[c] += m * y[c][h];
+            sum[3 + c] += m * (x[d] * y[e][h] - x[e] * y[d][h]) / SPACING;
+            sum[6] += m * fabs(y[c][h]) * 10;
+        }
+    }
+    par_sum_array(sum, 7);
+    memcpy(total, sum, 6 * sizeof *total);
+    *size = sum[6];
+}
+
+static void test_pair_forces(void **state) {
+    (void)state;
+    for (int list = 0; list < 2; list++)
+        for (int large = 0; large < 2; large++) {
+            struct solid *s = make((struct make){.sites = {9, 10, 11}, .list = list});
+            s->stage.damping_relative = 1e14;
+            shake(s, large ? 0.05 : 1e-4, 1e-3);
+            solid_ghosts_update(s);
+            solid_force(s, 0);
+            double total[6], size;
+            totals(s, 1, total, &size);
+            for (int c = 0; c < 6; c++) assert_near(total[c] / size, 0, 1e-14);
+            solid_free(s);
+        }
+}
+
+static void test_momentum(void **state) {
+    (void)state;
+    for (int list = 0; list < 2; list++)
+        for (int verlet = 0; verlet < 2; verlet++) {
+            struct solid *s = make((struct make){.sites = {9, 8, 7}, .list = list});
+            s->stage.integrator = verlet ? SOLID_VERLET : SOLID_RK3;
+            shake(s, 1e-3, 1e-3);
+            solid_ghosts_update(s);
+            double before[6], after[6], size;
+            totals(s, 0, before, &size);
+            solid_advance(s, step_of(0.5), 20);
+            totals(s, 0, after, &size);
+            for (int c = 0; c < 3; c++) assert_near((after[c] - before[c]) / size, 0, 1e-14);
+            /* Verlet keeps angular momentum to round-off, Runge-Kutta to its order, times the strain squared */
+            for (int c = 3; c < 6; c++) assert_near((after[c] - before[c]) / size, 0, verlet ? 1e-14 : 1e-5);
+            solid_free(s);
+        }
+}
+
+/* The change of energy in a standing wave over a given time: largest on the way (Verlet), at the end (RK3). */
+static double drift(int verlet, int steps) {
+    struct solid *s = make((struct make){.sites = {10, 4, 4}, .periodic = {1, 1, 1}});
+    s->stage.integrator = verlet ? SOLID_VERLET : SOLID_RK3;
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3; c++)
+            s->d[c][h] = 1e-5 * SPACING * cos(2 * M_PI * (c + 1) * s->x0[0][h] / (10 * SPACING));
+    solid_ghosts_update(s);
+    const double e0 = energy_of(s, NULL);
+    double most = 0;
+    for (int i = 0; i < steps; i++) {
+        solid_advance(s, step_of(24.) / steps, 1);
+        solid_ghosts_update(s);
+        const double change = fabs(energy_of(s, NULL) / e0 - 1);
+        most = verlet ? fmax(most, change) : change;
+    }
+    solid_free(s);
+    return most;
+}
+
+static void test_energy_order(void **state) {
+    (void)state;
+    const double rk3 = log2(drift(0, 60) / drift(0, 120)), verlet = log2(drift(1, 60) / drift(1, 120));
+    assert_near(rk3, 3, 0.15);
+    assert_near(verlet, 2, 0.15);
+}
+
+/* A step that starts from the acceleration kept, with a new load, is the step that starts afresh. */
+static void test_verlet_keeps(void **state) {
+    (void)state;
+    struct solid *kept = make((struct make){.sites = {9, 8, 7}}), *fresh = make((struct make){.sites = {9, 8, 7}});
+    for (int i = 0; i < 4; i++) {
+        struct solid *const both[2] = {kept, fresh};
+        for (int k = 0; k < 2; k++) {
+            struct solid *s = both[k];
+            if (i == 0) shake(s, 1e-4, 1e-3);
+            s->stage.integrator = SOLID_VERLET;
+            for (int h = 0; h < s->n; h++) s->load[1][h] = 1e3 * i * noise(s, h, 9);
+            if (k == 1) s->fingerprint = 0;
+            solid_advance(s, step_of(1), 3);
+        }
+    }
+    assert_int_equal(kept->sweeps, 1 + 4 * 3);
+    assert_int_equal(fresh->sweeps, 4 * 4);
+    for (int h = 0; h < kept->n; h++)
+        for (int c = 0; c < 3; c++) assert_near((kept->d[c][h] - fresh->d[c][h]) / SPACING, 0, 1e-15);
+    assert_near(par_sum(kept->work_load) / par_sum(fresh->work_load), 1, 1e-12);
+    solid_free(kept);
+    solid_free(fresh);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pair_forces),
+        cmocka_unit_test(test_momentum),
+        cmocka_unit_test(test_energy_order),
+        cmocka_unit_test(test_verlet_keeps),
+    };
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
