@@ -53,12 +53,11 @@ hid_t h5_transfer_list(const struct h5 *f) {
 }
 
 /* A new handle; HDF5 says nothing by itself: its faults become our sentences. */
-static void clear(struct h5 *f, const char *path, int shared, int writing) {
+static void clear(struct h5 *f, const char *path) {
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     memset(f, 0, sizeof *f);
     f->file = -1;
-    f->shared = shared;
-    f->writing = writing;
+    f->shared = par_size() > 1;
     if (strlen(path) >= sizeof f->path) die(EXIT_CODE_FILE, "%s: the name is too long", path);
     snprintf(f->path, sizeof f->path, "%s", path);
     snprintf(f->part, sizeof f->part, "%s.part", path);
@@ -72,7 +71,7 @@ enum { HEADERS = 1 << 16 }; /* bytes, more than all that HDF5 writes beside the 
 static int reserve(struct h5 *f, hsize_t bytes) {
     int code = 0;
     if (par_rank() == 0) {
-        const int fd = open(f->part, O_WRONLY | O_CLOEXEC);
+        const int fd = open(f->part, O_RDWR | O_CLOEXEC);
         const off_t end = f->end + (off_t)bytes + 2 * HEADERS;
         if (fd < 0)
             code = errno;
@@ -86,7 +85,7 @@ static int reserve(struct h5 *f, hsize_t bytes) {
 }
 
 void h5_begin(struct h5 *f, const char *path) {
-    clear(f, path, par_size() > 1, 1);
+    clear(f, path);
     int fault = 0;
     if (par_rank() == 0) { /* the system's own words, before MPI hides them */
         const int fd = open(f->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -227,6 +226,7 @@ void h5_end(struct h5 *f) {
     if (par_rank() == 0) unlink(f->part);
     par_barrier();
     /* a file that HDF5 could not close would bring the library down at the program's regular end */
-    if (f->stuck) die(EXIT_CODE_FILE, "%s: cannot be written: %s", f->path, f->why);
+    if (f->stuck && par_rank() == 0) die(EXIT_CODE_FILE, "%s: cannot be written: %s", f->path, f->why);
+    if (f->stuck) par_barrier(); /* until rank 0 takes this one with it */
     die_all(EXIT_CODE_FILE, "%s: cannot be written: %s", f->path, f->why);
 }

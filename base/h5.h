@@ -11,8 +11,7 @@ enum { H5_DIMS = 4 };
 
 struct h5 {
     hid_t file;
-    int shared; /* more than one rank has it open */
-    int writing;
+    int shared;     /* more than one rank has it open */
     int failed;     /* the same on all ranks */
     int stuck;      /* HDF5 could not close it */
     off_t end;      /* of the last array in the file */

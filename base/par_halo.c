@@ -11,7 +11,9 @@
 struct par_halo {
     struct par_halo_input in;
     int coordinate[3];
-    int neighbour[3][2]; /* [direction][low, high] rank, this one's own number where it meets itself, -1 beyond a side */
+    int neighbour
+        [3]
+        [2]; /* [direction][low, high] rank, this one's own number where it meets itself, -1 beyond a side */
     size_t row, plane;
     double *buffer; /* [4][capacity]: sent low and high, received low and high */
     size_t capacity;
@@ -23,7 +25,8 @@ struct box {
 };
 
 static size_t box_cells(const struct box *b) {
-    return (size_t)(b->high[0] - b->low[0]) * (size_t)(b->high[1] - b->low[1]) * (size_t)(b->high[2] - b->low[2]);
+    return (size_t)(b->high[0] - b->low[0]) * (size_t)(b->high[1] - b->low[1]) *
+           (size_t)(b->high[2] - b->low[2]);
 }
 
 static size_t at(const struct par_halo *h, int i, int j, int k) {
@@ -49,7 +52,8 @@ struct par_halo *par_halo_new(const struct par_halo_input *in) {
             const int wrapped = (to + n) % n;
             const int outside = to < 0 || to >= n;
             h->neighbour[d][side] = outside && !in->periodic[d] ? -1 : rank + (wrapped - c[d]) * stride[d];
-            ENSURE(h->neighbour[d][side] < 0 || in->m[d] >= in->halo, "%d cells, %d layers", in->m[d], in->halo);
+            ENSURE(h->neighbour[d][side] < 0 || in->m[d] >= in->halo, "%d cells, %d layers", in->m[d],
+                   in->halo);
         }
     }
     return h;
@@ -79,7 +83,8 @@ static struct box layers_at(const struct par_halo *h, int direction, int side, i
     return b;
 }
 
-static void pack(const struct par_halo *h, const struct box *b, int fields, double *const *field, double *to) {
+static void pack(const struct par_halo *h, const struct box *b, int fields, double *const *field,
+                 double *to) {
     const size_t width = (size_t)(b->high[0] - b->low[0]);
     for (int f = 0; f < fields; f++)
         for (int k = b->low[2]; k < b->high[2]; k++)
@@ -87,7 +92,8 @@ static void pack(const struct par_halo *h, const struct box *b, int fields, doub
                 memcpy(to, field[f] + at(h, b->low[0], j, k), width * sizeof *to);
 }
 
-static void unpack(const struct par_halo *h, const struct box *b, int fields, double *const *field, const double *from) {
+static void unpack(const struct par_halo *h, const struct box *b, int fields, double *const *field,
+                   const double *from) {
     const size_t width = (size_t)(b->high[0] - b->low[0]);
     for (int f = 0; f < fields; f++)
         for (int k = b->low[2]; k < b->high[2]; k++)
@@ -122,28 +128,32 @@ static void reserve(struct par_halo *h, size_t doubles) {
 }
 
 /* sent[side] goes to the neighbour at that side, received[side] comes from it; both have `count` doubles. */
-static void swap(struct par_halo *h, int direction, double *const sent[2], double *const received[2], size_t count) {
+static void swap(struct par_halo *h, int direction, double *const sent[2], double *const received[2],
+                 size_t count) {
     MPI_Request request[4];
     int requests = 0;
     const int me = par_rank();
     for (int side = 0; side < 2; side++) {
         const int to = h->neighbour[direction][side];
         if (to >= 0 && to != me) /* what arrives from the low side was sent to the high one */
-            MPI_Irecv(received[side], (int)count, MPI_DOUBLE, to, 80 + !side, MPI_COMM_WORLD, &request[requests++]);
+            MPI_Irecv(received[side], (int)count, MPI_DOUBLE, to, 80 + !side, MPI_COMM_WORLD,
+                      &request[requests++]);
     }
     for (int side = 0; side < 2; side++) {
         const int to = h->neighbour[direction][side];
         if (to >= 0 && to != me)
-            MPI_Isend(sent[side], (int)count, MPI_DOUBLE, to, 80 + side, MPI_COMM_WORLD, &request[requests++]);
+            MPI_Isend(sent[side], (int)count, MPI_DOUBLE, to, 80 + side, MPI_COMM_WORLD,
+                      &request[requests++]);
     }
     MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
 }
 
 /* One direction: moves owned layers to the ghosts (add = 0), or ghosts to the owned layers (add = 1). */
-static void exchange(struct par_halo *h, int direction, int fields, double *const *field, int layers, int add) {
+static void exchange(struct par_halo *h, int direction, int fields, double *const *field, int layers,
+                     int add) {
     const struct box any = layers_at(h, direction, 0, layers, 1);
     const size_t count = box_cells(&any) * (size_t)fields;
-    if (h->neighbour[direction][0] >= 0 || h->neighbour[direction][1] >= 0) reserve(h, count);
+    reserve(h, count);
     double *const sent[2] = {h->buffer, h->buffer + h->capacity};
     double *received[2] = {h->buffer + 2 * h->capacity, h->buffer + 3 * h->capacity};
     for (int side = 0; side < 2; side++) {
@@ -167,7 +177,8 @@ static void exchange(struct par_halo *h, int direction, int fields, double *cons
     }
 }
 
-void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers) {
+void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field,
+                             int layers) {
     if (layers < 1) return;
     ENSURE(layers <= h->in.halo, "%d layers of %d", layers, h->in.halo);
     clock_begin(CLOCK_HALO);

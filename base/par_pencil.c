@@ -10,8 +10,8 @@
 /* What one peer and this rank swap in one transpose: a box of the near pencil's array against a box of the far one's. */
 struct peer {
     int rank;
-    size_t near_at, far_at;           /* offset of the box */
-    int width, height, depth;         /* near box: depth planes of height rows of width values */
+    size_t near_at, far_at;   /* offset of the box */
+    int width, height, depth; /* near box: depth planes of height rows of width values */
     int far_width, far_height, far_depth;
 };
 
@@ -24,14 +24,16 @@ struct transpose {
 
 struct par_pencil {
     struct par_pencil_input in;
-    int c[3];                  /* coordinates on the process grid */
-    int x[3], y[3], z[3];      /* extents of the pencils */
-    int x_low, y_low;          /* of the z pencil */
+    int c[3];             /* coordinates on the process grid */
+    int x[3], y[3], z[3]; /* extents of the pencils */
+    int x_low, y_low;     /* of the z pencil */
     struct transpose step[2];
     double *sent, *received;
 };
 
-static int piece(int n, int pieces, int c) { return par_piece_low(n, pieces, c + 1) - par_piece_low(n, pieces, c); }
+static int piece(int n, int pieces, int c) {
+    return par_piece_low(n, pieces, c + 1) - par_piece_low(n, pieces, c);
+}
 
 /* x to y pencil, among the ranks of one c_z: peer q holds y piece q before and x piece q after. */
 static void plan_xy(struct par_pencil *p, struct transpose *t) {
@@ -45,8 +47,12 @@ static void plan_xy(struct par_pencil *p, struct transpose *t) {
         t->peer[q] = (struct peer){rank,
                                    (size_t)par_piece_low(n[0], parts, q),
                                    (size_t)par_piece_low(n[1], parts, q) * t->far_row,
-                                   piece(n[0], parts, q), p->x[1], p->x[2],
-                                   p->y[0], piece(n[1], parts, q), p->y[2]};
+                                   piece(n[0], parts, q),
+                                   p->x[1],
+                                   p->x[2],
+                                   p->y[0],
+                                   piece(n[1], parts, q),
+                                   p->y[2]};
     }
 }
 
@@ -62,8 +68,12 @@ static void plan_yz(struct par_pencil *p, struct transpose *t) {
         t->peer[q] = (struct peer){rank,
                                    (size_t)par_piece_low(n[1], parts, q) * t->near_row,
                                    (size_t)par_piece_low(n[2], parts, q) * t->far_plane,
-                                   p->y[0], piece(n[1], parts, q), p->y[2],
-                                   p->z[0], p->z[1], piece(n[2], parts, q)};
+                                   p->y[0],
+                                   piece(n[1], parts, q),
+                                   p->y[2],
+                                   p->z[0],
+                                   p->z[1],
+                                   piece(n[2], parts, q)};
     }
 }
 
@@ -71,12 +81,13 @@ struct par_pencil *par_pencil_new(const struct par_pencil_input *in) {
     struct par_pencil *p = calloc(1, sizeof *p);
     const int rank = par_rank();
     p->in = *in;
-    ENSURE(in->ranks[0] == 1 && in->ranks[1] * in->ranks[2] == par_size(), "process grid %d x %d x %d on %d ranks",
-           in->ranks[0], in->ranks[1], in->ranks[2], par_size());
+    ENSURE(in->ranks[0] == 1 && in->ranks[1] * in->ranks[2] == par_size(),
+           "process grid %d x %d x %d on %d ranks", in->ranks[0], in->ranks[1], in->ranks[2], par_size());
     p->c[1] = rank % in->ranks[1];
     p->c[2] = rank / in->ranks[1];
     const int *n = in->n;
-    memcpy(p->x, (int[3]){n[0], piece(n[1], in->ranks[1], p->c[1]), piece(n[2], in->ranks[2], p->c[2])}, sizeof p->x);
+    memcpy(p->x, (int[3]){n[0], piece(n[1], in->ranks[1], p->c[1]), piece(n[2], in->ranks[2], p->c[2])},
+           sizeof p->x);
     memcpy(p->y, (int[3]){piece(n[0], in->ranks[1], p->c[1]), n[1], p->x[2]}, sizeof p->y);
     memcpy(p->z, (int[3]){p->y[0], piece(n[1], in->ranks[2], p->c[2]), n[2]}, sizeof p->z);
     p->x_low = par_piece_low(n[0], in->ranks[1], p->c[1]);
@@ -127,10 +138,13 @@ void par_pencil_z_low(const struct par_pencil *p, int *x, int *y) {
     *y = p->y_low;
 }
 
-int par_pencil_same(const struct par_pencil *p, enum par_pencil_step step) { return p->step[step].peers == 1; }
+int par_pencil_same(const struct par_pencil *p, enum par_pencil_step step) {
+    return p->step[step].peers == 1;
+}
 
 /* A box of an array (strides row, plane) <-> a tight block, runs merged where rows or planes are contiguous. */
-static void copy_box(double *block, double *array, size_t row, size_t plane, int width, int height, int depth, int out) {
+static void copy_box(double *block, double *array, size_t row, size_t plane, int width, int height, int depth,
+                     int out) {
     size_t run = (size_t)width, rows = (size_t)height, planes = (size_t)depth;
     if (run == row) {
         run *= rows;
@@ -150,15 +164,22 @@ static int contiguous(size_t row, size_t plane, int width, int height) {
     return (size_t)width == row && (size_t)width * (size_t)height == plane;
 }
 
-static size_t near_count(const struct peer *q) { return (size_t)q->width * (size_t)q->height * (size_t)q->depth; }
+static size_t near_count(const struct peer *q) {
+    return (size_t)q->width * (size_t)q->height * (size_t)q->depth;
+}
 
-static size_t far_count(const struct peer *q) { return (size_t)q->far_width * (size_t)q->far_height * (size_t)q->far_depth; }
+static size_t far_count(const struct peer *q) {
+    return (size_t)q->far_width * (size_t)q->far_height * (size_t)q->far_depth;
+}
 
 /* Boxes that are whole in an array are sent from and received into it; the others go through the buffers. */
-static void transpose(struct par_pencil *p, struct transpose *t, const double *from, double *to, int backward) {
+static void transpose(struct par_pencil *p, struct transpose *t, const double *from, double *to,
+                      int backward) {
     const int me = par_rank();
-    const size_t from_row = backward ? t->far_row : t->near_row, from_plane = backward ? t->far_plane : t->near_plane;
-    const size_t to_row = backward ? t->near_row : t->far_row, to_plane = backward ? t->near_plane : t->far_plane;
+    const size_t from_row = backward ? t->far_row : t->near_row,
+                 from_plane = backward ? t->far_plane : t->near_plane;
+    const size_t to_row = backward ? t->near_row : t->far_row,
+                 to_plane = backward ? t->near_plane : t->far_plane;
     int requests = 0;
     double *in = p->received, *out = p->sent;
     for (int q = 0; q < t->peers; q++) {
@@ -167,7 +188,9 @@ static void transpose(struct par_pencil *p, struct transpose *t, const double *f
         const int whole = backward ? contiguous(to_row, to_plane, a->width, a->height)
                                    : contiguous(to_row, to_plane, a->far_width, a->far_height);
         double *target = whole ? to + (backward ? a->near_at : a->far_at) : in;
-        if (a->rank != me) MPI_Irecv(target, (int)count, MPI_DOUBLE, a->rank, 90 + backward, MPI_COMM_WORLD, &t->request[requests++]);
+        if (a->rank != me)
+            MPI_Irecv(target, (int)count, MPI_DOUBLE, a->rank, 90 + backward, MPI_COMM_WORLD,
+                      &t->request[requests++]);
         if (!whole) in += count;
     }
     const double *mine = NULL;
@@ -185,8 +208,8 @@ static void transpose(struct par_pencil *p, struct transpose *t, const double *f
         if (a->rank == me)
             mine = source;
         else
-            MPI_Isend(source, (int)((size_t)width * (size_t)height * (size_t)depth), MPI_DOUBLE, a->rank, 90 + backward,
-                      MPI_COMM_WORLD, &t->request[requests++]);
+            MPI_Isend(source, (int)((size_t)width * (size_t)height * (size_t)depth), MPI_DOUBLE, a->rank,
+                      90 + backward, MPI_COMM_WORLD, &t->request[requests++]);
     }
     MPI_Waitall(requests, t->request, MPI_STATUSES_IGNORE);
     in = p->received;

@@ -6,7 +6,7 @@
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
 /* The default retraction of the markers, in cells.  (Breugem 2012) */
-#define SCENE_RETRACTION 0.3
+#define SCENE_RETRACTION 0.6
 /* A family holds at most 512 bonds: |xi| < (m + 1/2) spacing gives 484 just below m = 4.5 and 514 just above. */
 #define SCENE_HORIZON_MAX 4.5
 
@@ -116,7 +116,7 @@ struct scene_stage {
     int relax; /* solid alone, true: to static equilibrium by adaptive dynamic relaxation, no stepping */
     enum scene_integrator integrator; /* rk3 (default), verlet */
     int substeps;                     /* 0: auto, from the stable step */
-    double safety;                    /* of the stable step for auto, default 0.9 */
+    double safety;                    /* of the stable step for auto, default 0.95 */
     int breakage;                     /* default true; false: nothing breaks in this stage */
     double damping_relative, damping_absolute;
 };
@@ -136,9 +136,6 @@ struct scene {
     struct scene_coupling *coupling; /* NULL unless both */
     int stages;
     struct scene_stage *stage;
-    /* A checkpoint to start from, or empty; relative to the scene's folder, made absolute on loading. The stages whose names
-     * and contents the checkpoint has finished are skipped. */
-    char start[SCENE_PATH];
     struct scene_output output;
     char *resolved; /* the scene as YAML with every default, re-runnable */
 };

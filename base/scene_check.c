@@ -1,31 +1,17 @@
 /* The tree against the schema and the rules. */
 #include "base/scene_check.h"
 #include "base/error.h"
-#include "base/scene_rule.h"
-#include "base/scene_schema.h"
+#include "base/scene_walk.h"
 #include "base/scene_yaml.h"
 
-#include <float.h>
-#include <limits.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEYS = 32 };
-
-struct walk {
-    struct scene_problems *problems;
-    int parts;  /* enum scene_need: what the scene has */
-    int silent; /* inside something that stands in for a mistake */
-};
-
-static void check_value(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+static void check_value(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                         const struct scene_rule *rule, const char *path);
 
-#define SAY(kind, w, ...) ((w)->silent ? (void)0 : scene_problem_##kind((w)->problems, __VA_ARGS__))
-
 /* Puts a value that can be loaded where there is a wrong one or none. */
-static void stand_in(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                      const char *path) {
     scene_node_clear(node);
     node->bad = 1;
@@ -54,111 +40,6 @@ static void stand_in(struct walk *w, struct scene_node *node, const cyaml_schema
     }
 }
 
-static int is_whole(const char *s) {
-    if (*s == '+' || *s == '-') s++;
-    const size_t n = strspn(s, "0123456789");
-    return n > 0 && !s[n] && (n == 1 || s[0] != '0');
-}
-
-static int is_number(const char *s) {
-    if (*s == '+' || *s == '-') s++;
-    const size_t before = strspn(s, "0123456789");
-    s += before;
-    size_t after = 0;
-    if (*s == '.') {
-        after = strspn(++s, "0123456789");
-        s += after;
-    }
-    if (before + after == 0) return 0;
-    if (*s != 'e' && *s != 'E') return !*s;
-    if (*++s == '+' || *s == '-') s++;
-    const size_t power = strspn(s, "0123456789");
-    return power > 0 && !s[power];
-}
-
-/* " (m)" where the key has a unit: malloc'ed. */
-static char *in_units(const struct scene_rule *rule) {
-    static const char *const none[] = {"1", "text", "bool", "choice", "section", "list", "file"};
-    for (size_t i = 0; rule && i < sizeof none / sizeof *none; i++)
-        if (!strcmp(rule->unit, none[i])) rule = NULL;
-    return rule ? scene_text(" (%s)", rule->unit) : scene_text("%s", "");
-}
-
-/* ", or auto" where a word may stand for the number. */
-static char *or_word(const struct scene_rule *rule) {
-    return rule && rule->word ? scene_text(", or %s", rule->word) : scene_text("%s", "");
-}
-
-static int check_number(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                        const struct scene_rule *rule, const char *path) {
-    if (rule && rule->word && node->kind == SCENE_NODE_SCALAR && !node->quoted &&
-        !strcmp(node->value, rule->word)) {
-        node->load = rule->load;
-        return 1;
-    }
-    const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
-    const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
-    const double value = form ? strtod(node->value, NULL) : 0;
-    const double largest = !whole                        ? DBL_MAX
-                           : v->data_size == sizeof(int) ? INT_MAX
-                                                         : 9e15; /* exact in a double */
-    const int admitted = !rule || scene_rule_admits(rule, value);
-    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = in_units(rule);
-    if (!form)
-        SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
-            range ? ", " : "", range ? range : "", unit, word);
-    else if (!admitted)
-        SAY(value, w, node, path, "must be %s%s", range, word);
-    else if (fabs(value) > largest)
-        SAY(value, w, node, path, "is too large");
-    free(word);
-    free(range);
-    free(unit);
-    return form && admitted && fabs(value) <= largest;
-}
-
-/* "a, b, c": malloc'ed. */
-static char *joined(int n, const char *const *word) {
-    char *text = scene_text("%s", "");
-    for (int i = 0; i < n; i++) {
-        char *longer = scene_text("%s%s%s", text, i ? ", " : "", word[i]);
-        free(text);
-        text = longer;
-    }
-    return text;
-}
-
-static int check_choice(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                        const char *path) {
-    const char *word[KEYS];
-    const int n = (int)v->enumeration.count;
-    ENSURE(n <= KEYS, "%s has %d choices", path, n);
-    for (int i = 0; i < n; i++) {
-        word[i] = v->enumeration.strings[i].str;
-        if (node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, word[i])) return 1;
-    }
-    const char *nearest =
-        node->kind == SCENE_NODE_SCALAR ? scene_problem_nearest(node->value, n, word) : NULL;
-    char *allowed = joined(n, word);
-    SAY(value, w, node, path, "must be one of %s%s%s%s", allowed, nearest ? "; did you mean " : "",
-        nearest ? nearest : "", nearest ? "?" : "");
-    free(allowed);
-    return 0;
-}
-
-static int check_text(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                      const char *path) {
-    const size_t length = node->kind == SCENE_NODE_SCALAR ? strlen(node->value) : 0;
-    if (node->kind != SCENE_NODE_SCALAR || length < v->string.min)
-        SAY(value, w, node, path, "must be a text%s",
-            length < v->string.min && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
-    else if (length > v->string.max)
-        SAY(value, w, node, path, "is too long: %zu characters, at most %u", length, v->string.max);
-    else
-        return 1;
-    return 0;
-}
-
 static const char *entry_name(const cyaml_schema_value_t *entry) {
     switch (entry->type) {
     case CYAML_INT:
@@ -172,24 +53,26 @@ static const char *entry_name(const cyaml_schema_value_t *entry) {
     }
 }
 
-static int check_list(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+static int check_list(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                       const struct scene_rule *rule, const char *path) {
     const cyaml_schema_value_t *entry = v->sequence.entry;
     const int fixed = v->type == CYAML_SEQUENCE_FIXED, is_list = node->kind == SCENE_NODE_LIST;
     if (fixed && (!is_list || node->n != (int)v->sequence.max)) {
-        char *unit = in_units(rule);
-        SAY(value, w, node, path, "must be a list of %u %s%s", v->sequence.max, entry_name(entry), unit);
+        char *unit = scene_walk_in_units(rule);
+        SCENE_WALK_SAY(value, w, node, path, "must be a list of %u %s%s", v->sequence.max, entry_name(entry),
+                       unit);
         free(unit);
         return 0;
     }
     if (!is_list) {
-        SAY(value, w, node, path, "must be a list of %s", entry_name(entry));
+        SCENE_WALK_SAY(value, w, node, path, "must be a list of %s", entry_name(entry));
         return 0;
     }
     if (node->n < (int)v->sequence.min || node->n > (int)v->sequence.max) {
-        SAY(key, w, node, path,
-            node->n ? "has %d entries, at most %u are possible" : "is empty: needs at least one entry",
-            node->n, v->sequence.max);
+        SCENE_WALK_SAY(key, w, node, path,
+                       node->n ? "has %d entries, at most %u are possible"
+                               : "is empty: needs at least one entry",
+                       node->n, v->sequence.max);
         return 0;
     }
     for (int i = 0; i < node->n; i++) {
@@ -205,7 +88,7 @@ static char *path_of(const char *path, const char *key) {
 }
 
 /* Keys given twice are dropped; unknown ones are taken for the key they come near to where that is not given, else dropped. */
-static void check_unknown(struct walk *w, struct scene_node *node, int n, const char *const *known,
+static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, const char *const *known,
                           const char *path) {
     for (int i = 0; i < node->n; i++) {
         struct scene_node *c = node->child[i];
@@ -215,14 +98,14 @@ static void check_unknown(struct walk *w, struct scene_node *node, int n, const 
         while (k < n && strcmp(known[k], c->key) != 0) k++;
         int drop = first < i || k == n;
         if (first < i) {
-            SAY(key, w, c, inner, "is given twice, first on line %d", node->child[first]->line);
+            SCENE_WALK_SAY(key, w, c, inner, "is given twice, first on line %d", node->child[first]->line);
         } else if (k == n) {
             const char *nearest = scene_problem_nearest(c->key, n, known);
-            char *allowed = joined(n, known);
+            char *allowed = scene_walk_joined(n, known);
             if (nearest)
-                SAY(key, w, c, inner, "unknown key; did you mean %s?", nearest);
+                SCENE_WALK_SAY(key, w, c, inner, "unknown key; did you mean %s?", nearest);
             else
-                SAY(key, w, c, inner, "unknown key; known here: %s", allowed);
+                SCENE_WALK_SAY(key, w, c, inner, "unknown key; known here: %s", allowed);
             free(allowed);
             if (nearest && !scene_node_child(node, nearest)) {
                 free(c->key);
@@ -262,8 +145,8 @@ static int has_bad_child(const struct scene_node *mapping) {
 }
 
 /* Why the key makes no sense in this scene, malloc'ed; NULL if it does. *unsure: what that rests on is itself wrong. */
-static char *why_not(const struct walk *w, const struct scene_node *mapping, const struct scene_rule *rule,
-                     int *unsure) {
+static char *why_not(const struct scene_walk *w, const struct scene_node *mapping,
+                     const struct scene_rule *rule, int *unsure) {
     const int both = SCENE_WITH_FLUID | SCENE_WITH_SOLID, lacking = rule ? rule->only & ~w->parts : 0;
     *unsure = 0;
     if (lacking & SCENE_WITHOUT_FLUID) return scene_text("only in a scene without fluid");
@@ -282,7 +165,7 @@ static char *why_not(const struct walk *w, const struct scene_node *mapping, con
 }
 
 /* What is left out: a default, or a mistake. */
-static void check_missing(struct walk *w, struct scene_node *node, const cyaml_schema_field_t *field,
+static void check_missing(struct scene_walk *w, struct scene_node *node, const cyaml_schema_field_t *field,
                           const struct scene_rule *rule, const char *path) {
     const int needed =
         !(field->value.flags & CYAML_FLAG_OPTIONAL) || (rule && rule->needed & (w->parts | SCENE_ALWAYS));
@@ -297,14 +180,15 @@ static void check_missing(struct walk *w, struct scene_node *node, const cyaml_s
         const struct scene_node place = {
             .kind = SCENE_NODE_MAPPING, .line = node->line, .set = node->set, .set_inner = 1};
         const struct scene_node *s = rule && rule->sibling ? scene_node_child(node, rule->sibling) : NULL;
-        char *unit = in_units(rule);
+        char *unit = scene_walk_in_units(rule);
         c = scene_node_new(SCENE_NODE_SCALAR, field->key, NULL);
         c->line = node->line;
         if (s)
-            SAY(key, w, &place, path, "missing; %s %s needs it%s", rule->sibling, s->value, unit);
+            SCENE_WALK_SAY(key, w, &place, path, "missing; %s %s needs it%s", rule->sibling, s->value, unit);
         else
-            SAY(key, w, &place, path, "missing%s%s",
-                rule && rule->needed & SCENE_WITH_FLUID ? "; a scene with a fluid needs it" : "", unit);
+            SCENE_WALK_SAY(key, w, &place, path, "missing%s%s",
+                           rule && rule->needed & SCENE_WITH_FLUID ? "; a scene with a fluid needs it" : "",
+                           unit);
         free(unit);
         stand_in(w, c, &field->value, path);
     }
@@ -313,18 +197,18 @@ static void check_missing(struct walk *w, struct scene_node *node, const cyaml_s
     if (!c->bad) check_value(w, c, &field->value, rule, path);
 }
 
-static int check_mapping(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+static int check_mapping(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                          const char *path) {
     if (node->kind != SCENE_NODE_MAPPING) {
-        SAY(value, w, node, path, "must be a mapping of keys to values%s",
-            node->kind == SCENE_NODE_SCALAR && !*node->value ? ", is empty" : "");
+        SCENE_WALK_SAY(value, w, node, path, "must be a mapping of keys to values%s",
+                       node->kind == SCENE_NODE_SCALAR && !*node->value ? ", is empty" : "");
         return 0;
     }
     const cyaml_schema_field_t *fields = v->mapping.fields;
-    const char *known[KEYS];
+    const char *known[SCENE_WALK_KEYS];
     int n = 0;
     for (; fields[n].key; n++) {
-        ENSURE(n < KEYS, "more than %d keys in %s", KEYS, path);
+        ENSURE(n < SCENE_WALK_KEYS, "more than %d keys in %s", SCENE_WALK_KEYS, path);
         known[n] = fields[n].key;
     }
     check_unknown(w, node, n, known, path);
@@ -338,7 +222,7 @@ static int check_mapping(struct walk *w, struct scene_node *node, const cyaml_sc
         while (at < node->n && strcmp(node->child[at]->key, known[k]) != 0) at++;
         char *why = why_not(w, node, rule, &unsure);
         if (at < node->n && why) {
-            SAY(value, w, node->child[at], inner, "%s", why);
+            SCENE_WALK_SAY(value, w, node->child[at], inner, "%s", why);
             scene_node_drop(node, at);
         } else if (at < node->n) {
             check_value(w, node->child[at], &fields[k].value, rule, inner);
@@ -359,24 +243,24 @@ static int check_mapping(struct walk *w, struct scene_node *node, const cyaml_sc
     return 1;
 }
 
-static void check_value(struct walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+static void check_value(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                         const struct scene_rule *rule, const char *path) {
     int good = 0;
     switch (v->type) {
     case CYAML_INT:
     case CYAML_FLOAT:
-        good = check_number(w, node, v, rule, path);
+        good = scene_walk_number(w, node, v, rule, path);
         break;
     case CYAML_BOOL:
         good = node->kind == SCENE_NODE_SCALAR &&
                (!strcmp(node->value, "true") || !strcmp(node->value, "false"));
-        if (!good) SAY(value, w, node, path, "must be true or false");
+        if (!good) SCENE_WALK_SAY(value, w, node, path, "must be true or false");
         break;
     case CYAML_ENUM:
-        good = check_choice(w, node, v, path);
+        good = scene_walk_choice(w, node, v, path);
         break;
     case CYAML_STRING:
-        good = check_text(w, node, v, path);
+        good = scene_walk_text(w, node, v, path);
         break;
     case CYAML_SEQUENCE:
     case CYAML_SEQUENCE_FIXED:
@@ -392,6 +276,6 @@ static void check_value(struct walk *w, struct scene_node *node, const cyaml_sch
 }
 
 void scene_check_keys(struct scene_node *root, struct scene_problems *problems) {
-    struct walk w = {.problems = problems};
+    struct scene_walk w = {.problems = problems};
     check_value(&w, root, &scene_schema, NULL, "");
 }

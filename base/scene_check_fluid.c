@@ -15,8 +15,19 @@ static int sides_clean(const struct scene_check *c, int d) {
     return scene_check_clean(c, side_path(d, 0, "")) && scene_check_clean(c, side_path(d, 1, ""));
 }
 
-static int has_walls(const struct scene_fluid *f, int d) {
-    return f->side[d][0].type == SCENE_WALL && f->side[d][1].type == SCENE_WALL;
+static enum scene_condition condition_of(const struct scene_side *s, int component) {
+    return component == 0 ? s->u : component == 1 ? s->v : s->w;
+}
+
+/* Whether both sides of direction d hold the velocity component. */
+static int has_walls(const struct scene_fluid *f, int d, int component) {
+    int walls = 0;
+    for (int end = 0; end < 2; end++) {
+        const struct scene_side *s = &f->side[d][end];
+        walls += s->type == SCENE_WALL ||
+                 (s->type == SCENE_GENERAL && condition_of(s, component) == SCENE_DIRICHLET);
+    }
+    return walls == 2;
 }
 
 static void check_pair(const struct scene_check *c, int d) {
@@ -37,11 +48,11 @@ static void check_side(const struct scene_check *c, int d, int end) {
         scene_problem_at(c->problems, c->root, side_path(d, end, "velocity").text,
                          "a wall moves in its own plane: the %c component must be 0", "xyz"[d]);
     if (side->type == SCENE_INFLOW && side->profile == SCENE_POISEUILLE && sides_clean(c, a) &&
-        sides_clean(c, b) && !has_walls(f, a) && !has_walls(f, b))
+        sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
         scene_problem_at(c->problems, c->root, side_path(d, end, "profile").text,
                          "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
     if (side->type == SCENE_GENERAL) {
-        const enum scene_condition normal = d == 0 ? side->u : d == 1 ? side->v : side->w;
+        const enum scene_condition normal = condition_of(side, d);
         if (normal == side->p)
             scene_problem_at(c->problems, c->root, side_path(d, end, "p").text,
                              "must be %s where the normal velocity %c is %s",
@@ -61,8 +72,7 @@ static void check_flux(const struct scene_check *c) {
             const struct scene_side *s = &f->side[d][end];
             const double area = size[0] * size[1] * size[2] / size[d],
                          normal = end ? -s->velocity[d] : s->velocity[d];
-            const enum scene_condition condition = d == 0 ? s->u : d == 1 ? s->v : s->w;
-            const int given = s->type == SCENE_GENERAL && condition == SCENE_DIRICHLET;
+            const int given = s->type == SCENE_GENERAL && condition_of(s, d) == SCENE_DIRICHLET;
             const double in = s->type == SCENE_INFLOW ? s->bulk_velocity * area : given ? normal * area : 0;
             net += in;
             scale += fabs(in);
@@ -105,7 +115,7 @@ static void check_initial(const struct scene_check *c) {
     if (along != 1)
         scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
                          "needs initial.velocity, its mean, along one of the axes");
-    else if (sides_clean(c, a) && sides_clean(c, b) && !has_walls(f, a) && !has_walls(f, b))
+    else if (sides_clean(c, a) && sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
         scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
                          "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
 }

@@ -58,7 +58,6 @@ static void resolve_files(struct scene_node *root, const char *path, struct scen
             resolve_file(root, scene_path("fluid.sides.%s.file", scene_check_side[d][end]), folder, problems);
     for (int b = 0; bodies && b < bodies->n; b++)
         resolve_file(root, scene_path("solid.bodies[%d].file", b), folder, problems);
-    resolve_file(root, scene_path("start"), folder, problems);
     free(folder);
 }
 

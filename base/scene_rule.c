@@ -107,7 +107,6 @@ const struct scene_rule scene_rules[] = {
     RULE("coupling.medium.low", "m"),
     RULE("coupling.medium.high", "m"),
 
-    RULE("start", "file"),
     RULE("stages", "list"),
     RULE("stages[].name", "text"),
     RULE("stages[].steps", "1", FROM(0)),
@@ -117,7 +116,7 @@ const struct scene_rule scene_rules[] = {
     RULE("stages[].relax", "bool", "false", .only = SOLID | NO_FLUID),
     RULE("stages[].integrator", "choice", "rk3", .only = SOLID),
     RULE("stages[].substeps", "1", "auto", WITHIN(1, 1e6), .word = "auto", .load = "0", .only = SOLID),
-    RULE("stages[].safety", "1", "0.9", WITHIN(0, 1), .open = 1, .only = SOLID),
+    RULE("stages[].safety", "1", "0.95", WITHIN(0, 1), .open = 1, .only = SOLID),
     RULE("stages[].breakage", "bool", "true", .only = SOLID),
     RULE("stages[].damping_relative", "N s/m7", "0", FROM(0), .only = SOLID),
     RULE("stages[].damping_absolute", "1/s", "0", FROM(0), .only = SOLID),

@@ -192,7 +192,6 @@ static const cyaml_schema_field_t scene_fields[] = {
     CYAML_FIELD_MAPPING_PTR("fluid", OPTIONAL, struct scene, fluid, fluid_fields),
     CYAML_FIELD_MAPPING_PTR("solid", OPTIONAL, struct scene, solid, solid_fields),
     CYAML_FIELD_MAPPING_PTR("coupling", OPTIONAL, struct scene, coupling, coupling_fields),
-    TEXT("start", OPTIONAL, scene, start),
     ENTRIES("stages", NEEDED, scene, stage, stages, &stage, 1, LIST_MAX),
     CYAML_FIELD_MAPPING("output", OPTIONAL, struct scene, output, output_fields),
     CYAML_FIELD_END};

@@ -28,9 +28,12 @@ static void reserve(struct run_markers *m, int markers) {
             grow(&m->traction[c], m->probe_capacity);
         }
         grow(&m->acceleration_n, m->probe_capacity);
+        grow(&m->added, m->probe_capacity);
         grow(&m->pressure, m->probe_capacity);
         memory_free(m->owner);
+        memory_free(m->particle);
         memory_free(m->active);
+        m->particle = memory_new(MEMORY_COUPLING, (size_t)m->probe_capacity, sizeof *m->particle);
         m->owner = memory_new(MEMORY_COUPLING, (size_t)m->probe_capacity, sizeof *m->owner);
         m->active = memory_new(MEMORY_COUPLING, (size_t)m->probe_capacity, 1);
     }
@@ -47,6 +50,8 @@ void run_markers_free(struct run *r) {
     }
     memory_free(m->volume);
     memory_free(m->acceleration_n);
+    memory_free(m->added);
+    memory_free(m->particle);
     memory_free(m->pressure);
     memory_free(m->owner);
     memory_free(m->active);
@@ -60,6 +65,8 @@ void run_markers_update(struct run *r) {
     struct run_markers *m = &r->markers;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const double shift = 0.5 * s->in.spacing - r->scene->coupling->retraction * dx;
+    /* dp/dn|_m = -rho_f dV/dt.n over half the probe: added mass of the particle, taken with its own acceleration */
+    const double added = 0.5 * fluid_input_of(r->fluid)->density * r->scene->coupling->probe_length * dx;
     reserve(m, surface->n);
     m->n = surface->n;
     m->probes = 0;
@@ -77,6 +84,8 @@ void run_markers_update(struct run *r) {
         for (int side = 1; side >= (two ? -1 : 1); side -= 2) {
             const int q = m->probes++;
             m->owner[q] = i;
+            m->particle[q] = h;
+            m->added[q] = added * surface->area[i] / s->volume[h];
             m->acceleration_n[q] = side * a_n;
             for (int c = 0; c < 3; c++) {
                 m->normal[c][q] = side * surface->normal[c][i];
@@ -94,22 +103,31 @@ void run_probe(struct run *r) {
     const struct ibm_probe_input in = {.n = m->probes,
                                        .x = {m->root[0], m->root[1], m->root[2]},
                                        .normal = {m->normal[0], m->normal[1], m->normal[2]},
-                                       .acceleration_n = m->acceleration_n,
                                        .length = r->scene->coupling->probe_length};
     ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active);
     clock_begin(CLOCK_PROBE);
-    /* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4) */
     for (int c = 0; c < 3; c++) {
         double sum = 0;
         for (int h = 0; h < s->n; h++) s->load[c][h] = r->given[c] ? r->given[c][h] : 0;
         for (int q = 0; q < m->probes; q++) {
-            if (!m->active[q]) continue;
-            const int i = m->owner[q], h = surface->h[i];
+            if (!m->active[q]) {
+                m->added[q] = 0;
+                continue;
+            }
+            const int i = m->owner[q], h = m->particle[q];
+            /* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4), less the added mass's share, which the solid
+             * takes with the acceleration that it has, not with the last step's */
             s->load[c][h] += m->traction[c][q] * surface->area[i] / s->volume[h];
-            sum += m->traction[c][q] * surface->area[i];
+            sum += m->traction[c][q] * surface->area[i] -
+                   m->added[q] * m->acceleration_n[q] * m->normal[c][q] * s->volume[h];
         }
         r->load[c] = sum;
     }
     par_sum_array(r->load, 3);
+    m->added_mass = (struct solid_added_mass){.n = m->probes,
+                                              .h = m->particle,
+                                              .normal = {m->normal[0], m->normal[1], m->normal[2]},
+                                              .density = m->added};
+    s->added = &m->added_mass;
     clock_end(CLOCK_PROBE);
 }

@@ -1,6 +1,7 @@
 #include "coupling/run.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "solid/contact.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -64,6 +65,7 @@ struct run *run_new(const struct scene *scene) {
     }
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
+        solid_surface_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
         if (r->needs.bonds)
@@ -96,6 +98,7 @@ void run_free(struct run *r) {
     medium_free(r->medium);
     ibm_free(r->ibm);
     solid_surface_free(r->surface);
+    if (r->solid) solid_contact_free(r->solid);
     solid_free(r->solid);
     fluid_free(r->fluid);
     free(r);

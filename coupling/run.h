@@ -5,6 +5,7 @@
 #include "coupling/setup.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
+#include "solid/added_mass.h"
 #include "solid/solid.h"
 #include "solid/surface.h"
 
@@ -18,10 +19,13 @@ struct run_markers {
     int n, capacity;
     double *x[3], *v[3], *volume; /* [n] marker position m, velocity m/s, volume A_h dx m3 */
     int probes, probe_capacity;
-    int *owner;                     /* [probes] entry of the surface */
-    double *root[3], *normal[3];    /* [probes] m; outward unit normal */
-    double *acceleration_n;         /* [probes] dV/dt . n at the root, m/s2 */
-    double *traction[3], *pressure; /* [probes] Pa */
+    int *owner;                         /* [probes] entry of the surface */
+    int *particle;                      /* [probes] its particle */
+    double *added;                      /* [probes] added mass, kg per m3 of the particle */
+    struct solid_added_mass added_mass; /* the same for the solid, pointing here */
+    double *root[3], *normal[3];        /* [probes] m; outward unit normal */
+    double *acceleration_n;             /* [probes] dV/dt . n at the root, m/s2 */
+    double *traction[3], *pressure;     /* [probes] Pa */
     uint8_t *active;
 };
 

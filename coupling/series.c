@@ -59,7 +59,7 @@ struct series {
     int columns;
     int column[ALL_COLUMNS];
     struct series_sample now;
-    double momentum[3], box_force[3]; /* before the step, N s and N */
+    double momentum[3]; /* before the step, N s */
     int prepared;
     long counted;   /* broken bonds when damage and fragments were last looked at, -1: never */
     double *damage; /* [n], work */
@@ -95,21 +95,20 @@ const struct series_sample *series_last(const struct series *s) { return &s->now
 void series_prepare(struct series *s, struct run *r) {
     if (!r->needs.immersed) return;
     fluid_momentum(r->fluid, s->momentum);
-    fluid_box_force(r->fluid, s->box_force);
+    fluid_audit_begin(r->fluid);
     s->prepared = 1;
 }
 
-/* |d(momentum)/dt - box force - forcing| / |forcing|: how well the box's momentum closes over the step, with the box's force
- * by the trapezoidal rule. */
+/* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
 static double momentum_residual(struct series *s, struct run *r) {
     double momentum[3], box[3], residual = 0, scale = 0;
     if (!s->prepared) return NAN;
     s->prepared = 0;
     fluid_momentum(r->fluid, momentum);
-    fluid_box_force(r->fluid, box);
+    fluid_audit_end(r->fluid, box);
     for (int c = 0; c < 3; c++) {
         const double rate = (momentum[c] - s->momentum[c]) / r->dt;
-        residual += pow(rate - 0.5 * (box[c] + s->box_force[c]) - s->now.forcing[c], 2);
+        residual += pow(rate - box[c] - s->now.forcing[c], 2);
         scale += pow(s->now.forcing[c], 2);
     }
     return scale > 0 ? sqrt(residual / scale) : NAN;

@@ -20,7 +20,9 @@ static void conditions(const struct fluid_side *in, int d, struct fluid_boundary
         s->condition[c] = general ? in->condition[c] : held || c == d ? FLUID_DIRICHLET : FLUID_NEUMANN;
         s->value[c] = general || (in->type == FLUID_WALL && c != d) ? in->velocity[c] : 0;
     }
-    s->condition[3] = general ? in->condition[3] : in->type == FLUID_PRESSURE ? FLUID_DIRICHLET : FLUID_NEUMANN;
+    s->condition[3] = general                      ? in->condition[3]
+                      : in->type == FLUID_PRESSURE ? FLUID_DIRICHLET
+                                                   : FLUID_NEUMANN;
     s->value[3] = s->condition[3] == FLUID_DIRICHLET ? in->pressure : 0;
     if (s->condition[3] == FLUID_DIRICHLET) {
         s->normal = FLUID_NORMAL_FREE;
@@ -33,12 +35,15 @@ static void refuse_contradictions(const struct fluid_input *in) {
         for (int side = 0; side < 2; side++) {
             const struct fluid_side *s = &in->side[d][side];
             if ((s->type == FLUID_PERIODIC) != (in->side[d][!side].type == FLUID_PERIODIC))
-                die_all(EXIT_CODE_SCENE, "fluid.sides.%s: periodic on one side and not on the other", side_name[d][side]);
+                die_all(EXIT_CODE_SCENE, "fluid.sides.%s: periodic on one side and not on the other",
+                        side_name[d][side]);
             if (s->type == FLUID_WALL && s->velocity[d] != 0)
-                die_all(EXIT_CODE_SCENE, "fluid.sides.%s.velocity: a wall moves in its own plane only", side_name[d][side]);
+                die_all(EXIT_CODE_SCENE, "fluid.sides.%s.velocity: a wall moves in its own plane only",
+                        side_name[d][side]);
             if (s->type == FLUID_GENERAL && s->condition[d] == s->condition[3])
                 die_all(EXIT_CODE_SCENE,
-                        "fluid.sides.%s: needs a Dirichlet condition on either the normal velocity or the pressure, and a "
+                        "fluid.sides.%s: needs a Dirichlet condition on either the normal velocity or the "
+                        "pressure, and a "
                         "Neumann condition on the other",
                         side_name[d][side]);
         }
@@ -62,7 +67,8 @@ static double fill_plane(const struct fluid_grid *g, const struct fluid_input *i
     if (s->here) {
         s->plane = memory_new(MEMORY_FLUID, (size_t)g->m[a] * (size_t)g->m[b], sizeof *s->plane);
         for (int l = 0; l < g->m[b]; l++)
-            for (int j = 0; j < g->m[a]; j++) s->plane[l * g->m[a] + j] = sign * profile[(l + g->lo[b]) * na + j + g->lo[a]];
+            for (int j = 0; j < g->m[a]; j++)
+                s->plane[l * g->m[a] + j] = sign * profile[(l + g->lo[b]) * na + j + g->lo[a]];
     }
     memory_free(profile);
     return sum * area;
@@ -81,14 +87,17 @@ struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const stru
             const double flux = s->normal == FLUID_NORMAL_FREE ? 0 : fill_plane(g, in, d, side, s);
             if (s->normal == FLUID_NORMAL_FREE) boundary->open = 1;
             if (s->normal != FLUID_NORMAL_GIVEN && side == 0) boundary->low_unowned = 1;
-            if (s->normal == FLUID_NORMAL_CONVECTIVE) boundary->outlet += g->length[0] * g->length[1] * g->length[2] / g->length[d];
+            if (s->normal == FLUID_NORMAL_CONVECTIVE)
+                boundary->outlet += g->length[0] * g->length[1] * g->length[2] / g->length[d];
             if (s->normal == FLUID_NORMAL_GIVEN) {
                 boundary->inflow += flux;
                 through += fabs(flux);
             }
         }
     if (!boundary->open && boundary->outlet == 0 && fabs(boundary->inflow) > 1e-12 * through)
-        die_all(EXIT_CODE_SCENE, "fluid.sides: %g m3/s flow in and none out; an outflow or pressure side is missing", boundary->inflow);
+        die_all(EXIT_CODE_SCENE,
+                "fluid.sides: %g m3/s flow in and none out; an outflow or pressure side is missing",
+                boundary->inflow);
     return boundary;
 }
 
@@ -107,7 +116,8 @@ struct extension {
 };
 
 /* Over the whole extent, ghosts included, of the other two directions. */
-static void extend(const struct fluid_grid *g, double *q, int d, int side, const struct extension *e, int layers) {
+static void extend(const struct fluid_grid *g, double *q, int d, int side, const struct extension *e,
+                   int layers) {
     int a, b;
     fluid_boundary_others(d, &a, &b);
     const ptrdiff_t sa = fluid_boundary_stride(g, a), sb = fluid_boundary_stride(g, b);
@@ -122,12 +132,14 @@ static void extend(const struct fluid_grid *g, double *q, int d, int side, const
         for (int kb = -layers; kb < g->m[b] + layers; kb++) {
             double *restrict line = q + kb * sb;
             if (e->condition == FLUID_NEUMANN)
-                for (int ka = -layers; ka < g->m[a] + layers; ka++) line[to + ka * sa] = line[from + ka * sa] + step;
+                for (int ka = -layers; ka < g->m[a] + layers; ka++)
+                    line[to + ka * sa] = line[from + ka * sa] + step;
             else if (e->on_face)
                 for (int ka = -layers; ka < g->m[a] + layers; ka++)
                     line[to + ka * sa] = 2 * line[face + ka * sa] - line[from + ka * sa];
             else
-                for (int ka = -layers; ka < g->m[a] + layers; ka++) line[to + ka * sa] = 2 * e->value - line[from + ka * sa];
+                for (int ka = -layers; ka < g->m[a] + layers; ka++)
+                    line[to + ka * sa] = 2 * e->value - line[from + ka * sa];
         }
     }
 }
@@ -140,11 +152,13 @@ static void set_faces(const struct fluid_boundary *boundary, const struct fluid_
             fluid_boundary_others(d, &a, &b);
             if (!s->here || s->normal == FLUID_NORMAL_FREE) continue;
             for (int l = 0; l < g->m[b]; l++)
-                for (int j = 0; j < g->m[a]; j++) q[d][fluid_boundary_face(g, d, side, j, l)] = s->plane[l * g->m[a] + j];
+                for (int j = 0; j < g->m[a]; j++)
+                    q[d][fluid_boundary_face(g, d, side, j, l)] = s->plane[l * g->m[a] + j];
         }
 }
 
-void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3], int layers) {
+void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                             int layers) {
     set_faces(b, g, q);
     for (int d = 0; d < 3; d++) {
         par_halo_fill_direction(g->halos, d, 3, q, layers);
@@ -153,7 +167,8 @@ void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_
             if (!s->here) continue;
             for (int c = 0; c < 3; c++) {
                 /* an outflow's normal velocity is continued evenly, as the other components are */
-                const enum fluid_condition k = c == d && s->normal == FLUID_NORMAL_CONVECTIVE ? FLUID_NEUMANN : s->condition[c];
+                const enum fluid_condition k =
+                    c == d && s->normal == FLUID_NORMAL_CONVECTIVE ? FLUID_NEUMANN : s->condition[c];
                 const struct extension e = {c == d, k, s->value[c]};
                 extend(g, q[c], d, side, &e, layers);
             }
@@ -161,7 +176,8 @@ void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_
     }
 }
 
-void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p, int layers, int correction) {
+void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
+                             int layers, int correction) {
     for (int d = 0; d < 3; d++) {
         par_halo_fill_direction(g->halos, d, 1, &p, layers);
         for (int side = 0; side < 2; side++) {
@@ -172,17 +188,20 @@ void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_
     }
 }
 
-void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]) {
+void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fluid_grid *g,
+                          double *const q[3]) {
     for (int d = 0; d < 3; d++) {
         const struct fluid_boundary_side *s = &boundary->side[d][0];
         int a, b;
         fluid_boundary_others(d, &a, &b);
-        const ptrdiff_t sd = fluid_boundary_stride(g, d), sa = fluid_boundary_stride(g, a), sb = fluid_boundary_stride(g, b);
+        const ptrdiff_t sd = fluid_boundary_stride(g, d), sa = fluid_boundary_stride(g, a),
+                        sb = fluid_boundary_stride(g, b);
         if (!s->here || s->normal == FLUID_NORMAL_GIVEN) continue;
         for (int l = 0; l < g->m[b]; l++)
             for (int j = 0; j < g->m[a]; j++) {
                 const size_t f = fluid_boundary_face(g, d, 0, j, l), n = f + (size_t)sd;
-                q[d][f] = q[d][n] + g->d[d] * ((q[a][n] - q[a][n - (size_t)sa]) / g->d[a] + (q[b][n] - q[b][n - (size_t)sb]) / g->d[b]);
+                q[d][f] = q[d][n] + g->d[d] * ((q[a][n] - q[a][n - (size_t)sa]) / g->d[a] +
+                                               (q[b][n] - q[b][n - (size_t)sb]) / g->d[b]);
             }
     }
 }

@@ -15,19 +15,20 @@ enum fluid_normal {
 };
 
 struct fluid_boundary_side {
-    int here;                   /* this rank touches the side, and the direction is not periodic */
+    int here; /* this rank touches the side, and the direction is not periodic */
     enum fluid_normal normal;
     enum fluid_condition condition[4]; /* of u, v, w, p; the normal one: Dirichlet unless free */
-    double value[4];            /* the value (Dirichlet) or outward gradient (Neumann) */
-    double *plane;              /* [m_b][m_a] velocity along the direction on the face, a < b the other directions; owned */
-    double speed;               /* U_c, convective: mean velocity out of the domain at the start of the step, m/s */
+    double value[4];                   /* the value (Dirichlet) or outward gradient (Neumann) */
+    double
+        *plane;   /* [m_b][m_a] velocity along the direction on the face, a < b the other directions; owned */
+    double speed; /* U_c, convective: mean velocity out of the domain at the start of the step, m/s */
 };
 
 struct fluid_boundary {
     struct fluid_boundary_side side[3][2];
-    double inflow;  /* through all given planes, into the domain, m3/s */
-    double outlet;  /* area of the convective sides, m2 */
-    int open;       /* some side has a free normal velocity */
+    double inflow;   /* through all given planes, into the domain, m3/s */
+    double outlet;   /* area of the convective sides, m2 */
+    int open;        /* some side has a free normal velocity */
     int low_unowned; /* some low side's normal velocity is not given: no array owns it */
 };
 
@@ -37,9 +38,11 @@ void fluid_boundary_free(struct fluid_boundary *b);
 
 /* Normal velocities that are not free are set on the faces of the sides, then `layers` ghosts of the three components are
  * exchanged and extended. q [3]. Collective. */
-void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3], int layers);
+void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                             int layers);
 /* Ghosts of a pressure: of the pressure itself (correction = 0), or of a correction, whose values at the sides are 0. */
-void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p, int layers, int correction);
+void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
+                             int layers, int correction);
 /* Normal velocities on low sides that are not given: no array owns them, they follow from continuity in the cells behind
  * them. Not collective. */
 void fluid_boundary_close(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
@@ -51,7 +54,9 @@ static inline ptrdiff_t fluid_boundary_stride(const struct fluid_grid *g, int di
 /* The face of a side for the cell a, b of the other two directions (a < b). */
 static inline size_t fluid_boundary_face(const struct fluid_grid *g, int direction, int side, int a, int b) {
     const int f = side ? g->m[direction] - 1 : -1;
-    return direction == 0 ? fluid_grid_at(g, f, a, b) : direction == 1 ? fluid_grid_at(g, a, f, b) : fluid_grid_at(g, a, b, f);
+    return direction == 0   ? fluid_grid_at(g, f, a, b)
+           : direction == 1 ? fluid_grid_at(g, a, f, b)
+                            : fluid_grid_at(g, a, b, f);
 }
 /* The other two directions, a < b. */
 static inline void fluid_boundary_others(int direction, int *a, int *b) {

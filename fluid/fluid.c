@@ -16,9 +16,10 @@ static struct fluid_poisson *new_poisson(const struct fluid *f) {
         in.d[d] = g->d[d];
         in.ranks[d] = g->ranks[d];
         for (int side = 0; side < 2; side++)
-            in.end[d][side] = g->periodic[d]                                                     ? FLUID_END_PERIODIC
-                              : f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET ? FLUID_END_DIRICHLET
-                                                                                                 : FLUID_END_NEUMANN;
+            in.end[d][side] = g->periodic[d] ? FLUID_END_PERIODIC
+                              : f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET
+                                  ? FLUID_END_DIRICHLET
+                                  : FLUID_END_NEUMANN;
     }
     return fluid_poisson_new(&in);
 }
@@ -49,7 +50,9 @@ static void fill_velocity(struct fluid *f) {
 static void check_driving(const struct fluid_input *in) {
     const int d = in->driving.direction;
     if (in->driving.type == FLUID_DRIVING_BULK && in->side[d][0].type != FLUID_PERIODIC)
-        die_all(EXIT_CODE_SCENE, "fluid.driving: a bulk velocity can be held only in a periodic direction, and %c is not", "xyz"[d]);
+        die_all(EXIT_CODE_SCENE,
+                "fluid.driving: a bulk velocity can be held only in a periodic direction, and %c is not",
+                "xyz"[d]);
 }
 
 struct fluid *fluid_new(const struct fluid_input *in) {
@@ -57,12 +60,15 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     int periodic[3];
     f->in = *in;
     check_driving(in);
-    for (int d = 0; d < 3; d++) periodic[d] = in->side[d][0].type == FLUID_PERIODIC && in->side[d][1].type == FLUID_PERIODIC;
+    for (int d = 0; d < 3; d++)
+        periodic[d] = in->side[d][0].type == FLUID_PERIODIC && in->side[d][1].type == FLUID_PERIODIC;
     f->grid = fluid_grid_new(in->n, in->length, periodic, in->immersed ? 3 : 1);
     f->boundary = fluid_boundary_new(f->grid, in);
-    double **arrays[] = {&f->state.u,      &f->state.v,      &f->state.w, &f->state.p, &f->predicted[0], &f->predicted[1],
-                         &f->predicted[2], &f->rate[0], &f->rate[1], &f->rate[2], &f->correction};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
+    double **arrays[] = {&f->state.u,      &f->state.v,      &f->state.w,      &f->state.p,
+                         &f->predicted[0], &f->predicted[1], &f->predicted[2], &f->rate[0],
+                         &f->rate[1],      &f->rate[2],      &f->correction};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
     f->poisson = new_poisson(f);
     if (in->driving.type == FLUID_DRIVING_GRADIENT) f->state.driving = in->driving.value;
     fill_velocity(f);
@@ -89,11 +95,17 @@ void fluid_free(struct fluid *f) {
 
 const struct fluid_grid *fluid_grid_of(const struct fluid *f) { return f->grid; }
 const struct fluid_input *fluid_input_of(const struct fluid *f) { return &f->in; }
-struct fluid_state *fluid_state_of(struct fluid *f) { return &f->state; }
+struct fluid_state *fluid_state_of(struct fluid *f) {
+    return &f->state;
+}
 double *const *fluid_predicted(struct fluid *f) { return f->predicted; }
-size_t fluid_cells(const struct fluid *f) { return (size_t)f->grid->n[0] * (size_t)f->grid->n[1] * (size_t)f->grid->n[2]; }
+size_t fluid_cells(const struct fluid *f) {
+    return (size_t)f->grid->n[0] * (size_t)f->grid->n[1] * (size_t)f->grid->n[2];
+}
 
-void fluid_predicted_refresh(struct fluid *f, int layers) { fluid_boundary_velocity(f->boundary, f->grid, f->predicted, layers); }
+void fluid_predicted_refresh(struct fluid *f, int layers) {
+    fluid_boundary_velocity(f->boundary, f->grid, f->predicted, layers);
+}
 
 void fluid_state_refresh(struct fluid *f) {
     double *const q[3] = {f->state.u, f->state.v, f->state.w};

@@ -11,18 +11,19 @@ enum fluid_side_type {
     FLUID_INFLOW,   /* normal velocity from a profile; pressure Neumann */
     FLUID_OUTFLOW,  /* convective, mass-conserving; pressure correction Neumann */
     FLUID_PRESSURE, /* open: given pressure, velocities Neumann; pressure correction Dirichlet */
-    FLUID_GENERAL   /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
+    FLUID_GENERAL /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
 };
 enum fluid_profile { FLUID_UNIFORM, FLUID_POISEUILLE, FLUID_PROFILE_FILE };
 enum fluid_condition { FLUID_DIRICHLET, FLUID_NEUMANN };
 
 struct fluid_side {
     enum fluid_side_type type;
-    double velocity[3];              /* wall: its velocity, m/s; general: the values */
-    enum fluid_profile profile;      /* inflow */
-    double bulk_velocity;            /* inflow: mean normal velocity into the domain, m/s */
-    char file[256];                  /* inflow profile from a file: text, one normal velocity a line, second tangential index fastest */
-    double pressure;                 /* pressure: Pa */
+    double velocity[3];         /* wall: its velocity, m/s; general: the values */
+    enum fluid_profile profile; /* inflow */
+    double bulk_velocity;       /* inflow: mean normal velocity into the domain, m/s */
+    char file
+        [256]; /* inflow profile from a file: text, one normal velocity a line, second tangential index fastest */
+    double pressure;                   /* pressure: Pa */
     enum fluid_condition condition[4]; /* general: of u, v, w, p */
 };
 
@@ -36,8 +37,8 @@ struct fluid_driving {
 struct fluid_input {
     int n[3];
     double length[3];
-    double density;   /* kg/m3 */
-    double viscosity; /* kinematic, m2/s */
+    double density;               /* kg/m3 */
+    double viscosity;             /* kinematic, m2/s */
     struct fluid_side side[3][2]; /* [direction][low, high] */
     struct fluid_driving driving;
     double body_force[3];       /* per unit mass, m/s2 */
@@ -89,14 +90,19 @@ struct fluid_limits fluid_stable_step(struct fluid *f);
 struct step_status fluid_check(struct fluid *f);
 
 /* Measures. Collective. */
-double fluid_divergence_max(struct fluid *f);                  /* 1/s */
+double fluid_divergence_max(struct fluid *f); /* 1/s */
 double fluid_cfl(struct fluid *f, double dt);
-double fluid_bulk_velocity(struct fluid *f, int direction);    /* m/s */
-double fluid_kinetic_energy(struct fluid *f);                  /* J */
-void fluid_mean_pressure(struct fluid *f, int direction, double *mean); /* [n[direction]] section means, Pa, on every rank */
+double fluid_bulk_velocity(struct fluid *f, int direction); /* m/s */
+double fluid_kinetic_energy(struct fluid *f);               /* J */
+void fluid_mean_pressure(struct fluid *f, int direction,
+                         double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
 void fluid_box_force(struct fluid *f, double out[3]);
-void fluid_momentum(struct fluid *f, double out[3]);           /* rho int u dV, kg m/s */
+/* The same as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
+ * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
+void fluid_audit_begin(struct fluid *f);
+void fluid_audit_end(struct fluid *f, double out[3]);
+void fluid_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 
 size_t fluid_cells(const struct fluid *f); /* of the whole domain */

@@ -36,7 +36,8 @@ static void choose_or_die(const int n[3], int halo, int ranks[3]) {
     int most = size - 1;
     while (most > 1 && !choose(n, most, halo, ranks)) most--;
     die_all(EXIT_CODE_SCENE,
-            "domain.cells = [%d, %d, %d]: cannot be divided over %d ranks, each of which needs %d cells or more in y and z; "
+            "domain.cells = [%d, %d, %d]: cannot be divided over %d ranks, each of which needs %d cells or "
+            "more in y and z; "
             "the largest number of ranks up to that is %d",
             n[0], n[1], n[2], size, halo, most);
 }
@@ -44,8 +45,8 @@ static void choose_or_die(const int n[3], int halo, int ranks[3]) {
 struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo) {
     for (int d = 0; d < 3; d++)
         if (n[d] < 1 || (periodic[d] && n[d] < halo))
-            die_all(EXIT_CODE_SCENE, "domain.cells = [%d, %d, %d]: each direction needs at least %d cells", n[0], n[1],
-                    n[2], halo);
+            die_all(EXIT_CODE_SCENE, "domain.cells = [%d, %d, %d]: each direction needs at least %d cells",
+                    n[0], n[1], n[2], halo);
     struct fluid_grid *g = calloc(1, sizeof *g);
     choose_or_die(n, halo, g->ranks);
     const int c[3] = {0, par_rank() % g->ranks[1], par_rank() / g->ranks[1]};
@@ -86,5 +87,6 @@ int fluid_grid_rank_of(const struct fluid_grid *g, const double x[3]) {
         cell[d] = (int)at;
         if (cell[d] >= g->n[d]) cell[d] = g->n[d] - 1; /* the far end belongs to the last cell */
     }
-    return par_piece_of(g->n[2], g->ranks[2], cell[2]) * g->ranks[1] + par_piece_of(g->n[1], g->ranks[1], cell[1]);
+    return par_piece_of(g->n[2], g->ranks[2], cell[2]) * g->ranks[1] +
+           par_piece_of(g->n[1], g->ranks[1], cell[1]);
 }

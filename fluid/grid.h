@@ -17,11 +17,11 @@ struct fluid_grid {
     double d[3];      /* cell size, m */
     int periodic[3];
     int halo;
-    int lo[3], m[3];         /* this rank's first cell, and how many */
-    int ranks[3];            /* process grid: ranks[0] = 1 */
-    ptrdiff_t row, plane;    /* strides of j and k */
-    size_t size;             /* doubles in an array with its ghosts */
-    struct par_halo *halos;  /* owned: exchange of ghosts between ranks and across periodic sides */
+    int lo[3], m[3];        /* this rank's first cell, and how many */
+    int ranks[3];           /* process grid: ranks[0] = 1 */
+    ptrdiff_t row, plane;   /* strides of j and k */
+    size_t size;            /* doubles in an array with its ghosts */
+    struct par_halo *halos; /* owned: exchange of ghosts between ranks and across periodic sides */
 };
 
 static inline size_t fluid_grid_at(const struct fluid_grid *g, int i, int j, int k) {

@@ -4,6 +4,12 @@
 #include "fluid/fluid.h"
 #include "fluid/poisson.h"
 
+/* The box's force on its way through a step. */
+struct fluid_audit {
+    int on;
+    double flux[3], force[3]; /* N, this rank's share: of the last stage; of the step */
+};
+
 struct fluid {
     /* parameters */
     struct fluid_input in;
@@ -13,12 +19,18 @@ struct fluid {
     struct fluid_state state;
     /* work, arrays of grid->size */
     double *predicted[3]; /* u*, m/s */
-    double *rate[3];      /* R = -div(uu) + nu lap u of the last stage, m/s2; at open faces, that face's own rate */
-    double *correction;   /* p-hat, Pa */
+    double
+        *rate[3]; /* R = -div(uu) + nu lap u of the last stage, m/s2; at open faces, that face's own rate */
+    double *correction; /* p-hat, Pa */
     struct fluid_poisson *poisson;
-    double shift[3];      /* uniform velocity that the bulk driving adds in this stage, m/s */
+    struct fluid_audit audit;
+    double shift[3]; /* uniform velocity that the bulk driving adds in this stage, m/s */
 };
 
-static inline double *fluid_component(const struct fluid_state *s, int c) { return c == 0 ? s->u : c == 1 ? s->v : s->w; }
+static inline double *fluid_component(const struct fluid_state *s, int c) {
+    return c == 0 ? s->u : c == 1 ? s->v : s->w;
+}
 
+void fluid_audit_flux(struct fluid *f, int r);     /* at the stage's begin. Not collective. */
+void fluid_audit_pressure(struct fluid *f, int r); /* at its end. Not collective. */
 void fluid_project_start(struct fluid *f); /* the initial velocity made divergence-free. Collective. */

@@ -13,9 +13,10 @@ static double convection_rate(const struct fluid *f) {
             const size_t n = fluid_grid_at(g, 0, j, k);
             const double *u = f->state.u + n, *v = f->state.v + n, *w = f->state.w + n;
             for (int i = 0; i < g->m[0]; i++) {
-                const double rate = fmax(fabs(u[i]), fabs(u[i - 1])) / g->d[0] + fmax(fabs(v[i]), fabs(v[i - g->row])) / g->d[1] +
+                const double rate = fmax(fabs(u[i]), fabs(u[i - 1])) / g->d[0] +
+                                    fmax(fabs(v[i]), fabs(v[i - g->row])) / g->d[1] +
                                     fmax(fabs(w[i]), fabs(w[i - g->plane])) / g->d[2];
-                most = rate > most ? rate : most;
+                most = rate <= most ? most : rate == rate ? rate : INFINITY; /* a NaN shows */
             }
         }
     return par_max(most);
@@ -28,7 +29,8 @@ struct fluid_limits fluid_stable_step(struct fluid *f) {
     struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
     if (rate > 0) l.convective = sqrt(3) / rate;
     if (f->in.viscosity > 0)
-        l.viscous = 1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
+        l.viscous =
+            1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
     l.step = fmin(l.convective, l.viscous);
     return l;
 }
@@ -45,13 +47,15 @@ static double speed_beyond_reason(const struct fluid *f) {
         most = fmax(most, fabs(in->initial_velocity[d]));
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
-            for (int c = 0; c < 3; c++) most = fmax(most, fabs(b->value[c]) * (b->condition[c] == FLUID_NEUMANN ? length : 1));
+            for (int c = 0; c < 3; c++)
+                most = fmax(most, fabs(b->value[c]) * (b->condition[c] == FLUID_NEUMANN ? length : 1));
             most = fmax(most, fabs(in->side[d][side].bulk_velocity));
             most = fmax(most, sqrt(fabs(b->value[3]) / in->density));
         }
     }
     for (int d = 0; d < 3; d++) most = fmax(most, sqrt(fabs(in->body_force[d]) * length));
-    if (in->driving.type == FLUID_DRIVING_GRADIENT) most = fmax(most, sqrt(fabs(in->driving.value) * length / in->density));
+    if (in->driving.type == FLUID_DRIVING_GRADIENT)
+        most = fmax(most, sqrt(fabs(in->driving.value) * length / in->density));
     if (in->driving.type == FLUID_DRIVING_BULK) most = fmax(most, fabs(in->driving.value));
     return 1e4 * most;
 }

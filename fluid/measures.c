@@ -15,7 +15,10 @@ double fluid_divergence_max(struct fluid *f) {
     for (int k = 0; k < g->m[2]; k++) {
         double *plane = fluid_poisson_plane(f->poisson, k); /* scratch between steps */
         fluid_momentum_divergence(g, k, 1, q, plane);
-        for (int n = 0; n < g->m[0] * g->m[1]; n++) most = fmax(most, fabs(plane[n]));
+        for (int n = 0; n < g->m[0] * g->m[1]; n++)
+            most = fabs(plane[n]) <= most ? most
+                   : plane[n] == plane[n] ? fabs(plane[n])
+                                          : INFINITY; /* a NaN shows */
     }
     return par_max(most);
 }
@@ -29,7 +32,8 @@ static double sum_of_faces(const struct fluid *f, int c, int squared) {
         for (int j = 0; j < g->m[1]; j++) {
             const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
             double part = 0;
-            for (int i = 0; i < g->m[0]; i++) part += squared ? q[i] * q[i] + q[i - s] * q[i - s] : q[i] + q[i - s];
+            for (int i = 0; i < g->m[0]; i++)
+                part += squared ? q[i] * q[i] + q[i - s] * q[i - s] : q[i] + q[i - s];
             sum += part;
         }
     return 0.5 * sum;
@@ -88,51 +92,107 @@ void fluid_momentum(struct fluid *f, double out[3]) {
     par_sum_array(out, 3);
 }
 
-/* What crosses the control surface of component c at one side of direction d: outward flux of momentum less the traction,
- * (q_d q_c - nu dq_c/dx_d + p/rho delta_cd), times the outward sign, summed over the side, m2/s2.
+/* The faces of component c next to one side of direction d, as advanced() gives them. */
+static void beside(const struct fluid *f, int c, int d, int side, int low[3], int high[3]) {
+    advanced(f, c, low, high);
+    low[d] = side ? high[d] - 1 : low[d];
+    high[d] = low[d] + 1;
+}
+
+/* Flux of momentum of component c through the control surface at one side of direction d, outward, viscous traction
+ * taken off: (q_d q_c - nu dq_c/dx_d) times the outward sign, summed over the side, m2/s2.
  * n: the last advanced value of c at the side; s: towards the outside. */
-static double through_side(const struct fluid *f, int c, int d, int side) {
+static double flux_through_side(const struct fluid *f, int c, int d, int side) {
     const struct fluid_grid *g = f->grid;
-    const double *q = fluid_component(&f->state, c), *through = fluid_component(&f->state, d), *p = f->state.p;
+    const double *q = fluid_component(&f->state, c), *through = fluid_component(&f->state, d);
     const double sign = side ? 1 : -1;
     const ptrdiff_t sd = fluid_boundary_stride(g, d), s = side ? sd : -sd, sc = fluid_boundary_stride(g, c);
     const int free_face = f->boundary->side[d][side].normal == FLUID_NORMAL_FREE;
     int low[3], high[3], at[3];
     double sum = 0;
-    advanced(f, c, low, high);
-    low[d] = side ? high[d] - 1 : low[d];
-    high[d] = low[d] + 1;
+    beside(f, c, d, side, low, high);
     for (at[2] = low[2]; at[2] < high[2]; at[2]++)
         for (at[1] = low[1]; at[1] < high[1]; at[1]++)
             for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
                 const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
                 if (c == d && free_face) { /* beyond an open face: no gradient */
-                    sum += sign * (q[n] * q[n] + p[side ? n + sd : n] / f->in.density);
-                } else if (c == d) { /* through the centre between the last advanced face and the side's own */
+                    sum += sign * q[n] * q[n];
+                } else if (c == d) { /* at the centre between the last advanced face and the side's own */
                     const double mean = 0.5 * (q[n] + q[n + s]);
-                    sum += sign * (mean * mean + p[side ? n + sd : n] / f->in.density) - f->in.viscosity * (q[n + s] - q[n]) / g->d[d];
-                } else { /* through the corners on the side's face */
+                    sum += sign * mean * mean - f->in.viscosity * (q[n + s] - q[n]) / g->d[d];
+                } else { /* at the corners on the side's face */
                     const ptrdiff_t face = side ? n : n - sd;
-                    const double velocity = 0.5 * (through[face] + through[face + sc]), mean = 0.5 * (q[n] + q[n + s]);
+                    const double velocity = 0.5 * (through[face] + through[face + sc]),
+                                 mean = 0.5 * (q[n] + q[n + s]);
                     sum += sign * velocity * mean - f->in.viscosity * (q[n + s] - q[n]) / g->d[d];
                 }
             }
     return sum;
 }
 
-void fluid_box_force(struct fluid *f, double out[3]) {
+/* Pressure over density on the control surface of component d at one side of its direction, times the outward sign, m2/s2. */
+static double pressure_on_side(const struct fluid *f, int d, int side) {
     const struct fluid_grid *g = f->grid;
-    const double volume = cell_volume(g);
+    const ptrdiff_t up = side ? fluid_boundary_stride(g, d) : 0;
+    int low[3], high[3], at[3];
+    double sum = 0;
+    beside(f, d, d, side, low, high);
+    for (at[2] = low[2]; at[2] < high[2]; at[2]++)
+        for (at[1] = low[1]; at[1] < high[1]; at[1]++)
+            for (at[0] = low[0]; at[0] < high[0]; at[0]++)
+                sum += f->state.p[(ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]) + up];
+    return (side ? 1 : -1) * sum / f->in.density;
+}
+
+/* This rank's share of the box's force along c: sources and fluxes; pressure. N */
+static double flux_force(const struct fluid *f, int c) {
+    const struct fluid_grid *g = f->grid;
+    double sum = 0;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+            if (f->boundary->side[d][side].here) sum -= flux_through_side(f, c, d, side) / g->d[d];
+    return f->in.density * cell_volume(g) * sum;
+}
+
+static double source_force(const struct fluid *f, int c, double driving) {
+    int low[3], high[3];
+    advanced(f, c, low, high);
+    const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+    const double source = f->in.body_force[c] + (c == f->in.driving.direction ? driving / f->in.density : 0);
+    return f->in.density * cell_volume(f->grid) * faces * source;
+}
+
+static double pressure_force(const struct fluid *f, int c) {
+    const struct fluid_grid *g = f->grid;
+    double sum = 0;
+    for (int side = 0; side < 2; side++)
+        if (f->boundary->side[c][side].here) sum -= pressure_on_side(f, c, side) / g->d[c];
+    return f->in.density * cell_volume(g) * sum;
+}
+
+void fluid_box_force(struct fluid *f, double out[3]) {
+    for (int c = 0; c < 3; c++)
+        out[c] = flux_force(f, c) + source_force(f, c, f->state.driving) + pressure_force(f, c);
+    par_sum_array(out, 3);
+}
+
+void fluid_audit_begin(struct fluid *f) { f->audit = (struct fluid_audit){.on = 1}; }
+
+void fluid_audit_flux(struct fluid *f, int r) {
     for (int c = 0; c < 3; c++) {
-        int low[3], high[3];
-        advanced(f, c, low, high);
-        const double source = f->in.body_force[c] + (c == f->in.driving.direction ? f->state.driving / f->in.density : 0);
-        const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-        out[c] = faces * source * volume;
-        for (int d = 0; d < 3; d++)
-            for (int side = 0; side < 2; side++)
-                if (f->boundary->side[d][side].here) out[c] -= through_side(f, c, d, side) * volume / g->d[d];
-        out[c] *= f->in.density;
+        const double flux = flux_force(f, c);
+        f->audit.force[c] += fluid_alpha[r] * flux + fluid_beta[r] * f->audit.flux[c];
+        f->audit.flux[c] = flux;
     }
+}
+
+void fluid_audit_pressure(struct fluid *f, int r) {
+    for (int c = 0; c < 3; c++)
+        f->audit.force[c] += fluid_gamma[r] * (pressure_force(f, c) + source_force(f, c, f->state.driving));
+}
+
+void fluid_audit_end(struct fluid *f, double out[3]) {
+    f->audit.on = 0;
+    for (int c = 0; c < 3; c++) out[c] = f->audit.force[c];
     par_sum_array(out, 3);
 }

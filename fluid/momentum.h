@@ -4,11 +4,12 @@
 
 struct fluid_momentum_stage {
     const struct fluid_grid *grid;
-    int faces[3];              /* of u, v, w along their own direction: those that this equation advances, from index 0 */
-    double a, b, c;            /* dt alpha_r, dt beta_r, dt gamma_r, s */
-    double viscosity;          /* m2/s */
-    double inverse_density;    /* m3/kg */
-    double source[3];          /* body force and driving per unit mass, m/s2 */
+    int faces[3]; /* of u, v, w along their own direction: those that this equation advances, from index 0 */
+    double a, b, c;         /* dt alpha_r, dt beta_r, dt gamma_r, s */
+    int keep;               /* R is needed by a later stage: 0 in the last one, b then not 0 */
+    double viscosity;       /* m2/s */
+    double inverse_density; /* m3/kg */
+    double source[3];       /* body force and driving per unit mass, m/s2 */
 };
 
 /* predicted = q + a R + b R_old + c (source - grad p / rho),  R = -div(q q) + nu lap q replaces R_old in rate.
@@ -16,7 +17,7 @@ struct fluid_momentum_stage {
  *      q[3] = u, v, w   faces     m/s    one ghost layer read
  *      p                centres   Pa     one ghost layer read on the high sides
  *      predicted[3]     faces     m/s    written
- *      rate[3]          faces     m/s2   read where b is not 0, written
+ *      rate[3]          faces     m/s2   read where b is not 0, written where it is to be kept
  *
  * The stencil of R at u(i), in one plane: own direction through the centres C, C', others through the corners at c, c'
  *
@@ -29,11 +30,14 @@ void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *
                             double *const predicted[3], double *const rate[3]);
 
 /* The same for faces that lie on an open side (a free normal velocity): a zero gradient of the normal velocity beyond. */
-void fluid_momentum_predict_open(const struct fluid_momentum_stage *s, int direction, int side, const double *const q[3],
-                                 const double *p, double *const predicted[3], double *const rate[3]);
+void fluid_momentum_predict_open(const struct fluid_momentum_stage *s, int direction, int side,
+                                 const double *const q[3], const double *p, double *const predicted[3],
+                                 double *const rate[3]);
 
 /* scale div q of plane k: rhs [m_y][m_x] tight, 1/s times scale. Reads the low ghosts. */
-void fluid_momentum_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3], double *rhs);
-/* q = predicted - c grad phi + shift on all owned faces; reads the high ghosts of phi.   c = gamma_r dt / rho */
+void fluid_momentum_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
+                               double *rhs);
+/* q = predicted - c grad phi + shift on all owned faces, p += phi in the cells; reads the high ghosts of phi.
+ * c = gamma_r dt / rho */
 void fluid_momentum_correct(const struct fluid_grid *g, double c, const double shift[3], const double *phi,
-                            const double *const predicted[3], double *const q[3]);
+                            const double *const predicted[3], double *const q[3], double *p);

@@ -8,12 +8,13 @@
 struct fluid_poisson {
     struct fluid_poisson_input in;
     struct par_pencil *pencil;
-    int x[3], y[3], z[3];            /* shapes of the pencils */
-    struct fluid_transform *t[3];    /* of a plane of the x pencil, a plane of the y pencil, a row of the z pencil */
-    double *lambda[3];               /* of this rank's part of the z pencil, 1/m2 */
-    double inverse_scale;            /* one over what all transforms multiply by */
+    int x[3], y[3], z[3]; /* shapes of the pencils */
+    struct fluid_transform
+        *t[3];            /* of a plane of the x pencil, a plane of the y pencil, a row of the z pencil */
+    double *lambda[3];    /* of this rank's part of the z pencil, 1/m2 */
+    double inverse_scale; /* one over what all transforms multiply by */
     double *home, *y_array, *z_array; /* one array where no transpose stands between them */
-    double *column, *work;           /* [m_x] sums of lambda, and scratch of the bands [n_z][m_x] */
+    double *column, *work;            /* [m_x] sums of lambda, and scratch of the bands [n_z][m_x] */
 };
 
 static int bands(const struct fluid_poisson *p) {
@@ -35,7 +36,12 @@ static void plan(struct fluid_poisson *p) {
     const struct fluid_poisson_input *in = &p->in;
     const int *x = p->x, *y = p->y, *z = p->z;
     const struct fluid_transform_input of[3] = {
-        {.n = x[0], .lines = x[1], .stride = 1, .distance = x[0], .out_stride = 1, .out_distance = (int)in->row},
+        {.n = x[0],
+         .lines = x[1],
+         .stride = 1,
+         .distance = x[0],
+         .out_stride = 1,
+         .out_distance = (int)in->row},
         {.n = y[1], .lines = y[0], .stride = y[0], .distance = 1},
         {.n = z[2], .lines = z[0], .stride = z[0] * z[1], .distance = 1}};
     p->inverse_scale = 1;
@@ -50,7 +56,8 @@ static void plan(struct fluid_poisson *p) {
 
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     struct fluid_poisson *p = calloc(1, sizeof *p);
-    struct par_pencil_input grid = {.n = {in->n[0], in->n[1], in->n[2]}, .ranks = {1, in->ranks[1], in->ranks[2]}};
+    struct par_pencil_input grid = {.n = {in->n[0], in->n[1], in->n[2]},
+                                    .ranks = {1, in->ranks[1], in->ranks[2]}};
     p->in = *in;
     p->pencil = par_pencil_new(&grid);
     par_pencil_shape(p->pencil, p->x, p->y, p->z);
@@ -58,8 +65,10 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     par_pencil_z_low(p->pencil, &low[0], &low[1]);
     for (int d = 0; d < 3; d++) p->lambda[d] = eigenvalues(in, d, low[d], p->z[d]);
     p->home = memory_new_work(MEMORY_FLUID, volume(p->x));
-    p->y_array = par_pencil_same(p->pencil, PAR_PENCIL_XY) ? p->home : memory_new_work(MEMORY_FLUID, volume(p->y));
-    p->z_array = par_pencil_same(p->pencil, PAR_PENCIL_YZ) ? p->y_array : memory_new_work(MEMORY_FLUID, volume(p->z));
+    p->y_array =
+        par_pencil_same(p->pencil, PAR_PENCIL_XY) ? p->home : memory_new_work(MEMORY_FLUID, volume(p->y));
+    p->z_array =
+        par_pencil_same(p->pencil, PAR_PENCIL_YZ) ? p->y_array : memory_new_work(MEMORY_FLUID, volume(p->z));
     p->column = memory_new_work(MEMORY_FLUID, (size_t)p->z[0]);
     if (bands(p)) p->work = memory_new_work(MEMORY_FLUID, (size_t)p->z[0] * (size_t)p->z[2]);
     plan(p);
@@ -92,8 +101,8 @@ void fluid_poisson_plane_forward(struct fluid_poisson *p, int k) {
 }
 
 /* q = b inverse_scale / (lambda + lambda_z), and 0 where that is singular. */
-static void divide(int n, int columns, double scale, const double *restrict lambda, const double *restrict lambda_z,
-                   double *restrict b, ptrdiff_t plane) {
+static void divide(int n, int columns, double scale, const double *restrict lambda,
+                   const double *restrict lambda_z, double *restrict b, ptrdiff_t plane) {
     for (int k = 0; k < n; k++) {
         double *restrict q = b + k * plane;
         const double lz = lambda_z[k];
@@ -117,7 +126,8 @@ static void solve_row(struct fluid_poisson *p, int j) {
     for (int i = 0; i < columns; i++) p->column[i] = p->lambda[0][i] + p->lambda[1][j];
     if (bands(p)) {
         scale_by(n, columns, p->inverse_scale, b, plane);
-        fluid_tridiagonal_solve(n, columns, p->in.d[2], p->in.end[2][0], p->in.end[2][1], p->column, b, plane, p->work);
+        fluid_tridiagonal_solve(n, columns, p->in.d[2], p->in.end[2][0], p->in.end[2][1], p->column, b, plane,
+                                p->work);
     } else {
         fluid_transform_forward(p->t[2], b);
         divide(n, columns, p->inverse_scale, p->column, p->lambda[2], b, plane);
@@ -136,7 +146,9 @@ void fluid_poisson_solve(struct fluid_poisson *p, double *q) {
     for (int j = 0; j < p->z[1]; j++) solve_row(p, j);
     if (cut_yz) par_pencil_backward(p->pencil, PAR_PENCIL_YZ, p->z_array, p->y_array);
     if (cut_xy) {
-        for (int k = 0; k < p->y[2]; k++) fluid_transform_backward(p->t[1], p->y_array + (size_t)k * y_plane, p->y_array + (size_t)k * y_plane);
+        for (int k = 0; k < p->y[2]; k++)
+            fluid_transform_backward(p->t[1], p->y_array + (size_t)k * y_plane,
+                                     p->y_array + (size_t)k * y_plane);
         par_pencil_backward(p->pencil, PAR_PENCIL_XY, p->y_array, p->home);
     }
     for (int k = 0; k < p->x[2]; k++) {

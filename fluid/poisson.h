@@ -9,11 +9,11 @@ enum fluid_poisson_last { FLUID_POISSON_AUTO, FLUID_POISSON_TRANSFORM, FLUID_POI
 
 struct fluid_poisson_input {
     int n[3];
-    double d[3];                 /* m */
-    int ranks[3];                /* process grid, as fluid_grid's */
-    enum fluid_end end[3][2];    /* of the unknown at the low and high face: value 0 or normal derivative 0 */
+    double d[3];              /* m */
+    int ranks[3];             /* process grid, as fluid_grid's */
+    enum fluid_end end[3][2]; /* of the unknown at the low and high face: value 0 or normal derivative 0 */
     enum fluid_poisson_last last;
-    ptrdiff_t row, plane;        /* strides of the array that the solution is written to */
+    ptrdiff_t row, plane; /* strides of the array that the solution is written to */
 };
 
 struct fluid_poisson; /* opaque: plans, eigenvalues, pencils, work */

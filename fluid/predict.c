@@ -21,8 +21,10 @@ void fluid_predict(struct fluid *f, int r, double dt) {
                                      .a = dt * fluid_alpha[r],
                                      .b = dt * fluid_beta[r],
                                      .c = dt * fluid_gamma[r],
+                                     .keep = r < 2,
                                      .viscosity = f->in.viscosity,
                                      .inverse_density = 1 / f->in.density};
+    if (f->audit.on) fluid_audit_flux(f, r);
     clock_begin(CLOCK_MOMENTUM);
     count_faces(g, s.faces);
     for (int d = 0; d < 3; d++) s.source[d] = f->in.body_force[d];

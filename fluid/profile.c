@@ -91,7 +91,8 @@ static void read_file(const char *path, int na, int nb, double *profile) {
     par_bcast(&more, sizeof more, 0);
     if (read < 0) die_all(EXIT_CODE_FILE, "%s: cannot be read", path);
     if (read < na * nb || more)
-        die_all(EXIT_CODE_FILE, "%s: holds %s than the %d x %d velocities of the inflow", path, more ? "more" : "fewer", na, nb);
+        die_all(EXIT_CODE_FILE, "%s: holds %s than the %d x %d velocities of the inflow", path,
+                more ? "more" : "fewer", na, nb);
     par_bcast(profile, (size_t)na * (size_t)nb * sizeof *profile, 0);
 }
 
@@ -105,5 +106,6 @@ void fluid_profile_inflow(const struct fluid_input *in, int direction, int side,
         return;
     }
     if (s->profile == FLUID_POISEUILLE) fluid_profile_developed(in, direction, profile);
-    for (int i = 0; i < count; i++) profile[i] = s->bulk_velocity * (s->profile == FLUID_POISEUILLE ? profile[i] : 1.0);
+    for (int i = 0; i < count; i++)
+        profile[i] = s->bulk_velocity * (s->profile == FLUID_POISEUILLE ? profile[i] : 1.0);
 }

@@ -1,12 +1,14 @@
 #include "fluid/transform.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "fluid/transform_pair.h"
 
 #include <fftw3.h>
 #include <math.h>
 #include <stdlib.h>
 
 struct fluid_transform {
+    struct fluid_transform_pair *pair; /* does it all where it can */
     fftw_plan forward, backward;
 };
 
@@ -44,15 +46,17 @@ double fluid_transform_scale(int n, enum fluid_end low, enum fluid_end high) {
     return low == FLUID_END_PERIODIC ? n : 2.0 * n;
 }
 
-static fftw_plan plan(const struct fluid_transform_input *in, fftw_r2r_kind kind, double *from, double *to, int stride,
-                      int distance) {
-    return fftw_plan_many_r2r(1, &in->n, in->lines, from, NULL, in->stride, in->distance, to, NULL, stride, distance,
-                              &kind, FFTW_MEASURE | FFTW_UNALIGNED | FFTW_DESTROY_INPUT);
+static fftw_plan plan(const struct fluid_transform_input *in, fftw_r2r_kind kind, double *from, double *to,
+                      int stride, int distance) {
+    return fftw_plan_many_r2r(1, &in->n, in->lines, from, NULL, in->stride, in->distance, to, NULL, stride,
+                              distance, &kind, FFTW_MEASURE | FFTW_UNALIGNED | FFTW_DESTROY_INPUT);
 }
 
 struct fluid_transform *fluid_transform_new(const struct fluid_transform_input *in) {
     struct fluid_transform *t = calloc(1, sizeof *t);
     fftw_r2r_kind forward, backward;
+    t->pair = fluid_transform_pair_new(in);
+    if (t->pair) return t;
     kinds(in->low, in->high, &forward, &backward);
     const size_t last = (size_t)(in->n - 1), lines = (size_t)(in->lines - 1);
     const size_t count = last * (size_t)in->stride + lines * (size_t)in->distance + 1;
@@ -73,15 +77,24 @@ struct fluid_transform *fluid_transform_new(const struct fluid_transform_input *
 
 void fluid_transform_free(struct fluid_transform *t) {
     if (!t) return;
-    fftw_destroy_plan(t->forward);
-    fftw_destroy_plan(t->backward);
+    if (!t->pair) {
+        fftw_destroy_plan(t->forward);
+        fftw_destroy_plan(t->backward);
+    }
+    fluid_transform_pair_free(t->pair);
     free(t);
 }
 
 void fluid_transform_forward(const struct fluid_transform *t, double *in_place) {
-    fftw_execute_r2r(t->forward, in_place, in_place);
+    if (t->pair)
+        fluid_transform_pair_forward(t->pair, in_place);
+    else
+        fftw_execute_r2r(t->forward, in_place, in_place);
 }
 
 void fluid_transform_backward(const struct fluid_transform *t, double *from, double *to) {
-    fftw_execute_r2r(t->backward, from, to);
+    if (t->pair)
+        fluid_transform_pair_backward(t->pair, from, to);
+    else
+        fftw_execute_r2r(t->backward, from, to);
 }

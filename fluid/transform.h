@@ -13,10 +13,10 @@ void fluid_transform_eigenvalues(int n, double d, enum fluid_end low, enum fluid
 double fluid_transform_scale(int n, enum fluid_end low, enum fluid_end high);
 
 struct fluid_transform_input {
-    int n;          /* values of a line */
+    int n; /* values of a line */
     enum fluid_end low, high;
     int lines;
-    int stride, distance;         /* between values of a line, between lines; of the array transformed in place */
+    int stride, distance; /* between values of a line, between lines; of the array transformed in place */
     int out_stride, out_distance; /* of the array that the backward transform writes; 0: in place */
 };
 

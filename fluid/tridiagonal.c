@@ -20,7 +20,8 @@ static void begin(int columns, double a, double diagonal, const double *restrict
     }
 }
 
-static void substitute(int columns, const double *restrict c, const double *restrict q_after, double *restrict q) {
+static void substitute(int columns, const double *restrict c, const double *restrict q_after,
+                       double *restrict q) {
     for (int i = 0; i < columns; i++) q[i] -= c[i] * q_after[i];
 }
 
@@ -31,8 +32,8 @@ static void remove_mean(int n, double *column, ptrdiff_t plane) {
     for (int k = 0; k < n; k++) column[k * plane] -= mean;
 }
 
-void fluid_tridiagonal_solve(int n, int columns, double d, enum fluid_end low, enum fluid_end high, const double *lambda,
-                             double *b, ptrdiff_t plane, double *work) {
+void fluid_tridiagonal_solve(int n, int columns, double d, enum fluid_end low, enum fluid_end high,
+                             const double *lambda, double *b, ptrdiff_t plane, double *work) {
     const double a = 1 / (d * d);
     const double first = low == FLUID_END_NEUMANN ? a : -a, last = high == FLUID_END_NEUMANN ? a : -a;
     const int neumann = low == FLUID_END_NEUMANN && high == FLUID_END_NEUMANN;
@@ -46,9 +47,11 @@ void fluid_tridiagonal_solve(int n, int columns, double d, enum fluid_end low, e
         else
             eliminate(columns, a, diagonal, lambda, q - plane, c - columns, q, c);
     }
-    for (int i = 0; neumann && i < columns; i++) /* a singular column's last pivot is round-off: fix the last value */
+    for (int i = 0; neumann && i < columns;
+         i++) /* a singular column's last pivot is round-off: fix the last value */
         if (lambda[i] == 0) b[(n - 1) * plane + i] = 0;
-    for (int k = n - 2; k >= 0; k--) substitute(columns, work + (ptrdiff_t)k * columns, b + (k + 1) * plane, b + k * plane);
+    for (int k = n - 2; k >= 0; k--)
+        substitute(columns, work + (ptrdiff_t)k * columns, b + (k + 1) * plane, b + k * plane);
     for (int i = 0; neumann && i < columns; i++)
         if (lambda[i] == 0) remove_mean(n, b + i, plane);
 }

@@ -10,5 +10,5 @@
  * b       [n][columns]  strides `plane` and 1; overwritten by q
  * lambda  [columns]     1/m2
  * work    [n][columns]  tight */
-void fluid_tridiagonal_solve(int n, int columns, double d, enum fluid_end low, enum fluid_end high, const double *lambda,
-                             double *b, ptrdiff_t plane, double *work);
+void fluid_tridiagonal_solve(int n, int columns, double d, enum fluid_end low, enum fluid_end high,
+                             const double *lambda, double *b, ptrdiff_t plane, double *work);

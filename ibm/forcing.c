@@ -11,7 +11,8 @@ void ibm_interpolate(struct ibm *b, double *const u[3], double given[3], double 
         const struct ibm_stencil *s = &b->stencil[h];
         const struct ibm_marker *m = &b->marker[h];
         for (int c = 0; c < 3; c++) {
-            const double *x = s->weight[c == 0] + IBM_X, *y = s->weight[c == 1] + IBM_Y, *z = s->weight[c == 2] + IBM_Z;
+            const double *x = s->weight[c == 0] + IBM_X, *y = s->weight[c == 1] + IBM_Y,
+                         *z = s->weight[c == 2] + IBM_Z;
             const double lack = m->v[c] - ibm_kernel_gather(u[c] + s->at[c], row, plane, x, y, z);
             b->increment[c][h] = lack * m->volume;
             sum[c] += lack * m->volume * m->share[c];
@@ -29,7 +30,8 @@ void ibm_spread(struct ibm *b, double *const u[3]) {
         const struct ibm_stencil *s = &b->stencil[h];
         double *const *to = b->marker[h].inside ? u : b->shell;
         for (int c = 0; c < 3; c++) {
-            const double *x = s->weight[c == 0] + IBM_X, *y = s->weight[c == 1] + IBM_Y, *z = s->weight[c == 2] + IBM_Z;
+            const double *x = s->weight[c == 0] + IBM_X, *y = s->weight[c == 1] + IBM_Y,
+                         *z = s->weight[c == 2] + IBM_Z;
             ibm_kernel_scatter(to[c] + s->at[c], row, plane, x, y, z, b->increment[c][h]);
         }
     }

@@ -18,13 +18,15 @@ void ibm_free(struct ibm *b);
 
 /* The markers of this time step, each rank its own: position (wrapped where periodic; one outside the domain is left out),
  * velocity, and volume A_h dx (m3). Weights are kept when no marker has moved since the last call. Collective. */
-void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume);
+void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3],
+                 const double *volume);
 
 /* Multidirect forcing of the fluid's predicted velocity at RK stage r; dt_r = gamma_r dt. Collective. */
 void ibm_force(struct ibm *b, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid, N. Collective. */
 void ibm_force_total(struct ibm *b, double force[3]);
-double ibm_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
+double
+ibm_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 
 /* The root's pressure gradient is rho (f - dV_h/dt).n, f the fluid's body force and driving; pressures and tractions include the
  * linear part of a driving pressure gradient, -G x (x as given, not wrapped), so that it pushes on a body as on the fluid.
@@ -37,4 +39,5 @@ struct ibm_probe_input {
     const double *acceleration_n;   /* [n] */
     double length;                  /* probe length / dx, default 2 */
 };
-void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const traction[3], double *pressure, uint8_t *active);
+void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const traction[3], double *pressure,
+               uint8_t *active);

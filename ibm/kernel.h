@@ -25,19 +25,10 @@ static inline void ibm_kernel_weights(double t, double w[3]) {
     w[2] = 0.5 * (1 - middle + t);
 }
 
-/* The probe's two points, half a cell to either side of the tip, share the offset t from their nearest grid points: four
- * grid points i-1 .. i+2 in all. value: the mean of the two; slope: their difference over the cell size d. */
-static inline void ibm_kernel_pair(double t, double d, double value[4], double slope[4]) {
-    double w[3];
-    ibm_kernel_weights(t, w);
-    value[0] = 0.5 * w[0], value[1] = 0.5 * (w[0] + w[1]), value[2] = 0.5 * (w[1] + w[2]), value[3] = 0.5 * w[2];
-    slope[0] = -w[0] / d, slope[1] = (w[0] - w[1]) / d, slope[2] = (w[1] - w[2]) / d, slope[3] = w[2] / d;
-}
-
 /* sum_kji field w_z[k] w_y[j] w_x[i]  (001: eq. 3.79)
  * field: first value of the block; row, plane: strides of j and k; x [4], the last unused. */
-static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdiff_t plane, const double *x, const double *y,
-                                       const double *z) {
+static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdiff_t plane, const double *x,
+                                       const double *y, const double *z) {
     ibm_row sum = ibm_row_set(0);
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++)
@@ -46,8 +37,8 @@ static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdi
 }
 
 /* field += strength w_z[k] w_y[j] w_x[i]  (001: eq. 3.81)      x [4], the last 0. */
-static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t plane, const double *x, const double *y,
-                                      const double *z, double strength) {
+static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t plane, const double *x,
+                                      const double *y, const double *z, double strength) {
     const ibm_row along = ibm_row_load(x) * ibm_row_set(strength);
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++) {

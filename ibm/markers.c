@@ -6,7 +6,6 @@
 #include "ibm/kernel.h"
 #include "ibm/state.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { KEPT = 7, PLACED = 4 }; /* position, velocity, volume; wrapped position in cells and volume */
@@ -28,7 +27,6 @@ void ibm_free(struct ibm *b) {
     ibm_route_free(&b->route);
     ibm_route_free(&b->probe);
     memory_free(b->kept);
-    memory_free(b->order);
     memory_free(b->stencil);
     memory_free(b->marker);
     for (int c = 0; c < 3; c++) {
@@ -39,8 +37,8 @@ void ibm_free(struct ibm *b) {
 }
 
 /* Keeps a copy of what was given; tells whether positions or volumes [0], or velocities [1], differ from the last. */
-static void keep(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume,
-                 double differs[2]) {
+static void keep(struct ibm *b, int n, const double *const x[3], const double *const v[3],
+                 const double *volume, double differs[2]) {
     differs[0] = n != b->route.n || !b->route.plan;
     differs[1] = differs[0];
     ibm_reserve(&b->kept, &b->kept_size, (size_t)n * KEPT);
@@ -60,10 +58,8 @@ static void reserve_markers(struct ibm *b, int n) {
     b->n = n;
     if (n <= b->capacity) return;
     b->capacity = n + n / 4;
-    memory_free(b->order);
     memory_free(b->stencil);
     memory_free(b->marker);
-    b->order = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof *b->order);
     b->stencil = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof *b->stencil);
     b->marker = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof *b->marker);
     for (int c = 0; c < 3; c++) {
@@ -72,35 +68,10 @@ static void reserve_markers(struct ibm *b, int n) {
     }
 }
 
-struct cell_of_item {
-    size_t cell;
-    int item;
-};
-
-static int compare_cells(const void *a, const void *b) {
-    const struct cell_of_item *p = a, *q = b;
-    if (p->cell != q->cell) return p->cell < q->cell ? -1 : 1;
-    return p->item - q->item;
-}
-
-/* order[k] <- the item of arrival that comes k-th by cell, x fastest. */
-static void sort_by_cell(struct ibm *b, const double *placed) {
-    const struct fluid_grid *g = b->grid;
-    struct cell_of_item *key = malloc(((size_t)b->n + 1) * sizeof *key);
-    for (int h = 0; h < b->n; h++) {
-        const double *s = placed + (size_t)h * PLACED;
-        key[h].cell = ((size_t)s[2] * (size_t)g->n[1] + (size_t)s[1]) * (size_t)g->n[0] + (size_t)s[0];
-        key[h].item = h;
-    }
-    qsort(key, (size_t)b->n, sizeof *key, compare_cells);
-    for (int h = 0; h < b->n; h++) b->order[h] = key[h].item;
-    free(key);
-}
-
 /* One direction of a marker: the first of three grid points in each alignment, the weights, and the part of the weights'
  * sum that falls on points which take a force. s: position in cells from this rank's first. */
-static void set_direction(const struct fluid_grid *g, int d, double s, int first[2], double *weight[2], double share[2],
-                          int inside[2]) {
+static void set_direction(const struct fluid_grid *g, int d, double s, int first[2], double *weight[2],
+                          double share[2], int inside[2]) {
     const double point[2] = {0.5, 1.0}; /* position of the grid point 0 */
     for (int a = 0; a < 2; a++) {
         const double near = floor(s - point[a] + 0.5);
@@ -119,8 +90,8 @@ static void set_direction(const struct fluid_grid *g, int d, double s, int first
 }
 
 /* Offsets, weights, share and place of one marker; returns, by bits, the directions in which it is not inside. */
-static int set_marker(const struct ibm *b, const double s[3], struct ibm_stencil *stencil, struct ibm_marker *marker,
-                      int x[2]) {
+static int set_marker(const struct ibm *b, const double s[3], struct ibm_stencil *stencil,
+                      struct ibm_marker *marker, int x[2]) {
     static const int part[3] = {IBM_X, IBM_Y, IBM_Z};
     int first[3][2], inside[3][2], outside = 0;
     double share[3][2];
@@ -131,7 +102,8 @@ static int set_marker(const struct ibm *b, const double s[3], struct ibm_stencil
     }
     stencil->weight[0][3] = stencil->weight[1][3] = 0;
     for (int c = 0; c < 3; c++) {
-        stencil->at[c] = (ptrdiff_t)fluid_grid_at(b->grid, first[0][c == 0], first[1][c == 1], first[2][c == 2]);
+        stencil->at[c] =
+            (ptrdiff_t)fluid_grid_at(b->grid, first[0][c == 0], first[1][c == 1], first[2][c == 2]);
         marker->share[c] = share[0][c == 0] * share[1][c == 1] * share[2][c == 2];
     }
     marker->inside = !outside;
@@ -156,11 +128,11 @@ static void place(struct ibm *b, int n, const double *const x[3], const double *
     reserve_markers(b, par_exchange_count(route->plan));
     ibm_reserve(&route->served, &route->served_size, (size_t)b->n * PLACED);
     par_exchange_forward(route->plan, route->mine, route->served, PLACED * sizeof(double));
-    if (renewed) sort_by_cell(b, route->served);
+    if (renewed) ibm_route_sort(route, g, route->served, PLACED);
 
     int range[2] = {b->x_low, b->x_high}, outside = 0;
     for (int k = 0; k < b->n; k++) {
-        const double *item = route->served + (size_t)b->order[k] * PLACED;
+        const double *item = route->served + (size_t)route->order[k] * PLACED;
         outside |= set_marker(b, item, &b->stencil[k], &b->marker[k], range);
         b->marker[k].volume = item[3];
     }
@@ -177,10 +149,12 @@ static void send_velocities(struct ibm *b, int n, const double *const v[3]) {
     for (int h = 0; h < n; h++)
         for (int d = 0; d < 3; d++) route->mine[(size_t)h * 3 + (size_t)d] = v[d][h];
     par_exchange_forward(route->plan, route->mine, route->served, 3 * sizeof(double));
-    for (int k = 0; k < b->n; k++) memcpy(b->marker[k].v, route->served + (size_t)b->order[k] * 3, 3 * sizeof(double));
+    for (int k = 0; k < b->n; k++)
+        memcpy(b->marker[k].v, route->served + (size_t)route->order[k] * 3, 3 * sizeof(double));
 }
 
-void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume) {
+void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3],
+                 const double *volume) {
     clock_begin(CLOCK_FORCING);
     double differs[2];
     keep(b, n, x, v, volume, differs);

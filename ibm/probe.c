@@ -10,58 +10,93 @@
 
 enum { SENT = 6, RETURNED = 5 }; /* tip in cells, normal; p|e, dp/dn|e, viscous traction */
 
-/* value and slope weights of the three directions, and each direction's first grid point, for both alignments */
+/* Eight doubles: four values along x, twice. */
+typedef double pair __attribute__((vector_size(64)));
+
+/* The weights of a field's two sweeps, by alignment: value and slope of each of four rows or planes side by side in the
+ * halves of a pair, and of the four values along x. */
 struct tip {
-    int first[3][2];
-    double value[3][2][4], slope[3][2][4];
+    int first[3][2]; /* [direction][alignment] first grid point */
+    pair y[2][4];    /* value | slope */
+    double value_z[2][4], slope_z[2][4];
+    pair value_x[2], mixed_x[2]; /* value | value, slope | value */
 };
 
-static void tip_set(const struct fluid_grid *g, const double s[3], struct tip *e) {
-    const double point[2] = {0.5, 1.0}; /* position of the grid point 0, cells */
-    for (int d = 0; d < 3; d++)
-        for (int a = 0; a < 2; a++) {
-            const double low = s[d] - g->lo[d] - point[a] - 0.5; /* the lower of the two points, from the grid point 0 */
-            const double near = floor(low + 0.5);
-            e->first[d][a] = (int)near - 1;
-            ibm_kernel_pair(low - near, g->d[d], e->value[d][a], e->slope[d][a]);
-        }
+static pair pair_set(double low, double high) { return (pair){low, low, low, low, high, high, high, high}; }
+
+static pair twice(const double *p) {
+    const ibm_row line = ibm_row_load(p);
+    return __builtin_shufflevector(line, line, 0, 1, 2, 3, 0, 1, 2, 3);
 }
 
-static double across(ibm_row r, const double x[4]) { return r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + r[3] * x[3]; }
-
-/* Value and gradient of one field at the tip: out[4] = f, df/dx, df/dy, df/dz.  (001: eqs 3.83, 3.84, 3.86) */
-static void contract(const double *field, const struct fluid_grid *g, const struct tip *e, const int align[3], double out[4]) {
-    const double *at = field + fluid_grid_at(g, e->first[0][align[0]], e->first[1][align[1]], e->first[2][align[2]]);
-    const double *value_y = e->value[1][align[1]], *slope_y = e->slope[1][align[1]];
-    const double *value_z = e->value[2][align[2]], *slope_z = e->slope[2][align[2]];
-    ibm_row mean = ibm_row_set(0), dy = mean, dz = mean;
-    for (int k = 0; k < 4; k++) {
-        ibm_row plane = ibm_row_set(0), plane_dy = plane;
-        for (int j = 0; j < 4; j++) {
-            const ibm_row line = ibm_row_load(at + k * g->plane + j * g->row);
-            plane += ibm_row_set(value_y[j]) * line;
-            plane_dy += ibm_row_set(slope_y[j]) * line;
-        }
-        mean += ibm_row_set(value_z[k]) * plane;
-        dy += ibm_row_set(value_z[k]) * plane_dy;
-        dz += ibm_row_set(slope_z[k]) * plane;
+/* Both points of a direction are offset alike from their nearest grid points, i and i+1: four grid points i-1 .. i+2, with
+ * the mean of the two kernels for the value, and their difference over the cell for the slope. The three directions in
+ * two alignments are six lanes of one vector. */
+static void tip_set(const struct fluid_grid *g, const double s[3], struct tip *e) {
+    enum { LANES = 8 }; /* 3 alignment + direction; the last two idle */
+    double low[LANES] = {0}, per_cell[LANES] = {0}, near[LANES], value[4][LANES], slope[4][LANES];
+    for (int d = 0; d < 3; d++) {
+        low[d] =
+            s[d] - g->lo[d] - 1.0; /* the lower point, from the grid point 0, cells: centres stand at 1/2 */
+        low[3 + d] = low[d] - 0.5; /* faces at 1 */
+        per_cell[d] = per_cell[3 + d] = 1 / g->d[d];
     }
-    out[0] = across(mean, e->value[0][align[0]]);
-    out[1] = across(mean, e->slope[0][align[0]]);
-    out[2] = across(dy, e->value[0][align[0]]);
-    out[3] = across(dz, e->value[0][align[0]]);
+    for (int l = 0; l < LANES; l++) {
+        double w[3];
+        near[l] = floor(low[l] + 0.5);
+        ibm_kernel_weights(low[l] - near[l], w);
+        value[0][l] = 0.5 * w[0], slope[0][l] = -w[0] * per_cell[l];
+        value[1][l] = 0.5 * (w[0] + w[1]), slope[1][l] = (w[0] - w[1]) * per_cell[l];
+        value[2][l] = 0.5 * (w[1] + w[2]), slope[2][l] = (w[1] - w[2]) * per_cell[l];
+        value[3][l] = 0.5 * w[2], slope[3][l] = w[2] * per_cell[l];
+    }
+    for (int a = 0; a < 2; a++) {
+        const int x = 3 * a, y = x + 1, z = x + 2;
+        for (int d = 0; d < 3; d++) e->first[d][a] = (int)near[x + d] - 1;
+        for (int i = 0; i < 4; i++) {
+            e->y[a][i] = pair_set(value[i][y], slope[i][y]);
+            e->value_z[a][i] = value[i][z];
+            e->slope_z[a][i] = slope[i][z];
+        }
+        const double v[4] = {value[0][x], value[1][x], value[2][x], value[3][x]};
+        e->value_x[a] = (pair){v[0], v[1], v[2], v[3], v[0], v[1], v[2], v[3]};
+        e->mixed_x[a] = (pair){slope[0][x], slope[1][x], slope[2][x], slope[3][x], v[0], v[1], v[2], v[3]};
+    }
+}
+
+/* Value and gradient of one field at the tip: out[4] = f, df/dx, df/dy, df/dz.  (001: eqs 3.83, 3.84, 3.86)
+ * at: first value of the block; x, y, z: the field's alignments. */
+static inline void contract(const double *at, ptrdiff_t row, ptrdiff_t plane, const struct tip *e, int x,
+                            int y, int z, double out[4]) {
+    const pair y0 = e->y[y][0], y1 = e->y[y][1], y2 = e->y[y][2], y3 = e->y[y][3];
+    pair mean_dy = pair_set(0, 0), dz = mean_dy;
+    for (int k = 0; k < 4; k++, at += plane) {
+        const pair sum =
+            y0 * twice(at) + y1 * twice(at + row) + y2 * twice(at + 2 * row) + y3 * twice(at + 3 * row);
+        mean_dy += e->value_z[z][k] * sum;
+        dz += e->slope_z[z][k] * sum; /* its first half */
+    }
+    const pair a = e->value_x[x] * mean_dy; /* f | df/dy */
+    const pair b =
+        e->mixed_x[x] * __builtin_shufflevector(mean_dy, dz, 0, 1, 2, 3, 8, 9, 10, 11); /* df/dx | df/dz */
+    const pair halves = __builtin_shufflevector(a, b, 0, 8, 4, 12, 2, 10, 6, 14) +
+                        __builtin_shufflevector(a, b, 1, 9, 5, 13, 3, 11, 7, 15);
+    for (int i = 0; i < 4; i++) out[i] = halves[i] + halves[4 + i];
 }
 
 /* One served probe: item[SENT] -> p|e, dp/dn|e, mu (grad u + grad u^T)|e n.  (001: eqs 3.88-3.95) */
-static void measure(const struct fluid_grid *g, const struct fluid_state *f, double mu, const double item[SENT],
-                    double result[RETURNED]) {
-    static const int align[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+static void measure(const struct fluid_grid *g, const struct fluid_state *f, double mu,
+                    const double item[SENT], double result[RETURNED]) {
     const double *field[3] = {f->u, f->v, f->w}, *n = item + 3;
     struct tip e;
     double p[4], u[3][4];
     tip_set(g, item, &e);
-    contract(f->p, g, &e, align[3], p);
-    for (int c = 0; c < 3; c++) contract(field[c], g, &e, align[c], u[c]);
+    contract(f->p + fluid_grid_at(g, e.first[0][0], e.first[1][0], e.first[2][0]), g->row, g->plane, &e, 0, 0,
+             0, p);
+    for (int c = 0; c < 3; c++) {
+        const size_t at = fluid_grid_at(g, e.first[0][c == 0], e.first[1][c == 1], e.first[2][c == 2]);
+        contract(field[c] + at, g->row, g->plane, &e, c == 0, c == 1, c == 2, u[c]);
+    }
     result[0] = p[0];
     result[1] = p[1] * n[0] + p[2] * n[1] + p[3] * n[2];
     for (int c = 0; c < 3; c++) {
@@ -92,14 +127,15 @@ static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, d
     ibm_reserve(&route->served, &route->served_size, served * (SENT + RETURNED));
     par_exchange_forward(route->plan, sent, route->served, SENT * sizeof(double));
     double *result = route->served + served * SENT;
-    for (size_t k = 0; k < served; k++)
-        measure(g, fluid_state_of(b->fluid), fluid->density * fluid->viscosity, route->served + k * SENT,
-                result + k * RETURNED);
+    for (size_t h = 0; h < served; h++) /* in order of arrival: near particles have near numbers */
+        measure(g, fluid_state_of(b->fluid), fluid->density * fluid->viscosity, route->served + h * SENT,
+                result + h * RETURNED);
     par_exchange_backward(route->plan, result, back, RETURNED * sizeof(double));
     return back;
 }
 
-void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const traction[3], double *pressure, uint8_t *active) {
+void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const traction[3], double *pressure,
+               uint8_t *active) {
     clock_begin(CLOCK_PROBE);
     const struct fluid_input *fluid = fluid_input_of(b->fluid);
     double length[3], push[3], gradient[3] = {0, 0, 0};

@@ -6,7 +6,9 @@
 
 #include <string.h>
 
-enum { REACH = 4 }; /* such a marker's three blocks span cells -2 .. 2 from the low side, m-4 .. m+1 at the high one */
+enum {
+    REACH = 4
+}; /* such a marker's three blocks span cells -2 .. 2 from the low side, m-4 .. m+1 at the high one */
 
 static int near_side(const struct fluid_grid *g, int direction, int i) {
     return i < REACH || i >= g->m[direction] - REACH;
@@ -47,7 +49,8 @@ void ibm_shell_add(struct ibm *b, double *const u[3]) {
     for (int c = 0; c < 3; c++) {
         /* faces on the domain's sides take no force */
         int m[3];
-        for (int d = 0; d < 3; d++) m[d] = g->m[d] - (d == c && !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d]);
+        for (int d = 0; d < 3; d++)
+            m[d] = g->m[d] - (d == c && !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d]);
         for (int k = 0; k < m[2]; k++)
             for (int j = 0; j < m[1]; j++) {
                 const int ranges = row_ranges(b, j, k, 0, range);

@@ -14,41 +14,42 @@ struct ibm_stencil {
 enum { IBM_X = 0, IBM_Y = 4, IBM_Z = 7 };
 
 struct ibm_marker {
-    double v[3];     /* velocity, m/s */
-    double volume;   /* A_h dx / cell volume */
-    double share[3]; /* fraction of the force that falls on faces which take it: 1 away from the domain's sides */
-    int inside;      /* the block touches none but faces of this rank that take a force */
+    double v[3];   /* velocity, m/s */
+    double volume; /* A_h dx / cell volume */
+    double share
+        [3];    /* fraction of the force that falls on faces which take it: 1 away from the domain's sides */
+    int inside; /* the block touches none but faces of this rank that take a force */
 };
 
 /* A layout's items on their way: what they were, and who serves them. */
 struct ibm_route {
     int n, capacity;
-    int *dest;                /* [n] */
+    int *dest; /* [n] */
     struct par_exchange *plan;
-    double *mine, *served;    /* buffers: what is sent, what has arrived */
+    int *order, order_capacity; /* [served] in order of cells <- by arrival */
+    double *mine, *served;      /* buffers: what is sent, what has arrived */
     size_t mine_size, served_size;
 };
 
 struct ibm {
-    struct fluid *fluid;              /* borrowed */
-    const struct fluid_grid *grid;    /* borrowed */
+    struct fluid *fluid;           /* borrowed */
+    const struct fluid_grid *grid; /* borrowed */
     int iterations;
 
-    struct ibm_route route;           /* of the markers */
-    double *kept;                     /* [n][7] position, velocity, volume of this rank's own markers, last call */
+    struct ibm_route route; /* of the markers */
+    double *kept;           /* [n][7] position, velocity, volume of this rank's own markers, last call */
     size_t kept_size;
-    int n, capacity;                  /* markers served here */
-    int *order;                       /* [n] served index in order of cells <- index of arrival */
-    struct ibm_stencil *stencil;      /* [n] */
-    struct ibm_marker *marker;        /* [n] */
-    double *increment[3];             /* [n] (V - U) A_h dx / cell volume, m/s */
+    int n, capacity;             /* markers served here */
+    struct ibm_stencil *stencil; /* [n] */
+    struct ibm_marker *marker;   /* [n] */
+    double *increment[3];        /* [n] (V - U) A_h dx / cell volume, m/s */
 
-    double *shell[3];                 /* as the grid's arrays: forces near the sides of this rank's piece */
-    int crossing;                     /* some marker on some rank reaches over a side of a rank's piece */
-    int crossing_x;                   /* ... of the domain in x */
-    int x_low, x_high;                /* local range of x that all markers have touched so far */
+    double *shell[3];  /* as the grid's arrays: forces near the sides of this rank's piece */
+    int crossing;      /* some marker on some rank reaches over a side of a rank's piece */
+    int crossing_x;    /* ... of the domain in x */
+    int x_low, x_high; /* local range of x that all markers have touched so far */
 
-    double given[3];                  /* sum over stages of gamma_r rho Q_h V_h of the markers served here, N */
+    double given[3]; /* sum over stages of gamma_r rho Q_h V_h of the markers served here, N */
 
     struct ibm_route probe;
 };
@@ -56,6 +57,8 @@ struct ibm {
 /* Finds who serves each point and renews the plan if that has changed on any rank. x [3][n] in m, moved into the
  * domain where periodic. Returns whether the plan is new. Collective. */
 int ibm_route_set(struct ibm_route *route, const struct fluid_grid *grid, int n, const double *const x[3]);
+/* Sorts what is served by its cells, as the fields' caches like it. s: first of three coordinates in cells, every `stride`. */
+void ibm_route_sort(struct ibm_route *route, const struct fluid_grid *grid, const double *s, size_t stride);
 void ibm_route_free(struct ibm_route *route);
 /* Room for this many doubles, contents not kept. */
 void ibm_reserve(double **buffer, size_t *size, size_t wanted);

@@ -8,10 +8,10 @@ struct postproc_report {
     FILE *md, *html;
 };
 
-/* A table's bar would end a Markdown cell. */
+/* A bar would end a table's cell, and an angle bracket begin HTML. */
 static void put_md(FILE *f, const char *text) {
     for (; *text; text++) {
-        if (*text == '|') fputc('\\', f);
+        if (*text == '|' || *text == '<') fputc('\\', f);
         fputc(*text == '\n' ? ' ' : *text, f);
     }
 }

@@ -4,9 +4,10 @@
 #include <math.h>
 
 /* The lattice's phase in [0, 1): the mean angle of the particles' coordinates, which some stray ones do not turn. */
-static double phase(long n, const double (*x)[3], int c, double size) {
+static double phase(long n, const double (*x)[3], int c, double size, double low, double high) {
     double s = 0, k = 0;
     for (long i = 0; i < n; i++) {
+        if (!(x[i][c] >= low && x[i][c] <= high)) continue;
         const double angle = 2 * M_PI * x[i][c] / size;
         s += sin(angle);
         k += cos(angle);
@@ -26,7 +27,7 @@ struct postproc_voxels *postproc_voxels_new(long n, const double (*x)[3], double
             a = fmin(a, x[i][c]);
             b = fmax(b, x[i][c]);
         }
-        const double corner = (phase(n, x, c, size) - 0.5) * size;
+        const double corner = (phase(n, x, c, size, low[c], high[c]) - 0.5) * size;
         const double i0 = floor((a - corner) / size), i1 = floor((b - corner) / size);
         v->origin[c] = corner + i0 * size;
         cells *= i1 - i0 + 1;

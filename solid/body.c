@@ -60,8 +60,8 @@ static int by_key(const void *a, const void *b) {
 }
 
 /* A byte a site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and extent. */
-static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *b, const int low[3], const int n[3],
-                             struct solid_sites *t, int top[3]) {
+static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *b, const int low[3],
+                             const int n[3], struct solid_sites *t, int top[3]) {
     uint8_t *inside = memory_new(MEMORY_SOLID, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1), *at = inside;
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
@@ -89,7 +89,8 @@ static int best_shift(const uint8_t *inside, const int n[3]) {
         for (long line = 0; line < (long)n[1] * n[2]; line++)
             for (int from = -shift; from < n[0]; from += ROW) {
                 int any = 0;
-                for (int i = from < 0 ? 0 : from; i < from + ROW && i < n[0]; i++) any |= inside[line * n[0] + i];
+                for (int i = from < 0 ? 0 : from; i < from + ROW && i < n[0]; i++)
+                    any |= inside[line * n[0] + i];
                 rows += any;
             }
         if (fewest < 0 || rows < fewest) {
@@ -128,7 +129,8 @@ static void number_rows(struct solid_sites *t) {
     memory_free(row);
 }
 
-static void cut_from_lattice(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t, int reach) {
+static void cut_from_lattice(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t,
+                             int reach) {
     double low[3], high[3];
     int top[3] = {0}, n[3];
     bounds(b, low, high);
@@ -152,12 +154,13 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
         const double period = in->length[c] / in->spacing;
         t->wrap[c] = (int)lrint(period);
         if (fabs(period - t->wrap[c]) > 1e-6 * period || t->wrap[c] <= reach)
-            die_all(EXIT_CODE_SCENE,
-                    "solid.spacing = %g: the periodic length %g must be a whole number of spacings, more than %d",
-                    in->spacing, in->length[c], reach);
+            die_all(
+                EXIT_CODE_SCENE,
+                "solid.spacing = %g: the periodic length %g must be a whole number of spacings, more than %d",
+                in->spacing, in->length[c], reach);
         if (top[c] - t->base[c] + 1 > t->wrap[c])
-            die_all(EXIT_CODE_SCENE, "solid body %s is longer than the period %g m and would overlap itself", b->name,
-                    in->length[c]);
+            die_all(EXIT_CODE_SCENE, "solid body %s is longer than the period %g m and would overlap itself",
+                    b->name, in->length[c]);
     }
     number_rows(t);
 }
@@ -179,7 +182,8 @@ static void number_points(const struct solid_input *in, const struct solid_body 
     memory_free(key);
 }
 
-struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first, int reach) {
+struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first,
+                                    int reach) {
     struct solid_sites *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
     t->is_lattice = b->shape != SOLID_POINTS;
     t->first = first;

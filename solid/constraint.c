@@ -31,7 +31,8 @@ void solid_constraint_mark(struct solid *s) {
     }
     for (int q = 0; q < s->in.unbreakables; q++)
         for (int h = 0; h < s->n; h++)
-            if (inside(s, h, s->in.unbreakable[q].low, s->in.unbreakable[q].high)) s->flag[h] |= SOLID_UNBREAKABLE;
+            if (inside(s, h, s->in.unbreakable[q].low, s->in.unbreakable[q].high))
+                s->flag[h] |= SOLID_UNBREAKABLE;
     solid_constraint_velocity(s);
 }
 

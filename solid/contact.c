@@ -17,16 +17,25 @@ enum { BODIES = 256 };                         /* solid.body is a byte */
 static void bounds(const struct solid *s, double (*of)[13]) {
     for (int b = 0; b < s->in.bodies; b++)
         for (int k = 0; k < 13; k++) of[b][k] = INFINITY;
-    for (int h = 0; h < s->n; h++) {
-        double *b = of[s->body[h]];
+    for (int from = 0, to; from < s->n; from = to) { /* a body's particles follow one another */
+        double *b = of[s->body[from]];
+        unsigned flags = 0;
+        for (to = from; to < s->n && s->body[to] == s->body[from]; to++) flags |= s->flag[to];
+        if (flags & SOLID_BROKEN) b[12] = 0;
         for (int c = 0; c < 3; c++) {
-            const double d = s->d[c][h], x = s->x0[c][h] + d;
-            if (x < b[c]) b[c] = x;
-            if (-x < b[3 + c]) b[3 + c] = -x;
-            if (d < b[6 + c]) b[6 + c] = d;
-            if (-d < b[9 + c]) b[9 + c] = -d;
+            double x_low = INFINITY, x_high = -INFINITY, d_low = INFINITY, d_high = -INFINITY;
+            for (int h = from; h < to; h++) {
+                const double d = s->d[c][h], x = s->x0[c][h] + d;
+                x_low = x < x_low ? x : x_low;
+                x_high = x > x_high ? x : x_high;
+                d_low = d < d_low ? d : d_low;
+                d_high = d > d_high ? d : d_high;
+            }
+            b[c] = x_low;
+            b[3 + c] = -x_high;
+            b[6 + c] = d_low;
+            b[9 + c] = -d_high;
         }
-        if (s->flag[h] & SOLID_BROKEN) b[12] = 0;
     }
     par_min_array(&of[0][0], 13 * s->in.bodies);
 }
@@ -63,6 +72,7 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->radius = s->in.contact_radius * s->in.spacing;
     c->skin = skin * s->in.spacing;
     c->lost = solid_lost_new(s);
+    c->again = memory_new(MEMORY_SOLID, n, 1);
     for (int k = 0; k < 3; k++) c->built[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
     c->id = memory_new(MEMORY_SOLID, n + (size_t)s->n_ghost, sizeof(double));
     for (int h = 0; h < s->n; h++) c->id[h] = (double)(s->first[par_rank()] + h);
@@ -75,6 +85,7 @@ void solid_contact_free(struct solid *s) {
     s->contact = NULL;
     if (!c) return;
     solid_lost_free(c->lost);
+    memory_free(c->again);
     for (int k = 0; k < 3; k++) memory_free(c->built[k]);
     memory_free(c->id);
     free(c->broken.h);

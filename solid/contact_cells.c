@@ -13,12 +13,13 @@ static void cell_of(const struct solid_cells *cells, const double x[3], int cell
 }
 
 static int slot(const struct solid_cells *cells, const int cell[3]) {
-    const unsigned key = (unsigned)cell[0] * 73856093u ^ (unsigned)cell[1] * 19349663u ^ (unsigned)cell[2] * 83492791u;
+    const unsigned key =
+        (unsigned)cell[0] * 73856093u ^ (unsigned)cell[1] * 19349663u ^ (unsigned)cell[2] * 83492791u;
     return (int)((key ^ key >> 15) & (unsigned)cells->mask);
 }
 
-void solid_cells_new(struct solid_cells *cells, int n, const double (*x)[3], double reach, const int periodic[3],
-                     const double length[3]) {
+void solid_cells_new(struct solid_cells *cells, int n, const double (*x)[3], double reach,
+                     const int periodic[3], const double length[3]) {
     *cells = (struct solid_cells){.n = n, .x = x, .mask = 63};
     for (int c = 0; c < 3; c++) {
         cells->count[c] = periodic[c] ? (int)fmax(1, floor(length[c] / reach)) : 0;
@@ -64,7 +65,8 @@ int solid_cells_near(const struct solid_cells *cells, const double x[3], int *fo
             for (int k = 0; k < number[2]; k++) {
                 const int at[3] = {list[0][i], list[1][j], list[2][k]};
                 for (int p = cells->head[slot(cells, at)]; p >= 0; p = cells->next[p])
-                    if (cells->cell[p][0] == at[0] && cells->cell[p][1] == at[1] && cells->cell[p][2] == at[2])
+                    if (cells->cell[p][0] == at[0] && cells->cell[p][1] == at[1] &&
+                        cells->cell[p][2] == at[2])
                         found[n++] = p;
             }
     return n;

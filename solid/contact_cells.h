@@ -7,13 +7,13 @@ struct solid_cells {
     double size[3];       /* of a cell, at least the reach asked for, m */
     int count[3];         /* cells in a period, 0: not periodic */
     int mask;
-    int *head, *next;     /* hash table [mask + 1], chains [n] */
-    int (*cell)[3];       /* [n] */
+    int *head, *next; /* hash table [mask + 1], chains [n] */
+    int (*cell)[3];   /* [n] */
 };
 
 /* Not collective. */
-void solid_cells_new(struct solid_cells *cells, int n, const double (*x)[3], double reach, const int periodic[3],
-                     const double length[3]);
+void solid_cells_new(struct solid_cells *cells, int n, const double (*x)[3], double reach,
+                     const int periodic[3], const double length[3]);
 void solid_cells_free(struct solid_cells *cells);
 /* Indices of points in the cells about x, each once, into found (room for n); returns how many. */
 int solid_cells_near(const struct solid_cells *cells, const double x[3], int *found);

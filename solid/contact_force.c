@@ -24,8 +24,8 @@ void solid_contact_exchange(struct solid *s, struct solid_contact *c) {
 }
 
 /* One directed pair now: X_h - X_l, the other's volume, k_c; returns r, at least 1e-6 r_c so that nothing divides by 0. */
-static double pair(const struct solid *s, const struct solid_contact *c, int h, int l, int is_stranger, double x[3],
-                   double *volume, double *stiffness) {
+static double pair(const struct solid *s, const struct solid_contact *c, int h, int l, int is_stranger,
+                   double x[3], double *volume, double *stiffness) {
     double c0;
     if (is_stranger && l >= s->n) {
         const int k = l - s->n;
@@ -45,7 +45,8 @@ static double pair(const struct solid *s, const struct solid_contact *c, int h, 
     return fmax(sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]), 1e-6 * c->radius);
 }
 
-static void push(struct solid *s, const struct solid_contact *c, const struct solid_contact_pairs *p, int are_strangers) {
+static void push(struct solid *s, const struct solid_contact *c, const struct solid_contact_pairs *p,
+                 int are_strangers) {
     for (int k = 0; k < p->n; k++) {
         const int h = p->h[k];
         double x[3], volume, stiffness;
@@ -58,8 +59,8 @@ static void push(struct solid *s, const struct solid_contact *c, const struct so
 }
 
 /* Half of each pair's potential from either end. */
-static double energy(const struct solid *s, const struct solid_contact *c, const struct solid_contact_pairs *p,
-                     int are_strangers) {
+static double energy(const struct solid *s, const struct solid_contact *c,
+                     const struct solid_contact_pairs *p, int are_strangers) {
     double sum = 0;
     for (int k = 0; k < p->n; k++) {
         const int h = p->h[k];

@@ -57,18 +57,20 @@ static void add_broken(const struct solid *s, struct solid_contact *c, int h) {
 
 void solid_contact_list_broken(struct solid *s, struct solid_contact *c) {
     struct solid_contact_pairs *p = &c->broken;
-    uint8_t *again = memory_new(MEMORY_SOLID, (size_t)s->n + 1, 1);
-    for (int h = 0; h < s->n; h++) again[h] = (s->flag[h] & SOLID_BROKEN) && solid_lost_since(c->lost, s, h);
+    const int found = solid_lost_find(c->lost, s);
+    if (!found) return;
+    for (int k = 0; k < found; k++) c->again[c->lost->h[k]] = 1;
     int kept = 0;
     for (int k = 0; k < p->n; k++) {
-        if (again[p->h[k]]) continue;
+        if (c->again[p->h[k]]) continue;
         p->h[kept] = p->h[k];
         p->l[kept++] = p->l[k];
     }
     p->n = kept;
-    for (int h = 0; h < s->n; h++)
-        if (again[h]) add_broken(s, c, h);
-    memory_free(again);
+    for (int k = 0; k < found; k++) {
+        add_broken(s, c, c->lost->h[k]);
+        c->again[c->lost->h[k]] = 0;
+    }
 }
 
 static struct solid_contact_other describe(const struct solid *s, const struct solid_contact *c, int h) {
@@ -84,7 +86,8 @@ static struct solid_contact_other describe(const struct solid *s, const struct s
 }
 
 /* Whether the two are of one family, broken or not. Families are within a body; on a lattice |xi| < delta + spacing/2. */
-static int is_family(const struct solid *s, const struct solid_contact *c, int h, const struct solid_contact_other *o) {
+static int is_family(const struct solid *s, const struct solid_contact *c, int h,
+                     const struct solid_contact_other *o) {
     if (o->body != s->body[h]) return 0;
     const struct solid_body *body = &s->in.body[o->body];
     if (body->shape != SOLID_POINTS) {
@@ -112,7 +115,8 @@ static int is_near_box(const struct solid *s, const double x[3], const double bo
 }
 
 /* Our candidates near another rank's: sent_h, and the rank for each in dest (malloc'ed). */
-static int *choose_sent(const struct solid *s, struct solid_contact *c, int n, const int *h, const double (*x)[3]) {
+static int *choose_sent(const struct solid *s, struct solid_contact *c, int n, const int *h,
+                        const double (*x)[3]) {
     const int size = par_size();
     double box[6] = {INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY};
     double(*boxes)[6] = malloc((size_t)size * sizeof *boxes);
@@ -196,7 +200,8 @@ static void seek(struct solid *s, struct solid_contact *c, int n, const int *h, 
             const int j = found[k];
             if (j == i || !(distance2(s, x[i], x[j]) < near * near)) continue;
             const struct solid_contact_other o = j < n ? describe(s, c, h[j]) : c->other[j - n];
-            if (!is_family(s, c, h[i], &o)) solid_contact_pairs_add(&c->strangers, h[i], j < n ? h[j] : s->n + j - n);
+            if (!is_family(s, c, h[i], &o))
+                solid_contact_pairs_add(&c->strangers, h[i], j < n ? h[j] : s->n + j - n);
         }
     }
     solid_cells_free(&cells);
@@ -226,8 +231,8 @@ void solid_contact_list(struct solid *s, struct solid_contact *c) {
     for (int i = 0; i < s->n; i++) {
         for (int k = 0; k < 3; k++) c->built[k][i] = s->d[k][i];
         if (!(s->flag[i] & SOLID_BROKEN)) continue;
-        solid_lost_since(c->lost, s, i);
         add_broken(s, c, i);
     }
+    solid_lost_find(c->lost, s);
     c->crossing = par_sum_long(c->served) > 0;
 }

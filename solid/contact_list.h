@@ -21,19 +21,20 @@ struct solid_contact_other {
 };
 
 struct solid_contact {
-    double radius, skin;                     /* r_c and how far beyond it pairs are listed, m */
+    double radius, skin; /* r_c and how far beyond it pairs are listed, m */
     struct solid_lost *lost;
-    double *built[3];                        /* [s->n] displacement when the lists were made, m */
-    double *id;                              /* [n + n_ghost] global ids */
+    uint8_t *again;   /* [s->n] scratch, 0 */
+    double *built[3]; /* [s->n] displacement when the lists were made, m */
+    double *id;       /* [n + n_ghost] global ids */
     struct solid_contact_pairs broken, strangers;
-    int any;                                 /* pairs on some rank */
-    int crossing;                            /* strangers on different ranks somewhere */
-    struct par_exchange *exchange;           /* our particles near other ranks' */
-    int sent, sent_capacity, *sent_h;        /* [sent] which */
+    int any;                          /* pairs on some rank */
+    int crossing;                     /* strangers on different ranks somewhere */
+    struct par_exchange *exchange;    /* our particles near other ranks' */
+    int sent, sent_capacity, *sent_h; /* [sent] which */
     double (*sent_x)[3];
     int served;
-    struct solid_contact_other *other;       /* [served] */
-    double (*other_x)[3];                    /* [served] X now, m */
+    struct solid_contact_other *other; /* [served] */
+    double (*other_x)[3];              /* [served] X now, m */
 };
 
 void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l);

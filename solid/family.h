@@ -29,5 +29,5 @@ int solid_family_bytes(const struct solid *s); /* bytes per particle, a constant
 void solid_family_save(const struct solid *s, int h, uint8_t *bits);
 void solid_family_load(struct solid *s, int h, const uint8_t *bits);
 
-long solid_family_directed(const struct solid *s);  /* directed intact and broken bonds of owned particles */
-void solid_count_bonds(struct solid *s);            /* s->bonds_broken. Collective. */
+long solid_family_directed(const struct solid *s); /* directed intact and broken bonds of owned particles */
+void solid_count_bonds(struct solid *s);           /* s->bonds_broken. Collective. */

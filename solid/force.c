@@ -1,18 +1,18 @@
 #include "solid/force.h"
-#include "base/clock.h"
+#include "solid/added_mass.h"
 #include "solid/constraint.h"
+#include "solid/contact.h"
+#include "solid/integrate.h"
 #include "solid/lattice.h"
 #include "solid/list.h"
-#if __has_include("solid/contact.h")
-#    include "solid/contact.h"
-#endif
 
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative) {
     const struct solid_sweep sweep = {.may_break = may_break, .damping = damping_relative};
     const struct solid_family *f = s->family;
     double power = 0;
     for (int b = 0; b < f->bodies; b++)
-        power += f->lattice[b] ? solid_lattice_force(s, f->lattice[b], &sweep) : solid_list_force(s, f->list[b], &sweep);
+        power += f->lattice[b] ? solid_lattice_force(s, f->lattice[b], &sweep)
+                               : solid_list_force(s, f->list[b], &sweep);
     s->power_damped = power;
     s->sweeps++;
 }
@@ -36,15 +36,17 @@ void solid_force_loads(struct solid *s, double damping_absolute) {
     s->power_damped += damped_power;
 }
 
+void solid_force_rest(struct solid *s) {
+    solid_force_loads(s, s->stage.damping_absolute);
+    const double of_load = s->power_load;
+    if (s->added) solid_added_mass_apply(s);
+    s->power_added = s->power_load - of_load;
+    solid_constraint_apply(s);
+}
+
 void solid_force(struct solid *s, int may_break) {
     solid_force_bonds(s, may_break && s->stage.breakage, s->stage.damping_relative);
-#if __has_include("solid/contact.h")
-    if (s->in.contact && s->contact) {
-        clock_begin(CLOCK_CONTACT);
-        solid_contact_force(s);
-        clock_end(CLOCK_CONTACT);
-    }
-#endif
-    solid_force_loads(s, s->stage.damping_absolute);
-    solid_constraint_apply(s);
+    if (s->in.contact && s->contact) solid_contact_force(s);
+    if (s->stage.integrator == SOLID_VERLET) solid_verlet_keep(s);
+    solid_force_rest(s);
 }

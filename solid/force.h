@@ -6,3 +6,5 @@
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative);
 /* a += load/rho + body force - k_a v; power_load, power_damped. Not collective. */
 void solid_force_loads(struct solid *s, double damping_absolute);
+/* What comes after bonds and contact: loads, added mass, constraints, and their powers. Not collective. */
+void solid_force_rest(struct solid *s);

@@ -8,22 +8,22 @@ enum { ROW = VEC_LANES };
 
 /* Up to this |eps| the polynomial below stands for the square root, to 5e-16. */
 static const double SERIES_LIMIT = 2e-3;
-static const double G0 = 0.5, G1 = -0.3749999999988720654, G2 = 0.31249999999895263208, G3 = -0.27343862793361512552,
-                    G4 = 0.24609479736699067424;
+static const double G0 = 0.5, G1 = -0.3749999999988720654, G2 = 0.31249999999895263208,
+                    G3 = -0.27343862793361512552, G4 = 0.24609479736699067424;
 
 struct row_input {
     const double *d[3], *v[3], *w; /* dense, at the row's first site: displacement m, velocity m/s, V/V0 */
     const struct solid_lattice_offset *offset; /* [all offsets] */
-    const uint8_t *lambda;         /* [all offsets] a bit a particle of the row */
-    const uint16_t *active;        /* [n] offsets to look at */
+    const uint8_t *lambda;                     /* [all offsets] a bit a particle of the row */
+    const uint16_t *active;                    /* [n] offsets to look at */
     long n;
-    double damping;                /* k_d */
+    double damping; /* k_d */
 };
 
 struct row_output {
-    vec a[3];                /* m/s2 */
-    vec eps_high, eps_low;   /* over the row's intact bonds */
-    vec power;               /* sum of viscous bond forces times closing speeds, m2/s3 */
+    vec a[3];              /* m/s2 */
+    vec eps_high, eps_low; /* over the row's intact bonds */
+    vec power;             /* sum of viscous bond forces times closing speeds, m2/s3 */
 };
 
 /* g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), divided by eps; a Chebyshev fit of degree four on |eps| <= SERIES_LIMIT. */
@@ -41,8 +41,9 @@ static inline vec g_over_eps_exact(vec e) {
  *     a += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a += k_d Gamma V/(rho |zeta|^2) [(v_l - v_h).zeta] zeta
  * Seen from the other end all signs of xi and eta turn and eps is the same number. */
-static inline __attribute__((always_inline)) void row_force(const struct row_input *in, struct row_output *out,
-                                                            const int bulk, const int exact, const int damped) {
+static inline __attribute__((always_inline)) void row_force(const struct row_input *in,
+                                                            struct row_output *out, const int bulk,
+                                                            const int exact, const int damped) {
     const vec dx = vec_load(in->d[0]), dy = vec_load(in->d[1]), dz = vec_load(in->d[2]);
     vec w = vec_set(1), vx = vec_set(0), vy = vx, vz = vx;
     if (!bulk) w = vec_load(in->w);
@@ -65,10 +66,11 @@ static inline __attribute__((always_inline)) void row_force(const struct row_inp
         high = vec_max(high, eps);
         low = vec_min(low, eps);
         const vec g = exact ? g_over_eps_exact(eps) : g_over_eps_series(eps);
-        vec f = g * (eps * t->elastic);
-        if (!bulk) f = 2 * f / (w + vec_load(in->w + t->shift));
+        vec f = g * (eps * (bulk ? t->elastic : t->elastic_twice));
+        if (!bulk) f /= w + vec_load(in->w + t->shift);
         if (damped) {
-            const vec closing = (vec_load(in->v[0] + t->shift) - vx) * zx + (vec_load(in->v[1] + t->shift) - vy) * zy +
+            const vec closing = (vec_load(in->v[0] + t->shift) - vx) * zx +
+                                (vec_load(in->v[1] + t->shift) - vy) * zy +
                                 (vec_load(in->v[2] + t->shift) - vz) * zz;
             const vec fd = vec_where(lambda, closing * (in->damping * t->viscous) / (1 + eps));
             power += fd * closing;
@@ -83,9 +85,9 @@ static inline __attribute__((always_inline)) void row_force(const struct row_inp
 
 typedef void row_kernel(const struct row_input *, struct row_output *);
 
-#define ROW_KERNEL(bulk, exact, damped)                                                                              \
-    static void row_force_##bulk##exact##damped(const struct row_input *in, struct row_output *out) {                \
-        row_force(in, out, bulk, exact, damped);                                                                     \
+#define ROW_KERNEL(bulk, exact, damped)                                                                      \
+    static void row_force_##bulk##exact##damped(const struct row_input *in, struct row_output *out) {        \
+        row_force(in, out, bulk, exact, damped);                                                             \
     }
 ROW_KERNEL(0, 0, 0)
 ROW_KERNEL(0, 0, 1)
@@ -112,7 +114,8 @@ static void fill_box(const struct solid *s, struct solid_lattice *b, int damped)
 }
 
 /* The number that decides on a bond. One function, one order of operations: both ends get the same to the bit. */
-static __attribute__((noinline)) double bond_eps(const double xi[3], const double eta[3], double inv_length2) {
+static __attribute__((noinline)) double bond_eps(const double xi[3], const double eta[3],
+                                                 double inv_length2) {
     double q = 0;
     for (int c = 0; c < 3; c++) q += eta[c] * (xi[c] + (xi[c] + eta[c]));
     return q * inv_length2;
@@ -134,7 +137,7 @@ static int break_row(struct solid *s, struct solid_lattice *b, int r) {
             if (!(eps > b->law.eps_limit)) continue;
             const int h = b->local[cell];
             if ((s->flag[h] | s->flag[b->local[other]]) & SOLID_UNBREAKABLE) continue;
-            lambda[o] &= (uint8_t)~(1u << k);
+            lambda[o] &= (uint8_t) ~(1u << k);
             s->flag[h] |= SOLID_BROKEN;
             const double stretch = eps / (1 + sqrt(1 + eps)), alpha = 2 / (b->w[cell] + b->w[other]);
             s->e_fracture += 0.25 * b->law.c0 * alpha * stretch * stretch * t->length * t->weight * volume;
@@ -167,7 +170,8 @@ double solid_lattice_force(struct solid *s, struct solid_lattice *b, const struc
         kernel[bulk][0][damped](&in, &out);
         double high = vec_highest(out.eps_high);
         const double low = vec_lowest(out.eps_low);
-        if (high > look && break_row(s, b, r)) kernel[bulk][0][damped](&in, &out), high = vec_highest(out.eps_high);
+        if (high > look && break_row(s, b, r))
+            kernel[bulk][0][damped](&in, &out), high = vec_highest(out.eps_high);
         if (high > SERIES_LIMIT || low < -SERIES_LIMIT) kernel[bulk][1][damped](&in, &out);
         if (damped) power += vec_sum(out.power);
         int h = b->row_first[r];

@@ -3,7 +3,8 @@
 #include <math.h>
 
 /* The number that decides on a bond; both ends get the same to the bit: all signs turn, nothing else. */
-static __attribute__((noinline)) double bond_eps(const double xi[3], const double eta[3], double inv_length2) {
+static __attribute__((noinline)) double bond_eps(const double xi[3], const double eta[3],
+                                                 double inv_length2) {
     double q = 0;
     for (int c = 0; c < 3; c++) q += eta[c] * (xi[c] + (xi[c] + eta[c]));
     return q * inv_length2;
@@ -15,7 +16,8 @@ static void break_bond(struct solid *s, struct solid_list *b, int h, long j, dou
     b->intact[j] = 0;
     s->flag[h] |= SOLID_BROKEN;
     s->broke = 1;
-    s->e_fracture += 0.25 * b->law.c0 * b->alpha[j] * stretch * stretch * length * b->weight[j] * s->volume[h];
+    s->e_fracture +=
+        0.25 * b->law.c0 * b->alpha[j] * stretch * stretch * length * b->weight[j] * s->volume[h];
 }
 
 /* Bond forces as in the lattice's sweep, one bond after another, always with the square root. */

@@ -2,9 +2,34 @@
 #include "base/par.h"
 #include "base/par_exchange.h"
 #include "solid/family.h"
+#include "solid/lattice.h"
+#include "solid/list.h"
 #include "solid/measures.h"
 
 #include <stdlib.h>
+
+enum { ROW = 8 };
+
+/* The other ends (local indices) of h's intact bonds; returns how many. The view would do; this is many times in a run. */
+static int links(const struct solid *s, int h, int l[SOLID_FAMILY_MAX]) {
+    const struct solid_lattice *t = s->family->lattice[s->body[h]];
+    int n = 0;
+    if (t) {
+        const int cell = t->cell[h - t->first], bit = cell % ROW, *local = t->local + cell;
+        const uint8_t *lambda = t->lambda + (size_t)t->row_of[cell / ROW] * (size_t)t->stencil->n;
+        for (int o = 0; o < t->stencil->n; o++) {
+            l[n] = local[t->offset[o].shift];
+            n += lambda[o] >> bit & 1; /* no bond was ever made to an empty site */
+        }
+    } else {
+        const struct solid_list *list = s->family->list[s->body[h]];
+        for (long j = list->start[h - list->first]; j < list->start[h - list->first + 1]; j++) {
+            l[n] = list->l[j];
+            n += list->intact[j];
+        }
+    }
+    return n;
+}
 
 /* A bond from one local piece to a ghost. */
 struct crossing {
@@ -16,19 +41,17 @@ static int find(int *parent, int h) {
     return h;
 }
 
-/* The smaller index is the root: local indices rise with global ids. */
-static void join(int *parent, int a, int b) {
+/* The smaller index is the root, which is returned: local indices rise with global ids. */
+static int join(int *parent, int a, int b) {
     a = find(parent, a);
     b = find(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
+    const int root = a < b ? a : b;
+    return parent[a] = parent[b] = root;
 }
 
 /* Local pieces: parent[n] pressed flat; returns the bonds to ghosts (malloc'ed), about one for each ghost. */
 static struct crossing *pieces(const struct solid *s, int *parent, int *crossings) {
-    struct solid_family_view view;
+    int l[SOLID_FAMILY_MAX + 1];
     struct crossing *cross = NULL;
     int n = 0, capacity = 0;
     int *seen = malloc(((size_t)s->n_ghost + 1) * sizeof *seen); /* who was last bonded to the ghost */
@@ -36,13 +59,13 @@ static struct crossing *pieces(const struct solid *s, int *parent, int *crossing
     for (int g = 0; g < s->n_ghost; g++) seen[g] = -1;
     for (int h = 0; h < s->n; h++) parent[h] = h;
     for (int h = 0; h < s->n; h++) {
-        solid_family_view(s, h, &view);
-        for (int b = 0; b < view.n; b++) {
-            if (!view.intact[b]) continue;
-            if (view.l[b] < h) {
-                join(parent, h, view.l[b]);
-            } else if (view.l[b] >= s->n) {
-                int *who = &seen[view.l[b] - s->n];
+        const int bonds = links(s, h, l);
+        int root = h; /* h's own, as long as it stands */
+        for (int b = 0; b < bonds; b++) {
+            if (l[b] < h) {
+                if (parent[l[b]] != root) root = join(parent, h, l[b]);
+            } else if (l[b] >= s->n) {
+                int *who = &seen[l[b] - s->n];
                 if (*who >= 0 && find(parent, *who) == find(parent, h)) continue;
                 *who = h;
                 if (n == capacity) {
@@ -50,7 +73,7 @@ static struct crossing *pieces(const struct solid *s, int *parent, int *crossing
                     cross = realloc(cross, (size_t)capacity * sizeof *cross);
                     ENSURE(cross, "no memory for %d bonds across ranks", capacity);
                 }
-                cross[n++] = (struct crossing){h, view.l[b]};
+                cross[n++] = (struct crossing){h, l[b]};
             }
         }
     }
@@ -63,7 +86,8 @@ static struct crossing *pieces(const struct solid *s, int *parent, int *crossing
 
 /* The smallest global id of each fragment, in label[n + n_ghost]: pieces take the smallest label across their bonds to
  * ghosts until no rank finds a smaller one. */
-static void spread(struct solid *s, const int *parent, const struct crossing *cross, int crossings, double *label) {
+static void spread(struct solid *s, const int *parent, const struct crossing *cross, int crossings,
+                   double *label) {
     const long from = s->first[par_rank()];
     for (int h = 0; h < s->n; h++) label[h] = (double)(from + parent[h]);
     for (long changed = 1; changed;) {

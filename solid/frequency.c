@@ -49,19 +49,23 @@ static double product(const struct solid *s, double *const x[3], double *const y
     return par_sum(sum);
 }
 
-/* a = -K u/m by one sweep at displacements so small (1e-7 spacings) that the bonds are linear. */
-static void apply(struct solid *s, double *const u[3]) {
+/* One sweep turned about. damping 0: a = K u/m, at displacements so small (1e-7 spacings) that the bonds are linear.
+ * Otherwise a = D u/m of the pairwise damping, at velocities u. */
+static void apply(struct solid *s, double *const u[3], double damping) {
     double most = 0;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) most = fmax(most, fabs(u[c][h]));
     const double scale = 1e-7 * s->in.spacing / par_max(most);
     for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++) s->d[c][h] = scale * u[c][h];
+        for (int h = 0; h < s->n; h++) {
+            s->d[c][h] = damping > 0 ? 0 : scale * u[c][h];
+            s->v[c][h] = damping > 0 ? scale * u[c][h] : 0;
+        }
     par_ghost_update(s->ghost, 3, s->d, s->n);
-    solid_force_bonds(s, 0, 0);
+    if (damping > 0) par_ghost_update(s->ghost, 3, s->v, s->n);
+    solid_force_bonds(s, 0, damping);
     for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++)
-            s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
+        for (int h = 0; h < s->n; h++) s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
 }
 
 /* How many eigenvalues of the tridiagonal matrix lie above x: Sturm's sequence. */
@@ -97,7 +101,8 @@ static double start_value(long id, int c) { /* the same on any number of ranks *
     return (double)(z >> 11) * 0x1p-53 - 0.5;
 }
 
-static double lanczos(struct solid *s, struct krylov *k) {
+/* The largest eigenvalue of K/m or D/m. */
+static double lanczos(struct solid *s, struct krylov *k, double damping) {
     double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0, norm;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++)
@@ -107,7 +112,7 @@ static double lanczos(struct solid *s, struct krylov *k) {
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
     for (int i = 0; i < ITERATIONS; i++) {
-        apply(s, k->u);
+        apply(s, k->u, damping);
         diagonal[i] = product(s, k->u, s->a);
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++)
@@ -123,24 +128,28 @@ static double lanczos(struct solid *s, struct krylov *k) {
                 k->u[c][h] = s->a[c][h] / beside[i];
             }
     }
-    return sqrt(eigenvalue);
+    return eigenvalue;
 }
 
-static double largest_frequency(struct solid *s) {
+/* The largest frequency, and the largest rate of the pairwise damping, 1/s. */
+static void largest_rates(struct solid *s, double *omega, double *damped) {
     struct solid_family *f = s->family;
     struct krylov k;
-    double *d[3];
+    double *d[3], *v[3];
     uint8_t **whole = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *whole);
     for (int b = 0; b < f->bodies; b++) whole[b] = whole_new(f, b);
     for (int c = 0; c < 3; c++) {
         k.u[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
         k.before[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
         d[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        v[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
         memcpy(d[c], s->d[c], (size_t)s->n * sizeof(double));
+        memcpy(v[c], s->v[c], (size_t)s->n * sizeof(double));
     }
     const long sweeps = s->sweeps;
     swap_whole(s, whole);
-    const double omega = lanczos(s, &k);
+    *omega = sqrt(lanczos(s, &k, 0));
+    *damped = s->stage.damping_relative > 0 ? lanczos(s, &k, s->stage.damping_relative) : 0;
     swap_whole(s, whole);
     s->sweeps = sweeps;
     s->fingerprint = 0;
@@ -148,17 +157,23 @@ static double largest_frequency(struct solid *s) {
     memory_free(whole);
     for (int c = 0; c < 3; c++) {
         memcpy(s->d[c], d[c], (size_t)s->n * sizeof(double));
+        memcpy(s->v[c], v[c], (size_t)s->n * sizeof(double));
         memset(s->a[c], 0, (size_t)s->n * sizeof(double));
         memory_free(k.u[c]);
         memory_free(k.before[c]);
         memory_free(d[c]);
+        memory_free(v[c]);
     }
     par_ghost_update(s->ghost, 3, s->d, s->n);
-    return omega;
+    par_ghost_update(s->ghost, 3, s->v, s->n);
 }
 
 double solid_stable_step(struct solid *s, enum solid_integrator integrator) {
-    const double omega = largest_frequency(s);
+    double omega, damped;
+    largest_rates(s, &omega, &damped);
     if (!(omega > 0)) return INFINITY;
-    return (integrator == SOLID_RK3 ? sqrt(3) : 2) / omega;
+    damped += s->stage.damping_absolute;
+    if (integrator == SOLID_RK3) return fmin(sqrt(3) / omega, 2.51 / damped);
+    const double ratio = damped / (2 * omega); /* of critical damping at the largest frequency */
+    return 2 / omega * (sqrt(1 + ratio * ratio) - ratio);
 }

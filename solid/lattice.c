@@ -31,6 +31,7 @@ static void offsets_new(struct solid_lattice *b) {
         for (int c = 0; c < 3; c++) to->xi[c] = from->xi[c];
         to->inv_length2 = from->inv_length2;
         to->elastic = b->law.c0 * from->weight / (from->length * b->law.density);
+        to->elastic_twice = 2 * to->elastic;
         to->viscous = from->weight * from->inv_length2 / b->law.density;
     }
 }
@@ -76,7 +77,8 @@ static void rows_new(struct solid_lattice *b, const struct solid_sites *t, long 
         if (!owned_row(t, row, from, to)) continue;
         int site[3];
         site_of_row(t, row, site);
-        const int cell = ((site[2] - b->low[2]) * b->size[1] + site[1] - b->low[1]) * b->size[0] + site[0] - b->low[0];
+        const int cell =
+            ((site[2] - b->low[2]) * b->size[1] + site[1] - b->low[1]) * b->size[0] + site[0] - b->low[0];
         b->row_cell[r] = cell;
         b->row_first[r] = h;
         b->row_owned[r] = t->bits[row];
@@ -105,7 +107,8 @@ static void bonds_new(struct solid_lattice *b, const struct solid_sites *t) {
         for (int k = 0; k < ROW; k++) needed[b->row_cell[r] + k] |= b->row_owned[r] >> k & 1;
         for (int o = 0; o < n; o++)
             for (int k = 0; k < ROW; k++)
-                needed[b->row_cell[r] + b->offset[o].shift + k] |= b->lambda[(size_t)r * (size_t)n + (size_t)o] >> k & 1;
+                needed[b->row_cell[r] + b->offset[o].shift + k] |=
+                    b->lambda[(size_t)r * (size_t)n + (size_t)o] >> k & 1;
     }
     for (long cell = 0; cell < b->sites; cell++) b->local[cell] = needed[cell] ? NEEDED : NOTHING;
     memory_free(needed);
@@ -153,13 +156,15 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
 
 void solid_lattice_free(struct solid_lattice *b) {
     if (!b) return;
-    void *owned[] = {b->row_active, b->active, b->row_cell, b->row_first, b->row_owned, b->row_bulk,  b->lambda,     b->offset, b->row_of,
-                     b->cell,     b->local,     b->w,         b->copy_cell, b->copy_local, b->d[0],  b->d[1],
-                     b->d[2],     b->v[0],      b->v[1],      b->v[2],      b};
+    void *owned[] = {
+        b->row_active, b->active, b->row_cell, b->row_first, b->row_owned, b->row_bulk,  b->lambda,
+        b->offset,     b->row_of, b->cell,     b->local,     b->w,         b->copy_cell, b->copy_local,
+        b->d[0],       b->d[1],   b->d[2],     b->v[0],      b->v[1],      b->v[2],      b};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
-long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_sites *t, long from, long to, long *id) {
+long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_sites *t, long from, long to,
+                          long *id) {
     long wanted = 0;
     for (long cell = 0; cell < b->sites; cell++) {
         if (b->local[cell] != NEEDED) continue;
@@ -173,7 +178,8 @@ long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_site
     return wanted;
 }
 
-void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t, const struct solid_numbering *numbering) {
+void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
+                        const struct solid_numbering *numbering) {
     for (long cell = 0; cell < b->sites; cell++) b->copies += b->local[cell] == NEEDED;
     b->copy_cell = solid_array((size_t)b->copies, sizeof *b->copy_cell);
     b->copy_local = solid_array((size_t)b->copies, sizeof *b->copy_local);
@@ -191,7 +197,8 @@ void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t, co
 
 void solid_lattice_made(const struct solid_lattice *b, int row, uint8_t *lambda) {
     for (int o = 0; o < b->stencil->n; o++)
-        lambda[o] = (uint8_t)(b->row_owned[row] & neighbours(b->local, b->row_cell[row] + b->offset[o].shift));
+        lambda[o] =
+            (uint8_t)(b->row_owned[row] & neighbours(b->local, b->row_cell[row] + b->offset[o].shift));
 }
 
 void solid_lattice_volumes(const struct solid_lattice *b, double *family_volume) {
@@ -225,5 +232,5 @@ void solid_lattice_weights(struct solid_lattice *b, const double *family_volume,
 
 void solid_lattice_cut(struct solid_lattice *b, int h, int o) {
     const int cell = b->cell[h - b->first], r = b->row_of[cell / ROW];
-    b->lambda[(size_t)r * (size_t)b->stencil->n + (size_t)o] &= (uint8_t)~(1u << cell % ROW);
+    b->lambda[(size_t)r * (size_t)b->stencil->n + (size_t)o] &= (uint8_t) ~(1u << cell % ROW);
 }

@@ -15,42 +15,45 @@ struct solid_lattice_offset {
     double elastic;     /* c0 Gamma V/(|xi| rho), 1/(m s2) / m */
     double viscous;     /* Gamma V/(|xi|^2 rho), m4/kg */
     long shift;         /* in dense index */
-    double unused;      /* 64 bytes: one cache line */
+    double elastic_twice;
 };
 
 struct solid_lattice {
     const struct solid_stencil *stencil; /* borrowed */
     struct solid_law law;
-    int low[3], size[3];  /* dense box: lattice index of its corner, sites; whole rows along x */
+    int low[3], size[3]; /* dense box: lattice index of its corner, sites; whole rows along x */
     long sites;
     int rows;
-    int *row_cell;        /* [rows] dense index of the row's first site */
-    int *row_first;       /* [rows] local index of the row's first owned particle; the others follow */
-    uint8_t *row_owned;   /* [rows] which of the eight are particles owned here */
-    long *row_active;     /* [rows + 1] where the row's offsets stand in active */
-    uint16_t *active;     /* offsets at which some particle of the row has a bond in the unbroken family, ascending */
-    uint8_t *row_bulk;    /* [rows] alpha = 1 for all the row's bonds */
-    uint8_t *lambda;      /* [rows][n offsets] a bit a bond, set: intact */
+    int *row_cell;      /* [rows] dense index of the row's first site */
+    int *row_first;     /* [rows] local index of the row's first owned particle; the others follow */
+    uint8_t *row_owned; /* [rows] which of the eight are particles owned here */
+    long *row_active;   /* [rows + 1] where the row's offsets stand in active */
+    uint16_t
+        *active; /* offsets at which some particle of the row has a bond in the unbroken family, ascending */
+    uint8_t *row_bulk;                   /* [rows] alpha = 1 for all the row's bonds */
+    uint8_t *lambda;                     /* [rows][n offsets] a bit a bond, set: intact */
     struct solid_lattice_offset *offset; /* [n offsets] */
-    int *row_of;          /* [sites/8] row, or -1 */
-    int first, n;         /* local indices first .. first+n-1 */
-    int *cell;            /* [n] dense index */
-    int copies;           /* particles and images in the box */
+    int *row_of;                         /* [sites/8] row, or -1 */
+    int first, n;                        /* local indices first .. first+n-1 */
+    int *cell;                           /* [n] dense index */
+    int copies;                          /* particles and images in the box */
     int *copy_cell, *copy_local;
-    int *local;           /* [sites] local index, or -1: no particle that matters here */
-    double *d[3], *v[3];  /* [sites] copies for a sweep, 0 where there is no particle; v on demand */
-    double *w;            /* [sites] V_h/V0, or 1 without surface correction */
+    int *local;          /* [sites] local index, or -1: no particle that matters here */
+    double *d[3], *v[3]; /* [sites] copies for a sweep, 0 where there is no particle; v on demand */
+    double *w;           /* [sites] V_h/V0, or 1 without surface correction: alpha = 2/(w_h + w_l) */
 };
 
 struct solid_lattice *solid_lattice_new(const struct solid_sites *sites, const struct solid_stencil *stencil,
                                         struct solid_law law, long from, long to, int first);
 void solid_lattice_free(struct solid_lattice *lattice);
 /* Ids needed here and owned elsewhere; id may be NULL. Returns how many (with repetitions). Not collective. */
-long solid_lattice_wanted(const struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to, long *id);
+long solid_lattice_wanted(const struct solid_lattice *lattice, const struct solid_sites *sites, long from,
+                          long to, long *id);
 void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites *sites,
                         const struct solid_numbering *numbering);
 void solid_lattice_volumes(const struct solid_lattice *lattice, double *family_volume);
-void solid_lattice_weights(struct solid_lattice *lattice, const double *family_volume, int surface_correction);
+void solid_lattice_weights(struct solid_lattice *lattice, const double *family_volume,
+                           int surface_correction);
 
 /* The bits of lambda with every bond intact, as solid_lattice_new made them, for one row. Not collective. */
 void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda);

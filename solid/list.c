@@ -26,8 +26,8 @@ static void bond_set(struct solid_list *b, long j, long id, const double xi[3], 
 }
 
 /* Lattice bodies: the stencil's offsets, in its order. Twice: count, then fill. */
-static void from_lattice(struct solid_list *b, const struct solid_sites *t, const struct solid_stencil *stencil, long from,
-                         long to) {
+static void from_lattice(struct solid_list *b, const struct solid_sites *t,
+                         const struct solid_stencil *stencil, long from, long to) {
     for (int fill = 0; fill < 2; fill++) {
         long j = 0;
         int i = 0;
@@ -36,12 +36,14 @@ static void from_lattice(struct solid_list *b, const struct solid_sites *t, cons
             if (t->start[row] < from || t->start[row] >= to) continue;
             for (int k = 0; k < 8; k++) {
                 if (!(t->bits[row] >> k & 1)) continue;
-                const int site[3] = {t->low[0] + 8 * (row % t->rows[0]) + k, t->low[1] + row / t->rows[0] % t->rows[1],
+                const int site[3] = {t->low[0] + 8 * (row % t->rows[0]) + k,
+                                     t->low[1] + row / t->rows[0] % t->rows[1],
                                      t->low[2] + row / t->rows[0] / t->rows[1]};
                 b->start[i++] = j;
                 for (int o = 0; o < stencil->n; o++) {
                     const struct solid_offset *offset = &stencil->offset[o];
-                    const int other[3] = {site[0] + offset->step[0], site[1] + offset->step[1], site[2] + offset->step[2]};
+                    const int other[3] = {site[0] + offset->step[0], site[1] + offset->step[1],
+                                          site[2] + offset->step[2]};
                     const long id = solid_sites_id(t, other);
                     if (id < 0) continue;
                     if (fill) bond_set(b, j, id, offset->xi, offset->weight);
@@ -76,13 +78,14 @@ static void from_points(struct solid_list *b, const struct solid_input *in, cons
 }
 
 struct solid_list *solid_list_new(const struct solid_input *in, const struct solid_body *body,
-                                  const struct solid_sites *t, const struct solid_stencil *stencil, struct solid_law law,
-                                  long from, long to, int first) {
+                                  const struct solid_sites *t, const struct solid_stencil *stencil,
+                                  struct solid_law law, long from, long to, int first) {
     struct solid_list *b = memory_new(MEMORY_SOLID, 1, sizeof *b);
     b->law = law;
     b->full_volume = stencil->full_volume;
     b->first = first;
-    const long low = from > t->first ? from : t->first, high = to < t->first + t->count ? to : t->first + t->count;
+    const long low = from > t->first ? from : t->first,
+               high = to < t->first + t->count ? to : t->first + t->count;
     b->n = high > low ? (int)(high - low) : 0;
     b->start = solid_array(b->n, sizeof *b->start);
     if (t->is_lattice)
@@ -94,7 +97,8 @@ struct solid_list *solid_list_new(const struct solid_input *in, const struct sol
 
 void solid_list_free(struct solid_list *b) {
     if (!b) return;
-    void *owned[] = {b->start, b->id, b->l, b->xi[0], b->xi[1], b->xi[2], b->inv_length2, b->weight, b->alpha, b->intact, b};
+    void *owned[] = {b->start,       b->id,     b->l,     b->xi[0],  b->xi[1], b->xi[2],
+                     b->inv_length2, b->weight, b->alpha, b->intact, b};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
@@ -128,8 +132,9 @@ void solid_list_volumes(const struct solid_list *b, double *family_volume) {
 void solid_list_weights(struct solid_list *b, const double *family_volume, int surface_correction) {
     for (int i = 0; i < b->n; i++)
         for (long j = b->start[i]; j < b->start[i + 1]; j++)
-            b->alpha[j] =
-                surface_correction ? 2 * b->full_volume / (family_volume[b->first + i] + family_volume[b->l[j]]) : 1;
+            b->alpha[j] = surface_correction
+                              ? 2 * b->full_volume / (family_volume[b->first + i] + family_volume[b->l[j]])
+                              : 1;
 }
 
 int solid_list_longest(const struct solid_list *b) {
@@ -143,7 +148,8 @@ long solid_list_reverse(const struct solid_list *b, int h, long j) {
     const int l = b->l[j] - b->first;
     if (l < 0 || l >= b->n) return -1;
     for (long k = b->start[l]; k < b->start[l + 1]; k++)
-        if (b->l[k] == h && b->xi[0][k] == -b->xi[0][j] && b->xi[1][k] == -b->xi[1][j] && b->xi[2][k] == -b->xi[2][j])
+        if (b->l[k] == h && b->xi[0][k] == -b->xi[0][j] && b->xi[1][k] == -b->xi[1][j] &&
+            b->xi[2][k] == -b->xi[2][j])
             return k;
     return -1;
 }

@@ -8,14 +8,14 @@ struct solid_list {
     double full_volume; /* V0, m3 */
     int first, n;       /* local indices first .. first+n-1 */
     long bonds;
-    long *start;        /* [n+1] */
-    long *id;           /* [bonds] global id of the other end, while being set up */
-    int *l;             /* [bonds] local index of the other end */
-    double *xi[3];      /* [bonds] m */
-    double *inv_length2;/* [bonds] 1/|xi|^2 */
-    double *weight;     /* [bonds] Gamma V_l, m3 */
-    double *alpha;      /* [bonds] */
-    uint8_t *intact;    /* [bonds] */
+    long *start;         /* [n+1] */
+    long *id;            /* [bonds] global id of the other end, while being set up */
+    int *l;              /* [bonds] local index of the other end */
+    double *xi[3];       /* [bonds] m */
+    double *inv_length2; /* [bonds] 1/|xi|^2 */
+    double *weight;      /* [bonds] Gamma V_l, m3 */
+    double *alpha;       /* [bonds] */
+    uint8_t *intact;     /* [bonds] */
 };
 
 struct solid_list *solid_list_new(const struct solid_input *in, const struct solid_body *body,

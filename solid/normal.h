@@ -4,11 +4,13 @@
 
 /* A normal and what it was computed from. */
 struct solid_facing {
-    double n[3];       /* unit */
-    double moved[2][3];/* d_l - d_h of two feelers, long intact bonds that are not parallel, when it was computed, m */
-    int l[2];          /* their other ends; -1: none */
+    double n[3]; /* unit */
+    double moved
+        [2]
+        [3];  /* d_l - d_h of two feelers, long intact bonds that are not parallel, when it was computed, m */
+    int l[2]; /* their other ends; -1: none */
     uint8_t two_sided;
-    uint8_t open;      /* the void cones when it was computed */
+    uint8_t open; /* the void cones when it was computed */
 };
 
 /* n = -sum (X_l - X_h) lambda Gamma V_l / sum lambda Gamma V_l, normalised.
@@ -20,8 +22,8 @@ struct solid_facing {
 void solid_normal_look(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
                        struct solid_facing *out);
 /* The same for the undeformed, unbroken solid. */
-void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                             struct solid_facing *out);
+void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view,
+                             unsigned open, struct solid_facing *out);
 /* 1 if the feelers have turned by enough (0.02 spacings at their ends, some 0.4 degrees) for the normal to be looked at
  * again; a common translation never is. Ghosts must be current. Not collective. */
 int solid_normal_has_turned(const struct solid *s, int h, const struct solid_facing *facing);

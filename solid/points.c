@@ -13,8 +13,8 @@ struct solid_points {
     double *x[3], *volume, *horizon; /* [n] by number */
     double spacing, low[3], cell;    /* cells as wide as the longest bond */
     int cells[3];
-    long *cell_start, *cell_point;   /* points sorted by cell */
-    double period[3];                /* 0: not periodic */
+    long *cell_start, *cell_point; /* points sorted by cell */
+    double period[3];              /* 0: not periodic */
     const char *name;
 };
 
@@ -66,7 +66,8 @@ struct solid_points *solid_points_new(const struct solid_input *in, const struct
         p->volume[i] = body->point_volume[t->point[i]];
         p->horizon[i] = horizon;
         if (!(p->volume[i] > 0))
-            die_all(EXIT_CODE_SCENE, "point %ld of solid body %s has no volume (%g)", t->point[i], p->name, p->volume[i]);
+            die_all(EXIT_CODE_SCENE, "point %ld of solid body %s has no volume (%g)", t->point[i], p->name,
+                    p->volume[i]);
     }
     sort_into_cells(p, horizon + in->spacing);
     return p;
@@ -82,7 +83,8 @@ void solid_points_free(struct solid_points *p) {
     memory_free(p);
 }
 
-static void consider(const struct solid_points *p, long h, long l, const double shift[3], struct solid_points_near *near) {
+static void consider(const struct solid_points *p, long h, long l, const double shift[3],
+                     struct solid_points_near *near) {
     if (l == h) return;
     double xi[3], length2 = 0;
     for (int c = 0; c < 3; c++) {
@@ -93,7 +95,8 @@ static void consider(const struct solid_points *p, long h, long l, const double 
     if (length2 >= limit * limit * (1 - 1e-12)) return;
     if (length2 == 0) die(EXIT_CODE_SCENE, "two points of solid body %s coincide", p->name);
     if (near->n == SOLID_FAMILY_MAX)
-        die(EXIT_CODE_SCENE, "a point of solid body %s has more than %d neighbours", p->name, SOLID_FAMILY_MAX);
+        die(EXIT_CODE_SCENE, "a point of solid body %s has more than %d neighbours", p->name,
+            SOLID_FAMILY_MAX);
     const double fraction = 0.5 * (solid_weight_fraction(xi, cbrt(p->volume[l]), horizon, COLUMNS) +
                                    solid_weight_fraction(xi, cbrt(p->volume[h]), horizon, COLUMNS));
     int k = near->n++;
@@ -128,7 +131,8 @@ void solid_points_near(const struct solid_points *p, long h, struct solid_points
                         for (int i = from[0]; i <= to[0]; i++) {
                             const long cell = ((long)k * p->cells[1] + j) * p->cells[0] + i;
                             const long *start = &p->cell_start[cell];
-                            for (long q = start[0]; q < start[1]; q++) consider(p, h, p->cell_point[q], shift, near);
+                            for (long q = start[0]; q < start[1]; q++)
+                                consider(p, h, p->cell_point[q], shift, near);
                         }
             }
 }

@@ -7,9 +7,9 @@ struct solid_points; /* opaque: the body's points sorted into cells */
 
 struct solid_points_near {
     int n;
-    long number[SOLID_FAMILY_MAX];    /* of the neighbour in the body's numbering, ascending */
-    double xi[SOLID_FAMILY_MAX][3];   /* m */
-    double weight[SOLID_FAMILY_MAX];  /* Gamma V_l, m3 */
+    long number[SOLID_FAMILY_MAX];   /* of the neighbour in the body's numbering, ascending */
+    double xi[SOLID_FAMILY_MAX][3];  /* m */
+    double weight[SOLID_FAMILY_MAX]; /* Gamma V_l, m3 */
 };
 
 /* Every point has the horizon given; the store allows each its own. Collective (all ranks alike). */

@@ -1,10 +1,8 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "solid/constraint.h"
+#include "solid/contact.h"
 #include "solid/force.h"
-#if __has_include("solid/contact.h")
-#    include "solid/contact.h"
-#endif
 
 #include <math.h>
 
@@ -23,9 +21,7 @@ struct sums {
 static struct sums sweep(struct solid *s, double *const start[3]) {
     solid_ghosts_update(s);
     solid_force_bonds(s, 0, 0);
-#if __has_include("solid/contact.h")
     if (s->in.contact && s->contact) solid_contact_force(s);
-#endif
     double sum[5] = {0};
     for (int h = 0; h < s->n; h++) {
         const double density = solid_density(s, h), mass = density * s->volume[h];

@@ -3,6 +3,7 @@
 #include "base/par.h"
 #include "base/par_exchange.h"
 #include "solid/constraint.h"
+#include "solid/contact.h"
 #include "solid/family.h"
 #include "solid/lattice.h"
 #include "solid/list.h"
@@ -37,9 +38,11 @@ static void input_check(const struct solid_input *in) {
     }
     for (int m = 0; m < in->materials; m++) {
         const struct solid_material *k = &in->material[m];
-        if (!(k->youngs_modulus > 0) || !(k->density > 0) || !(k->fracture_energy >= 0) || !(k->horizon_ratio >= 1))
+        if (!(k->youngs_modulus > 0) || !(k->density > 0) || !(k->fracture_energy >= 0) ||
+            !(k->horizon_ratio >= 1))
             die_all(EXIT_CODE_SCENE,
-                    "solid material %d: youngs_modulus %g and density %g must be above 0, fracture_energy %g not below 0, "
+                    "solid material %d: youngs_modulus %g and density %g must be above 0, fracture_energy %g "
+                    "not below 0, "
                     "horizon_ratio %g at least 1 particle spacing",
                     m, k->youngs_modulus, k->density, k->fracture_energy, k->horizon_ratio);
     }
@@ -53,10 +56,12 @@ static void overlap_check(const struct solid_input *in, struct solid_sites *cons
             for (int q = 0; sites[a]->is_lattice && q < t->filled; q++) {
                 const int row = t->order[q];
                 for (int k = 0; k < 8; k++) {
-                    const int site[3] = {t->low[0] + 8 * (row % t->rows[0]) + k, t->low[1] + row / t->rows[0] % t->rows[1],
+                    const int site[3] = {t->low[0] + 8 * (row % t->rows[0]) + k,
+                                         t->low[1] + row / t->rows[0] % t->rows[1],
                                          t->low[2] + row / t->rows[0] / t->rows[1]};
                     if ((t->bits[row] >> k & 1) && solid_sites_id(sites[a], site) >= 0)
-                        die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap", in->body[a].name, in->body[b].name);
+                        die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap", in->body[a].name,
+                                in->body[b].name);
                 }
             }
         }
@@ -128,7 +133,8 @@ static void arrays_new(struct solid *s) {
     s->flag = memory_new(MEMORY_SOLID, all, 1);
 }
 
-static void points_place(struct solid *s, const struct solid_body *body, const struct solid_sites *t, int first, int n) {
+static void points_place(struct solid *s, const struct solid_body *body, const struct solid_sites *t,
+                         int first, int n) {
     const long from = s->first[par_rank()] + first - t->first;
     for (int i = 0; i < n; i++) {
         for (int c = 0; c < 3; c++) s->x0[c][first + i] = body->point[c][t->point[from + i]];
@@ -220,6 +226,7 @@ struct solid *solid_new(const struct solid_input *in) {
 void solid_free(struct solid *s) {
     if (!s) return;
     struct solid_family *f = s->family;
+    solid_contact_free(s);
     for (int b = 0; b < f->bodies; b++) {
         solid_lattice_free(f->lattice[b]);
         solid_list_free(f->list[b]);

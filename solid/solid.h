@@ -11,6 +11,7 @@
 struct par_ghost;
 struct solid_family; /* opaque: the bonds, solid/family.h */
 struct solid_contact;
+struct solid_added_mass;
 
 struct solid_material {
     double youngs_modulus;  /* Pa */
@@ -25,10 +26,10 @@ enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS };
 struct solid_body {
     char name[64];
     enum solid_shape shape;
-    double low[3], high[3];    /* box, m */
-    double centre[3], radius;  /* sphere, cylinder */
-    int axis;                  /* cylinder */
-    double length;             /* cylinder */
+    double low[3], high[3];   /* box, m */
+    double centre[3], radius; /* sphere, cylinder */
+    int axis;                 /* cylinder */
+    double length;            /* cylinder */
     /* spherical cavities on a cubic array, cut out of any shape; period 0: none */
     double cavity_period, cavity_radius, cavity_centre[3];
     /* SOLID_POINTS: particles as they are, on no lattice; borrowed, [points] */
@@ -63,10 +64,10 @@ struct solid_input {
     const struct solid_constraint *constraint;
     int unbreakables;
     const struct solid_region *unbreakable;
-    double body_force[3]; /* per unit mass, m/s2 */
-    int surface_correction; /* volume method on (default 1) */
-    int general_bonds;      /* 1: lists of bonds even for lattice bodies (tests) */
-    int contact;            /* 1: particles that come near repel; costs nothing before they can */
+    double body_force[3];     /* per unit mass, m/s2 */
+    int surface_correction;   /* volume method on (default 1) */
+    int general_bonds;        /* 1: lists of bonds even for lattice bodies (tests) */
+    int contact;              /* 1: particles that come near repel; costs nothing before they can */
     double contact_stiffness; /* k_c / c0, default 15 */
     double contact_exponent;  /* n_c, default 1 */
     double contact_radius;    /* r_c / spacing, default 1 */
@@ -83,52 +84,58 @@ struct solid_stage {
 };
 
 enum solid_flag {
-    SOLID_HELD_X = 1, SOLID_HELD_Y = 2, SOLID_HELD_Z = 4, /* velocity imposed in the direction */
-    SOLID_UNBREAKABLE = 8,  /* in an unbreakable region */
-    SOLID_BROKEN = 16,      /* has lost a bond */
+    SOLID_HELD_X = 1,
+    SOLID_HELD_Y = 2,
+    SOLID_HELD_Z = 4,      /* velocity imposed in the direction */
+    SOLID_UNBREAKABLE = 8, /* in an unbreakable region */
+    SOLID_BROKEN = 16,     /* has lost a bond */
     SOLID_INTERFACE = 32,
-    SOLID_FIRST = 64        /* was on the interface at the start */
+    SOLID_FIRST = 64 /* was on the interface at the start */
 };
 
 struct solid {
-    struct solid_input in;     /* the copied numbers; body, material and the like point to owned copies */
+    struct solid_input in; /* the copied numbers; body, material and the like point to owned copies */
     struct solid_stage stage;
     long n_global;
-    long *first;               /* [size+1] */
+    long *first; /* [size+1] */
     int n, n_ghost;
     struct par_ghost *ghost;
     /* parameters, [n + n_ghost] */
-    double *x0[3];             /* m */
-    double *volume;            /* m3 */
-    double *family_volume;     /* V_h = sum Gamma V of the unbroken family, m3 (ghosts too) */
+    double *x0[3];         /* m */
+    double *volume;        /* m3 */
+    double *family_volume; /* V_h = sum Gamma V of the unbroken family, m3 (ghosts too) */
     uint8_t *body;
-    uint8_t *flag;             /* enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
+    uint8_t *flag; /* enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
     /* state, [n + n_ghost]; with the bonds' lambda, what a checkpoint stores */
-    double *d[3];              /* displacement X - X0, m */
-    double *v[3];              /* velocity, m/s */
+    double *d[3]; /* displacement X - X0, m */
+    double *v[3]; /* velocity, m/s */
     /* work, [n] */
-    double *a[3];              /* acceleration of the last force sweep, m/s2 */
-    double *load[3];           /* external force per unit volume F_h, N/m3, written by the coupling */
+    double *a[3];    /* acceleration of the last force sweep, m/s2 */
+    double *load[3]; /* external force per unit volume F_h, N/m3, written by the coupling */
+    const struct solid_added_mass *added; /* borrowed, NULL: none (solid/added_mass.h) */
     struct solid_family *family;
     struct solid_contact *contact; /* NULL until something can touch */
     /* counters and energies, this rank's share */
-    long bonds_total;          /* undirected, whole solid, at the start */
-    long bonds_broken;         /* undirected, whole solid; valid after solid_count_bonds */
-    int broke;                 /* 1: a bond of an owned particle broke since the flag was last cleared */
-    double e_damped;           /* J taken out by damping so far */
-    double e_fracture;         /* J released by broken bonds so far: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
-    double e_constraint;       /* J put in by driven layers so far */
-    double work_load;          /* J put in by load and body force so far */
+    long bonds_total;  /* undirected, whole solid, at the start */
+    long bonds_broken; /* undirected, whole solid; valid after solid_count_bonds */
+    int broke;         /* 1: a bond of an owned particle broke since the flag was last cleared */
+    double e_damped;   /* J taken out by damping so far */
+    double e_fracture; /* J released by broken bonds so far: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
+    double e_constraint; /* J put in by driven layers so far */
+    double work_load;    /* J put in by load and body force so far */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    long sweeps;               /* force sweeps so far */
-    /* work of the integrators, [n]: rates of the stage before (RK3); load that is in a (Verlet) */
+    double power_added; /* the part of power_load that is the added mass's */
+    long sweeps;        /* force sweeps so far */
+    /* work of the integrators, [n]: rates of the stage before (RK3); bonds' and contact's part of a, a before (Verlet) */
     double *v_old[3], *a_old[3];
-    uint64_t fingerprint;      /* of the d and v that a belongs to (Verlet); 0: a is of no use */
+    uint64_t fingerprint; /* of the d and v that a belongs to (Verlet); 0: a is of no use */
     struct solid_stage stage_of_a;
+    double power_pairwise; /* of the sweep that v_old belongs to, W (Verlet) */
 };
 
-struct solid *solid_new(const struct solid_input *in); /* Collective. Dies (exit 2) on an empty or impossible body. */
+struct solid *
+solid_new(const struct solid_input *in); /* Collective. Dies (exit 2) on an empty or impossible body. */
 void solid_free(struct solid *s);
 
 /* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.28) */
@@ -146,7 +153,9 @@ void solid_ghosts_update(struct solid *s); /* d (and v when damping needs it). C
  * is not counted). Collective. */
 void solid_advance(struct solid *s, double dt, int substeps);
 /* The largest stable step of the assembled, intact solid for the integrator: sqrt(3)/omega_max (RK3), 2/omega_max
- * (Verlet), omega_max by power iteration.  Collective. */
+ * (Verlet), omega_max by Lanczos's iteration (power iteration that keeps what it has learnt), good to
+ * about 1e-3. The stage's damping is considered: its largest rate g, by the same iteration, makes RK3's limit at most 2.51/g and
+ * Verlet's 2/omega_max (sqrt(1 + z^2) - z), z = g/(2 omega_max), because its damping lags. Collective. */
 double solid_stable_step(struct solid *s, enum solid_integrator integrator);
 /* Adaptive dynamic relaxation to static equilibrium under the present load: steps taken, or -1 if not converged to
  * |residual| <= tolerance * |load|. Breakage off. Collective. */

@@ -5,14 +5,14 @@
 
 /* The bonds' law in a body.  (001: eqs 3.21, 3.28) */
 struct solid_law {
-    double c0;          /* N/m6 */
-    double density;     /* kg/m3 */
-    double eps_limit;   /* (1 + s0)^2 - 1 */
+    double c0;        /* N/m6 */
+    double density;   /* kg/m3 */
+    double eps_limit; /* (1 + s0)^2 - 1 */
 };
 
 /* Where a global id stands on this rank: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: nowhere. */
 struct solid_numbering {
-    long from, to;      /* owned ids */
+    long from, to; /* owned ids */
     int ghosts;
     const long *ghost_id;
 };
@@ -21,7 +21,7 @@ int solid_numbering_local(const struct solid_numbering *numbering, long id);
 /* What a sweep over the bonds is asked. */
 struct solid_sweep {
     int may_break;
-    double damping;     /* k_d, N s/m7 */
+    double damping; /* k_d, N s/m7 */
 };
 
 struct solid_lattice;

@@ -28,7 +28,6 @@ void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
     f->watch[f->watch_of[w->h]] = *w;
 }
 
-/* The lists, from the flags and what is kept by particle. Returns the particles on the interface of all ranks. */
 void solid_surface_gather(struct solid *s, struct solid_surface *f) {
     f->n = 0;
     for (int h = 0; h < s->n; h++) {
@@ -85,7 +84,8 @@ struct solid_surface *solid_surface_new(struct solid *s) {
     }
     solid_lost_take(s, SOLID_BROKE_SURFACE);
     solid_surface_gather(s, f);
-    solid_surface_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY}, (double[]){INFINITY, INFINITY, INFINITY});
+    solid_surface_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
+                           (double[]){INFINITY, INFINITY, INFINITY});
     f->total = par_sum_long(f->n);
     clock_end(CLOCK_INTERFACE);
     return f;
@@ -110,13 +110,15 @@ void solid_surface_free(struct solid_surface *f) {
 /* Particles that have lost bonds since the last look: what their test needs, and their normals. */
 static void look_where_broken(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
-    for (int h = 0; h < s->n; h++) {
-        if (!(s->flag[h] & SOLID_BROKEN) || !solid_lost_since(f->lost, s, h)) continue;
+    const int found = solid_lost_find(f->lost, s);
+    for (int k = 0; k < found; k++) {
+        const int h = f->lost->h[k];
         struct solid_watch w;
         solid_family_view(s, h, &view);
         solid_sector_look(s, h, &view, &w);
         if (w.broken || w.set_free) solid_surface_watch(f, &w);
-        if (s->flag[h] & SOLID_INTERFACE) solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
+        if (s->flag[h] & SOLID_INTERFACE)
+            solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
     }
 }
 
@@ -140,7 +142,13 @@ static int look_where_open(struct solid *s, struct solid_surface *f) {
     return changes;
 }
 
-/* Normals of particles whose family has turned; writes all normals to the list, unless it is about to be made anew. */
+static void renew(struct solid_surface *f, int i) {
+    const struct solid_facing *facing = &f->facing[f->h[i]];
+    for (int c = 0; c < 3; c++) f->normal[c][i] = facing->n[c];
+    f->two_sided[i] = facing->two_sided;
+}
+
+/* Normals of particles whose family has turned. */
 static void look_where_turned(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
     for (int i = 0; i < f->n; i++) {
@@ -148,20 +156,20 @@ static void look_where_turned(struct solid *s, struct solid_surface *f) {
         if (!solid_normal_has_turned(s, h, &f->facing[h])) continue;
         solid_family_view(s, h, &view);
         solid_normal_look(s, h, &view, f->facing[h].open, &f->facing[h]);
-    }
-    for (int i = 0; i < f->n; i++) {
-        const struct solid_facing *facing = &f->facing[f->h[i]];
-        for (int c = 0; c < 3; c++) f->normal[c][i] = facing->n[c];
-        f->two_sided[i] = facing->two_sided;
+        renew(f, i);
     }
 }
 
 int solid_surface_update(struct solid *s, struct solid_surface *f) {
     clock_begin(CLOCK_INTERFACE);
     solid_ghosts_update(s);
-    if (solid_lost_take(s, SOLID_BROKE_SURFACE)) look_where_broken(s, f);
+    const int broke = solid_lost_take(s, SOLID_BROKE_SURFACE);
+    if (broke) look_where_broken(s, f);
     const int changes = f->watched ? look_where_open(s, f) : 0;
-    if (changes) solid_surface_gather(s, f);
+    if (changes)
+        solid_surface_gather(s, f);
+    else if (broke || f->watched) /* normals may be new where the set is not */
+        for (int i = 0; i < f->n; i++) renew(f, i);
     look_where_turned(s, f);
     long all[2] = {changes, f->n};
     par_sum_long_array(all, 2);

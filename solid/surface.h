@@ -19,15 +19,16 @@ struct solid_watch;
 struct solid_facing;
 
 struct solid_surface {
-    int n;               /* interface particles owned here, by rising local index */
-    int capacity;        /* s->n: the lists below never grow */
-    int *h;              /* [n] local index of the particle */
-    double *normal[3];   /* [n] unit, out of the material; for two-sided particles the plate's axis, either sign */
-    uint8_t *two_sided;  /* [n] a wall one particle thick, or a particle set free: both faces are wetted */
-    double *area;        /* [n] A_h, m2 (per face) */
-    double initial_area; /* A_h of the particles that were on the interface at the start */
-    double immersed_area;/* whole solid, at the start, m2 */
-    long total;          /* interface particles of all ranks */
+    int n;        /* interface particles owned here, by rising local index */
+    int capacity; /* s->n: the lists below never grow */
+    int *h;       /* [n] local index of the particle */
+    double
+        *normal[3]; /* [n] unit, out of the material; for two-sided particles the plate's axis, either sign */
+    uint8_t *two_sided;   /* [n] a wall one particle thick, or a particle set free: both faces are wetted */
+    double *area;         /* [n] A_h, m2 (per face) */
+    double initial_area;  /* A_h of the particles that were on the interface at the start */
+    double immersed_area; /* whole solid, at the start, m2 */
+    long total;           /* interface particles of all ranks */
     /* by owned particle, [s->n] */
     struct solid_facing *facing; /* normal as last computed, and what it was computed from */
     uint8_t *bare;               /* bit f: the nearest site in direction f was void at the start */
@@ -35,15 +36,17 @@ struct solid_surface {
     uint8_t *faces;              /* wetted faces at the start: 0, 1 or 2 */
     /* particles that have lost a nearest neighbour, or all their bonds */
     int watched, watch_capacity;
-    struct solid_watch *watch;   /* [watched] */
-    int *watch_of;               /* [s->n] place in watch, or -1 */
+    struct solid_watch *watch; /* [watched] */
+    int *watch_of;             /* [s->n] place in watch, or -1 */
     struct solid_lost *lost;
 };
 
-struct solid_surface *solid_surface_new(struct solid *s); /* Detects from scratch; sets SOLID_INTERFACE, SOLID_FIRST. Collective. */
+struct solid_surface *
+solid_surface_new(struct solid *s); /* Detects from scratch; sets SOLID_INTERFACE, SOLID_FIRST. Collective. */
 void solid_surface_free(struct solid_surface *surface);
 /* After the solid has moved or broken: looks again only where a bond has broken, and turns normals only where particles
  * have moved enough to matter. Costs next to nothing while no bond has broken. Returns 1 if the set has changed. Collective. */
 int solid_surface_update(struct solid *s, struct solid_surface *surface);
 /* Counts only what lies in the box (X0) into immersed_area and A_h: what a wall covers is not immersed. Collective. */
-void solid_surface_restrict(struct solid *s, struct solid_surface *surface, const double low[3], const double high[3]);
+void solid_surface_restrict(struct solid *s, struct solid_surface *surface, const double low[3],
+                            const double high[3]);

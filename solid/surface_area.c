@@ -22,7 +22,8 @@ static void add_away(double sum[3], const double site[3], const double x[3], dou
 }
 
 /* |n_f.e| at the face towards the void site in direction f. */
-static double facing_of(const struct solid_family_view *view, const struct solid_facing *start, int f, double spacing) {
+static double facing_of(const struct solid_family_view *view, const struct solid_facing *start, int f,
+                        double spacing) {
     const double self[3] = {0, 0, 0}, reach = 2 * spacing * (1 + 1e-9);
     double site[3], seen[3] = {0, 0, 0}, e[3], r2 = 0, mean2 = 0;
     solid_sector_axis(f, e);
@@ -49,7 +50,8 @@ double solid_surface_share(const struct solid *s, int h, const struct solid_fami
     return share;
 }
 
-void solid_surface_restrict(struct solid *s, struct solid_surface *surface, const double low[3], const double high[3]) {
+void solid_surface_restrict(struct solid *s, struct solid_surface *surface, const double low[3],
+                            const double high[3]) {
     double sum[2] = {0, 0}; /* area, wetted faces */
     for (int h = 0; h < s->n; h++) {
         if (!(s->flag[h] & SOLID_FIRST)) continue;

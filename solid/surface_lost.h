@@ -13,12 +13,14 @@ enum solid_broke {
 int solid_lost_take(struct solid *s, enum solid_broke reader);
 
 struct solid_lost {
-    uint16_t *intact; /* [s->n] intact bonds when last asked */
-    uint8_t *bits;
-    int bytes;
+    int found;        /* of the last solid_lost_find */
+    int *h;           /* [found] room for s->n */
+    uint16_t *intact; /* [s->n] intact bonds when last looked at */
+    int *
+        row_intact; /* of the lattices' rows, one lattice after another: a row that has lost none is not looked into */
 };
 
 struct solid_lost *solid_lost_new(const struct solid *s); /* Not collective. */
 void solid_lost_free(struct solid_lost *lost);
-/* 1 if owned particle h has lost a bond since this was last asked of it. Not collective. */
-int solid_lost_since(struct solid_lost *lost, const struct solid *s, int h);
+/* The owned particles that have lost bonds since this was last called, into lost->h; returns how many. Not collective. */
+int solid_lost_find(struct solid_lost *lost, const struct solid *s);

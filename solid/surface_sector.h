@@ -19,10 +19,10 @@ enum { SOLID_FACES = 6, SOLID_CONE_BONDS = 4 };
 /* A particle that has lost bonds: what its interface test needs. */
 struct solid_watch {
     int h;
-    uint8_t bare;                                    /* bit f: never held a bond */
-    uint8_t broken;                                  /* bit f: all its bonds are broken */
-    uint8_t set_free;                                /* no intact bond at all */
-    uint8_t bonds[SOLID_FACES];                      /* of the broken cones, at most SOLID_CONE_BONDS kept */
+    uint8_t bare;               /* bit f: never held a bond */
+    uint8_t broken;             /* bit f: all its bonds are broken */
+    uint8_t set_free;           /* no intact bond at all */
+    uint8_t bonds[SOLID_FACES]; /* of the broken cones, at most SOLID_CONE_BONDS kept */
     int l[SOLID_FACES][SOLID_CONE_BONDS];
 };
 
@@ -33,7 +33,8 @@ void solid_sector_axis(int f, double e[3]);
 /* Edge of particle h's cube: the lattice's spacing, or volume^(1/3) off the lattice, m. */
 double solid_sector_spacing(const struct solid *s, int h);
 
-void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w);
+void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view,
+                       struct solid_watch *w);
 /* Bit f: cone f is void now. Ghosts must be current. */
 unsigned solid_sector_void(const struct solid *s, const struct solid_watch *w);
 

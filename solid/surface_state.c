@@ -39,10 +39,10 @@ void solid_surface_load(struct solid *s, struct solid_surface *f, const double *
     struct solid_family_view view;
     for (int k = 0; k < f->watched; k++) f->watch_of[f->watch[k].h] = -1;
     f->watched = 0;
+    solid_lost_find(f->lost, s); /* what is lost is known */
     for (int h = 0; h < s->n; h++) {
         const double *from = state + (size_t)h * STATE;
         const int broken = s->flag[h] & SOLID_BROKEN, on = s->flag[h] & SOLID_INTERFACE;
-        solid_lost_since(f->lost, s, h);
         if (!broken && !on) continue;
         solid_family_view(s, h, &view);
         struct solid_watch w;

@@ -1,4 +1,5 @@
 #include "solid/constraint.h"
+#include "solid/force.h"
 #include "solid/integrate.h"
 
 #include <string.h>
@@ -16,17 +17,9 @@ static uint64_t fingerprint(const struct solid *s) {
     return sum ? sum : 1;
 }
 
-/* The load has changed since the last sweep, nothing else: v_old holds the load that is in a. */
-static void change_load(struct solid *s) {
-    for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++) {
-            const double change = s->load[c][h] - s->v_old[c][h];
-            if (change == 0) continue;
-            if (s->flag[h] & SOLID_HELD_X << c)
-                s->power_constraint -= s->volume[h] * change * s->v[c][h];
-            else
-                s->a[c][h] += change / solid_density(s, h);
-        }
+void solid_verlet_keep(struct solid *s) {
+    for (int c = 0; c < 3; c++) memcpy(s->v_old[c], s->a[c], (size_t)s->n * sizeof(double));
+    s->power_pairwise = s->power_damped;
 }
 
 /* Work of load and body force over the displacement v dt + a dt^2/2, J. */
@@ -44,8 +37,10 @@ static double work_of_load(const struct solid *s, double dt) {
 void solid_verlet_begin(struct solid *s) {
     const int same = s->fingerprint && memcmp(&s->stage, &s->stage_of_a, sizeof s->stage) == 0 &&
                      s->fingerprint == fingerprint(s);
-    if (same) {
-        change_load(s);
+    if (same) { /* the load may have changed, nothing else */
+        for (int c = 0; c < 3; c++) memcpy(s->a[c], s->v_old[c], (size_t)s->n * sizeof(double));
+        s->power_damped = s->power_pairwise;
+        solid_force_rest(s);
     } else {
         solid_ghosts_update(s);
         solid_force(s, 1);
@@ -56,10 +51,11 @@ void solid_verlet_begin(struct solid *s) {
  *     v* = v + dt a      d += dt v + dt^2/2 a      a' = a(d, v*)      v = v* + dt/2 (a' - a)
  * Work of the load over the displacement, the other energies by the trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
-    const double damped = s->power_damped, constraint = s->power_constraint;
+    const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
     s->work_load += work_of_load(s, dt);
     for (int c = 0; c < 3; c++) {
-        double *restrict d = s->d[c], *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
+        double *restrict d = s->d[c], *restrict v = s->v[c], *restrict a = s->a[c],
+                         *restrict a_old = s->a_old[c];
         for (int h = 0; h < s->n; h++) {
             d[h] += dt * (v[h] + 0.5 * dt * a[h]);
             v[h] += dt * a[h];
@@ -73,11 +69,11 @@ void solid_verlet_step(struct solid *s, double dt) {
         for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);
     }
     s->e_damped += 0.5 * dt * (damped + s->power_damped);
+    s->work_load += 0.5 * dt * (added + s->power_added);
     s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
 }
 
 void solid_verlet_end(struct solid *s) {
-    for (int c = 0; c < 3; c++) memcpy(s->v_old[c], s->load[c], (size_t)s->n * sizeof(double));
     s->fingerprint = fingerprint(s);
     s->stage_of_a = s->stage;
 }

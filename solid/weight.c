@@ -79,8 +79,8 @@ struct solid_stencil *solid_stencil_new(double spacing, double m) {
                 const int step2 = i * i + j * j + k * k;
                 if (step2 == 0 || step2 >= limit) continue;
                 if (t->n == SOLID_FAMILY_MAX)
-                    die_all(EXIT_CODE_SCENE, "horizon_ratio = %g: a particle would have more than %d bonds", m,
-                            SOLID_FAMILY_MAX);
+                    die_all(EXIT_CODE_SCENE, "horizon_ratio = %g: a particle would have more than %d bonds",
+                            m, SOLID_FAMILY_MAX);
                 const int step[3] = {i, j, k};
                 const double fraction = fraction_of_step(t, step);
                 struct solid_offset *o = &t->offset[t->n++];

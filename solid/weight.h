@@ -7,16 +7,16 @@ double solid_weight_fraction(const double xi[3], double side, double radius, int
 
 /* One directed bond of the lattice's family. */
 struct solid_offset {
-    int step[3];       /* X0_l - X0_h in lattice spacings */
-    double xi[3];      /* m */
-    double length;     /* |xi|, m */
-    double inv_length2;/* 1/|xi|^2, 1/m2 */
-    double weight;     /* Gamma V_l, m3 */
+    int step[3];        /* X0_l - X0_h in lattice spacings */
+    double xi[3];       /* m */
+    double length;      /* |xi|, m */
+    double inv_length2; /* 1/|xi|^2, 1/m2 */
+    double weight;      /* Gamma V_l, m3 */
 };
 
 /* The full family |xi| < delta + spacing/2, ordered z, y, x: the reverse of offset o is n-1-o. */
 struct solid_stencil {
-    int n, reach;       /* offsets; the largest |step| */
+    int n, reach; /* offsets; the largest |step| */
     double spacing, horizon;
     double full_volume; /* V0 = sum of weights, m3 */
     struct solid_offset *offset;

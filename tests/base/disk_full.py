@@ -1,6 +1,6 @@
-"""A checkpoint that the disk refuses ends with one sentence and exit code 4, and leaves the finished one as it was.
+"""What the disk refuses ends with one sentence and exit code 4, and leaves what is finished as it was.
 
-usage: disk_full.py PROGRAM FOLDER [LAUNCHER...]      PROGRAM: test_store_full
+usage: disk_full.py CHECKPOINT SERIES FOLDER [LAUNCHER...]      the programs test_store_full and test_table_full
 """
 import hashlib
 import os
@@ -8,10 +8,10 @@ import shutil
 import subprocess
 import sys
 
-program, folder, *launch = sys.argv[1:]
+checkpoint_program, series_program, folder, *launch = sys.argv[1:]
 
 
-def run(*args):
+def run(*args, program=checkpoint_program):
     command = [*launch, program, *map(str, args)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     return done.returncode, done.stderr
@@ -76,8 +76,30 @@ def no_folder():
     print("refused without a folder")
 
 
+def series():
+    """A series that cannot grow loses no row; one with other columns is not touched; a resume mends the cut row."""
+    path = os.path.join(folder, "series.csv")
+    code, said = run(folder, "dp", -1, 100, 500, program=series_program)
+    assert code == 4 and "series.csv: cannot be written: File too large" in said, (code, said)
+    with open(path) as f:
+        lines = f.read().split("\n")
+    whole = (500 - len("step,dp\n#1,Pa\n") - 9 * len("1,0.5\n")) // len("10,0.5\n") + 9
+    assert lines[2:-1] == [f"{k},0.5" for k in range(1, whole + 1)], lines
+    assert lines[-1] != ""  # the row that was cut off
+    before = digest(path)
+    code, said = run(folder, "other", 50, 1, program=series_program)
+    assert code == 4 and "other columns" in said and digest(path) == before, (code, said)
+    code, said = run(folder, "dp", 50, 1, program=series_program)
+    assert code == 0, said
+    with open(path) as f:
+        assert f.read().split("\n")[2:] == [f"{k},0.5" for k in range(1, 52)] + [""]
+    os.remove(path)
+    print("a series is refused, kept and mended")
+
+
 shutil.rmtree(folder, ignore_errors=True)
 os.makedirs(folder)
+series()
 file_size_limit()
 no_folder()
 small_disk()

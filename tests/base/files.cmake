@@ -22,13 +22,15 @@ frana_test(base/test_log.c ROOM base RANKS 1 2)
 frana_test(base/test_signals.c ROOM base RANKS 1 2 3 4)
 
 # A disk that says no: exit code 4, and nothing finished is harmed.
-add_executable(base_test_store_full ${CMAKE_SOURCE_DIR}/tests/base/test_store_full.c)
-target_link_libraries(base_test_store_full PRIVATE frana_base)
+foreach(program test_store_full test_table_full)
+  add_executable(base_${program} ${CMAKE_SOURCE_DIR}/tests/base/${program}.c)
+  target_link_libraries(base_${program} PRIVATE frana_base)
+endforeach()
 set(files_launch_1) # by itself
 set(files_launch_3 ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n 3)
 foreach(n 1 3)
   add_test(NAME base_disk_full_${n} COMMAND ${FRANA_VTK_PYTHON} ${CMAKE_SOURCE_DIR}/tests/base/disk_full.py
-    $<TARGET_FILE:base_test_store_full> ${CMAKE_BINARY_DIR}/files/disk_full_${n} ${files_launch_${n}})
+    $<TARGET_FILE:base_test_store_full> $<TARGET_FILE:base_test_table_full> ${CMAKE_BINARY_DIR}/files/disk_full_${n} ${files_launch_${n}})
   set_tests_properties(base_disk_full_${n} PROPERTIES PROCESSORS ${n} TIMEOUT 120 LABELS base
     ENVIRONMENT "${files_environment}")
 endforeach()

@@ -104,11 +104,27 @@ static void test_nearest_word(void **state) {
     assert_null(scene_problem_nearest("", 4, word));
 }
 
+/* The largest horizon ratio is where a family on the cubic lattice, |xi| < m + 1/2 spacings, would pass 512 bonds. */
+static void test_largest_horizon_fits_a_family(void **state) {
+    (void)state;
+    const double r2 = (SCENE_HORIZON_MAX + 0.5) * (SCENE_HORIZON_MAX + 0.5);
+    int within = -1, on = 0; /* not its own neighbour */
+    for (int i = -9; i <= 9; i++)
+        for (int j = -9; j <= 9; j++)
+            for (int k = -9; k <= 9; k++) {
+                within += i * i + j * j + k * k < r2;
+                on += i * i + j * j + k * k == r2;
+            }
+    assert_int_equal(within, 484);
+    assert_int_equal(within + on, 514);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_key_has_a_rule), cmocka_unit_test(test_paths_find_their_rule),
-        cmocka_unit_test(test_the_reference_has_every_key), cmocka_unit_test(test_nearest_word)};
+        cmocka_unit_test(test_the_reference_has_every_key), cmocka_unit_test(test_nearest_word),
+        cmocka_unit_test(test_largest_horizon_fits_a_family)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -2,7 +2,6 @@
  * constant: u = G/(2 mu) (y (H - y) + dy^2/4). */
 #include "fluid_case.h"
 
-
 /* A channel along `stream` between walls along `across`, thin in the third direction. */
 static struct fluid_input channel(int stream, int across, int n) {
     struct fluid_input in = {.n = {4, 4, 4}, .length = {4, 4, 4}, .density = 2, .viscosity = 0.5};
@@ -22,7 +21,8 @@ static double parabola(const struct fluid_grid *g, int across, int j, double gra
 /* Largest distance from the parabola of gradient G over the largest velocity, and largest cross flow. */
 static double off_parabola(struct fluid *f, int stream, int across, double gradient) {
     const struct fluid_grid *g = fluid_grid_of(f);
-    const double mu = fluid_input_of(f)->viscosity * fluid_input_of(f)->density, most = fabs(gradient) / (8 * mu);
+    const double mu = fluid_input_of(f)->viscosity * fluid_input_of(f)->density,
+                 most = fabs(gradient) / (8 * mu);
     double worst = 0;
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < g->m[2]; k++)
@@ -30,7 +30,7 @@ static double off_parabola(struct fluid *f, int stream, int across, double gradi
                 for (int i = 0; i < g->m[0]; i++) {
                     const int at[3] = {i, j, k};
                     const double expected = c == stream ? parabola(g, across, at[across], gradient, mu) : 0;
-                    worst = fmax(worst, fabs(component(f, c)[fluid_grid_at(g, i, j, k)] - expected));
+                    worst = worse(worst, (component(f, c)[fluid_grid_at(g, i, j, k)] - expected));
                 }
     return par_max(worst) / most;
 }
@@ -40,7 +40,7 @@ static void poiseuille_by_gradient(void **state) {
     for (int stream = 0; stream < 3; stream++)
         for (int across = 0; across < 3; across++) {
             if (stream == across) continue;
-            struct fluid_input in = channel(stream, across, 13);
+            struct fluid_input in = channel(stream, across, 9);
             in.driving.type = FLUID_DRIVING_GRADIENT;
             in.driving.value = 3;
             struct fluid *f = fluid_new(&in);
@@ -57,7 +57,8 @@ static void start_up(void **state) {
     static const double time[] = {0.05, 0.1, 0.2, 0.5, 1, 2};
     static const double centre[] = {.099956, .197746, .370386, .699455, .912477, .992578};
     static const double quarter[] = {.096298, .176878, .304159, .537481, .688112, .744752};
-    struct fluid_input in = channel(0, 1, 65); /* odd: the centre is a cell's; y = h/2 lies a quarter cell off one */
+    struct fluid_input in =
+        channel(0, 1, 33); /* odd: the centre is a cell's; y = h/2 lies a quarter cell off one */
     in.driving.type = FLUID_DRIVING_GRADIENT;
     in.driving.value = 8 * in.density * in.viscosity; /* centre velocity 1 */
     struct fluid *f = fluid_new(&in);
@@ -68,13 +69,14 @@ static void start_up(void **state) {
         const int steps = (int)ceil((until - t) / (0.9 * fluid_stable_step(f).viscous));
         for (int i = 0; i < steps; i++) fluid_step(f, (until - t) / steps);
         t = until;
-        double line[65] = {0};
-        for (int j = 0; j < g->m[1]; j++) line[j + g->lo[1]] = g->lo[2] == 0 ? fluid_state_of(f)->u[fluid_grid_at(g, 0, j, 0)] : 0;
-        par_sum_array(line, 65);
-        const double at = 0.25 * 65 - 0.5;
+        double line[33] = {0};
+        for (int j = 0; j < g->m[1]; j++)
+            line[j + g->lo[1]] = g->lo[2] == 0 ? fluid_state_of(f)->u[fluid_grid_at(g, 0, j, 0)] : 0;
+        par_sum_array(line, 33);
+        const double at = 0.25 * 33 - 0.5;
         const int low = (int)at;
-        assert_near(line[32], centre[s], 3e-4);
-        assert_near(line[low] + (at - low) * (line[low + 1] - line[low]), quarter[s], 3e-4);
+        assert_near(line[16], centre[s], 1e-3);
+        assert_near(line[low] + (at - low) * (line[low + 1] - line[low]), quarter[s], 1e-3);
     }
     fluid_free(f);
 }
@@ -86,17 +88,18 @@ static void inflow_and_outflow(void **state) {
     for (int uniform = 0; uniform < 2; uniform++)
         for (int stream = 0; stream < 3; stream++)
             for (int reverse = 0; reverse < 2; reverse++) {
-                const int across = (stream + 1) % 3, n = 12;
+                const int across = (stream + 1) % 3, n = 8;
                 struct fluid_input in = channel(stream, across, n);
-                const double mean = reverse ? -0.4 : 0.4, mu = in.density * in.viscosity;
-                in.n[stream] = 16;
+                const double mean = reverse ? -1 : 1, mu = in.density * in.viscosity;
+                in.n[stream] = 12;
                 in.length[stream] = 2;
-                in.side[stream][reverse] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.4};
+                in.side[stream][reverse] = (struct fluid_side){
+                    .type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 1};
                 in.side[stream][!reverse].type = FLUID_OUTFLOW;
                 in.initial_poiseuille = !uniform;
                 in.initial_velocity[stream] = mean;
                 struct fluid *f = fluid_new(&in);
-                const double dt = 0.9 * fluid_stable_step(f).step, end = uniform ? 15 : 0.5;
+                const double dt = 0.9 * fluid_stable_step(f).step, end = uniform ? 6 : 0.2;
                 for (double t = 0; t < end; t += dt) {
                     fluid_step(f, dt);
                     if (uniform && t < 10 * dt) assert_below(fluid_divergence_max(f), 1e-12);
@@ -104,9 +107,10 @@ static void inflow_and_outflow(void **state) {
                 /* mean of the discrete parabola: G/(2 mu) (1/6 + dy^2/12 + dy^2/4) */
                 const double dy = 1.0 / n, gradient = 2 * mu * mean / (1.0 / 6 + dy * dy / 3);
                 assert_below(off_parabola(f, stream, across, gradient), uniform ? 1e-9 : 1e-11);
-                double pressure[16];
+                double pressure[12];
                 fluid_mean_pressure(f, stream, pressure);
-                assert_near((pressure[4] - pressure[12]) / (8 * in.length[stream] / 16), gradient, 1e-8 * fabs(gradient));
+                assert_near((pressure[3] - pressure[9]) / (6 * in.length[stream] / 12), gradient,
+                            1e-8 * fabs(gradient));
                 assert_near(fluid_bulk_velocity(f, stream), mean, 1e-12);
                 fluid_free(f);
             }
@@ -118,7 +122,7 @@ static void between_pressures(void **state) {
     for (int stream = 0; stream < 3; stream++)
         for (int reverse = 0; reverse < 2; reverse++) {
             const int across = (stream + 2) % 3;
-            struct fluid_input in = channel(stream, across, 11);
+            struct fluid_input in = channel(stream, across, 8);
             in.n[stream] = 6;
             in.length[stream] = 3;
             in.side[stream][reverse] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 7};
@@ -140,12 +144,13 @@ static void between_pressures(void **state) {
 static void couette(void **state) {
     (void)state;
     for (int general = 0; general < 2; general++) {
-        struct fluid_input in = channel(0, 1, 10);
+        struct fluid_input in = channel(0, 1, 6);
         in.side[1][1] = (struct fluid_side){.type = FLUID_WALL, .velocity = {1.5, 0, 0.5}};
         if (general)
-            in.side[1][1] = (struct fluid_side){.type = FLUID_GENERAL,
-                                                .velocity = {1.5, 0, 0.5},
-                                                .condition = {FLUID_NEUMANN, FLUID_DIRICHLET, FLUID_NEUMANN, FLUID_NEUMANN}};
+            in.side[1][1] = (struct fluid_side){
+                .type = FLUID_GENERAL,
+                .velocity = {1.5, 0, 0.5},
+                .condition = {FLUID_NEUMANN, FLUID_DIRICHLET, FLUID_NEUMANN, FLUID_NEUMANN}};
         struct fluid *f = fluid_new(&in);
         const struct fluid_grid *g = fluid_grid_of(f);
         const double dt = 0.9 * fluid_stable_step(f).viscous;
@@ -160,45 +165,58 @@ static void couette(void **state) {
     }
 }
 
-/* Flow rate through a square duct of side 1 at G/mu = 1: 0.0351442537 (series), approached with the square of the cell. */
+/* Flow rate through a square duct of side 1 at G/mu = 1. */
+static double duct(int stream, int cells) {
+    struct fluid_input in = channel(stream, (stream + 1) % 3, cells);
+    in.n[(stream + 2) % 3] = cells;
+    in.length[(stream + 2) % 3] = 1;
+    all_sides(&in, (stream + 2) % 3, FLUID_WALL);
+    in.driving.type = FLUID_DRIVING_GRADIENT;
+    in.driving.value = in.density * in.viscosity;
+    in.initial_poiseuille = 1;
+    in.initial_velocity[stream] = 0.035;
+    struct fluid *f = fluid_new(&in);
+    const double dt = 0.9 * fluid_stable_step(f).viscous;
+    for (double t = 0; t < 1.5; t += dt) fluid_step(f, dt);
+    const double rate = fluid_bulk_velocity(f, stream);
+    fluid_free(f);
+    return rate;
+}
+
+/* The same from the discrete operator's sine modes: sum over odd k, l of e_k e_l / (lambda_k + lambda_l), with
+ * lambda_k = (2n sin(pi k/2n))^2 and e_k = 2/(n sin(pi k/2n))^2, halved for k = n. */
+static double duct_modes(int n) {
+    double sum = 0;
+    for (int k = 1; k <= n; k += 2)
+        for (int l = 1; l <= n; l += 2) {
+            const double sk = pow(n * sin(M_PI * k / (2 * n)), 2), sl = pow(n * sin(M_PI * l / (2 * n)), 2);
+            sum += (k == n ? 1 : 2) / sk * (l == n ? 1 : 2) / sl / (4 * sk + 4 * sl);
+        }
+    return sum;
+}
+
+/* Exactly the discrete solution's flow rate, which comes near 0.0351442537 (series) with the square of the cell. */
 static void square_duct(void **state) {
     (void)state;
+    static const int cells[3] = {8, 15, 24};
     for (int stream = 0; stream < 3; stream++) {
         double error[3];
-        for (int r = 0; r < 3; r++) {
-            const int cells = 8 * (r + 1);
-            struct fluid_input in = channel(stream, (stream + 1) % 3, cells);
-            in.n[(stream + 2) % 3] = cells;
-            in.length[(stream + 2) % 3] = 1;
-            all_sides(&in, (stream + 2) % 3, FLUID_WALL);
-            in.driving.type = FLUID_DRIVING_GRADIENT;
-            in.driving.value = in.density * in.viscosity;
-            in.initial_poiseuille = 1;
-            in.initial_velocity[stream] = 0.03;
-            struct fluid *f = fluid_new(&in);
-            const double dt = 0.9 * fluid_stable_step(f).viscous;
-            for (double t = 0; t * 0.5 < 0.6; t += dt) fluid_step(f, dt);
-            error[r] = fluid_bulk_velocity(f, stream) / 0.0351442537 - 1;
-            fluid_free(f);
+        for (int r = 0; r < (stream ? 2 : 3); r++) {
+            const double rate = duct(stream, cells[r]);
+            error[r] = rate / 0.0351442537 - 1;
+            assert_near(rate, duct_modes(cells[r]), 1e-7 * rate);
+            if (r == 0) continue;
+            const double order = log(error[r - 1] / error[r]) / log((double)cells[r] / cells[r - 1]);
+            if (!(order > 1.95 && order < 2.05))
+                fail_msg("order %g (errors %g %g)", order, error[r - 1], error[r]);
         }
-        const double first = log(error[0] / error[1]) / log(2.0), second = log(error[1] / error[2]) / log(1.5);
-        if (!(first > 1.95 && first < 2.05 && second > 1.95 && second < 2.05)) fail_msg("orders %g %g (errors %g %g %g)", first, second, error[0], error[1], error[2]);
-        /* a h^2 + b h^4 through the three, taken at h = 0 */
-        double limit = 0;
-        for (int r = 0; r < 3; r++) {
-            double weight = 1;
-            for (int o = 0; o < 3; o++)
-                if (o != r) weight *= (double)((r + 1) * (r + 1)) / ((r + 1) * (r + 1) - (o + 1) * (o + 1));
-            limit += weight * error[r];
-        }
-        assert_near(limit, 0, 1e-5);
     }
 }
 
 /* The bulk velocity is what it should be after every step, from a start that is neither developed nor of that mean. */
 static void bulk_velocity_is_held(void **state) {
     (void)state;
-    struct fluid_input in = channel(2, 1, 12);
+    struct fluid_input in = channel(2, 1, 8);
     in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 2, 0.8};
     in.initial_velocity[2] = 0.2;
     struct fluid *f = fluid_new(&in);
@@ -207,12 +225,13 @@ static void bulk_velocity_is_held(void **state) {
         fluid_step(f, dt);
         if (i < 20) assert_near(fluid_bulk_velocity(f, 2), 0.8, 1e-14);
     }
-    const double dy = 1.0 / 12, gradient = 2 * 0.8 / (1.0 / 6 + dy * dy / 3);
+    const double dy = 1.0 / 8, gradient = 2 * 0.8 / (1.0 / 6 + dy * dy / 3);
     assert_near(fluid_state_of(f)->driving, gradient, 1e-8 * gradient);
     assert_below(off_parabola(f, 2, 1, gradient), 1e-9);
     fluid_free(f);
 }
 
-FLUID_TEST_MAIN(cmocka_unit_test(poiseuille_by_gradient), cmocka_unit_test(start_up), cmocka_unit_test(inflow_and_outflow),
-                cmocka_unit_test(between_pressures), cmocka_unit_test(couette), cmocka_unit_test(square_duct),
+FLUID_TEST_MAIN(cmocka_unit_test(poiseuille_by_gradient), cmocka_unit_test(start_up),
+                cmocka_unit_test(inflow_and_outflow), cmocka_unit_test(between_pressures),
+                cmocka_unit_test(couette), cmocka_unit_test(square_duct),
                 cmocka_unit_test(bulk_velocity_is_held))

@@ -35,7 +35,9 @@ static void fill_gives_images(void **state) {
                                 outside |= !g->periodic[d] && (at[d] < 0 || at[d] >= g->n[d]);
                                 outside |= local[d] < -layers || local[d] >= g->m[d] + layers;
                             }
-                            const double expected = outside ? 77 : random_at(wrap(at[0], NX), wrap(at[1], NY), wrap(at[2], NZ), f);
+                            const double expected =
+                                outside ? 77
+                                        : random_at(wrap(at[0], NX), wrap(at[1], NY), wrap(at[2], NZ), f);
                             assert_true(q[f][fluid_grid_at(g, i, j, k)] == expected);
                         }
             free(q[0]);
@@ -50,12 +52,14 @@ static void add_is_adjoint(void **state) {
     for (int mask = 0; mask < 8; mask++)
         for (int layers = 1; layers <= HALO; layers++) {
             struct fluid_grid *g = grid(mask & 1, mask >> 1 & 1, mask >> 2 & 1);
-            double *a = calloc(g->size, sizeof *a), *b = calloc(g->size, sizeof *b), left = 0, right = 0, scale = 0, ghosts = 0;
+            double *a = calloc(g->size, sizeof *a), *b = calloc(g->size, sizeof *b), left = 0, right = 0,
+                   scale = 0, ghosts = 0;
             for (int k = -layers; k < g->m[2] + layers; k++)
                 for (int j = -layers; j < g->m[1] + layers; j++)
                     for (int i = -layers; i < g->m[0] + layers; i++) {
                         const size_t n = fluid_grid_at(g, i, j, k);
-                        const int owned = i >= 0 && i < g->m[0] && j >= 0 && j < g->m[1] && k >= 0 && k < g->m[2];
+                        const int owned =
+                            i >= 0 && i < g->m[0] && j >= 0 && j < g->m[1] && k >= 0 && k < g->m[2];
                         if (owned) a[n] = random_at(i, j + g->lo[1], k + g->lo[2], 1);
                         b[n] = random_at(i, j, k, par_rank() + 2);
                     }
@@ -89,7 +93,8 @@ static void rank_of_finds_the_owner(void **state) {
     for (int k = 0; k < NZ; k++)
         for (int j = 0; j < NY; j++) {
             const double x[3] = {-0.3, (j + 0.4) / NY, (k + 0.4) / NZ + 2};
-            const int mine = j >= g->lo[1] && j < g->lo[1] + g->m[1] && k >= g->lo[2] && k < g->lo[2] + g->m[2];
+            const int mine =
+                j >= g->lo[1] && j < g->lo[1] + g->m[1] && k >= g->lo[2] && k < g->lo[2] + g->m[2];
             assert_int_equal(mine, fluid_grid_rank_of(g, x) == par_rank());
             assert_int_equal(par_sum_long(mine), 1);
         }
@@ -99,4 +104,5 @@ static void rank_of_finds_the_owner(void **state) {
     fluid_grid_free(g);
 }
 
-FLUID_TEST_MAIN(cmocka_unit_test(fill_gives_images), cmocka_unit_test(add_is_adjoint), cmocka_unit_test(rank_of_finds_the_owner))
+FLUID_TEST_MAIN(cmocka_unit_test(fill_gives_images), cmocka_unit_test(add_is_adjoint),
+                cmocka_unit_test(rank_of_finds_the_owner))

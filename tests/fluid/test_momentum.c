@@ -3,7 +3,8 @@
 
 static struct fluid_input mixed(int sides) {
     struct fluid_input in = {.n = {12, 10, 9}, .length = {1.2, 1, 0.9}, .density = 1.3, .viscosity = 0.02};
-    in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.7};
+    in.side[0][0] =
+        (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.7};
     in.side[0][1].type = FLUID_OUTFLOW;
     all_sides(&in, 1, FLUID_WALL);
     in.side[1][1].velocity[2] = 0.4;
@@ -17,7 +18,8 @@ static struct fluid_input mixed(int sides) {
         in.driving = (struct fluid_driving){FLUID_DRIVING_GRADIENT, 2, 0.5};
     }
     if (sides == 2) {
-        in.side[1][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_UNIFORM, .bulk_velocity = 0.2};
+        in.side[1][0] =
+            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_UNIFORM, .bulk_velocity = 0.2};
         in.side[2][0].type = FLUID_OUTFLOW;
     }
     return in;
@@ -34,7 +36,7 @@ static void box_force_changes_the_momentum(void **state) {
             const double dt = 2e-3 / (1 << r);
             struct fluid *f = fluid_new(&in);
             double force[2][3], momentum[2][3];
-            for (int i = 0; i < 100 << r; i++) fluid_step(f, dt);
+            for (int i = 0; i < 30 << r; i++) fluid_step(f, dt);
             for (int i = 0; i < 2; i++) {
                 fluid_box_force(f, force[i]);
                 fluid_momentum(f, momentum[i]);
@@ -42,7 +44,7 @@ static void box_force_changes_the_momentum(void **state) {
             }
             for (int c = 0; c < 3; c++) {
                 const double mean = 0.5 * (force[0][c] + force[1][c]);
-                error[r] = fmax(error[r], fabs((momentum[1][c] - momentum[0][c]) / dt - mean));
+                error[r] = worse(error[r], ((momentum[1][c] - momentum[0][c]) / dt - mean));
             }
             fluid_free(f);
         }
@@ -61,7 +63,7 @@ static void box_force_vanishes_when_steady(void **state) {
         struct fluid *f = fluid_new(&in);
         double force[3];
         const double dt = 0.8 * fluid_stable_step(f).step;
-        for (double t = 0; t < 40; t += dt) fluid_step(f, dt);
+        for (double t = 0; t < 25; t += dt) fluid_step(f, dt);
         fluid_box_force(f, force);
         for (int c = 0; c < 3; c++) assert_near(force[c], 0, 1e-10);
         fluid_free(f);
@@ -70,7 +72,11 @@ static void box_force_vanishes_when_steady(void **state) {
 
 static void limits(void **state) {
     (void)state;
-    struct fluid_input in = {.n = {128, 64, 64}, .length = {0.2, 0.1, 0.1}, .density = 1000, .viscosity = 1e-3, .initial_velocity = {0.1, 0, 0}};
+    struct fluid_input in = {.n = {128, 64, 64},
+                             .length = {0.2, 0.1, 0.1},
+                             .density = 1000,
+                             .viscosity = 1e-3,
+                             .initial_velocity = {0.1, 0, 0}};
     for (int d = 0; d < 3; d++) all_sides(&in, d, FLUID_PERIODIC);
     for (int d = 0; d < 3; d++) in.n[d] /= 4;
     struct fluid *f = fluid_new(&in);
@@ -107,5 +113,6 @@ static void check_finds_a_nan(void **state) {
     fluid_free(f);
 }
 
-FLUID_TEST_MAIN(cmocka_unit_test(box_force_changes_the_momentum), cmocka_unit_test(box_force_vanishes_when_steady),
-                cmocka_unit_test(limits), cmocka_unit_test(check_finds_a_nan))
+FLUID_TEST_MAIN(cmocka_unit_test(box_force_changes_the_momentum),
+                cmocka_unit_test(box_force_vanishes_when_steady), cmocka_unit_test(limits),
+                cmocka_unit_test(check_finds_a_nan))

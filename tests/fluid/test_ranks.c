@@ -13,14 +13,16 @@ static struct fluid_input scene(int which) {
     all_sides(&in, 2, FLUID_PERIODIC);
     in.initial_velocity[0] = 0.5;
     if (which != 1) {
-        in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
+        in.side[0][0] =
+            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
         in.side[0][1].type = FLUID_OUTFLOW;
     } else {
         in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, 0.5};
         in.z_by_transform = 1;
     }
     if (which == 2) {
-        in.side[2][1] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.3};
+        in.side[2][1] =
+            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.3};
         in.side[2][0].type = FLUID_OUTFLOW;
         in.immersed = 1;
     }
@@ -37,7 +39,9 @@ static void stir(struct fluid *f) {
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++)
-                for (int i = 0; i < g->m[0]; i++) component(f, c)[fluid_grid_at(g, i, j, k)] += 0.1 * random_at(i, j + g->lo[1], k + g->lo[2], c);
+                for (int i = 0; i < g->m[0]; i++)
+                    component(f, c)[fluid_grid_at(g, i, j, k)] +=
+                        0.1 * random_at(i, j + g->lo[1], k + g->lo[2], c);
     fluid_state_refresh(f);
 }
 
@@ -49,7 +53,8 @@ static void gather(struct fluid *f, double *all) {
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++)
                 for (int i = 0; i < g->m[0]; i++)
-                    all[((c * NZ + k + g->lo[2]) * NY + j + g->lo[1]) * NX + i] = component(f, c)[fluid_grid_at(g, i, j, k)];
+                    all[((c * NZ + k + g->lo[2]) * NY + j + g->lo[1]) * NX + i] =
+                        component(f, c)[fluid_grid_at(g, i, j, k)];
     par_sum_array(all, 4 * CELLS);
 }
 
@@ -76,7 +81,7 @@ static void same_on_any_number_of_ranks(void **state) {
                 double most = 0, worst = 0;
                 for (int i = c * CELLS; i < (c + 1) * CELLS; i++) {
                     most = fmax(most, fabs(reference[i]));
-                    worst = fmax(worst, fabs(reference[i] - all[i]));
+                    worst = worse(worst, (reference[i] - all[i]));
                 }
                 assert_true(most > 1e-3 && isfinite(most));
                 if (!(worst < 1e-12 * most)) fail_msg("scene %d, component %d: %g of %g", w, c, worst, most);
@@ -118,7 +123,7 @@ static void state_is_all_there_is(void **state) {
                 for (int j = 0; j < g->m[1]; j++)
                     for (int i = 0; i < g->m[0]; i++) {
                         const size_t n = fluid_grid_at(g, i, j, k);
-                        worst = fmax(worst, fabs(component(other, c)[n] - component(f, c)[n]));
+                        worst = worse(worst, (component(other, c)[n] - component(f, c)[n]));
                     }
         assert_below(par_max(worst), 1e-12);
         fluid_free(f);

@@ -7,7 +7,7 @@ struct flow_result {
     double velocity; /* superficial, m/s */
     double slip;     /* root mean square at the markers / velocity */
     long steps, markers;
-    double seconds;  /* of marching */
+    double seconds; /* of marching */
 };
 
 static inline struct fluid *flow_periodic_box(const int n[3], double dx, double velocity) {
@@ -20,8 +20,8 @@ static inline struct fluid *flow_periodic_box(const int n[3], double dx, double 
 
 /* Marches at a fraction of the viscous limit, 1.65 dx^2 / (12 nu), until the drag changes by less than tolerance
  * over a time of `interval`. */
-static inline struct flow_result flow_march(struct fluid *f, const struct body *body, int iterations, double fraction,
-                                            double interval, double tolerance) {
+static inline struct flow_result flow_march(struct fluid *f, const struct body *body, int iterations,
+                                            double fraction, double interval, double tolerance) {
     const double dx = fluid_grid_of(f)->d[0], dt = fraction * 1.65 * dx * dx / 12;
     const long every = (long)ceil(interval / dt);
     struct ibm *b = ibm_new(f, iterations);
@@ -53,12 +53,13 @@ static inline struct flow_result flow_march(struct fluid *f, const struct body *
 #define ARRAY_RADIUS 0.31017524 /* (3 c / 4 pi)^(1/3) L */
 
 struct array_case {
-    int n;                           /* cells across the box, L = 1 */
-    int even;                        /* evenly spread markers instead of a lattice's outer layer */
-    double retraction;               /* r_d, cells */
-    double sphere[3], lattice[3];    /* centre of the sphere, and the lattice's site, relative to a cell's centre, cells */
+    int n;             /* cells across the box, L = 1 */
+    int even;          /* evenly spread markers instead of a lattice's outer layer */
+    double retraction; /* r_d, cells */
+    double sphere[3],
+        lattice[3]; /* centre of the sphere, and the lattice's site, relative to a cell's centre, cells */
     int iterations;
-    double fraction;                 /* of the time-step limit */
+    double fraction; /* of the time-step limit */
 };
 
 static inline struct body array_body(const struct array_case *c) {
@@ -131,9 +132,11 @@ static inline double walls_shift(double offset, double area, int iterations, dou
     const double up[3] = {0, 1, 0}, speed = 1e-3, dt = fraction * 1.65 / 12;
     for (int sheet = 0; sheet < 4; sheet++)
         for (int k = 0; k < 4; k++)
-            for (int i = 0; i < 4; i++) body_add(&body, (double[3]){i + 0.5, low[sheet] + offset, k + 0.5}, up);
+            for (int i = 0; i < 4; i++)
+                body_add(&body, (double[3]){i + 0.5, low[sheet] + offset, k + 0.5}, up);
     body_finish(&body, 64 * area, 1);
-    for (int h = 0; h < body.n; h++) body.v[0][h] = body.x[1][h] > low[1] - 1 && body.x[1][h] < low[2] + 1 ? speed : 0;
+    for (int h = 0; h < body.n; h++)
+        body.v[0][h] = body.x[1][h] > low[1] - 1 && body.x[1][h] < low[2] + 1 ? speed : 0;
     for (int k = 0; k < g->m[2]; k++) /* near the answer: the shear flow between sharp walls */
         for (int j = 0; j < g->m[1]; j++)
             for (int i = 0; i < g->m[0]; i++) {
@@ -142,7 +145,7 @@ static inline double walls_shift(double offset, double area, int iterations, dou
                 fluid_state_of(f)->u[fluid_grid_at(g, i, j, k)] = speed * fmax(0, fmin(1, rise));
             }
     fluid_state_refresh(f);
-    for (long step = 0; step < (long)(GAP * GAP / dt); step++) {
+    for (long step = 0; step < (long)(0.5 * GAP * GAP / dt); step++) {
         body_send(b, &body);
         for (int r = 0; r < 3; r++) {
             fluid_predict(f, r, dt);

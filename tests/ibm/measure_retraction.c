@@ -1,17 +1,18 @@
-/* measure_retraction [largest mesh, default 48]: the tables of docs/retraction.md, as Markdown. Minutes on one core. */
+/* measure_retraction [largest mesh, default 48 [smallest, default 24]]: the tables of docs/retraction.md, as Markdown. Minutes on
+ * one core. */
 #include "flows.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-static int largest = 48;
+static int largest = 48, smallest = 24;
 
-#define SAY(...)                                                                                                      \
-    do {                                                                                                              \
-        if (par_rank() == 0) {                                                                                        \
-            printf(__VA_ARGS__);                                                                                      \
-            fflush(stdout);                                                                                           \
-        }                                                                                                             \
+#define SAY(...)                                                                                             \
+    do {                                                                                                     \
+        if (par_rank() == 0) {                                                                               \
+            printf(__VA_ARGS__);                                                                             \
+            fflush(stdout);                                                                                  \
+        }                                                                                                    \
     } while (0)
 
 static void planes(void) {
@@ -20,7 +21,8 @@ static void planes(void) {
         double fraction, area;
     } how[5] = {{2, 1, 1}, {2, 0.1, 1}, {5, 1, 1}, {2, 1, 0.8}, {2, 1, 1.2}};
     SAY("## Planes\n\nHow far out of the markers the wall stands, e / dx.\n\n"
-        "| N_s | dt / limit | A_h / dx^2 | offset: 0 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | spread | thin sheet 0 | 0.5 | slip |\n"
+        "| N_s | dt / limit | A_h / dx^2 | offset: 0 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | spread | thin sheet 0 | "
+        "0.5 | slip |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int n = 0; n < 5; n++) {
         double e[6], spread = 0;
@@ -33,7 +35,8 @@ static void planes(void) {
         }
         SAY(" %.3f |", spread);
         for (int o = 0; o <= 5; o += 5)
-            SAY(" %.3f |", sheets_shift(16, 0.1 * o, how[n].area, how[n].iterations, how[n].fraction, &result));
+            SAY(" %.3f |",
+                sheets_shift(16, 0.1 * o, how[n].area, how[n].iterations, how[n].fraction, &result));
         SAY(" %.1e |\n", result.slip);
     }
 }
@@ -59,17 +62,20 @@ static void array_row(struct array_case c, const char *name) {
         }
         *(value < 0 ? &a : &b) = r;
     }
-    SAY("| %d | %s | %d | %g | %ld | %+.2f | %+.2f | %+.2f | %.3f | %.1e | %ld | %.0f |\n", c.n, name, c.iterations,
-        c.fraction, result[1].markers, 100 * error[0], 100 * error[1], 100 * error[2], 0.5 * (a + b), result[1].slip,
-        result[1].steps, result[0].seconds + result[1].seconds + result[2].seconds);
+    SAY("| %d | %s | %d | %g | %ld | %+.2f | %+.2f | %+.2f | %.3f | %.1e | %ld | %.0f |\n", c.n, name,
+        c.iterations, c.fraction, result[1].markers, 100 * error[0], 100 * error[1], 100 * error[2],
+        0.5 * (a + b), result[1].slip, result[1].steps,
+        result[0].seconds + result[1].seconds + result[2].seconds);
 }
 
 static void arrays(void) {
     static const int mesh[4] = {24, 32, 48, 64};
-    SAY("\n## Spheres, c = 1/8\n\nk's error in %% at r_d = 0.3, 0.6, 0.8; r_d* without error; slip / mean velocity at 0.6.\n\n"
+    SAY("\n## Spheres, c = 1/8\n\nk's error in %% at r_d = 0.3, 0.6, 0.8; r_d* without error; slip / mean "
+        "velocity at 0.6.\n\n"
         "| cells | markers | N_s | dt / limit | number | 0.3 | 0.6 | 0.8 | r_d* | slip | steps | s |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int n = 0; n < 4 && mesh[n] <= largest; n++) {
+        if (mesh[n] < smallest) continue;
         const struct array_case plain = {.n = mesh[n], .iterations = 2, .fraction = 1};
         struct array_case c = plain;
         array_row(c, "outer layer");
@@ -104,6 +110,7 @@ static void arrays(void) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     if (argc > 1) largest = atoi(argv[1]);
+    if (argc > 2) smallest = atoi(argv[2]);
     planes();
     arrays();
     par_end();

@@ -62,8 +62,10 @@ static void set_state(struct fluid *f, const struct flow *flow) {
 static void set_frame(double e[3][3], double angle) {
     const double a = angle, b = 1.3 * angle + 0.4, c = 0.7 * angle - 1;
     const double turn[3][3] = {{cos(a) * cos(b), sin(a) * cos(b), -sin(b)},
-                               {cos(a) * sin(b) * sin(c) - sin(a) * cos(c), sin(a) * sin(b) * sin(c) + cos(a) * cos(c), cos(b) * sin(c)},
-                               {cos(a) * sin(b) * cos(c) + sin(a) * sin(c), sin(a) * sin(b) * cos(c) - cos(a) * sin(c), cos(b) * cos(c)}};
+                               {cos(a) * sin(b) * sin(c) - sin(a) * cos(c),
+                                sin(a) * sin(b) * sin(c) + cos(a) * cos(c), cos(b) * sin(c)},
+                               {cos(a) * sin(b) * cos(c) + sin(a) * sin(c),
+                                sin(a) * sin(b) * cos(c) - cos(a) * sin(c), cos(b) * cos(c)}};
     memcpy(e, turn, sizeof turn);
 }
 
@@ -112,7 +114,9 @@ static void linear_velocity(const double y[3], double u[3]) {
 }
 static const double rate[3][3] = {{1.1, -0.7, 0.2}, {0.4, 0.5, -0.9}, {0.8, 0.6, -1.6}};
 static const double slope[3] = {2.5, -1.5, 0.8};
-static double linear_pressure(const double y[3]) { return 7 + slope[0] * y[0] + slope[1] * y[1] + slope[2] * y[2]; }
+static double linear_pressure(const double y[3]) {
+    return 7 + slope[0] * y[0] + slope[1] * y[1] + slope[2] * y[2];
+}
 
 /* Velocity and pressure linear in space, root accelerated as that pressure asks: exact for any angle, place and normal. */
 static void exact_on_linear_fields(void **state) {
@@ -123,7 +127,8 @@ static void exact_on_linear_fields(void **state) {
     struct probes p = probes_new(100);
     const double dx = 1.0 / n, mu = density * viscosity;
     for (int angle = 0; angle < 5; angle++) {
-        struct flow flow = {.o = {0.47, 0.52, 0.55}, .velocity = linear_velocity, .pressure = linear_pressure};
+        struct flow flow = {
+            .o = {0.47, 0.52, 0.55}, .velocity = linear_velocity, .pressure = linear_pressure};
         set_frame(flow.e, 0.9 * angle);
         set_state(f, &flow);
         double normal[100][3]; /* in the flow's frame */
@@ -177,7 +182,8 @@ static double stagnation_error(int n) {
     struct fluid *f = walled_box(n, 1, NULL);
     struct ibm *b = ibm_new(f, 1);
     struct probes p = probes_new(100);
-    struct flow flow = {.o = {0.51, 0.46, 0.53}, .velocity = stagnation_velocity, .pressure = stagnation_pressure};
+    struct flow flow = {
+        .o = {0.51, 0.46, 0.53}, .velocity = stagnation_velocity, .pressure = stagnation_pressure};
     set_frame(flow.e, 0.6);
     set_state(f, &flow);
     for (int h = par_rank(); h < 60; h += par_size()) {
@@ -227,7 +233,8 @@ static void hydrostatics_lifts(void **state) {
     const int n = 24;
     struct fluid *f = walled_box(n, 1, (double[3]){0, 0, gravity});
     struct ibm *b = ibm_new(f, 1);
-    const struct flow flow = {.e = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .velocity = rest, .pressure = hydrostatic};
+    const struct flow flow = {
+        .e = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .velocity = rest, .pressure = hydrostatic};
     const double dx = 1.0 / n;
     set_state(f, &flow);
     for (int shape = 0; shape < 2; shape++) {
@@ -267,7 +274,8 @@ static void hydrostatics_lifts(void **state) {
             for (int d = 0; d < 3; d++) lift[d] += p.traction[d][h] * body.area[h];
         par_sum_array(lift, 3);
         const double weight = density * -gravity * volume;
-        for (int d = 0; d < 3; d++) close_to(lift[d], d == 2 ? weight : 0, (shape == 0 ? 1e-12 : 0.03) * weight);
+        for (int d = 0; d < 3; d++)
+            close_to(lift[d], d == 2 ? weight : 0, (shape == 0 ? 1e-12 : 0.03) * weight);
         probes_free(&p);
         body_free(&body);
     }
@@ -289,7 +297,8 @@ static void driving_gradient_pushes(void **state) {
         for (int end = 0; end < 2; end++) {
             p.x[0][end] = end ? 1.2 : 0.3, p.x[1][end] = 0.5, p.x[2][end] = 0.93;
             p.normal[0][end] = end ? 1 : -1;
-            p.acceleration[end] = (end ? 1 : -1) * 3.0 / density; /* as the fluid at rest is about to move: dp/dn = 0 */
+            p.acceleration[end] =
+                (end ? 1 : -1) * 3.0 / density; /* as the fluid at rest is about to move: dp/dn = 0 */
             p.n++;
         }
     probes_run(b, &p);
@@ -306,7 +315,8 @@ static void tips_outside_are_inactive(void **state) {
     (void)state;
     struct fluid *f = walled_box(16, 1, NULL);
     struct ibm *b = ibm_new(f, 1);
-    const struct flow flow = {.e = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .velocity = linear_velocity, .pressure = linear_pressure};
+    const struct flow flow = {
+        .e = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .velocity = linear_velocity, .pressure = linear_pressure};
     struct probes p = probes_new(2);
     set_state(f, &flow);
     p.n = 2;
@@ -318,7 +328,8 @@ static void tips_outside_are_inactive(void **state) {
     }
     probes_run(b, &p);
     assert_true(p.active[0] && !p.active[1]);
-    assert_true(p.traction[0][1] == 0 && p.traction[1][1] == 0 && p.traction[2][1] == 0 && p.pressure[1] == 0);
+    assert_true(p.traction[0][1] == 0 && p.traction[1][1] == 0 && p.traction[2][1] == 0 &&
+                p.pressure[1] == 0);
     assert_true(p.pressure[0] != 0);
     probes_free(&p);
     ibm_free(b);
@@ -327,10 +338,10 @@ static void tips_outside_are_inactive(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(exact_on_linear_fields),
-                                       cmocka_unit_test(first_order_on_stagnation_flow),
-                                       cmocka_unit_test(hydrostatics_lifts), cmocka_unit_test(driving_gradient_pushes),
-                                       cmocka_unit_test(tips_outside_are_inactive)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(exact_on_linear_fields), cmocka_unit_test(first_order_on_stagnation_flow),
+        cmocka_unit_test(hydrostatics_lifts), cmocka_unit_test(driving_gradient_pushes),
+        cmocka_unit_test(tips_outside_are_inactive)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

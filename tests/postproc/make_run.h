@@ -43,7 +43,7 @@ static void make_scene(const struct make_run *in) {
     FILE *f = fopen(folder_path(path, in->folder, "scene.yaml"), "w");
     fprintf(
         f,
-        "title: A made-up block, cracked from the back\n"
+        "title: \"A made-up block: it's \\\"cracked\\\" | from <the> back\"\n"
         "domain: {size: [0.2, 0.1, 0.1], cells: [%d, %d, %d]}\n"
         "fluid:\n  density: 1000\n  viscosity: 1.0e-3\n  initial: {velocity: [0.1, 0, 0]}\n  sides:\n"
         "    x_low: {type: inflow, profile: poiseuille, bulk_velocity: 0.1}\n    x_high: {type: outflow}\n"
@@ -106,6 +106,9 @@ static void make_series(const struct make_run *in) {
     table_free(t);
 }
 
+/* Of the last solid field made: mean x0 by damage, m. */
+static double make_onset_x;
+
 /* A block of cubes less the cavities; damaged at its back once the stage is half over. */
 static void make_solid(const struct make_run *in, long step) {
     const int n = in->cells, period = n / 4;
@@ -117,6 +120,7 @@ static void make_solid(const struct make_run *in, long step) {
     double *damage = value, *strain = value + most, *stress = value + 2 * most;
     uint8_t *held = memory_new(MEMORY_OUTPUT, (size_t)most, 1);
     long m = 0;
+    double sum = 0, moment = 0;
     for (int k = 0; k < n; k++)
         for (int j = -3; j < n + 3; j++)
             for (int i = 0; i < 3 * n / 4; i++) {
@@ -136,8 +140,11 @@ static void make_solid(const struct make_run *in, long step) {
                 }
                 strain[m] = make_strain(x0, crack);
                 stress[m] = 1e8 * strain[m];
+                sum += damage[m];
+                moment += damage[m] * x0[0];
                 m++;
             }
+    make_onset_x = moment / sum;
     char name[64], path[FOLDER_PATH], file[96];
     snprintf(name, sizeof name, "solid_%08ld.hdf", step);
     snprintf(file, sizeof file, "fields/%s", name);

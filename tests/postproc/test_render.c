@@ -3,6 +3,7 @@
 #include "postproc/font.h"
 #include "postproc/picture.h"
 #include "postproc/render.h"
+#include "postproc/voxels.h"
 
 #include <math.h>
 #include <png.h>
@@ -96,6 +97,51 @@ static void inner_faces_left_out(void **state) {
         0.04; /* a particle of the face x = max, not on an edge: it no longer covers, nor is covered */
     postproc_canvas_free(drawn(toward, &cubes, &camera, &faces));
     assert_true(faces > 48 && faces <= 54);
+}
+
+/* A particle that is nowhere, or far away, leaves the others as they are. */
+static void strays_left_out(void **state) {
+    (void)state;
+    const double x[4][3] = {{0.1, 0.1, 0.1}, {NAN, 0, 0}, {1e300, 0, -1e9}, {0.3, 0.1, 0.1}};
+    const float colour[4][3] = {{0}};
+    const double toward[3] = {1, 0.5, 1.25};
+    struct postproc_cubes cubes = {.n = 4, .x = x, .colour = colour, .size = 0.2};
+    struct postproc_camera camera;
+    long faces;
+    postproc_canvas_free(drawn(toward, &cubes, &camera, &faces));
+    assert_int_equal(faces, 5); /* three each, less the one between the two */
+}
+
+/* Rays through cells, from the middle of one: walls of the lattice at half-integers. */
+static void ray_meets_cells(void **state) {
+    (void)state;
+    struct postproc_ray ray;
+    postproc_ray_new(&ray, (const double[3]){-1, 0, 0}, 3.6);
+    assert_int_equal(ray.cells, 4);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(ray.step[i][0], -(i + 1));
+        assert_close(ray.distance[i], i + 0.5, 1e-6);
+    }
+    /* slope 1/2: x crosses walls at x = 0.5, 1.5, 2.5, y at x = 1, 3, for which the way is x sqrt(5)/2 */
+    static const int cell[5][2] = {{1, 0}, {1, 1}, {2, 1}, {3, 1}, {3, 2}};
+    static const double at[5] = {0.5, 1, 1.5, 2.5, 3};
+    postproc_ray_new(&ray, (const double[3]){2 / sqrt(5), 1 / sqrt(5), 0}, 3.4);
+    assert_int_equal(ray.cells, 5);
+    for (int i = 0; i < 5; i++) {
+        assert_int_equal(ray.step[i][0], cell[i][0]);
+        assert_int_equal(ray.step[i][1], cell[i][1]);
+        assert_close(ray.distance[i], at[i] * sqrt(5) / 2, 1e-6);
+    }
+    /* a wall of particles three cells off, seen past an empty margin */
+    const double x[2][3] = {{0.05, 0.05, 0.05}, {0.35, 0.05, 0.05}};
+    struct postproc_voxels *v = postproc_voxels_new(2, x, 0.1, low, high);
+    assert_int_equal(v->n[0], 4);
+    postproc_ray_new(&ray, (const double[3]){1, 0, 0}, 10);
+    assert_close(postproc_ray_hit(&ray, v, (const int[3]){0, 0, 0}), 2.5, 1e-6);
+    assert_close(postproc_ray_hit(&ray, v, (const int[3]){-2, 0, 0}), 1.5, 1e-6); /* comes in from outside */
+    assert_close(postproc_ray_hit(&ray, v, (const int[3]){3, 0, 0}), -1, 0);
+    assert_close(postproc_ray_hit(&ray, v, (const int[3]){0, 1, 0}), -1, 0);
+    postproc_voxels_free(v);
 }
 
 /* Light: the same face in the open is brighter than at the bottom of a shaft. */
@@ -242,7 +288,8 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(silhouette),           cmocka_unit_test(front_hides_back),
-        cmocka_unit_test(inner_faces_left_out), cmocka_unit_test(shade_in_a_shaft),
+        cmocka_unit_test(inner_faces_left_out), cmocka_unit_test(strays_left_out),
+        cmocka_unit_test(ray_meets_cells),      cmocka_unit_test(shade_in_a_shaft),
         cmocka_unit_test(colours_at_the_ends),  cmocka_unit_test(text_leaves_ink),
         cmocka_unit_test(picture_is_a_png),
     };

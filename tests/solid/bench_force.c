@@ -6,6 +6,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
+
+/* The processor's time, s: what a busy machine takes for others does not count. */
+static double cpu_seconds(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 static const double SPACING = 1.5625e-3;
 
@@ -43,21 +51,23 @@ static void measure(const char *name, int porous, int list, double damping, doub
     long sweeps = 0;
     do {
         par_barrier();
-        const double t = par_seconds();
+        const double t = cpu_seconds();
         solid_ghosts_update(s);
         solid_force(s, 1);
-        best = fmin(best, par_max(par_seconds() - t));
+        best = fmin(best, par_max(cpu_seconds() - t));
         sweeps++;
     } while (par_min(par_seconds() - start) < seconds);
     const double mean = (par_seconds() - start) / (double)sweeps;
-    const double t0 = par_seconds();
+    const double t0 = cpu_seconds();
     solid_advance(s, 1e-6, 10);
-    const double step = par_max(par_seconds() - t0) / 30;
+    const double step = par_max(cpu_seconds() - t0) / 30;
     solid_count_bonds(s);
     if (par_rank() == 0)
-        printf("%-28s %6ld particles %6.1f bonds each  sweep %7.3f ms  ns/bond/core: best %.3f mean %.3f  with RK3 %.3f  broken %ld\n",
+        printf("%-20s %6ld particles %6.1f bonds each  sweep %7.3f ms  ns/bond/core, cpu: sweep %.3f, RK3 "
+               "%.3f; wall: "
+               "%.3f; broken %ld\n",
                name, s->n_global, bonds / (double)s->n_global, 1e3 * best, 1e9 * best / bonds * par_size(),
-               1e9 * mean / bonds * par_size(), 1e9 * step / bonds * par_size(), s->bonds_broken);
+               1e9 * step / bonds * par_size(), 1e9 * mean / bonds * par_size(), s->bonds_broken);
     solid_free(s);
 }
 

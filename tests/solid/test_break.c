@@ -38,7 +38,8 @@ static void test_critical_stretch(void **state) {
 
 static uint64_t name_of(const struct solid *s, int h) {
     uint64_t z = 7;
-    for (int c = 0; c < 3; c++) z = (z ^ (uint64_t)lrint(s->x0[c][h] / SPACING * 2)) * 0x9e3779b97f4a7c15u + 12345;
+    for (int c = 0; c < 3; c++)
+        z = (z ^ (uint64_t)lrint(s->x0[c][h] / SPACING * 2)) * 0x9e3779b97f4a7c15u + 12345;
     return z ^ z >> 31;
 }
 
@@ -64,10 +65,11 @@ static void test_symmetric(void **state) {
     (void)state;
     for (int list = 0; list < 2; list++)
         for (int tough = 0; tough < 2; tough++) {
-            struct solid *s = make((struct make){.sites = {12, 11, 13}, .list = list, .fracture_energy = tough ? 225. : 0.05});
+            struct solid *s = make(
+                (struct make){.sites = {12, 11, 13}, .list = list, .fracture_energy = tough ? 225. : 0.05});
             const double s0 = solid_critical_stretch(s->in.material, SPACING);
             for (int h = 0; h < s->n; h++)
-                for (int c = 0; c < 3; c++) s->d[c][h] = 2 * s0 * SPACING * noise(s, h, c);
+                for (int c = 0; c < 3; c++) s->d[c][h] = 6 * s0 * SPACING * noise(s, h, c);
             solid_ghosts_update(s);
             for (int i = 0; i < 3; i++) solid_force(s, 1);
             long directed;
@@ -101,8 +103,11 @@ static void test_unbreakable(void **state) {
     static struct solid_family_view view;
     const struct solid_region low = {{-1, -1, -1}, {1, 4 * SPACING, 1}};
     for (int list = 0; list < 2; list++) {
-        struct solid *s = make((struct make){
-            .sites = {9, 10, 8}, .list = list, .fracture_energy = 0.05, .unbreakables = 1, .unbreakable = &low});
+        struct solid *s = make((struct make){.sites = {9, 10, 8},
+                                             .list = list,
+                                             .fracture_energy = 0.05,
+                                             .unbreakables = 1,
+                                             .unbreakable = &low});
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) s->d[c][h] = 0.01 * s->x0[c][h];
         solid_ghosts_update(s);
@@ -116,7 +121,8 @@ static void test_unbreakable(void **state) {
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++)
-                assert_int_equal(view.intact[b], s->x0[1][h] < 4 * SPACING || s->x0[1][view.l[b]] < 4 * SPACING);
+                assert_int_equal(view.intact[b],
+                                 s->x0[1][h] < 4 * SPACING || s->x0[1][view.l[b]] < 4 * SPACING);
         }
         solid_free(s);
     }
@@ -175,8 +181,10 @@ static void test_cleave(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_critical_stretch), cmocka_unit_test(test_symmetric),
-        cmocka_unit_test(test_symmetric_at_the_limit), cmocka_unit_test(test_unbreakable),
+        cmocka_unit_test(test_critical_stretch),
+        cmocka_unit_test(test_symmetric),
+        cmocka_unit_test(test_symmetric_at_the_limit),
+        cmocka_unit_test(test_unbreakable),
         cmocka_unit_test(test_cleave),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -8,7 +8,8 @@ static const double mass = DENSITY * SPACING * SPACING * SPACING;
 static void bar_in_three(void **state) {
     (void)state;
     const struct solid_body body = bodies_box(0, 0, 0, 5, 6, 30);
-    const struct solid_constraint hold = {.low = {-1, -1, -1}, .high = {1, 1, 2.1e-3}, .direction = {0, 1, 0}};
+    const struct solid_constraint hold = {
+        .low = {-1, -1, -1}, .high = {1, 1, 2.1e-3}, .direction = {0, 1, 0}};
     for (int general = 0; general < 2; general++) {
         struct solid_input in = bodies_input(1, &body);
         in.general_bonds = general;
@@ -36,7 +37,8 @@ static void bar_in_three(void **state) {
         assert_int_equal(solid_measure_fragments(s, id, &list), 3);
         for (int k = 0; k < 3; k++) {
             const int part = order[k], layers = from[part + 1] - from[part];
-            const double centre[3] = {2.5 * SPACING + 0.01 * part, 3 * SPACING, 0.5 * (from[part] + from[part + 1]) * SPACING};
+            const double centre[3] = {2.5 * SPACING + 0.01 * part, 3 * SPACING,
+                                      0.5 * (from[part] + from[part + 1]) * SPACING};
             long first = 1000;
             assert_int_equal(list[k].particles, 30 * layers);
             assert_true(fabs(list[k].mass / (30 * layers * mass) - 1) < 1e-12);

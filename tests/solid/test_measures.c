@@ -85,7 +85,8 @@ static void strain_of_affine_fields(void **state) {
         for (int h = 0; h < s->n; h++) { /* and half of the bonds along a diagonal */
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++)
-                if (view.intact[b] && fabs(view.xi[b][0] - view.xi[b][1]) < 0.1 * SPACING) solid_family_break(s, h, b);
+                if (view.intact[b] && fabs(view.xi[b][0] - view.xi[b][1]) < 0.1 * SPACING)
+                    solid_family_break(s, h, b);
         }
     }
     free(strain);
@@ -111,6 +112,44 @@ static void strain_energy_of_the_bulk(void **state) {
         const double w0 = k ? 0.5 * 1.2 * YOUNG * size * size : 3 * YOUNG * size * size;
         assert_true(fabs(bulk / (w0 * volume) - (k ? 1.02041 : 1.01574)) < 1e-3);
     }
+}
+
+/* Both stores, and the view's own sum with s = |zeta|/|xi| - 1, in a large, uneven deformation with broken bonds. */
+static void strain_energy_of_any_deformation(void **state) {
+    (void)state;
+    double energy[2], sum = 0;
+    for (int general = 0; general < 2; general++) {
+        struct solid *s = cube_new(9, general, 1);
+        struct solid_family_view view;
+        bodies_turn(s, 0.4, 0);
+        for (int h = 0; h < s->n; h++) {
+            int p[3];
+            bodies_site(s, h, p);
+            for (int c = 0; c < 3; c++)
+                s->d[c][h] += 0.05 * SPACING * (bodies_random(p[0] + 9 * (p[1] + 9 * p[2]), c) - 0.5);
+        }
+        bodies_cut(s, 2, 4);
+        energy[general] = solid_measure_energy(s).strain; /* with fresh ghosts */
+        sum = 0;
+        for (int h = 0; h < s->n; h++) {
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++) {
+                double xi = 0, zeta = 0;
+                for (int c = 0; c < 3; c++) {
+                    const double z = view.xi[b][c] + s->d[c][view.l[b]] - s->d[c][h];
+                    xi += view.xi[b][c] * view.xi[b][c];
+                    zeta += z * z;
+                }
+                const double stretch = sqrt(zeta / xi) - 1;
+                sum += view.intact[b] * 0.25 * solid_micromodulus(&bodies_material, SPACING) * view.alpha[b] *
+                       stretch * stretch * sqrt(xi) * view.weight[b] * s->volume[h];
+            }
+        }
+        sum = par_sum(sum);
+        assert_true(fabs(energy[general] / sum - 1) < 1e-10);
+        solid_free(s);
+    }
+    assert_true(fabs(energy[0] / energy[1] - 1) < 1e-12);
 }
 
 static void kinetic_energy(void **state) {
@@ -169,8 +208,8 @@ static void invariants(void **state) {
     for (int k = 0; k < 200; k++) {
         double t[6], trace = 0, norm = 0;
         for (int i = 0; i < 6; i++) t[i] = bodies_random(k, i) - 0.5;
-        if (k % 4 == 0) t[3] = t[4] = 0;                    /* a block */
-        if (k % 4 == 1) t[0] = t[1], t[3] *= 1e-9;          /* nearly a double value */
+        if (k % 4 == 0) t[3] = t[4] = 0;           /* a block */
+        if (k % 4 == 1) t[0] = t[1], t[3] *= 1e-9; /* nearly a double value */
         for (int c = 0; c < 3; c++) {
             trace += t[c];
             norm += t[c] * t[c] + 2 * t[3 + c] * t[3 + c];
@@ -181,7 +220,8 @@ static void invariants(void **state) {
         assert_true(fabs(value[0] * value[0] + value[1] * value[1] + value[2] * value[2] - norm) < 1e-14);
         for (int i = 0; i < 3; i++) {
             const double *v = vector[i];
-            const double tv[3] = {t[0] * v[0] + t[3] * v[1] + t[5] * v[2], t[3] * v[0] + t[1] * v[1] + t[4] * v[2],
+            const double tv[3] = {t[0] * v[0] + t[3] * v[1] + t[5] * v[2],
+                                  t[3] * v[0] + t[1] * v[1] + t[4] * v[2],
                                   t[5] * v[0] + t[4] * v[1] + t[2] * v[2]};
             for (int c = 0; c < 3; c++) assert_true(fabs(tv[c] - value[i] * v[c]) < 1e-14);
             for (int j = 0; j < 3; j++) {
@@ -195,9 +235,13 @@ static void invariants(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stress_of_uniform_strain),  cmocka_unit_test(strain_of_affine_fields),
-        cmocka_unit_test(strain_energy_of_the_bulk), cmocka_unit_test(kinetic_energy),
-        cmocka_unit_test(damage_beside_a_cut),       cmocka_unit_test(invariants),
+        cmocka_unit_test(stress_of_uniform_strain),
+        cmocka_unit_test(strain_of_affine_fields),
+        cmocka_unit_test(strain_energy_of_the_bulk),
+        cmocka_unit_test(kinetic_energy),
+        cmocka_unit_test(strain_energy_of_any_deformation),
+        cmocka_unit_test(damage_beside_a_cut),
+        cmocka_unit_test(invariants),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -94,7 +94,8 @@ static void test_energy_order(void **state) {
 /* A step that starts from the acceleration kept, with a new load, is the step that starts afresh. */
 static void test_verlet_keeps(void **state) {
     (void)state;
-    struct solid *kept = make((struct make){.sites = {9, 8, 7}}), *fresh = make((struct make){.sites = {9, 8, 7}});
+    struct solid *kept = make((struct make){.sites = {9, 8, 7}}),
+                 *fresh = make((struct make){.sites = {9, 8, 7}});
     for (int i = 0; i < 4; i++) {
         struct solid *const both[2] = {kept, fresh};
         for (int k = 0; k < 2; k++) {
@@ -115,13 +116,28 @@ static void test_verlet_keeps(void **state) {
     solid_free(fresh);
 }
 
+/* A particle that is nowhere is found, with its place. */
+static void test_check(void **state) {
+    (void)state;
+    struct solid *s = make((struct make){.sites = {9, 8, 7}});
+    assert_int_equal(solid_check(s).failed, 0);
+    if (s->n > 3) {
+        s->v[1][3] = NAN;
+        const struct step_status status = solid_check(s);
+        assert_int_equal(status.failed, 1);
+        assert_int_equal(status.rank, par_rank());
+        assert_string_equal(status.field, "solid velocity");
+        for (int c = 0; c < 3; c++) assert_true(status.x[c] == s->x0[c][3]);
+    }
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pair_forces),
-        cmocka_unit_test(test_momentum),
-        cmocka_unit_test(test_energy_order),
-        cmocka_unit_test(test_verlet_keeps),
+        cmocka_unit_test(test_pair_forces),  cmocka_unit_test(test_momentum),
+        cmocka_unit_test(test_energy_order), cmocka_unit_test(test_verlet_keeps),
+        cmocka_unit_test(test_check),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

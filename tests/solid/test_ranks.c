@@ -1,1 +1,95 @@
-int main(void) { return 1; }
+/* The same motion on any number of ranks and in either store: a body that is loaded, damped, driven and breaks. One rank
+ * leaves what it found in a file; more ranks compare with it. */
+#include "make.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { SITES = 13 * 12 * 14 };
+
+static struct solid *run(int list, int verlet) {
+    const struct solid_constraint constraint[2] = {
+        {.low = {-1, -1, -1}, .high = {1, 3 * SPACING, 1}, .direction = {1, 1, 1}},
+        {.low = {-1, 9 * SPACING, -1}, .high = {1, 1, 1}, .direction = {0, 1, 0}, .velocity = {0, 0.02, 0}}};
+    struct solid *s = make((struct make){.sites = {13, 12, 14},
+                                         .periodic = {0, 0, 1},
+                                         .list = list,
+                                         .constraints = 2,
+                                         .constraint = constraint,
+                                         .fracture_energy = 1e-4});
+    s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3,
+                                    .breakage = 1,
+                                    .damping_relative = 1e13,
+                                    .damping_absolute = 100};
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3; c++) s->load[c][h] = 4e5 * noise(s, h, c);
+    solid_advance(s, step_of(0.9), 40);
+    solid_count_bonds(s);
+    return s;
+}
+
+/* State by place in the lattice, on every rank: d, v, lost weight; then energies and counts. */
+static void collect(const struct solid *s, double *all) {
+    static struct solid_family_view view;
+    memset(all, 0, (7 * SITES + 8) * sizeof *all);
+    for (int h = 0; h < s->n; h++) {
+        int at[3];
+        for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING);
+        double *here = all + 7 * ((at[2] * 12 + at[1]) * 13 + at[0]);
+        for (int c = 0; c < 3; c++) {
+            here[c] = s->d[c][h] / SPACING;
+            here[3 + c] = s->v[c][h];
+        }
+        solid_family_view(s, h, &view);
+        for (int b = 0; b < view.n; b++) here[6] += view.intact[b] ? 0 : b + 1;
+    }
+    double *sum = all + 7 * SITES;
+    sum[0] = s->e_damped;
+    sum[1] = s->e_fracture;
+    sum[2] = s->e_constraint;
+    sum[3] = s->work_load;
+    par_sum_array(all, 7 * SITES + 8);
+    for (int i = 0; i < 4; i++) sum[i] /= sum[3] + sum[2];
+    sum[4] = (double)s->bonds_broken;
+    sum[5] = (double)s->n_global;
+}
+
+static void compare(const double *all, const double *expected) {
+    for (int i = 0; i < 7 * SITES + 8; i++) assert_near(all[i], expected[i], 1e-12);
+}
+
+static void test_same(void **state) {
+    (void)state;
+    static double all[7 * SITES + 8], expected[7 * SITES + 8];
+    for (int verlet = 0; verlet < 2; verlet++) {
+        char path[512];
+        snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_ranks_%d.data", verlet);
+        for (int list = 0; list < 2; list++) {
+            struct solid *s = run(list, verlet);
+            assert_true(s->bonds_broken > 100 && s->bonds_broken < s->bonds_total / 4);
+            collect(s, list ? expected : all);
+            solid_free(s);
+        }
+        compare(all, expected); /* lattice and lists */
+        if (par_size() == 1) {
+            FILE *file = fopen(path, "wb");
+            assert_non_null(file);
+            assert_int_equal(fwrite(all, sizeof all, 1, file), 1);
+            assert_int_equal(fclose(file), 0);
+        } else {
+            FILE *file = fopen(path, "rb");
+            if (!file) fail_msg("%s: run this test on one rank first", path);
+            assert_int_equal(fread(expected, sizeof expected, 1, file), 1);
+            fclose(file);
+            compare(all, expected);
+        }
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_same)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

@@ -1,56 +1,97 @@
 /* Static equilibrium by adaptive dynamic relaxation. */
 #include "make.h"
 
-/* A cantilever (clamped over the horizon) under a load P spread over its end: E b w/P = 4 (L/h)^3 + 2 (1 + nu)/kappa L/h
- * with nu = 1/4, kappa = 5/6. At h = 8 spacings and with the surface correction the lattice comes within 6 %. */
-static void test_cantilever(void **state) {
-    (void)state;
-    const int height = 8, breadth = 6, length = 40;
-    const struct solid_constraint clamp = {.low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
-    struct solid *s = make((struct make){.sites = {length + 3, height, breadth}, .constraints = 1, .constraint = &clamp});
+/* A wide cantilever (plane strain: periodic across; clamped over the horizon) under a load P a breadth spread over its last
+ * layer: deflection there in units of Timoshenko's, w E/P = 4 (1 - nu^2) (L/h)^3 + 2 (1 + nu)/kappa L/h with nu = 1/4,
+ * kappa = 5/6. */
+static double cantilever(int uncorrected) {
+    const int height = 8, breadth = 4, length = 40;
+    const struct solid_constraint clamp = {
+        .low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
+    struct solid *s = make((struct make){.sites = {length + 3, height, breadth},
+                                         .periodic = {0, 0, 1},
+                                         .constraints = 1,
+                                         .constraint = &clamp,
+                                         .uncorrected = uncorrected});
     const double end = (length + 2) * SPACING, force = 1e-3;
     for (int h = 0; h < s->n; h++)
         if (s->x0[0][h] > end) s->load[1][h] = force / (height * breadth * pow(SPACING, 3));
-    const int steps = solid_relax(s, 1e-5, 40000);
-    assert_true(steps > 100);
-    double tip = 0, reaction = 0;
+    assert_true(solid_relax(s, 1e-5, 40000) > 100);
+    double tip = 0, residual = 0;
+    solid_force(s, 0);
     for (int h = 0; h < s->n; h++) {
         if (s->x0[0][h] > end) tip += s->d[1][h] / (height * breadth);
-        for (int c = 0; c < 3; c++) assert_true(s->v[c][h] == 0);
+        for (int c = 0; c < 3; c++) {
+            assert_true(s->v[c][h] == 0);
+            residual += fabs(s->a[c][h]) * DENSITY * s->volume[h];
+        }
     }
-    const double slender = (double)length / height;
-    const double expected = 4 * pow(slender, 3) + 3 * slender;
-    assert_near(par_sum(tip) * YOUNG * breadth * SPACING / force / expected, 1, 0.06);
-    /* what the clamp carries is what was put on: the force of the free particles on the clamped, one sweep later */
-    solid_force(s, 0);
-    for (int h = 0; h < s->n; h++) reaction += fabs(s->a[1][h]) * DENSITY * s->volume[h];
-    assert_true(par_sum(reaction) < 1e-3 * force);
+    assert_true(par_sum(residual) < 1e-3 * force); /* at rest it is in balance */
+    const double slender = (length - 0.5) / height;
+    const double expected = 4 * (1 - 1. / 16) * pow(slender, 3) + 3 * slender;
     solid_free(s);
+    return par_sum(tip) * YOUNG * breadth * SPACING / force / expected;
 }
 
-/* Far from the clamp a bar pulled by its own weight stretches as the lattice's Young's modulus says. */
+static void test_cantilever(void **state) {
+    (void)state;
+    assert_near(cantilever(0), 1, 0.06);
+    assert_true(cantilever(1) > 1.1); /* without the surface correction it is too soft */
+}
+
+/* The modulus of an infinite bar whose cross-section is strained alike: the least energy over Poisson's ratio. The real one
+ * may deform its section too and is a little softer. (At eight spacings the volume method makes it 18 % stiffer than the
+ * material, without it it is 14 % softer.) */
+static double bar_modulus(int width, int uncorrected) {
+    static struct solid_family_view view;
+    struct solid *s =
+        make((struct make){.sites = {8, width, width}, .periodic = {1, 0, 0}, .uncorrected = uncorrected});
+    const double c0 = solid_micromodulus(s->in.material, SPACING);
+    double sum[3] = {0}; /* energy = sum0 - 2 nu sum1 + nu^2 sum2 */
+    for (int h = 0; h < s->n; h++) {
+        solid_family_view(s, h, &view);
+        for (int b = 0; b < view.n; b++) {
+            const double *xi = view.xi[b], along = xi[0] * xi[0], across = xi[1] * xi[1] + xi[2] * xi[2];
+            const double f = 0.25 * c0 * view.alpha[b] * view.weight[b] / pow(along + across, 1.5);
+            sum[0] += f * along * along;
+            sum[1] += f * along * across;
+            sum[2] += f * across * across;
+        }
+    }
+    par_sum_array(sum, 3);
+    const double modulus = 2 * (sum[0] - sum[1] * sum[1] / sum[2]) / (double)s->n_global;
+    solid_free(s);
+    return modulus;
+}
+
+/* Far from the clamp a bar pulled by its own weight stretches as its section's modulus says. */
 static void test_hanging_bar(void **state) {
     (void)state;
-    const int length = 30, width = 8;
-    const struct solid_constraint clamp = {.low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
-    struct solid *s = make((struct make){.sites = {length + 3, width, width},
-                                         .constraints = 1,
-                                         .constraint = &clamp,
-                                         .body_force = {10, 0, 0}});
-    assert_true(solid_relax(s, 1e-6, 40000) > 0);
-    double low = 0, high = 0;
-    const int from = 11, to = 23; /* layers */
-    for (int h = 0; h < s->n; h++) {
-        const int layer = (int)floor(s->x0[0][h] / SPACING);
-        if (layer == from) low += s->d[0][h] / (width * width);
-        if (layer == to) high += s->d[0][h] / (width * width);
+    const int length = 34, width = 8;
+    const struct solid_constraint clamp = {
+        .low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
+    for (int uncorrected = 0; uncorrected < 2; uncorrected++) {
+        struct solid *s = make((struct make){.sites = {length + 3, width, width},
+                                             .constraints = 1,
+                                             .constraint = &clamp,
+                                             .uncorrected = uncorrected,
+                                             .body_force = {10, 0, 0}});
+        assert_true(solid_relax(s, 1e-6, 40000) > 0);
+        double low = 0, high = 0;
+        const int from = 14, to = 25; /* layers */
+        for (int h = 0; h < s->n; h++) {
+            const int layer = (int)floor(s->x0[0][h] / SPACING);
+            if (layer == from) low += s->d[0][h] / (width * width);
+            if (layer == to) high += s->d[0][h] / (width * width);
+        }
+        const double stretch = (par_sum(high) - par_sum(low)) / ((to - from) * SPACING);
+        /* mean stress over the span: the weight of what hangs below its middle */
+        const double stress = DENSITY * 10 * (length + 3 - 0.5 * (from + to + 1)) * SPACING;
+        const double modulus = stress / stretch, uniform = bar_modulus(width, uncorrected);
+        assert_true(modulus < uniform * 1.001);
+        assert_near(modulus / uniform, 1, 0.01);
+        solid_free(s);
     }
-    const double span = (to - from) * SPACING, middle = 0.5 * (from + to + 1) * SPACING;
-    const double stretch = (par_sum(high) - par_sum(low)) / span;
-    /* mean stress over the span: the weight of what hangs below its middle */
-    const double stress = DENSITY * 10 * ((length + 3) * SPACING - middle);
-    assert_near(stretch * YOUNG / stress, 1, 0.04);
-    solid_free(s);
 }
 
 static void test_nothing_to_do(void **state) {

@@ -79,7 +79,8 @@ static void faces_edges_and_corners(void **state) {
             }
             /* where the family sees nothing but this face, edge or corner; the corner's three faces are 9 apart */
             if (ends + middles == 3)
-                assert_true(normal_error(surface, i, e[0] / sqrt(ends), e[1] / sqrt(ends), e[2] / sqrt(ends)) < 1e-13);
+                assert_true(normal_error(surface, i, e[0] / sqrt(ends), e[1] / sqrt(ends),
+                                         e[2] / sqrt(ends)) < 1e-13);
         }
         solid_surface_free(surface);
         solid_free(s);
@@ -124,6 +125,28 @@ static void plates(void **state) {
             solid_free(s);
         }
     wrap[0] = wrap[1] = wrap[2] = 0;
+}
+
+/* The rim of a plate one thick faces outwards in the plate's plane; what is further in has two sides. */
+static void rim(void **state) {
+    (void)state;
+    const struct solid_body body = bodies_box(0, 0, 0, 12, 8, 1);
+    struct solid_input in = bodies_input(1, &body);
+    in.periodic[1] = 1;
+    in.length[1] = 8 * SPACING;
+    struct solid *s = solid_new(&in);
+    struct solid_surface *surface = solid_surface_new(s);
+    assert_int_equal(surface->total, 96);
+    for (int i = 0; i < surface->n; i++) {
+        int p[3];
+        bodies_site(s, surface->h[i], p);
+        const int depth = p[0] < 6 ? p[0] : 11 - p[0];
+        if (depth == 0) assert_true(normal_error(surface, i, p[0] == 0 ? -1 : 1, 0, 0) < 1e-12);
+        if (depth == 0) assert_false(surface->two_sided[i]);
+        if (depth >= 3) assert_true(surface->two_sided[i] && fabs(fabs(surface->normal[2][i]) - 1) < 1e-12);
+    }
+    solid_surface_free(surface);
+    solid_free(s);
 }
 
 static double ball_radius;
@@ -178,7 +201,8 @@ static void cavity_and_ball(void **state) {
         }
         par_sum_array(sum, 2);
         least = par_min(least);
-        const double area = surface->immersed_area / (4 * M_PI * ball_radius * ball_radius * SPACING * SPACING);
+        const double area =
+            surface->immersed_area / (4 * M_PI * ball_radius * ball_radius * SPACING * SPACING);
         print_message("%s: area %.4f of the sphere's, normals: least cosine %.4f, mean %.5f\n",
                       ball_is_void ? "cavity" : "ball", area, least, 1 - sum[0] / sum[1]);
         assert_true(fabs(area - 1) < 0.015);
@@ -258,8 +282,7 @@ static void points(void **state) {
 static void held_layer(void **state) {
     (void)state;
     const struct solid_body body = bodies_box(0, -3, 0, 6, 9, 6);
-    const struct solid_constraint hold = {
-        .low = {-1, -1, -1}, .high = {1, 0, 1}, .direction = {1, 1, 1}};
+    const struct solid_constraint hold = {.low = {-1, -1, -1}, .high = {1, 0, 1}, .direction = {1, 1, 1}};
     struct solid_input in = bodies_input(1, &body);
     in.constraints = 1;
     in.constraint = &hold;
@@ -286,6 +309,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faces_edges_and_corners),
         cmocka_unit_test(plates),
+        cmocka_unit_test(rim),
         cmocka_unit_test(cavity_and_ball),
         cmocka_unit_test(pore),
         cmocka_unit_test(points),

@@ -47,18 +47,24 @@ static inline void bodies_site(const struct solid *s, int h, int site[3]) {
 
 static inline long bodies_id(const struct solid *s, int h) { return s->first[par_rank()] + h; }
 
-/* Breaks every bond that crosses the plane x_axis = at (sites below at, and from at on), with |z| anywhere. */
-static inline void bodies_cut(struct solid *s, int axis, int at) {
+/* Breaks every bond up to `longest` that crosses the plane between sites at - 1 and at. */
+static inline void bodies_cut_short(struct solid *s, int axis, int at, double longest) {
     struct solid_family_view view;
     const double plane = at * SPACING;
     for (int h = 0; h < s->n; h++) {
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) {
             const double from = s->x0[axis][h], to = from + view.xi[b][axis];
-            if (view.intact[b] && (from < plane) != (to < plane)) solid_family_break(s, h, b);
+            const double *xi = view.xi[b];
+            if (view.intact[b] && (from < plane) != (to < plane) &&
+                xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2] < longest * longest)
+                solid_family_break(s, h, b);
         }
     }
 }
+
+/* All of them. */
+static inline void bodies_cut(struct solid *s, int axis, int at) { bodies_cut_short(s, axis, at, INFINITY); }
 
 /* Moves everything beyond the plane by `by`. */
 static inline void bodies_open(struct solid *s, int axis, int at, double by) {

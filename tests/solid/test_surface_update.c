@@ -144,8 +144,8 @@ static void random_crushing(void **state) {
                         solid_family_break(s, h, b);
                 }
                 for (int c = 0; c < 3; c++)
-                    s->d[c][h] += 1.5 * SPACING *
-                                  (bodies_random(p[0] + 8 * (p[1] + 8 * p[2]), 7 * round + c) - 0.5);
+                    s->d[c][h] +=
+                        1.5 * SPACING * (bodies_random(p[0] + 8 * (p[1] + 8 * p[2]), 7 * round + c) - 0.5);
             }
             solid_surface_update(s, f);
             check_against_scratch(s, f);
