@@ -1,7 +1,6 @@
 #include "coupling/run.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "solid/contact.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -66,6 +65,7 @@ struct run *run_new(const struct scene *scene) {
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
         solid_surface_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
+        if (!r->needs.bonds) solid_forget_bonds(r->solid);
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
         if (r->needs.bonds)
@@ -98,7 +98,6 @@ void run_free(struct run *r) {
     medium_free(r->medium);
     ibm_free(r->ibm);
     solid_surface_free(r->surface);
-    if (r->solid) solid_contact_free(r->solid);
     solid_free(r->solid);
     fluid_free(r->fluid);
     free(r);

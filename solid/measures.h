@@ -5,8 +5,9 @@
 struct solid_energy {
     double kinetic, strain; /* J, whole solid */
 };
-struct solid_energy solid_measure_energy(struct solid *s);     /* Collective. */
-void solid_measure_damage(const struct solid *s, double *phi); /* [n], 1 - sum(lambda Gamma V)/sum(Gamma V). Not collective. */
+struct solid_energy solid_measure_energy(struct solid *s); /* Collective. */
+void solid_measure_damage(const struct solid *s,
+                          double *phi); /* [n], 1 - sum(lambda Gamma V)/sum(Gamma V). Not collective. */
 /* Bond-force flux stress and least-squares strain, each [n][6] as xx yy zz xy yz zx; Pa and 1. Not collective. */
 void solid_measure_stress(const struct solid *s, double (*stress)[6]);
 void solid_measure_strain(const struct solid *s, double (*strain)[6]);

@@ -223,23 +223,38 @@ struct solid *solid_new(const struct solid_input *in) {
     return s;
 }
 
+void solid_forget_bonds(struct solid *s) {
+    struct solid_family *f = s->family;
+    for (int b = 0; b < f->bodies; b++) {
+        solid_lattice_free(f->lattice[b]);
+        solid_list_free(f->list[b]);
+        f->lattice[b] = NULL;
+        f->list[b] = NULL;
+    }
+    for (int c = 0; c < 3; c++) {
+        double **const of[] = {&s->a[c], &s->v_old[c], &s->a_old[c]};
+        for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+            memory_free(*of[i]);
+            *of[i] = NULL;
+        }
+    }
+    memory_free(s->family_volume);
+    s->family_volume = NULL;
+}
+
 void solid_free(struct solid *s) {
     if (!s) return;
     struct solid_family *f = s->family;
     solid_contact_free(s);
-    for (int b = 0; b < f->bodies; b++) {
-        solid_lattice_free(f->lattice[b]);
-        solid_list_free(f->list[b]);
-    }
+    solid_forget_bonds(s);
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->first, f->stencil, f};
     for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);
     for (int c = 0; c < 3; c++) {
-        void *const of[] = {s->x0[c], s->d[c], s->v[c], s->a[c], s->load[c], s->v_old[c], s->a_old[c]};
+        void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
         for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
     }
     void *const own[] = {s->volume,
-                         s->family_volume,
                          s->body,
                          s->flag,
                          s->first,

@@ -137,6 +137,9 @@ struct solid {
 struct solid *
 solid_new(const struct solid_input *in); /* Collective. Dies (exit 2) on an empty or impossible body. */
 void solid_free(struct solid *s);
+/* For a solid that stays rigid, once its surface is known: keeps the particles, gives back what bonds and motion need. Not
+ * collective. */
+void solid_forget_bonds(struct solid *s);
 
 /* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.28) */
 double solid_micromodulus(const struct solid_material *m, double spacing);
