@@ -17,6 +17,7 @@ static void reserve(struct run_markers *m, int markers) {
         for (int c = 0; c < 3; c++) {
             grow(&m->x[c], m->capacity);
             grow(&m->v[c], m->capacity);
+            grow(&m->force[c], m->capacity);
         }
         grow(&m->volume, m->capacity);
     }
@@ -44,6 +45,7 @@ void run_markers_free(struct run *r) {
     for (int c = 0; c < 3; c++) {
         memory_free(m->x[c]);
         memory_free(m->v[c]);
+        memory_free(m->force[c]);
         memory_free(m->root[c]);
         memory_free(m->normal[c]);
         memory_free(m->traction[c]);
@@ -57,35 +59,55 @@ void run_markers_free(struct run *r) {
     memory_free(m->active);
 }
 
+/* The probe's dp/dn|_m = -rho_f dV/dt.n is an added mass, rho_f l/2 A_h, which the particle carries with its own
+ * acceleration. The rest of the fluid's answer to an acceleration comes with p|_e, a step late; where fluid and solid are of like
+ * mass that alone grows. So half as much again is carried, and given back as a load with the acceleration of the last step:
+ * nothing is added in the mean, and short waves are held down. */
+static const double CARRIED = 1.5, GIVEN_BACK = 0.5;
+
+/* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe: such that the forcing, which a
+ * step applies three times N_s, hands fluid and particle Stokes' drag 3 pi mu d (V - U) of the sphere of its volume, or
+ * what takes half of their difference away where that is less. */
+static double set_free_volume(const struct run *r, int h) {
+    const struct solid *s = r->solid;
+    const struct fluid_input *fluid = fluid_input_of(r->fluid);
+    const double diameter = cbrt(6 / M_PI * s->volume[h]);
+    const double drag = 3 * M_PI * fluid->viscosity * diameter * r->dt;
+    const double half =
+        0.5 * s->in.material[s->in.body[s->body[h]].material].density / fluid->density * s->volume[h];
+    return fmin(drag, half) / (3 * r->scene->coupling->forcing_iterations);
+}
+
 /* A particle's centre stands half a spacing inside the face it wets, the marker r_d inside it: it is moved by
- * (spacing/2 - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the centre and probes both ways. */
+ * (spacing/2 - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the centre and probes both ways; a
+ * particle without bonds has no probe. */
 void run_markers_update(struct run *r) {
     const struct solid *s = r->solid;
     const struct solid_surface *surface = r->surface;
     struct run_markers *m = &r->markers;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const double shift = 0.5 * s->in.spacing - r->scene->coupling->retraction * dx;
-    /* dp/dn|_m = -rho_f dV/dt.n over half the probe: added mass of the particle, taken with its own acceleration */
-    const double added = 0.5 * fluid_input_of(r->fluid)->density * r->scene->coupling->probe_length * dx;
+    const double layer = 0.5 * fluid_input_of(r->fluid)->density * r->scene->coupling->probe_length * dx;
     reserve(m, surface->n);
     m->n = surface->n;
     m->probes = 0;
     for (int i = 0; i < surface->n; i++) {
-        const int h = surface->h[i], two = surface->two_sided[i];
+        const int h = surface->h[i], faces = surface->two_sided[i];
         double x[3], a_n = 0;
         solid_position(s, h, x);
-        m->volume[i] = surface->area[i] * dx;
+        m->volume[i] = faces == SOLID_SET_FREE ? set_free_volume(r, h) : surface->area[i] * dx;
         for (int c = 0; c < 3; c++) {
-            m->x[c][i] = x[c] + (two ? 0 : shift * surface->normal[c][i]);
+            m->x[c][i] = x[c] + (faces == SOLID_ONE_FACE ? shift * surface->normal[c][i] : 0);
             m->v[c][i] = s->v[c][h];
             if (r->v_last[0] && r->dt > 0)
                 a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * surface->normal[c][i];
         }
-        for (int side = 1; side >= (two ? -1 : 1); side -= 2) {
+        if (faces == SOLID_SET_FREE) continue;
+        for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {
             const int q = m->probes++;
             m->owner[q] = i;
             m->particle[q] = h;
-            m->added[q] = added * surface->area[i] / s->volume[h];
+            m->added[q] = CARRIED * layer * surface->area[i] / s->volume[h];
             m->acceleration_n[q] = side * a_n;
             for (int c = 0; c < 3; c++) {
                 m->normal[c][q] = side * surface->normal[c][i];
@@ -95,9 +117,43 @@ void run_markers_update(struct run *r) {
     }
 }
 
+/* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4), less the added mass. sum: the whole force on the solid, with it. */
+static void load_by_probe(struct run *r, double sum[3]) {
+    struct solid *s = r->solid;
+    struct run_markers *m = &r->markers;
+    for (int q = 0; q < m->probes; q++) {
+        const int h = m->particle[q];
+        if (!m->active[q]) {
+            m->added[q] = 0;
+            continue;
+        }
+        const double per_volume = r->surface->area[m->owner[q]] / s->volume[h];
+        const double last = m->added[q] * m->acceleration_n[q] / CARRIED;
+        for (int c = 0; c < 3; c++) {
+            const double load = m->traction[c][q] * per_volume, n = m->normal[c][q];
+            s->load[c][h] += load + GIVEN_BACK * last * n;
+            sum[c] += (load - last * n) * s->volume[h];
+        }
+    }
+}
+
+/* A particle without bonds gets what it has given the fluid. */
+static void load_by_forcing(struct run *r, double sum[3]) {
+    struct solid *s = r->solid;
+    struct run_markers *m = &r->markers;
+    ibm_force_by_marker(r->ibm, r->dt, m->force);
+    for (int i = 0; i < m->n; i++) {
+        if (r->surface->two_sided[i] != SOLID_SET_FREE) continue;
+        const int h = r->surface->h[i];
+        for (int c = 0; c < 3; c++) {
+            s->load[c][h] -= m->force[c][i] / s->volume[h];
+            sum[c] -= m->force[c][i];
+        }
+    }
+}
+
 void run_probe(struct run *r) {
     struct solid *s = r->solid;
-    const struct solid_surface *surface = r->surface;
     struct run_markers *m = &r->markers;
     fluid_state_refresh(r->fluid);
     const struct ibm_probe_input in = {.n = m->probes,
@@ -107,22 +163,11 @@ void run_probe(struct run *r) {
     ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active);
     clock_begin(CLOCK_PROBE);
     for (int c = 0; c < 3; c++) {
-        double sum = 0;
         for (int h = 0; h < s->n; h++) s->load[c][h] = r->given[c] ? r->given[c][h] : 0;
-        for (int q = 0; q < m->probes; q++) {
-            if (!m->active[q]) {
-                m->added[q] = 0;
-                continue;
-            }
-            const int i = m->owner[q], h = m->particle[q];
-            /* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4), less the added mass's share, which the solid
-             * takes with the acceleration that it has, not with the last step's */
-            s->load[c][h] += m->traction[c][q] * surface->area[i] / s->volume[h];
-            sum += m->traction[c][q] * surface->area[i] -
-                   m->added[q] * m->acceleration_n[q] * m->normal[c][q] * s->volume[h];
-        }
-        r->load[c] = sum;
+        r->load[c] = 0;
     }
+    load_by_probe(r, r->load);
+    if (r->surface->set_free > 0) load_by_forcing(r, r->load);
     par_sum_array(r->load, 3);
     m->added_mass = (struct solid_added_mass){.n = m->probes,
                                               .h = m->particle,

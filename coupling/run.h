@@ -18,6 +18,7 @@ enum { RUN_PARTS_MAX = 8 };
 struct run_markers {
     int n, capacity;
     double *x[3], *v[3], *volume; /* [n] marker position m, velocity m/s, volume A_h dx m3 */
+    double *force[3];             /* [n] mean force of the forcing on the fluid over the last step, N */
     int probes, probe_capacity;
     int *owner;                         /* [probes] entry of the surface */
     int *particle;                      /* [probes] its particle */

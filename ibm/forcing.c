@@ -38,6 +38,13 @@ void ibm_spread(struct ibm *b, double *const u[3]) {
     if (b->crossing) ibm_shell_add(b, u);
 }
 
+/* What each marker has given so far in this step. */
+static void receive(struct ibm *b, int is_first) {
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < b->n; h++)
+            b->received[c][h] = (is_first ? 0 : b->received[c][h]) + b->increment[c][h];
+}
+
 void ibm_force(struct ibm *b, int r, double dt) {
     clock_begin(CLOCK_FORCING);
     const struct fluid_grid *g = b->grid;
@@ -47,11 +54,26 @@ void ibm_force(struct ibm *b, int r, double dt) {
         if (b->crossing) fluid_predicted_refresh(b->fluid, 2); /* no block reaches a ghost otherwise */
         ibm_interpolate(b, u, given, &squares);
         ibm_spread(b, u);
+        receive(b, r == 0 && s == 0);
     }
     /* gamma_r rho Q V = gamma_r rho sum (V - U) V / (gamma_r dt) */
     const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     for (int c = 0; c < 3; c++) b->given[c] = (r == 0 ? 0 : b->given[c]) + given[c] * scale;
     clock_end(CLOCK_FORCING);
+}
+
+void ibm_force_by_marker(struct ibm *b, double dt, double *const force[3]) {
+    const struct fluid_grid *g = b->grid;
+    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
+    struct ibm_route *route = &b->route;
+    ibm_reserve(&route->served, &route->served_size, (size_t)b->n * 3);
+    ibm_reserve(&route->mine, &route->mine_size, (size_t)route->n * 3);
+    for (int h = 0; h < b->n; h++)
+        for (int c = 0; c < 3; c++) route->served[3 * route->order[h] + c] = b->received[c][h] * scale;
+    for (int i = 0; i < 3 * route->n; i++) route->mine[i] = 0;
+    par_exchange_backward(route->plan, route->served, route->mine, 3 * sizeof(double));
+    for (int i = 0; i < route->n; i++)
+        for (int c = 0; c < 3; c++) force[c][i] = route->mine[3 * i + c];
 }
 
 void ibm_force_total(struct ibm *b, double force[3]) {

@@ -25,6 +25,9 @@ void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *c
 void ibm_force(struct ibm *b, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid, N. Collective. */
 void ibm_force_total(struct ibm *b, double force[3]);
+/* The same by marker, in the order of ibm_markers, N: [n] each, zero for a marker outside the domain. What falls beside the
+ * domain is counted. Collective. */
+void ibm_force_by_marker(struct ibm *b, double dt, double *const force[3]);
 double
 ibm_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 

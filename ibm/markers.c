@@ -31,6 +31,7 @@ void ibm_free(struct ibm *b) {
     memory_free(b->marker);
     for (int c = 0; c < 3; c++) {
         memory_free(b->increment[c]);
+        memory_free(b->received[c]);
         memory_free(b->shell[c]);
     }
     memory_free(b);
@@ -64,7 +65,9 @@ static void reserve_markers(struct ibm *b, int n) {
     b->marker = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof *b->marker);
     for (int c = 0; c < 3; c++) {
         memory_free(b->increment[c]);
+        memory_free(b->received[c]);
         b->increment[c] = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof(double));
+        b->received[c] = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof(double));
     }
 }
 

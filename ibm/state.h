@@ -42,6 +42,7 @@ struct ibm {
     int n, capacity;             /* markers served here */
     struct ibm_stencil *stencil; /* [n] */
     struct ibm_marker *marker;   /* [n] */
+    double *received[3];         /* [n] sum over stages and iterations of increment, m/s */
     double *increment[3];        /* [n] (V - U) A_h dx / cell volume, m/s */
 
     double *shell[3];  /* as the grid's arrays: forces near the sides of this rank's piece */

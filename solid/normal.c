@@ -1,4 +1,5 @@
 #include "solid/normal.h"
+#include "solid/surface.h"
 
 #include "solid/surface_sector.h"
 #include "solid/tensors.h"
@@ -92,6 +93,7 @@ void solid_normal_look(const struct solid *s, int h, const struct solid_family_v
         add(&start, view->xi[b], view->weight[b]);
     }
     *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
+    if (!(sum.weight > 0)) out->two_sided = SOLID_SET_FREE;
     if (sum.weight > 0)
         face(&sum, spacing, open, out);
     else if (length(start.m) > short_normal * spacing * start.weight)

@@ -9,8 +9,8 @@ struct solid_facing {
         [2]
         [3];  /* d_l - d_h of two feelers, long intact bonds that are not parallel, when it was computed, m */
     int l[2]; /* their other ends; -1: none */
-    uint8_t two_sided;
-    uint8_t open; /* the void cones when it was computed */
+    uint8_t two_sided; /* enum solid_faces */
+    uint8_t open;      /* the void cones when it was computed */
 };
 
 /* n = -sum (X_l - X_h) lambda Gamma V_l / sum lambda Gamma V_l, normalised.

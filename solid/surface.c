@@ -57,6 +57,15 @@ static struct solid_surface *allocate(const struct solid *s) {
     return f;
 }
 
+long solid_surface_count(struct solid_surface *f, long also) {
+    long all[3] = {f->n, 0, also};
+    for (int i = 0; i < f->n; i++) all[1] += f->two_sided[i] == SOLID_SET_FREE;
+    par_sum_long_array(all, 3);
+    f->total = all[0];
+    f->set_free = all[1];
+    return all[2];
+}
+
 struct solid_surface *solid_surface_new(struct solid *s) {
     clock_begin(CLOCK_INTERFACE);
     solid_ghosts_update(s);
@@ -86,7 +95,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
     solid_surface_gather(s, f);
     solid_surface_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
                            (double[]){INFINITY, INFINITY, INFINITY});
-    f->total = par_sum_long(f->n);
+    solid_surface_count(f, 0);
     clock_end(CLOCK_INTERFACE);
     return f;
 }
@@ -171,9 +180,7 @@ int solid_surface_update(struct solid *s, struct solid_surface *f) {
     else if (broke || f->watched) /* normals may be new where the set is not */
         for (int i = 0; i < f->n; i++) renew(f, i);
     look_where_turned(s, f);
-    long all[2] = {changes, f->n};
-    par_sum_long_array(all, 2);
-    f->total = all[1];
+    const long changed = solid_surface_count(f, changes);
     clock_end(CLOCK_INTERFACE);
-    return all[0] > 0;
+    return changed > 0;
 }

@@ -18,17 +18,24 @@ struct solid_lost;
 struct solid_watch;
 struct solid_facing;
 
+enum solid_faces {
+    SOLID_ONE_FACE,
+    SOLID_TWO_FACES, /* a wall one particle thick */
+    SOLID_SET_FREE   /* a particle without any intact bond */
+};
+
 struct solid_surface {
     int n;        /* interface particles owned here, by rising local index */
     int capacity; /* s->n: the lists below never grow */
     int *h;       /* [n] local index of the particle */
     double
         *normal[3]; /* [n] unit, out of the material; for two-sided particles the plate's axis, either sign */
-    uint8_t *two_sided;   /* [n] a wall one particle thick, or a particle set free: both faces are wetted */
+    uint8_t *two_sided;   /* [n] enum solid_faces: nonzero where both faces are wetted */
     double *area;         /* [n] A_h, m2 (per face) */
     double initial_area;  /* A_h of the particles that were on the interface at the start */
     double immersed_area; /* whole solid, at the start, m2 */
     long total;           /* interface particles of all ranks */
+    long set_free;        /* of these, without any intact bond */
     /* by owned particle, [s->n] */
     struct solid_facing *facing; /* normal as last computed, and what it was computed from */
     uint8_t *bare;               /* bit f: the nearest site in direction f was void at the start */

@@ -55,10 +55,10 @@ void solid_surface_load(struct solid *s, struct solid_surface *f, const double *
         memcpy(facing->n, from, sizeof facing->n);
         memcpy(facing->moved, from + 3, sizeof facing->moved);
         for (int k = 0; k < 2; k++) facing->l[k] = from[9 + k] < 0 ? -1 : view.l[(int)from[9 + k]];
-        facing->two_sided = from[11] != 0;
+        facing->two_sided = (uint8_t)from[11];
         facing->open = (uint8_t)from[12];
     }
     s->broke = SOLID_BROKE_CONTACT; /* its lists are to be made */
     solid_surface_gather(s, f);
-    f->total = par_sum_long(f->n);
+    solid_surface_count(f, 0);
 }

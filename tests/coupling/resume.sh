@@ -26,7 +26,7 @@ while :; do
   if [ $stops -lt 3 ]; then
     for _ in $(seq 400); do
       steps=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1)
-      case "$steps" in '' | *[!0-9]*) ;; *) [ "$steps" -ge $((stops * 20 + 5 + RANDOM % 10)) ] && break ;; esac
+      case "$steps" in '' | *[!0-9]*) ;; *) [ "$steps" -ge $((stops * 60 + 15 + RANDOM % 30)) ] && break ;; esac
       sleep 0.02
     done
     pkill -TERM -P $pid -x frana 2>/dev/null || true
@@ -42,6 +42,6 @@ same whole/series.csv stopped/series.csv
 
 # another run starts from the end of a stage
 code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5
-sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 40' whole/series.csv >>tail.csv
+sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 120' whole/series.csv >>tail.csv
 same tail.csv branch/series.csv
 echo ok
