@@ -45,22 +45,28 @@ static int read_fluid(struct run *r, struct store *s) {
     int bad = 0;
     fluid_arrays(r, array);
     for (int f = 0; f < 4 && !bad; f++) bad = store_read_block(s, fluid_name[f], &b, array[f]);
-    return bad || store_read_double(s, "driving", &fluid_state_of(r->fluid)->driving);
+    if (bad || store_read_double(s, "driving", &fluid_state_of(r->fluid)->driving)) return 1;
+    fluid_state_refresh(r->fluid);
+    return 0;
 }
 
-/* Arrays of three components by particle: displacement, velocity, velocity a step ago, load. */
-enum { VECTORS = 4 };
-static const char *const vector_name[VECTORS] = {"displacement", "velocity", "velocity_last", "load"};
+/* Arrays of three components by particle: displacement, velocity, velocity a step ago, load, Verlet's last sweep. */
+enum { VECTORS = 5 };
+static const char *const vector_name[VECTORS] = {"displacement", "velocity", "velocity_last", "load",
+                                                 "sweep"};
 
 static int vectors_of(struct run *r, double *const *vector[VECTORS]) {
     vector[0] = r->solid->d;
     vector[1] = r->solid->v;
     vector[2] = r->v_last[0] ? r->v_last : NULL;
     vector[3] = r->solid->load;
+    vector[4] = r->solid->v_old;
     return VECTORS;
 }
 
-static const char *const share_name[] = {"e_damped", "e_fracture", "e_constraint", "work_load"};
+enum { SHARES = 5 };
+static const char *const share_name[SHARES] = {"e_damped", "e_fracture", "e_constraint", "work_load",
+                                               "power_pairwise"};
 
 static void write_bonds(struct run *r, struct store *s) {
     struct solid *solid = r->solid;
@@ -80,9 +86,10 @@ static void write_bonds(struct run *r, struct store *s) {
     store_write_range(s, "bonds", STORE_BYTE, bytes, n, first, solid->n, bits);
     memory_free(bits);
     store_write_range(s, "flag", STORE_BYTE, 1, n, first, solid->n, solid->flag);
-    double share[] = {solid->e_damped, solid->e_fracture, solid->e_constraint, solid->work_load};
-    par_sum_array(share, 4);
-    for (int k = 0; k < 4; k++) store_write_double(s, share_name[k], share[k]);
+    double share[SHARES] = {solid->e_damped, solid->e_fracture, solid->e_constraint, solid->work_load,
+                            solid->power_pairwise};
+    par_sum_array(share, SHARES);
+    for (int k = 0; k < SHARES; k++) store_write_double(s, share_name[k], share[k]);
     if (r->surface) {
         const int comps = solid_surface_state_size();
         double *state = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)comps + 1, sizeof *state);
@@ -111,14 +118,15 @@ static int read_bonds(struct run *r, struct store *s) {
           store_read_range(s, "flag", STORE_BYTE, 1, n, first, solid->n, solid->flag);
     for (int h = 0; h < solid->n && !bad; h++) solid_family_load(solid, h, bits + (size_t)h * (size_t)bytes);
     memory_free(bits);
-    double share[4] = {0};
-    for (int k = 0; k < 4 && !bad; k++) bad = store_read_double(s, share_name[k], &share[k]);
+    double share[SHARES] = {0};
+    for (int k = 0; k < SHARES && !bad; k++) bad = store_read_double(s, share_name[k], &share[k]);
     if (bad) return bad;
     const int keep = par_rank() == 0; /* sums are carried on by rank 0 */
     solid->e_damped = keep * share[0];
     solid->e_fracture = keep * share[1];
     solid->e_constraint = keep * share[2];
     solid->work_load = keep * share[3];
+    solid->power_pairwise = keep * share[4];
     par_ghost_update_bytes(solid->ghost, solid->flag, solid->n);
     solid_ghosts_update(solid);
     solid_count_bonds(solid);

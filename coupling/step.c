@@ -66,6 +66,7 @@ void run_stage_begin(struct run *r) {
     if (elastic) {
         setup_stage(stage, &r->solid->stage);
         if (!stage->relax) r->solid_stable = solid_stable_step(r->solid, r->solid->stage.integrator);
+        if (r->stage_step > 0) solid_verlet_resume(r->solid);
         if (!r->fluid && r->dt <= 0) r->dt = stage->safety * r->solid_stable;
     }
     if (stage->relax) {

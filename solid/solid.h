@@ -155,6 +155,9 @@ void solid_ghosts_update(struct solid *s); /* d (and v when damping needs it). C
  * that kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order (contact stores energy that
  * is not counted). Collective. */
 void solid_advance(struct solid *s, double dt, int substeps);
+/* Goes on in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep, which saw
+ * the velocity predicted then) and power_pairwise. Once the stage is set. Not collective. */
+void solid_verlet_resume(struct solid *s);
 /* The largest stable step of the assembled, intact solid for the integrator: sqrt(3)/omega_max (RK3), 2/omega_max
  * (Verlet), omega_max by Lanczos's iteration (power iteration that keeps what it has learnt), good to
  * about 1e-3. The stage's damping is considered: its largest rate g, by the same iteration, makes RK3's limit at most 2.51/g and

@@ -73,6 +73,10 @@ void solid_verlet_step(struct solid *s, double dt) {
     s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
 }
 
+void solid_verlet_resume(struct solid *s) {
+    if (s->stage.integrator == SOLID_VERLET) solid_verlet_end(s);
+}
+
 void solid_verlet_end(struct solid *s) {
     s->fingerprint = fingerprint(s);
     s->stage_of_a = s->stage;

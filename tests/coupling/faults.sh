@@ -12,7 +12,7 @@ code 0 ranks 1 run scene.yaml --out nan --resume
 
 # a folder that holds a run is not overwritten
 code 4 ranks 1 run scene.yaml --out nan
-[ "$(wc -l <err)" = 1 ] || { cat err; fail "more than one sentence"; }
+[ "$(grep -c '^frana:' err)" = 1 ] || { cat err; fail "more than one sentence"; }
 # nothing to resume from, and a file that is no checkpoint
 code 4 ranks 1 run scene.yaml --out none --resume
 echo rubbish >rubbish.h5
@@ -29,7 +29,7 @@ code 2 ranks 1 run scene.yaml --speed
 code 2 ranks 1 run nowhere.yaml
 code 2 ranks 1 run scene.yaml --max-wall soon
 code 2 ranks 1 check scene.yaml --resume
-code 2 ranks 9 check scene.yaml
+code 2 ranks 7 check scene.yaml # 16 cells do not make seven pieces of three
 code 0 ranks 1 --version
 grep -q HDF5 out || fail "--version does not name HDF5"
 # an unknown key before anything is written

@@ -6,7 +6,7 @@ scene >whole.yaml
 awk '/^(solid|coupling):/ { skip = 1 } /^(fluid|stages|output|domain|title):/ { skip = 0 } !skip' whole.yaml |
   sed -e '/name: settle/d; /name: fracture/d; s/, solid: rigid//' >fluid.yaml
 awk '/^(fluid|coupling):/ { skip = 1 } /^(solid|stages|output|domain|title):/ { skip = 0 } !skip' whole.yaml |
-  sed -e '/name: flow/d' -e 's/^  cells: .*/  periodic: [false, false, true]/' -e '/^solid:/a\  spacing: 6.25e-3' >solid.yaml
+  sed -e '/name: flow/d' -e 's/^  cells: .*/  periodic: [false, false, true]/' -e '/^solid:/a\  spacing: 1.5625e-3' >solid.yaml
 sed -e '/name: settle/d; /name: fracture/d' whole.yaml >rigid.yaml
 value() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$1/run.json" | head -n 1; }
 memory() { sed -n '/"memory_bytes_by_part"/,/}/p' "$1/run.json" | sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p"; }

@@ -25,7 +25,7 @@ while :; do
   mpiexec --oversubscribe -n $n "$frana" run scene.yaml --out stopped $resume >out 2>err & pid=$!
   if [ $stops -lt 3 ]; then
     for _ in $(seq 400); do
-      steps=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1)
+      steps=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1 || true)
       case "$steps" in '' | *[!0-9]*) ;; *) [ "$steps" -ge $((stops * 60 + 15 + RANDOM % 30)) ] && break ;; esac
       sleep 0.02
     done
