@@ -105,8 +105,8 @@ static void test_parts(void **state) {
 
 /* Number of substeps: the outcome of a step must converge with it, at the integrator's order. */
 static double displacement_after(const char *substeps) {
-    const char *set[] = {substeps, "stages.drift.steps=4"};
-    struct scene *scene = scene_of(box, drift, 2, set);
+    const char *set[] = {substeps, "stages.drift.steps=4", "stages.drift.damping_relative=6.0e10"};
+    struct scene *scene = scene_of(box, drift, 3, set);
     struct run *r = run_new(scene);
     run_stage_begin(r);
     while (r->stage_step < 4) run_step(r);

@@ -94,7 +94,7 @@ static void set_free(void **state) {
         bodies_site(s, f->h[i], p);
         const int centre = p[0] == 4 && p[1] == 4 && p[2] == 4;
         assert_int_equal(centre, !(s->flag[f->h[i]] & SOLID_FIRST));
-        assert_int_equal(centre, f->two_sided[i]);
+        assert_int_equal(centre ? SOLID_SET_FREE : SOLID_ONE_FACE, f->two_sided[i]);
     }
     check_against_scratch(s, f);
     solid_surface_free(f);
