@@ -142,7 +142,7 @@ static void begin(struct program *p) {
     p->run = run_new(p->scene);
     if (c->resume) {
         checkpoint_read(p->run, c->out, c->resume_file);
-        p->checked = p->run->step;
+        p->checked = p->run->resumed = p->run->step;
         log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
         if (here) fields_cut(p->run, c->out);
     }

@@ -79,6 +79,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_text(j, "stage", r->scene->stage[r->stage].name);
         json_long(j, "stage_step", r->stage_step);
         json_long(j, "steps", r->step);
+        json_long(j, "resumed_at_step", r->resumed); /* times and counts below are since then */
         json_number(j, "t", r->t);
         json_number(j, "dt", r->dt);
         json_long(j, "substeps", r->substeps);

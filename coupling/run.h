@@ -59,6 +59,7 @@ struct run {
 
     long deposited;                      /* step of the last deposit, -1: none */
     long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond */
+    long resumed;                        /* step of the checkpoint it started from, 0: none */
     double wall_start;
 };
 

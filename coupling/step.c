@@ -12,7 +12,8 @@ static void part_time_step(struct run *r) {
 
 static void part_substeps(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
-    r->substeps = (int)ceil(r->dt / (stage->safety * r->solid_stable) * (1 - 1e-12));
+    const double least = ceil(r->dt / (stage->safety * r->solid_stable) * (1 - 1e-12));
+    r->substeps = least > 1 ? (int)least : 1; /* without bonds there is no limit */
 }
 
 static void part_fluid(struct run *r) { fluid_step(r->fluid, r->dt); }
@@ -67,6 +68,9 @@ void run_stage_begin(struct run *r) {
         setup_stage(stage, &r->solid->stage);
         if (!stage->relax) r->solid_stable = solid_stable_step(r->solid, r->solid->stage.integrator);
         if (r->stage_step > 0) solid_verlet_resume(r->solid);
+        if (!r->fluid && r->dt <= 0 && !isfinite(r->solid_stable))
+            die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it",
+                    stage->name);
         if (!r->fluid && r->dt <= 0) r->dt = stage->safety * r->solid_stable;
     }
     if (stage->relax) {

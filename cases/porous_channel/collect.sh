@@ -58,7 +58,8 @@ done
 find "$runs/compared" -name '*.png' -exec cp {} "$out/" \;
 {
   echo "run, part, seconds"
-  for s in s1 s2 s3; do
+  for s in shared s1 s2 s3; do
+    [ -f "$runs/$s/run.json" ] || continue # shared: the first two stages, where S1 was stopped behind them and resumed
     sed -n '/"wall_seconds_by_part"/,/}/s/ *"\([a-z]*\)": \([0-9.e+-]*\),*/'$s', \1, \2/p' "$runs/$s/run.json"
     echo "$s, all, $(number "$runs/$s/run.json" wall_seconds)"
   done

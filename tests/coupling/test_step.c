@@ -127,10 +127,41 @@ static void test_substeps_converge(void **state) {
     assert_true(two < 0.3 * one || one < 1e-9 * fine);
 }
 
+/* A particle without bonds, alone in still fluid: slowed by Stokes' drag, and what it loses the fluid has. */
+static void test_set_free(void **state) {
+    (void)state;
+    const char *set[] = {"solid.bodies.ball.radius=0.006", "solid.bodies.ball.centre=[0.085, 0.085, 0.085]",
+                         "fluid.initial.velocity=[0, 0, 0]"};
+    struct scene *scene = scene_of(box, drift, 3, set);
+    struct run *r = run_new(scene);
+    const double start = 0.01, mass = 3000 * 1e-6, diameter = cbrt(6e-6 / M_PI);
+    double velocity = start, momentum[3];
+    assert_int_equal(r->solid->n_global, 1);
+    assert_int_equal(r->surface->set_free, 1);
+    for (int h = 0; h < r->solid->n; h++) r->solid->v[0][h] = start;
+    run_stage_begin(r);
+    for (int n = 0; n < 10; n++) {
+        const double before = velocity;
+        run_step(r);
+        velocity = par_sum(r->solid->n ? r->solid->v[0][0] : 0);
+        fluid_momentum(r->fluid, momentum);
+        assert_true(fabs(momentum[0] + mass * (velocity - start)) < 1e-12 * mass * start);
+        if (n == 0) { /* the forcing's later passes see less of a difference: at most a tenth of it here */
+            const double rate = (before - velocity) / r->dt / start,
+                         stokes = 3 * M_PI * 1.0 * diameter / mass;
+            assert_true(rate < stokes && rate > 0.85 * stokes);
+        }
+    }
+    assert_true(velocity > 0 && velocity < 0.7 * start);
+    run_free(r);
+    scene_free(scene);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_moves_with_flow), cmocka_unit_test(test_parts),
-                                       cmocka_unit_test(test_substeps_converge)};
+                                       cmocka_unit_test(test_substeps_converge),
+                                       cmocka_unit_test(test_set_free)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
