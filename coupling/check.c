@@ -55,8 +55,12 @@ static void say_limits(struct run *r) {
             l.viscous, l.convective);
     }
     if (r->needs.bonds) {
-        say("  solid, RK3              %.6g\n", solid_stable_step(r->solid, SOLID_RK3));
-        say("  solid, velocity Verlet  %.6g\n", solid_stable_step(r->solid, SOLID_VERLET));
+        for (int contact = 0; contact <= (r->needs.breakage && r->solid->in.contact); contact++) {
+            const char *what = contact ? "bonds and contact" : "bonds";
+            r->solid->stage = (struct solid_stage){.breakage = contact};
+            say("  solid, %s, RK3              %.6g\n", what, solid_stable_step(r->solid, SOLID_RK3));
+            say("  solid, %s, velocity Verlet  %.6g\n", what, solid_stable_step(r->solid, SOLID_VERLET));
+        }
     }
     say("\nstages\n");
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
