@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { BINS_MIN = 16, BINS_MAX = 400 };
+enum { BINS_MIN = 16, BINS_MAX = 400, FENCE = 10 };
 
 static int ascending(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -29,7 +29,8 @@ static void moments(struct postproc_pdf *p, const double *sorted) {
 }
 
 static void choose_bins(struct postproc_pdf *p, const double *sorted) {
-    const double iqr = quantile(sorted, p->n, 0.75) - quantile(sorted, p->n, 0.25);
+    const double first = quantile(sorted, p->n, 0.25), third = quantile(sorted, p->n, 0.75),
+                 iqr = third - first;
     double width = 2 * iqr / cbrt((double)p->n), low = p->smallest, high = p->largest;
     if (!(high > low)) { /* all alike: one bin about them */
         p->bins = 1;
@@ -38,8 +39,8 @@ static void choose_bins(struct postproc_pdf *p, const double *sorted) {
         return;
     }
     if (width > 0 && (high - low) / width > BINS_MAX) {
-        low = quantile(sorted, p->n, 0.001);
-        high = quantile(sorted, p->n, 0.999);
+        low = fmax(quantile(sorted, p->n, 0.001), first - FENCE * iqr);
+        high = fmin(quantile(sorted, p->n, 0.999), third + FENCE * iqr);
     }
     if (!(high > low)) {
         low = p->smallest;

@@ -97,8 +97,9 @@ static void test_parts(void **state) {
     run_stage_begin(r);
     assert_int_equal(r->parts, 6);
     /* the least number of substeps within the safety */
-    assert_true(r->dt / r->substeps <= 0.9 * r->solid_stable * (1 + 1e-9));
-    assert_true(r->dt / (r->substeps - 1) > 0.9 * r->solid_stable);
+    const double safety = scene->stage[0].safety;
+    assert_true(r->dt / r->substeps <= safety * r->solid_stable * (1 + 1e-9));
+    assert_true(r->dt / (r->substeps - 1) > safety * r->solid_stable);
     run_free(r);
     scene_free(scene);
 }
