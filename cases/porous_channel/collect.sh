@@ -55,7 +55,9 @@ for s in s1 s2 s3; do
   for p in pdf_strain pdf_stress; do [ -f "$runs/$s/post/plots/$p.png" ] && cp "$runs/$s/post/plots/$p.png" "$out/${s}_$p.png"; done
 done
 [ -f "$runs/s1/post/plots/pressure.png" ] && cp "$runs/s1/post/plots/pressure.png" "$out/pressure.png"
-find "$runs/compared" -name '*.png' -exec cp {} "$out/" \;
+for p in pressure_drop porosity permeability bonds_broken fragments energy pdf_strain pdf_stress; do
+  cp "$runs/compared/plots/$p.png" "$out/"
+done
 {
   echo "run, part, seconds"
   for s in shared s1 s2 s3; do
