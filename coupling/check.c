@@ -51,15 +51,17 @@ static void say_limits(struct run *r) {
     say("\nstable steps, s\n");
     if (r->fluid) {
         const struct fluid_limits l = fluid_stable_step(r->fluid);
-        say("  fluid, viscous          %.6g\n  fluid, convective       %.6g (with the initial velocity)\n",
-            l.viscous, l.convective);
+        say("  %-42s %.6g\n", "fluid, viscous", l.viscous);
+        say("  %-42s %.6g\n", "fluid, convective (initial velocity)", l.convective);
     }
     if (r->needs.bonds) {
         for (int contact = 0; contact <= (r->needs.breakage && r->solid->in.contact); contact++) {
-            const char *what = contact ? "bonds and contact" : "bonds";
+            const char *const name[2][2] = {
+                {"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
+                {"solid, bonds and contact, RK3", "solid, bonds and contact, velocity Verlet"}};
             r->solid->stage = (struct solid_stage){.breakage = contact};
-            say("  solid, %s, RK3              %.6g\n", what, solid_stable_step(r->solid, SOLID_RK3));
-            say("  solid, %s, velocity Verlet  %.6g\n", what, solid_stable_step(r->solid, SOLID_VERLET));
+            say("  %-42s %.6g\n", name[contact][0], solid_stable_step(r->solid, SOLID_RK3));
+            say("  %-42s %.6g\n", name[contact][1], solid_stable_step(r->solid, SOLID_VERLET));
         }
     }
     say("\nstages\n");
@@ -71,7 +73,8 @@ static void say_limits(struct run *r) {
             say(" of %.6g s", r->dt);
         else
             say(", automatic");
-        if (r->substeps > 0) say(", %d substeps of %.6g s", r->substeps, r->dt / r->substeps);
+        if (r->substeps > 0)
+            say(", %d substep%s of %.6g s", r->substeps, r->substeps > 1 ? "s" : "", r->dt / r->substeps);
         say(":");
         for (int k = 0; k < r->parts; k++) say("%s %s", k ? "," : "", r->part_name[k]);
         say("\n");
@@ -81,8 +84,9 @@ static void say_limits(struct run *r) {
                 say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, l.step);
         }
         if (r->substeps > 0 && r->dt / r->substeps > r->solid_stable)
-            say("  warning: %s's substep is above the solid's limit of %.6g s\n", stage->name,
-                r->solid_stable);
+            say("  warning: %s's substep is above the limit of %.6g s for bonds%s\n", stage->name,
+                r->solid_stable,
+                r->solid->stage.breakage && r->solid->in.contact ? ", damping and contact" : " and damping");
     }
 }
 
