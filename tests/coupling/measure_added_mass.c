@@ -26,10 +26,11 @@ int main(int argc, char **argv) {
     printf("step, force dt/(m V)\n");
     for (int n = 0; n < STEPS; n++) {
         for (int c = 0; c < 3; c++)
-            for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h]; /* the carried part is not looked at */
+            for (int h = 0; h < s->n; h++)
+                r->v_last[c][h] = s->v[c][h]; /* the carried part is not looked at */
         run_markers_update(r);
-        ibm_markers(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
-                    r->markers.volume);
+        ibm_markers(r->ibm, r->markers.n, (const double *const *)r->markers.x,
+                    (const double *const *)r->markers.v, r->markers.volume);
         for (int stage = 0; stage < 3; stage++) {
             fluid_predict(r->fluid, stage, r->dt);
             ibm_force(r->ibm, stage, r->dt);
