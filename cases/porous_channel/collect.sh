@@ -72,4 +72,4 @@ done
   echo "ranks, $(number "$runs/s1/run.json" ranks)"
   for k in version revision compiler flags mpi hdf5 fftw; do echo "$k, \"$(text "$runs/s1/run.json" $k)\""; done
 } >"$out/machine.csv"
-column -s, -t "$summary" 2>/dev/null || cat "$summary"
+cat "$summary"
