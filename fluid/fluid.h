@@ -73,6 +73,9 @@ void fluid_predict(struct fluid *f, int r, double dt);
 double *const *fluid_predicted(struct fluid *f);
 /* Ghosts of u*, v*, w* after somebody changed them: boundary values and `layers` exchanged layers. Collective. */
 void fluid_predicted_refresh(struct fluid *f, int layers);
+/* The same, for a reader of blocks that stay within the global cells low .. high-1 (which may lie beyond a side; the same box on
+ * every rank): ghosts that such blocks do not reach may be left stale. Collective. */
+void fluid_predicted_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 /* Pressure solve, projection, new velocity and pressure, ghosts (one layer) set. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
 /* Three stages: a step of a fluid with nothing immersed. Collective. */
