@@ -6,8 +6,8 @@
 
 enum { DEPTH = 16 };
 
-static double seconds[CLOCK_PARTS];
-static long calls[CLOCK_PARTS];
+static double seconds[CLOCK_ALL];
+static long calls[CLOCK_ALL];
 static enum clock_part stack[DEPTH];
 static int depth;
 static double since;
@@ -29,13 +29,19 @@ void clock_end(enum clock_part part) {
     since = now;
 }
 
-double clock_seconds(enum clock_part part) { return seconds[part]; }
+double clock_seconds(enum clock_part part) {
+    double sum = seconds[part];
+    for (int detail = CLOCK_PARTS; detail < CLOCK_ALL && part == CLOCK_POISSON; detail++)
+        sum += seconds[detail];
+    return sum;
+}
 
 long clock_calls(enum clock_part part) { return calls[part]; }
 
 const char *clock_name(enum clock_part part) {
-    static const char *const name[CLOCK_PARTS] = {"momentum", "poisson", "halo",      "forcing", "probe",
-                                                  "solid",    "contact", "interface", "output"};
+    static const char *const name[CLOCK_ALL] = {"momentum", "poisson", "halo",    "forcing",
+                                                "probe",    "solid",   "contact", "interface",
+                                                "output",   "forward", "columns", "backward"};
     return name[part];
 }
 

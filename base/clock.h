@@ -11,7 +11,12 @@ enum clock_part {
     CLOCK_CONTACT,
     CLOCK_INTERFACE,
     CLOCK_OUTPUT,
-    CLOCK_PARTS
+    CLOCK_PARTS,
+    /* details, which count in their part as well */
+    CLOCK_FORWARD = CLOCK_PARTS, /* of poisson: divergence and forward transforms */
+    CLOCK_COLUMNS,               /* of poisson: the last direction's solve */
+    CLOCK_BACKWARD,              /* of poisson: backward transforms and correction */
+    CLOCK_ALL
 };
 
 void clock_begin(enum clock_part part); /* Not collective. */

@@ -205,7 +205,7 @@ static int publish(struct h5 *f) {
     struct stat is;
     int code = stat(f->part, &is) == 0 ? 0 : errno;
     if (!code && is.st_size > (off_t)end && truncate(f->part, (off_t)end) != 0) code = errno;
-    if (!code) code = aside_publish(f->part, f->path);
+    if (!code) code = aside_publish(f->part, f->path, !f->unsynced);
     if (code) because(f, "%s", strerror(code));
     return code != 0;
 }

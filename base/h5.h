@@ -14,6 +14,7 @@ struct h5 {
     int shared;     /* more than one rank has it open */
     int failed;     /* the same on all ranks */
     int stuck;      /* HDF5 could not close it */
+    int unsynced;   /* set after h5_begin: the disk may take its time */
     off_t end;      /* of the last array in the file */
     off_t reserved; /* bytes of the disk held for it, rank 0 */
     char path[1024], part[1032];
@@ -34,7 +35,7 @@ void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block 
 /* Attributes of the group or dataset `of`; count < 0: a scalar. Collective, the same on all ranks. */
 void h5_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, const void *value);
 void h5_attribute_text(struct h5 *f, const char *of, const char *name, const char *value);
-/* Closes, syncs, renames; or dies with exit code 4, the part deleted and the old file as it was. Collective. */
+/* Closes, syncs unless told otherwise, renames; or dies with exit code 4, the part deleted and the old file as it was. Collective. */
 void h5_end(struct h5 *f);
 
 /* alone: this rank only. 0, or nonzero with f->why. Collective unless alone. */

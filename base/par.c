@@ -1,4 +1,5 @@
 #include "base/par.h"
+#include "base/par_count.h"
 
 #include <mpi.h>
 #include <limits.h>
@@ -39,8 +40,15 @@ int par_size(void) {
     return size;
 }
 
+/* A call that all ranks take part in. */
+static void note(size_t bytes) {
+    if (par_size() > 1) par_count_collective(PAR_COUNT_REDUCTION, bytes);
+}
+
 static void reduce(void *value, int n, MPI_Datatype type, MPI_Op op) {
-    if (on()) MPI_Allreduce(MPI_IN_PLACE, value, n, type, op, MPI_COMM_WORLD);
+    if (!on()) return;
+    note((size_t)n * 8); /* doubles and longs */
+    MPI_Allreduce(MPI_IN_PLACE, value, n, type, op, MPI_COMM_WORLD);
 }
 
 void par_sum_array(double *value, int n) { reduce(value, n, MPI_DOUBLE, MPI_SUM); }
@@ -70,12 +78,14 @@ long par_sum_long(long value) {
 
 long par_sum_before(long value) {
     long before = 0;
+    note(sizeof value);
     if (on()) MPI_Exscan(&value, &before, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD);
     return par_rank() == 0 ? 0 : before;
 }
 
 void par_bcast(void *data, size_t bytes, int root) {
     char *at = data;
+    note(bytes);
     while (on() && bytes > 0) {
         const int piece = bytes > INT_MAX ? INT_MAX : (int)bytes;
         MPI_Bcast(at, piece, MPI_BYTE, root, MPI_COMM_WORLD);
@@ -85,16 +95,20 @@ void par_bcast(void *data, size_t bytes, int root) {
 }
 
 void par_gather(const void *mine, size_t bytes, void *everyone) {
+    note(bytes);
     MPI_Gather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, 0, MPI_COMM_WORLD);
 }
 
 void par_all_gather(const void *mine, size_t bytes, void *everyone) {
+    note(bytes);
     MPI_Allgather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, MPI_COMM_WORLD);
 }
 
 void *par_all_gather_any(const void *mine, size_t bytes, size_t *total) {
     const int size = par_size();
     int *count = malloc(2 * (size_t)size * sizeof *count), *at = count + size, my_count = (int)bytes;
+    note(sizeof my_count);
+    note(bytes);
     MPI_Allgather(&my_count, 1, MPI_INT, count, 1, MPI_INT, MPI_COMM_WORLD);
     *total = 0;
     for (int r = 0; r < size; r++) {

@@ -1,24 +1,28 @@
 #include "base/par_exchange.h"
 #include "base/error.h"
 #include "base/par.h"
+#include "base/par_count.h"
 
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct par_exchange {
-    int n, sent, served;              /* items here, of these sent, items served */
-    int *order;                       /* [sent] item index, by destination */
-    int *to, *to_at, *from, *from_at; /* [size] counts and offsets */
-    int alone;                        /* nothing crosses a rank anywhere */
+    int sent, served;                        /* copies sent, items served */
+    int *order, capacity;                    /* [sent] the item of each copy, by destination */
+    int *to, *to_at, *from, *from_at, *next; /* [size] counts and offsets */
+    int in_order;                            /* nothing but the items as they stand, to this rank */
     char *buffer;
     size_t buffer_bytes;
+    MPI_Request *request;     /* [2 size] */
+    enum par_count_kind kind; /* what its messages count as */
 };
 
-static void *reserve(struct par_exchange *x, size_t bytes) {
+static char *reserve(struct par_exchange *x, size_t bytes) {
     if (bytes > x->buffer_bytes) {
-        x->buffer = realloc(x->buffer, bytes);
-        x->buffer_bytes = bytes;
+        free(x->buffer);
+        x->buffer_bytes = bytes + bytes / 4;
+        x->buffer = malloc(x->buffer_bytes);
         ENSURE(x->buffer, "no memory for %zu bytes", bytes);
     }
     return x->buffer;
@@ -33,29 +37,51 @@ static int offsets(const int *count, int *at, int size) {
     return total;
 }
 
-struct par_exchange *par_exchange_new(int n, const int *dest) {
-    const int size = par_size();
+static struct par_exchange *empty(void) {
+    const size_t size = (size_t)par_size();
     struct par_exchange *x = calloc(1, sizeof *x);
-    x->n = n;
-    x->to = calloc(4 * (size_t)size, sizeof(int));
+    ENSURE(x, "no memory for %zu bytes", sizeof *x);
+    x->to = calloc(5 * size, sizeof(int));
+    x->request = malloc(2 * size * sizeof *x->request);
+    ENSURE(x->to && x->request, "no memory to exchange with %zu ranks", size);
     x->to_at = x->to + size;
     x->from = x->to + 2 * size;
     x->from_at = x->to + 3 * size;
-    for (int i = 0; i < n; i++)
-        if (dest[i] >= 0) x->to[dest[i]]++;
+    x->next = x->to + 4 * size;
+    return x;
+}
+
+struct par_exchange *par_exchange_new(int n, const int *dest) {
+    return par_exchange_renew(NULL, n, NULL, dest);
+}
+
+struct par_exchange *par_exchange_renew(struct par_exchange *x, int n, const int *item, const int *dest) {
+    const int size = par_size();
+    if (!x) x = empty();
+    for (int r = 0; r < size; r++) x->to[r] = 0;
+    for (int c = 0; c < n; c++)
+        if (dest[c] >= 0) x->to[dest[c]]++;
     x->sent = offsets(x->to, x->to_at, size);
-    x->order = malloc((size_t)(x->sent + 1) * sizeof(int));
-    int *next = malloc((size_t)size * sizeof(int));
-    memcpy(next, x->to_at, (size_t)size * sizeof(int));
-    for (int i = 0; i < n; i++)
-        if (dest[i] >= 0) x->order[next[dest[i]]++] = i;
-    free(next);
+    if (x->sent > x->capacity || !x->order) {
+        free(x->order);
+        x->capacity = x->sent + x->sent / 4 + 1;
+        x->order = malloc((size_t)x->capacity * sizeof(int));
+        ENSURE(x->order, "no memory for %d items", x->capacity);
+    }
+    memcpy(x->next, x->to_at, (size_t)size * sizeof(int));
+    x->in_order = size == 1;
+    for (int c = 0; c < n; c++)
+        if (dest[c] >= 0) {
+            const int k = x->next[dest[c]]++, i = item ? item[c] : c;
+            x->order[k] = i;
+            x->in_order &= k == i;
+        }
     if (size == 1)
         x->from[0] = x->to[0];
     else
         MPI_Alltoall(x->to, 1, MPI_INT, x->from, 1, MPI_INT, MPI_COMM_WORLD);
+    if (size > 1) par_count_collective(x->kind, (size_t)size * sizeof(int));
     x->served = offsets(x->from, x->from_at, size);
-    x->alone = size == 1;
     return x;
 }
 
@@ -64,48 +90,63 @@ void par_exchange_free(struct par_exchange *x) {
     free(x->to);
     free(x->order);
     free(x->buffer);
+    free(x->request);
     free(x);
 }
 
 int par_exchange_count(const struct par_exchange *x) { return x->served; }
 
-/* Pieces of unequal size between all ranks, empty ones not sent. */
-static void all_to_some(const char *send, const int *to, const int *to_at, char *recv, const int *from,
-                        const int *from_at, size_t bytes) {
+/* Pieces of unequal size between all ranks but this one to itself, empty ones not sent: begun, to be waited for. */
+static int begin(struct par_exchange *x, const char *send, const int *to, const int *to_at, char *recv,
+                 const int *from, const int *from_at, size_t bytes) {
     const int size = par_size(), rank = par_rank();
-    MPI_Request *request = malloc(2 * (size_t)size * sizeof *request);
     int requests = 0;
     for (int r = 0; r < size; r++)
         if (from[r] > 0 && r != rank)
             MPI_Irecv(recv + (size_t)from_at[r] * bytes, (int)((size_t)from[r] * bytes), MPI_BYTE, r, 71,
-                      MPI_COMM_WORLD, &request[requests++]);
+                      MPI_COMM_WORLD, &x->request[requests++]);
     for (int r = 0; r < size; r++)
-        if (to[r] > 0 && r != rank)
+        if (to[r] > 0 && r != rank) {
             MPI_Isend(send + (size_t)to_at[r] * bytes, (int)((size_t)to[r] * bytes), MPI_BYTE, r, 71,
-                      MPI_COMM_WORLD, &request[requests++]);
-    if (to[rank] > 0)
-        memcpy(recv + (size_t)from_at[rank] * bytes, send + (size_t)to_at[rank] * bytes,
-               (size_t)to[rank] * bytes);
-    MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
-    free(request);
+                      MPI_COMM_WORLD, &x->request[requests++]);
+            par_count_message(x->kind, (size_t)to[r] * bytes);
+        }
+    return requests;
 }
 
+/* What goes out is packed and sent first; what stays is copied while it travels. */
 void par_exchange_forward(struct par_exchange *x, const void *mine, void *served, size_t bytes) {
-    char *pack = x->alone ? served : reserve(x, (size_t)x->sent * bytes + 1);
-    for (int k = 0; k < x->sent; k++)
-        memcpy(pack + (size_t)k * bytes, (const char *)mine + (size_t)x->order[k] * bytes, bytes);
-    if (!x->alone) all_to_some(pack, x->to, x->to_at, served, x->from, x->from_at, bytes);
+    const int size = par_size(), rank = par_rank();
+    if (x->in_order) {
+        if (x->sent > 0) memcpy(served, mine, (size_t)x->sent * bytes);
+        return;
+    }
+    char *pack = size > 1 ? reserve(x, (size_t)x->sent * bytes + 1) : NULL;
+    for (int r = 0; r < size; r++)
+        for (int k = x->to_at[r]; k < x->to_at[r] + x->to[r] && r != rank; k++)
+            memcpy(pack + (size_t)k * bytes, (const char *)mine + (size_t)x->order[k] * bytes, bytes);
+    const int requests = begin(x, pack, x->to, x->to_at, served, x->from, x->from_at, bytes);
+    for (int k = 0; k < x->to[rank]; k++)
+        memcpy((char *)served + (size_t)(x->from_at[rank] + k) * bytes,
+               (const char *)mine + (size_t)x->order[x->to_at[rank] + k] * bytes, bytes);
+    MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE);
 }
 
 void par_exchange_backward(struct par_exchange *x, const void *served, void *mine, size_t bytes) {
-    const char *pack = served;
-    if (!x->alone) {
-        char *buffer = reserve(x, (size_t)x->sent * bytes + 1);
-        all_to_some(served, x->from, x->from_at, buffer, x->to, x->to_at, bytes);
-        pack = buffer;
+    const int size = par_size(), rank = par_rank();
+    if (x->in_order) {
+        if (x->sent > 0) memcpy(mine, served, (size_t)x->sent * bytes);
+        return;
     }
-    for (int k = 0; k < x->sent; k++)
-        memcpy((char *)mine + (size_t)x->order[k] * bytes, pack + (size_t)k * bytes, bytes);
+    char *pack = size > 1 ? reserve(x, (size_t)x->sent * bytes + 1) : NULL;
+    const int requests = begin(x, served, x->from, x->from_at, pack, x->to, x->to_at, bytes);
+    for (int k = 0; k < x->to[rank]; k++)
+        memcpy((char *)mine + (size_t)x->order[x->to_at[rank] + k] * bytes,
+               (const char *)served + (size_t)(x->from_at[rank] + k) * bytes, bytes);
+    MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE);
+    for (int r = 0; r < size; r++)
+        for (int k = x->to_at[r]; k < x->to_at[r] + x->to[r] && r != rank; k++)
+            memcpy((char *)mine + (size_t)x->order[k] * bytes, pack + (size_t)k * bytes, bytes);
 }
 
 struct par_ghost {
@@ -133,6 +174,7 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id) {
     }
     g->n = n;
     g->wish = par_exchange_new(n, dest);
+    g->wish->kind = PAR_COUNT_GHOST;
     g->served = par_exchange_count(g->wish);
     long *wanted = malloc((size_t)(g->served + 1) * sizeof *wanted);
     par_exchange_forward(g->wish, id, wanted, sizeof *wanted);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/par_count.h"
 
 #include <mpi.h>
 #include <stdlib.h>
@@ -14,7 +15,6 @@ struct par_halo {
     int neighbour
         [3]
         [2]; /* [direction][low, high] rank, this one's own number where it meets itself, -1 beyond a side */
-    size_t row, plane;
     double *buffer; /* [4][capacity]: sent low and high, received low and high */
     size_t capacity;
 };
@@ -30,16 +30,13 @@ static size_t box_cells(const struct box *b) {
 }
 
 static size_t at(const struct par_halo *h, int i, int j, int k) {
-    const int g = h->in.halo;
-    return (size_t)(k + g) * h->plane + (size_t)(j + g) * h->row + (size_t)(i + g);
+    return (size_t)(h->in.first + k * h->in.plane + j * h->in.row + i);
 }
 
 struct par_halo *par_halo_new(const struct par_halo_input *in) {
     struct par_halo *h = calloc(1, sizeof *h);
     const int rank = par_rank(), size = par_size();
     h->in = *in;
-    h->row = (size_t)(in->m[0] + 2 * in->halo);
-    h->plane = h->row * (size_t)(in->m[1] + 2 * in->halo);
     ENSURE(in->ranks[0] == 1 && in->ranks[1] * in->ranks[2] == size, "process grid %d x %d x %d on %d ranks",
            in->ranks[0], in->ranks[1], in->ranks[2], size);
     const int c[3] = {0, rank % in->ranks[1], rank / in->ranks[1]};
@@ -70,16 +67,14 @@ int par_halo_at_side(const struct par_halo *h, int direction, int side) {
 }
 
 /* The box of a direction's layers at a side: its ghosts, or the owned cells that the neighbour sees as its ghosts. */
-static struct box layers_at(const struct par_halo *h, int direction, int side, int layers, int ghosts) {
+static struct box layers_at(const struct par_halo *h, int direction, int side,
+                            const struct par_halo_part *part, int ghosts) {
+    const int layers = part->layers, m = h->in.m[direction];
     struct box b;
-    for (int d = 0; d < 3; d++) {
-        b.low[d] = -layers;
-        b.high[d] = h->in.m[d] + layers;
-    }
-    const int m = h->in.m[direction];
-    const int first = side ? (ghosts ? m : m - layers) : (ghosts ? -layers : 0);
-    b.low[direction] = first;
-    b.high[direction] = first + layers;
+    memcpy(b.low, part->low, sizeof b.low);
+    memcpy(b.high, part->high, sizeof b.high);
+    b.low[direction] = side ? (ghosts ? m : m - layers) : (ghosts ? -layers : 0);
+    b.high[direction] = b.low[direction] + layers;
     return b;
 }
 
@@ -127,63 +122,124 @@ static void reserve(struct par_halo *h, size_t doubles) {
     h->buffer = memory_new(MEMORY_FLUID, 4 * doubles, sizeof(double));
 }
 
-/* sent[side] goes to the neighbour at that side, received[side] comes from it; both have `count` doubles. */
+/* sent[side] goes to the neighbour at that side, received[side] comes from it, `count` doubles each, where the flags say. */
 static void swap(struct par_halo *h, int direction, double *const sent[2], double *const received[2],
-                 size_t count) {
+                 const int sends[2], const int receives[2], size_t count) {
     MPI_Request request[4];
     int requests = 0;
-    const int me = par_rank();
-    for (int side = 0; side < 2; side++) {
-        const int to = h->neighbour[direction][side];
-        if (to >= 0 && to != me) /* what arrives from the low side was sent to the high one */
-            MPI_Irecv(received[side], (int)count, MPI_DOUBLE, to, 80 + !side, MPI_COMM_WORLD,
-                      &request[requests++]);
-    }
-    for (int side = 0; side < 2; side++) {
-        const int to = h->neighbour[direction][side];
-        if (to >= 0 && to != me)
-            MPI_Isend(sent[side], (int)count, MPI_DOUBLE, to, 80 + side, MPI_COMM_WORLD,
-                      &request[requests++]);
-    }
+    for (int side = 0; side < 2; side++)
+        if (receives[side]) /* what arrives from the low side was sent to the high one */
+            MPI_Irecv(received[side], (int)count, MPI_DOUBLE, h->neighbour[direction][side], 80 + !side,
+                      MPI_COMM_WORLD, &request[requests++]);
+    for (int side = 0; side < 2; side++)
+        if (sends[side]) {
+            MPI_Isend(sent[side], (int)count, MPI_DOUBLE, h->neighbour[direction][side], 80 + side,
+                      MPI_COMM_WORLD, &request[requests++]);
+            par_count_message(PAR_COUNT_HALO, count * sizeof(double));
+        }
     MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
 }
 
-/* One direction: moves owned layers to the ghosts (add = 0), or ghosts to the owned layers (add = 1). */
-static void exchange(struct par_halo *h, int direction, int fields, double *const *field, int layers,
-                     int add) {
-    const struct box any = layers_at(h, direction, 0, layers, 1);
+/* A periodic direction with one rank: each side's ghosts are the other side's cells. */
+static void wrap(const struct par_halo *h, int direction, int fields, double *const *field,
+                 const struct par_halo_part *part) {
+    for (int side = 0; side < 2; side++) {
+        if (!part->wanted[direction][side]) continue;
+        const struct box to = layers_at(h, direction, side, part, 1);
+        const ptrdiff_t stride[3] = {1, h->in.row, h->in.plane};
+        const ptrdiff_t away = (side ? -1 : 1) * h->in.m[direction] * stride[direction];
+        const size_t width = (size_t)(to.high[0] - to.low[0]);
+        for (int f = 0; f < fields; f++)
+            for (int k = to.low[2]; k < to.high[2]; k++)
+                for (int j = to.low[1]; j < to.high[1]; j++) {
+                    double *ghost = field[f] + at(h, to.low[0], j, k);
+                    for (size_t i = 0; i < width && direction == 0; i++)
+                        ghost[i] = ghost[away + (ptrdiff_t)i];
+                    if (direction != 0) memcpy(ghost, ghost + away, width * sizeof *ghost);
+                }
+    }
+}
+
+/* Owned layers to the neighbours' ghosts. */
+static void fill(struct par_halo *h, int direction, int fields, double *const *field,
+                 const struct par_halo_part *part) {
+    int sends[2], receives[2];
+    if (h->neighbour[direction][0] == par_rank()) {
+        wrap(h, direction, fields, field, part);
+        return;
+    }
+    for (int side = 0; side < 2; side++) {
+        sends[side] = part->asked[direction][side] && h->neighbour[direction][side] >= 0;
+        receives[side] = part->wanted[direction][side] && h->neighbour[direction][side] >= 0;
+    }
+    const struct box any = layers_at(h, direction, 0, part, 1);
+    const size_t count = box_cells(&any) * (size_t)fields;
+    reserve(h, count);
+    double *const sent[2] = {h->buffer, h->buffer + h->capacity};
+    double *const received[2] = {h->buffer + 2 * h->capacity, h->buffer + 3 * h->capacity};
+    for (int side = 0; side < 2; side++) {
+        const struct box from = layers_at(h, direction, side, part, 0);
+        if (sends[side]) pack(h, &from, fields, field, sent[side]);
+    }
+    swap(h, direction, sent, received, sends, receives, count);
+    for (int side = 0; side < 2; side++) {
+        const struct box to = layers_at(h, direction, side, part, 1);
+        if (receives[side]) unpack(h, &to, fields, field, received[side]);
+    }
+}
+
+/* Ghosts to the layers that own them, added there. */
+static void add(struct par_halo *h, int direction, int fields, double *const *field,
+                const struct par_halo_part *part) {
+    const struct box any = layers_at(h, direction, 0, part, 1);
     const size_t count = box_cells(&any) * (size_t)fields;
     reserve(h, count);
     double *const sent[2] = {h->buffer, h->buffer + h->capacity};
     double *received[2] = {h->buffer + 2 * h->capacity, h->buffer + 3 * h->capacity};
+    int there[2];
     for (int side = 0; side < 2; side++) {
-        const struct box from = layers_at(h, direction, side, layers, add);
-        if (h->neighbour[direction][side] >= 0) pack(h, &from, fields, field, sent[side]);
-        if (add) clear(h, &from, fields, field);
+        const struct box from = layers_at(h, direction, side, part, 1);
+        there[side] = h->neighbour[direction][side] >= 0;
+        if (there[side]) pack(h, &from, fields, field, sent[side]);
+        clear(h, &from, fields, field);
     }
-    if (h->neighbour[direction][0] == par_rank()) { /* a periodic direction with one rank */
+    if (h->neighbour[direction][0] == par_rank()) {
         received[0] = sent[1];
         received[1] = sent[0];
     } else {
-        swap(h, direction, sent, received, count);
+        swap(h, direction, sent, received, there, there, count);
     }
     for (int side = 0; side < 2; side++) {
-        const struct box to = layers_at(h, direction, side, layers, !add);
-        if (h->neighbour[direction][side] < 0) continue;
-        if (add)
-            unpack_adding(h, &to, fields, field, received[side]);
-        else
-            unpack(h, &to, fields, field, received[side]);
+        const struct box to = layers_at(h, direction, side, part, 0);
+        if (there[side]) unpack_adding(h, &to, fields, field, received[side]);
     }
+}
+
+struct par_halo_part par_halo_whole(const struct par_halo *h, int layers) {
+    struct par_halo_part part = {.layers = layers};
+    for (int d = 0; d < 3; d++) {
+        part.low[d] = -layers;
+        part.high[d] = h->in.m[d] + layers;
+        for (int side = 0; side < 2; side++) part.wanted[d][side] = part.asked[d][side] = 1;
+    }
+    return part;
+}
+
+void par_halo_fill_part(struct par_halo *h, int direction, int fields, double *const *field,
+                        const struct par_halo_part *part) {
+    if (part->layers < 1) return;
+    ENSURE(part->layers <= h->in.halo, "%d layers of %d", part->layers, h->in.halo);
+    for (int d = 0; d < 3; d++)
+        if (d != direction && part->low[d] >= part->high[d]) return;
+    clock_begin(CLOCK_HALO);
+    fill(h, direction, fields, field, part);
+    clock_end(CLOCK_HALO);
 }
 
 void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field,
                              int layers) {
-    if (layers < 1) return;
-    ENSURE(layers <= h->in.halo, "%d layers of %d", layers, h->in.halo);
-    clock_begin(CLOCK_HALO);
-    exchange(h, direction, fields, field, layers, 0);
-    clock_end(CLOCK_HALO);
+    const struct par_halo_part whole = par_halo_whole(h, layers);
+    par_halo_fill_part(h, direction, fields, field, &whole);
 }
 
 void par_halo_fill(struct par_halo *h, int fields, double *const *field, int layers) {
@@ -193,7 +249,8 @@ void par_halo_fill(struct par_halo *h, int fields, double *const *field, int lay
 void par_halo_add(struct par_halo *h, int fields, double *const *field, int layers) {
     if (layers < 1) return;
     ENSURE(layers <= h->in.halo, "%d layers of %d", layers, h->in.halo);
+    const struct par_halo_part whole = par_halo_whole(h, layers);
     clock_begin(CLOCK_HALO);
-    for (int d = 2; d >= 0; d--) exchange(h, d, fields, field, layers, 1);
+    for (int d = 2; d >= 0; d--) add(h, d, fields, field, &whole);
     clock_end(CLOCK_HALO);
 }

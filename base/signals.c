@@ -35,16 +35,20 @@ static double since_1970(void) {
 }
 
 /* The reasons' order is no matter: a signal, where some rank has one, then the limits. */
-enum signals_reason signals_stop(double reserve) {
-    double has[3];
+enum signals_reason signals_stop_also(double reserve, int *any) {
+    double has[4];
     has[0] = caught != 0;
     has[1] = wall_deadline > 0 && par_seconds() + reserve > wall_deadline;
     has[2] = batch_deadline > 0 && since_1970() + reserve > batch_deadline;
-    par_max_array(has, 3);
+    has[3] = any ? *any : 0;
+    par_max_array(has, 4);
+    if (any) *any = has[3] > 0;
     if (has[0] > 0) return SIGNALS_SIGNAL;
     if (has[1] > 0) return SIGNALS_MAX_WALL;
     return has[2] > 0 ? SIGNALS_BATCH : SIGNALS_NONE;
 }
+
+enum signals_reason signals_stop(double reserve) { return signals_stop_also(reserve, NULL); }
 
 const char *signals_name(enum signals_reason reason) {
     if (reason == SIGNALS_MAX_WALL) return "--max-wall";

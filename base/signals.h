@@ -13,5 +13,7 @@ void signals_begin(double max_wall);
 /* Whether to stop now: the strongest reason any rank has. reserve: seconds that a last step and the checkpoint will take;
  * limits are met that much earlier. The same on every rank. Collective. */
 enum signals_reason signals_stop(double reserve);
+/* The same; *any, if not NULL, travels along and becomes nonzero where some rank's is. Collective. */
+enum signals_reason signals_stop_also(double reserve, int *any);
 /* A word for the log: "SIGTERM", "--max-wall", ... Not collective. */
 const char *signals_name(enum signals_reason reason);

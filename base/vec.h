@@ -1,24 +1,60 @@
-/* Eight doubles at once, by the compilers' vector extensions: gcc and clang lower them to whatever the machine has. */
+/* Eight doubles at once (vec) and four (vec4), by the compilers' vector extensions: gcc and clang lower them to whatever
+ * the machine has, and the few intrinsics of the room stand here. With FRANA_SCALAR there are none of these, and
+ * vec4 is one double: who uses it takes VEC4_LANES places at a time. */
 #pragma once
 #include <stdint.h>
 #include <string.h>
-#ifdef __AVX512F__
+#if defined __AVX512F__ && defined __AVX512VL__ && !defined FRANA_SCALAR
 #    include <immintrin.h>
+#    define VEC_AVX512 1
+#else
+#    define VEC_AVX512 0
 #endif
 
-enum { VEC_LANES = 8 };
+enum { VEC_LANES = 8, VEC_IS_NATIVE = VEC_AVX512 }; /* native: one register */
 typedef double vec __attribute__((vector_size(64)));
 typedef int64_t vec_mask __attribute__((vector_size(64)));
+#ifdef FRANA_SCALAR
+enum { VEC4_LANES = 1 };
+typedef double vec4;
+#else
+enum { VEC4_LANES = 4 };
+typedef double vec4 __attribute__((vector_size(32)));
+typedef int64_t vec4_mask __attribute__((vector_size(32)));
+#endif
 
 static inline vec vec_load(const double *p) {
     vec v;
     memcpy(&v, p, sizeof v);
     return v;
 }
-
+static inline vec4 vec4_load(const double *p) {
+    vec4 v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
 static inline void vec_store(double *p, vec v) { memcpy(p, &v, sizeof v); }
+static inline void vec4_store(double *p, vec4 v) { memcpy(p, &v, sizeof v); }
+
+/* Past the caches, for what is not read again before they have been filled by other things; p aligned to 64 bytes. */
+static inline void vec_stream(double *p, vec v) {
+#if VEC_AVX512
+    _mm512_stream_pd(p, (__m512d)v);
+#else
+    vec_store(p, v);
+#endif
+}
 
 static inline vec vec_set(double a) { return (vec){a, a, a, a, a, a, a, a}; }
+
+/* Lane k: lane k-1 of here; lane 0: the last of before. */
+static inline vec vec_before(vec before, vec here) {
+#if defined __clang__ || __GNUC__ >= 12
+    return __builtin_shufflevector(before, here, 7, 8, 9, 10, 11, 12, 13, 14);
+#else
+    return __builtin_shuffle(before, here, (vec_mask){7, 8, 9, 10, 11, 12, 13, 14});
+#endif
+}
 
 /* Bit k of bits -> lane k all ones. */
 static inline vec_mask vec_mask_of_bits(unsigned bits) {
@@ -27,19 +63,17 @@ static inline vec_mask vec_mask_of_bits(unsigned bits) {
     return (all & bit) != 0;
 }
 
-static inline vec vec_and(vec_mask m, vec v) { return (vec)(m & (vec_mask)v); }
-
 /* a where a bit of bits is set, 0 elsewhere; one masked move with AVX-512. */
 static inline vec vec_where(unsigned bits, vec a) {
-#ifdef __AVX512F__
+#if VEC_AVX512
     return (vec)_mm512_maskz_mov_pd((__mmask8)bits, (__m512d)a);
 #else
-    return vec_and(vec_mask_of_bits(bits), a);
+    return (vec)(vec_mask_of_bits(bits) & (vec_mask)a);
 #endif
 }
 
 static inline vec vec_max(vec a, vec b) {
-#ifdef __AVX512F__
+#if VEC_AVX512
     return (vec)_mm512_max_pd((__m512d)a, (__m512d)b);
 #else
     for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
@@ -48,7 +82,7 @@ static inline vec vec_max(vec a, vec b) {
 }
 
 static inline vec vec_min(vec a, vec b) {
-#ifdef __AVX512F__
+#if VEC_AVX512
     return (vec)_mm512_min_pd((__m512d)a, (__m512d)b);
 #else
     for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
@@ -57,11 +91,92 @@ static inline vec vec_min(vec a, vec b) {
 }
 
 static inline vec vec_sqrt(vec a) {
-#ifdef __AVX512F__
+#if VEC_AVX512
     return (vec)_mm512_sqrt_pd((__m512d)a);
 #else
     for (int k = 0; k < VEC_LANES; k++) a[k] = __builtin_sqrt(a[k]);
     return a;
+#endif
+}
+
+#ifdef FRANA_SCALAR
+
+static inline vec4 vec4_set(double a) { return a; }
+static inline vec4 vec4_where(unsigned bits, vec4 a) { return bits & 1 ? a : 0; }
+static inline vec4 vec4_max(vec4 a, vec4 b) { return a > b ? a : b; }
+static inline vec4 vec4_min(vec4 a, vec4 b) { return a < b ? a : b; }
+static inline vec4 vec4_sqrt(vec4 a) { return __builtin_sqrt(a); }
+static inline double vec4_highest(vec4 a) { return a; }
+static inline double vec4_lowest(vec4 a) { return a; }
+static inline double vec4_sum(vec4 a) { return a; }
+
+#else
+
+static inline vec4 vec4_set(double a) { return (vec4){a, a, a, a}; }
+
+static inline vec4_mask vec4_mask_of_bits(unsigned bits) {
+    const vec4_mask bit = {1, 2, 4, 8};
+    const vec4_mask all = {bits, bits, bits, bits};
+    return (all & bit) != 0;
+}
+
+static inline vec4 vec4_where(unsigned bits, vec4 a) {
+#    if VEC_AVX512
+    return (vec4)_mm256_maskz_mov_pd((__mmask8)bits, (__m256d)a);
+#    else
+    return (vec4)(vec4_mask_of_bits(bits) & (vec4_mask)a);
+#    endif
+}
+
+static inline vec4 vec4_max(vec4 a, vec4 b) {
+#    if VEC_AVX512
+    return (vec4)_mm256_max_pd((__m256d)a, (__m256d)b);
+#    else
+    for (int k = 0; k < VEC4_LANES; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
+    return a;
+#    endif
+}
+
+static inline vec4 vec4_min(vec4 a, vec4 b) {
+#    if VEC_AVX512
+    return (vec4)_mm256_min_pd((__m256d)a, (__m256d)b);
+#    else
+    for (int k = 0; k < VEC4_LANES; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
+    return a;
+#    endif
+}
+
+static inline vec4 vec4_sqrt(vec4 a) {
+#    if VEC_AVX512
+    return (vec4)_mm256_sqrt_pd((__m256d)a);
+#    else
+    for (int k = 0; k < VEC4_LANES; k++) a[k] = __builtin_sqrt(a[k]);
+    return a;
+#    endif
+}
+
+static inline double vec4_highest(vec4 a) {
+    const double x = a[0] > a[1] ? a[0] : a[1], y = a[2] > a[3] ? a[2] : a[3];
+    return x > y ? x : y;
+}
+
+static inline double vec4_lowest(vec4 a) {
+    const double x = a[0] < a[1] ? a[0] : a[1], y = a[2] < a[3] ? a[2] : a[3];
+    return x < y ? x : y;
+}
+
+static inline double vec4_sum(vec4 a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+
+#endif
+
+/* 1/a to a unit in the last place or two, a normal number; a division costs three times as much. */
+static inline vec vec_reciprocal(vec a) {
+#if VEC_AVX512
+    vec r = (vec)_mm512_rcp14_pd((__m512d)a); /* 14 bits, 28, 56 */
+    r += r * (1 - a * r);
+    return r + r * (1 - a * r);
+#else
+    return 1 / a;
 #endif
 }
 
@@ -81,4 +196,38 @@ static inline double vec_sum(vec a) {
     double sum = 0;
     for (int k = 0; k < VEC_LANES; k++) sum += a[k];
     return sum;
+}
+
+/* Lanes with a bit set take p[0], p[1], ... in turn, the others 0; no more is read. */
+static inline vec vec_spread(unsigned bits, const double *p) {
+#if VEC_AVX512
+    const __mmask8 first = (__mmask8)((1u << __builtin_popcount(bits)) - 1);
+    return (vec)_mm512_maskz_expand_pd((__mmask8)bits, _mm512_maskz_loadu_pd(first, p));
+#else
+    double a[VEC_LANES] = {0};
+    for (; bits; bits &= bits - 1) a[__builtin_ctz(bits)] = *p++;
+    return vec_load(a);
+#endif
+}
+
+/* The other way: lanes with a bit set go to p[0], p[1], ... */
+static inline void vec_press(unsigned bits, vec v, double *p) {
+#if VEC_AVX512
+    const __mmask8 first = (__mmask8)((1u << __builtin_popcount(bits)) - 1);
+    _mm512_mask_storeu_pd(p, first, _mm512_maskz_compress_pd((__mmask8)bits, (__m512d)v));
+#else
+    for (; bits; bits &= bits - 1) *p++ = v[__builtin_ctz(bits)];
+#endif
+}
+
+/* Bit k: a[k] and b[k] are not the same, of eight numbers each. */
+static inline unsigned vec_differ(const int *a, const int *b) {
+#if VEC_AVX512
+    return _mm256_cmpneq_epi32_mask(_mm256_loadu_si256((const __m256i *)(const void *)a),
+                                    _mm256_loadu_si256((const __m256i *)(const void *)b));
+#else
+    unsigned bits = 0;
+    for (int k = 0; k < VEC_LANES; k++) bits |= (unsigned)(a[k] != b[k]) << k;
+    return bits;
+#endif
 }

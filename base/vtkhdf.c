@@ -25,6 +25,7 @@ static struct vtkhdf *begin(const char *path, const char *type, double time, lon
     clock_begin(CLOCK_OUTPUT);
     f->wide = wide;
     h5_begin(&f->h5, path);
+    f->h5.unsynced = 1; /* a run makes its fields again; its checkpoints are what it must not lose */
     h5_group(&f->h5, "VTKHDF");
     h5_attribute(&f->h5, "VTKHDF", "Version", H5T_NATIVE_INT64, 2, version);
     h5_attribute_text(&f->h5, "VTKHDF", "Type", type);

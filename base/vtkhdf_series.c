@@ -37,6 +37,7 @@ static void write(const char *series, const struct vtkhdf_series_entry *list, in
                   double time) {
     struct aside a;
     aside_begin(&a, series);
+    a.unsynced = 1;
     fputs("{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n", a.file);
     for (int k = 0; k < n; k++) entry(a.file, list[k].file, list[k].time, k < n - 1 || file);
     if (file) entry(a.file, file, time, 0);

@@ -1,11 +1,16 @@
-# base/version.h values: version, git revision, compiler and flags.
-execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} describe --always --dirty
-  OUTPUT_VARIABLE FRANA_REVISION OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-if(NOT FRANA_REVISION)
-  set(FRANA_REVISION "unknown")
-endif()
+# base/version.h values: version, git revision, compiler and flags. The revision is looked up at every build.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
-string(STRIP "${CMAKE_C_FLAGS} ${CMAKE_C_FLAGS_${type}} -march=${FRANA_ARCH}" FRANA_FLAGS)
-set(FRANA_COMPILER "${CMAKE_C_COMPILER_ID} ${CMAKE_C_COMPILER_VERSION}")
-configure_file(${CMAKE_SOURCE_DIR}/cmake/version.h.in ${CMAKE_BINARY_DIR}/generated/frana_version.h @ONLY)
+get_directory_property(options COMPILE_OPTIONS)
+list(FILTER options EXCLUDE REGEX "^-W|^-march=")
+string(REPLACE ";" " " options "${options}")
+if(FRANA_ARCH)
+  set(options "${options} -march=${FRANA_ARCH}")
+endif()
+string(STRIP "${CMAKE_C_FLAGS} ${CMAKE_C_FLAGS_${type}} ${options}" flags)
+add_custom_target(frana_version
+  COMMAND ${CMAKE_COMMAND} -DFRANA_SOURCE=${CMAKE_SOURCE_DIR} -DFRANA_BINARY=${CMAKE_BINARY_DIR}
+    -DPROJECT_VERSION=${PROJECT_VERSION} "-DFRANA_COMPILER=${CMAKE_C_COMPILER_ID} ${CMAKE_C_COMPILER_VERSION}"
+    "-DFRANA_FLAGS=${flags}" -P ${CMAKE_SOURCE_DIR}/cmake/version_write.cmake
+  BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/frana_version.h VERBATIM
+  COMMENT "the version")
 include_directories(${CMAKE_BINARY_DIR}/generated)

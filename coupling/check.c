@@ -4,6 +4,7 @@
 #include "coupling/program.h"
 #include "coupling/record.h"
 #include "coupling/run.h"
+#include "solid/contact.h"
 #include "solid/family.h"
 
 #include <math.h>
@@ -47,6 +48,19 @@ static void say_holdings(struct run *r) {
     if (n == 0) say("  nothing\n");
 }
 
+/* What a contact would ask for, where there is none yet. */
+static void say_touch(struct run *r, const struct scene_stage *stage) {
+    if (!(r->substeps > 0) || !r->needs.breakage || !solid_contact_is_possible(r->solid)) return;
+    const double limit =
+        solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_stable_touch(r->solid), NULL);
+    const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
+    if (stage->substeps == 0 && least > r->substeps)
+        say("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n",
+            stage->name, least);
+    else if (r->dt / r->substeps > limit)
+        say("  warning: %s's substep is above the limit of %.6g s for contact\n", stage->name, limit);
+}
+
 static void say_limits(struct run *r) {
     say("\nstable steps, s\n");
     if (r->fluid) {
@@ -55,14 +69,17 @@ static void say_limits(struct run *r) {
         say("  %-42s %.6g\n", "fluid, convective (initial velocity)", l.convective);
     }
     if (r->needs.bonds) {
-        for (int contact = 0; contact <= (r->needs.breakage && r->solid->in.contact); contact++) {
-            const char *const name[2][2] = {
-                {"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
-                {"solid, bonds and contact, RK3", "solid, bonds and contact, velocity Verlet"}};
-            r->solid->stage = (struct solid_stage){.breakage = contact};
-            say("  %-42s %.6g\n", name[contact][0], solid_stable_step(r->solid, SOLID_RK3));
-            say("  %-42s %.6g\n", name[contact][1], solid_stable_step(r->solid, SOLID_VERLET));
-        }
+        const int touches = r->needs.breakage && r->solid->in.contact;
+        const char *const name[2][2] = {
+            {"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
+            {"solid, a broken bond closed, RK3", "solid, a broken bond closed, Verlet"}};
+        struct solid_rates rates;
+        r->solid->stage = (struct solid_stage){0};
+        solid_rates_of(r->solid, &rates);
+        for (int k = 0; k < 2 + 2 * touches; k++)
+            say("  %-42s %.6g\n", name[k / 2][k % 2],
+                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3,
+                                k / 2 ? solid_stable_touch(r->solid) : 0, NULL));
     }
     say("\nstages\n");
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
@@ -74,7 +91,8 @@ static void say_limits(struct run *r) {
         else
             say(", automatic");
         if (r->substeps > 0)
-            say(", %d substep%s of %.6g s", r->substeps, r->substeps > 1 ? "s" : "", r->dt / r->substeps);
+            say(", %d substep%s of %.6g s, stable up to %.6g s (%s)", r->substeps, r->substeps > 1 ? "s" : "",
+                r->dt / r->substeps, r->solid_stable, solid_bound_name[r->solid_bound]);
         say(":");
         for (int k = 0; k < r->parts; k++) say("%s %s", k ? "," : "", r->part_name[k]);
         say("\n");
@@ -84,9 +102,9 @@ static void say_limits(struct run *r) {
                 say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, l.step);
         }
         if (r->substeps > 0 && r->dt / r->substeps > r->solid_stable)
-            say("  warning: %s's substep is above the limit of %.6g s for bonds%s\n", stage->name,
-                r->solid_stable,
-                r->solid->stage.breakage && r->solid->in.contact ? ", damping and contact" : " and damping");
+            say("  warning: %s's substep is above the limit of %.6g s for %s\n", stage->name, r->solid_stable,
+                solid_bound_name[r->solid_bound]);
+        say_touch(r, stage);
     }
 }
 

@@ -147,6 +147,7 @@ static void write(struct run *r, const char *folder, const char *name, int keep)
     store_write_double(s, "dt", r->dt);
     store_write_long(s, "step", r->step);
     store_write_long(s, "stage_step", r->stage_step);
+    store_write_long(s, "substeps", r->substeps);
     store_write_text(s, "stage", r->scene->stage[r->stage].name);
     store_write_double(s, "spacing", r->solid ? r->solid->in.spacing : 0);
     if (r->fluid) write_fluid(r, s);
@@ -177,12 +178,14 @@ void checkpoint_read(struct run *r, const char *folder, const char *file) {
     struct store *s = file ? store_open(file) : store_open_latest(folder);
     if (!s) die_all(EXIT_CODE_FILE, "%s", store_error());
     const char *path = store_path(s);
+    long substeps = 0; /* a checkpoint without it: found anew */
     char stage[SCENE_NAME];
     double spacing;
     if (store_read_double(s, "t", &r->t) || store_read_double(s, "dt", &r->dt) ||
         store_read_long(s, "step", &r->step) || store_read_long(s, "stage_step", &r->stage_step) ||
         store_read_text(s, "stage", stage, sizeof stage) || store_read_double(s, "spacing", &spacing))
         die_all(EXIT_CODE_CHECKPOINT, "%s: %s", path, store_error());
+    r->substeps = store_read_long(s, "substeps", &substeps) ? 0 : (int)substeps;
     r->stage = stage_of(r->scene, stage);
     if (r->stage < 0)
         die_all(EXIT_CODE_CHECKPOINT, "%s: was written in stage %s, which the scene does not have", path,

@@ -12,8 +12,10 @@ const char *command_usage(void) {
            "HH:MM:SS] [--quiet]\n"
            "  frana check SCENE.yaml [--set key.path=value]...\n"
            "  frana post  RUNDIR... [--out DIR]\n"
+           "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
+           "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
            "  frana --version\n"
-           "run and check under mpiexec -n N where they should run in parallel.\n";
+           "run, check and bench under mpiexec -n N where they should run in parallel.\n";
 }
 
 /* HH:MM:SS, MM:SS or seconds. */
@@ -36,12 +38,13 @@ static enum command_verb verb_of(const char *word) {
     static const struct {
         const char *word;
         enum command_verb verb;
-    } verb[] = {{"run", COMMAND_RUN},           {"check", COMMAND_CHECK}, {"post", COMMAND_POST},
-                {"--version", COMMAND_VERSION}, {"--help", COMMAND_HELP}, {"-h", COMMAND_HELP},
-                {"help", COMMAND_HELP}};
+    } verb[] = {{"run", COMMAND_RUN},     {"check", COMMAND_CHECK},       {"post", COMMAND_POST},
+                {"bench", COMMAND_BENCH}, {"--version", COMMAND_VERSION}, {"--help", COMMAND_HELP},
+                {"-h", COMMAND_HELP},     {"help", COMMAND_HELP}};
     for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
         if (!strcmp(word, verb[k].word)) return verb[k].verb;
-    die_all(EXIT_CODE_SCENE, "%s: unknown command; there are run, check, post, --version and --help", word);
+    die_all(EXIT_CODE_SCENE, "%s: unknown command; there are run, check, post, bench, --version and --help",
+            word);
 }
 
 /* runs/NAME, NAME being the scene's file without its ending. */
@@ -52,36 +55,101 @@ static void default_out(struct command *c) {
     snprintf(c->out, sizeof c->out, "runs/%.*s", length, name);
 }
 
+static int whole(const char *text, const char *name, int least) {
+    char *end;
+    const long value = strtol(text, &end, 10);
+    if (end == text || *end || value < least || value > 1000000)
+        die_all(EXIT_CODE_SCENE, "%s %s: must be a whole number, at least %d", name, text, least);
+    return (int)value;
+}
+
+static int table_of(const char *word) {
+    if (!strcmp(word, "performance")) return COMMAND_TABLE_PERFORMANCE;
+    if (!strcmp(word, "growth")) return COMMAND_TABLE_GROWTH;
+    die_all(EXIT_CODE_SCENE, "--table=%s: must be performance or growth", word);
+}
+
+/* Which option goes with which commands. */
+static void check_option(int o, const char *word, enum command_verb verb) {
+    if (strchr("rwq", o) && verb != COMMAND_RUN)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
+    if (o == 's' && verb != COMMAND_RUN && verb != COMMAND_CHECK)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run and check only", word);
+    if (strchr("knzpt", o) && verb != COMMAND_BENCH)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
+}
+
 static void options(struct command *c, int argc, char **argv) {
-    static const struct option option[] = {
-        {"out", required_argument, NULL, 'o'},    {"set", required_argument, NULL, 's'},
-        {"resume", optional_argument, NULL, 'r'}, {"max-wall", required_argument, NULL, 'w'},
-        {"quiet", no_argument, NULL, 'q'},        {NULL, 0, NULL, 0}};
+    static const struct option option[] = {{"out", required_argument, NULL, 'o'},
+                                           {"set", required_argument, NULL, 's'},
+                                           {"resume", optional_argument, NULL, 'r'},
+                                           {"max-wall", required_argument, NULL, 'w'},
+                                           {"quiet", no_argument, NULL, 'q'},
+                                           {"quick", no_argument, NULL, 'k'},
+                                           {"only", required_argument, NULL, 'n'},
+                                           {"sizes", required_argument, NULL, 'z'},
+                                           {"repeats", required_argument, NULL, 'p'},
+                                           {"table", required_argument, NULL, 't'},
+                                           {NULL, 0, NULL, 0}};
     opterr = 0;
     for (int o; (o = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
-        if ((o == 'r' || o == 'w' || o == 'q') && c->verb != COMMAND_RUN)
-            die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", argv[optind - 1]);
-        if (o == 's' && c->verb == COMMAND_POST)
-            die_all(EXIT_CODE_SCENE, "%s: goes with frana run and check only", argv[optind - 1]);
-        if (o == 'o')
+        const char *word = argv[optind - 1];
+        if (o == ':') die_all(EXIT_CODE_SCENE, "%s: needs a value", word);
+        if (o == '?') die_all(EXIT_CODE_SCENE, "%s: unknown option; frana --help lists them", word);
+        check_option(o, word, c->verb);
+        switch (o) {
+        case 'o':
             snprintf(c->out, sizeof c->out, "%s", optarg);
-        else if (o == 's')
+            break;
+        case 's':
             c->set[c->sets++] = optarg;
-        else if (o == 'r')
+            break;
+        case 'r':
             c->resume = 1, c->resume_file = optarg;
-        else if (o == 'w')
+            break;
+        case 'w':
             c->max_wall = seconds_of(optarg);
-        else if (o == 'q')
+            break;
+        case 'q':
             c->quiet = 1;
-        else if (o == ':')
-            die_all(EXIT_CODE_SCENE, "%s: needs a value", argv[optind - 1]);
-        else
-            die_all(EXIT_CODE_SCENE, "%s: unknown option; frana --help lists them", argv[optind - 1]);
+            break;
+        case 'k':
+            c->quick = 1;
+            break;
+        case 'n':
+            c->only = optarg;
+            break;
+        case 'z':
+            c->sizes = optarg;
+            break;
+        case 'p':
+            c->repeats = whole(optarg, "--repeats", 5);
+            break;
+        default:
+            c->table = table_of(optarg);
+        }
     }
+}
+
+/* What stands behind the options. */
+static void check_files(const struct command *c, const char *word) {
+    if (c->verb == COMMAND_BENCH) {
+        if (c->table && c->files == 0)
+            die_all(EXIT_CODE_SCENE, "frana bench --table: of which measured tables?");
+        if (!c->table && c->files > 0)
+            die_all(EXIT_CODE_SCENE, "frana bench %s: takes files with --table only", c->file[0]);
+        return;
+    }
+    if (c->files == 0)
+        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word,
+                c->verb == COMMAND_POST ? "run folder" : "scene");
+    if (c->files > 1 && c->verb != COMMAND_POST)
+        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one scene", word, c->file[0], c->file[1]);
 }
 
 struct command *command_new(int argc, char **argv) {
     struct command *c = calloc(1, sizeof *c);
+    c->repeats = 7;
     if (argc < 2) {
         c->verb = COMMAND_HELP;
         return c;
@@ -92,11 +160,7 @@ struct command *command_new(int argc, char **argv) {
     options(c, argc - 1, argv + 1);
     c->file = (const char *const *)(argv + 1 + optind);
     c->files = argc - 1 - optind;
-    if (c->files == 0)
-        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", argv[1],
-                c->verb == COMMAND_POST ? "run folder" : "scene");
-    if (c->files > 1 && c->verb != COMMAND_POST)
-        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one scene", argv[1], c->file[0], c->file[1]);
+    check_files(c, argv[1]);
     if (c->verb == COMMAND_RUN && !c->out[0]) default_out(c);
     return c;
 }

@@ -23,11 +23,10 @@ static void centre_velocity(const struct fluid_grid *g, const struct fluid_state
 }
 
 /* The inside of an array with ghosts. */
-static void inside(const struct fluid_grid *g, int halo, const double *a, double *out) {
-    const ptrdiff_t row = g->m[0] + 2 * halo, plane = row * (g->m[1] + 2 * halo);
+static void inside(const struct fluid_grid *g, const double *a, double *out) {
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++)
-            for (int i = 0; i < g->m[0]; i++) *out++ = a[(k + halo) * plane + (j + halo) * row + i + halo];
+            for (int i = 0; i < g->m[0]; i++) *out++ = a[fluid_grid_at(g, i, j, k)];
 }
 
 static void write_fluid(struct run *r, const char *folder, const char *name, const char *path) {
@@ -46,11 +45,11 @@ static void write_fluid(struct run *r, const char *folder, const char *name, con
     struct vtkhdf *f = vtkhdf_image_begin(&in);
     centre_velocity(g, q, work);
     vtkhdf_add(f, "velocity", 3, work);
-    inside(g, g->halo, q->p, work);
+    inside(g, q->p, work);
     vtkhdf_add(f, "pressure", 1, work);
     if (r->medium) {
         run_deposit(r);
-        inside(g, g->halo, medium_fraction(r->medium), work);
+        inside(g, medium_fraction(r->medium), work);
         vtkhdf_add(f, "solid_fraction", 1, work);
     }
     vtkhdf_end(f);
@@ -68,11 +67,7 @@ static void add_vector(struct vtkhdf *f, const char *name, int n, double *const 
 static void add_tensor(struct vtkhdf *f, const char *name, const char *largest, const char *mises, int n,
                        double (*t)[6], double *work) {
     vtkhdf_add(f, name, 6, &t[0][0]);
-    for (int h = 0; h < n; h++) {
-        double value[3];
-        solid_measure_principal(t[h], value);
-        work[h] = value[0];
-    }
+    solid_measure_largest(n, t, work);
     vtkhdf_add(f, largest, 1, work);
     if (!mises) return;
     for (int h = 0; h < n; h++) work[h] = solid_measure_von_mises(t[h]);

@@ -1,20 +1,23 @@
 /* The last good state in memory.  (coupling/checkpoint.h) */
+#include "base/clock.h"
 #include "base/memory.h"
 #include "coupling/checkpoint.h"
 #include "solid/family.h"
+#include "solid/surface_lost.h"
 #include "solid/surface_state.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { ARRAYS = 12 };
+enum { FIELDS = 4, VECTORS = 5, ARRAYS = FIELDS + 3 * VECTORS, SHARES = 5 };
 
 struct checkpoint_guard {
     double *copy[ARRAYS];
     size_t count[ARRAYS];
     uint8_t *bits, *flag;
-    double *surface; /* what solid_surface_save gives */
-    double t, driving;
+    struct solid_lost *lost;     /* which particles' bits are not those of now */
+    struct solid_facing *facing; /* of the interface */
+    double t, driving, share[SHARES];
     long step, stage_step;
     int stage, kept;
 };
@@ -25,14 +28,29 @@ static void arrays_of(const struct run *r, double *array[ARRAYS], size_t count[A
     memset(count, 0, ARRAYS * sizeof *count);
     if (r->fluid) {
         const struct fluid_state *q = fluid_state_of(r->fluid);
-        double *const fluid[4] = {q->u, q->v, q->w, q->p};
-        for (int f = 0; f < 4; f++) array[f] = fluid[f], count[f] = fluid_grid_of(r->fluid)->size;
+        double *const fluid[FIELDS] = {q->u, q->v, q->w, q->p};
+        for (int f = 0; f < FIELDS; f++) array[f] = fluid[f], count[f] = fluid_grid_of(r->fluid)->size;
     }
-    if (r->needs.bonds)
-        for (int c = 0; c < 3; c++) {
-            array[4 + c] = r->solid->d[c], count[4 + c] = (size_t)r->solid->n;
-            array[7 + c] = r->solid->v[c], count[7 + c] = (size_t)r->solid->n;
+    const struct solid *s = r->solid;
+    for (int c = 0; r->needs.bonds && c < 3; c++) {
+        double *const vector[VECTORS] = {s->d[c], s->v[c], r->v_last[c], s->load[c], s->v_old[c]};
+        for (int k = 0; k < VECTORS; k++) {
+            array[FIELDS + 3 * k + c] = vector[k];
+            count[FIELDS + 3 * k + c] = vector[k] ? (size_t)s->n : 0;
         }
+    }
+}
+
+/* Copies this rank's share of what the solid has added up into the guard (back: 0), or back. */
+static void shares(struct solid *s, double share[SHARES], int back) {
+    double *const at[SHARES] = {&s->e_damped, &s->e_fracture, &s->e_constraint, &s->work_load,
+                                &s->power_pairwise};
+    for (int k = 0; k < SHARES; k++) {
+        if (back)
+            *at[k] = share[k];
+        else
+            share[k] = *at[k];
+    }
 }
 
 struct checkpoint_guard *checkpoint_guard_new(const struct run *r) {
@@ -41,15 +59,16 @@ struct checkpoint_guard *checkpoint_guard_new(const struct run *r) {
     arrays_of(r, array, g->count);
     for (int k = 0; k < ARRAYS; k++)
         if (g->count[k]) g->copy[k] = memory_new(MEMORY_OUTPUT, g->count[k], sizeof(double));
+    if (!r->needs.bonds) return g;
+    const size_t n = (size_t)r->solid->n;
+    g->flag = memory_new(MEMORY_OUTPUT, n + 1, 1);
+    if (r->surface) g->facing = memory_new(MEMORY_OUTPUT, n + 1, sizeof *g->facing);
     if (r->needs.breakage) {
-        const int bytes = solid_family_bytes(r->solid), n = r->solid->n;
-        g->bits = memory_new(MEMORY_OUTPUT, (size_t)n * (size_t)bytes + 1, 1);
-        g->flag = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1);
-        for (int h = 0; h < n; h++) solid_family_save(r->solid, h, g->bits + (size_t)h * (size_t)bytes);
+        const size_t bytes = (size_t)solid_family_bytes(r->solid);
+        g->lost = solid_lost_new(r->solid);
+        g->bits = memory_new(MEMORY_OUTPUT, n * bytes + 1, 1);
+        for (size_t h = 0; h < n; h++) solid_family_save(r->solid, (int)h, g->bits + h * bytes);
     }
-    if (r->needs.bonds && r->surface)
-        g->surface = memory_new(MEMORY_OUTPUT, (size_t)r->solid->n * (size_t)solid_surface_state_size() + 1,
-                                sizeof(double));
     return g;
 }
 
@@ -58,28 +77,37 @@ void checkpoint_guard_free(struct checkpoint_guard *g) {
     for (int k = 0; k < ARRAYS; k++) memory_free(g->copy[k]);
     memory_free(g->bits);
     memory_free(g->flag);
-    memory_free(g->surface);
+    memory_free(g->facing);
+    solid_lost_free(g->lost);
     free(g);
+}
+
+static void keep_bonds(struct checkpoint_guard *g, const struct solid *s) {
+    const size_t bytes = (size_t)solid_family_bytes(s);
+    for (int k = 0, found = solid_lost_find(g->lost, s); k < found; k++) {
+        const int h = g->lost->h[k];
+        solid_family_save(s, h, g->bits + (size_t)h * bytes);
+    }
 }
 
 void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r) {
     double *array[ARRAYS];
     size_t count[ARRAYS];
+    clock_begin(CLOCK_OUTPUT);
     arrays_of(r, array, count);
     for (int k = 0; k < ARRAYS; k++)
         if (count[k]) memcpy(g->copy[k], array[k], count[k] * sizeof(double));
-    const int bytes = g->bits ? solid_family_bytes(r->solid) : 0;
-    for (int h = 0; g->bits && h < r->solid->n; h++)
-        if (r->solid->flag[h] & SOLID_BROKEN)
-            solid_family_save(r->solid, h, g->bits + (size_t)h * (size_t)bytes);
+    if (g->lost) keep_bonds(g, r->solid);
     if (g->flag) memcpy(g->flag, r->solid->flag, (size_t)r->solid->n);
-    if (g->surface) solid_surface_save(r->solid, r->surface, g->surface);
+    if (g->facing) solid_surface_keep(r->surface, g->facing);
+    if (g->flag) shares(r->solid, g->share, 0);
     g->t = r->t;
     g->driving = r->fluid ? fluid_state_of(r->fluid)->driving : 0;
     g->step = r->step;
     g->stage = r->stage;
     g->stage_step = r->stage_step;
     g->kept = 1;
+    clock_end(CLOCK_OUTPUT);
 }
 
 long checkpoint_guard_restore(struct checkpoint_guard *g, struct run *r) {
@@ -94,7 +122,8 @@ long checkpoint_guard_restore(struct checkpoint_guard *g, struct run *r) {
         if (r->solid->flag[h] & SOLID_BROKEN)
             solid_family_load(r->solid, h, g->bits + (size_t)h * (size_t)bytes);
     if (g->flag) memcpy(r->solid->flag, g->flag, (size_t)r->solid->n);
-    if (g->surface) solid_surface_load(r->solid, r->surface, g->surface);
+    if (g->facing) solid_surface_restore(r->solid, r->surface, g->facing);
+    if (g->flag) shares(r->solid, g->share, 1);
     if (r->fluid) fluid_state_of(r->fluid)->driving = g->driving;
     r->t = g->t;
     r->step = g->step;

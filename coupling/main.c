@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/par.h"
 #include "base/scene.h"
+#include "bench/bench.h"
 #include "coupling/command.h"
 #include "coupling/program.h"
 #include "coupling/record.h"
@@ -27,8 +28,10 @@ int main(int argc, char **argv) {
         scene_free(scene);
     } else if (c->verb == COMMAND_POST) {
         code = post(c);
+    } else if (c->verb == COMMAND_BENCH) {
+        code = bench_run(c);
     } else if (par_rank() == 0) {
-        char text[1024];
+        char text[2048];
         record_version(text, sizeof text);
         fputs(c->verb == COMMAND_VERSION ? text : command_usage(), stdout);
     }

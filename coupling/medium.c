@@ -43,6 +43,8 @@ struct medium *medium_new(const struct fluid_grid *g, const double low[3], const
     m->fraction = memory_new(MEMORY_COUPLING, g->size, sizeof(double));
     m->carry = memory_new(MEMORY_COUPLING, g->size, sizeof(double));
     m->cell = memory_new(MEMORY_COUPLING, rimmed, sizeof(uint8_t));
+    memset(m->cell, MEDIUM_WALL, rimmed);
+    m->effective = -1;
     m->stack = memory_new(MEMORY_COUPLING, cells, sizeof(int));
     m->section = memory_new(MEMORY_COUPLING, (size_t)g->n[0], sizeof(double));
     return m;
@@ -65,7 +67,7 @@ void medium_free(struct medium *m) {
 
 /* The rank whose cells the cube is deposited from: that of the cell of its centre, or of the cell next to it where the
  * centre stands out of the domain. -1: none of it is inside. */
-static int rank_of_cube(const struct fluid_grid *g, struct medium_cube *q) {
+static inline int rank_of_cube(const struct fluid_grid *g, struct medium_cube *q) {
     double x[3];
     for (int c = 0; c < 3; c++) {
         const double L = g->length[c], half = 0.5 * q->side;
@@ -76,7 +78,8 @@ static int rank_of_cube(const struct fluid_grid *g, struct medium_cube *q) {
             x[c] = q->x[c];
         } else {
             if (q->x[c] + half <= 0 || q->x[c] - half >= L) return -1;
-            x[c] = fmin(fmax(q->x[c], 0.5 * g->d[c]), L - 0.5 * g->d[c]);
+            const double low = 0.5 * g->d[c], high = L - 0.5 * g->d[c];
+            x[c] = q->x[c] < low ? low : q->x[c] > high ? high : q->x[c];
         }
     }
     return fluid_grid_rank_of(g, x);
@@ -96,13 +99,19 @@ static void particles_reserve(struct medium *m, int n) {
 static int particles_plan(struct medium *m, int n, const double *const x[3], const double *volume) {
     const struct fluid_grid *g = m->g;
     particles_reserve(m, n);
+    const double narrow = fmin(g->d[0], fmin(g->d[1], g->d[2]));
     double found[2] = {m->exchange == NULL || m->particles != n,
-                       0}; /* the plan is stale; the largest half side in cells */
+                       0};    /* the plan is stale; the largest half side in cells */
+    double of = -1, side = 0; /* most particles are alike */
     for (int h = 0; h < n; h++) {
         struct medium_cube *q = &m->mine[h];
         for (int c = 0; c < 3; c++) q->x[c] = x[c][h];
-        q->side = cbrt(volume[h]);
-        for (int c = 0; c < 3; c++) found[1] = fmax(found[1], 0.5 * q->side / g->d[c]);
+        if (volume[h] != of) {
+            of = volume[h];
+            side = cbrt(of);
+            found[1] = fmax(found[1], 0.5 * side / narrow);
+        }
+        q->side = side;
         const int dest = rank_of_cube(g, q);
         if (m->particles != n || dest != m->dest[h]) found[0] = 1;
         m->dest[h] = dest;
@@ -147,6 +156,7 @@ void medium_deposit(struct medium *m, int n, const double *const x[3], const dou
     }
     par_halo_add(g->halos, 1, &m->fraction, layers);
     par_halo_fill(g->halos, 1, &m->fraction, 1);
+    m->effective = -1;
     clock_end(CLOCK_OUTPUT);
 }
 

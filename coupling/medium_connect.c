@@ -11,16 +11,22 @@ static inline int rimmed(const struct fluid_grid *g, int i, int j, int k) {
     return ((k + 1) * (g->m[1] + 2) + j + 1) * (g->m[0] + 2) + i + 1;
 }
 
-static void cells_from_fraction(struct medium *m) {
+/* 1: the pores of now are not the cells that are no walls; mend: they are made so, none reached by any flood. */
+static int compare_cells(struct medium *m, int mend) {
     const struct fluid_grid *g = m->g;
-    memset(m->cell, MEDIUM_WALL, (size_t)(g->m[0] + 2) * (size_t)(g->m[1] + 2) * (size_t)(g->m[2] + 2));
+    int differ = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
-            const double zy = m->weight[2][k] * m->weight[1][j];
-            for (int i = 0; i < g->m[0]; i++)
-                if (zy * m->weight[0][i] > 0 && m->fraction[fluid_grid_at(g, i, j, k)] < 0.5)
-                    m->cell[rimmed(g, i, j, k)] = MEDIUM_PORE;
+            const double zy = m->weight[2][k] * m->weight[1][j],
+                         *fraction = m->fraction + fluid_grid_at(g, 0, j, k);
+            uint8_t *cell = m->cell + rimmed(g, 0, j, k);
+            for (int i = 0; i < g->m[0]; i++) {
+                const int pore = (zy * m->weight[0][i] > 0) & (fraction[i] < 0.5);
+                differ |= pore != (cell[i] != MEDIUM_WALL);
+                if (mend) cell[i] = pore ? MEDIUM_PORE : MEDIUM_WALL;
+            }
         }
+    return differ;
 }
 
 /* Sets the cells at (i,j,k)'s section i that the level may enter; returns how many, on the stack. */
@@ -77,13 +83,16 @@ static void flood(struct medium *m, int i, uint8_t level) {
 
 double medium_porosity_effective(struct medium *m) {
     const struct fluid_grid *g = m->g;
+    if (m->effective >= 0) return m->effective;
     int front = 0, back = g->m[0] - 1; /* a rank holds all of x */
     while (m->weight[0][front] == 0) front++;
     while (m->weight[0][back] == 0) back--;
 
-    cells_from_fraction(m);
-    flood(m, front, MEDIUM_FRONT);
-    flood(m, back, MEDIUM_BOTH);
+    if (par_sum_long(compare_cells(m, 0)) > 0) { /* else the last flood stands */
+        compare_cells(m, 1);
+        flood(m, front, MEDIUM_FRONT);
+        flood(m, back, MEDIUM_BOTH);
+    }
 
     double open = 0;
     for (int k = 0; k < g->m[2]; k++)
@@ -93,5 +102,5 @@ double medium_porosity_effective(struct medium *m) {
                 if (m->cell[rimmed(g, i, j, k)] == MEDIUM_BOTH)
                     open += zy * m->weight[0][i] * (1 - m->fraction[fluid_grid_at(g, i, j, k)]);
         }
-    return par_sum(open) / m->total;
+    return m->effective = par_sum(open) / m->total;
 }

@@ -3,7 +3,9 @@
 #include <math.h>
 
 /* Overlap of [low, high] with cell i, in cells. */
-static inline double overlap(double low, double high, int i) { return fmin(high, i + 1.0) - fmax(low, i); }
+static inline double overlap(double low, double high, int i) {
+    return (high < i + 1.0 ? high : i + 1.0) - (low > i ? low : i);
+}
 
 static inline int larger(int a, int b) { return a > b ? a : b; }
 static inline int smaller(int a, int b) { return a < b ? a : b; }

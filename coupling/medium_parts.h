@@ -12,9 +12,10 @@ struct medium {
     int whole_period;           /* x is periodic and the box is all of it */
     double *weight[3];          /* [m[c]] part of this rank's cell within the box, along c */
     double *fraction;           /* [g->size] */
+    double effective;           /* connected porosity of this fraction, -1: not known */
     /* work */
     double *carry;   /* [g->size] cells' states on their way between ranks */
-    uint8_t *cell;   /* [mz+2][my+2][mx+2] */
+    uint8_t *cell;   /* [mz+2][my+2][mx+2] as the last flood has left them */
     int *stack;      /* [mx my mz] */
     double *section; /* [n[0]] mean pressures */
     /* the particles' way to the ranks that hold their cells: planned anew only when one goes elsewhere */

@@ -14,6 +14,9 @@
 #include <math.h>
 #include <stdio.h>
 
+/* Steps between looks at the whole fluid for what is beyond reason, and between states kept for a run that goes unstable. */
+enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
+
 struct program {
     const struct command *command;
     const struct scene *scene;
@@ -62,8 +65,9 @@ static void progress(struct program *p) {
                      s->bonds_broken);
 }
 
-/* A fault of the numbers: what and where, the last good state on disk, exit code 3. */
-static int unstable(struct program *p, const struct step_status *status) {
+/* A fault of the numbers: what and where, the last good state on disk, exit code 3. status: this rank's. */
+static int unstable(struct program *p, struct step_status *status) {
+    step_status_agree(status);
     log_line("unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m, rank %d", p->run->step, status->field,
              status->value, status->x[0], status->x[1], status->x[2], status->rank);
     if (par_rank() == 0)
@@ -78,6 +82,10 @@ static int unstable(struct program *p, const struct step_status *status) {
 }
 
 static int stopped(struct program *p, enum signals_reason reason) {
+    struct step_status status;
+    int failed = run_check(p->run, 1, &status);
+    signals_stop_also(0, &failed);
+    if (failed) return unstable(p, &status);
     checkpoint(p);
     log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(reason),
              p->run->step);
@@ -85,27 +93,31 @@ static int stopped(struct program *p, enum signals_reason reason) {
     return EXIT_CODE_REQUEUE;
 }
 
-/* One step and whatever is due after it. Returns an exit code to leave with, or -1. */
+/* One step and whatever is due after it; what is kept or written has been looked at as a whole. Returns an exit code to
+ * leave with, or -1. */
 static int step(struct program *p) {
     struct run *r = p->run;
     const struct scene_output *out = &p->scene->output;
-    const struct scene_stage *stage = &p->scene->stage[r->stage];
-    const int last = r->stage_step + 1 == stage->steps;
-    const int sampled = due(out->series_every, r->step + 1) || (last && out->series_every > 0);
+    const long now = r->step + 1;
+    const int last = r->stage_step + 1 == p->scene->stage[r->stage].steps;
+    const int sampled = due(out->series_every, now) || (last && out->series_every > 0);
+    const int drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
+    const int saved = due(out->checkpoint_every, now);
+    const int whole = sampled || drawn || saved || last || due(LOOK_EVERY, now) || due(KEEP_EVERY, now);
     const double start = par_seconds();
     struct step_status status;
     if (sampled) series_prepare(p->series, r);
     run_step(r);
-    if (run_check(r, &status)) return unstable(p, &status);
-    if (sampled) {
-        series_sample(p->series, r);
-        checkpoint_guard_keep(p->guard, r);
-    }
+    int failed = run_check(r, whole, &status);
+    const enum signals_reason reason =
+        signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, &failed);
+    if (failed) return unstable(p, &status);
+    if (sampled) series_sample(p->series, r);
+    if (due(KEEP_EVERY, now)) checkpoint_guard_keep(p->guard, r);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     progress(p);
-    if (due(out->fields_every, r->step) || (last && out->fields_every > 0)) fields_write(r, p->command->out);
-    if (due(out->checkpoint_every, r->step)) checkpoint(p);
-    const enum signals_reason reason = signals_stop(2 * p->slowest_step + 1.5 * p->checkpoint_seconds);
+    if (drawn) fields_write(r, p->command->out);
+    if (saved) checkpoint(p);
     return reason != SIGNALS_NONE ? stopped(p, reason) : -1;
 }
 

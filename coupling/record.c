@@ -5,6 +5,7 @@
 #include "base/libraries.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/par_count.h"
 #include "base/version.h"
 #include "solid/family.h"
 
@@ -44,6 +45,19 @@ static void write_parts(struct json *j, const double *seconds) {
     json_close(j);
 }
 
+/* What the rank that sends most has sent to others a step, by kind; set-up and output included. */
+static void write_traffic(struct json *j, double (*most)[3], long steps) {
+    json_object(j, "traffic_per_step");
+    for (int k = 0; k < PAR_COUNT_KINDS; k++) {
+        json_object(j, par_count_name((enum par_count_kind)k));
+        json_number(j, "messages", most[k][0] / (double)steps);
+        json_number(j, "collectives", most[k][1] / (double)steps);
+        json_number(j, "bytes", most[k][2] / (double)steps);
+        json_close(j);
+    }
+    json_close(j);
+}
+
 static void write_version(struct json *j) {
     char libraries[3][128], host[128] = "";
     libraries_describe(libraries);
@@ -66,6 +80,14 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
     for (int p = 0; p < CLOCK_PARTS; p++) seconds[p] = clock_seconds((enum clock_part)p);
     par_sum_array(seconds, CLOCK_PARTS);
     for (int p = 0; p < CLOCK_PARTS; p++) seconds[p] /= size; /* mean over the ranks */
+    double traffic[PAR_COUNT_KINDS][3];
+    for (int k = 0; k < PAR_COUNT_KINDS; k++) {
+        const struct par_count sent = par_count_of((enum par_count_kind)k);
+        traffic[k][0] = (double)sent.messages;
+        traffic[k][1] = (double)sent.collectives;
+        traffic[k][2] = (double)sent.bytes;
+    }
+    par_max_array(&traffic[0][0], 3 * PAR_COUNT_KINDS);
     mine[0] = (double)memory_peak();
     for (int p = 0; p < MEMORY_PARTS; p++) mine[1 + p] = (double)memory_bytes((enum memory_part)p);
     double *memory = malloc((size_t)size * sizeof mine);
@@ -98,6 +120,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_array(j, "peak_memory_bytes_per_rank");
         for (int k = 0; k < size; k++) json_number(j, NULL, memory[k * (1 + MEMORY_PARTS)]);
         json_close(j);
+        if (r->step > r->resumed) write_traffic(j, traffic, r->step - r->resumed);
         json_object(j, "memory_bytes_by_part");
         for (int p = 0; p < MEMORY_PARTS; p++) {
             double sum = 0;

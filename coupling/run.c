@@ -68,6 +68,8 @@ struct run *run_new(const struct scene *scene) {
         if (!r->needs.bonds) solid_forget_bonds(r->solid);
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
+        for (int c = 0; c < 3; c++)
+            r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         if (r->needs.bonds)
             for (int c = 0; c < 3; c++)
                 r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
@@ -77,14 +79,10 @@ struct run *run_new(const struct scene *scene) {
 
 void run_deposit(struct run *r) {
     const struct solid *s = r->solid;
-    if (r->deposited == r->step) return;
-    double *x[3];
-    for (int c = 0; c < 3; c++) {
-        x[c] = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof(double));
-        for (int h = 0; h < s->n; h++) x[c][h] = s->x0[c][h] + s->d[c][h];
-    }
-    medium_deposit(r->medium, s->n, (const double *const *)x, s->volume);
-    for (int c = 0; c < 3; c++) memory_free(x[c]);
+    if (r->deposited >= r->moved) return;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
+    medium_deposit(r->medium, s->n, (const double *const *)r->position, s->volume);
     r->deposited = r->step;
 }
 
@@ -94,6 +92,7 @@ void run_free(struct run *r) {
     for (int c = 0; c < 3; c++) {
         memory_free(r->given[c]);
         memory_free(r->v_last[c]);
+        memory_free(r->position[c]);
     }
     medium_free(r->medium);
     ibm_free(r->ibm);

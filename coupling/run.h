@@ -7,6 +7,7 @@
 #include "ibm/ibm.h"
 #include "solid/added_mass.h"
 #include "solid/solid.h"
+#include "solid/stable.h"
 #include "solid/surface.h"
 
 struct run;
@@ -50,14 +51,18 @@ struct run {
     long stage_step; /* steps done of it */
 
     /* of the present stage */
-    double dt;           /* s */
-    int substeps;        /* of the solid in a step */
-    double solid_stable; /* s, stable step of the present integrator */
+    double dt;    /* s */
+    int substeps; /* of the solid in a step */
+    struct solid_rates solid_rates;
+    double solid_stable;          /* s, stable step of the present integrator with what touches now */
+    enum solid_bound solid_bound; /* and what bounds it */
     int parts;
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
 
+    long moved;                          /* step after which the solid last moved, 0: as it was made */
     long deposited;                      /* step of the last deposit, -1: none */
+    double *position[3];                 /* [n] work of the deposit, m */
     long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond */
     long resumed;                        /* step of the checkpoint it started from, 0: none */
     double wall_start;
@@ -75,8 +80,9 @@ void run_step(struct run *r);
 void run_probe(struct run *r);
 /* The particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);
-/* NaN or beyond reason anywhere: the same answer on every rank. Collective. */
-int run_check(struct run *r, struct step_status *status);
+/* NaN or beyond reason on this rank. Unless `whole`, of the fluid one plane of p is looked at only, for NaN: the Poisson
+ * solve carries one to every cell, while a velocity beyond reason may hide. Not collective (agree with step_status_agree). */
+int run_check(const struct run *r, int whole, struct step_status *status);
 
 /* Markers and probes from the surface's present state. Not collective. */
 void run_markers_update(struct run *r);

@@ -62,6 +62,7 @@ struct series {
     double momentum[3]; /* before the step, N s */
     int prepared;
     long counted;   /* broken bonds when damage and fragments were last looked at, -1: never */
+    long moved;     /* r->moved when the bonds were last looked at, -1: never */
     double *damage; /* [n], work */
 };
 
@@ -78,7 +79,7 @@ struct series *series_new(struct run *r, const char *folder, long resume_step) {
     }
     char path[FOLDER_PATH];
     s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
-    s->counted = -1;
+    s->counted = s->moved = -1;
     if (r->needs.bonds) s->damage = memory_new(MEMORY_OUTPUT, (size_t)r->solid->n + 1, sizeof *s->damage);
     return s;
 }
@@ -159,6 +160,8 @@ static void sample_damage(struct series *s, struct run *r) {
 }
 
 static void sample_bonds(struct series *s, struct run *r) {
+    if (s->moved == r->moved) return;
+    s->moved = r->moved;
     const struct solid_energy e = solid_measure_energy(r->solid);
     double share[] = {r->solid->e_damped, r->solid->e_fracture, r->solid->work_load};
     par_sum_array(share, 3);

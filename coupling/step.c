@@ -1,19 +1,37 @@
 /* The time step, put together from the parts that the stage needs.  (001: sec. 4.3; SPEC 5) */
+#include "base/log.h"
 #include "base/par.h"
 #include "coupling/run.h"
 #include "solid/contact.h"
 
 #include <math.h>
 
+enum { LOOK_AT_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100, SUBSTEPS_MAX = 1000000 };
+
 static void part_time_step(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     r->dt = stage->cfl * fluid_stable_step(r->fluid).step;
 }
 
+/* The least number of substeps that is stable with what touches now. */
+static int substeps_wanted(struct run *r) {
+    const double contact = solid_contact_rate2(r->solid);
+    r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
+    const double least = ceil(r->dt / (r->scene->stage[r->stage].safety * r->solid_stable) * (1 - 1e-12));
+    return least > 1 ? (int)fmin(least, SUBSTEPS_MAX) : 1; /* without bonds there is no limit */
+}
+
+/* Contact is looked at every few steps, or every step if the step itself changes. More substeps at once, fewer only every so
+ * many steps: the number is part of a checkpoint, and the steps at which it may change are fixed. */
 static void part_substeps(struct run *r) {
-    const struct scene_stage *stage = &r->scene->stage[r->stage];
-    const double least = ceil(r->dt / (stage->safety * r->solid_stable) * (1 - 1e-12));
-    r->substeps = least > 1 ? (int)least : 1; /* without bonds there is no limit */
+    const int is_fixed = !(r->fluid && r->scene->stage[r->stage].time_step <= 0);
+    if (is_fixed && r->substeps > 0 && r->stage_step % LOOK_AT_CONTACT_EVERY != 0) return;
+    const int wanted = substeps_wanted(r);
+    if (wanted == r->substeps || (wanted < r->substeps && r->stage_step % FEWER_SUBSTEPS_EVERY != 0)) return;
+    if (r->substeps > 0)
+        log_line("step %ld: %d solid substeps, bound by %s (stable up to %.4g s)", r->step, wanted,
+                 solid_bound_name[r->solid_bound], r->solid_stable);
+    r->substeps = wanted;
 }
 
 static void part_fluid(struct run *r) { fluid_step(r->fluid, r->dt); }
@@ -39,6 +57,7 @@ static void part_solid(struct run *r) {
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h];
     solid_advance(s, r->dt / r->substeps, r->substeps);
+    r->moved = r->step + 1;
 }
 
 static void part_contact(struct run *r) { solid_contact_update(r->solid); }
@@ -50,6 +69,7 @@ static void part_relax(struct run *r) {
     if (solid_relax(r->solid, 1e-6, 200000) < 0)
         die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium within 200000 relaxation steps",
                 r->scene->stage[r->stage].name);
+    r->moved = r->step + 1;
 }
 
 static void add(struct run *r, run_part *part, const char *name) {
@@ -58,15 +78,20 @@ static void add(struct run *r, run_part *part, const char *name) {
     r->part[r->parts++] = part;
 }
 
+static void stable_step(struct run *r) {
+    solid_rates_of(r->solid, &r->solid_rates);
+    r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
+}
+
 void run_stage_begin(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
     r->parts = 0;
     r->dt = stage->time_step;
-    r->substeps = 0;
+    if (!elastic || r->stage_step == 0) r->substeps = 0;
     if (elastic) {
         setup_stage(stage, &r->solid->stage);
-        if (!stage->relax) r->solid_stable = solid_stable_step(r->solid, r->solid->stage.integrator);
+        if (!stage->relax) stable_step(r);
         if (r->stage_step > 0) solid_verlet_resume(r->solid);
         if (!r->fluid && r->dt <= 0 && !isfinite(r->solid_stable))
             die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it",
@@ -78,13 +103,12 @@ void run_stage_begin(struct run *r) {
         return;
     }
     if (r->fluid && stage->time_step <= 0) add(r, part_time_step, "time step from the fluid's limits");
-    if (elastic) {
+    const int touches = elastic && r->needs.breakage && solid_contact_is_possible(r->solid);
+    const int follows = stage->substeps == 0 && (touches || (r->fluid && stage->time_step <= 0));
+    if (elastic && stage->substeps > 0)
         r->substeps = stage->substeps;
-        if (r->substeps == 0 && r->dt > 0)
-            part_substeps(r);
-        else if (r->substeps == 0)
-            add(r, part_substeps, "number of substeps");
-    }
+    else if (elastic && r->dt > 0 && (r->substeps == 0 || !follows))
+        r->substeps = substeps_wanted(r);
     if (r->ibm && elastic)
         add(r, part_markers, "markers");
     else if (r->ibm)
@@ -92,7 +116,8 @@ void run_stage_begin(struct run *r) {
     if (r->fluid) add(r, r->ibm ? part_fluid_forced : part_fluid, r->ibm ? "fluid with forcing" : "fluid");
     if (!elastic) return;
     if (r->ibm) add(r, run_probe, "probe");
-    if (r->solid->in.contact && r->needs.breakage) add(r, part_contact, "contact");
+    if (touches) add(r, part_contact, "contact");
+    if (follows) add(r, part_substeps, "number of substeps");
     add(r, part_solid, "solid");
     if (r->surface) add(r, part_surface, "surface");
 }
@@ -106,10 +131,20 @@ void run_step(struct run *r) {
     r->solid_sweeps += (long)r->substeps * (r->solid && r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
 }
 
-int run_check(struct run *r, struct step_status *status) {
+/* 1: something in a plane of p is no number. */
+static int pressure_lost(const struct run *r) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double *plane = fluid_state_of(r->fluid)->p + fluid_grid_at(g, 0, 0, (int)(r->step % g->m[2]));
+    double sum = 0;
+    for (int j = 0; j < g->m[1]; j++)
+        for (int i = 0; i < g->m[0]; i++) sum += 0 * plane[j * g->row + i];
+    return !(sum == 0); /* 0 times Inf, or NaN */
+}
+
+int run_check(const struct run *r, int whole, struct step_status *status) {
     *status = (struct step_status){0};
-    if (r->fluid) *status = fluid_check(r->fluid);
+    if (r->fluid && (whole || pressure_lost(r))) *status = fluid_check(r->fluid);
     if (r->solid && !status->failed) *status = solid_check(r->solid);
     if (status->failed) status->rank = par_rank();
-    return step_status_agree(status);
+    return status->failed;
 }

@@ -115,9 +115,9 @@ struct extension {
     double value;
 };
 
-/* Over the whole extent, ghosts included, of the other two directions. */
+/* Over the part's extent of the other two directions. */
 static void extend(const struct fluid_grid *g, double *q, int d, int side, const struct extension *e,
-                   int layers) {
+                   const struct par_halo_part *part) {
     int a, b;
     fluid_boundary_others(d, &a, &b);
     const ptrdiff_t sa = fluid_boundary_stride(g, a), sb = fluid_boundary_stride(g, b);
@@ -125,65 +125,79 @@ static void extend(const struct fluid_grid *g, double *q, int d, int side, const
     const ptrdiff_t face = (ptrdiff_t)fluid_boundary_face(g, d, side, 0, 0);
     /* first value mirrored into the first ghost: the cell at the side, or the one before the face's own */
     const ptrdiff_t inner = e->on_face ? face - out : side ? face : face - out;
-    const int first_ghost = e->on_face ? 2 : 1, count = e->on_face && !side ? layers - 1 : layers;
+    const int first_ghost = e->on_face ? 2 : 1, layers = part->layers;
+    const int count = e->on_face && !side ? layers - 1 : layers, first = part->low[a], last = part->high[a];
     for (int l = 0; l < count; l++) {
         const ptrdiff_t from = inner - l * out, to = inner + (first_ghost + l) * out;
         const double step = (e->on_face ? 2 * (l + 1) : 2 * l + 1) * g->d[d] * e->value;
-        for (int kb = -layers; kb < g->m[b] + layers; kb++) {
+        for (int kb = part->low[b]; kb < part->high[b]; kb++) {
             double *restrict line = q + kb * sb;
             if (e->condition == FLUID_NEUMANN)
-                for (int ka = -layers; ka < g->m[a] + layers; ka++)
-                    line[to + ka * sa] = line[from + ka * sa] + step;
+                for (int ka = first; ka < last; ka++) line[to + ka * sa] = line[from + ka * sa] + step;
             else if (e->on_face)
-                for (int ka = -layers; ka < g->m[a] + layers; ka++)
+                for (int ka = first; ka < last; ka++)
                     line[to + ka * sa] = 2 * line[face + ka * sa] - line[from + ka * sa];
             else
-                for (int ka = -layers; ka < g->m[a] + layers; ka++)
+                for (int ka = first; ka < last; ka++)
                     line[to + ka * sa] = 2 * e->value - line[from + ka * sa];
         }
     }
 }
 
-static void set_faces(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]) {
+static int most(int a, int b) { return a > b ? a : b; }
+static int least(int a, int b) { return a < b ? a : b; }
+
+void fluid_boundary_faces(const struct fluid_boundary *boundary, const struct fluid_grid *g,
+                          double *const q[3], const struct par_halo_part *part) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *s = &boundary->side[d][side];
+            const int face = side ? g->m[d] - 1 : -1;
             int a, b;
             fluid_boundary_others(d, &a, &b);
             if (!s->here || s->normal == FLUID_NORMAL_FREE) continue;
-            for (int l = 0; l < g->m[b]; l++)
-                for (int j = 0; j < g->m[a]; j++)
+            if (face < part->low[d] || face >= part->high[d]) continue;
+            const int first = most(part->low[a], 0), last = least(part->high[a], g->m[a]);
+            for (int l = most(part->low[b], 0); l < least(part->high[b], g->m[b]); l++)
+                for (int j = first; j < last; j++)
                     q[d][fluid_boundary_face(g, d, side, j, l)] = s->plane[l * g->m[a] + j];
         }
 }
 
-void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
-                             int layers) {
-    set_faces(b, g, q);
+void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g,
+                                  double *const q[3], const struct par_halo_part *part) {
+    fluid_boundary_faces(b, g, q, part);
     for (int d = 0; d < 3; d++) {
-        par_halo_fill_direction(g->halos, d, 3, q, layers);
+        par_halo_fill_part(g->halos, d, 3, q, part);
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *s = &b->side[d][side];
-            if (!s->here) continue;
+            if (!s->here || !part->wanted[d][side]) continue;
             for (int c = 0; c < 3; c++) {
                 /* an outflow's normal velocity is continued evenly, as the other components are */
                 const enum fluid_condition k =
                     c == d && s->normal == FLUID_NORMAL_CONVECTIVE ? FLUID_NEUMANN : s->condition[c];
                 const struct extension e = {c == d, k, s->value[c]};
-                extend(g, q[c], d, side, &e, layers);
+                extend(g, q[c], d, side, &e, part);
             }
         }
     }
 }
 
+void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                             int layers) {
+    const struct par_halo_part whole = par_halo_whole(g->halos, layers);
+    fluid_boundary_velocity_part(b, g, q, &whole);
+}
+
 void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
                              int layers, int correction) {
+    const struct par_halo_part whole = par_halo_whole(g->halos, layers);
     for (int d = 0; d < 3; d++) {
         par_halo_fill_direction(g->halos, d, 1, &p, layers);
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *s = &b->side[d][side];
             const struct extension e = {0, s->condition[3], correction ? 0 : s->value[3]};
-            if (s->here) extend(g, p, d, side, &e, layers);
+            if (s->here) extend(g, p, d, side, &e, &whole);
         }
     }
 }

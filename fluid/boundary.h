@@ -5,6 +5,7 @@
  * and the velocity normal to the side, which lives on the face itself, about that face. A side's face is the array's index
  * -1 at the low side, m-1 at the high one. Gradients are along the outward normal. */
 #pragma once
+#include "base/par_halo.h"
 #include "fluid/fluid.h"
 
 /* What decides the normal velocity on the side's face. */
@@ -40,6 +41,12 @@ void fluid_boundary_free(struct fluid_boundary *b);
  * exchanged and extended. q [3]. Collective. */
 void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                              int layers);
+/* The same for a part of the ghosts and of the faces. Collective. */
+void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g,
+                                  double *const q[3], const struct par_halo_part *part);
+/* The first half of it. Not collective. */
+void fluid_boundary_faces(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                          const struct par_halo_part *part);
 /* Ghosts of a pressure: of the pressure itself (correction = 0), or of a correction, whose values at the sides are 0. */
 void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
                              int layers, int correction);

@@ -1,16 +1,19 @@
 #include "base/memory.h"
 #include "base/par_halo.h"
+#include "fluid/correction.h"
 #include "fluid/internal.h"
+#include "fluid/momentum.h"
 #include "fluid/outflow.h"
 #include "fluid/profile.h"
+#include "fluid/reach.h"
+#include "fluid/wisdom.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 static struct fluid_poisson *new_poisson(const struct fluid *f) {
     const struct fluid_grid *g = f->grid;
-    struct fluid_poisson_input in = {.row = g->row, .plane = g->plane};
-    if (f->in.z_by_transform) in.last = FLUID_POISSON_TRANSFORM;
+    struct fluid_poisson_input in = {.row = g->row};
     for (int d = 0; d < 3; d++) {
         in.n[d] = g->n[d];
         in.d[d] = g->d[d];
@@ -55,6 +58,9 @@ static void check_driving(const struct fluid_input *in) {
                 "xyz"[d]);
 }
 
+/* u* has arrays of its own: a forcing compares it with what it was, an open side's faces are advanced after the inside. */
+static int apart(const struct fluid *f) { return f->in.immersed || f->boundary->open; }
+
 struct fluid *fluid_new(const struct fluid_input *in) {
     struct fluid *f = calloc(1, sizeof *f);
     int periodic[3];
@@ -64,12 +70,18 @@ struct fluid *fluid_new(const struct fluid_input *in) {
         periodic[d] = in->side[d][0].type == FLUID_PERIODIC && in->side[d][1].type == FLUID_PERIODIC;
     f->grid = fluid_grid_new(in->n, in->length, periodic, in->immersed ? 3 : 1);
     f->boundary = fluid_boundary_new(f->grid, in);
-    double **arrays[] = {&f->state.u,      &f->state.v,      &f->state.w,      &f->state.p,
-                         &f->predicted[0], &f->predicted[1], &f->predicted[2], &f->rate[0],
-                         &f->rate[1],      &f->rate[2],      &f->correction};
+    double **arrays[] = {&f->state.u, &f->state.v, &f->state.w, &f->state.p,
+                         &f->rate[0], &f->rate[1], &f->rate[2]};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
+    for (int c = 0; c < 3; c++)
+        f->predicted[c] = apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double))
+                                   : fluid_component(&f->state, c);
+    f->correction = fluid_correction_new(f->grid);
+    f->flux = memory_new_work(MEMORY_FLUID, fluid_momentum_work(f->grid));
+    fluid_wisdom_load();
     f->poisson = new_poisson(f);
+    fluid_wisdom_store();
     if (in->driving.type == FLUID_DRIVING_GRADIENT) f->state.driving = in->driving.value;
     fill_velocity(f);
     fluid_project_start(f);
@@ -78,15 +90,14 @@ struct fluid *fluid_new(const struct fluid_input *in) {
 
 void fluid_free(struct fluid *f) {
     if (!f) return;
-    memory_free(f->state.u);
-    memory_free(f->state.v);
-    memory_free(f->state.w);
-    memory_free(f->state.p);
     for (int c = 0; c < 3; c++) {
-        memory_free(f->predicted[c]);
+        if (apart(f)) memory_free(f->predicted[c]);
+        memory_free(fluid_component(&f->state, c));
         memory_free(f->rate[c]);
     }
+    memory_free(f->state.p);
     memory_free(f->correction);
+    memory_free(f->flux);
     fluid_poisson_free(f->poisson);
     fluid_boundary_free(f->boundary);
     fluid_grid_free(f->grid);
@@ -108,8 +119,8 @@ void fluid_predicted_refresh(struct fluid *f, int layers) {
 }
 
 void fluid_predicted_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]) {
-    (void)low, (void)high;
-    fluid_predicted_refresh(f, layers);
+    const struct par_halo_part part = fluid_reach(f->grid, layers, low, high);
+    fluid_boundary_velocity_part(f->boundary, f->grid, f->predicted, &part);
 }
 
 void fluid_state_refresh(struct fluid *f) {

@@ -45,7 +45,6 @@ struct fluid_input {
     double initial_velocity[3]; /* m/s */
     int initial_poiseuille;     /* 1: a parabola between the walls with that mean instead */
     int immersed;               /* 1: three ghost layers, and arrays for the forcing */
-    int z_by_transform;         /* 1: Poisson's last direction by a transform even where bands would do */
 };
 
 /* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid.h; ghosts are rebuilt. */
@@ -67,7 +66,8 @@ struct fluid_state *fluid_state_of(struct fluid *f);
  *     fluid_predict(f, r, dt); [ibm_force(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001: sec. 3.4.3) */
 extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 
-/* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), with boundary values and ghosts set. Collective. */
+/* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), with the values on the sides' faces; ghosts are left to
+ * fluid_predicted_refresh. Collective. */
 void fluid_predict(struct fluid *f, int r, double dt);
 /* The predicted velocity u*, to which a forcing adds in place (faces inside the domain only). [3] borrowed. */
 double *const *fluid_predicted(struct fluid *f);
@@ -76,7 +76,14 @@ void fluid_predicted_refresh(struct fluid *f, int layers);
 /* The same, for a reader of blocks that stay within the global cells low .. high-1 (which may lie beyond a side; the same box on
  * every rank): ghosts that such blocks do not reach may be left stale. Collective. */
 void fluid_predicted_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
-/* Pressure solve, projection, new velocity and pressure, ghosts (one layer) set. Collective. */
+/* How a component is continued beyond a side, for a reader that does without ghosts: the first value beyond it is
+ * face * (the value on the side's own face) + inner * (the value mirrored about the side) + constant. Not collective. */
+struct fluid_mirror {
+    double face, inner, constant;
+};
+struct fluid_mirror fluid_predicted_mirror(const struct fluid *f, int component, int direction, int side);
+/* Pressure solve, projection, new velocity and pressure; the velocity's ghosts (one layer) are set, the pressure's only as far
+ * as the next stage reads them. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
 /* Three stages: a step of a fluid with nothing immersed. Collective. */
 void fluid_step(struct fluid *f, double dt);

@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Whether every rank of the grid gets at least `thick` cells in y and z, and its share of the transposed pencils. */
+/* Whether every rank of the grid gets at least `thick` cells in y and z, and its share of x in a y pencil. */
 static int admits(const int n[3], int parts_y, int parts_z, int thick) {
     return n[1] / parts_y >= (parts_y > 1 ? thick : 1) && n[2] / parts_z >= (parts_z > 1 ? thick : 1) &&
-           n[0] >= parts_y && n[1] >= parts_z;
+           n[0] >= parts_y;
 }
 
 /* Slabs in z if they are `thick` enough, else the pair of divisors with the least surface between ranks; 0: none. */
@@ -42,6 +42,18 @@ static void choose_or_die(const int n[3], int halo, int ranks[3]) {
             n[0], n[1], n[2], size, halo, most);
 }
 
+static ptrdiff_t rounded_up(ptrdiff_t cells) {
+    return (cells + FLUID_GRID_LANES - 1) / FLUID_GRID_LANES * FLUID_GRID_LANES;
+}
+
+static void lay_out(struct fluid_grid *g) {
+    const ptrdiff_t h = g->halo;
+    g->row = rounded_up(g->m[0]) + rounded_up(2 * h);
+    g->plane = g->row * (g->m[1] + 2 * h);
+    g->first = h * g->plane + h * g->row + rounded_up(h);
+    g->size = (size_t)(g->plane * (g->m[2] + 2 * h) + rounded_up(h));
+}
+
 struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo) {
     for (int d = 0; d < 3; d++)
         if (n[d] < 1 || (periodic[d] && n[d] < halo))
@@ -59,10 +71,8 @@ struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const 
         g->lo[d] = par_piece_low(n[d], g->ranks[d], c[d]);
         g->m[d] = par_piece_low(n[d], g->ranks[d], c[d] + 1) - g->lo[d];
     }
-    g->row = g->m[0] + 2 * halo;
-    g->plane = g->row * (g->m[1] + 2 * halo);
-    g->size = (size_t)(g->plane * (g->m[2] + 2 * halo));
-    struct par_halo_input in = {.halo = halo};
+    lay_out(g);
+    struct par_halo_input in = {.halo = halo, .first = g->first, .row = g->row, .plane = g->plane};
     memcpy(in.m, g->m, sizeof in.m);
     memcpy(in.ranks, g->ranks, sizeof in.ranks);
     memcpy(in.periodic, g->periodic, sizeof in.periodic);

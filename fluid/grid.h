@@ -5,9 +5,13 @@
  *     u(i,j,k)  right x face    x = (lo_x + i + 1)   dx, y and z at the centre
  *     v(i,j,k)  upper y face,   w(i,j,k)  far z face
  * so u(-1,j,k) is the low face of the domain, u(m_x-1,j,k) the high one. Every array has `halo` layers of ghosts on all
- * six sides, [m_z+2h][m_y+2h][m_x+2h]: h = 1 for a fluid alone, 3 when something is immersed. */
+ * six sides, [m_z+2h][m_y+2h][m_x+2h]: h = 1 for a fluid alone, 3 when something is immersed. Rows are padded so that the first
+ * cell of each starts a cache line, and so that what is done to eight cells at a time may run over a row's last cell without
+ * meeting the next row's ghosts. */
 #pragma once
 #include <stddef.h>
+
+enum { FLUID_GRID_LANES = 8 }; /* cells of a cache line */
 
 struct par_halo; /* base/par_halo.h */
 
@@ -20,12 +24,13 @@ struct fluid_grid {
     int lo[3], m[3];        /* this rank's first cell, and how many */
     int ranks[3];           /* process grid: ranks[0] = 1 */
     ptrdiff_t row, plane;   /* strides of j and k */
+    ptrdiff_t first;        /* where cell 0,0,0 is */
     size_t size;            /* doubles in an array with its ghosts */
     struct par_halo *halos; /* owned: exchange of ghosts between ranks and across periodic sides */
 };
 
 static inline size_t fluid_grid_at(const struct fluid_grid *g, int i, int j, int k) {
-    return (size_t)((k + g->halo) * g->plane + (j + g->halo) * g->row + (i + g->halo));
+    return (size_t)(g->first + k * g->plane + j * g->row + i);
 }
 
 /* Process grid chosen here. Dies (exit 2) in one sentence if the mesh does not admit the ranks. Collective. */

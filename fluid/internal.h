@@ -18,10 +18,11 @@ struct fluid {
     /* state */
     struct fluid_state state;
     /* work, arrays of grid->size */
-    double *predicted[3]; /* u*, m/s */
+    double *predicted[3]; /* u*, m/s; the state's own arrays where nobody reads u once u* is there */
     double
         *rate[3]; /* R = -div(uu) + nu lap u of the last stage, m/s2; at open faces, that face's own rate */
-    double *correction; /* p-hat, Pa */
+    double *correction; /* p-hat, Pa: fluid/correction.h */
+    double *flux;       /* scratch of the momentum equation */
     struct fluid_poisson *poisson;
     struct fluid_audit audit;
     double shift[3]; /* uniform velocity that the bulk driving adds in this stage, m/s */

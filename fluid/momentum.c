@@ -1,146 +1,189 @@
 #include "fluid/momentum.h"
+#include "fluid/flux.h"
 
-/* What a row of one component needs: strides of its own direction s and of the other two a, b; the advecting components qa,
- * qb along those; metric factors. */
-struct row {
-    ptrdiff_t s, a, b;
-    double convect_s, convect_a, convect_b; /* 1/(4 d), 1/m */
-    double diffuse_s, diffuse_a, diffuse_b; /* nu/d^2, 1/s */
-    double pressure, constant;              /* c/(rho d), c source */
-    double factor, factor_old;              /* a, b of the stage */
+enum {
+    BLOCK =
+        6144, /* cells of a plane whose fluxes along z wait for the next plane, in the second-level cache */
+    STREAM =
+        100000, /* cells of an array above which ten of them do not stay in a rank's share of the last cache */
+    WAITING = 3 /* components, each eight cells of one after those of another */
 };
 
-static inline __attribute__((always_inline)) void
-predict_row(const struct row r, int with_old, int keep, int count, const double *restrict q,
-            const double *restrict qa, const double *restrict qb, const double *restrict p,
-            double *restrict predicted, double *restrict rate) {
-    const ptrdiff_t s = r.s, a = r.a, b = r.b;
-    for (int n = 0; n < count; n++) {
-        const double q0 = q[n], qe = q[n + s], qw = q[n - s], qn = q[n + a], qs = q[n - a], qt = q[n + b],
-                     qf = q[n - b];
-        const double own = (qe + q0) * (qe + q0) - (q0 + qw) * (q0 + qw);
-        const double over_a = (qa[n] + qa[n + s]) * (q0 + qn) - (qa[n - a] + qa[n - a + s]) * (qs + q0);
-        const double over_b = (qb[n] + qb[n + s]) * (q0 + qt) - (qb[n - b] + qb[n - b + s]) * (qf + q0);
-        const double diffusion = r.diffuse_s * (qe - 2 * q0 + qw) + r.diffuse_a * (qn - 2 * q0 + qs) +
-                                 r.diffuse_b * (qt - 2 * q0 + qf);
-        const double now = diffusion - (r.convect_s * own + r.convect_a * over_a + r.convect_b * over_b);
-        double next = q0 + r.factor * now + (r.constant - r.pressure * (p[n + s] - p[n]));
-        if (with_old) next += r.factor_old * rate[n];
-        predicted[n] = next;
-        if (keep) rate[n] = now;
+struct pass {
+    const struct fluid_momentum_stage *stage;
+    const double *q[3], *p;
+    double *predicted[3], *rate[3];
+    struct flux_factors factors;
+    double pressure[3], constant[3]; /* c/(rho d), c source */
+    ptrdiff_t cells;                 /* of a row, in eights */
+    int rows;                        /* of a block */
+    double *z,
+        *y; /* fluxes that wait, m/s2: [rows][cells/8][3][8] of z; of y for each plane, [m_z] of rows */
+    double *nowhere[2]; /* [cells] where the faces go that this equation does not advance */
+};
+
+static ptrdiff_t row_cells(const struct fluid_grid *g) {
+    return (g->m[0] + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
+}
+
+static int block_rows(const struct fluid_grid *g) {
+    const int rows = (int)(BLOCK / row_cells(g)) > 4 ? (int)(BLOCK / row_cells(g)) : 4;
+    return rows < g->m[1] ? rows : g->m[1];
+}
+
+size_t fluid_momentum_work(const struct fluid_grid *g) {
+    return (size_t)row_cells(g) * (size_t)(WAITING * (block_rows(g) + g->m[2]) + 2);
+}
+
+/* The fluxes along y through the faces before a row that starts at n, and along z through those before it. */
+static void wait_y(const struct pass *s, ptrdiff_t n, double *y) {
+    const struct fluid_grid *g = s->stage->grid;
+    for (ptrdiff_t i = n - g->row, end = i + s->cells; i < end; i += VEC_LANES, y += WAITING * VEC_LANES) {
+        const struct flux f = flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
+        vec_store(y, f.uy);
+        vec_store(y + VEC_LANES, f.vy);
+        vec_store(y + 2 * VEC_LANES, f.wy);
     }
 }
 
-static struct row row_of(const struct fluid_momentum_stage *st, int direction, int a, int b) {
-    const struct fluid_grid *g = st->grid;
-    const ptrdiff_t stride[3] = {1, g->row, g->plane};
-    const double *d = g->d;
-    return (struct row){.s = stride[direction],
-                        .a = stride[a],
-                        .b = stride[b],
-                        .convect_s = 0.25 / d[direction],
-                        .convect_a = 0.25 / d[a],
-                        .convect_b = 0.25 / d[b],
-                        .diffuse_s = st->viscosity / (d[direction] * d[direction]),
-                        .diffuse_a = st->viscosity / (d[a] * d[a]),
-                        .diffuse_b = st->viscosity / (d[b] * d[b]),
-                        .pressure = st->c * st->inverse_density / d[direction],
-                        .constant = st->c * st->source[direction],
-                        .factor = st->a,
-                        .factor_old = st->b};
+static void wait_z(const struct pass *s, ptrdiff_t n, double *z) {
+    const struct fluid_grid *g = s->stage->grid;
+    for (ptrdiff_t i = n - g->plane, end = i + s->cells; i < end; i += VEC_LANES, z += WAITING * VEC_LANES) {
+        const struct flux f = flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
+        vec_store(z, f.uz);
+        vec_store(z + VEC_LANES, f.vz);
+        vec_store(z + 2 * VEC_LANES, f.wz);
+    }
 }
 
-/* The unit stride is written out, so that the compiler sees it. */
-static inline __attribute__((always_inline)) void predict(const struct fluid_momentum_stage *st, int with_old,
-                                                          int keep, const double *const q[3], const double *p,
-                                                          double *const predicted[3], double *const rate[3]) {
-    const struct fluid_grid *g = st->grid;
-    struct row ru = row_of(st, 0, 1, 2), rv = row_of(st, 1, 0, 2), rw = row_of(st, 2, 0, 1);
-    ru.s = rv.a = rw.a = 1;
-    for (int k = 0; k < g->m[2]; k++)
-        for (int j = 0; j < g->m[1]; j++) {
-            const size_t n = fluid_grid_at(g, 0, j, k);
-            const double *u = q[0] + n, *v = q[1] + n, *w = q[2] + n;
-            predict_row(ru, with_old, keep, st->faces[0], u, v, w, p + n, predicted[0] + n, rate[0] + n);
-            if (j < st->faces[1])
-                predict_row(rv, with_old, keep, g->m[0], v, u, w, p + n, predicted[1] + n, rate[1] + n);
-            if (k < st->faces[2])
-                predict_row(rw, with_old, keep, g->m[0], w, u, v, p + n, predicted[2] + n, rate[2] + n);
+/* A flux takes the place of the one that waited for it; the difference of the two. */
+static inline __attribute__((always_inline)) vec gain(vec flux, double *waiting) {
+    const vec before = vec_load(waiting);
+    vec_store(waiting, flux);
+    return flux - before;
+}
+
+/* What a stage does, known when its loop is compiled. */
+struct kind {
+    int with_old, keep;
+    int stream; /* what is written passes the caches by, unless it replaces what was read */
+    int in_place;
+};
+
+static inline __attribute__((always_inline)) void put(int stream, double *to, vec v) {
+    if (stream)
+        vec_stream(to, v);
+    else
+        vec_store(to, v);
+}
+
+/* Factors of a component's sum. */
+struct sum {
+    double a, b, pressure, constant;
+};
+
+static inline __attribute__((always_inline)) void finish(const struct sum s, const struct kind kind, vec now,
+                                                         vec q, vec gradient, double *predicted,
+                                                         double *rate) {
+    vec next = q + s.a * now + (s.constant - s.pressure * gradient);
+    if (kind.with_old) next += s.b * vec_load(rate);
+    put(kind.stream && !kind.in_place, predicted, next);
+    if (kind.keep) put(kind.stream && !kind.with_old, rate, now);
+}
+
+/* The row that starts at n; y, z: what waits for it; predicted, rate: where each component goes. */
+static inline __attribute__((always_inline)) void predict_row(const struct pass *s, const struct kind kind,
+                                                              ptrdiff_t n, double *y, double *z,
+                                                              double *const predicted[3],
+                                                              double *const rate[3]) {
+    const ptrdiff_t row = s->stage->grid->row, plane = s->stage->grid->plane, cells = s->cells;
+    const double *u = s->q[0] + n, *v = s->q[1] + n, *w = s->q[2] + n, *p = s->p + n;
+    double *const pu = predicted[0], *const pv = predicted[1], *const pw = predicted[2];
+    double *const ru = rate[0], *const rv = rate[1], *const rw = rate[2];
+    const struct flux_factors factors = s->factors;
+    struct sum sum[3];
+    for (int c = 0; c < 3; c++)
+        sum[c] = (struct sum){s->stage->a, s->stage->b, s->pressure[c], s->constant[c]};
+    struct flux f =
+        flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* the last one counts */
+    vec ux = f.ux, vx = f.vx, wx = f.wx;
+    for (ptrdiff_t i = 0; i < cells; i += VEC_LANES, y += WAITING * VEC_LANES, z += WAITING * VEC_LANES) {
+        f = flux_at(&factors, row, plane, u + i, v + i, w + i);
+        const vec p0 = vec_load(p + i);
+        const vec du = f.ux - vec_before(ux, f.ux) + gain(f.uy, y) + gain(f.uz, z);
+        const vec dv = f.vx - vec_before(vx, f.vx) + gain(f.vy, y + VEC_LANES) + gain(f.vz, z + VEC_LANES);
+        const vec dw =
+            f.wx - vec_before(wx, f.wx) + gain(f.wy, y + 2 * VEC_LANES) + gain(f.wz, z + 2 * VEC_LANES);
+        ux = f.ux;
+        vx = f.vx;
+        wx = f.wx;
+        finish(sum[0], kind, du, vec_load(u + i), vec_load(p + i + 1) - p0, pu + i, ru + i);
+        finish(sum[1], kind, dv, vec_load(v + i), vec_load(p + i + row) - p0, pv + i, rv + i);
+        finish(sum[2], kind, dw, vec_load(w + i), vec_load(p + i + plane) - p0, pw + i, rw + i);
+    }
+}
+
+/* Rows first .. last-1 of all planes. */
+static inline __attribute__((always_inline)) void predict_block(const struct pass *s, const struct kind kind,
+                                                                int first, int last) {
+    const struct fluid_grid *g = s->stage->grid;
+    const int *faces = s->stage->faces, end = g->m[0] - 1;
+    const ptrdiff_t waiting = WAITING * s->cells;
+    for (int j = first; j < last; j++)
+        wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, 0), s->z + (j - first) * waiting);
+    for (int k = 0; k < g->m[2]; k++) {
+        double *y = s->y + k * waiting;
+        if (first == 0) wait_y(s, (ptrdiff_t)fluid_grid_at(g, 0, 0, k), y);
+        for (int j = first; j < last; j++) {
+            const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, 0, j, k);
+            double *predicted[3], *rate[3];
+            for (int c = 0; c < 3; c++) {
+                const int advanced = c == 0 || (c == 1 ? j : k) < faces[c];
+                predicted[c] = advanced ? s->predicted[c] + n : s->nowhere[0];
+                rate[c] = advanced ? s->rate[c] + n : s->nowhere[1];
+            }
+            const double side = rate[0][end];
+            predict_row(s, kind, n, y, s->z + (j - first) * waiting, predicted, rate);
+            if (faces[0] <= end) rate[0][end] = side;
         }
+    }
+}
+
+static inline __attribute__((always_inline)) void predict_stage(const struct pass *s, int stream,
+                                                                int in_place, int first, int last) {
+    if (s->stage->b == 0)
+        predict_block(s, (struct kind){0, 1, stream, in_place}, first, last);
+    else if (s->stage->keep)
+        predict_block(s, (struct kind){1, 1, stream, in_place}, first, last);
+    else
+        predict_block(s, (struct kind){1, 0, stream, in_place}, first, last);
 }
 
 void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
                             double *const predicted[3], double *const rate[3]) {
-    if (s->b == 0)
-        predict(s, 0, 1, q, p, predicted, rate);
-    else if (s->keep)
-        predict(s, 1, 1, q, p, predicted, rate);
-    else
-        predict(s, 1, 0, q, p, predicted, rate);
-}
-
-void fluid_momentum_predict_open(const struct fluid_momentum_stage *st, int direction, int side,
-                                 const double *const q[3], const double *p, double *const predicted[3],
-                                 double *const rate[3]) {
-    const struct fluid_grid *g = st->grid;
-    const int a = direction == 0 ? 1 : 0, b = direction == 2 ? 1 : 2, face = side ? g->m[direction] - 1 : -1;
-    const struct row r = row_of(st, direction, a, b);
-    const ptrdiff_t in = side ? -r.s : r.s;
-    const double *q_own = q[direction], *qa = q[a], *qb = q[b], sign = side ? 1 : -1;
-    for (int l = 0; l < g->m[b]; l++)
-        for (int j = 0; j < g->m[a]; j++) {
-            int at[3];
-            at[direction] = face;
-            at[a] = j;
-            at[b] = l;
-            const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
-            const double q0 = q_own[n], qi = q_own[n + in];
-            const double own = sign * (4 * q0 * q0 - (q0 + qi) * (q0 + qi));
-            const double over_a = (qa[n] + qa[n + r.s]) * (q0 + q_own[n + r.a]) -
-                                  (qa[n - r.a] + qa[n - r.a + r.s]) * (q_own[n - r.a] + q0);
-            const double over_b = (qb[n] + qb[n + r.s]) * (q0 + q_own[n + r.b]) -
-                                  (qb[n - r.b] + qb[n - r.b + r.s]) * (q_own[n - r.b] + q0);
-            const double now = r.diffuse_s * (qi - q0) +
-                               r.diffuse_a * (q_own[n + r.a] - 2 * q0 + q_own[n - r.a]) +
-                               r.diffuse_b * (q_own[n + r.b] - 2 * q0 + q_own[n - r.b]) -
-                               (r.convect_s * own + r.convect_a * over_a + r.convect_b * over_b);
-            double next = q0 + r.factor * now + (r.constant - r.pressure * (p[n + r.s] - p[n]));
-            if (r.factor_old != 0) next += r.factor_old * rate[direction][n];
-            predicted[direction][n] = next;
-            rate[direction][n] = now;
-        }
-}
-
-void fluid_momentum_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
-                               double *rhs) {
-    const double fx = scale / g->d[0], fy = scale / g->d[1], fz = scale / g->d[2];
-    const ptrdiff_t row = g->row, plane = g->plane;
-    for (int j = 0; j < g->m[1]; j++) {
-        const size_t n = fluid_grid_at(g, 0, j, k);
-        const double *restrict u = q[0] + n, *restrict v = q[1] + n, *restrict w = q[2] + n;
-        double *restrict out = rhs + (ptrdiff_t)j * g->m[0];
-        for (int i = 0; i < g->m[0]; i++)
-            out[i] = fx * (u[i] - u[i - 1]) + fy * (v[i] - v[i - row]) + fz * (w[i] - w[i - plane]);
+    const struct fluid_grid *g = s->grid;
+    struct pass pass = {.stage = s, .p = p, .cells = row_cells(g), .rows = block_rows(g)};
+    for (int c = 0; c < 3; c++) {
+        pass.q[c] = q[c];
+        pass.predicted[c] = predicted[c];
+        pass.rate[c] = rate[c];
+        pass.factors.convect[c] = 0.25 / g->d[c];
+        pass.factors.diffuse[c] = s->viscosity / (g->d[c] * g->d[c]);
+        pass.pressure[c] = s->c * s->inverse_density / g->d[c];
+        pass.constant[c] = s->c * s->source[c];
     }
-}
-
-void fluid_momentum_correct(const struct fluid_grid *g, double c, const double shift[3], const double *phi,
-                            const double *const predicted[3], double *const q[3], double *p) {
-    const double fx = c / g->d[0], fy = c / g->d[1], fz = c / g->d[2], sx = shift[0], sy = shift[1],
-                 sz = shift[2];
-    const ptrdiff_t row = g->row, plane = g->plane;
-    for (int k = 0; k < g->m[2]; k++)
-        for (int j = 0; j < g->m[1]; j++) {
-            const size_t n = fluid_grid_at(g, 0, j, k);
-            const double *restrict f = phi + n, *restrict us = predicted[0] + n,
-                                   *restrict vs = predicted[1] + n, *restrict ws = predicted[2] + n;
-            double *restrict u = q[0] + n, *restrict v = q[1] + n, *restrict w = q[2] + n,
-                             *restrict pressure = p + n;
-            for (int i = 0; i < g->m[0]; i++) {
-                u[i] = us[i] - fx * (f[i + 1] - f[i]) + sx;
-                v[i] = vs[i] - fy * (f[i + row] - f[i]) + sy;
-                w[i] = ws[i] - fz * (f[i + plane] - f[i]) + sz;
-                pressure[i] += f[i];
-            }
-        }
+    pass.z = s->work;
+    pass.y = pass.z + WAITING * pass.rows * pass.cells;
+    pass.nowhere[0] = pass.y + WAITING * g->m[2] * pass.cells;
+    pass.nowhere[1] = pass.nowhere[0] + pass.cells;
+    const int stream = g->size > STREAM, in_place = predicted[0] == q[0];
+    for (int j = 0; j < g->m[1]; j += pass.rows) {
+        const int last = j + pass.rows < g->m[1] ? j + pass.rows : g->m[1];
+        if (stream && in_place)
+            predict_stage(&pass, 1, 1, j, last);
+        else if (stream)
+            predict_stage(&pass, 1, 0, j, last);
+        else
+            predict_stage(&pass, 0, 0, j, last);
+    }
 }

@@ -1,4 +1,5 @@
-/* The momentum equation's explicit stage, as one pass over the grid. Pure kernels.  (001: eqs 3.64-3.68; SPEC 1) */
+/* The momentum equation's explicit stage, as one pass over the grid, and the two kernels of the projection. Pure.
+ * (001: eqs 3.64-3.68; SPEC 1) */
 #pragma once
 #include "fluid/grid.h"
 
@@ -10,22 +11,20 @@ struct fluid_momentum_stage {
     double viscosity;       /* m2/s */
     double inverse_density; /* m3/kg */
     double source[3];       /* body force and driving per unit mass, m/s2 */
+    double *work;           /* scratch, fluid_momentum_work doubles */
 };
+
+size_t fluid_momentum_work(const struct fluid_grid *g);
 
 /* predicted = q + a R + b R_old + c (source - grad p / rho),  R = -div(q q) + nu lap q replaces R_old in rate.
  *
  *      q[3] = u, v, w   faces     m/s    one ghost layer read
  *      p                centres   Pa     one ghost layer read on the high sides
- *      predicted[3]     faces     m/s    written
+ *      predicted[3]     faces     m/s    written, also beyond the ends of rows; may be q itself
  *      rate[3]          faces     m/s2   read where b is not 0, written where it is to be kept
  *
- * The stencil of R at u(i), in one plane: own direction through the centres C, C', others through the corners at c, c'
- *
- *      ---v----c----v---
- *     |       |       |            d(uu)/dx = ((u + u_e)^2 - (u_w + u)^2) / 4 dx
- *   u_w   C   u  C'  u_e           d(vu)/dy = ((v + v_e)(u + u_n) - (v_s + v_se)(u_s + u)) / 4 dy
- *     |       |       |
- *      ---v----c'---v---                                                                                    */
+ * Fluxes as fluid/flux.h; those through the faces before a cell are what its neighbour had after it: kept in a register along
+ * x, for a row of each plane along y, for a block of rows along z. So a cell is read by itself and by those before it only. */
 void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
                             double *const predicted[3], double *const rate[3]);
 
@@ -37,7 +36,9 @@ void fluid_momentum_predict_open(const struct fluid_momentum_stage *s, int direc
 /* scale div q of plane k: rhs [m_y][m_x] tight, 1/s times scale. Reads the low ghosts. */
 void fluid_momentum_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
                                double *rhs);
-/* q = predicted - c grad phi + shift on all owned faces, p += phi in the cells; reads the high ghosts of phi.
- * c = gamma_r dt / rho */
-void fluid_momentum_correct(const struct fluid_grid *g, double c, const double shift[3], const double *phi,
-                            const double *const predicted[3], double *const q[3], double *p);
+/* Plane k: q = predicted - c grad phi + shift on the owned faces, p += phi in the cells. q is another array than predicted, or
+ * the same.                                                                       c = gamma_r dt / rho
+ *     phi, above   centres of planes k, k+1, from cell (0,0) on, strides 1 and g->row; with one ghost on the high sides */
+void fluid_momentum_correct(const struct fluid_grid *g, int k, double c, const double shift[3],
+                            const double *phi, const double *above, double *const predicted[3],
+                            double *const q[3], double *p);

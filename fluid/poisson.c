@@ -1,51 +1,54 @@
 #include "fluid/poisson.h"
+#include "base/error.h"
 #include "base/memory.h"
 #include "base/par_pencil.h"
-#include "fluid/tridiagonal.h"
+#include "fluid/column.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 struct fluid_poisson {
     struct fluid_poisson_input in;
     struct par_pencil *pencil;
-    int x[3], y[3], z[3]; /* shapes of the pencils */
-    struct fluid_transform
-        *t[3];            /* of a plane of the x pencil, a plane of the y pencil, a row of the z pencil */
-    double *lambda[3];    /* of this rank's part of the z pencil, 1/m2 */
-    double inverse_scale; /* one over what all transforms multiply by */
-    double *home, *y_array, *z_array; /* one array where no transpose stands between them */
-    double *column, *work;            /* [m_x] sums of lambda, and scratch of the bands [n_z][m_x] */
+    int x[3], y[3];               /* shapes of the pencils */
+    struct fluid_transform *t[2]; /* of a plane of the x pencil, of a plane of the y pencil */
+    struct fluid_column *column;
+    double *home,
+        *y_array;  /* one array where no transpose stands between them; a plane more than the rank has */
+    double *plane; /* [m_y][n_x] a plane on its way back */
+    double *sum;   /* [m_x] over y and z of the right-hand side, transformed in x; NULL where it has no use */
+    double inverse_scale; /* one over what the transforms multiply by */
+    int whole;            /* y_array has been filled and is up its columns: with a transpose */
 };
 
-static int bands(const struct fluid_poisson *p) {
-    return p->in.last != FLUID_POISSON_TRANSFORM && p->in.end[2][0] != FLUID_END_PERIODIC;
+static double *eigenvalues(const struct fluid_poisson_input *in, int d) {
+    double *lambda = memory_new(MEMORY_FLUID, (size_t)in->n[d], sizeof *lambda);
+    fluid_transform_eigenvalues(in->n[d], in->d[d], in->end[d][0], in->end[d][1], lambda);
+    return lambda;
 }
 
-static double *eigenvalues(const struct fluid_poisson_input *in, int d, int low, int count) {
-    double *all = memory_new(MEMORY_FLUID, (size_t)in->n[d], sizeof *all);
-    double *part = memory_new(MEMORY_FLUID, (size_t)count, sizeof *part);
-    fluid_transform_eigenvalues(in->n[d], in->d[d], in->end[d][0], in->end[d][1], all);
-    for (int i = 0; i < count; i++) part[i] = all[low + i];
-    memory_free(all);
-    return part;
+static int free_mean(const struct fluid_poisson_input *in) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+            if (in->end[d][side] == FLUID_END_DIRICHLET) return 0;
+    return 1;
 }
 
-static size_t volume(const int shape[3]) { return (size_t)shape[0] * (size_t)shape[1] * (size_t)shape[2]; }
+static size_t area(const int shape[3]) { return (size_t)shape[0] * (size_t)shape[1]; }
 
 static void plan(struct fluid_poisson *p) {
     const struct fluid_poisson_input *in = &p->in;
-    const int *x = p->x, *y = p->y, *z = p->z;
-    const struct fluid_transform_input of[3] = {
+    const int *x = p->x, *y = p->y;
+    const struct fluid_transform_input of[2] = {
         {.n = x[0],
          .lines = x[1],
          .stride = 1,
          .distance = x[0],
          .out_stride = 1,
          .out_distance = (int)in->row},
-        {.n = y[1], .lines = y[0], .stride = y[0], .distance = 1},
-        {.n = z[2], .lines = z[0], .stride = z[0] * z[1], .distance = 1}};
+        {.n = y[1], .lines = y[0], .stride = y[0], .distance = 1, .out_stride = y[0], .out_distance = 1}};
     p->inverse_scale = 1;
-    for (int d = 0; d < (bands(p) ? 2 : 3); d++) {
+    for (int d = 0; d < 2; d++) {
         struct fluid_transform_input t = of[d];
         t.low = in->end[d][0];
         t.high = in->end[d][1];
@@ -54,106 +57,111 @@ static void plan(struct fluid_poisson *p) {
     }
 }
 
+static struct fluid_column *new_columns(const struct fluid_poisson *p) {
+    const int *m = p->y, low = par_pencil_low(p->pencil);
+    double *x = eigenvalues(&p->in, 0), *y = eigenvalues(&p->in, 1);
+    double *lambda = memory_new(MEMORY_FLUID, area(m), sizeof *lambda);
+    for (int j = 0; j < m[1]; j++)
+        for (int i = 0; i < m[0]; i++) lambda[j * m[0] + i] = x[low + i] + y[j];
+    const struct fluid_column_input in = {.n = p->in.n[2],
+                                          .ranks = {1, p->in.ranks[1], p->in.ranks[2]},
+                                          .d = p->in.d[2],
+                                          .scale = p->inverse_scale,
+                                          .low = p->in.end[2][0],
+                                          .high = p->in.end[2][1],
+                                          .columns = m[0] * m[1],
+                                          .lambda = lambda,
+                                          .free_mean = free_mean(&p->in)};
+    struct fluid_column *column = fluid_column_new(&in);
+    memory_free(x);
+    memory_free(y);
+    memory_free(lambda);
+    return column;
+}
+
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     struct fluid_poisson *p = calloc(1, sizeof *p);
-    struct par_pencil_input grid = {.n = {in->n[0], in->n[1], in->n[2]},
-                                    .ranks = {1, in->ranks[1], in->ranks[2]}};
+    const struct par_pencil_input grid = {
+        .n = {in->n[0], in->n[1], in->n[2]}, .ranks = {1, in->ranks[1], in->ranks[2]}, .extra = 1};
     p->in = *in;
     p->pencil = par_pencil_new(&grid);
-    par_pencil_shape(p->pencil, p->x, p->y, p->z);
-    int low[3] = {0, 0, 0};
-    par_pencil_z_low(p->pencil, &low[0], &low[1]);
-    for (int d = 0; d < 3; d++) p->lambda[d] = eigenvalues(in, d, low[d], p->z[d]);
-    p->home = memory_new_work(MEMORY_FLUID, volume(p->x));
-    p->y_array =
-        par_pencil_same(p->pencil, PAR_PENCIL_XY) ? p->home : memory_new_work(MEMORY_FLUID, volume(p->y));
-    p->z_array =
-        par_pencil_same(p->pencil, PAR_PENCIL_YZ) ? p->y_array : memory_new_work(MEMORY_FLUID, volume(p->z));
-    p->column = memory_new_work(MEMORY_FLUID, (size_t)p->z[0]);
-    if (bands(p)) p->work = memory_new_work(MEMORY_FLUID, (size_t)p->z[0] * (size_t)p->z[2]);
+    par_pencil_shape(p->pencil, p->x, p->y);
+    const size_t planes = (size_t)p->x[2] + 1;
+    p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
+    p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
+    p->plane = memory_new_work(MEMORY_FLUID, area(p->x));
+    if (free_mean(in)) p->sum = memory_new(MEMORY_FLUID, (size_t)p->y[0], sizeof(double));
     plan(p);
+    p->column = new_columns(p);
     return p;
 }
 
 void fluid_poisson_free(struct fluid_poisson *p) {
     if (!p) return;
-    for (int d = 0; d < 3; d++) {
-        fluid_transform_free(p->t[d]);
-        memory_free(p->lambda[d]);
-    }
-    if (p->z_array != p->y_array) memory_free(p->z_array);
+    for (int d = 0; d < 2; d++) fluid_transform_free(p->t[d]);
+    fluid_column_free(p->column);
     if (p->y_array != p->home) memory_free(p->y_array);
     memory_free(p->home);
-    memory_free(p->column);
-    memory_free(p->work);
+    memory_free(p->plane);
+    memory_free(p->sum);
     par_pencil_free(p->pencil);
     free(p);
 }
 
-double *fluid_poisson_plane(struct fluid_poisson *p, int k) {
-    return p->home + (size_t)k * (size_t)p->x[0] * (size_t)p->x[1];
+static double *y_plane(const struct fluid_poisson *p, int k) { return p->y_array + (size_t)k * area(p->y); }
+
+/* The transform in y of plane k, its mode without variation in y added up, and its step up the columns. */
+static void y_forward(struct fluid_poisson *p, int k) {
+    double *b = y_plane(p, k);
+    fluid_transform_forward(p->t[1], b);
+    for (int i = 0; p->sum && i < p->y[0]; i++) p->sum[i] = (k > 0 ? p->sum[i] : 0) + b[i];
+    fluid_column_up(p->column, k, k > 0 ? y_plane(p, k - 1) : NULL, b);
 }
+
+double *fluid_poisson_plane(struct fluid_poisson *p, int k) { return p->home + (size_t)k * area(p->x); }
 
 void fluid_poisson_plane_forward(struct fluid_poisson *p, int k) {
-    double *plane = fluid_poisson_plane(p, k);
-    fluid_transform_forward(p->t[0], plane);
-    if (p->y_array == p->home) fluid_transform_forward(p->t[1], plane);
+    fluid_transform_forward(p->t[0], fluid_poisson_plane(p, k));
+    if (p->y_array == p->home) y_forward(p, k);
 }
 
-/* q = b inverse_scale / (lambda + lambda_z), and 0 where that is singular. */
-static void divide(int n, int columns, double scale, const double *restrict lambda,
-                   const double *restrict lambda_z, double *restrict b, ptrdiff_t plane) {
-    for (int k = 0; k < n; k++) {
-        double *restrict q = b + k * plane;
-        const double lz = lambda_z[k];
-        for (int i = 0; i < columns; i++) {
-            const double l = lambda[i] + lz;
-            q[i] *= l == 0 ? 0 : scale / l;
-        }
-    }
+/* What the planes' own forwards could not do before the transpose. */
+static void rest_forward(struct fluid_poisson *p) {
+    if (p->y_array == p->home || p->whole) return;
+    p->whole = 1;
+    par_pencil_forward(p->pencil, p->x[2], p->home, p->y_array);
+    for (int k = 0; k < p->x[2]; k++) y_forward(p, k);
 }
 
-static void scale_by(int n, int columns, double scale, double *b, ptrdiff_t plane) {
-    for (int k = 0; k < n; k++)
-        for (int i = 0; i < columns; i++) b[k * plane + i] *= scale;
+void fluid_poisson_solve(struct fluid_poisson *p, double mean) {
+    const int planes = p->x[2];
+    rest_forward(p);
+    fluid_column_couple(p->column, p->y_array, (ptrdiff_t)area(p->y), mean);
+    p->whole = 0;
+    if (p->y_array == p->home) return;
+    for (int k = planes; k >= 0; k--)
+        fluid_transform_backward(p->t[1], fluid_column_down(p->column, k, y_plane(p, k)), y_plane(p, k));
+    par_pencil_backward(p->pencil, planes + 1, p->y_array, p->home);
 }
 
-/* Row j of the z pencil: all of z for every x. */
-static void solve_row(struct fluid_poisson *p, int j) {
-    const int columns = p->z[0], n = p->z[2];
-    const ptrdiff_t plane = (ptrdiff_t)p->z[0] * p->z[1];
-    double *b = p->z_array + (ptrdiff_t)j * columns;
-    for (int i = 0; i < columns; i++) p->column[i] = p->lambda[0][i] + p->lambda[1][j];
-    if (bands(p)) {
-        scale_by(n, columns, p->inverse_scale, b, plane);
-        fluid_tridiagonal_solve(n, columns, p->in.d[2], p->in.end[2][0], p->in.end[2][1], p->column, b, plane,
-                                p->work);
-    } else {
-        fluid_transform_forward(p->t[2], b);
-        divide(n, columns, p->inverse_scale, p->column, p->lambda[2], b, plane);
-        fluid_transform_backward(p->t[2], b, b);
+void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q) {
+    const double *plane = fluid_poisson_plane(p, k);
+    if (p->y_array == p->home) {
+        fluid_transform_backward(p->t[1], fluid_column_down(p->column, k, plane), p->plane);
+        plane = p->plane;
     }
+    fluid_transform_backward(p->t[0], plane, q);
 }
 
-void fluid_poisson_solve(struct fluid_poisson *p, double *q) {
-    const int cut_xy = p->y_array != p->home, cut_yz = p->z_array != p->y_array;
-    const size_t y_plane = (size_t)p->y[0] * (size_t)p->y[1];
-    if (cut_xy) {
-        par_pencil_forward(p->pencil, PAR_PENCIL_XY, p->home, p->y_array);
-        for (int k = 0; k < p->y[2]; k++) fluid_transform_forward(p->t[1], p->y_array + (size_t)k * y_plane);
+/* Summed over y and z, the equation of a mode cos(pi k (i+1/2)/n) of x is lambda_x times its sum = the right-hand side's. */
+double fluid_poisson_section_mean(struct fluid_poisson *p, int side) {
+    const int n = p->in.n[0], i = side ? n - 1 : 0, low = par_pencil_low(p->pencil);
+    double mean = 0;
+    ENSURE(p->sum && p->in.end[0][side] == FLUID_END_NEUMANN, "no free level at side %d", side);
+    rest_forward(p);
+    for (int k = low == 0 ? 1 : 0; k < p->y[0]; k++) {
+        const double half = 0.5 * M_PI * (low + k) / n, s = 2 * sin(half) / p->in.d[0];
+        mean -= 2 * cos(half * (2 * i + 1)) * p->sum[k] / (s * s);
     }
-    if (cut_yz) par_pencil_forward(p->pencil, PAR_PENCIL_YZ, p->y_array, p->z_array);
-    for (int j = 0; j < p->z[1]; j++) solve_row(p, j);
-    if (cut_yz) par_pencil_backward(p->pencil, PAR_PENCIL_YZ, p->z_array, p->y_array);
-    if (cut_xy) {
-        for (int k = 0; k < p->y[2]; k++)
-            fluid_transform_backward(p->t[1], p->y_array + (size_t)k * y_plane,
-                                     p->y_array + (size_t)k * y_plane);
-        par_pencil_backward(p->pencil, PAR_PENCIL_XY, p->y_array, p->home);
-    }
-    for (int k = 0; k < p->x[2]; k++) {
-        double *plane = fluid_poisson_plane(p, k);
-        if (!cut_xy) fluid_transform_backward(p->t[1], plane, plane);
-        fluid_transform_backward(p->t[0], plane, q + k * p->in.plane);
-    }
+    return mean * p->inverse_scale / p->in.n[2];
 }

@@ -23,13 +23,15 @@ void fluid_predict(struct fluid *f, int r, double dt) {
                                      .c = dt * fluid_gamma[r],
                                      .keep = r < 2,
                                      .viscosity = f->in.viscosity,
-                                     .inverse_density = 1 / f->in.density};
+                                     .inverse_density = 1 / f->in.density,
+                                     .work = f->flux};
     if (f->audit.on) fluid_audit_flux(f, r);
     clock_begin(CLOCK_MOMENTUM);
     count_faces(g, s.faces);
     for (int d = 0; d < 3; d++) s.source[d] = f->in.body_force[d];
     s.source[f->in.driving.direction] += f->state.driving / f->in.density;
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
+    fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* u* may take the place of u */
     const double *const read[3] = {q[0], q[1], q[2]};
     fluid_momentum_predict(&s, read, f->state.p, f->predicted, f->rate);
     for (int d = 0; d < 3; d++)
@@ -38,7 +40,7 @@ void fluid_predict(struct fluid *f, int r, double dt) {
             if (b->here && b->normal == FLUID_NORMAL_FREE)
                 fluid_momentum_predict_open(&s, d, side, read, f->state.p, f->predicted, f->rate);
         }
-    fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b);
-    fluid_predicted_refresh(f, 1);
+    const struct par_halo_part whole = par_halo_whole(g->halos, 1);
+    fluid_boundary_faces(f->boundary, g, f->predicted, &whole);
     clock_end(CLOCK_MOMENTUM);
 }

@@ -49,7 +49,7 @@ double fluid_transform_scale(int n, enum fluid_end low, enum fluid_end high) {
 static fftw_plan plan(const struct fluid_transform_input *in, fftw_r2r_kind kind, double *from, double *to,
                       int stride, int distance) {
     return fftw_plan_many_r2r(1, &in->n, in->lines, from, NULL, in->stride, in->distance, to, NULL, stride,
-                              distance, &kind, FFTW_MEASURE | FFTW_UNALIGNED | FFTW_DESTROY_INPUT);
+                              distance, &kind, FFTW_MEASURE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
 }
 
 struct fluid_transform *fluid_transform_new(const struct fluid_transform_input *in) {
@@ -92,9 +92,9 @@ void fluid_transform_forward(const struct fluid_transform *t, double *in_place) 
         fftw_execute_r2r(t->forward, in_place, in_place);
 }
 
-void fluid_transform_backward(const struct fluid_transform *t, double *from, double *to) {
+void fluid_transform_backward(const struct fluid_transform *t, const double *from, double *to) {
     if (t->pair)
         fluid_transform_pair_backward(t->pair, from, to);
     else
-        fftw_execute_r2r(t->backward, from, to);
+        fftw_execute_r2r(t->backward, (double *)(size_t)from, to); /* preserved, by its plan */
 }

@@ -5,6 +5,9 @@
 
 enum fluid_end { FLUID_END_PERIODIC, FLUID_END_NEUMANN, FLUID_END_DIRICHLET };
 
+/* How FFTW looks for its plans. */
+#define FLUID_TRANSFORM_PLAN "measure"
+
 struct fluid_transform; /* opaque: a pair of plans for many lines */
 
 /* Eigenvalues [n] of (q[i-1] - 2 q[i] + q[i+1])/d^2 in the order of the transform's output, 1/m2. */
@@ -24,5 +27,5 @@ struct fluid_transform_input {
 struct fluid_transform *fluid_transform_new(const struct fluid_transform_input *in);
 void fluid_transform_free(struct fluid_transform *t);
 void fluid_transform_forward(const struct fluid_transform *t, double *in_place);
-/* to = from for a transform in place; otherwise from is overwritten. */
-void fluid_transform_backward(const struct fluid_transform *t, double *from, double *to);
+/* to = from for a transform in place; otherwise from is left as it is. */
+void fluid_transform_backward(const struct fluid_transform *t, const double *from, double *to);

@@ -1,79 +1,102 @@
-/* Multidirect forcing.  (001: sec. 3.5.2; Breugem 2012) */
+/* Multidirect forcing.  (001: sec. 3.5.2; Breugem 2012)
+ *
+ * An iteration reads all markers' velocities, then gives all their increments. Markers of slabs that are not neighbours do not
+ * touch, so the sweeps of two iterations follow each other two slabs behind, over planes that are still in cache:
+ *
+ *     slab           s-3        s-2        s-1         s
+ *                    write 2    read 2     write 1     read 1
+ *
+ * Sums that reach over the sides of this rank's piece are completed before the first write and after the last read. */
 #include "base/clock.h"
+#include "base/memory.h"
 #include "base/par.h"
-#include "ibm/kernel.h"
 #include "ibm/state.h"
 
-void ibm_interpolate(struct ibm *b, double *const u[3], double given[3], double *squares) {
-    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
-    double sum[3] = {0, 0, 0}, square = 0;
-    for (int h = 0; h < b->n; h++) {
-        const struct ibm_stencil *s = &b->stencil[h];
-        const struct ibm_marker *m = &b->marker[h];
-        for (int c = 0; c < 3; c++) {
-            const double *x = s->weight[c == 0] + IBM_X, *y = s->weight[c == 1] + IBM_Y,
-                         *z = s->weight[c == 2] + IBM_Z;
-            const double lack = m->v[c] - ibm_kernel_gather(u[c] + s->at[c], row, plane, x, y, z);
-            b->increment[c][h] = lack * m->volume;
-            sum[c] += lack * m->volume * m->share[c];
-            square += lack * lack;
-        }
-    }
-    for (int c = 0; c < 3; c++) given[c] += sum[c];
-    *squares = square;
+struct sweep {
+    struct ibm *b;
+    double *const *u;
+    struct ibm_tally *tally;
+};
+
+static void read_slab(const struct sweep *w, int slab, enum ibm_keep keep) {
+    struct ibm *b = w->b;
+    const int first = ibm_slab_first(b, IBM_NEAR, slab), last = ibm_slab_first(b, IBM_NEAR, slab + 1);
+    ibm_sweep_gather(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1),
+                     keep, w->tally);
+    ibm_edges_sum(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
+                  ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
+    ibm_edges_finish(b, first, last, keep, w->tally);
 }
 
-void ibm_spread(struct ibm *b, double *const u[3]) {
-    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
-    if (b->crossing) ibm_shell_clear(b);
-    for (int h = 0; h < b->n; h++) {
-        const struct ibm_stencil *s = &b->stencil[h];
-        double *const *to = b->marker[h].inside ? u : b->shell;
-        for (int c = 0; c < 3; c++) {
-            const double *x = s->weight[c == 0] + IBM_X, *y = s->weight[c == 1] + IBM_Y,
-                         *z = s->weight[c == 2] + IBM_Z;
-            ibm_kernel_scatter(to[c] + s->at[c], row, plane, x, y, z, b->increment[c][h]);
-        }
-    }
-    if (b->crossing) ibm_shell_add(b, u);
+static void write_slab(const struct sweep *w, int slab) {
+    const struct ibm *b = w->b;
+    ibm_sweep_scatter(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1));
+    ibm_edges_scatter(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
+                      ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
 }
 
-/* What each marker has given so far in this step. */
-static void receive(struct ibm *b, int is_first) {
-    for (int c = 0; c < 3; c++)
-        for (int h = 0; h < b->n; h++)
-            b->received[c][h] = (is_first ? 0 : b->received[c][h]) + b->increment[c][h];
+static void read_far(const struct sweep *w, int first_slab, int last_slab) {
+    ibm_edges_sum(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
+                  ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
+}
+
+static void write_far(const struct sweep *w, int first_slab, int last_slab) {
+    ibm_edges_scatter(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
+                      ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
+}
+
+static void finish_far(const struct sweep *w, enum ibm_keep keep) {
+    ibm_edges_share(w->b);
+    ibm_edges_finish(w->b, w->b->near_edges, w->b->edges, keep, w->tally);
+}
+
+/* One iteration, or two of them in one sweep. */
+static void iterate(const struct sweep *w, enum ibm_keep keep, int two) {
+    const int slabs = w->b->slabs;
+    read_far(w, 0, slabs);
+    finish_far(w, keep);
+    for (int s = 0; s < slabs + (two ? 3 : 1); s++) {
+        if (s < slabs) read_slab(w, s, keep);
+        if (s >= 1 && s - 1 < slabs) {
+            write_slab(w, s - 1);
+            write_far(w, s - 1, s);
+        }
+        if (two && s >= 2 && s - 2 < slabs) {
+            read_slab(w, s - 2, IBM_ADD);
+            read_far(w, s - 2, s - 1);
+        }
+        if (two && s >= 3) write_slab(w, s - 3);
+    }
+    if (!two) return;
+    finish_far(w, IBM_ADD);
+    write_far(w, 0, slabs);
 }
 
 void ibm_force(struct ibm *b, int r, double dt) {
     clock_begin(CLOCK_FORCING);
     const struct fluid_grid *g = b->grid;
-    double *const *u = fluid_predicted(b->fluid);
-    double given[3] = {0, 0, 0}, squares;
-    for (int s = 0; s < b->iterations; s++) {
-        if (b->crossing) fluid_predicted_refresh(b->fluid, 2); /* no block reaches a ghost otherwise */
-        ibm_interpolate(b, u, given, &squares);
-        ibm_spread(b, u);
-        receive(b, r == 0 && s == 0);
-    }
+    struct ibm_tally tally = {.squares = 0};
+    const struct sweep w = {b, fluid_predicted(b->fluid), &tally};
+    for (int s = 0; s < b->iterations; s += 2)
+        iterate(&w, r == 0 && s == 0 ? IBM_SET : IBM_ADD, s + 1 < b->iterations);
     /* gamma_r rho Q V = gamma_r rho sum (V - U) V / (gamma_r dt) */
     const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    for (int c = 0; c < 3; c++) b->given[c] = (r == 0 ? 0 : b->given[c]) + given[c] * scale;
+    for (int c = 0; c < 3; c++) b->given[c] = (r == 0 ? 0 : b->given[c]) + tally.given[c] * scale;
     clock_end(CLOCK_FORCING);
 }
 
 void ibm_force_by_marker(struct ibm *b, double dt, double *const force[3]) {
     const struct fluid_grid *g = b->grid;
     const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    struct ibm_route *route = &b->route;
-    ibm_reserve(&route->served, &route->served_size, (size_t)b->n * 3);
-    ibm_reserve(&route->mine, &route->mine_size, (size_t)route->n * 3);
-    for (int h = 0; h < b->n; h++)
-        for (int c = 0; c < 3; c++) route->served[3 * route->order[h] + c] = b->received[c][h] * scale;
-    for (int i = 0; i < 3 * route->n; i++) route->mine[i] = 0;
-    par_exchange_backward(route->plan, route->served, route->mine, 3 * sizeof(double));
-    for (int i = 0; i < route->n; i++)
-        for (int c = 0; c < 3; c++) force[c][i] = route->mine[3 * i + c];
+    ibm_reserve(&b->by_marker, &b->by_marker_size, 3 * (size_t)(b->served + b->route.n) + 1);
+    double(*served)[3] = (double(*)[3])b->by_marker, (*mine)[3] = served + b->served;
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) served[b->arrival[h]][c] = b->received[h][c] * scale;
+    for (int i = 0; i < b->route.n; i++)
+        for (int c = 0; c < 3; c++) mine[i][c] = 0;
+    par_exchange_backward(b->route.plan, served, mine, sizeof *mine);
+    for (int i = 0; i < b->route.n; i++)
+        for (int c = 0; c < 3; c++) force[c][i] = mine[i][c];
 }
 
 void ibm_force_total(struct ibm *b, double force[3]) {
@@ -82,9 +105,13 @@ void ibm_force_total(struct ibm *b, double force[3]) {
 }
 
 double ibm_slip(struct ibm *b) {
-    double given[3] = {0, 0, 0}, sum[2] = {0, (double)b->n};
-    fluid_predicted_refresh(b->fluid, 2);
-    ibm_interpolate(b, fluid_predicted(b->fluid), given, &sum[0]);
+    struct ibm_tally tally = {.squares = 0};
+    const struct sweep w = {b, fluid_predicted(b->fluid), &tally};
+    read_far(&w, 0, b->slabs);
+    finish_far(&w, IBM_LOOK);
+    for (int s = 0; s < b->slabs; s++) read_slab(&w, s, IBM_LOOK);
+    double sum[2] = {tally.squares, b->inner};
+    for (int e = 0; e < b->edges; e++) sum[1] += b->edge[e].mine;
     par_sum_array(sum, 2);
     return sum[1] > 0 ? sqrt(sum[0] / sum[1]) : 0;
 }

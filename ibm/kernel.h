@@ -4,6 +4,7 @@
 #pragma once
 #include <math.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 typedef double ibm_row __attribute__((vector_size(32)));
@@ -45,4 +46,41 @@ static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t pl
             double *at = field + k * plane + j * row;
             ibm_row_store(at, ibm_row_load(at) + ibm_row_set(z[k] * y[j]) * along);
         }
+}
+
+/* A marker away from all sides: what its weights are made from. Two cache lines. */
+struct ibm_stencil {
+    _Alignas(64) double t[3]; /* offset from the nearest centres, cells, in [-1/2, 1/2] */
+    double middle[6];         /* middle weight, [3 alignment + direction] */
+    double v[3], volume;      /* m/s; A_h dx / cell volume */
+    long cell;                /* of the whole domain */
+    int at[3];                /* first of the 3 x 3 x 3 values, in u, v, w */
+};
+
+/* Offset from the nearest face of a point that is t from the nearest centre. */
+static inline double ibm_kernel_face(double t) { return t >= 0 ? t - 0.5 : t + 0.5; }
+
+/* The weights of all alignments and directions, [weight][3 alignment + direction]. */
+static inline void ibm_kernel_expand(const struct ibm_stencil *s, double w[3][8]) {
+    typedef double lanes __attribute__((vector_size(64)));
+    typedef int64_t mask __attribute__((vector_size(64)));
+    const lanes half = {0, 0, 0, 0.5, 0.5, 0.5, 0, 0};
+    const double *all = (const double *)(const void *)s; /* t, middle, and what follows, for idle lanes */
+    lanes t, m;
+    memcpy(&t, all, sizeof t);
+    memcpy(&m, all + 3, sizeof m);
+    t = __builtin_shufflevector(t, t, 0, 1, 2, 0, 1, 2, 0, 1);
+    const mask upper = t >= 0;
+    t += (lanes)((~upper & (mask)half) | (upper & (mask)-half));
+    const lanes rest = 0.5 - 0.5 * m, lean = 0.5 * t;
+    const lanes low = rest - lean, high = rest + lean;
+    memcpy(w[0], &low, sizeof low);
+    memcpy(w[1], &m, sizeof m);
+    memcpy(w[2], &high, sizeof high);
+}
+
+/* sum_j row_j y_j */
+static inline ibm_row ibm_kernel_rows(const double *field, ptrdiff_t row, double y0, double y1, double y2) {
+    return ibm_row_set(y0) * ibm_row_load(field) + ibm_row_set(y1) * ibm_row_load(field + row) +
+           ibm_row_set(y2) * ibm_row_load(field + 2 * row);
 }

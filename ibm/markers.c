@@ -1,24 +1,57 @@
-/* Markers: sent to the ranks that serve them, sorted by cell, their weights kept while nothing moves. */
+/* Markers: sent to the ranks that serve them, and their weights renewed where they have moved. */
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "ibm/kernel.h"
+#include "base/par_pencil.h"
 #include "ibm/state.h"
 
+#include <math.h>
 #include <string.h>
 
-enum { KEPT = 7, PLACED = 4 }; /* position, velocity, volume; wrapped position in cells and volume */
+/* Which ranks in this direction a block reaches from each cell. */
+static struct ibm_touch *touch_new(const struct fluid_grid *g, int d) {
+    const int n = g->n[d];
+    struct ibm_touch *touch = memory_new(MEMORY_IBM, (size_t)n, sizeof *touch);
+    for (int i = 0; i < n; i++) {
+        int low = i - IBM_BEFORE, high = i + IBM_BEHIND;
+        if (low < 0) low = g->periodic[d] ? low + n : 0;
+        if (high >= n) high = g->periodic[d] ? high - n : n - 1;
+        touch[i].low = (short)par_piece_of(n, g->ranks[d], low);
+        touch[i].high = (short)par_piece_of(n, g->ranks[d], high);
+    }
+    return touch;
+}
+
+static int *owner_new(const struct fluid_grid *g, int d) {
+    int *owner = memory_new(MEMORY_IBM, (size_t)g->n[d], sizeof *owner);
+    for (int i = 0; i < g->n[d]; i++)
+        owner[i] = par_piece_of(g->n[d], g->ranks[d], i) * (d == 2 ? g->ranks[1] : 1);
+    return owner;
+}
 
 struct ibm *ibm_new(struct fluid *f, int iterations) {
     ENSURE(iterations >= 0, "%d iterations of the forcing", iterations);
     struct ibm *b = memory_new(MEMORY_IBM, 1, sizeof *b);
+    const struct fluid_grid *g = b->grid = fluid_grid_of(f);
     b->fluid = f;
-    b->grid = fluid_grid_of(f);
     b->iterations = iterations;
-    b->x_low = b->grid->m[0];
-    b->x_high = 0;
-    ENSURE(b->grid->halo >= 3, "%d ghost layers: the kernel and the probe need three", b->grid->halo);
+    ENSURE(g->halo >= 3, "%d ghost layers: the kernel's rows and the probe need three", g->halo);
+    for (int d = 0; d < 3; d++) {
+        const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];
+        b->inner_low[d] = g->lo[d] + IBM_BEFORE;
+        b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face is the side's own */
+        if (d > 0) b->touch[d] = touch_new(g, d), b->owner[d] = owner_new(g, d);
+        for (int c = 0; c < 3; c++)
+            for (int side = 0; side < 2; side++)
+                b->mirror[c][d][side] = fluid_predicted_mirror(f, c, d, side);
+    }
+    b->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
+    b->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(b->slabs + 1), sizeof *b->slab_at);
+    const size_t bins = (size_t)ibm_bins(b) + 2 * (size_t)b->slabs + 2;
+    b->bin = memory_new(MEMORY_IBM, bins > (size_t)g->n[0] + 2 ? bins : (size_t)g->n[0] + 2, sizeof *b->bin);
+    b->peer = memory_new(MEMORY_IBM, 3 * (size_t)par_size(), sizeof *b->peer);
+    b->swap = par_swap_new();
     return b;
 }
 
@@ -26,143 +59,133 @@ void ibm_free(struct ibm *b) {
     if (!b) return;
     ibm_route_free(&b->route);
     ibm_route_free(&b->probe);
-    memory_free(b->kept);
-    memory_free(b->stencil);
-    memory_free(b->marker);
-    for (int c = 0; c < 3; c++) {
-        memory_free(b->increment[c]);
-        memory_free(b->received[c]);
-        memory_free(b->shell[c]);
-    }
-    memory_free(b);
+    par_swap_free(b->swap);
+    void *const owned[] = {b->touch[1], b->touch[2],  b->owner[1],  b->owner[2],  b->slab_at,
+                           b->bin,      b->peer,      b->arrival,   b->place,     b->by_x,
+                           b->stencil,  b->increment, b->received,  b->edge,      b->piece,
+                           b->sum,      b->sent,      b->swap_edge, b->by_marker, b};
+    for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
-/* Keeps a copy of what was given; tells whether positions or volumes [0], or velocities [1], differ from the last. */
-static void keep(struct ibm *b, int n, const double *const x[3], const double *const v[3],
+/* Items as they are sent, beside the last ones: differs[0]: some other rank must serve one; [1]: any number has changed. */
+static void fill(struct ibm *b, int n, const double *const x[3], const double *const v[3],
                  const double *volume, double differs[2]) {
-    differs[0] = n != b->route.n || !b->route.plan;
-    differs[1] = differs[0];
-    ibm_reserve(&b->kept, &b->kept_size, (size_t)n * KEPT);
-    for (int h = 0; h < n; h++) {
-        const double now[KEPT] = {x[0][h], x[1][h], x[2][h], volume[h], v[0][h], v[1][h], v[2][h]};
-        double *last = b->kept + (size_t)h * KEPT;
-        for (int i = 0; i < KEPT; i++) {
-            if (now[i] != last[i]) differs[i >= PLACED] = 1;
-            last[i] = now[i];
-        }
-    }
-}
-
-static void reserve_markers(struct ibm *b, int n) {
-    if (!b->shell[0])
-        for (int c = 0; c < 3; c++) b->shell[c] = memory_new(MEMORY_IBM, b->grid->size, sizeof(double));
-    b->n = n;
-    if (n <= b->capacity) return;
-    b->capacity = n + n / 4;
-    memory_free(b->stencil);
-    memory_free(b->marker);
-    b->stencil = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof *b->stencil);
-    b->marker = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof *b->marker);
-    for (int c = 0; c < 3; c++) {
-        memory_free(b->increment[c]);
-        memory_free(b->received[c]);
-        b->increment[c] = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof(double));
-        b->received[c] = memory_new(MEMORY_IBM, (size_t)b->capacity, sizeof(double));
-    }
-}
-
-/* One direction of a marker: the first of three grid points in each alignment, the weights, and the part of the weights'
- * sum that falls on points which take a force. s: position in cells from this rank's first. */
-static void set_direction(const struct fluid_grid *g, int d, double s, int first[2], double *weight[2],
-                          double share[2], int inside[2]) {
-    const double point[2] = {0.5, 1.0}; /* position of the grid point 0 */
-    for (int a = 0; a < 2; a++) {
-        const double near = floor(s - point[a] + 0.5);
-        ibm_kernel_weights(s - point[a] - near, weight[a]);
-        first[a] = (int)near - 1;
-        /* faces on the domain's sides, and all that is outside, take none */
-        const int at_end = g->lo[d] + g->m[d] == g->n[d] && !g->periodic[d];
-        inside[a] = first[a] >= 0 && first[a] + 2 < g->m[d] - (a == IBM_FACE && at_end);
-        share[a] = 1;
-        if (g->periodic[d]) continue;
-        for (int i = 0; i < 3; i++) {
-            const int global = g->lo[d] + first[a] + i;
-            if (global < 0 || global >= g->n[d] - (a == IBM_FACE)) share[a] -= weight[a][i];
-        }
-    }
-}
-
-/* Offsets, weights, share and place of one marker; returns, by bits, the directions in which it is not inside. */
-static int set_marker(const struct ibm *b, const double s[3], struct ibm_stencil *stencil,
-                      struct ibm_marker *marker, int x[2]) {
-    static const int part[3] = {IBM_X, IBM_Y, IBM_Z};
-    int first[3][2], inside[3][2], outside = 0;
-    double share[3][2];
-    for (int d = 0; d < 3; d++) {
-        double *weight[2] = {stencil->weight[IBM_CENTRE] + part[d], stencil->weight[IBM_FACE] + part[d]};
-        set_direction(b->grid, d, s[d] - b->grid->lo[d], first[d], weight, share[d], inside[d]);
-        if (!inside[d][0] || !inside[d][1]) outside |= 1 << d;
-    }
-    stencil->weight[0][3] = stencil->weight[1][3] = 0;
-    for (int c = 0; c < 3; c++) {
-        stencil->at[c] =
-            (ptrdiff_t)fluid_grid_at(b->grid, first[0][c == 0], first[1][c == 1], first[2][c == 2]);
-        marker->share[c] = share[0][c == 0] * share[1][c == 1] * share[2][c == 2];
-    }
-    marker->inside = !outside;
-    const int low = first[0][0] < first[0][1] ? first[0][0] : first[0][1];
-    const int high = first[0][0] > first[0][1] ? first[0][0] : first[0][1];
-    if (low < x[0]) x[0] = low;
-    if (high + 3 > x[1]) x[1] = high + 3;
-    return outside;
-}
-
-/* Sends positions and volumes to the ranks that serve them, and sets the weights there. */
-static void place(struct ibm *b, int n, const double *const x[3], const double *volume) {
     const struct fluid_grid *g = b->grid;
-    struct ibm_route *route = &b->route;
-    const int renewed = ibm_route_set(route, g, n, x);
-    ibm_reserve(&route->mine, &route->mine_size, (size_t)n * PLACED);
+    const double cell_volume = g->d[0] * g->d[1] * g->d[2];
+    differs[0] = ibm_route_reserve(&b->route, n, IBM_ITEM);
+    differs[1] = differs[0];
     for (int h = 0; h < n; h++) {
-        double *item = route->mine + (size_t)h * PLACED;
-        for (int d = 0; d < 3; d++) item[d] = ibm_wrap(g, d, x[d][h]);
-        item[3] = volume[h] / (g->d[0] * g->d[1] * g->d[2]);
+        double item[IBM_ITEM], *last = b->route.mine + (size_t)h * IBM_ITEM;
+        int cell[3];
+        for (int d = 0; d < 3; d++) {
+            item[d] = ibm_wrap(g, d, x[d][h]);
+            item[IBM_V + d] = v[d][h];
+            cell[d] = ibm_cell(g, d, item[d]);
+        }
+        item[IBM_VOLUME] = volume[h] / cell_volume;
+        long key = -1;
+        if (cell[0] >= 0 && cell[1] >= 0 && cell[2] >= 0) {
+            const struct ibm_touch y = b->touch[1][cell[1]], z = b->touch[2][cell[2]];
+            key = ((((long)z.high << 16 | z.low) << 16 | y.high) << 16) | y.low;
+        }
+        if (key != b->route.key[h]) differs[0] = 1;
+        b->route.key[h] = key;
+        for (int i = 0; i < IBM_ITEM; i++) {
+            if (item[i] != last[i]) differs[1] = 1;
+            last[i] = item[i];
+        }
     }
-    reserve_markers(b, par_exchange_count(route->plan));
-    ibm_reserve(&route->served, &route->served_size, (size_t)b->n * PLACED);
-    par_exchange_forward(route->plan, route->mine, route->served, PLACED * sizeof(double));
-    if (renewed) ibm_route_sort(route, g, route->served, PLACED);
-
-    int range[2] = {b->x_low, b->x_high}, outside = 0;
-    for (int k = 0; k < b->n; k++) {
-        const double *item = route->served + (size_t)route->order[k] * PLACED;
-        outside |= set_marker(b, item, &b->stencil[k], &b->marker[k], range);
-        b->marker[k].volume = item[3];
-    }
-    double all[4] = {outside != 0, outside & 1, -range[0], range[1]};
-    par_max_array(all, 4);
-    b->crossing = all[0] > 0;
-    b->crossing_x |= all[1] > 0; /* these only grow, so that what was written is always cleared */
-    b->x_low = (int)-all[2];
-    b->x_high = (int)all[3];
 }
 
-static void send_velocities(struct ibm *b, int n, const double *const v[3]) {
+/* A copy to each rank whose cells the marker's block reaches. */
+static void renew_plan(struct ibm *b) {
     struct ibm_route *route = &b->route;
-    for (int h = 0; h < n; h++)
-        for (int d = 0; d < 3; d++) route->mine[(size_t)h * 3 + (size_t)d] = v[d][h];
-    par_exchange_forward(route->plan, route->mine, route->served, 3 * sizeof(double));
-    for (int k = 0; k < b->n; k++)
-        memcpy(b->marker[k].v, route->served + (size_t)route->order[k] * 3, 3 * sizeof(double));
+    int copies = 0;
+    for (int h = 0; h < route->n; h++) {
+        const double *item = route->mine + (size_t)h * IBM_ITEM;
+        int cell[3], rank[IBM_SHARERS];
+        if (route->key[h] < 0) continue;
+        for (int d = 0; d < 3; d++) cell[d] = ibm_cell(b->grid, d, item[d]);
+        const int sharers = ibm_sharers(b, cell, rank);
+        for (int k = 0; k < sharers; k++, copies++) route->item[copies] = h, route->dest[copies] = rank[k];
+    }
+    route->plan = par_exchange_renew(route->plan, copies, route->item, route->dest);
+    b->served = par_exchange_count(route->plan);
+    ibm_reserve(&route->served, &route->served_size, (size_t)b->served * IBM_ITEM + 1);
+}
+
+static long cell_number(const struct fluid_grid *g, const int cell[3]) {
+    return ((long)cell[2] * g->n[1] + cell[1]) * g->n[0] + cell[0];
+}
+
+static void set_stencil(const struct ibm *b, const int cell[3], const double t[3], struct ibm_stencil *s) {
+    const struct fluid_grid *g = b->grid;
+    const ptrdiff_t stride[3] = {1, g->row, g->plane};
+    const ptrdiff_t at =
+        (ptrdiff_t)fluid_grid_at(g, cell[0] - g->lo[0] - 1, cell[1] - g->lo[1] - 1, cell[2] - g->lo[2] - 1);
+    double face[6];
+    for (int d = 0; d < 3; d++) {
+        s->t[d] = face[d] = t[d];
+        face[3 + d] = ibm_kernel_face(t[d]);
+        s->at[d] = (int)(at - (t[d] < 0 ? stride[d] : 0));
+    }
+    for (int i = 0; i < 6; i++) s->middle[i] = (1 + sqrt(1 - 3 * face[i] * face[i])) / 3;
+    s->cell = cell_number(g, cell);
+}
+
+/* New weights for what has moved; returns 0 where a marker has left its slab, or many their cells: all is to be sorted again. */
+static int renew_weights(struct ibm *b, int fresh) {
+    for (int h = 0; h < b->inner; h++) {
+        const double *item = b->route.served + (size_t)b->arrival[h] * IBM_ITEM;
+        struct ibm_stencil *s = &b->stencil[h];
+        int cell[3];
+        double t[3];
+        for (int d = 0; d < 3; d++) {
+            cell[d] = ibm_cell(b->grid, d, item[d]);
+            t[d] = item[d] - cell[d] - 0.5;
+        }
+        memcpy(s->v, item + IBM_V, sizeof s->v);
+        s->volume = item[IBM_VOLUME];
+        const int other_cell = cell_number(b->grid, cell) != s->cell;
+        if (!fresh && other_cell) {
+            const int slab = ibm_slab_of(b, cell[2] - b->grid->lo[2]);
+            if (!ibm_is_inner(b, cell) || h < ibm_slab_first(b, IBM_INNER, slab) ||
+                h >= ibm_slab_first(b, IBM_INNER, slab + 1))
+                return 0;
+            b->moved++;
+        }
+        if (fresh || other_cell || t[0] != s->t[0] || t[1] != s->t[1] || t[2] != s->t[2])
+            set_stencil(b, cell, t, s);
+    }
+    for (int e = 0; e < b->edges; e++) {
+        const double *item = b->route.served + (size_t)b->arrival[b->inner + e] * IBM_ITEM;
+        struct ibm_edge *edge = &b->edge[e];
+        int moved = fresh;
+        for (int d = 0; d < 3; d++) {
+            if (ibm_cell(b->grid, d, item[d]) != edge->cell[d]) return 0;
+            moved |= edge->s[d] != item[d];
+        }
+        memcpy(edge->s, item, sizeof edge->s);
+        memcpy(edge->v, item + IBM_V, sizeof edge->v);
+        edge->volume = item[IBM_VOLUME];
+        if (moved) ibm_edge_set(b, edge);
+    }
+    return b->moved <= b->inner / 4;
 }
 
 void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3],
                  const double *volume) {
     clock_begin(CLOCK_FORCING);
     double differs[2];
-    keep(b, n, x, v, volume, differs);
+    fill(b, n, x, v, volume, differs);
     par_max_array(differs, 2);
-    if (differs[0] > 0) place(b, n, x, volume);
-    if (differs[1] > 0 || differs[0] > 0) send_velocities(b, n, v);
+    if (differs[0] > 0) renew_plan(b);
+    if (differs[0] > 0 || differs[1] > 0) {
+        par_exchange_forward(b->route.plan, b->route.mine, b->route.served, IBM_ITEM * sizeof(double));
+        if (differs[0] > 0 || !renew_weights(b, 0)) {
+            ibm_layout(b);
+            renew_weights(b, 1);
+        }
+    }
     clock_end(CLOCK_FORCING);
 }

@@ -111,20 +111,27 @@ static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, d
     const struct fluid_grid *g = b->grid;
     const struct fluid_input *fluid = fluid_input_of(b->fluid);
     struct ibm_route *route = &b->probe;
-    const size_t n = (size_t)in->n;
-    /* mine: tips [3][n], then the items as sent, then as returned */
-    ibm_reserve(&route->mine, &route->mine_size, n * (3 + SENT + RETURNED));
-    double *tip[3] = {route->mine, route->mine + n, route->mine + 2 * n};
-    double *sent = route->mine + 3 * n, *back = sent + n * SENT;
-    for (int h = 0; h < in->n; h++)
+    double renew = ibm_route_reserve(route, in->n, SENT + RETURNED);
+    double *sent = route->mine, *back = sent + (size_t)in->n * SENT;
+    for (int h = 0; h < in->n; h++) {
+        double *item = sent + (size_t)h * SENT;
+        int cell[3];
         for (int d = 0; d < 3; d++) {
-            tip[d][h] = in->x[d][h] + length[d] * in->normal[d][h];
-            sent[(size_t)h * SENT + (size_t)d] = ibm_wrap(g, d, tip[d][h]);
-            sent[(size_t)h * SENT + 3 + (size_t)d] = in->normal[d][h];
+            item[d] = ibm_wrap(g, d, in->x[d][h] + length[d] * in->normal[d][h]);
+            item[3 + d] = in->normal[d][h];
+            cell[d] = ibm_cell(g, d, item[d]);
         }
-    ibm_route_set(route, g, in->n, (const double *const *)tip);
+        const int dest =
+            cell[0] < 0 || cell[1] < 0 || cell[2] < 0 ? -1 : b->owner[1][cell[1]] + b->owner[2][cell[2]];
+        if (dest != route->key[h]) renew = 1;
+        route->key[h] = dest;
+    }
+    if (par_max(renew) > 0) {
+        for (int h = 0; h < in->n; h++) route->dest[h] = (int)route->key[h];
+        route->plan = par_exchange_renew(route->plan, in->n, NULL, route->dest);
+    }
     const size_t served = (size_t)par_exchange_count(route->plan);
-    ibm_reserve(&route->served, &route->served_size, served * (SENT + RETURNED));
+    ibm_reserve(&route->served, &route->served_size, served * (SENT + RETURNED) + 1);
     par_exchange_forward(route->plan, sent, route->served, SENT * sizeof(double));
     double *result = route->served + served * SENT;
     for (size_t h = 0; h < served; h++) /* in order of arrival: near particles have near numbers */
@@ -147,7 +154,7 @@ void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const tr
     for (int d = 0; d < 3; d++) push[d] = fluid->density * fluid->body_force[d] + gradient[d];
     const double *back = exchange(b, in, length);
     for (int h = 0; h < in->n; h++) {
-        active[h] = b->probe.dest[h] >= 0;
+        active[h] = b->probe.key[h] >= 0;
         pressure[h] = 0;
         for (int c = 0; c < 3; c++) traction[c][h] = 0;
         if (!active[h]) continue;

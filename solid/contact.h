@@ -2,13 +2,16 @@
  *
  *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, the shortest across periodic sides
  *
- * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing. Two kinds of pairs:
- * broken: particles of one family whose bond is broken; strangers: particles that never were of one family, sought among
+ * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing. Two sorts of pairs:
+ * torn: particles of one family whose bond is broken; strangers: particles that never were of one family, sought among
  * interface and broken particles of all ranks. Lists hold pairs within r_c + a skin of half a spacing, and are made anew
- * when a listed kind of particle has moved 0.2 spacings; a bond that breaks near contact joins its list at once. */
+ * when a particle has moved 0.2 spacings; a bond that breaks near contact joins its list at once. */
 #pragma once
 #include "solid/solid.h"
 
+/* Whether contact can come about in the present stage: bonds may break, or some are broken, or there are other bodies.
+ * Collective. */
+int solid_contact_is_possible(const struct solid *s);
 /* Makes the lists, once something could touch, or keeps them: after solid_surface_new, then once a step or more often
  * (nothing may move 0.05 spacings between two calls). Until something could touch s->contact stays NULL. Collective. */
 void solid_contact_update(struct solid *s);
@@ -16,4 +19,9 @@ void solid_contact_update(struct solid *s);
 void solid_contact_force(struct solid *s);
 /* The repulsion's potential, J, 0 without contact; whole solid. Ghosts must be current. Collective. */
 double solid_contact_energy(struct solid *s);
+/* A bound of the largest eigenvalue of the present contacts' stiffness over mass, 1/s2. With kappa = -dC/dr V_l of a pair and e its
+ * direction, u.K u = sum kappa [e.(u_h - u_l)]^2 <= 2 sum u_h.T_h u_h where T_h = sum kappa e e: twice the largest eigenvalue of a T_h/rho.
+ * (The part of the stiffness across e is negative.) A smooth function of the state, the same on any number of ranks. Brings ghosts up
+ * to date. Collective. */
+double solid_contact_rate2(struct solid *s);
 void solid_contact_free(struct solid *s);

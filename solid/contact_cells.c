@@ -1,6 +1,7 @@
 #include "solid/contact_cells.h"
 
 #include "base/memory.h"
+#include "solid/contact_room.h"
 
 #include <math.h>
 
@@ -18,19 +19,21 @@ static int slot(const struct solid_cells *cells, const int cell[3]) {
     return (int)((key ^ key >> 15) & (unsigned)cells->mask);
 }
 
-void solid_cells_new(struct solid_cells *cells, int n, const double (*x)[3], double reach,
-                     const int periodic[3], const double length[3]) {
-    *cells = (struct solid_cells){.n = n, .x = x, .mask = 63};
+void solid_cells_fill(struct solid_cells *cells, int n, const double (*x)[3], double reach,
+                      const int periodic[3], const double length[3]) {
+    cells->n = n;
+    cells->x = x;
     for (int c = 0; c < 3; c++) {
         cells->count[c] = periodic[c] ? (int)fmax(1, floor(length[c] / reach)) : 0;
         cells->size[c] = periodic[c] ? length[c] / cells->count[c] : reach;
     }
-    while (cells->mask < 2 * n) cells->mask = 2 * cells->mask + 1;
-    cells->head = memory_new(MEMORY_SOLID, (size_t)cells->mask + 1, sizeof(int));
-    cells->next = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof(int));
-    cells->cell = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *cells->cell);
+    for (cells->mask = 63; cells->mask < 2 * n;) cells->mask = 2 * cells->mask + 1;
+    cells->head =
+        solid_contact_room(cells->head, &cells->head_capacity, cells->mask + 1, sizeof *cells->head);
+    cells->next = solid_contact_room(cells->next, &cells->next_capacity, n, sizeof *cells->next);
+    cells->cell = solid_contact_room(cells->cell, &cells->cell_capacity, n, sizeof *cells->cell);
     for (int k = 0; k <= cells->mask; k++) cells->head[k] = -1;
-    for (int i = 0; i < n; i++) {
+    for (int i = n - 1; i >= 0; i--) {
         cell_of(cells, x[i], cells->cell[i]);
         const int k = slot(cells, cells->cell[i]);
         cells->next[i] = cells->head[k];
@@ -42,6 +45,7 @@ void solid_cells_free(struct solid_cells *cells) {
     memory_free(cells->head);
     memory_free(cells->next);
     memory_free(cells->cell);
+    *cells = (struct solid_cells){0};
 }
 
 /* The cells c-1, c, c+1, each once where a period has fewer than three. */

@@ -1,4 +1,5 @@
-/* Points hashed by cells, to find those near a place; periodic where the box is. Inside the room only. */
+/* Points hashed by cells, to find those near a place; periodic where the box is. Filled again and again, its arrays only grow.
+ * Inside the room only. */
 #pragma once
 
 struct solid_cells {
@@ -9,11 +10,12 @@ struct solid_cells {
     int mask;
     int *head, *next; /* hash table [mask + 1], chains [n] */
     int (*cell)[3];   /* [n] */
+    int head_capacity, next_capacity, cell_capacity;
 };
 
-/* Not collective. */
-void solid_cells_new(struct solid_cells *cells, int n, const double (*x)[3], double reach,
-                     const int periodic[3], const double length[3]);
+/* Into cells that were zero or filled before. Not collective. */
+void solid_cells_fill(struct solid_cells *cells, int n, const double (*x)[3], double reach,
+                      const int periodic[3], const double length[3]);
 void solid_cells_free(struct solid_cells *cells);
 /* Indices of points in the cells about x, each once, into found (room for n); returns how many. */
 int solid_cells_near(const struct solid_cells *cells, const double x[3], int *found);

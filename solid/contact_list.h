@@ -1,52 +1,76 @@
-/* The lists of pairs that may touch. Inside the room only. */
+/* The lists of pairs that may touch. Inside the room only.
+ *
+ * Two sorts of pairs, found in different ways. Torn: two particles of one family whose bond is broken; each goes on record when
+ * its bond breaks, and what is near is taken from the record. Strangers: two that never were of one family; they can
+ * only meet where one of them has moved by half of what lay between them, or where two bodies' bounds are near. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/contact_crossing.h"
 
-struct par_exchange;
 struct solid_lost;
+struct solid_strangers;
+
+enum { SOLID_CONTACT_BODIES = 256 }; /* solid.body is a byte */
+
+/* Where the ends of a pair are, and so who computes what. */
+enum solid_contact_kind {
+    SOLID_CONTACT_OWNED,  /* both here: once, for both ends */
+    SOLID_CONTACT_GHOST,  /* l is a ghost: for h alone */
+    SOLID_CONTACT_SERVED, /* l is the k-th particle served by another rank: for h alone */
+    SOLID_CONTACT_KINDS
+};
 
 struct solid_contact_pairs {
     int n, capacity;
-    int *h; /* [n] owned particle */
-    int *l; /* [n] the other: owned or ghost; of strangers n + k: the k-th served from another rank */
+    int *h, *l;    /* [n] an owned particle and the other */
+    double *xi[3]; /* [n] X0_h - X0_l by the image that was nearest when listed, m */
 };
 
-/* Another rank's particle. */
-struct solid_contact_other {
-    double x0[3], x[3]; /* m */
-    double volume;      /* m3 */
-    double c0;          /* N/m6 */
-    long id;
-    int body;
-};
+/* Of each body, lowest and negated highest: positions (0-5), displacements (6-11), m; 12: 0 if a bond has broken; 13: 0 if
+ * something of it is held. Over all ranks. */
+typedef double solid_contact_bounds[14];
 
 struct solid_contact {
-    double radius, skin; /* r_c and how far beyond it pairs are listed, m */
+    double radius, skin; /* r_c, how far beyond it pairs are listed, m */
+    double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by body: N/m6, kg/m3 */
+    double *built[3];                                               /* [s->n] d when the lists were made, m */
+    solid_contact_bounds *bounds;                                   /* [bodies] */
+    struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
+    int any; /* pairs on some rank */
+    /* torn */
     struct solid_lost *lost;
-    uint8_t *again;   /* [s->n] scratch, 0 */
-    double *built[3]; /* [s->n] displacement when the lists were made, m */
-    double *id;       /* [n + n_ghost] global ids */
-    struct solid_contact_pairs broken, strangers;
-    int any;                          /* pairs on some rank */
-    int crossing;                     /* strangers on different ranks somewhere */
-    struct par_exchange *exchange;    /* our particles near other ranks' */
-    int sent, sent_capacity, *sent_h; /* [sent] which */
-    double (*sent_x)[3];
-    int served;
-    struct solid_contact_other *other; /* [served] */
-    double (*other_x)[3];              /* [served] X now, m */
+    uint8_t *known;          /* [s->n][bytes] bonds on record, bit b of the view */
+    int torn, torn_capacity; /* the record */
+    int *torn_h, *torn_l;    /* [torn] owned particle; the other: owned (once, h < l) or ghost */
+    /* strangers */
+    struct solid_strangers *strangers;
+    struct solid_crossing crossing;
+    double *tensor; /* [s->n][6] work of solid_contact_rate2 */
 };
 
-void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l);
-/* c0 of particle h's material, N/m6. */
-double solid_contact_stiffness_of(const struct solid *s, int body);
-/* Makes both lists from scratch. Collective. */
-void solid_contact_list(struct solid *s, struct solid_contact *c);
-/* Adds the bonds that broke since the last look to the list of broken pairs. Not collective. */
-void solid_contact_list_broken(struct solid *s, struct solid_contact *c);
-/* Positions of strangers on other ranks, into other_x. Collective. */
-void solid_contact_exchange(struct solid *s, struct solid_contact *c);
+/* Not collective. */
+void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l, const double xi[3]);
 
-static inline int solid_contact_is_candidate(const struct solid *s, int h) {
-    return (s->flag[h] & (SOLID_INTERFACE | SOLID_BROKEN)) != 0;
+/* scan: puts all torn bonds of a solid just met on record. news: those torn since the last look, into the lists as well if
+ * nearer than reach. list: those on record that are near. Ghosts must be current. Not collective. */
+void solid_contact_torn_scan(struct solid *s, struct solid_contact *c);
+void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double reach);
+void solid_contact_torn_list(const struct solid *s, struct solid_contact *c);
+
+struct solid_strangers *solid_strangers_new(const struct solid *s);
+void solid_strangers_free(struct solid_strangers *strangers);
+/* The near pairs of strangers, onto the lists. Bounds must be current. Collective. */
+void solid_strangers_list(struct solid *s, struct solid_contact *c);
+
+/* Bounds of the bodies as they are now. Collective. */
+void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of);
+/* Whether two bodies' bounds are within reach of each other, across periodic sides too. */
+int solid_contact_are_near(const struct solid *s, const double *a, const double *b, double reach);
+/* Whether a bond has broken, or two bodies are within reach, or one is so deformed that strangers of it might be. */
+int solid_contact_could_touch(const struct solid *s, const solid_contact_bounds *of, double reach);
+/* How far apart two of the body that are not of one family were at least at the start, m. */
+double solid_contact_apart(const struct solid *s, int body);
+
+/* The shortest of x and its images across periodic sides. */
+static inline double solid_contact_shortest(const struct solid *s, int c, double x) {
+    return s->in.periodic[c] ? x - s->in.length[c] * __builtin_rint(x / s->in.length[c]) : x;
 }

@@ -1,12 +1,12 @@
 #include "base/par.h"
-#include "base/vec.h"
 #include "solid/family.h"
-#include "solid/lattice.h"
 #include "solid/measures.h"
+#include "solid/rows.h"
+#include "solid/segments.h"
 
 #include <math.h>
 
-/* Bonds' energies, sum of (1/2) alpha c0 s^2 |xi| Gamma V V, half of each from either end (001: eq. 3.23). Without the
+/* Bonds' energies, sum of (1/2) alpha c0 s^2 |xi| Gamma V V, second of each from either end (001: eq. 3.23). Without the
  * factor c0 V_h/4:
  *
  *     sum over bonds of alpha s^2 |xi| Gamma V_l,    s = eps/(1 + sqrt(1 + eps)),  eps = (2 xi.eta + eta.eta)/|xi|^2  */
@@ -26,36 +26,75 @@ static double of_view(const struct solid *s, int h, const struct solid_family_vi
     return sum;
 }
 
-/* The same for a row of eight sites of a lattice, whose displacements stand in its dense box. */
-static double of_row(const struct solid_lattice *t, int r) {
-    const int cell = t->row_cell[r];
-    const uint8_t *lambda = t->lambda + (size_t)r * (size_t)t->stencil->n;
+static const double small_eps = 1. / 256; /* below it the series for s^2 is exact to 1e-15 */
+
+/* s^2 = 2 + eps - 2 sqrt(1 + eps) = eps^2/4 (1 - eps/2 + 5/16 eps^2 - ...) where eps is small. */
+static inline vec square_of_stretch(vec e, int small) {
+    if (!small) {
+        const vec s = e / (1 + vec_sqrt(1 + e));
+        return s * s;
+    }
+    vec series = 21. / 128 - e * (33. / 256);
+    series = 5. / 16 - e * (7. / 32 - e * series);
+    series = 1 - e * (0.5 - e * series);
+    return 0.25 * (e * e) * series;
+}
+
+/* The same for n bonds of eight sites of a lattice from a cell on (solid/segments.h), whose displacements stand in its dense
+ * box. *largest: of |eps|. */
+static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *t, long cell, int n,
+                                                          const uint32_t *entry, int bulk, int small,
+                                                          vec *largest) {
     const vec x = vec_load(t->d[0] + cell), y = vec_load(t->d[1] + cell), z = vec_load(t->d[2] + cell);
     const vec w = vec_load(t->w + cell);
     vec sum = vec_set(0);
-    for (long i = t->row_active[r]; i < t->row_active[r + 1]; i++) {
-        const int o = t->active[i];
-        const struct solid_lattice_offset *bond = &t->offset[o];
-        const struct solid_offset *from = &t->stencil->offset[o];
-        const long at = cell + bond->shift;
-        const vec ex = vec_load(t->d[0] + at) - x, ey = vec_load(t->d[1] + at) - y,
-                  ez = vec_load(t->d[2] + at) - z;
+    for (int i = 0; i < n; i++) {
+        const struct solid_lattice_offset *bond = &t->offset[entry[i] >> 8];
+        const struct solid_offset *from = &t->stencil->offset[entry[i] >> 8];
+        const long far = cell + bond->shift;
+        const vec ex = vec_load(t->d[0] + far) - x, ey = vec_load(t->d[1] + far) - y,
+                  ez = vec_load(t->d[2] + far) - z;
         const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
-        const vec eps = vec_where(lambda[o], q * bond->inv_length2);
-        const vec stretch = eps / (1 + vec_sqrt(1 + eps));
-        const vec alpha = 2 / (w + vec_load(t->w + at));
-        sum += vec_where(lambda[o], alpha * (from->length * from->weight) * stretch * stretch);
+        const vec eps = vec_where(entry[i] & 0xffu, q * bond->inv_length2);
+        const vec e = square_of_stretch(eps, small) * (from->length * from->weight);
+        *largest = vec_max(*largest, vec_max(eps, -eps));
+        sum += bulk ? e : vec_where(entry[i] & 0xffu, 2 * e * vec_reciprocal(w + vec_load(t->w + far)));
     }
-    return vec_sum(sum);
+    return sum;
 }
 
-static double of_lattice(const struct solid *s, struct solid_lattice *t) {
+/* Of a segment: bonds between particles owned here in full, the others' half. */
+static double of_segment(const struct solid_lattice *t, int g, int small, vec *largest) {
+    const struct solid_segments *all = t->segments;
+    const uint32_t *entry = all->entry + all->first[g];
+    vec sum[2] = {vec_set(0), vec_set(0)};
+    for (int strip = 0; strip < SOLID_STRIPS; strip++) {
+        const int n = all->count[g][strip];
+        const long cell = all->cell[g] + solid_strip_site(strip);
+        if (n == 0) continue;
+        if (small && all->bulk[g])
+            sum[strip % 2] += of_strip(t, cell, n, entry, 1, 1, largest);
+        else if (small)
+            sum[strip % 2] += of_strip(t, cell, n, entry, 0, 1, largest);
+        else
+            sum[strip % 2] += of_strip(t, cell, n, entry, 0, 0, largest);
+        entry += n;
+    }
+    return vec_sum(sum[0] + 0.5 * sum[1]);
+}
+
+/* J */
+static double of_lattice(const struct solid *s, const struct solid_lattice *t) {
     const double spacing = t->stencil->spacing;
     double sum = 0;
-    for (int c = 0; c < 3; c++)
-        for (int i = 0; i < t->copies; i++) t->d[c][t->copy_cell[i]] = s->d[c][t->copy_local[i]];
-    for (int r = 0; r < t->rows; r++) sum += of_row(t, r);
-    return 0.25 * t->law.c0 * spacing * spacing * spacing * sum;
+    solid_rows_begin(s, t);
+    for (int g = 0; g < t->segments->n; g++) {
+        vec largest = vec_set(0);
+        if (t->segments->stale[g]) solid_segments_pack(t, g);
+        const double small = of_segment(t, g, 1, &largest);
+        sum += vec_highest(largest) < small_eps ? small : of_segment(t, g, 0, &largest);
+    }
+    return 0.5 * t->law.c0 * spacing * spacing * spacing * sum;
 }
 
 struct solid_energy solid_measure_energy(struct solid *s) {

@@ -108,9 +108,10 @@ void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
     const struct solid_family *f = s->family;
     int b = 0, lost = 0;
     if (f->lattice[s->body[h]]) {
-        const struct solid_lattice *t = f->lattice[s->body[h]];
+        struct solid_lattice *t = f->lattice[s->body[h]];
         const int cell = t->cell[h - t->first];
         uint8_t *lambda = lambda_of(t, h);
+        solid_lattice_changed(t, h);
         for (int o = 0; o < t->stencil->n; o++) {
             if (t->local[cell + t->offset[o].shift] < 0) continue;
             const unsigned intact = bits[b / 8] >> b % 8 & 1u;

@@ -1,47 +1,23 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "base/vec.h"
 #include "solid/family.h"
 #include "solid/lattice.h"
 #include "solid/list.h"
 #include "solid/measures.h"
+#include "solid/segments.h"
 
 #include <stdlib.h>
 
-enum { ROW = 8 };
+enum { ROW = VEC_LANES };
 
-/* The other ends (local indices) of h's intact bonds; returns how many. The view would do; this is many times in a run. */
-static int links(const struct solid *s, int h, int l[SOLID_FAMILY_MAX]) {
-    const struct solid_lattice *t = s->family->lattice[s->body[h]];
-    int n = 0;
-    if (t) {
-        const int cell = t->cell[h - t->first], bit = cell % ROW, *local = t->local + cell;
-        const uint8_t *lambda = t->lambda + (size_t)t->row_of[cell / ROW] * (size_t)t->stencil->n;
-        for (int o = 0; o < t->stencil->n; o++) {
-            l[n] = local[t->offset[o].shift];
-            n += lambda[o] >> bit & 1; /* no bond was ever made to an empty site */
-        }
-    } else {
-        const struct solid_list *list = s->family->list[s->body[h]];
-        for (long j = list->start[h - list->first]; j < list->start[h - list->first + 1]; j++) {
-            l[n] = list->l[j];
-            n += list->intact[j];
-        }
-    }
-    return n;
-}
-
-/* A bond from one local piece to a ghost. */
-struct crossing {
-    int root, ghost;
-};
-
+/* Pieces of particles that intact bonds join, of those known here, owned or ghost. parent: a tree each, roots the smallest. */
 static int find(int *parent, int h) {
     while (parent[h] != h) h = parent[h] = parent[parent[h]];
     return h;
 }
 
-/* The smaller index is the root, which is returned: local indices rise with global ids. */
 static int join(int *parent, int a, int b) {
     a = find(parent, a);
     b = find(parent, b);
@@ -49,55 +25,78 @@ static int join(int *parent, int a, int b) {
     return parent[a] = parent[b] = root;
 }
 
-/* Local pieces: parent[n] pressed flat; returns the bonds to ghosts (malloc'ed), about one for each ghost. */
-static struct crossing *pieces(const struct solid *s, int *parent, int *crossings) {
-    int l[SOLID_FAMILY_MAX + 1];
-    struct crossing *cross = NULL;
-    int n = 0, capacity = 0;
-    int *seen = malloc(((size_t)s->n_ghost + 1) * sizeof *seen); /* who was last bonded to the ghost */
-    ENSURE(seen, "no memory for %d ghosts", s->n_ghost);
-    for (int g = 0; g < s->n_ghost; g++) seen[g] = -1;
-    for (int h = 0; h < s->n; h++) parent[h] = h;
-    for (int h = 0; h < s->n; h++) {
-        const int bonds = links(s, h, l);
-        int root = h; /* h's own, as long as it stands */
-        for (int b = 0; b < bonds; b++) {
-            if (l[b] < h) {
-                if (parent[l[b]] != root) root = join(parent, h, l[b]);
-            } else if (l[b] >= s->n) {
-                int *who = &seen[l[b] - s->n];
-                if (*who >= 0 && find(parent, *who) == find(parent, h)) continue;
-                *who = h;
-                if (n == capacity) {
-                    capacity = 2 * capacity + 256;
-                    cross = realloc(cross, (size_t)capacity * sizeof *cross);
-                    ENSURE(cross, "no memory for %d bonds across ranks", capacity);
-                }
-                cross[n++] = (struct crossing){h, l[b]};
-            }
-        }
+/* Joins a row's particles with their neighbours at offset o. piece [sites]: of the site's particle, perhaps of late: those
+ * that seem to be of two pieces are looked at. */
+static inline void join_at(const struct solid_lattice *t, int cell, int o, unsigned intact, int *piece,
+                           int *parent) {
+    const long at = cell + t->offset[o].shift;
+    for (unsigned lanes = intact & vec_differ(piece + cell, piece + at); lanes; lanes &= lanes - 1) {
+        const int k = __builtin_ctz(lanes);
+        piece[cell + k] = piece[at + k] = join(parent, t->local[cell + k], t->local[at + k]);
     }
-    free(seen);
-    for (int h = 0; h < s->n; h++) parent[h] = find(parent, h);
-    for (int k = 0; k < n; k++) cross[k].root = parent[cross[k].root];
-    *crossings = n;
-    return cross;
 }
 
-/* The smallest global id of each fragment, in label[n + n_ghost]: pieces take the smallest label across their bonds to
- * ghosts until no rank finds a smaller one. */
-static void spread(struct solid *s, const int *parent, const struct crossing *cross, int crossings,
-                   double *label) {
+/* All bonds of a segment (solid/segments.h): those between particles owned here from one end, those to others from here. */
+static void join_segment(const struct solid_lattice *t, int g, int *piece, int *parent) {
+    const struct solid_segments *all = t->segments;
+    if (all->stale[g]) solid_segments_pack(t, g);
+    const uint32_t *entry = all->entry + all->first[g];
+    for (int strip = 0; strip < SOLID_STRIPS; strip++)
+        for (int i = 0; i < all->count[g][strip]; i++, entry++)
+            join_at(t, all->cell[g] + solid_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece,
+                    parent);
+}
+
+/* Nearest neighbours first: most of a body is then one piece, and further bonds have nothing to join. */
+static void join_lattice(const struct solid_lattice *t, int *parent) {
+    int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * ROW, sizeof *piece);
+    const int offsets = t->stencil->n;
+    for (long i = 0; i < t->sites; i++) piece[i] = t->local[i];
+    for (int o = 0; o < offsets; o++) {
+        if (t->stencil->offset[o].length > 1.1 * t->stencil->spacing) continue;
+        for (int r = 0; r < t->rows; r++)
+            join_at(t, t->row_cell[r], o, t->lambda[(size_t)r * (size_t)offsets + (size_t)o], piece, parent);
+    }
+    for (long i = 0; i < t->sites; i++) piece[i] = t->local[i] < 0 ? -1 : find(parent, t->local[i]);
+    for (int g = 0; g < t->segments->n; g++) join_segment(t, g, piece, parent);
+    memory_free(piece);
+}
+
+static void join_list(const struct solid_list *t, int *parent) {
+    for (int i = 0; i < t->n; i++)
+        for (long j = t->start[i]; j < t->start[i + 1]; j++)
+            if (t->intact[j] && parent[t->first + i] != parent[t->l[j]]) join(parent, t->first + i, t->l[j]);
+}
+
+/* parent [n + n_ghost], pressed flat. */
+static void pieces(const struct solid *s, int *parent) {
+    const int n = s->n + s->n_ghost;
+    for (int h = 0; h < n; h++) parent[h] = h;
+    for (int b = 0; b < s->family->bodies; b++) {
+        if (s->family->lattice[b])
+            join_lattice(s->family->lattice[b], parent);
+        else
+            join_list(s->family->list[b], parent);
+    }
+    for (int h = 0; h < n; h++) parent[h] = find(parent, h);
+}
+
+/* The smallest global id of each fragment, in label[n + n_ghost]: a piece takes the smallest label that one of its ghosts has
+ * where it is owned, until no rank finds a smaller one. A piece without an owned particle says nothing to anybody. */
+static void spread(struct solid *s, const int *parent, double *label) {
     const long from = s->first[par_rank()];
-    for (int h = 0; h < s->n; h++) label[h] = (double)(from + parent[h]);
+    const int n = s->n + s->n_ghost;
+    for (int h = 0; h < s->n; h++)
+        label[h] = (double)(from + parent[h]); /* of its root, which is owned too */
     for (long changed = 1; changed;) {
         changed = 0;
         par_ghost_update(s->ghost, 1, &label, s->n);
-        for (int k = 0; k < crossings; k++)
-            if (label[cross[k].ghost] < label[cross[k].root]) {
-                label[cross[k].root] = label[cross[k].ghost];
-                changed = 1;
-            }
+        for (int g = s->n; g < n; g++) {
+            const int root = parent[g];
+            if (root >= s->n || !(label[g] < label[root])) continue;
+            label[root] = label[g];
+            changed = 1;
+        }
         for (int h = 0; h < s->n; h++) label[h] = label[parent[h]];
         changed = par_sum_long(changed);
     }
@@ -159,12 +158,11 @@ static struct solid_fragment *parts(const struct solid *s, const double *label, 
 }
 
 int solid_measure_fragments(struct solid *s, long *id, struct solid_fragment **out) {
-    int *parent = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *parent);
-    double *label = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *label);
-    int crossings = 0;
-    struct crossing *cross = pieces(s, parent, &crossings);
-    spread(s, parent, cross, crossings, label);
-    free(cross);
+    const size_t all = (size_t)(s->n + s->n_ghost) + 1;
+    int *parent = memory_new(MEMORY_SOLID, all, sizeof *parent);
+    double *label = memory_new(MEMORY_SOLID, all, sizeof *label);
+    pieces(s, parent);
+    spread(s, parent, label);
     memory_free(parent);
     if (id)
         for (int h = 0; h < s->n; h++) id[h] = (long)label[h];

@@ -6,6 +6,7 @@
 #include "solid/force.h"
 #include "solid/lattice.h"
 #include "solid/list.h"
+#include "solid/stable.h"
 
 #include <math.h>
 #include <string.h>
@@ -25,6 +26,7 @@ static void swap_whole(struct solid *s, uint8_t **other) {
         uint8_t **bonds = f->lattice[b] ? &f->lattice[b]->lambda : &f->list[b]->intact, *t = *bonds;
         *bonds = other[b];
         other[b] = t;
+        if (f->lattice[b]) solid_lattice_changed_all(f->lattice[b]);
     }
 }
 
@@ -49,21 +51,25 @@ static double product(const struct solid *s, double *const x[3], double *const y
     return par_sum(sum);
 }
 
-/* One sweep turned about. damping 0: a = K u/m, at displacements so small (1e-7 spacings) that the bonds are linear.
- * Otherwise a = D u/m of the pairwise damping, at velocities u. */
-static void apply(struct solid *s, double *const u[3], double damping) {
+/* A matrix over the mass: stiffness K + damping D, each number 0 or what it is multiplied by. */
+struct operator{
+    double stiffness, damping; /* 1, s */
+};
+
+/* a = (stiffness K + damping D) u/m by one sweep turned about, at displacements so small (1e-7 spacings) that bonds are linear. */
+static void apply(struct solid *s, double *const u[3], struct operator of) {
     double most = 0;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) most = fmax(most, fabs(u[c][h]));
     const double scale = 1e-7 * s->in.spacing / par_max(most);
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) {
-            s->d[c][h] = damping > 0 ? 0 : scale * u[c][h];
-            s->v[c][h] = damping > 0 ? scale * u[c][h] : 0;
+            s->d[c][h] = of.stiffness * scale * u[c][h];
+            s->v[c][h] = of.damping * scale * u[c][h];
         }
     par_ghost_update(s->ghost, 3, s->d, s->n);
-    if (damping > 0) par_ghost_update(s->ghost, 3, s->v, s->n);
-    solid_force_bonds(s, 0, damping);
+    if (of.damping != 0) par_ghost_update(s->ghost, 3, s->v, s->n);
+    solid_force_bonds(s, 0, of.damping != 0 ? s->stage.damping_relative : 0);
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
 }
@@ -101,8 +107,8 @@ static double start_value(long id, int c) { /* the same on any number of ranks *
     return (double)(z >> 11) * 0x1p-53 - 0.5;
 }
 
-/* The largest eigenvalue of K/m or D/m. */
-static double lanczos(struct solid *s, struct krylov *k, double damping) {
+/* The largest eigenvalue, at least 0. */
+static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
     double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0, norm;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++)
@@ -112,7 +118,7 @@ static double lanczos(struct solid *s, struct krylov *k, double damping) {
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
     for (int i = 0; i < ITERATIONS; i++) {
-        apply(s, k->u, damping);
+        apply(s, k->u, of);
         diagonal[i] = product(s, k->u, s->a);
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++)
@@ -131,8 +137,7 @@ static double lanczos(struct solid *s, struct krylov *k, double damping) {
     return eigenvalue;
 }
 
-/* The largest frequency, and the largest rate of the pairwise damping, 1/s. */
-static void largest_rates(struct solid *s, double *omega, double *damped) {
+void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     struct solid_family *f = s->family;
     struct krylov k;
     double *d[3], *v[3];
@@ -148,8 +153,14 @@ static void largest_rates(struct solid *s, double *omega, double *damped) {
     }
     const long sweeps = s->sweeps;
     swap_whole(s, whole);
-    *omega = sqrt(lanczos(s, &k, 0));
-    *damped = s->stage.damping_relative > 0 ? lanczos(s, &k, s->stage.damping_relative) : 0;
+    *rates = (struct solid_rates){.sum = 1, .difference = 1, .absolute = s->stage.damping_absolute};
+    rates->stiffness = lanczos(s, &k, (struct operator){1, 0});
+    if (s->stage.damping_relative > 0 && rates->stiffness > 0) {
+        rates->damping = lanczos(s, &k, (struct operator){0, 1});
+        const double ratio = rates->stiffness / rates->damping;
+        rates->sum = lanczos(s, &k, (struct operator){1, ratio}) / rates->stiffness;
+        rates->difference = lanczos(s, &k, (struct operator){1, -ratio}) / rates->stiffness;
+    }
     swap_whole(s, whole);
     s->sweeps = sweeps;
     s->fingerprint = 0;
@@ -168,29 +179,8 @@ static void largest_rates(struct solid *s, double *omega, double *damped) {
     par_ghost_update(s->ghost, 3, s->v, s->n);
 }
 
-/* Square of the frequency that contact can add, 1/s2: a particle between two pairs of others, all pushed at r = r_c with the
- * stiffness n_c k_c V/r_c, they moving against it. (A bar torn to pieces: twice as long a step diverges, a tenth more breaks
- * bonds that a shorter one does not.) 0 where nothing can come loose. */
-static double contact_rate2(const struct solid *s) {
-    double most = 0;
-    if (!s->in.contact || !s->stage.breakage) return 0;
-    for (int m = 0; m < s->in.materials; m++) {
-        const struct solid_material *material = &s->in.material[m];
-        if (!isfinite(material->fracture_energy)) continue;
-        const double stiffness = s->in.contact_stiffness * solid_micromodulus(material, s->in.spacing);
-        most = fmax(most, 8 * s->in.contact_exponent * stiffness * pow(s->in.spacing, 2) /
-                              (s->in.contact_radius * material->density));
-    }
-    return most;
-}
-
 double solid_stable_step(struct solid *s, enum solid_integrator integrator) {
-    double omega, damped;
-    largest_rates(s, &omega, &damped);
-    omega = sqrt(omega * omega + contact_rate2(s));
-    if (!(omega > 0)) return INFINITY;
-    damped += s->stage.damping_absolute;
-    if (integrator == SOLID_RK3) return fmin(sqrt(3) / omega, 2.51 / damped);
-    const double ratio = damped / (2 * omega); /* of critical damping at the largest frequency */
-    return 2 / omega * (sqrt(1 + ratio * ratio) - ratio);
+    struct solid_rates rates;
+    solid_rates_of(s, &rates);
+    return solid_stable_of(&rates, integrator, s->contact ? 4 * solid_stable_touch(s) : 0, NULL);
 }

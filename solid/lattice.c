@@ -1,5 +1,6 @@
 #include "solid/lattice.h"
 #include "base/memory.h"
+#include "solid/segments.h"
 
 #include <string.h>
 
@@ -28,7 +29,10 @@ static void offsets_new(struct solid_lattice *b) {
     for (int o = 0; o < b->stencil->n; o++) {
         const struct solid_offset *from = &b->stencil->offset[o];
         struct solid_lattice_offset *to = &b->offset[o];
-        for (int c = 0; c < 3; c++) to->xi[c] = from->xi[c];
+        for (int c = 0; c < 3; c++) {
+            to->xi[c] = from->xi[c];
+            to->xi2[c] = 2 * from->xi[c];
+        }
         to->inv_length2 = from->inv_length2;
         to->elastic = b->law.c0 * from->weight / (from->length * b->law.density);
         to->elastic_twice = 2 * to->elastic;
@@ -55,6 +59,7 @@ static void box_new(struct solid_lattice *b, const struct solid_sites *t, long f
         const int margin = c == 0 ? ROW : b->stencil->reach;
         b->low[c] -= margin;
         b->size[c] = high[c] - b->low[c] + margin + (c == 0 ? ROW : 1);
+        if (c == 0) b->size[c] |= ROW; /* an odd number of rows: lines spread over the cache's sets */
         b->sites *= b->size[c];
     }
     ENSURE(b->sites < 2000000000L, "a dense box of %ld sites on one rank", b->sites);
@@ -129,6 +134,18 @@ static void active_new(struct solid_lattice *b) {
     }
 }
 
+/* The boxes of doubles stand one behind another, a step apart that leaves no two at the same place of a page: what is loaded
+ * and stored together would share the cache's sets and be taken for one another. */
+static void fields_new(struct solid_lattice *b) {
+    enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
+    size_t step = (size_t)b->sites + 2 * ROW;
+    step += (PAGE + PLACE - step % PAGE) % PAGE;
+    double *field = b->field = solid_array(10 * step, sizeof *field);
+    double **const of[] = {&b->d[0], &b->d[1], &b->d[2], &b->w,    &b->f[0],
+                           &b->f[1], &b->f[2], &b->v[0], &b->v[1], &b->v[2]};
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) *of[i] = field + i * step;
+}
+
 struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struct solid_stencil *stencil,
                                         struct solid_law law, long from, long to, int first) {
     struct solid_lattice *b = memory_new(MEMORY_SOLID, 1, sizeof *b);
@@ -146,8 +163,7 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     b->row_of = solid_array(sites / ROW, sizeof *b->row_of);
     memset(b->row_of, 0xff, (sites / ROW) * sizeof *b->row_of);
     b->local = solid_array(sites, sizeof *b->local);
-    b->w = solid_array(sites + ROW, sizeof *b->w);
-    for (int c = 0; c < 3; c++) b->d[c] = solid_array(sites + ROW, sizeof *b->d[c]);
+    fields_new(b);
     rows_new(b, t, from, to);
     bonds_new(b, t);
     active_new(b);
@@ -156,10 +172,10 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
 
 void solid_lattice_free(struct solid_lattice *b) {
     if (!b) return;
-    void *owned[] = {
-        b->row_active, b->active, b->row_cell, b->row_first, b->row_owned, b->row_bulk,  b->lambda,
-        b->offset,     b->row_of, b->cell,     b->local,     b->w,         b->copy_cell, b->copy_local,
-        b->d[0],       b->d[1],   b->d[2],     b->v[0],      b->v[1],      b->v[2],      b};
+    solid_segments_free(b->segments);
+    void *owned[] = {b->row_active, b->active, b->row_cell,  b->row_first,  b->row_owned,
+                     b->row_bulk,   b->lambda, b->offset,    b->row_of,     b->cell,
+                     b->local,      b->field,  b->copy_cell, b->copy_local, b};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
@@ -183,16 +199,21 @@ void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
     for (long cell = 0; cell < b->sites; cell++) b->copies += b->local[cell] == NEEDED;
     b->copy_cell = solid_array((size_t)b->copies, sizeof *b->copy_cell);
     b->copy_local = solid_array((size_t)b->copies, sizeof *b->copy_local);
-    int i = 0;
+    int away = 0, home = b->copies - b->n;
     for (long cell = 0; cell < b->sites; cell++) {
         if (b->local[cell] != NEEDED) continue;
         int site[3];
         site_of_cell(b, cell, site);
-        b->local[cell] = solid_numbering_local(numbering, solid_sites_id(t, site));
-        ENSURE(b->local[cell] >= 0, "site %d %d %d is not known here", site[0], site[1], site[2]);
+        const int h = b->local[cell] = solid_numbering_local(numbering, solid_sites_id(t, site));
+        ENSURE(h >= 0, "site %d %d %d is not known here", site[0], site[1], site[2]);
+        const int is_home = h >= b->first && h < b->first + b->n && b->cell[h - b->first] == cell;
+        const int i = is_home ? home++ : away++;
         b->copy_cell[i] = (int)cell;
-        b->copy_local[i++] = b->local[cell];
+        b->copy_local[i] = h;
     }
+    ENSURE(home == b->copies, "%d places for %d particles", home, b->n);
+    b->away = away;
+    b->segments = solid_segments_new(b);
 }
 
 void solid_lattice_made(const struct solid_lattice *b, int row, uint8_t *lambda) {
@@ -228,9 +249,19 @@ void solid_lattice_weights(struct solid_lattice *b, const double *family_volume,
     }
     for (long cell = 0; cell < b->sites; cell++)
         if (b->local[cell] == NOTHING) b->w[cell] = 1; /* of no consequence, but not a division by 0 */
+    solid_segments_weigh(b);
 }
 
 void solid_lattice_cut(struct solid_lattice *b, int h, int o) {
     const int cell = b->cell[h - b->first], r = b->row_of[cell / ROW];
     b->lambda[(size_t)r * (size_t)b->stencil->n + (size_t)o] &= (uint8_t) ~(1u << cell % ROW);
+    solid_lattice_changed(b, h);
+}
+
+void solid_lattice_changed(struct solid_lattice *b, int h) {
+    b->segments->stale[b->segments->of[h - b->first]] = 1;
+}
+
+void solid_lattice_changed_all(struct solid_lattice *b) {
+    memset(b->segments->stale, 1, (size_t)b->segments->n);
 }

@@ -11,12 +11,15 @@
 /* An offset's numbers as the sweep wants them. */
 struct solid_lattice_offset {
     double xi[3];       /* m */
+    double xi2[3];      /* 2 xi */
     double inv_length2; /* 1/|xi|^2, 1/m2 */
     double elastic;     /* c0 Gamma V/(|xi| rho), 1/(m s2) / m */
     double viscous;     /* Gamma V/(|xi|^2 rho), m4/kg */
     long shift;         /* in dense index */
     double elastic_twice;
 };
+
+struct solid_segments;
 
 struct solid_lattice {
     const struct solid_stencil *stencil; /* borrowed */
@@ -37,10 +40,15 @@ struct solid_lattice {
     int first, n;                        /* local indices first .. first+n-1 */
     int *cell;                           /* [n] dense index */
     int copies;                          /* particles and images in the box */
+    int away;                            /* of them, first in the list: ghosts and images */
     int *copy_cell, *copy_local;
     int *local;          /* [sites] local index, or -1: no particle that matters here */
-    double *d[3], *v[3]; /* [sites] copies for a sweep, 0 where there is no particle; v on demand */
+    double *field;       /* the boxes that follow */
+    double *d[3], *v[3]; /* [sites] copies for a sweep, 0 where there is no particle */
+    double *f[3];        /* [sites] the sweep's accelerations, m/s2 */
     double *w;           /* [sites] V_h/V0, or 1 without surface correction: alpha = 2/(w_h + w_l) */
+    struct solid_segments
+        *segments; /* the sweep's own order of the bonds (solid/segments.h), made from lambda */
 };
 
 struct solid_lattice *solid_lattice_new(const struct solid_sites *sites, const struct solid_stencil *stencil,
@@ -59,6 +67,9 @@ void solid_lattice_weights(struct solid_lattice *lattice, const double *family_v
 void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda);
 /* The bond of particle h (local) at offset o is broken, on h's side alone. */
 void solid_lattice_cut(struct solid_lattice *lattice, int h, int o);
+/* Who writes lambda otherwise says so: of particle h (local), or of all. Not collective. */
+void solid_lattice_changed(struct solid_lattice *lattice, int h);
+void solid_lattice_changed_all(struct solid_lattice *lattice);
 
 /* a [.] = bond (and damping) acceleration of the body's owned particles, m/s2. Returns the power that damping takes out,
  * W (>= 0). Ghosts must be current. */

@@ -13,6 +13,7 @@ void solid_measure_stress(const struct solid *s, double (*stress)[6]);
 void solid_measure_strain(const struct solid *s, double (*strain)[6]);
 /* Principal values, largest first, and von Mises of a symmetric tensor. */
 void solid_measure_principal(const double t[6], double value[3]);
+void solid_measure_largest(int n, double (*t)[6], double *largest); /* of n tensors. Not collective. */
 double solid_measure_von_mises(const double t[6]);
 
 /* Connected components of intact bonds. id[n]: the smallest global id of the fragment, a name that all ranks share. */

@@ -158,11 +158,9 @@ void solid_advance(struct solid *s, double dt, int substeps);
 /* Goes on in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep, which saw
  * the velocity predicted then) and power_pairwise. Once the stage is set. Not collective. */
 void solid_verlet_resume(struct solid *s);
-/* The largest stable step of the assembled, intact solid for the integrator: sqrt(3)/omega_max (RK3), 2/omega_max
- * (Verlet), omega_max by Lanczos's iteration (power iteration that keeps what it has learnt), good to
- * about 1e-3. The stage's damping is considered: its largest rate g, by the same iteration, makes RK3's limit at most 2.51/g and
- * Verlet's 2/omega_max (sqrt(1 + z^2) - z), z = g/(2 omega_max), because its damping lags. Where bonds may break and contact is on,
- * omega_max is that of a particle squeezed from all sides as well, some 2.2 times the lattice's own. Collective. */
+/* The largest stable step of the assembled, intact solid with the stage's damping, by the rates of solid/stable.h: without damping
+ * sqrt(3)/omega_max (RK3), 2/omega_max (Verlet). Once contact has lists, with a particle squeezed between two pairs of others on top.
+ * Collective. */
 double solid_stable_step(struct solid *s, enum solid_integrator integrator);
 /* Adaptive dynamic relaxation to static equilibrium under the present load: steps taken, or -1 if not converged to
  * |residual| <= tolerance * |load|. Breakage off. Collective. */

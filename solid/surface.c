@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "solid/lattice.h"
 #include "solid/normal.h"
 #include "solid/surface_area.h"
 #include "solid/surface_lists.h"
@@ -54,6 +55,9 @@ static struct solid_surface *allocate(const struct solid *s) {
     f->faces = memory_new(MEMORY_SOLID, n, 1);
     f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
     f->lost = solid_lost_new(s);
+    f->near = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *f->near);
+    for (int b = 0; b < s->in.bodies; b++)
+        if (s->family->lattice[b]) solid_sector_near(s->family->lattice[b]->stencil, f->near[b]);
     return f;
 }
 
@@ -113,26 +117,42 @@ void solid_surface_free(struct solid_surface *f) {
     memory_free(f->watch);
     memory_free(f->watch_of);
     solid_lost_free(f->lost);
+    memory_free(f->near);
     memory_free(f);
 }
 
-/* Particles that have lost bonds since the last look: what their test needs, and their normals. */
-static void look_where_broken(struct solid *s, struct solid_surface *f) {
+/* What the interface test of a particle that has lost bonds needs, once solid_lost_find has counted them. */
+void solid_surface_look(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w) {
+    struct solid_family_view view;
+    if (s->family->lattice[s->body[h]]) {
+        solid_sector_look_near(s, h, f->near[s->body[h]], f->lost->intact[h], w);
+    } else {
+        solid_family_view(s, h, &view);
+        solid_sector_look(s, h, &view, w);
+    }
+    if (w->broken || w->set_free) solid_surface_watch(f, w);
+}
+
+/* Particles that have lost bonds since the last look. Returns the number of normals looked at. */
+static int look_where_broken(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
     const int found = solid_lost_find(f->lost, s);
+    int normals = 0;
     for (int k = 0; k < found; k++) {
         const int h = f->lost->h[k];
         struct solid_watch w;
+        solid_surface_look(s, f, h, &w);
+        if (!(s->flag[h] & SOLID_INTERFACE)) continue;
         solid_family_view(s, h, &view);
-        solid_sector_look(s, h, &view, &w);
-        if (w.broken || w.set_free) solid_surface_watch(f, &w);
-        if (s->flag[h] & SOLID_INTERFACE)
-            solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
+        solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
+        normals++;
     }
+    return normals;
 }
 
-/* The watched particles: those whose cracks have opened or closed. Returns the number that came or went. */
-static int look_where_open(struct solid *s, struct solid_surface *f) {
+/* The watched particles: those whose cracks have opened or closed. Returns the number that came or went, and adds to that of
+ * normals looked at. */
+static int look_where_open(struct solid *s, struct solid_surface *f, int *normals) {
     struct solid_family_view view;
     int changes = 0;
     for (int k = 0; k < f->watched; k++) {
@@ -143,6 +163,7 @@ static int look_where_open(struct solid *s, struct solid_surface *f) {
         if (is && (!was || open != f->facing[h].open)) {
             solid_family_view(s, h, &view);
             solid_normal_look(s, h, &view, open, &f->facing[h]);
+            ++*normals;
         }
         if (is == was) continue;
         s->flag[h] ^= SOLID_INTERFACE;
@@ -170,14 +191,15 @@ static void look_where_turned(struct solid *s, struct solid_surface *f) {
 }
 
 int solid_surface_update(struct solid *s, struct solid_surface *f) {
-    clock_begin(CLOCK_INTERFACE);
+    clock_begin(CLOCK_SOLID); /* the ranks wait here for the one that was last with its bonds */
     solid_ghosts_update(s);
-    const int broke = solid_lost_take(s, SOLID_BROKE_SURFACE);
-    if (broke) look_where_broken(s, f);
-    const int changes = f->watched ? look_where_open(s, f) : 0;
+    clock_end(CLOCK_SOLID);
+    clock_begin(CLOCK_INTERFACE);
+    int normals = solid_lost_take(s, SOLID_BROKE_SURFACE) ? look_where_broken(s, f) : 0;
+    const int changes = look_where_open(s, f, &normals);
     if (changes)
         solid_surface_gather(s, f);
-    else if (broke || f->watched) /* normals may be new where the set is not */
+    else if (normals) /* new where the set is not */
         for (int i = 0; i < f->n; i++) renew(f, i);
     look_where_turned(s, f);
     const long changed = solid_surface_count(f, changes);

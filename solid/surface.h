@@ -46,6 +46,7 @@ struct solid_surface {
     struct solid_watch *watch; /* [watched] */
     int *watch_of;             /* [s->n] place in watch, or -1 */
     struct solid_lost *lost;
+    int (*near)[6]; /* [bodies] on a lattice: offsets of the nearest sites */
 };
 
 struct solid_surface *

@@ -1,4 +1,5 @@
 #include "solid/surface_sector.h"
+#include "solid/lattice.h"
 
 #include <math.h>
 #include <string.h>
@@ -43,6 +44,32 @@ void solid_sector_look(const struct solid *s, int h, const struct solid_family_v
     w->bare = (uint8_t)(~(intact | broken) & 63u);
     w->broken = (uint8_t)(broken & ~intact);
     w->set_free = !any;
+}
+
+void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES]) {
+    for (int o = 0; o < stencil->n; o++) {
+        const int f = solid_sector_of(stencil->offset[o].xi, stencil->spacing);
+        if (f >= 0) near[f] = o;
+    }
+}
+
+void solid_sector_look_near(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
+                            struct solid_watch *w) {
+    const struct solid_lattice *t = s->family->lattice[s->body[h]];
+    const int cell = t->cell[h - t->first], bit = cell % 8;
+    const uint8_t *lambda = t->lambda + (size_t)t->row_of[cell / 8] * (size_t)t->stencil->n;
+    memset(w, 0, sizeof *w);
+    w->h = h;
+    w->set_free = intact == 0;
+    for (int f = 0; f < SOLID_FACES; f++) {
+        const int l = t->local[cell + t->offset[near[f]].shift];
+        if (l < 0) {
+            w->bare |= (uint8_t)(1u << f);
+        } else if (!(lambda[near[f]] >> bit & 1)) {
+            w->broken |= (uint8_t)(1u << f);
+            w->l[f][w->bonds[f]++] = l;
+        }
+    }
 }
 
 unsigned solid_sector_void(const struct solid *s, const struct solid_watch *w) {

@@ -35,6 +35,11 @@ double solid_sector_spacing(const struct solid *s, int h);
 
 void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view,
                        struct solid_watch *w);
+/* The same on a lattice, where a cone holds one site, the nearest; near: its offsets in the stencil; intact: bonds left. */
+void solid_sector_look_near(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
+                            struct solid_watch *w);
+struct solid_stencil;
+void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES]);
 /* Bit f: cone f is void now. Ghosts must be current. */
 unsigned solid_sector_void(const struct solid *s, const struct solid_watch *w);
 

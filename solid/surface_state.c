@@ -35,22 +35,26 @@ void solid_surface_save(const struct solid *s, const struct solid_surface *f, do
     }
 }
 
-void solid_surface_load(struct solid *s, struct solid_surface *f, const double *state) {
-    struct solid_family_view view;
+/* Lists and watched particles, from d, the bonds, the flags and the normals as they are now. */
+static void resume(struct solid *s, struct solid_surface *f) {
     for (int k = 0; k < f->watched; k++) f->watch_of[f->watch[k].h] = -1;
     f->watched = 0;
     solid_lost_find(f->lost, s); /* what is lost is known */
     for (int h = 0; h < s->n; h++) {
-        const double *from = state + (size_t)h * STATE;
-        const int broken = s->flag[h] & SOLID_BROKEN, on = s->flag[h] & SOLID_INTERFACE;
-        if (!broken && !on) continue;
-        solid_family_view(s, h, &view);
         struct solid_watch w;
-        if (broken) {
-            solid_sector_look(s, h, &view, &w);
-            if (w.broken || w.set_free) solid_surface_watch(f, &w);
-        }
-        if (!on) continue;
+        if (s->flag[h] & SOLID_BROKEN) solid_surface_look(s, f, h, &w);
+    }
+    s->broke = SOLID_BROKE_CONTACT; /* its lists are to be made */
+    solid_surface_gather(s, f);
+    solid_surface_count(f, 0);
+}
+
+void solid_surface_load(struct solid *s, struct solid_surface *f, const double *state) {
+    struct solid_family_view view;
+    for (int h = 0; h < s->n; h++) {
+        const double *from = state + (size_t)h * STATE;
+        if (!(s->flag[h] & SOLID_INTERFACE)) continue;
+        solid_family_view(s, h, &view);
         struct solid_facing *facing = &f->facing[h];
         memcpy(facing->n, from, sizeof facing->n);
         memcpy(facing->moved, from + 3, sizeof facing->moved);
@@ -58,7 +62,15 @@ void solid_surface_load(struct solid *s, struct solid_surface *f, const double *
         facing->two_sided = (uint8_t)from[11];
         facing->open = (uint8_t)from[12];
     }
-    s->broke = SOLID_BROKE_CONTACT; /* its lists are to be made */
-    solid_surface_gather(s, f);
-    solid_surface_count(f, 0);
+    resume(s, f);
+}
+
+void solid_surface_keep(const struct solid_surface *f, struct solid_facing *kept) {
+    for (int i = 0; i < f->n; i++) kept[i] = f->facing[f->h[i]];
+}
+
+void solid_surface_restore(struct solid *s, struct solid_surface *f, const struct solid_facing *kept) {
+    for (int h = 0; h < s->n; h++)
+        if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *kept++;
+    resume(s, f);
 }

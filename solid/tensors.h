@@ -1,7 +1,10 @@
-/* Symmetric tensors [6] as xx yy zz xy yz zx. */
+/* Symmetric tensors [6] as xx yy zz xy yz zx; eight at once, a lane each, where they are vec. */
 #pragma once
+#include "base/vec.h"
 
-/* value[3], largest first; vector[k] is the unit eigenvector of value[k]. By Jacobi's rotations. */
+/* Eigenvalues in no order; vector[k] is the unit eigenvector of value[k]. By Jacobi's rotations. */
+void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]);
+/* value[3], largest first. */
 void solid_tensors_eigen(const double t[6], double value[3], double vector[3][3]);
 /* Pseudo-inverse of a positive semi-definite tensor: eigenvalues below `small` times the largest count as none. */
-void solid_tensors_inverse(const double t[6], double small, double inverse[6]);
+void solid_tensors_inverse(const vec t[6], double small, vec inverse[6]);

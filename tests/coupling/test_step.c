@@ -96,7 +96,7 @@ static void test_parts(void **state) {
     scene = scene_of(box, drift, 0, NULL);
     r = run_new(scene);
     run_stage_begin(r);
-    assert_int_equal(r->parts, 6);
+    assert_int_equal(r->parts, 7);
     /* the least number of substeps within the safety */
     const double safety = scene->stage[0].safety;
     assert_true(r->dt / r->substeps <= safety * r->solid_stable * (1 + 1e-9));

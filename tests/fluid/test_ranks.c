@@ -18,7 +18,6 @@ static struct fluid_input scene(int which) {
         in.side[0][1].type = FLUID_OUTFLOW;
     } else {
         in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, 0.5};
-        in.z_by_transform = 1;
     }
     if (which == 2) {
         in.side[2][1] =

@@ -19,10 +19,11 @@ static const double SPACING = 1.5625e-3;
 
 static struct solid *block(int porous, int list) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX, .high = {38, 38, 38}};
-    if (porous) {
-        body = (struct solid_body){.shape = SOLID_BOX, .low = {0, -3, 0}, .high = {48, 67, 64}};
+    if (porous) { /* the main case's */
+        body = (struct solid_body){.shape = SOLID_BOX, .low = {16, -3, 0}, .high = {64, 67, 64}};
         body.cavity_period = 16 * SPACING;
-        body.cavity_radius = 9.2 * SPACING;
+        body.cavity_radius = 9.15 * SPACING;
+        body.cavity_centre[0] = 16.15 * SPACING;
     }
     for (int c = 0; c < 3; c++) {
         body.low[c] *= SPACING;
@@ -35,6 +36,8 @@ static struct solid *block(int porous, int list) {
                                    .materials = 1,
                                    .material = &material,
                                    .surface_correction = 1,
+                                   .periodic = {0, 0, porous},
+                                   .length = {128 * SPACING, 64 * SPACING, 64 * SPACING},
                                    .general_bonds = list};
     return solid_new(&in);
 }

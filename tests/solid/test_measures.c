@@ -114,21 +114,30 @@ static void strain_energy_of_the_bulk(void **state) {
     }
 }
 
-/* Both stores, and the view's own sum with s = |zeta|/|xi| - 1, in a large, uneven deformation with broken bonds. */
+/* A cube turned, every particle moved by up to half of `by` spacings, and cut. */
+static struct solid *cube_uneven(int general, double by) {
+    struct solid *s = cube_new(9, general, 1);
+    bodies_turn(s, 0.4, 0);
+    for (int h = 0; h < s->n; h++) {
+        int p[3];
+        bodies_site(s, h, p);
+        for (int c = 0; c < 3; c++)
+            s->d[c][h] += by * SPACING * (bodies_random(p[0] + 9 * (p[1] + 9 * p[2]), c) - 0.5);
+    }
+    bodies_cut(s, 2, 4);
+    solid_ghosts_update(s);
+    return s;
+}
+
+/* Both stores, and the view's own sum with s = |zeta|/|xi| - 1, in an uneven deformation with broken bonds, large or so small
+ * that the sum has but ten digits. */
 static void strain_energy_of_any_deformation(void **state) {
     (void)state;
     double energy[2], sum = 0;
-    for (int general = 0; general < 2; general++) {
-        struct solid *s = cube_new(9, general, 1);
+    for (int trial = 0; trial < 4; trial++) {
+        const int general = trial % 2;
+        struct solid *s = cube_uneven(general, trial < 2 ? 0.05 : 5e-4);
         struct solid_family_view view;
-        bodies_turn(s, 0.4, 0);
-        for (int h = 0; h < s->n; h++) {
-            int p[3];
-            bodies_site(s, h, p);
-            for (int c = 0; c < 3; c++)
-                s->d[c][h] += 0.05 * SPACING * (bodies_random(p[0] + 9 * (p[1] + 9 * p[2]), c) - 0.5);
-        }
-        bodies_cut(s, 2, 4);
         energy[general] = solid_measure_energy(s).strain; /* with fresh ghosts */
         sum = 0;
         for (int h = 0; h < s->n; h++) {
@@ -147,9 +156,52 @@ static void strain_energy_of_any_deformation(void **state) {
         }
         sum = par_sum(sum);
         assert_true(fabs(energy[general] / sum - 1) < 1e-10);
+        if (general) assert_true(fabs(energy[0] / energy[1] - 1) < 1e-12);
         solid_free(s);
     }
-    assert_true(fabs(energy[0] / energy[1] - 1) < 1e-12);
+}
+
+/* Rows of eight and lists give every particle the same stress, strain and damage. */
+static void tensors_of_both_stores(void **state) {
+    (void)state;
+    enum { SIDE = 9, ALL = SIDE * SIDE * SIDE };
+    double(*of)[ALL][13] = calloc(2, sizeof *of); /* by store and site */
+    for (int general = 0; general < 2; general++) {
+        struct solid *s = cube_uneven(general, 0.05);
+        double(*stress)[6] = malloc(((size_t)s->n + 1) * sizeof *stress),
+        (*strain)[6] = malloc(((size_t)s->n + 1) * sizeof *strain),
+        *phi = malloc(((size_t)s->n + 1) * sizeof *phi),
+        *largest = malloc(((size_t)s->n + 1) * sizeof *largest);
+        solid_measure_stress(s, stress);
+        solid_measure_strain(s, strain);
+        solid_measure_damage(s, phi);
+        solid_measure_largest(s->n, stress, largest);
+        for (int h = 0; h < s->n; h++) {
+            int p[3];
+            double value[3];
+            bodies_site(s, h, p);
+            double *to = of[general][p[0] + SIDE * (p[1] + SIDE * p[2])];
+            memcpy(to, stress[h], sizeof *stress);
+            memcpy(to + 6, strain[h], sizeof *strain);
+            to[12] = phi[h];
+            solid_measure_principal(stress[h], value);
+            assert_true(fabs(largest[h] - value[0]) <= 1e-13 * fabs(value[0]));
+        }
+        free(largest);
+        free(phi);
+        free(strain);
+        free(stress);
+        solid_free(s);
+    }
+    par_sum_array(&of[0][0][0], 2 * ALL * 13); /* numbered in other orders, they may be on other ranks */
+    double most[3] = {0, 0, 0}, apart[3] = {0, 0, 0};
+    for (int i = 0; i < ALL; i++)
+        for (int k = 0; k < 13; k++) {
+            most[k / 6] = fmax(most[k / 6], fabs(of[0][i][k]));
+            apart[k / 6] = fmax(apart[k / 6], fabs(of[0][i][k] - of[1][i][k]));
+        }
+    for (int q = 0; q < 3; q++) assert_true(most[q] > 0 && apart[q] < 1e-12 * most[q]);
+    free(of);
 }
 
 static void kinetic_energy(void **state) {
@@ -240,6 +292,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(strain_energy_of_the_bulk),
         cmocka_unit_test(kinetic_energy),
         cmocka_unit_test(strain_energy_of_any_deformation),
+        cmocka_unit_test(tensors_of_both_stores),
         cmocka_unit_test(damage_beside_a_cut),
         cmocka_unit_test(invariants),
     };

@@ -5,6 +5,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#ifndef COMPARES
+#    define COMPARES 0 /* 1: built for another kind of machine, and one rank compares too */
+#endif
+
 enum { SITES = 13 * 12 * 14 };
 
 static struct solid *run(int list, int verlet) {
@@ -71,7 +75,7 @@ static void test_same(void **state) {
             solid_free(s);
         }
         compare(all, expected); /* lattice and lists */
-        if (par_size() == 1) {
+        if (par_size() == 1 && !COMPARES) {
             FILE *file = fopen(path, "wb");
             assert_non_null(file);
             assert_int_equal(fwrite(all, sizeof all, 1, file), 1);

@@ -1,5 +1,6 @@
 /* The interface after bonds have broken and the solid has moved. */
 #include "solid/surface.h"
+#include "solid/surface_state.h"
 #include "test_surface_bodies.h"
 
 static struct solid *block_new(int nx, int ny, int nz, int general) {
@@ -123,30 +124,36 @@ static void turn(void **state) {
     solid_free(s);
 }
 
+/* Breaks a part of the bonds at random, from any particle on, up or down, and moves all particles. */
+static void crush(struct solid *s, int round, double part) {
+    struct solid_family_view view;
+    const int first = s->n > 0 ? (int)(bodies_random(round, par_rank()) * s->n) : 0;
+    for (int k = 0; k < s->n; k++) {
+        const int h = (first + (round % 2 ? k : s->n - 1 - k)) % s->n;
+        int p[3];
+        bodies_site(s, h, p);
+        solid_family_view(s, h, &view);
+        for (int b = 0; b < view.n; b++) {
+            int q[3];
+            for (int c = 0; c < 3; c++) q[c] = (int)floor((s->x0[c][h] + view.xi[b][c]) / SPACING);
+            const long i = p[0] + 8 * (p[1] + 8 * p[2]), j = q[0] + 8 * (q[1] + 8 * q[2]);
+            if (view.intact[b] && bodies_random(i < j ? i : j, (i < j ? j : i) + 1000 * round) < part)
+                solid_family_break(s, h, b);
+        }
+        for (int c = 0; c < 3; c++)
+            s->d[c][h] += 1.5 * SPACING * (bodies_random(p[0] + 8 * (p[1] + 8 * p[2]), 7 * round + c) - 0.5);
+    }
+}
+
 /* Bonds broken and particles moved at random, several times over: every update is as good as starting again. */
 static void random_crushing(void **state) {
     (void)state;
     for (int general = 0; general < 2; general++) {
         struct solid *s = block_new(8, 7, 6, general);
         struct solid_surface *f = solid_surface_new(s);
-        struct solid_family_view view;
         long most = 0;
         for (int round = 1; round <= 5; round++) {
-            for (int h = 0; h < s->n; h++) {
-                int p[3];
-                bodies_site(s, h, p);
-                solid_family_view(s, h, &view);
-                for (int b = 0; b < view.n; b++) {
-                    int q[3];
-                    for (int c = 0; c < 3; c++) q[c] = (int)floor((s->x0[c][h] + view.xi[b][c]) / SPACING);
-                    const long i = p[0] + 8 * (p[1] + 8 * p[2]), j = q[0] + 8 * (q[1] + 8 * q[2]);
-                    if (view.intact[b] && bodies_random(i < j ? i : j, (i < j ? j : i) + 1000 * round) < 0.3)
-                        solid_family_break(s, h, b);
-                }
-                for (int c = 0; c < 3; c++)
-                    s->d[c][h] +=
-                        1.5 * SPACING * (bodies_random(p[0] + 8 * (p[1] + 8 * p[2]), 7 * round + c) - 0.5);
-            }
+            crush(s, round, 0.3);
             solid_surface_update(s, f);
             check_against_scratch(s, f);
             most = f->total;
@@ -157,13 +164,57 @@ static void random_crushing(void **state) {
     }
 }
 
+/* What was kept comes back: after more crushing, the earlier bonds, displacements and flags with the normals kept then
+ * are as good as starting again, and go on as if nothing had been in between. */
+static void kept_and_restored(void **state) {
+    (void)state;
+    for (int general = 0; general < 2; general++) {
+        struct solid *s = block_new(8, 7, 6, general);
+        struct solid_surface *f = solid_surface_new(s);
+        const size_t bytes = (size_t)solid_family_bytes(s), n = (size_t)s->n;
+        struct solid_facing *kept = malloc((n + 1) * sizeof *kept);
+        uint8_t *bits = malloc(n * bytes + 1), *flag = malloc(n + 1);
+        double *d = malloc((3 * n + 1) * sizeof *d), *normal = malloc((3 * n + 1) * sizeof *normal);
+        crush(s, 1, 0.3);
+        solid_surface_update(s, f);
+        const int on = f->n;
+        solid_surface_keep(f, kept);
+        memcpy(flag, s->flag, n);
+        for (size_t h = 0; h < n; h++) solid_family_save(s, (int)h, bits + h * bytes);
+        for (size_t c = 0; c < 3; c++) {
+            memcpy(d + c * n, s->d[c], n * sizeof *d);
+            memcpy(normal + c * n, f->normal[c], (size_t)on * sizeof *normal);
+        }
+        crush(s, 2, 0.5);
+        solid_surface_update(s, f);
+        for (size_t h = 0; h < n; h++) solid_family_load(s, (int)h, bits + h * bytes);
+        memcpy(s->flag, flag, n);
+        for (size_t c = 0; c < 3; c++) memcpy(s->d[c], d + c * n, n * sizeof *d);
+        solid_ghosts_update(s);
+        solid_surface_restore(s, f, kept);
+        assert_int_equal(f->n, on);
+        for (int i = 0; i < on; i++)
+            for (size_t c = 0; c < 3; c++) assert_true(f->normal[c][i] == normal[c * n + (size_t)i]);
+        solid_surface_update(s, f);
+        check_against_scratch(s, f);
+        crush(s, 3, 0.4);
+        solid_surface_update(s, f);
+        check_against_scratch(s, f);
+        free(normal);
+        free(d);
+        free(flag);
+        free(bits);
+        free(kept);
+        solid_surface_free(f);
+        solid_free(s);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(crack),
-        cmocka_unit_test(set_free),
-        cmocka_unit_test(turn),
-        cmocka_unit_test(random_crushing),
+        cmocka_unit_test(crack),           cmocka_unit_test(set_free),          cmocka_unit_test(turn),
+        cmocka_unit_test(random_crushing), cmocka_unit_test(kept_and_restored),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -1,0 +1,99 @@
+#include "base/par_column.h"
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_count.h"
+#include "base/par_pencil.h"
+
+#include <mpi.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct par_column {
+    int parts, place, stride, first; /* ranks along z, this one's place, rank of place c: first + c stride */
+    int columns, values;
+    double *packed; /* [columns of place][values][...] one block after another */
+    MPI_Request *request;
+};
+
+struct par_column *par_column_new(const int ranks[3], int columns, int values) {
+    struct par_column *c = calloc(1, sizeof *c);
+    c->parts = ranks[2];
+    c->stride = ranks[1];
+    c->first = par_rank() % ranks[1];
+    c->place = par_rank() / ranks[1];
+    c->columns = columns;
+    c->values = values;
+    c->packed = memory_new(MEMORY_FLUID, (size_t)columns * (size_t)values + 1, sizeof(double));
+    c->request = calloc(2 * (size_t)c->parts, sizeof *c->request);
+    return c;
+}
+
+void par_column_free(struct par_column *c) {
+    if (!c) return;
+    memory_free(c->packed);
+    free(c->request);
+    free(c);
+}
+
+int par_column_place(const struct par_column *c) { return c->place; }
+
+static int low_of(const struct par_column *c, int place) {
+    return par_piece_low(c->columns, c->parts, place);
+}
+
+static int count_of(const struct par_column *c, int place) { return low_of(c, place + 1) - low_of(c, place); }
+
+void par_column_own(const struct par_column *c, int *low, int *count) {
+    *low = low_of(c, c->place);
+    *count = count_of(c, c->place);
+}
+
+/* Blocks go between packed (by columns' owner) and of_all (by the rank that they are about). */
+static void swap(struct par_column *c, double *packed, double *of_all, int back) {
+    const int own = c->values * count_of(c, c->place);
+    int requests = 0;
+    for (int out = 0; out < 2; out++)
+        for (int step = 1; step < c->parts; step++) {
+            const int other = (c->place + step) % c->parts, rank = c->first + other * c->stride;
+            double *theirs = packed + (size_t)c->values * (size_t)low_of(c, other);
+            double *ours = of_all + (size_t)other * (size_t)own;
+            const int their_count = c->values * count_of(c, other);
+            const int sent = back ? own : their_count;
+            if (out) par_count_message(PAR_COUNT_TRANSPOSE, (size_t)sent * sizeof(double));
+            if (out)
+                MPI_Isend(back ? ours : theirs, sent, MPI_DOUBLE, rank, 100 + back, MPI_COMM_WORLD,
+                          &c->request[requests++]);
+            else
+                MPI_Irecv(back ? theirs : ours, back ? their_count : own, MPI_DOUBLE, rank, 100 + back,
+                          MPI_COMM_WORLD, &c->request[requests++]);
+        }
+    double *mine = packed + (size_t)c->values * (size_t)low_of(c, c->place),
+           *about_me = of_all + (size_t)c->place * (size_t)own;
+    memcpy(back ? mine : about_me, back ? about_me : mine, (size_t)own * sizeof *mine);
+    MPI_Waitall(requests, c->request, MPI_STATUSES_IGNORE);
+}
+
+/* The block of an owner's columns in packed holds one value of all of them after another. */
+static double *block(const struct par_column *c, int place, int value) {
+    return c->packed + (size_t)c->values * (size_t)low_of(c, place) +
+           (size_t)value * (size_t)count_of(c, place);
+}
+
+void par_column_share(struct par_column *c, const double *const *mine, double *of_all) {
+    clock_begin(CLOCK_HALO);
+    for (int q = 0; q < c->parts; q++)
+        for (int v = 0; v < c->values; v++)
+            memcpy(block(c, q, v), mine[v] + low_of(c, q), (size_t)count_of(c, q) * sizeof(double));
+    swap(c, c->packed, of_all, 0);
+    clock_end(CLOCK_HALO);
+}
+
+void par_column_return(struct par_column *c, const double *of_all, double *const *mine) {
+    clock_begin(CLOCK_HALO);
+    swap(c, c->packed, (double *)(size_t)of_all, 1);
+    for (int q = 0; q < c->parts; q++)
+        for (int v = 0; v < c->values; v++)
+            memcpy(mine[v] + low_of(c, q), block(c, q, v), (size_t)count_of(c, q) * sizeof(double));
+    clock_end(CLOCK_HALO);
+}

@@ -1,0 +1,108 @@
+#include "bench/bench.h"
+#include "base/error.h"
+#include "base/par.h"
+#include "bench/parts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void growth(struct bench *b) {
+    bench_growth_fluid(b);
+    bench_growth_solid(b);
+}
+
+static const struct {
+    const char *name;
+    void (*measure)(struct bench *b);
+    int asked_only; /* not unless named by --only */
+} part[] = {{"limits", bench_limits, 0},     {"fluid", bench_fluid, 0},   {"solid", bench_solid, 0},
+            {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0}, {"growth", growth, 0},
+            {"peer", bench_peer, 1}};
+enum { PARTS = sizeof part / sizeof *part };
+
+/* Whether the comma-separated list holds the word. */
+static int holds(const char *list, const char *word) {
+    const size_t length = strlen(word);
+    for (const char *at = list; at; at = strchr(at, ','), at = at ? at + 1 : NULL)
+        if (!strncmp(at, word, length) && (at[length] == ',' || at[length] == '\0')) return 1;
+    return 0;
+}
+
+/* Every word of --only must be a part. */
+static void check_only(const char *list) {
+    for (const char *at = list; at; at = strchr(at, ','), at = at ? at + 1 : NULL) {
+        const int length = (int)strcspn(at, ",");
+        int found = 0;
+        for (int k = 0; k < PARTS; k++)
+            found |= (int)strlen(part[k].name) == length && !strncmp(at, part[k].name, (size_t)length);
+        if (!found)
+            die_all(EXIT_CODE_SCENE,
+                    "--only %.*s: must be of limits, fluid, solid, immersed, memory, growth and peer", length,
+                    at);
+    }
+}
+
+/* "128x64x64,38": cells of a channel, particles along a side of a block. */
+static struct bench_size *sizes_of(const char *list, int *n) {
+    struct bench_size *size = calloc(strlen(list) + 1, sizeof *size);
+    *n = 0;
+    for (const char *at = list; at; at = strchr(at, ','), at = at ? at + 1 : NULL) {
+        const int length = (int)strcspn(at, ",");
+        struct bench_size s = {0};
+        int used = 0, cells[3];
+        if (sscanf(at, "%dx%dx%d%n", &cells[0], &cells[1], &cells[2], &used) == 3 && used == length)
+            memcpy(s.cells, cells, sizeof cells);
+        else if (sscanf(at, "%d%n", &s.side, &used) != 1 || used != length)
+            s.side = 0;
+        const int is_box = s.cells[0] > 1 && s.cells[1] > 1 && s.cells[2] > 1;
+        if (!is_box && (s.side < 1 || s.cells[0] || s.side > 1000))
+            die_all(EXIT_CODE_SCENE,
+                    "--sizes %.*s: must be cells like 128x64x64, or particles along a block's side like 38",
+                    length, at);
+        size[(*n)++] = s;
+    }
+    return size;
+}
+
+void bench_limits(struct bench *b) {
+    const struct bench_limits *l = &b->table.limits;
+    const struct bench_row row[3] = {{.part = "triad_one_rank",
+                                      .time = l->triad_alone,
+                                      .units = l->triad_length,
+                                      .unit = "element",
+                                      .bytes = 24,
+                                      .flops = 2},
+                                     {.part = "triad",
+                                      .time = l->triad,
+                                      .units = par_size() * l->triad_length,
+                                      .unit = "element",
+                                      .bytes = 24,
+                                      .flops = 2},
+                                     {.part = "multiply_add",
+                                      .time = l->fma,
+                                      .units = par_size() * l->fma_length / 2,
+                                      .unit = "multiply-add",
+                                      .flops = 2}};
+    for (int k = 0; k < 3; k++) {
+        struct bench_row r = row[k];
+        snprintf(r.size, sizeof r.size, "%.0f", r.units);
+        bench_table_row(&b->table, &r);
+    }
+}
+
+int bench_run(const struct command *c) {
+    if (c->table) return par_rank() == 0 ? bench_table(c) : EXIT_CODE_DONE;
+    struct bench b = {.quick = c->quick, .effort = {c->repeats, c->quick ? 0.005 : 0.15}};
+    struct bench_size *size = NULL;
+    if (b.effort.repeats > BENCH_REPEATS_MAX)
+        die_all(EXIT_CODE_SCENE, "--repeats %d: must be 5 to %d", c->repeats, BENCH_REPEATS_MAX);
+    if (c->only) check_only(c->only);
+    if (c->sizes) b.size = size = sizes_of(c->sizes, &b.sizes);
+    bench_table_begin(&b.table, c->out[0] ? c->out : NULL);
+    b.table.limits = bench_limits_measure(&b.effort, b.quick ? 1 << 20 : 1 << 23);
+    for (int k = 0; k < PARTS; k++)
+        if (c->only ? holds(c->only, part[k].name) : !part[k].asked_only) part[k].measure(&b);
+    bench_table_end(&b.table);
+    free(size);
+    return EXIT_CODE_DONE;
+}

@@ -1,0 +1,153 @@
+/* The main case: the parts of a coupled step one by one, and whole steps of an intact and of a broken block. */
+#include "base/par.h"
+#include "bench/parts.h"
+#include "bench/scene.h"
+#include "coupling/run.h"
+#include "solid/contact.h"
+#include "solid/family.h"
+
+#include <math.h>
+
+enum {
+    CUBE = 14
+}; /* spacings: a broken block's pieces; about a quarter of its bonds are gone, as in a crushed one */
+
+static struct run *run_of(const struct bench_scene *what) {
+    struct run *r = run_new(bench_scene_new(what));
+    run_stage_begin(r);
+    while (r->stage_step < r->scene->stage[0].steps) run_step(r);
+    r->stage = 1;
+    r->stage_step = 0;
+    run_stage_begin(r);
+    return r;
+}
+
+static void end(struct run *r) {
+    struct scene *scene = (struct scene *)(size_t)r->scene;
+    run_free(r);
+    scene_free(scene);
+}
+
+/* The cube that a particle started in, by direction. */
+static void cube_of(const struct solid *s, int h, long cube[3]) {
+    for (int c = 0; c < 3; c++) cube[c] = lrint(floor(s->x0[c][h] / (CUBE * s->in.spacing)));
+}
+
+/* Breaks every bond between two cubes. */
+static void break_up(struct solid *s) {
+    static struct solid_family_view view;
+    for (int h = 0; h < s->n; h++) {
+        long here[3], there[3];
+        solid_family_view(s, h, &view);
+        cube_of(s, h, here);
+        for (int b = 0; b < view.n; b++) {
+            cube_of(s, view.l[b], there);
+            const int one = here[0] == there[0] && here[1] == there[1] && here[2] == there[2];
+            if (!one && view.intact[b]) solid_family_break(s, h, b);
+        }
+    }
+}
+
+static void coupled_step(void *with) { run_step(with); }
+
+/* Markers that have all moved a little, there and back. */
+static void markers(void *with) {
+    struct run *r = with;
+    struct run_markers *m = &r->markers;
+    static double way = 1e-9;
+    way = -way;
+    run_markers_update(r);
+    for (int i = 0; i < m->n; i++) m->x[0][i] += way * r->solid->in.spacing;
+    ibm_markers(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume);
+}
+
+/* The three stages of a step. */
+static void forcing(void *with) {
+    struct run *r = with;
+    for (int s = 0; s < 3; s++) ibm_force(r->ibm, s, r->dt);
+}
+
+static void probe(void *with) { run_probe(with); }
+
+static void interface(void *with) {
+    struct run *r = with;
+    solid_surface_update(r->solid, r->surface);
+}
+
+static void contact(void *with) {
+    struct run *r = with;
+    solid_contact_update(r->solid);
+    if (r->solid->contact) solid_contact_force(r->solid);
+}
+
+static void solid(void *with) {
+    struct run *r = with;
+    solid_advance(r->solid, r->dt / r->substeps, r->substeps);
+}
+
+static void row_of(struct bench *b, const struct run *r, const char *part, struct bench_sample time,
+                   double units, const char *unit, double bytes, double flops) {
+    const int *n = fluid_grid_of(r->fluid)->n;
+    struct bench_row row = {
+        .part = part, .time = time, .units = units, .unit = unit, .bytes = bytes, .flops = flops};
+    snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
+    bench_table_row(&b->table, &row);
+}
+
+static void measure(struct bench *b, const char *part, bench_call *call, struct run *r, double units,
+                    const char *unit, double bytes, double flops) {
+    struct bench_sample of[1][BENCH_CHANNELS];
+    bench_measure(&b->effort, call, 1, (void *[]){r}, of);
+    row_of(b, r, part, of[0][BENCH_WALL], units, unit, bytes, flops);
+}
+
+/* A marker, a stage and an iteration: 27 points of three components, gathered and added to: 2 x 81 multiply-adds with the
+ * weights' products (2 x 9 x 3) in between, so 380 flops, and three stages of two iterations in a step. Its weights and
+ * blocks' places, 20 + 3 doubles, velocity, volume and share 7, increments in and out: 300 B an iteration; the fields'
+ * blocks overlap and stay in the cache: u* in and out once a marker and component, 48 B.
+ * A probe: p and three components on 4 x 4 x 4 points, 256 multiply-adds, and their 8 points' differences, some 800 flops; its
+ * place, normal and result 11 doubles, the fields' values once a probe 32 B. */
+static const double forcing_bytes = 6 * (300 + 48), forcing_flops = 6 * 380;
+static const double probe_bytes = 11 * 8 + 32, probe_flops = 800;
+
+/* Steps of all in turn: an intact block whose bonds may not break; may break; by RK3; a broken one. */
+static void steps(struct bench *b, struct run *const run[4]) {
+    static const char *const name[4] = {"coupled_step", "coupled_step_breakage", "coupled_step_rk3",
+                                        "coupled_step_broken"};
+    struct bench_sample of[4][BENCH_CHANNELS];
+    bench_measure(&b->effort, coupled_step, 4, (void *const *)run, of);
+    for (int k = 0; k < 4; k++)
+        row_of(b, run[k], name[k], of[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
+    if (par_rank() == 0)
+        printf("%-26s %-12s intact block, breakage on over off: %.4f (%d and %d substeps)\n", "", "",
+               of[1][BENCH_WALL].median / of[0][BENCH_WALL].median, run[1]->substeps, run[0]->substeps);
+    for (int k = 0; k < 4; k += 3) {
+        char size[32];
+        const int *n = fluid_grid_of(run[k]->fluid)->n;
+        snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
+        bench_table_traffic(&b->table, name[k], size, coupled_step, run[k], 2);
+    }
+}
+
+void bench_immersed(struct bench *b) {
+    struct run *run[4];
+    for (int k = 0; k < 4; k++)
+        run[k] = run_of(&(struct bench_scene){.half = b->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2});
+    break_up(run[3]->solid);
+    for (int k = 0; k < 3; k++) run_step(run[3]); /* lists of contact, the interface */
+    steps(b, run);
+    struct run *intact = run[0], *broken = run[3];
+    const double n = (double)intact->surface->total, m = (double)broken->surface->total;
+    const double probes = par_sum(intact->markers.probes);
+    measure(b, "markers", markers, intact, n, "marker", 0, 0);
+    measure(b, "forcing", forcing, intact, n, "marker", forcing_bytes, forcing_flops);
+    measure(b, "probe", probe, intact, probes, "probe", probe_bytes, probe_flops);
+    measure(b, "interface", interface, intact, n, "marker", 0, 0);
+    measure(b, "interface_broken", interface, broken, m, "marker", 0, 0);
+    measure(b, "contact", contact, run[1], (double)run[1]->solid->n_global, "particle", 0, 0);
+    measure(b, "contact_broken", contact, broken, (double)broken->solid->n_global, "particle", 0, 0);
+    measure(b, "solid_substeps", solid, intact,
+            (double)par_sum_long(solid_family_directed(intact->solid)) * intact->substeps, "directed bond", 0,
+            0);
+    for (int k = 0; k < 4; k++) end(run[k]);
+}

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# The force sweep of a full block of 54,872 particles in LAMMPS (pair_style peri/pmb) and in frana, in turn, one rank each:
+#     bench/lammps/run.sh [--frana PROGRAM] [--repeats N] [--out DIR] [--install]
+# Twice: with bonds up to 3 spacings (122 neighbours inside, LAMMPS's family for this horizon), and with the 178 of frana's
+# horizon of 3 spacings. The last line is `ratio X`: LAMMPS's time a directed bond over frana's, median over the repeats, of
+# the first; --out writes DIR/lammps.csv.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+frana=$here/../../build/frana repeats=5 out= install=
+fail() { echo "run.sh: $*" >&2; exit 2; }
+while [ $# -gt 0 ]; do
+  case $1 in
+    --frana | --repeats | --out) [ $# -gt 1 ] || fail "$1 needs a value"; printf -v "${1#--}" %s "$2"; shift 2 ;;
+    --install) install=1; shift ;;
+    *) fail "$1: unknown option; there are --frana, --repeats, --out and --install" ;;
+  esac
+done
+[[ $repeats =~ ^[0-9]+$ ]] && [ "$repeats" -ge 5 ] || fail "--repeats $repeats: must be a whole number, at least 5"
+[ -x "$frana" ] || fail "$frana: there is no such program; build it, or name it with --frana"
+if ! command -v lmp >/dev/null && [ -n "$install" ]; then apt-get install -y lammps >/dev/null; fi
+command -v lmp >/dev/null || fail "LAMMPS is missing: apt-get install lammps, or run this again with --install"
+lmp -help 2>/dev/null | grep 'peri/pmb' >/dev/null || fail "this LAMMPS ($(command -v lmp)) is built without its PERI package"
+frana=$(realpath "$frana")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# theirs REACH: directed bonds, and ns a bond of the pair style's own time in the last run
+theirs() {
+  local steps=8
+  lmp -in "$here/in.pmb" -var side 38 -var reach "$1" -var steps $steps -log "$work/log" -screen none || fail "LAMMPS failed"
+  awk -v steps=$steps '
+    /total # of bonds/ { bonds = $NF }
+    /^Pair / { pair = $3 }
+    /^Step/ { getline; getline; worst = $3 } # damage after the last step
+    END { if (worst != 0 || !bonds) exit 1; printf "%d %.4f\n", bonds, 1e9 * pair / steps / bonds }' "$work/log" ||
+    fail "bonds are missing or broken in LAMMPS"
+}
+# ours PART: the same of frana, from what `frana bench` has just written
+ours() {
+  awk -F, -v part="$1" '
+    NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    $at["part"] == part { printf "%.0f %s\n", $at["units"], $at["ns_per_unit"] }' "$work"/frana/*-1.csv
+}
+# middle LOW HIGH of the numbers in a file, one a line
+spread() { sort -g "$1" | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2, v[1], v[NR] }'; }
+
+for ((k = 1; k <= repeats; k++)); do
+  for reach in 122:3.0001 178:3.4999; do theirs "${reach#*:}" >"$work/theirs.${reach%:*}"; done
+  "$frana" bench --only peer --repeats 5 --out "$work/frana" >/dev/null
+  for n in 122 178; do
+    ours sweep_$n >"$work/ours.$n"
+    read -r their_bonds their_ns <"$work/theirs.$n"
+    read -r our_bonds our_ns <"$work/ours.$n"
+    [ "$their_bonds" = "$our_bonds" ] || fail "$n neighbours: LAMMPS has $their_bonds directed bonds, frana $our_bonds"
+    echo "$n neighbours, $our_bonds directed bonds in both: LAMMPS $their_ns ns a bond, frana $our_ns"
+    echo "$their_ns" >>"$work/theirs.$n.all"
+    echo "$our_ns" >>"$work/ours.$n.all"
+    awk "BEGIN { print $their_ns / $our_ns }" >>"$work/ratio.$n.all"
+  done
+done
+table=$work/lammps.csv
+echo "code,bonds,theirs_ns,ours_ns,ratio,spread" >"$table"
+for n in 178 122; do
+  read -r their_ns _ < <(spread "$work/theirs.$n.all")
+  read -r our_ns _ < <(spread "$work/ours.$n.all")
+  read -r ratio low high < <(spread "$work/ratio.$n.all")
+  read -r bonds _ <"$work/ours.$n"
+  printf 'LAMMPS PERI/PMB,%s,%.3g,%.3g,%.1f,%.1f-%.1f\n' "$bonds" "$their_ns" "$our_ns" "$ratio" "$low" "$high" >>"$table"
+  printf '%s neighbours: LAMMPS %.3g ns, frana %.3g ns a directed bond (medians of %d)\n' $n "$their_ns" "$our_ns" "$repeats"
+  printf 'spread %.1f-%.1f\nratio %.1f\n' "$low" "$high" "$ratio"
+done
+if [ -n "$out" ]; then mkdir -p "$out" && cp "$table" "$out/lammps.csv"; fi

@@ -1,0 +1,62 @@
+#include "bench/measure.h"
+#include "base/error.h"
+#include "base/par.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static int rising(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double bench_median(int n, double *value) {
+    qsort(value, (size_t)n, sizeof *value, rising);
+    return 0.5 * (value[(n - 1) / 2] + value[n / 2]);
+}
+
+static void read_clocks(double now[BENCH_CHANNELS]) {
+    now[BENCH_WALL] = par_seconds();
+    for (int p = 0; p < CLOCK_ALL; p++) now[BENCH_CLOCK + p] = clock_seconds((enum clock_part)p);
+}
+
+/* One repeat: seconds a call by channel, the slowest rank's. */
+static void repeat(bench_call *call, void *with, long calls, double seconds[BENCH_CHANNELS]) {
+    double before[BENCH_CHANNELS], after[BENCH_CHANNELS];
+    par_barrier();
+    read_clocks(before);
+    for (long k = 0; k < calls; k++) call(with);
+    read_clocks(after);
+    for (int c = 0; c < BENCH_CHANNELS; c++) seconds[c] = (after[c] - before[c]) / (double)calls;
+    par_max_array(seconds, BENCH_CHANNELS);
+}
+
+/* Calls for a repeat that lasts long enough, three or more; a first one warms up, a second is looked at. */
+static long calls_for(const struct bench_effort *effort, bench_call *call, void *with) {
+    double seconds[BENCH_CHANNELS];
+    repeat(call, with, 1, seconds);
+    repeat(call, with, 1, seconds);
+    const double wanted = ceil(effort->seconds / fmax(seconds[BENCH_WALL], 1e-9));
+    return wanted < 3 ? 3 : wanted > 1e6 ? 1000000 : (long)wanted;
+}
+
+void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
+                   struct bench_sample (*of)[BENCH_CHANNELS]) {
+    static double seconds[BENCH_THINGS][BENCH_CHANNELS][BENCH_REPEATS_MAX];
+    long calls[BENCH_THINGS];
+    double now[BENCH_CHANNELS];
+    ENSURE(n <= BENCH_THINGS && effort->repeats <= BENCH_REPEATS_MAX, "%d things, %d repeats", n,
+           effort->repeats);
+    for (int k = 0; k < n; k++) calls[k] = calls_for(effort, call, with[k]);
+    for (int r = 0; r < effort->repeats; r++)
+        for (int k = 0; k < n; k++) {
+            repeat(call, with[k], calls[k], now);
+            for (int c = 0; c < BENCH_CHANNELS; c++) seconds[k][c][r] = now[c];
+        }
+    for (int k = 0; k < n; k++)
+        for (int c = 0; c < BENCH_CHANNELS; c++) {
+            double *s = seconds[k][c];
+            const double median = bench_median(effort->repeats, s);
+            of[k][c] = (struct bench_sample){calls[k], effort->repeats, median, s[0], s[effort->repeats - 1]};
+        }
+}

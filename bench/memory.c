@@ -1,0 +1,77 @@
+/* Bytes held a cell, a bond and a marker. */
+#include "base/memory.h"
+#include "base/par.h"
+#include "bench/parts.h"
+#include "bench/scene.h"
+#include "coupling/run.h"
+#include "solid/family.h"
+
+static double held(enum memory_part part) { return par_sum((double)memory_bytes(part)); }
+
+static void of_fluid(struct bench *b, const int n[3]) {
+    char size[32];
+    const double before = held(MEMORY_FLUID);
+    struct fluid *f = bench_fluid_new(n, 0);
+    snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
+    bench_table_memory(&b->table, "memory_fluid", size, held(MEMORY_FLUID) - before, (double)fluid_cells(f),
+                       "cell");
+    fluid_free(f);
+}
+
+struct holding {
+    double bytes, bonds;
+    long particles;
+};
+
+static struct holding holding_of(const struct bench_block *block) {
+    struct holding h = {.bytes = -held(MEMORY_SOLID)};
+    struct solid *s = bench_block_new(block);
+    h.bytes += held(MEMORY_SOLID);
+    h.bonds = (double)par_sum_long(solid_family_directed(s));
+    h.particles = s->n_global;
+    solid_free(s);
+    return h;
+}
+
+/* What a bond holds by itself is the difference of two families in the same block, horizons of 3 and of 2 spacings; the rest
+ * is the particles' state, work and places. */
+static void of_block(struct bench *b, const char *of_bond, const char *of_particle, int list) {
+    char size[32];
+    struct bench_block block = {.half = b->quick, .list = list};
+    const struct holding many = holding_of(&block);
+    block.ratio = 2;
+    const struct holding few = holding_of(&block);
+    const double bond = (many.bytes - few.bytes) / (many.bonds - few.bonds);
+    snprintf(size, sizeof size, "%ld", many.particles);
+    bench_table_memory(&b->table, of_bond, size, bond * many.bonds, many.bonds, "directed bond");
+    bench_table_memory(&b->table, of_particle, size, many.bytes - bond * many.bonds, (double)many.particles,
+                       "particle");
+}
+
+static void of_run(struct bench *b) {
+    char size[32];
+    struct scene *scene = bench_scene_new(&(struct bench_scene){.half = b->quick});
+    const double before = held(MEMORY_IBM) + held(MEMORY_COUPLING);
+    struct run *r = run_new(scene);
+    run_stage_begin(r);
+    run_step(r);
+    r->stage = 1;
+    run_stage_begin(r);
+    run_step(r);
+    const int *n = fluid_grid_of(r->fluid)->n;
+    snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
+    bench_table_memory(&b->table, "memory_marker", size, held(MEMORY_IBM) + held(MEMORY_COUPLING) - before,
+                       (double)r->surface->total, "marker");
+    bench_table_memory(&b->table, "memory_run", size,
+                       held(MEMORY_FLUID) + held(MEMORY_SOLID) + held(MEMORY_IBM) + held(MEMORY_COUPLING),
+                       (double)fluid_cells(r->fluid), "cell");
+    run_free(r);
+    scene_free(scene);
+}
+
+void bench_memory(struct bench *b) {
+    of_fluid(b, b->quick ? (int[]){32, 16, 16} : (int[]){128, 64, 64});
+    of_block(b, "memory_lattice_bond", "memory_lattice_particle", 0);
+    of_block(b, "memory_list_bond", "memory_list_particle", 1);
+    of_run(b);
+}

@@ -1,0 +1,40 @@
+/* What is measured, by subject. Inside the room only. Each is collective. */
+#pragma once
+#include "bench/row.h"
+#include "fluid/fluid.h"
+#include "solid/solid.h"
+
+struct bench {
+    struct bench_effort effort;
+    int quick; /* small problems: shows that all works */
+    int sizes; /* given ones instead of the standard ones */
+    const struct bench_size *size;
+    struct bench_table table;
+};
+
+/* An element of --sizes: cells of a channel, or particles along the sides of a full block. */
+struct bench_size {
+    int cells[3]; /* 0: not cells */
+    int side;     /* 0: not a block */
+};
+
+void bench_limits(struct bench *b);
+void bench_fluid(struct bench *b);    /* steps, and their parts */
+void bench_solid(struct bench *b);    /* force sweeps */
+void bench_peer(struct bench *b);     /* the sweep that bench/lammps compares */
+void bench_immersed(struct bench *b); /* the main case: forcing, probe, interface, contact, whole steps */
+void bench_memory(struct bench *b);   /* bytes a cell, a bond, a marker */
+void bench_growth_fluid(struct bench *b);
+void bench_growth_solid(struct bench *b);
+
+/* A channel with inflow, outflow, walls in y and a periodic span; or periodic along x with a bulk velocity held. */
+struct fluid *bench_fluid_new(const int cells[3], int channel);
+
+/* A cubic lattice block in the main case's material. */
+struct bench_block {
+    int side;     /* sites along each side of a full block; 0: the main case's porous block */
+    int half;     /* the porous block's small version */
+    int list;     /* lists of bonds instead of the lattice store */
+    double ratio; /* horizon / spacing, 0: 3 */
+};
+struct solid *bench_block_new(const struct bench_block *in);

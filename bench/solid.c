@@ -1,0 +1,105 @@
+/* Force sweeps over blocks of bonds. */
+#include "base/par.h"
+#include "bench/parts.h"
+#include "solid/family.h"
+
+#include <math.h>
+
+static const double SPACING = 1.5625e-3; /* m */
+
+struct solid *bench_block_new(const struct bench_block *in) {
+    struct solid_body body = {.name = "block", .shape = SOLID_BOX};
+    const struct solid_material material = {1e8, 3000, 0.05, in->ratio > 0 ? in->ratio : 3};
+    struct solid_input input = {.spacing = SPACING,
+                                .bodies = 1,
+                                .body = &body,
+                                .materials = 1,
+                                .material = &material,
+                                .surface_correction = 1,
+                                .general_bonds = in->list};
+    const double side = in->side, width = in->half ? 32 : 64;
+    const double low[3] = {16, -3, 0}, high[3] = {in->half ? 40 : 64, width + 3, width};
+    for (int c = 0; c < 3; c++) {
+        body.low[c] = in->side ? 0 : low[c] * SPACING;
+        body.high[c] = (in->side ? side : high[c]) * SPACING;
+    }
+    if (!in->side) { /* the main case's cavities, and its periodic span */
+        body.cavity_period = 16 * SPACING;
+        body.cavity_radius = 9.15 * SPACING;
+        body.cavity_centre[0] = 16.15 * SPACING;
+        input.periodic[2] = 1;
+        input.length[2] = width * SPACING;
+    }
+    struct solid *s = solid_new(&input);
+    for (int h = 0; h < s->n; h++) /* stretches of some 1e-4: none breaks */
+        for (int c = 0; c < 3; c++) s->d[c][h] = 2e-4 * SPACING * sin(300 * s->x0[(c + 1) % 3][h] + c);
+    solid_ghosts_update(s);
+    return s;
+}
+
+static void sweep(void *with) {
+    struct solid *s = with;
+    solid_ghosts_update(s);
+    solid_force(s, 1);
+}
+
+/* Each bond once, for both its ends. In: the relative displacement 3, eps = eta.(2 xi + eta)/xi^2 9, the stretch's
+ * polynomial of degree four 9, weights 4, zeta 3, and the force added at both ends 12: 40 a bond, 20 directed. With damping
+ * relative velocities 3, their part along zeta 5, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 15 more.
+ * Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3). A directed bond on a
+ * lattice: one bit. In a list: 4 B for the other end, 1 for lambda, and its reference vector, 3 doubles. */
+static void count(struct bench_row *row, double particles, int list, int damped) {
+    row->flops = 20 + (damped ? 7.5 : 0);
+    row->bytes = (list ? 4 + 1 + 24 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
+}
+
+static void measure(struct bench *b, const char *part, const struct bench_block *block, double damping) {
+    struct bench_sample of[1][BENCH_CHANNELS];
+    struct solid *s = bench_block_new(block);
+    s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
+    bench_measure(&b->effort, sweep, 1, (void *[]){s}, of);
+    struct bench_row row = {.part = part,
+                            .time = of[0][BENCH_WALL],
+                            .units = (double)par_sum_long(solid_family_directed(s)),
+                            .unit = "directed bond"};
+    snprintf(row.size, sizeof row.size, "%ld", s->n_global);
+    count(&row, (double)s->n_global, block->list, damping > 0);
+    bench_table_row(&b->table, &row);
+    if (!block->list) bench_table_traffic(&b->table, part, row.size, sweep, s, 4);
+    solid_free(s);
+}
+
+void bench_solid(struct bench *b) {
+    static const char *const name[2][2][2] = {
+        {{"sweep_full", "sweep_full_damped"}, {"sweep_porous", "sweep_porous_damped"}},
+        {{"sweep_full_list", "sweep_full_list_damped"}, {"sweep_porous_list", "sweep_porous_list_damped"}}};
+    if (b->sizes) {
+        for (int k = 0; k < b->sizes; k++)
+            if (b->size[k].side) measure(b, name[0][0][0], &(struct bench_block){.side = b->size[k].side}, 0);
+        return;
+    }
+    for (int list = 0; list < 2; list++)
+        for (int porous = 0; porous < 2; porous++)
+            for (int damped = 0; damped < 2; damped++)
+                measure(b, name[list][porous][damped],
+                        &(struct bench_block){.side = porous     ? 0
+                                                      : b->quick ? 12
+                                                                 : 38,
+                                              .half = b->quick,
+                                              .list = list},
+                        damped ? 1e15 : 0);
+}
+
+/* A horizon of 2.5 spacings has a family of |xi| < 3 spacings and a little, 122 bonds: those of a code that bonds
+ * particles by the distance of their centres alone. Then the family of the horizon of 3 spacings, 178 bonds. */
+void bench_peer(struct bench *b) {
+    const int side = b->quick ? 12 : 38;
+    measure(b, "sweep_122", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4}, 0);
+    measure(b, "sweep_178", &(struct bench_block){.side = side}, 0);
+}
+
+void bench_growth_solid(struct bench *b) {
+    static const int side[] = {22, 38, 47, 100};
+    for (int k = 0; k < (b->quick ? 1 : 4); k++)
+        measure(b, "sweep_full", &(struct bench_block){.side = side[k]}, 0);
+}

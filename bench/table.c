@@ -1,0 +1,215 @@
+/* The page docs/performance.md and the tables of docs/scaling.md, from what the bench has measured before. */
+#include "base/error.h"
+#include "bench/bench.h"
+#include "bench/cells.h"
+#include "bench/whole.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+struct page {
+    struct bench_cells *rows, *traffic, *peer; /* measured here; sent; another code beside ours */
+    int runs;
+    struct bench_whole run[8];
+};
+
+static void read_file(struct page *p, const char *path) {
+    const size_t length = strlen(path);
+    char head[16] = "";
+    if (length > 5 && !strcmp(path + length - 5, ".json")) {
+        if (p->runs < 8) p->run[p->runs++] = bench_whole_read(path);
+        return;
+    }
+    FILE *file = fopen(path, "r");
+    if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);
+    if (!fgets(head, sizeof head, file)) head[0] = '\0';
+    fclose(file);
+    struct bench_cells **to = !strncmp(head, "code,", 5)     ? &p->peer
+                              : strstr(path, "-traffic.csv") ? &p->traffic
+                                                             : &p->rows;
+    *to = bench_cells_read(*to, path);
+}
+
+static const char *text(const struct bench_cells *c, int row, const char *column) {
+    const char *t = bench_cells_text(c, row, column);
+    return *t ? t : "–";
+}
+
+/* One line of what is to be reached: ours NAN: not measured yet. */
+static void target(const char *what, const char *peer, const char *unit, double most, double ours, double low,
+                   double high) {
+    printf("| %s | %s | ≤ %g %s | ", what, peer, most, unit);
+    if (isnan(ours))
+        printf("not measured | |\n");
+    else if (isnan(low))
+        printf("%.3g %s | %s |\n", ours, unit, ours <= most ? "reached" : "not reached");
+    else
+        printf("%.3g %s (%.3g–%.3g) | %s |\n", ours, unit, low, high,
+               ours <= most ? "reached" : "not reached");
+}
+
+static void target_step(const struct page *p, const char *what, const char *peer, const char *part,
+                        const char *size, double most) {
+    const int row = bench_cells_find(p->rows, part, size, 2);
+    target(what, peer, "ms", most, bench_cells_number(p->rows, row, "median_ms"),
+           bench_cells_number(p->rows, row, "low_ms"), bench_cells_number(p->rows, row, "high_ms"));
+}
+
+static void target_bond(const struct page *p, const char *what, const char *peer, const char *part,
+                        const char *size, double most) {
+    const int row = bench_cells_find(p->rows, part, size, 1);
+    const double ns = bench_cells_number(p->rows, row, "ns_per_unit"),
+                 a_ms = ns / bench_cells_number(p->rows, row, "median_ms");
+    target(what, peer, "ns", most, ns, a_ms * bench_cells_number(p->rows, row, "low_ms"),
+           a_ms * bench_cells_number(p->rows, row, "high_ms"));
+}
+
+/* Markers, forcing and probe over a coupled step of the intact block, %. */
+static double share(const struct page *p) {
+    const char *const part[3] = {"markers", "forcing", "probe"}, *size = "128x64x64";
+    double sum = 0;
+    for (int k = 0; k < 3; k++)
+        sum += bench_cells_number(p->rows, bench_cells_find(p->rows, part[k], size, 2), "median_ms");
+    return 100 * sum /
+           bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", size, 2), "median_ms");
+}
+
+static void targets(const struct page *p) {
+    printf("## To reach\n\nThe peers were measured on a machine of two cores with AVX-512, 32 MB of L3, "
+           "triad 42 GB/s on "
+           "one core and\n50 GB/s on two: CaNS as its authors build it for the machine, LAMMPS as Debian has "
+           "it. Ours is "
+           "the median, with\nthe lowest and highest of the repeats.\n\n"
+           "| what | peer, measured | to reach | ours | |\n|---|---|---|---|---|\n");
+    target_step(p, "fluid, 128 × 64 × 64, inflow–outflow, walls in y, 2 ranks, an RK3 step",
+                "CaNS 35 ms as it comes, 30 ms at its best", "fluid_step", "128x64x64", 10);
+    target_step(p, "fluid, 256 × 128 × 128, channel, 2 ranks", "CaNS 350 ms as it comes, 205 ms at its best",
+                "channel_step", "256x128x128", 110);
+    target_bond(p, "force sweep, full block, a directed bond and core", "LAMMPS PERI/PMB 11 ns", "sweep_full",
+                "54872", 0.6);
+    target_bond(p, "force sweep, the main case's porous block", "–", "sweep_porous", "", 1.0);
+    target("markers, forcing (N_s = 2) and probe, of a coupled step", "–", "%", 20, share(p), NAN, NAN);
+    for (int rk3 = 1; rk3 >= 0; rk3--) {
+        const struct bench_whole *found = NULL;
+        for (int k = 0; k < p->runs; k++)
+            if (p->run[k].rk3 == rk3) found = &p->run[k];
+        target(rk3 ? "the whole S3, 2 ranks, RK3" : "the whole S3, 2 ranks, Verlet",
+               "the two peers' own parts added up: about an hour", "min", rk3 ? 9 : 6,
+               found ? found->wall_seconds / 60 : NAN, NAN, NAN);
+    }
+    const double off = bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", "128x64x64", 2),
+                                          "median_ms"),
+                 on = bench_cells_number(p->rows,
+                                         bench_cells_find(p->rows, "coupled_step_breakage", "128x64x64", 2),
+                                         "median_ms");
+    if (!isnan(on / off))
+        printf("\nThe same block, intact: a coupled step with breakage on takes %.3f of one with breakage "
+               "off (2 ranks, "
+               "taken in turn).\n",
+               on / off);
+    for (int row = 0; p->peer && row < p->peer->rows; row++)
+        printf("%sLAMMPS and frana in one go, in turn, 1 rank, %s directed bonds each: %s and %s ns a bond, "
+               "ratio %s (%s).\n",
+               row ? "" : "\n", text(p->peer, row, "bonds"), text(p->peer, row, "theirs_ns"),
+               text(p->peer, row, "ours_ns"), text(p->peer, row, "ratio"), text(p->peer, row, "spread"));
+    printf("\n");
+}
+
+static void machine(const struct bench_cells *c) {
+    printf("%s, %s cores. %s, `%s`; FFTW: %s, plans: %s; %s. %s, revision %s.\n\n", text(c, 0, "cpu"),
+           text(c, 0, "cores"), text(c, 0, "compiler"), text(c, 0, "flags"), text(c, 0, "fftw"),
+           text(c, 0, "plan"), text(c, 0, "mpi"), text(c, 0, "date"), text(c, 0, "revision"));
+}
+
+static void measured(const struct bench_cells *c, int ranks) {
+    printf("## On %d rank%s\n\n"
+           "| part | size | ms | low–high | ns a unit | unit | bytes | flops | GB/s | of the limit |\n"
+           "|---|---|---|---|---|---|---|---|---|---|\n",
+           ranks, ranks > 1 ? "s" : "");
+    for (int row = 0; row < c->rows; row++) {
+        if ((int)bench_cells_number(c, row, "ranks") != ranks ||
+            isnan(bench_cells_number(c, row, "median_ms")))
+            continue;
+        const double fraction = bench_cells_number(c, row, "fraction_of_limit");
+        printf("| %s | %s | %s | %s–%s | %s | %s | %s | %s | %s | ", text(c, row, "part"),
+               text(c, row, "size"), text(c, row, "median_ms"), text(c, row, "low_ms"),
+               text(c, row, "high_ms"), text(c, row, "ns_per_unit"), text(c, row, "unit"),
+               text(c, row, "bytes_per_unit"), text(c, row, "flops_per_unit"), text(c, row, "gb_per_s"));
+        if (isnan(fraction))
+            printf("– |\n");
+        else
+            printf("%.0f %% |\n", 100 * fraction);
+    }
+    printf("\n");
+}
+
+static void memory(const struct bench_cells *c) {
+    printf("## Memory\n\n| part | size | ranks | bytes | a |\n|---|---|---|---|---|\n");
+    for (int row = 0; row < c->rows; row++)
+        if (!strncmp(text(c, row, "part"), "memory", 6))
+            printf("| %s | %s | %s | %s | %s |\n", text(c, row, "part"), text(c, row, "size"),
+                   text(c, row, "ranks"), text(c, row, "bytes_per_unit"), text(c, row, "unit"));
+    printf("\n");
+}
+
+static void performance(const struct page *p) {
+    printf("# Performance\n\nMade by `bench/run.sh`, not by hand. A time is the median over repeats of "
+           "several calls, after a "
+           "warm-up, of the slowest\nrank; *ns a unit* are of one core; *bytes* and *flops* are what the "
+           "algorithm must move "
+           "and compute a unit, counted beside\neach kernel's bench in `bench/`; *of the limit* is the least "
+           "time that the "
+           "bandwidth and the multiply-adds measured in the same\nrun allow (roofline), over the time taken. "
+           "Where that "
+           "is above what memory gives, the data stay in the cache.\n\n");
+    machine(p->rows);
+    targets(p);
+    measured(p->rows, 1);
+    measured(p->rows, 2);
+    memory(p->rows);
+}
+
+static void growth_of(const struct bench_cells *c, const char *part, const char *title) {
+    printf("| %s | 1 rank, ms | ns a unit | 2 ranks, ms | ns a unit and core | speed-up "
+           "|\n|---|---|---|---|---|---|\n",
+           title);
+    for (int row = 0; row < c->rows; row++) {
+        const char *size = text(c, row, "size");
+        const int one = bench_cells_find(c, part, size, 1), two = bench_cells_find(c, part, size, 2);
+        if (strcmp(text(c, row, "part"), part) || row != (one >= 0 ? one : two)) continue;
+        printf("| %s | %s | %s | %s | %s | %.2f |\n", size, text(c, one, "median_ms"),
+               text(c, one, "ns_per_unit"), text(c, two, "median_ms"), text(c, two, "ns_per_unit"),
+               bench_cells_number(c, one, "median_ms") / bench_cells_number(c, two, "median_ms"));
+    }
+    printf("\n");
+}
+
+static void sent(const struct bench_cells *c) {
+    printf("| a step of | size | ranks | kind | messages | collectives | bytes "
+           "|\n|---|---|---|---|---|---|---|\n");
+    for (int row = 0; row < c->rows; row++)
+        printf("| %s | %s | %s | %s | %s | %s | %s |\n", text(c, row, "part"), text(c, row, "size"),
+               text(c, row, "ranks"), text(c, row, "kind"), text(c, row, "messages"),
+               text(c, row, "collectives"), text(c, row, "bytes"));
+    printf("\n");
+}
+
+int bench_table(const struct command *c) {
+    struct page p = {0};
+    for (int k = 0; k < c->files; k++) read_file(&p, c->file[k]);
+    if (!p.rows || !p.rows->rows)
+        die(EXIT_CODE_FILE, "frana bench --table: none of the files holds measured times");
+    if (c->table == COMMAND_TABLE_PERFORMANCE) {
+        performance(&p);
+    } else {
+        machine(p.rows);
+        growth_of(p.rows, "fluid_step", "cells");
+        growth_of(p.rows, "sweep_full", "particles");
+        if (p.traffic) sent(p.traffic);
+    }
+    bench_cells_free(p.rows);
+    bench_cells_free(p.traffic);
+    bench_cells_free(p.peer);
+    return EXIT_CODE_DONE;
+}

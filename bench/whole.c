@@ -1,0 +1,48 @@
+#include "bench/whole.h"
+#include "base/error.h"
+#include "base/folder.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What stands behind "key": in the file's line, without quotes and commas. Returns whether it was there. */
+static int value_of(const char *line, const char *key, char *to, size_t size) {
+    const char *at = strstr(line, key);
+    if (!at) return 0;
+    at += strlen(key);
+    at += strspn(at, "\": ");
+    snprintf(to, size, "%.*s", (int)strcspn(at, "\",\r\n"), at);
+    return 1;
+}
+
+/* The integrator of the last stage that names one, in the scene that lies beside the run.json. */
+static int is_rk3(const char *path) {
+    char scene[FOLDER_PATH], line[1024], word[64] = "rk3";
+    const char *slash = strrchr(path, '/');
+    const int folder = slash ? (int)(slash - path) + 1 : 0;
+    snprintf(scene, sizeof scene, "%.*sscene.resolved.yaml", folder, path);
+    FILE *file = fopen(scene, "r");
+    while (file && fgets(line, sizeof line, file)) value_of(line, "integrator:", word, sizeof word);
+    if (file) fclose(file);
+    return strncmp(word, "verlet", 6) != 0;
+}
+
+struct bench_whole bench_whole_read(const char *path) {
+    struct bench_whole whole = {.rk3 = is_rk3(path)};
+    char line[1024], text[64], status[64] = "";
+    FILE *file = fopen(path, "r");
+    if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);
+    while (fgets(line, sizeof line, file)) {
+        if (strstr(line, "\"wall_seconds\"") && value_of(line, "\"wall_seconds\"", text, sizeof text))
+            whole.wall_seconds = strtod(text, NULL);
+        if (strstr(line, "\"ranks\"") && value_of(line, "\"ranks\"", text, sizeof text))
+            whole.ranks = strtod(text, NULL);
+        value_of(line, "\"title\"", whole.title, sizeof whole.title);
+        value_of(line, "\"status\"", status, sizeof status);
+    }
+    fclose(file);
+    if (strcmp(status, "done") || whole.wall_seconds <= 0)
+        die(EXIT_CODE_FILE, "%s: is not of a run that is done", path);
+    return whole;
+}

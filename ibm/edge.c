@@ -1,0 +1,162 @@
+/* Markers whose blocks reach over a side of this rank's piece: cut by ranks and periodic sides, folded at the others. */
+#include "ibm/state.h"
+
+#include <string.h>
+
+/* One direction of a block before it is cut, by component, in cells of the whole domain. */
+struct line {
+    int first[3];
+    double read[3][3], write[3][3];
+    double constant[3];
+};
+
+/* What stands beyond a side is read as the fluid's condition continues it, and takes no force; nor do faces on the side.
+ *
+ *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
+ *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
+ * and the same mirrored at the high side. No block reaches further. */
+static void fold(const struct ibm *b, int d, int c, struct line *l) {
+    const int n = b->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
+    double w[3];
+    memcpy(w, l->read[c], sizeof w);
+    for (int i = 0; i < 3; i++) {
+        const int at = l->first[c] + i, beyond = at < low || at > high, side = at > high, in = side ? -1 : 1;
+        if (beyond || (on_face && (at == low || at == high))) l->write[c][i] = 0;
+        if (!beyond) continue;
+        const struct fluid_mirror *m = &b->mirror[c][d][side];
+        l->read[c][i] = 0;
+        l->constant[c] += w[i] * m->constant;
+        if (on_face) l->read[c][i + in] += w[i] * m->face;
+        l->read[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
+    }
+}
+
+static void line_set(const struct ibm *b, int d, int cell, double s, struct line *l) {
+    const double t = s - cell - 0.5;
+    for (int c = 0; c < 3; c++) {
+        ibm_kernel_weights(c == d ? ibm_kernel_face(t) : t, l->read[c]);
+        l->first[c] = cell - 1 - (c == d && t < 0);
+        memcpy(l->write[c], l->read[c], sizeof l->write[c]);
+        l->constant[c] = 0;
+        if (!b->grid->periodic[d]) fold(b, d, c, l);
+    }
+}
+
+/* The weights that fall on this rank's cells, `image` away, and where they start: never outside, if it has three cells. */
+static int cut(const struct fluid_grid *g, int d, int c, int image, int first, const double from[3],
+               double to[3]) {
+    const int low = c == d && !g->periodic[d] && g->lo[d] == 0 ? -1 : 0, local = first - g->lo[d] + image;
+    int start = local;
+    if (start > g->m[d] - 3) start = g->m[d] - 3;
+    if (start < low) start = low;
+    to[0] = to[1] = to[2] = 0;
+    for (int i = 0; i < 3; i++)
+        if (local + i >= low && local + i < g->m[d]) to[local + i - start] = from[i];
+    return start;
+}
+
+static void block_set(const struct fluid_grid *g, const struct line line[3], const int image[3], int write,
+                      struct ibm_block *block) {
+    for (int c = 0; c < 3; c++) {
+        double *to[3] = {block->x[c], block->y[c], block->z[c]};
+        int start[3];
+        for (int d = 0; d < 3; d++)
+            start[d] =
+                cut(g, d, c, image[d], line[d].first[c], write ? line[d].write[c] : line[d].read[c], to[d]);
+        block->x[c][3] = 0;
+        block->at[c] = (ptrdiff_t)fluid_grid_at(g, start[0], start[1], start[2]);
+    }
+}
+
+/* The images of a marker's block that reach this rank's cells, in cells along a direction; returns how many. */
+static int images(const struct fluid_grid *g, int d, int cell, int image[3]) {
+    int count = 0;
+    for (int k = -g->periodic[d]; k <= g->periodic[d]; k++) {
+        const int at = cell + k * g->n[d] - g->lo[d];
+        if (at + IBM_BEHIND >= 0 && at - IBM_BEFORE < g->m[d]) image[count++] = k * g->n[d];
+    }
+    return count;
+}
+
+/* All products of images. */
+static int all_images(const struct fluid_grid *g, const int cell[3], int image[IBM_PIECES][3]) {
+    int along[3][3], count[3], pieces = 0;
+    for (int d = 0; d < 3; d++) count[d] = images(g, d, cell[d], along[d]);
+    for (int k = 0; k < count[2]; k++)
+        for (int j = 0; j < count[1]; j++)
+            for (int i = 0; i < count[0] && pieces < IBM_PIECES; i++, pieces++) {
+                image[pieces][0] = along[0][i];
+                image[pieces][1] = along[1][j];
+                image[pieces][2] = along[2][k];
+            }
+    return pieces;
+}
+
+int ibm_edge_planes(const struct ibm *b, const int cell[3], int plane[IBM_PIECES]) {
+    int image[IBM_PIECES][3];
+    const int pieces = all_images(b->grid, cell, image);
+    for (int p = 0; p < pieces; p++) plane[p] = cell[2] + image[p][2] - b->grid->lo[2];
+    return pieces;
+}
+
+void ibm_edge_set(struct ibm *b, struct ibm_edge *e) {
+    struct line line[3];
+    int image[IBM_PIECES][3];
+    const int pieces = all_images(b->grid, e->cell, image);
+    for (int d = 0; d < 3; d++) line_set(b, d, e->cell[d], e->s[d], &line[d]);
+    for (int c = 0; c < 3; c++) {
+        e->constant[c] = 0;
+        e->share[c] = 1;
+        for (int d = 0; d < 3; d++) { /* x is continued first, then y, then z */
+            const double *r = line[d].read[c], *w = line[d].write[c];
+            e->constant[c] = e->constant[c] * (r[0] + r[1] + r[2]) + line[d].constant[c];
+            e->share[c] *= w[0] + w[1] + w[2];
+        }
+    }
+    for (int p = 0; p < pieces; p++) {
+        struct ibm_piece *piece = &b->piece[e->piece[p]];
+        block_set(b->grid, line, image[p], 0, &piece->read);
+        block_set(b->grid, line, image[p], 1, &piece->write);
+    }
+}
+
+void ibm_edges_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece) {
+    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
+    for (int p = first_piece; p < last_piece; p++) {
+        const struct ibm_block *block = &b->piece[p].read;
+        double *sum = b->sum[b->piece[p].edge];
+        for (int c = 0; c < 3; c++)
+            sum[c] +=
+                ibm_kernel_gather(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c]);
+    }
+}
+
+void ibm_edges_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
+    for (int e = first; e < last; e++) {
+        const struct ibm_edge *edge = &b->edge[e];
+        double *increment = b->increment[b->inner + e];
+        for (int c = 0; c < 3; c++) {
+            double velocity = edge->constant[c];
+            for (int k = 0; k < edge->summands; k++) velocity += b->sum[edge->summand[k]][c];
+            const double lack = edge->v[c] - velocity;
+            increment[c] = lack * edge->volume;
+            if (!edge->mine) continue;
+            t->given[c] += increment[c] * edge->share[c];
+            t->squares += lack * lack;
+        }
+        ibm_keep(b->received[b->inner + e], increment, keep);
+    }
+    for (int e = first; e < last; e++)
+        for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
+}
+
+void ibm_edges_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece) {
+    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
+    for (int p = first_piece; p < last_piece; p++) {
+        const struct ibm_block *block = &b->piece[p].write;
+        const double *increment = b->increment[b->inner + b->piece[p].edge];
+        for (int c = 0; c < 3; c++)
+            ibm_kernel_scatter(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c],
+                               increment[c]);
+    }
+}

@@ -1,0 +1,187 @@
+/* What has arrived, put in order: inner markers by slab, row and place in the row, so that what a slab touches stays in a core's
+ * own cache; then edges whose pieces all lie in one slab; then the far ones, whose sums are complete only with another
+ * slab's or another rank's. */
+#include "base/memory.h"
+#include "base/par.h"
+#include "ibm/state.h"
+
+#include <string.h>
+
+int ibm_is_inner(const struct ibm *b, const int cell[3]) {
+    for (int d = 0; d < 3; d++)
+        if (cell[d] < b->inner_low[d] || cell[d] >= b->inner_high[d]) return 0;
+    return 1;
+}
+
+int ibm_slab_of(const struct ibm *b, int plane) {
+    const int slab = plane / IBM_SLAB;
+    return plane < 0 ? 0 : slab < b->slabs ? slab : b->slabs - 1;
+}
+
+enum { THICK = 2 * IBM_SLAB }; /* more than the planes of the last slab */
+
+/* Row after row, and the planes of the slab at each: a few rows of each plane are all that the inner loops hold on to. */
+static int row_of(const struct ibm *b, const int cell[3]) {
+    const int k = cell[2] - b->grid->lo[2], slab = ibm_slab_of(b, k);
+    return (slab * b->grid->m[1] + cell[1] - b->grid->lo[1]) * THICK + k - slab * IBM_SLAB;
+}
+
+int ibm_bins(const struct ibm *b) { return b->slabs * b->grid->m[1] * THICK; }
+
+/* What a marker is sorted by: the bins are rows of inner markers, then slabs of near edges, then all that is far, which
+ * stays in order of arrival, the same on all ranks that share it. */
+static void place_of(const struct ibm *b, const double *item, struct ibm_place *p) {
+    const struct fluid_grid *g = b->grid;
+    int plane[IBM_PIECES], rank[IBM_SHARERS];
+    for (int d = 0; d < 3; d++) p->cell[d] = ibm_cell(g, d, item[d]);
+    p->x = p->cell[0];
+    if (ibm_is_inner(b, p->cell)) {
+        p->bin = row_of(b, p->cell);
+        return;
+    }
+    const int pieces = ibm_edge_planes(b, p->cell, plane);
+    int far = ibm_sharers(b, p->cell, rank) > 1;
+    for (int i = 1; i < pieces; i++) far |= plane[i] != plane[0];
+    p->bin = ibm_bins(b) + (far ? b->slabs : ibm_slab_of(b, plane[0]));
+    if (far) p->x = 0;
+}
+
+static void *grown(void *old, int count, size_t size) {
+    memory_free(old);
+    return memory_new(MEMORY_IBM, (size_t)count, size);
+}
+
+static void reserve_markers(struct ibm *b) {
+    if (b->served <= b->capacity) return;
+    b->capacity = b->served + b->served / 4 + 64;
+    b->arrival = grown(b->arrival, b->capacity, sizeof *b->arrival);
+    b->by_x = grown(b->by_x, b->capacity, sizeof *b->by_x);
+    b->place = grown(b->place, b->capacity, sizeof *b->place);
+    b->stencil = grown(b->stencil, b->capacity, sizeof *b->stencil);
+    b->increment = grown(b->increment, b->capacity, sizeof *b->increment);
+    b->received = grown(b->received, b->capacity, sizeof *b->received);
+}
+
+static void reserve_edges(struct ibm *b) {
+    if (b->edges > b->edge_capacity) {
+        b->edge_capacity = b->edges + b->edges / 4 + 64;
+        b->edge = grown(b->edge, b->edge_capacity, sizeof *b->edge);
+        b->swap_edge = grown(b->swap_edge, (IBM_SHARERS - 1) * b->edge_capacity, sizeof *b->swap_edge);
+        b->sent = grown(b->sent, (IBM_SHARERS - 1) * b->edge_capacity, sizeof *b->sent);
+        b->sum = grown(b->sum, IBM_SHARERS * b->edge_capacity, sizeof *b->sum);
+    }
+    if (b->pieces > b->piece_capacity) {
+        b->piece_capacity = b->pieces + b->pieces / 4 + 64;
+        b->piece = grown(b->piece, b->piece_capacity, sizeof *b->piece);
+    }
+}
+
+/* order [n] <- from [n] (NULL: 0, 1, ..) by rising key, equal ones as they stood; start [keys + 1] <- first of each key. */
+static void sort(int n, const int *from, const struct ibm_place *place, int by_x, int keys, int *start,
+                 int *order) {
+    for (int k = 0; k <= keys; k++) start[k] = 0;
+    for (int i = 0; i < n; i++) start[(by_x ? place[i].x : place[i].bin) + 1]++;
+    for (int k = 0; k < keys; k++) start[k + 1] += start[k];
+    for (int i = 0; i < n; i++) {
+        const int item = from ? from[i] : i;
+        order[start[by_x ? place[item].x : place[item].bin]++] = item;
+    }
+    for (int k = keys; k > 0; k--) start[k] = start[k - 1];
+    start[0] = 0;
+}
+
+static int *slab_list(struct ibm *b, enum ibm_list list) { return b->slab_at + (int)list * (b->slabs + 1); }
+
+static void order_markers(struct ibm *b) {
+    const int rows = ibm_bins(b);
+    for (int a = 0; a < b->served; a++) place_of(b, b->route.served + (size_t)a * IBM_ITEM, &b->place[a]);
+    sort(b->served, NULL, b->place, 1, b->grid->n[0], b->bin, b->by_x);
+    sort(b->served, b->by_x, b->place, 0, rows + b->slabs + 1, b->bin, b->arrival);
+    b->inner = b->bin[rows];
+    b->near_edges = b->bin[rows + b->slabs] - b->inner;
+    b->edges = b->served - b->inner;
+    for (int s = 0; s <= b->slabs; s++) {
+        slab_list(b, IBM_INNER)[s] = b->bin[s * (rows / b->slabs)];
+        slab_list(b, IBM_NEAR)[s] = b->bin[rows + s] - b->inner;
+    }
+}
+
+/* Numbers of pieces: the near edges' one after another, the far ones' by slab. */
+static void number_pieces(struct ibm *b) {
+    const struct fluid_grid *g = b->grid;
+    int *near = slab_list(b, IBM_NEAR_PIECES), *far = slab_list(b, IBM_FAR_PIECES), plane[IBM_PIECES];
+    for (int s = 0; s <= b->slabs; s++) near[s] = far[s] = 0;
+    for (int e = 0; e < b->edges; e++) {
+        struct ibm_edge *edge = &b->edge[e];
+        const int a = b->arrival[b->inner + e];
+        memcpy(edge->cell, b->place[a].cell, sizeof edge->cell);
+        edge->mine = 1;
+        for (int d = 0; d < 3; d++)
+            edge->mine &= edge->cell[d] >= g->lo[d] && edge->cell[d] < g->lo[d] + g->m[d];
+        edge->pieces = ibm_edge_planes(b, edge->cell, plane);
+        for (int p = 0; p < edge->pieces; p++) {
+            edge->piece[p] = ibm_slab_of(b, plane[p]);
+            (e < b->near_edges ? near : far)[edge->piece[p] + 1]++;
+        }
+    }
+    for (int s = 0; s < b->slabs; s++) near[s + 1] += near[s];
+    far[0] = near[b->slabs];
+    for (int s = 0; s < b->slabs; s++) far[s + 1] += far[s];
+    b->pieces = far[b->slabs];
+    int *next = b->bin; /* of near pieces, of far ones */
+    memcpy(next, near, (size_t)b->slabs * sizeof *next);
+    memcpy(next + b->slabs, far, (size_t)b->slabs * sizeof *next);
+    for (int e = 0; e < b->edges; e++)
+        for (int p = 0; p < b->edge[e].pieces; p++)
+            b->edge[e].piece[p] = next[b->edge[e].piece[p] + (e < b->near_edges ? 0 : b->slabs)]++;
+}
+
+/* Which sums go to which ranks, in the order in which both know the markers, and what each far edge's velocity is made from. */
+static void plan_swaps(struct ibm *b) {
+    const int size = par_size(), me = par_rank();
+    int *count = b->peer, *at = b->peer + size, *peer = b->peer + 2 * size, rank[IBM_SHARERS], peers = 0;
+    for (int r = 0; r < size; r++) count[r] = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int e = b->near_edges; e < b->edges; e++) {
+            struct ibm_edge *edge = &b->edge[e];
+            edge->summands = ibm_sharers(b, edge->cell, rank);
+            for (int k = 0; k < edge->summands; k++) {
+                if (rank[k] == me)
+                    edge->summand[k] = e;
+                else if (pass == 0)
+                    count[rank[k]]++;
+                else {
+                    b->swap_edge[at[rank[k]]] = e;
+                    edge->summand[k] = b->edges + at[rank[k]]++;
+                }
+            }
+        }
+        if (pass == 1) break;
+        b->swapped = 0;
+        for (int r = 0; r < size; r++) {
+            at[r] = b->swapped;
+            b->swapped += count[r];
+            if (count[r] == 0) continue;
+            peer[peers] = r;
+            count[peers++] = count[r]; /* peers <= r: read before */
+        }
+    }
+    par_swap_set(b->swap, peers, peer, count);
+}
+
+void ibm_layout(struct ibm *b) {
+    reserve_markers(b);
+    order_markers(b);
+    reserve_edges(b);
+    number_pieces(b);
+    reserve_edges(b); /* now that the pieces are counted */
+    for (int e = 0; e < b->edges; e++) {
+        struct ibm_edge *edge = &b->edge[e];
+        for (int p = 0; p < edge->pieces; p++) b->piece[edge->piece[p]].edge = e;
+        edge->summands = 1;
+        edge->summand[0] = e;
+        for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
+    }
+    plan_swaps(b);
+    b->moved = 0;
+}

@@ -1,0 +1,26 @@
+/* Markers that several ranks serve: who they are, and the sums over their blocks. */
+#include "ibm/state.h"
+
+#include <string.h>
+
+int ibm_sharers(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]) {
+    const struct ibm_touch *y = &b->touch[1][cell[1]], *z = &b->touch[2][cell[2]];
+    const int parts = b->grid->ranks[1];
+    int n = 0;
+    for (int k = 0; k <= (z->low != z->high); k++)
+        for (int j = 0; j <= (y->low != y->high); j++)
+            rank[n++] = (k ? z->high : z->low) * parts + (j ? y->high : y->low);
+    for (int i = 1; i < n; i++) /* a periodic direction's first rank comes after its last */
+        for (int j = i; j > 0 && rank[j] < rank[j - 1]; j--) {
+            const int r = rank[j];
+            rank[j] = rank[j - 1];
+            rank[j - 1] = r;
+        }
+    return n;
+}
+
+void ibm_edges_share(struct ibm *b) {
+    if (b->swapped == 0) return;
+    for (int k = 0; k < b->swapped; k++) memcpy(b->sent[k], b->sum[b->swap_edge[k]], sizeof *b->sent);
+    par_swap(b->swap, &b->sent[0][0], &b->sum[b->edges][0], 3);
+}

@@ -1,0 +1,72 @@
+#include "base/memory.h"
+#include "solid/contact_list.h"
+#include "solid/contact_room.h"
+#include "solid/family.h"
+#include "solid/surface_lost.h"
+
+#include <string.h>
+
+void solid_contact_pairs_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
+    if (p->n == p->capacity) {
+        int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
+        p->h = solid_contact_room(p->h, &p->capacity, p->n + 1, sizeof *p->h);
+        p->l = solid_contact_room(p->l, &capacity[0], p->n + 1, sizeof *p->l);
+        for (int c = 0; c < 3; c++)
+            p->xi[c] = solid_contact_room(p->xi[c], &capacity[1 + c], p->n + 1, sizeof *p->xi[c]);
+    }
+    p->h[p->n] = h;
+    p->l[p->n] = l;
+    for (int c = 0; c < 3; c++) p->xi[c][p->n] = xi[c];
+    p->n++;
+}
+
+/* Onto the list if h and l are nearer than reach. */
+static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
+    double xi[3], r2 = 0;
+    for (int k = 0; k < 3; k++) {
+        const double eta = s->d[k][h] - s->d[k][l], x = (s->x0[k][h] - s->x0[k][l]) + eta;
+        const double nearest = solid_contact_shortest(s, k, x);
+        xi[k] = (s->x0[k][h] - s->x0[k][l]) - (x - nearest);
+        r2 += nearest * nearest;
+    }
+    if (r2 < reach2)
+        solid_contact_pairs_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
+}
+
+/* Bonds of h that are broken and were not when last looked at. */
+static void record(struct solid *s, struct solid_contact *c, int h) {
+    struct solid_family_view view;
+    const int bytes = solid_family_bytes(s);
+    uint8_t *known = c->known + (size_t)h * (size_t)bytes;
+    solid_family_view(s, h, &view);
+    for (int b = 0; b < view.n; b++) {
+        if (view.intact[b] || known[b / 8] >> b % 8 & 1) continue;
+        known[b / 8] |= (uint8_t)(1u << b % 8);
+        const int l = view.l[b];
+        if (l <= h) continue; /* owned: its other end has it */
+        if (c->torn == c->torn_capacity) {
+            int capacity = c->torn_capacity;
+            c->torn_h = solid_contact_room(c->torn_h, &capacity, c->torn + 1, sizeof *c->torn_h);
+            c->torn_l = solid_contact_room(c->torn_l, &c->torn_capacity, c->torn + 1, sizeof *c->torn_l);
+        }
+        c->torn_h[c->torn] = h;
+        c->torn_l[c->torn++] = l;
+    }
+}
+
+void solid_contact_torn_scan(struct solid *s, struct solid_contact *c) {
+    for (int h = 0; h < s->n; h++)
+        if (s->flag[h] & SOLID_BROKEN) record(s, c, h);
+    solid_lost_find(c->lost, s);
+}
+
+void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double reach) {
+    const int before = c->torn, found = solid_lost_find(c->lost, s);
+    for (int k = 0; k < found; k++) record(s, c, c->lost->h[k]);
+    for (int k = before; k < c->torn; k++) list_if_near(s, c, c->torn_h[k], c->torn_l[k], reach * reach);
+}
+
+void solid_contact_torn_list(const struct solid *s, struct solid_contact *c) {
+    const double near = c->radius + c->skin;
+    for (int k = 0; k < c->torn; k++) list_if_near(s, c, c->torn_h[k], c->torn_l[k], near * near);
+}

@@ -1,0 +1,117 @@
+/* Wall seconds of what stands around the step: checks, guard, the parts of a sample, fields, checkpoints.
+ * usage: [mpiexec -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]...
+ * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median of the repeats, the slowest rank's. */
+#include "base/par.h"
+#include "base/signals.h"
+#include "coupling/checkpoint.h"
+#include "coupling/fields.h"
+#include "coupling/series.h"
+#include "solid/family.h"
+#include "solid/measures.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { REPEATS = 15 };
+
+struct bench {
+    struct run *run;
+    struct series *series;
+    struct checkpoint_guard *guard;
+    const char *folder;
+    double *work;
+    double (*tensor)[6];
+};
+
+static void check(struct bench *b) {
+    struct step_status status;
+    run_check(b->run, 1, &status);
+}
+static void glance(struct bench *b) {
+    struct step_status status;
+    run_check(b->run, 0, &status);
+}
+static void stop(struct bench *b) {
+    (void)b;
+    signals_stop(0);
+}
+static void surface(struct bench *b) { solid_surface_update(b->run->solid, b->run->surface); }
+static void guard(struct bench *b) { checkpoint_guard_keep(b->guard, b->run); }
+static void fields(struct bench *b) { fields_write(b->run, b->folder); }
+static void checkpoint(struct bench *b) { checkpoint_write(b->run, b->folder); }
+static void prepare(struct bench *b) { series_prepare(b->series, b->run); }
+static void sample(struct bench *b) {
+    b->run->moved = ++b->run->step; /* as if the solid had moved */
+    series_sample(b->series, b->run);
+}
+static void energy(struct bench *b) { solid_measure_energy(b->run->solid); }
+static void count(struct bench *b) { solid_count_bonds(b->run->solid); }
+static void damage(struct bench *b) { solid_measure_damage(b->run->solid, b->work); }
+static void fragments(struct bench *b) { solid_measure_fragments(b->run->solid, NULL, NULL); }
+static void stress(struct bench *b) { solid_measure_stress(b->run->solid, b->tensor); }
+static void strain(struct bench *b) { solid_measure_strain(b->run->solid, b->tensor); }
+static void deposit(struct bench *b) {
+    b->run->deposited = -1;
+    run_deposit(b->run);
+}
+static void medium(struct bench *b) {
+    medium_measure(b->run->medium, b->run->fluid, b->run->surface->immersed_area);
+}
+static void effective(struct bench *b) { medium_porosity_effective(b->run->medium); }
+static void divergence(struct bench *b) { fluid_divergence_max(b->run->fluid); }
+static void courant(struct bench *b) { fluid_cfl(b->run->fluid, b->run->dt); }
+static void kinetic(struct bench *b) { fluid_kinetic_energy(b->run->fluid); }
+
+static const struct {
+    const char *name;
+    void (*of)(struct bench *b);
+} all[] = {{"run_check", check},         {"run_check, a plane", glance}, {"signals_stop", stop},
+           {"surface update", surface},  {"guard_keep", guard},          {"series_prepare", prepare},
+           {"series_sample", sample},    {"  divergence", divergence},   {"  cfl", courant},
+           {"  kinetic fluid", kinetic}, {"  deposit", deposit},         {"  medium", medium},
+           {"    effective", effective}, {"  energy", energy},           {"  count bonds", count},
+           {"  damage", damage},         {"  fragments", fragments},     {"stress", stress},
+           {"strain", strain},           {"fields_write", fields},       {"checkpoint_write", checkpoint}};
+
+static int rising(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    if (argc < 4) die_all(EXIT_CODE_SCENE, "bench_output: SCENE.yaml CHECKPOINT.h5 FOLDER");
+    struct scene *scene = scene_new(argv[1], argc - 4, (const char *const *)(argv + 4));
+    struct bench b = {.run = run_new(scene), .folder = argv[3]};
+    checkpoint_read(b.run, argv[3], argv[2]);
+    run_stage_begin(b.run);
+    run_step(b.run); /* markers, probes, ghosts */
+    b.series = series_new(b.run, b.folder, -1);
+    b.guard = checkpoint_guard_new(b.run);
+    b.work = calloc((size_t)b.run->solid->n + 1, sizeof *b.work);
+    b.tensor = calloc((size_t)b.run->solid->n + 1, sizeof *b.tensor);
+    const char *only = getenv("BENCH_ONLY");
+    if (par_rank() == 0) printf("# %-18s %10s %10s ms\n", "part", "best", "median");
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+        double seconds[REPEATS];
+        if (only && strcmp(only, all[k].name) != 0) continue;
+        for (int i = 0; i < REPEATS; i++) {
+            par_barrier();
+            const double start = par_seconds();
+            all[k].of(&b);
+            seconds[i] = par_max(par_seconds() - start);
+        }
+        qsort(seconds, REPEATS, sizeof *seconds, rising);
+        if (par_rank() == 0)
+            printf("%-20s %10.3f %10.3f\n", all[k].name, 1e3 * seconds[0], 1e3 * seconds[REPEATS / 2]);
+    }
+    free(b.tensor);
+    free(b.work);
+    checkpoint_guard_free(b.guard);
+    series_free(b.series);
+    run_free(b.run);
+    scene_free(scene);
+    par_end();
+    return 0;
+}
