@@ -220,6 +220,28 @@ static inline void vec_press(unsigned bits, vec v, double *p) {
 #endif
 }
 
+/* Four numbers from each of eight places: lane k of v[c] is p[stride at[k] + c]. */
+static inline void vec_gather4(const double *p, int stride, const int *at, vec v[4]) {
+#if VEC_AVX512
+    static const int lower[4] = {0, 1, 4, 5}, upper[4] = {2, 3, 6, 7};
+    __m512d pair[4]; /* so paired, the lanes are in order after the shuffles between halves */
+    for (int i = 0; i < 4; i++)
+        pair[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(p + (long)stride * at[lower[i]])),
+                                     _mm256_loadu_pd(p + (long)stride * at[upper[i]]), 1);
+    const __m512d even01 = _mm512_unpacklo_pd(pair[0], pair[1]), odd01 = _mm512_unpackhi_pd(pair[0], pair[1]);
+    const __m512d even23 = _mm512_unpacklo_pd(pair[2], pair[3]), odd23 = _mm512_unpackhi_pd(pair[2], pair[3]);
+    v[0] = (vec)_mm512_shuffle_f64x2(even01, even23, 0x88);
+    v[1] = (vec)_mm512_shuffle_f64x2(odd01, odd23, 0x88);
+    v[2] = (vec)_mm512_shuffle_f64x2(even01, even23, 0xdd);
+    v[3] = (vec)_mm512_shuffle_f64x2(odd01, odd23, 0xdd);
+#else
+    double t[4][VEC_LANES];
+    for (int k = 0; k < VEC_LANES; k++)
+        for (int c = 0; c < 4; c++) t[c][k] = p[(long)stride * at[k] + c];
+    for (int c = 0; c < 4; c++) v[c] = vec_load(t[c]);
+#endif
+}
+
 /* Bit k: a[k] and b[k] are not the same, of eight numbers each. */
 static inline unsigned vec_differ(const int *a, const int *b) {
 #if VEC_AVX512

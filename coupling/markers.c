@@ -155,7 +155,6 @@ static void load_by_forcing(struct run *r, double sum[3]) {
 void run_probe(struct run *r) {
     struct solid *s = r->solid;
     struct run_markers *m = &r->markers;
-    fluid_state_refresh(r->fluid);
     const struct ibm_probe_input in = {.n = m->probes,
                                        .x = {m->root[0], m->root[1], m->root[2]},
                                        .normal = {m->normal[0], m->normal[1], m->normal[2]},

@@ -190,14 +190,13 @@ void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_
 }
 
 void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
-                             int layers, int correction) {
-    const struct par_halo_part whole = par_halo_whole(g->halos, layers);
+                             const struct par_halo_part *part) {
     for (int d = 0; d < 3; d++) {
-        par_halo_fill_direction(g->halos, d, 1, &p, layers);
+        par_halo_fill_part(g->halos, d, 1, &p, part);
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *s = &b->side[d][side];
-            const struct extension e = {0, s->condition[3], correction ? 0 : s->value[3]};
-            if (s->here) extend(g, p, d, side, &e, &whole);
+            const struct extension e = {0, s->condition[3], s->value[3]};
+            if (s->here && part->wanted[d][side]) extend(g, p, d, side, &e, part);
         }
     }
 }

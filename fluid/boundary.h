@@ -47,9 +47,9 @@ void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct f
 /* The first half of it. Not collective. */
 void fluid_boundary_faces(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                           const struct par_halo_part *part);
-/* Ghosts of a pressure: of the pressure itself (correction = 0), or of a correction, whose values at the sides are 0. */
+/* A part of the pressure's ghosts. Collective. */
 void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
-                             int layers, int correction);
+                             const struct par_halo_part *part);
 /* Normal velocities on low sides that are not given: no array owns them, they follow from continuity in the cells behind
  * them. Not collective. */
 void fluid_boundary_close(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);

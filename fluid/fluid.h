@@ -73,9 +73,6 @@ void fluid_predict(struct fluid *f, int r, double dt);
 double *const *fluid_predicted(struct fluid *f);
 /* Ghosts of u*, v*, w* after somebody changed them: boundary values and `layers` exchanged layers. Collective. */
 void fluid_predicted_refresh(struct fluid *f, int layers);
-/* The same, for a reader of blocks that stay within the global cells low .. high-1 (which may lie beyond a side; the same box on
- * every rank): ghosts that such blocks do not reach may be left stale. Collective. */
-void fluid_predicted_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 /* How a component is continued beyond a side, for a reader that does without ghosts: the first value beyond it is
  * face * (the value on the side's own face) + inner * (the value mirrored about the side) + constant. Not collective. */
 struct fluid_mirror {
@@ -87,8 +84,11 @@ struct fluid_mirror fluid_predicted_mirror(const struct fluid *f, int component,
 void fluid_project(struct fluid *f, int r, double dt);
 /* Three stages: a step of a fluid with nothing immersed. Collective. */
 void fluid_step(struct fluid *f, double dt);
-/* All `halo` ghost layers of the state's u, v, w, p, as a probe reads them. Collective. */
+/* All `halo` ghost layers of the state's u, v, w, p. Collective. */
 void fluid_state_refresh(struct fluid *f);
+/* The nearest `layers` of them, for a reader of blocks that stay within the global cells low .. high-1 (which may lie beyond a
+ * side; the same box on every rank): ghosts that such blocks do not reach may be left stale. Collective. */
+void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
 /* The largest stable step, by its convective and viscous limits; either is INFINITY where it does not bind. Collective. */
 struct fluid_limits {

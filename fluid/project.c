@@ -15,7 +15,7 @@ static void low_faces(struct fluid *f) {
                                       .wanted = {{1, 0}, {1, 0}, {1, 0}},
                                       .asked = {{0, 1}, {0, 1}, {0, 1}}};
     const struct par_halo_part whole = par_halo_whole(g->halos, 1);
-    fluid_boundary_faces(f->boundary, g, f->predicted, &whole);
+    if (f->in.immersed) fluid_boundary_faces(f->boundary, g, f->predicted, &whole); /* after a forcing */
     for (int d = 0; d < 3; d++) par_halo_fill_part(g->halos, d, 1, &f->predicted[d], &low);
 }
 

@@ -33,7 +33,7 @@ ibm_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's
 
 /* The root's pressure gradient is rho (f - dV_h/dt).n, f the fluid's body force and driving; pressures and tractions include the
  * linear part of a driving pressure gradient, -G x (x as given, not wrapped), so that it pushes on a body as on the fluid.
- * Tractions at n points with outward unit normals, from the fluid's state (whose ghosts must be fresh: fluid_state_refresh).
+ * Tractions at n points with outward unit normals, from the fluid's state, whose ghosts are refreshed here as far as the tips read them.
  * acceleration_n [n]: dV_h/dt . n at the root, m/s2, may be NULL (at rest). A point whose tip lies outside the domain gets 0
  * and active[i] = 0. Collective.  (001: eqs 3.83-3.95, signs as in SPEC 4) */
 struct ibm_probe_input {

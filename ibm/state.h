@@ -131,6 +131,12 @@ static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) 
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles);
 void ibm_route_free(struct ibm_route *route);
 
+/* A probe's tip on its way: place, cells, and outward normal; and back: p|e, dp/dn|e, viscous traction. */
+enum { IBM_TIP_SENT = 6, IBM_TIP_RETURNED = 5 };
+/* The served tips, from the state with its ghosts: item [tips][IBM_TIP_SENT] -> result [tips][IBM_TIP_RETURNED]. Not collective. */
+void ibm_tips_measure(const struct fluid_grid *g, const struct fluid_state *f, double mu, size_t tips,
+                      const double *item, double *result);
+
 /* The ranks that serve a marker in a cell, by rising number; returns how many. */
 int ibm_sharers(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]);
 

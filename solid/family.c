@@ -42,10 +42,10 @@ static void view_list(const struct solid_list *t, int h, struct solid_family_vie
     view->n = (int)(t->start[h - t->first + 1] - start);
     for (int b = 0; b < view->n; b++) {
         const long j = start + b;
-        view->l[b] = t->l[j];
-        for (int c = 0; c < 3; c++) view->xi[b][c] = t->xi[c][j];
+        view->l[b] = solid_list_local(t, t->record[j]);
+        solid_list_xi(t, h, j, view->xi[b]);
         view->weight[b] = t->weight[j];
-        view->alpha[b] = t->alpha[j];
+        view->alpha[b] = solid_list_alpha(t, h, j);
         view->intact[b] = t->intact[j];
     }
 }
@@ -72,14 +72,14 @@ void solid_family_break(struct solid *s, int h, int b) {
     } else {
         struct solid_list *t = f->list[s->body[h]];
         const long j = t->start[h - t->first] + b, reverse = solid_list_reverse(t, h, j);
-        l = t->l[j];
+        l = solid_list_local(t, t->record[j]);
         t->intact[j] = 0;
         if (reverse >= 0) t->intact[reverse] = 0;
     }
     s->flag[h] |= SOLID_BROKEN;
     if (l < s->n) s->flag[l] |= SOLID_BROKEN;
     s->broke = 1;
-    s->fingerprint = 0;
+    s->a_holds = 0;
 }
 
 int solid_family_bytes(const struct solid *s) { return s->family->bytes; }
@@ -130,7 +130,7 @@ void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
         s->flag[h] |= SOLID_BROKEN;
     else
         s->flag[h] &= (uint8_t)~SOLID_BROKEN;
-    s->fingerprint = 0;
+    s->a_holds = 0;
 }
 
 static long count_bits(const uint8_t *bits, size_t n) {

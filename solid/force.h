@@ -2,9 +2,10 @@
 #pragma once
 #include "solid/solid.h"
 
-/* a = (bonds + pairwise damping k_d)/rho of all bodies; power_damped. Not collective. */
+/* a = (bonds + pairwise damping k_d)/rho of all bodies; power_damped. Ends the exchange of ghosts, if one is
+ * underway: what does without them is computed before. Collective then. */
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative);
-/* a += load/rho + body force - k_a v; power_load, power_damped. Not collective. */
-void solid_force_loads(struct solid *s, double damping_absolute);
-/* What comes after bonds and contact: loads, added mass, constraints, and their powers. Not collective. */
+/* a = bonds + load/rho + body force - k_a v, bonds[3] [n] (may be a); power_load, power_damped. Not collective. */
+void solid_force_loads(struct solid *s, double *const bonds[3], double damping_absolute);
+/* a from that of bonds and contact (in a, or kept by Verlet): loads, added mass, constraints, and their powers. Not collective. */
 void solid_force_rest(struct solid *s);

@@ -1,5 +1,6 @@
 #include "base/vec.h"
 #include "solid/family.h"
+#include "solid/force_series.h"
 #include "solid/force_segment.h"
 
 #include <math.h>
@@ -18,24 +19,20 @@ struct sweep {
     double power; /* m2/s3 */
 };
 
-/* One component of a field on particles, ghosts and periodic images into its box. */
-static void fill(const struct solid_lattice *b, const double *restrict from, double *restrict box) {
+/* One component of a field into its box: of the particles owned here and their periodic images; of ghosts. */
+static void fill_owned(const struct solid_lattice *b, const double *restrict from, double *restrict box) {
     for (int r = 0; r < b->rows; r++)
         vec_store(box + b->row_cell[r], vec_spread(b->row_owned[r], from + b->row_first[r]));
-    for (int i = 0; i < b->away; i++) box[b->copy_cell[i]] = from[b->copy_local[i]];
+    for (int i = b->ghosts; i < b->away; i++) box[b->copy_cell[i]] = from[b->copy_local[i]];
+}
+
+static void fill_ghosts(const struct solid_lattice *b, const double *restrict from, double *restrict box) {
+    for (int i = 0; i < b->ghosts; i++) box[b->copy_cell[i]] = from[b->copy_local[i]];
 }
 
 static void clear(const struct solid_lattice *b, double *restrict box) {
     for (int r = 0; r < b->rows; r++) vec_store(box + b->row_cell[r], vec_set(0));
     for (int i = 0; i < b->away; i++) box[b->copy_cell[i]] = 0;
-}
-
-static void fill_boxes(const struct solid *s, struct solid_lattice *b, int damped) {
-    for (int c = 0; c < 3; c++) {
-        fill(b, s->d[c], b->d[c]);
-        if (damped) fill(b, s->v[c], b->v[c]);
-        clear(b, b->f[c]);
-    }
 }
 
 /* The offsets' numbers with the damping in them and, behind, the same with all forces turned about. */
@@ -99,8 +96,6 @@ static int break_segment(struct solid *s, struct solid_lattice *b, int g) {
 
 /* Forces of segment g. Where it turns out that bonds must break or that the series does not hold, they are taken back and
  * computed again; it is rare, as segments near either are treated so from the start. */
-/* Forces of segment g. Where it turns out that bonds must break or that the series does not hold, they are taken back and
- * computed again; it is rare, as segments near either are treated so from the start. */
 static void sweep_segment(struct sweep *w, int g) {
     struct solid_lattice *b = w->b;
     struct solid_segments *t = b->segments;
@@ -124,16 +119,16 @@ static void sweep_segment(struct sweep *w, int g) {
     t->large[g] = fmax(range.high, -range.low) > (t->large[g] ? 0.5 : 1) * SOLID_SERIES_LIMIT;
 }
 
-double solid_lattice_force(struct solid *s, struct solid_lattice *b, const struct solid_sweep *sweep) {
+/* Forces of the segments from .. to-1; returns the power of damping, W. */
+static double sweep_segments(struct solid *s, struct solid_lattice *b, const struct solid_sweep *sweep,
+                             int from, int to) {
     struct solid_lattice_offset offset[2 * SOLID_FAMILY_MAX];
-    const int damped = sweep->damping > 0;
     /* the kernels' eps may differ from bond_eps in its last digit: look closer a little below the limit */
     struct sweep w = {.s = s,
                       .b = b,
                       .look = sweep->may_break ? b->law.eps_limit * (1 - 1e-9) : INFINITY,
-                      .damped = damped ? KERNEL_DAMPED : 0};
+                      .damped = sweep->damping > 0 ? KERNEL_DAMPED : 0};
     fill_offsets(b, sweep->damping, offset);
-    fill_boxes(s, b, damped);
     w.box = (struct solid_boxes){.w = b->w, .offset = offset};
     for (int c = 0; c < 3; c++) {
         w.box.d[c] = b->d[c];
@@ -142,10 +137,28 @@ double solid_lattice_force(struct solid *s, struct solid_lattice *b, const struc
     }
     w.undo = w.box;
     w.undo.offset = offset + b->stencil->n;
-    for (int g = 0; g < b->segments->n; g++) sweep_segment(&w, g);
+    for (int g = from; g < to; g++) sweep_segment(&w, g);
+    const double spacing = b->stencil->spacing;
+    return 0.5 * b->law.density * (spacing * spacing * spacing) * w.power;
+}
+
+double solid_lattice_force_begin(struct solid *s, struct solid_lattice *b, const struct solid_sweep *sweep) {
+    for (int c = 0; c < 3; c++) {
+        fill_owned(b, s->d[c], b->d[c]);
+        if (sweep->damping > 0) fill_owned(b, s->v[c], b->v[c]);
+        clear(b, b->f[c]);
+    }
+    return sweep_segments(s, b, sweep, 0, b->segments->inner);
+}
+
+double solid_lattice_force_end(struct solid *s, struct solid_lattice *b, const struct solid_sweep *sweep) {
+    for (int c = 0; c < 3; c++) {
+        fill_ghosts(b, s->d[c], b->d[c]);
+        if (sweep->damping > 0) fill_ghosts(b, s->v[c], b->v[c]);
+    }
+    const double power = sweep_segments(s, b, sweep, b->segments->inner, b->segments->n);
     for (int c = 0; c < 3; c++)
         for (int r = 0; r < b->rows; r++)
             vec_press(b->row_owned[r], vec_load(b->f[c] + b->row_cell[r]), s->a[c] + b->row_first[r]);
-    const double volume = b->stencil->spacing * b->stencil->spacing * b->stencil->spacing;
-    return 0.5 * b->law.density * volume * w.power;
+    return power;
 }

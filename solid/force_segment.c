@@ -1,8 +1,6 @@
 #include "solid/force_segment.h"
 #include "base/vec.h"
-
-static const double G0 = 0.5, G1 = -0.3749999999988720654, G2 = 0.31249999999895263208,
-                    G3 = -0.27343862793361512552, G4 = 0.24609479736699067424;
+#include "solid/force_series.h"
 
 #define REAL vec
 #define OF(op) vec_##op

@@ -3,9 +3,6 @@
 #include "solid/lattice.h"
 #include "solid/segments.h"
 
-/* Up to this |eps| a polynomial stands for the square root, to 5e-16. */
-#define SOLID_SERIES_LIMIT 2e-3
-
 /* What the kernels work on: dense boxes, at their first site. */
 struct solid_boxes {
     const double *d[3], *v[3], *w;             /* displacement m, velocity m/s, V/V0 */

@@ -64,8 +64,10 @@ static void join_lattice(const struct solid_lattice *t, int *parent) {
 
 static void join_list(const struct solid_list *t, int *parent) {
     for (int i = 0; i < t->n; i++)
-        for (long j = t->start[i]; j < t->start[i + 1]; j++)
-            if (t->intact[j] && parent[t->first + i] != parent[t->l[j]]) join(parent, t->first + i, t->l[j]);
+        for (long j = t->start[i]; j < t->start[i + 1]; j++) {
+            const int l = solid_list_local(t, t->record[j]);
+            if (t->intact[j] && parent[t->first + i] != parent[l]) join(parent, t->first + i, l);
+        }
 }
 
 /* parent [n + n_ghost], pressed flat. */

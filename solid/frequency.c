@@ -32,7 +32,7 @@ static void swap_whole(struct solid *s, uint8_t **other) {
 
 static uint8_t *whole_new(const struct solid_family *f, int b) {
     if (f->list[b]) {
-        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)f->list[b]->bonds + 1, 1);
+        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)f->list[b]->bonds + SOLID_LIST_SLACK, 1);
         memset(intact, 1, (size_t)f->list[b]->bonds);
         return intact;
     }
@@ -163,7 +163,7 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     }
     swap_whole(s, whole);
     s->sweeps = sweeps;
-    s->fingerprint = 0;
+    s->a_holds = 0;
     for (int b = 0; b < f->bodies; b++) memory_free(whole[b]);
     memory_free(whole);
     for (int c = 0; c < 3; c++) {

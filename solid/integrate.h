@@ -6,5 +6,6 @@ void solid_rk3_step(struct solid *s, double dt);    /* Collective. */
 void solid_verlet_begin(struct solid *s);           /* a(t_n), anew unless it is still right. Collective. */
 void solid_verlet_step(struct solid *s, double dt); /* Collective. */
 void solid_verlet_end(struct solid *s);             /* Not collective. */
-/* Within a sweep: remembers the part of a that depends on d and on differences of v alone. Not collective. */
+/* Within a sweep: v_old becomes the present a, the part that depends on d and on differences of v alone; a is scratch until
+ * solid_force_rest. Not collective. */
 void solid_verlet_keep(struct solid *s);

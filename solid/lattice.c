@@ -199,7 +199,8 @@ void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
     for (long cell = 0; cell < b->sites; cell++) b->copies += b->local[cell] == NEEDED;
     b->copy_cell = solid_array((size_t)b->copies, sizeof *b->copy_cell);
     b->copy_local = solid_array((size_t)b->copies, sizeof *b->copy_local);
-    int away = 0, home = b->copies - b->n;
+    const int owned = (int)(numbering->to - numbering->from);
+    int home = b->copies - b->n, image = home;
     for (long cell = 0; cell < b->sites; cell++) {
         if (b->local[cell] != NEEDED) continue;
         int site[3];
@@ -207,12 +208,13 @@ void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
         const int h = b->local[cell] = solid_numbering_local(numbering, solid_sites_id(t, site));
         ENSURE(h >= 0, "site %d %d %d is not known here", site[0], site[1], site[2]);
         const int is_home = h >= b->first && h < b->first + b->n && b->cell[h - b->first] == cell;
-        const int i = is_home ? home++ : away++;
+        const int i = is_home ? home++ : h < owned ? --image : b->ghosts++;
         b->copy_cell[i] = (int)cell;
         b->copy_local[i] = h;
     }
     ENSURE(home == b->copies, "%d places for %d particles", home, b->n);
-    b->away = away;
+    ENSURE(image == b->ghosts, "%d places for %d ghosts", image, b->ghosts);
+    b->away = b->copies - b->n;
     b->segments = solid_segments_new(b);
 }
 

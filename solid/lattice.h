@@ -40,7 +40,7 @@ struct solid_lattice {
     int first, n;                        /* local indices first .. first+n-1 */
     int *cell;                           /* [n] dense index */
     int copies;                          /* particles and images in the box */
-    int away;                            /* of them, first in the list: ghosts and images */
+    int ghosts, away;                    /* of them, in this order: ghosts, images (up to away), the others */
     int *copy_cell, *copy_local;
     int *local;          /* [sites] local index, or -1: no particle that matters here */
     double *field;       /* the boxes that follow */
@@ -71,6 +71,9 @@ void solid_lattice_cut(struct solid_lattice *lattice, int h, int o);
 void solid_lattice_changed(struct solid_lattice *lattice, int h);
 void solid_lattice_changed_all(struct solid_lattice *lattice);
 
-/* a [.] = bond (and damping) acceleration of the body's owned particles, m/s2. Returns the power that damping takes out,
- * W (>= 0). Ghosts must be current. */
-double solid_lattice_force(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep);
+/* a [.] = bond (and damping) acceleration of the body's owned particles, m/s2, in two halves: the first does without ghosts, which
+ * must be current for the second. Each returns the power that its bonds' damping takes out, W (>= 0). */
+double solid_lattice_force_begin(struct solid *s, struct solid_lattice *lattice,
+                                 const struct solid_sweep *sweep);
+double solid_lattice_force_end(struct solid *s, struct solid_lattice *lattice,
+                               const struct solid_sweep *sweep);

@@ -83,12 +83,12 @@ void solid_points_free(struct solid_points *p) {
     memory_free(p);
 }
 
-static void consider(const struct solid_points *p, long h, long l, const double shift[3],
+static void consider(const struct solid_points *p, long h, long l, const int image[3],
                      struct solid_points_near *near) {
     if (l == h) return;
     double xi[3], length2 = 0;
     for (int c = 0; c < 3; c++) {
-        xi[c] = (p->x[c][l] - p->x[c][h]) + shift[c];
+        xi[c] = (p->x[c][l] - p->x[c][h]) + image[c] * p->period[c];
         length2 += xi[c] * xi[c];
     }
     const double horizon = 0.5 * (p->horizon[h] + p->horizon[l]), limit = horizon + 0.5 * p->spacing;
@@ -106,10 +106,12 @@ static void consider(const struct solid_points *p, long h, long l, const double 
         near->number[k] = before;
         near->weight[k] = near->weight[k - 1];
         memcpy(near->xi[k], near->xi[k - 1], sizeof xi);
+        memcpy(near->image[k], near->image[k - 1], sizeof near->image[k]);
     }
     near->number[k] = l;
     near->weight[k] = fraction * p->volume[l];
     memcpy(near->xi[k], xi, sizeof xi);
+    memcpy(near->image[k], image, sizeof near->image[k]);
 }
 
 void solid_points_near(const struct solid_points *p, long h, struct solid_points_near *near) {
@@ -119,12 +121,11 @@ void solid_points_near(const struct solid_points *p, long h, struct solid_points
     for (image[2] = -most[2]; image[2] <= most[2]; image[2]++)
         for (image[1] = -most[1]; image[1] <= most[1]; image[1]++)
             for (image[0] = -most[0]; image[0] <= most[0]; image[0]++) {
-                double shift[3];
                 int from[3], to[3];
                 for (int c = 0; c < 3; c++) {
-                    shift[c] = image[c] * p->period[c];
-                    from[c] = clamp_cell(p, c, p->x[c][h] - shift[c] - p->cell);
-                    to[c] = clamp_cell(p, c, p->x[c][h] - shift[c] + p->cell);
+                    const double x = p->x[c][h] - image[c] * p->period[c];
+                    from[c] = clamp_cell(p, c, x - p->cell);
+                    to[c] = clamp_cell(p, c, x + p->cell);
                 }
                 for (int k = from[2]; k <= to[2]; k++)
                     for (int j = from[1]; j <= to[1]; j++)
@@ -132,7 +133,7 @@ void solid_points_near(const struct solid_points *p, long h, struct solid_points
                             const long cell = ((long)k * p->cells[1] + j) * p->cells[0] + i;
                             const long *start = &p->cell_start[cell];
                             for (long q = start[0]; q < start[1]; q++)
-                                consider(p, h, p->cell_point[q], shift, near);
+                                consider(p, h, p->cell_point[q], image, near);
                         }
             }
 }

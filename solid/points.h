@@ -9,6 +9,7 @@ struct solid_points_near {
     int n;
     long number[SOLID_FAMILY_MAX];   /* of the neighbour in the body's numbering, ascending */
     double xi[SOLID_FAMILY_MAX][3];  /* m */
+    int image[SOLID_FAMILY_MAX][3];  /* the neighbour's period, -1, 0 or 1 */
     double weight[SOLID_FAMILY_MAX]; /* Gamma V_l, m3 */
 };
 

@@ -34,7 +34,7 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
             sum[4] += mass * u * u;
         }
     }
-    solid_force_loads(s, 0);
+    solid_force_loads(s, s->a, 0);
     sum[2] = solid_constraint_apply(s);
     for (int h = 0; h < s->n; h++) {
         const double mass = solid_density(s, h) * s->volume[h];
@@ -73,7 +73,7 @@ int solid_relax(struct solid *s, double tolerance, int max_steps) {
         for (int h = 0; h < s->n; h++) s->v[c][h] = 0;
     solid_constraint_velocity(s);
     solid_ghosts_update(s);
-    s->fingerprint = 0;
+    s->a_holds = 0;
     clock_end(CLOCK_SOLID);
     return steps;
 }

@@ -19,7 +19,7 @@ static void update(int n, double alpha_dt, double beta_dt, double *restrict d, d
 void solid_rk3_step(struct solid *s, double dt) {
     double damped = 0, load = 0, constraint = 0;
     for (int r = 0; r < 3; r++) {
-        solid_ghosts_update(s);
+        solid_ghosts_begin(s);
         solid_force(s, r == 0);
         s->e_damped += dt * (ALPHA[r] * s->power_damped + BETA[r] * damped);
         s->work_load += dt * (ALPHA[r] * s->power_load + BETA[r] * load);
@@ -30,5 +30,5 @@ void solid_rk3_step(struct solid *s, double dt) {
         for (int c = 0; c < 3; c++)
             update(s->n, ALPHA[r] * dt, BETA[r] * dt, s->d[c], s->v[c], s->a[c], s->v_old[c], s->a_old[c]);
     }
-    s->fingerprint = 0;
+    s->a_holds = 0;
 }

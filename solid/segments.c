@@ -111,6 +111,16 @@ static void order_new(const struct solid_lattice *b, struct solid_segments *t) {
             }
 }
 
+/* Whether particles (bits from the cell) have bonds to others than particles owned here. */
+static int reaches_away(const struct solid_lattice *b, long cell, unsigned particles) {
+    const size_t offsets = (size_t)b->stencil->n;
+    for (size_t o = 0; o < offsets; o++) {
+        const unsigned bits = particles & bits_at(b, b->lambda + o, offsets, cell);
+        if (bits & ~bits_at(b, b->row_owned, 1, cell + b->offset[o].shift)) return 1;
+    }
+    return 0;
+}
+
 /* Covers the lines, each from its first particle not yet covered, on and on. */
 static void cover(const struct solid_lattice *b, struct solid_segments *t) {
     uint8_t *mine = solid_array((size_t)b->sites + ROW, 1), *start = solid_array((size_t)b->sites, 1);
@@ -125,14 +135,16 @@ static void cover(const struct solid_lattice *b, struct solid_segments *t) {
     }
     t->cell = solid_array((size_t)t->n, sizeof *t->cell);
     t->owned = solid_array((size_t)t->n, 1);
-    int g = 0;
-    for (int r = 0; r < b->rows; r++)
-        for (int k = 0; k < ROW; k++) {
-            const int cell = b->row_cell[r] + k;
-            if (!start[cell]) continue;
-            t->cell[g] = cell;
-            t->owned[g++] = start[cell];
-        }
+    for (int outer = 0, g = 0; outer < 2; outer++) {
+        for (int r = 0; r < b->rows; r++)
+            for (int k = 0; k < ROW; k++) {
+                const int cell = b->row_cell[r] + k;
+                if (!start[cell] || reaches_away(b, cell, start[cell]) != outer) continue;
+                t->cell[g] = cell;
+                t->owned[g++] = start[cell];
+            }
+        if (!outer) t->inner = g;
+    }
     memory_free(mine);
     memory_free(start);
 }

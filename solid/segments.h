@@ -17,7 +17,7 @@ enum { SOLID_STRIPS = 12 };
 struct solid_lattice;
 
 struct solid_segments {
-    int n;
+    int n, inner;    /* the first of them, inner, have no bonds to ghosts or images */
     int *cell;       /* [n] dense index of the first site */
     uint8_t *owned;  /* [n] which of the eight sites it covers */
     uint8_t *stale;  /* [n] lambda has changed since it was packed */

@@ -181,7 +181,7 @@ static void particles_place(struct solid *s, struct solid_sites *const *sites) {
         if (f->lattice[b])
             solid_lattice_weights(f->lattice[b], s->family_volume, s->in.surface_correction);
         else
-            solid_list_weights(f->list[b], s->family_volume, s->in.surface_correction);
+            solid_list_weights(f->list[b], s->x0, s->family_volume, s->in.surface_correction);
     }
 }
 
@@ -267,7 +267,12 @@ void solid_free(struct solid *s) {
     memory_free(s);
 }
 
-void solid_ghosts_update(struct solid *s) {
+void solid_ghosts_begin(struct solid *s) {
     double *const field[] = {s->d[0], s->d[1], s->d[2], s->v[0], s->v[1], s->v[2]};
-    par_ghost_update(s->ghost, s->stage.damping_relative > 0 ? 6 : 3, field, s->n);
+    par_ghost_begin(s->ghost, s->stage.damping_relative > 0 ? 6 : 3, field, s->n);
+}
+
+void solid_ghosts_update(struct solid *s) {
+    solid_ghosts_begin(s);
+    par_ghost_end(s->ghost);
 }

@@ -129,7 +129,7 @@ struct solid {
     long sweeps;        /* force sweeps so far */
     /* work of the integrators, [n]: rates of the stage before (RK3); bonds' and contact's part of a, a before (Verlet) */
     double *v_old[3], *a_old[3];
-    uint64_t fingerprint; /* of the d and v that a belongs to (Verlet); 0: a is of no use */
+    int a_holds; /* 1: a is of the present d, v and bonds (Verlet); whoever changes one of them clears it */
     struct solid_stage stage_of_a;
     double power_pairwise; /* of the sweep that v_old belongs to, W (Verlet) */
 };
@@ -150,6 +150,7 @@ double solid_critical_stretch(const struct solid_material *m, double spacing);
  * the state of a full step, never on an inner Runge-Kutta stage. Ghosts must be current. Collective only through contact. */
 void solid_force(struct solid *s, int may_break);
 void solid_ghosts_update(struct solid *s); /* d (and v when damping needs it). Collective. */
+void solid_ghosts_begin(struct solid *s);  /* The same, ended by the next force sweep. Collective. */
 
 /* Substeps of the stage's integrator under constant load. The energies are integrated by the integrator's own quadrature, so
  * that kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order (contact stores energy that

@@ -1,48 +1,53 @@
-#include "solid/constraint.h"
+#include "base/par.h"
+#include "base/vec.h"
+#include "solid/store.h"
 #include "solid/force.h"
 #include "solid/integrate.h"
 
 #include <string.h>
 
-/* Bits of d and v, so that a sweep's acceleration is used again only for the state that it was made for. */
-static uint64_t fingerprint(const struct solid *s) {
-    uint64_t sum = 1;
-    for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++) {
-            uint64_t d, v;
-            memcpy(&d, &s->d[c][h], sizeof d);
-            memcpy(&v, &s->v[c][h], sizeof v);
-            sum += (d + 3 * v) * (2 * (uint64_t)h + 1) * (uint64_t)(c + 1);
-        }
-    return sum ? sum : 1;
+static void swap(double *x[3], double *y[3]) {
+    for (int c = 0; c < 3; c++) {
+        double *const t = x[c];
+        x[c] = y[c];
+        y[c] = t;
+    }
 }
 
 void solid_verlet_keep(struct solid *s) {
-    for (int c = 0; c < 3; c++) memcpy(s->v_old[c], s->a[c], (size_t)s->n * sizeof(double));
+    swap(s->a, s->v_old);
     s->power_pairwise = s->power_damped;
 }
 
-/* Work of load and body force over the displacement v dt + a dt^2/2, J. */
-static double work_of_load(const struct solid *s, double dt) {
-    double work = 0;
-    for (int h = 0; h < s->n; h++) {
-        const double density = solid_density(s, h);
-        for (int c = 0; c < 3; c++)
-            work += s->volume[h] * (s->load[c][h] + density * s->in.body_force[c]) *
-                    (dt * (s->v[c][h] + 0.5 * dt * s->a[c][h]));
+/* d += dt v + dt^2/2 a, v += dt a; returns the sum of (load + weight) volume times the step of d, J. [n] */
+static double predict(int n, double dt, double weight, const double *restrict volume,
+                      const double *restrict load, const double *restrict a, double *restrict d,
+                      double *restrict v) {
+    vec work = vec_set(0);
+    int h = 0;
+    for (; h + VEC_LANES <= n; h += VEC_LANES) {
+        const vec rate = vec_load(v + h), dv = dt * vec_load(a + h), step = dt * (rate + 0.5 * dv);
+        work += vec_load(volume + h) * (vec_load(load + h) + weight) * step;
+        vec_store(d + h, vec_load(d + h) + step);
+        vec_store(v + h, rate + dv);
     }
-    return work;
+    double sum = vec_sum(work);
+    for (; h < n; h++) {
+        const double dv = dt * a[h], step = dt * (v[h] + 0.5 * dv);
+        sum += volume[h] * (load[h] + weight) * step;
+        d[h] += step;
+        v[h] += dv;
+    }
+    return sum;
 }
 
 void solid_verlet_begin(struct solid *s) {
-    const int same = s->fingerprint && memcmp(&s->stage, &s->stage_of_a, sizeof s->stage) == 0 &&
-                     s->fingerprint == fingerprint(s);
-    if (same) { /* the load may have changed, nothing else */
-        for (int c = 0; c < 3; c++) memcpy(s->a[c], s->v_old[c], (size_t)s->n * sizeof(double));
+    const int same = s->a_holds && memcmp(&s->stage, &s->stage_of_a, sizeof s->stage) == 0;
+    if (par_min(same) > 0) { /* on no rank anything but the load has changed */
         s->power_damped = s->power_pairwise;
         solid_force_rest(s);
     } else {
-        solid_ghosts_update(s);
+        solid_ghosts_begin(s);
         solid_force(s, 1);
     }
 }
@@ -52,17 +57,16 @@ void solid_verlet_begin(struct solid *s) {
  * Work of the load over the displacement, the other energies by the trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
-    s->work_load += work_of_load(s, dt);
-    for (int c = 0; c < 3; c++) {
-        double *restrict d = s->d[c], *restrict v = s->v[c], *restrict a = s->a[c],
-                         *restrict a_old = s->a_old[c];
-        for (int h = 0; h < s->n; h++) {
-            d[h] += dt * (v[h] + 0.5 * dt * a[h]);
-            v[h] += dt * a[h];
-            a_old[h] = a[h];
-        }
+    const int *first = s->family->first;
+    for (int b = 0; b < s->in.bodies; b++) {
+        const int from = first[b], n = first[b + 1] - from;
+        const double density = s->in.material[s->in.body[b].material].density;
+        for (int c = 0; c < 3; c++)
+            s->work_load += predict(n, dt, density * s->in.body_force[c], s->volume + from, s->load[c] + from,
+                                    s->a[c] + from, s->d[c] + from, s->v[c] + from);
     }
-    solid_ghosts_update(s);
+    swap(s->a, s->a_old);
+    solid_ghosts_begin(s);
     solid_force(s, 1);
     for (int c = 0; c < 3; c++) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
@@ -78,6 +82,6 @@ void solid_verlet_resume(struct solid *s) {
 }
 
 void solid_verlet_end(struct solid *s) {
-    s->fingerprint = fingerprint(s);
+    s->a_holds = 1;
     s->stage_of_a = s->stage;
 }

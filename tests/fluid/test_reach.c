@@ -25,15 +25,22 @@ static int owned(const struct fluid_grid *g, int i, int j, int k) {
     return i >= 0 && i < g->m[0] && j >= 0 && j < g->m[1] && k >= 0 && k < g->m[2];
 }
 
+enum { FIELDS = 4 }; /* u, v, w, p */
+
+static double *field_of(struct fluid *f, int c) {
+    const struct fluid_state *s = fluid_state_of(f);
+    return c == 0 ? s->u : c == 1 ? s->v : c == 2 ? s->w : s->p;
+}
+
 /* Cells of this rank random, ghosts stale. */
 static void prepare(struct fluid *f) {
     const struct fluid_grid *g = fluid_grid_of(f);
     const int h = g->halo;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < FIELDS; c++)
         for (int k = -h; k < g->m[2] + h; k++)
             for (int j = -h; j < g->m[1] + h; j++)
                 for (int i = -h; i < g->m[0] + h; i++)
-                    fluid_predicted(f)[c][fluid_grid_at(g, i, j, k)] =
+                    field_of(f, c)[fluid_grid_at(g, i, j, k)] =
                         owned(g, i, j, k) ? random_at(i, j + g->lo[1], k + g->lo[2], c) : STALE;
 }
 
@@ -43,31 +50,31 @@ static int within(const struct fluid_grid *g, int d, int at, int low, int high) 
     return 0;
 }
 
-/* Compares with the full refresh inside the box; returns how many ghosts (of three components) are no longer stale. */
+/* Compares with the full refresh inside the box; returns how many ghosts (of four fields) are no longer stale. */
 static long near_against_full(struct fluid *f, int layers, const int low[3], const int high[3]) {
     const struct fluid_grid *g = fluid_grid_of(f);
-    double *full[3];
+    double *full[FIELDS];
     prepare(f);
-    fluid_predicted_refresh(f, layers);
-    for (int c = 0; c < 3; c++) {
+    fluid_state_refresh(f);
+    for (int c = 0; c < FIELDS; c++) {
         full[c] = malloc(g->size * sizeof(double));
-        memcpy(full[c], fluid_predicted(f)[c], g->size * sizeof(double));
+        memcpy(full[c], field_of(f, c), g->size * sizeof(double));
     }
     prepare(f);
-    fluid_predicted_refresh_near(f, layers, low, high);
+    fluid_state_refresh_near(f, layers, low, high);
     long fresh = 0;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < FIELDS; c++)
         for (int k = -layers; k < g->m[2] + layers; k++)
             for (int j = -layers; j < g->m[1] + layers; j++)
                 for (int i = -layers; i < g->m[0] + layers; i++) {
                     const size_t n = fluid_grid_at(g, i, j, k);
-                    const double value = fluid_predicted(f)[c][n];
+                    const double value = field_of(f, c)[n];
                     fresh += !owned(g, i, j, k) && value != STALE;
                     if (within(g, 0, i, low[0], high[0]) && within(g, 1, j + g->lo[1], low[1], high[1]) &&
                         within(g, 2, k + g->lo[2], low[2], high[2]) && value != full[c][n])
-                        fail_msg("component %d at %d %d %d: %g, not %g", c, i, j, k, value, full[c][n]);
+                        fail_msg("field %d at %d %d %d: %g, not %g", c, i, j, k, value, full[c][n]);
                 }
-    for (int c = 0; c < 3; c++) free(full[c]);
+    for (int c = 0; c < FIELDS; c++) free(full[c]);
     return par_sum_long(fresh);
 }
 
@@ -109,7 +116,7 @@ static void far_sides_are_skipped(void **state) {
     high[1] = NY + 2;
     const long fresh = near_against_full(f, 2, low, high);
     assert_true(fresh > 0);
-    if (par_size() < 3) assert_true(fresh <= 3 * 2);
+    if (par_size() < 3) assert_true(fresh <= FIELDS * 2);
     fluid_free(f);
 }
 

@@ -71,13 +71,13 @@ static void step(struct run *r) {
     TIME("markers, weights",
          ibm_markers(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume));
     forced_stages(r);
-    TIME("state refresh", fluid_state_refresh(r->fluid));
+    TIME("state refresh, whole", fluid_state_refresh(r->fluid));
     const struct ibm_probe_input in = {.n = m->probes,
                                        .x = {m->root[0], m->root[1], m->root[2]},
                                        .normal = {m->normal[0], m->normal[1], m->normal[2]},
                                        .length = r->scene->coupling->probe_length};
-    TIME("probe", ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active));
-    TIME("probe, refresh, loads", run_probe(r));
+    TIME("refresh and probe", ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active));
+    TIME("the same, and loads", run_probe(r));
     iteration(r);
     TIME("layout", ibm_layout(r->ibm));
     shake(r->solid, repeat + 1); /* weights of a fresh layout */

@@ -55,7 +55,6 @@ static void set_state(struct fluid *f, const struct flow *flow) {
                         if (c < 3) value += u[a] * flow->e[a][c];
                     field[c][fluid_grid_at(g, i, j, k)] = c < 3 ? value : flow->pressure(y);
                 }
-    fluid_state_refresh(f);
 }
 
 /* An orthonormal frame that depends on a number only. */

@@ -82,6 +82,8 @@ int main(int argc, char **argv) {
     measure("full, damped", 0, 0, 1e3, seconds);
     measure("porous, damped", 1, 0, 1e3, seconds);
     measure("full, lists", 0, 1, 0, seconds);
+    measure("porous, lists", 1, 1, 0, seconds);
+    measure("full, lists, damped", 0, 1, 1e3, seconds);
     par_end();
     return 0;
 }
