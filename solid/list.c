@@ -189,9 +189,11 @@ void solid_list_volumes(const struct solid_list *b, double *family_volume) {
 /* The digit that places are rounded to: 2^-52 of a power of two above all of them, so that differences are exact. */
 static double last_digit(const struct solid_list *b, double *const x0[3]) {
     double most = 0;
-    for (int c = 0; c < 3; c++)
-        for (int r = 0; r < b->n + b->others; r++)
-            most = fmax(most, fabs(x0[c][solid_list_local(b, r)]) + b->period[c]);
+    for (int r = 0; r < b->n + b->others; r++)
+        for (int c = 0; c < 3; c++) {
+            const double here = fabs(x0[c][solid_list_local(b, r)]) + b->period[c];
+            if (here > most) most = here;
+        }
     return ldexp(1, ilogb(par_max(most)) - 51);
 }
 
