@@ -7,7 +7,6 @@
 enum { DEPTH = 16 };
 
 static double seconds[CLOCK_ALL];
-static long calls[CLOCK_ALL];
 static enum clock_part stack[DEPTH];
 static int depth;
 static double since;
@@ -17,7 +16,6 @@ void clock_begin(enum clock_part part) {
     ENSURE(depth < DEPTH, "clocks nest %d deep", depth);
     if (depth > 0) seconds[stack[depth - 1]] += now - since;
     stack[depth++] = part;
-    calls[part]++;
     since = now;
 }
 
@@ -36,8 +34,6 @@ double clock_seconds(enum clock_part part) {
     return sum;
 }
 
-long clock_calls(enum clock_part part) { return calls[part]; }
-
 const char *clock_name(enum clock_part part) {
     static const char *const name[CLOCK_ALL] = {"momentum", "poisson", "halo",    "forcing",
                                                 "probe",    "solid",   "contact", "interface",
@@ -45,7 +41,4 @@ const char *clock_name(enum clock_part part) {
     return name[part];
 }
 
-void clock_reset(void) {
-    memset(seconds, 0, sizeof seconds);
-    memset(calls, 0, sizeof calls);
-}
+void clock_reset(void) { memset(seconds, 0, sizeof seconds); }

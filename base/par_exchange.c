@@ -251,8 +251,3 @@ void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_own
     par_exchange_backward(g->wish, value, field + n_owned, 1);
     free(value);
 }
-
-int par_ghost_sent(const struct par_ghost *g, const int **owned_index) {
-    *owned_index = g->index;
-    return g->served;
-}

@@ -33,5 +33,3 @@ void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int
 void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int n_owned);
 void par_ghost_end(struct par_ghost *g);
 void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned);
-/* The owned indices that other ranks hold as ghosts: count, and the list (borrowed). Not collective. */
-int par_ghost_sent(const struct par_ghost *g, const int **owned_index);

@@ -2,8 +2,9 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "fluid/boundary.h"
-#include "fluid/tridiagonal.h"
+#include "fluid/transform.h"
 
+#include <lapacke.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,26 +27,35 @@ static void parabola(int n, double d, double *q) {
 /* lap q = -1 with q = 0 on the four walls: sine series along a, bands along b.
  * -1 = sum_k c_k sin(pi k (j+1/2)/n_a), c_k = -(2/n_a) sum_j sin(...), halved for k = n_a. */
 static void duct(int na, double da, int nb, double db, double *q) {
+    const double a = 1 / (db * db);
     double *lambda = memory_new(MEMORY_FLUID, (size_t)na, sizeof *lambda);
-    double *b = memory_new(MEMORY_FLUID, (size_t)na * (size_t)nb, sizeof *b);
-    double *work = memory_new(MEMORY_FLUID, (size_t)na * (size_t)nb, sizeof *work);
+    double *b = memory_new(MEMORY_FLUID, (size_t)na * (size_t)nb, sizeof *b); /* [na][nb] */
+    double *diagonal = memory_new(MEMORY_FLUID, (size_t)nb, sizeof *diagonal);
+    double *beside = memory_new(MEMORY_FLUID, (size_t)nb, sizeof *beside);
     fluid_transform_eigenvalues(na, da, FLUID_END_DIRICHLET, FLUID_END_DIRICHLET, lambda);
     for (int k = 0; k < na; k++) {
         double c = 0;
         for (int j = 0; j < na; j++) c -= sin(M_PI * (k + 1) * (j + 0.5) / na);
         c *= (k == na - 1 ? 1.0 : 2.0) / na;
-        for (int l = 0; l < nb; l++) b[l * na + k] = c;
+        for (int l = 0; l < nb;
+             l++) { /* both sides times -1: positive definite; a wall adds a to the cell beside it */
+            b[k * nb + l] = -c;
+            diagonal[l] = 2 * a - lambda[k] + (l == 0 ? a : 0) + (l == nb - 1 ? a : 0);
+            beside[l] = -a;
+        }
+        ENSURE(LAPACKE_dptsv(LAPACK_COL_MAJOR, nb, 1, diagonal, beside, b + (size_t)k * (size_t)nb, nb) == 0,
+               "the duct's profile has no solution");
     }
-    fluid_tridiagonal_solve(nb, na, db, FLUID_END_DIRICHLET, FLUID_END_DIRICHLET, lambda, b, na, work);
     for (int j = 0; j < na; j++)
         for (int l = 0; l < nb; l++) {
             double sum = 0;
-            for (int k = 0; k < na; k++) sum += b[l * na + k] * sin(M_PI * (k + 1) * (j + 0.5) / na);
+            for (int k = 0; k < na; k++) sum += b[k * nb + l] * sin(M_PI * (k + 1) * (j + 0.5) / na);
             q[l * na + j] = sum;
         }
     memory_free(lambda);
     memory_free(b);
-    memory_free(work);
+    memory_free(diagonal);
+    memory_free(beside);
 }
 
 static void normalise(int n, double *q) {

@@ -8,6 +8,7 @@
 #include "solid/list.h"
 #include "solid/stable.h"
 
+#include <lapacke.h>
 #include <math.h>
 #include <string.h>
 
@@ -74,30 +75,12 @@ static void apply(struct solid *s, double *const u[3], struct operator of) {
         for (int h = 0; h < s->n; h++) s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
 }
 
-/* How many eigenvalues of the tridiagonal matrix lie above x: Sturm's sequence. */
-static int eigenvalues_above(int n, const double *diagonal, const double *beside, double x) {
-    int above = 0;
-    double q = 1;
-    for (int i = 0; i < n; i++) {
-        q = diagonal[i] - x - (i ? beside[i - 1] * beside[i - 1] / q : 0);
-        if (q == 0) q = 1e-300;
-        above += q > 0;
-    }
-    return above;
-}
-
 static double largest_eigenvalue(int n, const double *diagonal, const double *beside) {
-    double low = 0, high = 0;
-    for (int i = 0; i < n; i++)
-        high = fmax(high, diagonal[i] + (i ? fabs(beside[i - 1]) : 0) + (i < n - 1 ? fabs(beside[i]) : 0));
-    for (int i = 0; i < 60; i++) {
-        const double middle = 0.5 * (low + high);
-        if (eigenvalues_above(n, diagonal, beside, middle))
-            low = middle;
-        else
-            high = middle;
-    }
-    return high;
+    double value[ITERATIONS], off[ITERATIONS];
+    memcpy(value, diagonal, (size_t)n * sizeof *value);
+    memcpy(off, beside, (size_t)(n - 1) * sizeof *off);
+    ENSURE(LAPACKE_dsterf(n, value, off) == 0, "the eigenvalues of %d rows", n);
+    return fmax(value[n - 1], 0);
 }
 
 static double start_value(long id, int c) { /* the same on any number of ranks */
