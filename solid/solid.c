@@ -189,6 +189,7 @@ struct solid *solid_new(const struct solid_input *in) {
     struct solid *s = memory_new(MEMORY_SOLID, 1, sizeof *s);
     input_check(in);
     input_copy(&s->in, in);
+    s->dim = in->model == SOLID_3D ? 3 : 2;
     s->stage = (struct solid_stage){.integrator = SOLID_RK3, .breakage = 1};
     s->first = memory_new(MEMORY_SOLID, (size_t)par_size() + 1, sizeof *s->first);
     struct solid_family *f = s->family = memory_new(MEMORY_SOLID, 1, sizeof *f);

@@ -13,14 +13,46 @@ struct solid_family; /* opaque: the bonds, solid/family.h */
 struct solid_contact;
 struct solid_added_mass;
 
+/* What the bonds stand for: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane stress,
+ * 1/4 in plane strain). A plate has two components of everything, and the third arrays are NULL. */
+enum solid_model { SOLID_3D, SOLID_PLANE_STRESS, SOLID_PLANE_STRAIN };
+
+/* c(xi) = c0, or c1 (1 - xi/delta).  (000: eqs 9, 10) */
+enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL };
+
+/* Gamma: the exact fraction of a particle's cell inside the horizon, or the linear ramp.  (SPEC 2; 000: eq. 22) */
+enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
+
+/* Bonds between particles of different horizons: both ends' halves (Ren, Zhuang and Rabczuk 2016), or each end by its own
+ * horizon alone (000: sec. 1.2.5). */
+enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
+
 struct solid_material {
     double youngs_modulus;  /* Pa */
     double density;         /* kg/m3 */
     double fracture_energy; /* G0, J/m2; INFINITY: never breaks */
     double horizon_ratio;   /* m = delta / spacing */
+    enum solid_micromodulus_kind micromodulus;
 };
 
-enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS };
+/* One closed curve of a plate's outline: from each corner to the next (from the last to the first) a straight line or an arc.
+ * Borrowed. */
+struct solid_outline {
+    int is_hole;
+    int corners;
+    const double (*corner)[2]; /* m */
+    const double (*centre)[2]; /* m, of the arc from the corner; read where turn is not 0 */
+    const signed char *turn;   /* 0: straight, +1: arc counterclockwise, -1: clockwise */
+};
+
+/* An initial crack: in a plate a line of points, in 3D a plane quadrilateral of four corners. Bonds that it crosses are broken
+ * from the start. Borrowed. */
+struct solid_cut {
+    int points;
+    const double (*point)[3]; /* m; z is 0 in a plate */
+};
+
+enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS, SOLID_POLYGON };
 
 /* A body cut from a cubic lattice whose points stand at origin + (i + 1/2) spacing. */
 struct solid_body {
@@ -36,6 +68,10 @@ struct solid_body {
     long points;
     const double *point[3];
     const double *point_volume;
+    const double *point_horizon; /* m; NULL: the material's */
+    /* SOLID_POLYGON: pieces and holes of a plate */
+    int outlines;
+    const struct solid_outline *outline; /* borrowed */
     int material;
 };
 
@@ -52,6 +88,12 @@ struct solid_region {
 };
 
 struct solid_input {
+    enum solid_model model; /* default SOLID_3D */
+    double thickness;       /* of a plate, m */
+    enum solid_partial partial;
+    enum solid_horizons horizons;
+    int cuts;
+    const struct solid_cut *cut; /* borrowed during the call */
     double spacing;   /* m */
     double origin[3]; /* of the lattice */
     int periodic[3];  /* bonded across, with these lengths */
@@ -95,6 +137,7 @@ enum solid_flag {
 
 struct solid {
     struct solid_input in; /* the copied numbers; body, material and the like point to owned copies */
+    int dim;               /* 2: a plate, [2] of x0, d, v, a, load, v_old, a_old are NULL; 3 */
     struct solid_stage stage;
     long n_global;
     long *first; /* [size+1] */
