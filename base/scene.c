@@ -1,6 +1,7 @@
 #include "base/scene.h"
 #include "base/error.h"
 #include "base/par.h"
+#include "base/scene_derive.h"
 #include "base/scene_read.h"
 #include "base/scene_schema.h"
 
@@ -70,5 +71,6 @@ void scene_free(struct scene *s) {
     if (!s) return;
     free(s->resolved);
     s->resolved = NULL;
+    scene_derive_free(s);
     scene_schema_free(s);
 }

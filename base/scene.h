@@ -9,9 +9,12 @@ enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 #define SCENE_RETRACTION 0.6
 /* A family holds at most 512 bonds: |xi| < (m + 1/2) spacing gives 484 just below m = 4.5 and 514 just above. */
 #define SCENE_HORIZON_MAX 4.5
+/* In a plate 488 at m = 12; the largest that is allowed there. */
+#define SCENE_HORIZON_MAX_PLATE 12
 
+/* In a plate the third component of everything is 0. */
 struct scene_domain {
-    double size[3];  /* m */
+    double size[3];  /* m; two numbers in the file make a plate */
     int cells[3];    /* a scene without fluid may leave them out: 0 */
     int periodic[3]; /* with a fluid: as its sides; without: domain.periodic, default false */
 };
@@ -49,13 +52,54 @@ struct scene_fluid {
     double body_force[3];         /* m/s2 */
 };
 
-enum scene_shape { SCENE_BOX, SCENE_SPHERE, SCENE_CYLINDER, SCENE_POINTS };
+enum scene_model { SCENE_3D, SCENE_PLANE_STRESS, SCENE_PLANE_STRAIN };
+enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP };
+enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
+enum scene_micromodulus { SCENE_CONSTANT, SCENE_CONICAL };
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
-    double poisson_ratio;   /* must be 0.25 for bond-based 3D; default 0.25 */
+    double poisson_ratio;   /* the one that the model has: 1/3 in plane stress, else 1/4 */
     double fracture_energy; /* J/m2; left out: never breaks (INFINITY) */
-    double horizon_ratio;   /* m, default 3; 1 <= m < SCENE_HORIZON_MAX */
+    double horizon_ratio;   /* m, default 3; from 1 to below, in a plate up to the numbers above */
+    enum scene_micromodulus micromodulus; /* constant (default), conical */
+};
+
+/* A factor that goes with time: straight between the given times, constant before the first and after the last. n = 0: 1. */
+struct scene_time {
+    int n;
+    double *t, *factor; /* [n] s, ascending; 1 */
+    double (*point)[2]; /* [n] both, as the file has them: [[t, factor], ...] */
+};
+
+/* A corner of a plate's outline: `at`, or [x, y] alone. */
+struct scene_corner {
+    double at[2];     /* m */
+    double centre[2]; /* m, of the arc from here to the next corner; only where turn is not 0 */
+    int turn;         /* to the next: 0 straight (default), 1 an arc left (counterclockwise), -1 right */
+};
+/* A closed curve: from each corner to the next, from the last to the first. */
+struct scene_outline {
+    int corners;
+    struct scene_corner *corner;
+    int is_hole;
+};
+
+enum scene_shape {
+    SCENE_BOX,
+    SCENE_SPHERE,
+    SCENE_CYLINDER,
+    SCENE_POINTS,
+    SCENE_RECTANGLE,
+    SCENE_DISC,
+    SCENE_POLYGON
+};
+struct scene_part {           /* a further piece of a plate's body, or a hole in it */
+    enum scene_shape shape;   /* rectangle, disc, polygon */
+    double low[3], high[3];   /* rectangle */
+    double centre[3], radius; /* disc */
+    int corners;
+    struct scene_corner *corner; /* polygon: outline */
 };
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
@@ -64,31 +108,84 @@ struct scene_body {
     double low[3], high[3];           /* box */
     double centre[3], radius, length; /* sphere, cylinder */
     int axis;                         /* cylinder: x, y or z */
-    char file[SCENE_PATH];            /* points: text, x y z volume a line */
-    int has_cavities;                 /* cavities: {period, radius, centre} */
+    char file[SCENE_PATH]; /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon] */
+    int has_cavities;      /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
+    int corners, pieces, holes;
+    struct scene_corner *corner;     /* polygon: outline: [...] */
+    struct scene_part *piece, *hole; /* rectangle, disc, polygon: pieces: [...], holes: [...] */
+    /* of a rectangle, disc or polygon all curves: its own, its pieces', its holes' */
+    int outlines;
+    struct scene_outline *outline;
+};
+struct scene_crack { /* a line of points; in 3D a plane quadrilateral of four corners */
+    char name[SCENE_NAME];
+    int points;
+    double (*point)[3]; /* m */
 };
 struct scene_constraint {
     double low[3], high[3];
-    char directions[4]; /* directions: xyz (a word of the letters x, y, z), default xyz */
-    int direction[3];   /* 1: held or driven in it */
-    double velocity[3]; /* default 0: held */
+    char directions[4];     /* directions: xyz (a word of the letters x, y, z), default all */
+    int direction[3];       /* 1: held or driven in it */
+    double velocity[3];     /* default 0: held */
+    int has_displacement;   /* displacement is given, instead of velocity */
+    double displacement[3]; /* m */
+    struct scene_time time; /* of the velocity or displacement */
 };
 struct scene_region {
     double low[3], high[3];
 };
-struct scene_load { /* a given force per unit volume on the particles of a region (scenes without fluid) */
+enum scene_load_kind { SCENE_LOAD_REGION, SCENE_LOAD_EDGE };
+struct scene_load {
+    enum scene_load_kind kind; /* edge where `edge` is given */
+    double low[3], high[3];    /* region: force per unit volume on its particles */
+    double force[3];           /* N/m3 */
+    double edge[2][2];         /* m, edge of a plate: {from, to} */
+    double traction[3];        /* Pa, on the edge */
+    int over_horizon;          /* depth: over one layer of particles (0, default) or over the horizon (1) */
+    struct scene_time time;
+};
+/* Displacement at the start: displacement exp(-((x - centre)/width)^2), x the coordinate `along`. */
+enum scene_initial_shape { SCENE_GAUSSIAN };
+struct scene_initial {
+    enum scene_initial_shape shape;
+    int along;
+    double centre, width;   /* m */
+    double displacement[3]; /* m */
+};
+struct scene_refined { /* refined from the start */
     double low[3], high[3];
-    double force[3]; /* N/m3 */
+    int level; /* 1 ... levels */
+};
+struct scene_refinement {
+    int levels;              /* default 1 */
+    double energy;           /* refine where W >= energy W_max; default 0.4, 0: off */
+    double damage;           /* refine where the damage is above; 0: off (default) */
+    double from;             /* s, default 0 */
+    double low[3], high[3];  /* only here; default everywhere (-INFINITY, INFINITY) */
+    int every;               /* steps between looks, default 10 */
+    int horizon_kept;        /* horizon: scaled with the spacing (0, default), kept (1) */
+    int interface_corrected; /* interface: plain (0, default), corrected (1; 000: eq. 40) */
+    int held_refine;         /* held: particles of constraints and loads: keep (0, default), refine (1) */
+    int starts;
+    struct scene_refined *start; /* start: [...] */
 };
 struct scene_solid {
-    double spacing; /* m; default the fluid's cell */
-    int materials, bodies, constraints, unbreakables, loads;
+    double spacing;                    /* m; default the fluid's cell */
+    enum scene_model model;            /* of a plate: plane_stress, plane_strain */
+    double thickness;                  /* of a plate, m, default 1 */
+    double lattice_offset[3];          /* spacings: points stand at (i + 1/2 + offset) spacing; default 0 */
+    enum scene_partial partial_volume; /* exact (default), ramp */
+    enum scene_horizons horizons;      /* dual (default), one_sided */
+    int materials, bodies, cracks, constraints, unbreakables, loads, initials;
     struct scene_material *material;     /* materials: [...] */
     struct scene_body *body;             /* bodies: [...] */
+    struct scene_crack *crack;           /* cracks: [...] */
     struct scene_constraint *constraint; /* constraints: [...] */
     struct scene_region *unbreakable;    /* unbreakable: [...] */
     struct scene_load *load;             /* loads: [...] */
+    struct scene_initial *initial;       /* initial: [...] */
+    struct scene_refinement *refinement; /* NULL: none */
     int surface_correction;              /* default true */
     double body_force[3];                /* m/s2 */
     int contact;                         /* contact: {enabled, stiffness, exponent, radius} */
@@ -121,15 +218,29 @@ struct scene_stage {
     double damping_relative, damping_absolute;
 };
 
+struct scene_crack_output {
+    double damage;       /* the tip is the farthest particle with damage above this; default 0.35 */
+    double direction[3]; /* farthest along this; default x */
+    double window;       /* s, of the tip's speed, default 2e-6 */
+    long every;          /* steps, default 10 */
+};
+struct scene_probes {
+    int places;
+    double (*at)[3]; /* m */
+    long every;      /* steps, default 10 */
+};
 struct scene_output {
     long series_every, fields_every, checkpoint_every; /* steps; 0: never. Defaults 10, 0, 1000 */
     long log_every;                                    /* lines in a log, default 100 */
     int stress;                                        /* tensors into solid fields, default true */
+    struct scene_crack_output *crack;                  /* NULL: no crack is followed */
+    struct scene_probes *probes;                       /* NULL: none */
 };
 
 struct scene {
     char path[SCENE_PATH]; /* of the file */
     char title[256];
+    int dimension; /* 2: a plate in the x-y plane; 3 */
     struct scene_domain domain;
     struct scene_fluid *fluid;       /* NULL: no fluid */
     struct scene_solid *solid;       /* NULL: no solid */

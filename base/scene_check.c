@@ -40,46 +40,55 @@ static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_
     }
 }
 
-static const char *entry_name(const cyaml_schema_value_t *entry) {
-    switch (entry->type) {
-    case CYAML_INT:
-        return "whole numbers";
-    case CYAML_FLOAT:
-        return "numbers";
-    case CYAML_BOOL:
-        return "true or false";
-    default:
-        return "mappings";
+/* Puts a list under a key: [x, y] becomes {at: [x, y]}. */
+static void wrap(struct scene_node *node, const char *key) {
+    struct scene_node *list = scene_node_new(SCENE_NODE_LIST, key, NULL);
+    list->line = node->line;
+    list->set = node->set ? scene_text("%s", node->set) : NULL;
+    list->set_inner = 1;
+    while (node->n > 0) {
+        scene_node_insert(list, 0, node->child[node->n - 1]);
+        node->n--;
     }
+    node->kind = SCENE_NODE_MAPPING;
+    scene_node_append(node, list);
 }
 
 static int check_list(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                       const struct scene_rule *rule, const char *path) {
     const cyaml_schema_value_t *entry = v->sequence.entry;
     const int fixed = v->type == CYAML_SEQUENCE_FIXED, is_list = node->kind == SCENE_NODE_LIST;
-    if (fixed && (!is_list || node->n != (int)v->sequence.max)) {
-        char *unit = scene_walk_in_units(rule);
-        SCENE_WALK_SAY(value, w, node, path, "must be a list of %u %s%s", v->sequence.max, entry_name(entry),
-                       unit);
-        free(unit);
+    const int entries = fixed ? scene_walk_entries(w, v, path) : 0;
+    if (fixed && (!is_list || (entries ? node->n != entries : node->n != 2 && node->n != 3))) {
+        scene_walk_say_entries(w, node, v, rule, path);
         return 0;
     }
     if (!is_list) {
-        SCENE_WALK_SAY(value, w, node, path, "must be a list of %s", entry_name(entry));
+        SCENE_WALK_SAY(value, w, node, path, "must be a list of %s", scene_walk_entry_name(entry));
         return 0;
     }
-    if (node->n < (int)v->sequence.min || node->n > (int)v->sequence.max) {
-        SCENE_WALK_SAY(key, w, node, path,
-                       node->n ? "has %d entries, at most %u are possible"
-                               : "is empty: needs at least one entry",
-                       node->n, v->sequence.max);
+    if (!fixed && node->n < (int)v->sequence.min) {
+        if (node->n == 0)
+            SCENE_WALK_SAY(key, w, node, path, "is empty: needs at least %s entr%s",
+                           v->sequence.min > 1 ? "two" : "one", v->sequence.min > 1 ? "ies" : "y");
+        else
+            SCENE_WALK_SAY(key, w, node, path, "has %d entry, needs at least %u", node->n, v->sequence.min);
+        return 0;
+    }
+    if (node->n > (int)v->sequence.max) {
+        SCENE_WALK_SAY(key, w, node, path, "has %d entries, at most %u are possible", node->n,
+                       v->sequence.max);
         return 0;
     }
     for (int i = 0; i < node->n; i++) {
         char *inner = scene_text("%s[%d]", path, i);
-        check_value(w, node->child[i], entry, fixed ? rule : NULL, inner);
+        if (!fixed && rule && rule->bare && node->child[i]->kind == SCENE_NODE_LIST)
+            wrap(node->child[i], rule->bare);
+        check_value(w, node->child[i], entry, fixed || entry->type == CYAML_SEQUENCE_FIXED ? rule : NULL,
+                    inner);
         free(inner);
     }
+    if (fixed && node->n == 2 && v->sequence.max == 3) node->pad = entry->type == CYAML_BOOL ? "false" : "0";
     return 1;
 }
 
@@ -119,51 +128,6 @@ static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, 
     }
 }
 
-static int is_among(const char *word, const char *list) {
-    const size_t n = strlen(word);
-    for (const char *at = list; *at; at += strcspn(at, " "), at += *at == ' ')
-        if (strcspn(at, " ") == n && !strncmp(at, word, n)) return 1;
-    return 0;
-}
-
-/* "a b c" as "a, b or c": malloc'ed. */
-static char *alternatives(const char *list) {
-    char *text = scene_text("%s", "");
-    for (const char *at = list; *at; at += strcspn(at, " "), at += *at == ' ') {
-        const int n = (int)strcspn(at, " ");
-        char *longer = scene_text("%s%s%.*s", text, at == list ? "" : at[n] ? ", " : " or ", n, at);
-        free(text);
-        text = longer;
-    }
-    return text;
-}
-
-static int has_bad_child(const struct scene_node *mapping) {
-    for (int i = 0; i < mapping->n; i++)
-        if (mapping->child[i]->bad) return 1;
-    return 0;
-}
-
-/* Why the key makes no sense in this scene, malloc'ed; NULL if it does. *unsure: what that rests on is itself wrong. */
-static char *why_not(const struct scene_walk *w, const struct scene_node *mapping,
-                     const struct scene_rule *rule, int *unsure) {
-    const int both = SCENE_WITH_FLUID | SCENE_WITH_SOLID, lacking = rule ? rule->only & ~w->parts : 0;
-    *unsure = 0;
-    if (lacking & SCENE_WITHOUT_FLUID) return scene_text("only in a scene without fluid");
-    if (lacking && (rule->only & both) == both)
-        return scene_text("only in a scene with both fluid and solid");
-    if (lacking) return scene_text("only in a scene with a solid");
-    if (!rule || !rule->sibling) return NULL;
-    const struct scene_node *s = scene_node_child(mapping, rule->sibling);
-    *unsure = s ? s->bad : has_bad_child(mapping);
-    if (*unsure || (s && s->kind == SCENE_NODE_SCALAR && is_among(s->value, rule->values))) return NULL;
-    char *list = alternatives(rule->values);
-    char *reason = s ? scene_text("only with %s %s, here it is %s", rule->sibling, list, s->value)
-                     : scene_text("only with %s %s", rule->sibling, list);
-    free(list);
-    return reason;
-}
-
 /* What is left out: a default, or a mistake. */
 static void check_missing(struct scene_walk *w, struct scene_node *node, const cyaml_schema_field_t *field,
                           const struct scene_rule *rule, const char *path) {
@@ -172,8 +136,10 @@ static void check_missing(struct scene_walk *w, struct scene_node *node, const c
     struct scene_node *c = NULL;
     if (rule && rule->fallback) {
         char *why = NULL;
-        c = scene_yaml_parse_value(rule->fallback, &why);
+        const int in_plate = w->dimension == 2;
+        c = scene_yaml_parse_value(in_plate && rule->in_plate ? rule->in_plate : rule->fallback, &why);
         ENSURE(c, "default of %s: %s", path, why);
+        if (in_plate && c->kind == SCENE_NODE_LIST && c->n == 3) scene_node_drop(c, 2);
         c->key = scene_text("%s", field->key);
         c->line = node->line;
     } else if (needed) {
@@ -212,15 +178,20 @@ static int check_mapping(struct scene_walk *w, struct scene_node *node, const cy
         known[n] = fields[n].key;
     }
     check_unknown(w, node, n, known, path);
-    if (!*path)
-        w->parts = (scene_node_child(node, "fluid") ? SCENE_WITH_FLUID : SCENE_WITHOUT_FLUID) |
+    if (!*path) {
+        w->dimension = scene_walk_dimension(node);
+        w->parts = (w->dimension == 2   ? SCENE_IN_PLATE
+                    : w->dimension == 3 ? SCENE_IN_3D
+                                        : 0) |
+                   (scene_node_child(node, "fluid") ? SCENE_WITH_FLUID : SCENE_WITHOUT_FLUID) |
                    (scene_node_child(node, "solid") ? SCENE_WITH_SOLID : 0);
+    }
     for (int k = 0; k < n; k++) {
         char *inner = path_of(path, known[k]);
         const struct scene_rule *rule = scene_rule_find(inner);
         int at = 0, unsure = 0;
         while (at < node->n && strcmp(node->child[at]->key, known[k]) != 0) at++;
-        char *why = why_not(w, node, rule, &unsure);
+        char *why = scene_walk_why_not(w, node, rule, &unsure);
         if (at < node->n && why) {
             SCENE_WALK_SAY(value, w, node->child[at], inner, "%s", why);
             scene_node_drop(node, at);
@@ -257,7 +228,7 @@ static void check_value(struct scene_walk *w, struct scene_node *node, const cya
         if (!good) SCENE_WALK_SAY(value, w, node, path, "must be true or false");
         break;
     case CYAML_ENUM:
-        good = scene_walk_choice(w, node, v, path);
+        good = scene_walk_choice(w, node, v, rule, path);
         break;
     case CYAML_STRING:
         good = scene_walk_text(w, node, v, path);

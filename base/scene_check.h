@@ -19,6 +19,8 @@ void scene_check_parts(const struct scene_check *c);
 void scene_check_fluid(const struct scene_check *c);
 void scene_check_solid(const struct scene_check *c);
 void scene_check_stages(const struct scene_check *c);
+void scene_check_body(const struct scene_check *c, int b); /* parts of scene_check_solid */
+void scene_check_regions(const struct scene_check *c);
 
 /* A path made as by printf, for the calls below: scene_path("solid.bodies[%d].low", b).text */
 struct scene_path {
@@ -27,6 +29,9 @@ struct scene_path {
 struct scene_path scene_path(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Whether the key at the path is there and free of mistakes. */
 int scene_check_clean(const struct scene_check *c, struct scene_path path);
+/* Whether low is below high; said of path.low. */
+int scene_check_box(const struct scene_check *c, struct scene_path path, const double low[3],
+                    const double high[3]);
 /* The bounds of a body; 0 for one of points, whose bounds only its particles know. */
 int scene_check_bounds(const struct scene_body *body, double low[3], double high[3]);
 

@@ -53,9 +53,20 @@ static void check_medium(const struct scene_check *c) {
     }
 }
 
+static void check_crack_output(const struct scene_check *c) {
+    const struct scene_crack_output *k = c->scene->output.crack;
+    if (k && scene_node_is_clean(c->root, "output.crack.direction") && k->direction[0] == 0 &&
+        k->direction[1] == 0 && k->direction[2] == 0)
+        scene_problem_at(c->problems, c->root, "output.crack.direction", "must not be 0 in every direction");
+}
+
 void scene_check_parts(const struct scene_check *c) {
     if (!c->scene->fluid && !c->scene->solid && c->problems->n == 0)
-        scene_problem_line(c->problems, 0, "there is nothing to run: give a section fluid, solid or both");
+        scene_problem_line(c->problems, 0,
+                           c->scene->dimension == 2
+                               ? "there is nothing to run: give the plate a section solid"
+                               : "there is nothing to run: give a section fluid, solid or both");
+    check_crack_output(c);
     check_cells(c);
     check_medium(c);
 }

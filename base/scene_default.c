@@ -47,12 +47,26 @@ static double cell_of(const struct scene_domain *d) {
     return cell;
 }
 
+/* What the model has, and no other. */
+static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
+    char *path = scene_text("solid.materials[%d]", m);
+    struct scene_node *node = scene_node_find(root, path);
+    free(path);
+    if (scene_node_child(node, "poisson_ratio")) return;
+    int at = 0;
+    while (at < node->n && strcmp(node->child[at]->key, "density") != 0) at++;
+    s->solid->material[m].poisson_ratio = s->solid->model == SCENE_PLANE_STRESS ? 1.0 / 3 : 0.25;
+    scene_node_insert(node, at + 1, number(node, "poisson_ratio", s->solid->material[m].poisson_ratio));
+}
+
 static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
     struct scene_node *solid = scene_node_find(root, "solid");
     if (scene_node_child(solid, "spacing")) return;
     s->solid->spacing = cell_of(&s->domain);
     if (s->solid->spacing > 0) {
         scene_node_insert(solid, 0, number(solid, "spacing", s->solid->spacing));
+    } else if (s->dimension == 2 && scene_node_is_clean(root, "domain")) {
+        scene_problem_at(problems, root, "solid.spacing", "missing (m)");
     } else if (scene_node_is_clean(root, "domain") &&
                !s->fluid) { /* unequal cells of a fluid are said elsewhere */
         scene_problem_at(
@@ -112,24 +126,8 @@ static void fill_medium(struct scene *s, struct scene_node *root) {
 void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
     if (s->solid) {
         fill_spacing(s, root, problems);
+        for (int m = 0; m < s->solid->materials; m++) fill_poisson(s, root, m);
         for (int b = 0; b < s->solid->bodies; b++) fill_body(s, root, problems, b);
     }
     if (s->coupling && s->solid) fill_medium(s, root);
-}
-
-void scene_default_derive(struct scene *s, const struct scene_node *root) {
-    for (int d = 0; d < 3 && s->fluid; d++)
-        s->domain.periodic[d] = s->fluid->side[d][0].type == SCENE_PERIODIC;
-    for (int b = 0; s->solid && b < s->solid->bodies; b++) {
-        struct scene_body *body = &s->solid->body[b];
-        char *path = scene_text("solid.bodies[%d].cavities", b);
-        body->has_cavities = scene_node_find(root, path) != NULL;
-        free(path);
-        for (int m = s->solid->materials - 1; m >= 0; m--)
-            if (!strcmp(body->material, s->solid->material[m].name)) body->material_index = m;
-    }
-    for (int i = 0; s->solid && i < s->solid->constraints; i++)
-        for (int d = 0; d < 3; d++)
-            s->solid->constraint[i].direction[d] =
-                strchr(s->solid->constraint[i].directions, "xyz"[d]) != NULL;
 }

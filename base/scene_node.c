@@ -31,6 +31,7 @@ void scene_node_clear(struct scene_node *node) {
     node->child = NULL;
     node->value = NULL;
     node->load = NULL;
+    node->pad = NULL;
     node->n = node->capacity = node->quoted = 0;
 }
 

@@ -14,6 +14,7 @@ struct scene_node {
     int set_inner;    /* 1: the node is a part of what the --set has given */
     int bad;          /* 1: a mistake was said of it; what it holds now only stands in for a value */
     const char *load; /* what stands for the word when it is loaded into the struct (auto: 0); borrowed */
+    const char *pad; /* what a list gets at its end when it is loaded (a plate's third component); borrowed */
     int n, capacity;
     struct scene_node **child; /* owned */
 };

@@ -1,6 +1,7 @@
 #include "base/scene_read.h"
 #include "base/scene_check.h"
 #include "base/scene_default.h"
+#include "base/scene_derive.h"
 #include "base/scene_schema.h"
 #include "base/scene_set.h"
 #include "base/scene_yaml.h"
@@ -72,8 +73,9 @@ static struct scene *load(const char *path, struct scene_node *root, struct scen
         return NULL;
     }
     snprintf(s->path, sizeof s->path, "%s", path);
+    scene_derive_domain(s, root);
     scene_default_fill(s, root, problems);
-    scene_default_derive(s, root);
+    scene_derive(s, root);
     const struct scene_check c = {s, root, problems};
     scene_check_parts(&c);
     scene_check_fluid(&c);

@@ -6,7 +6,9 @@ enum scene_need {
     SCENE_WITH_FLUID = 1,
     SCENE_WITH_SOLID = 2,
     SCENE_WITHOUT_FLUID = 4, /* only in a scene that has none */
-    SCENE_ALWAYS = 8
+    SCENE_ALWAYS = 8,
+    SCENE_IN_3D = 16,
+    SCENE_IN_PLATE = 32 /* domain.size has two numbers */
 };
 
 struct scene_rule {
@@ -19,8 +21,15 @@ struct scene_rule {
     const char *load;     /* what the word stands for in the struct */
     int only;             /* enum scene_need bits: parts that the key makes sense with; 0: any */
     int needed; /* enum scene_need bits: cannot be left out (of those, where its sibling admits it) */
-    const char *sibling; /* the key only makes sense where this one beside it ... */
-    const char *values;  /* ... has one of these values */
+    const char *sibling;  /* the key only makes sense where this one beside it ... */
+    const char *values;   /* ... has one of these values */
+    const char *with;     /* ... or where this one is given beside it */
+    const char *not_with; /* ... or where this one is not */
+    const char
+        *in_plate; /* the default in a plate, where it is another (vectors lose the third number anyway) */
+    double plate_high;      /* upper end of the range in a plate, itself allowed; 0: as high */
+    const char *choices[2]; /* the words of a choice that a plate and a solid in 3D have; NULL: all */
+    const char *bare; /* the key of a list's entries that a list alone stands for: [x, y] for {at: [x, y]} */
 };
 
 extern const struct scene_rule scene_rules[]; /* ends with path NULL */

@@ -1,38 +1,16 @@
 #include "base/scene_schema.h"
+#include "base/scene_schema_parts.h"
 #include "base/scene_node.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    NEEDED = CYAML_FLAG_DEFAULT,
-    OPTIONAL = CYAML_FLAG_OPTIONAL,
-    LIST = CYAML_FLAG_OPTIONAL | CYAML_FLAG_POINTER
-};
-enum { BODIES_MAX = 255, LIST_MAX = 10000 }; /* a particle knows its body by one byte */
-
-static const cyaml_schema_value_t real = {CYAML_VALUE_FLOAT(NEEDED, double)};
+const cyaml_schema_value_t scene_schema_real = {CYAML_VALUE_FLOAT(NEEDED, double)};
+const cyaml_strval_t scene_schema_axes[3] = {{"x", 0}, {"y", 1}, {"z", 2}};
 static const cyaml_schema_value_t whole = {CYAML_VALUE_INT(NEEDED, int)};
 static const cyaml_schema_value_t boolean = {CYAML_VALUE_BOOL(NEEDED, int)};
 
-#define VECTOR(key, flags, type, member) CYAML_FIELD_SEQUENCE_FIXED(key, flags, struct type, member, &real, 3)
-#define NUMBER(key, flags, type, member) CYAML_FIELD_FLOAT(key, flags, struct type, member)
-#define WHOLE(key, flags, type, member) CYAML_FIELD_INT(key, flags, struct type, member)
-#define BOOLEAN(key, flags, type, member) CYAML_FIELD_BOOL(key, flags, struct type, member)
-#define TEXT(key, flags, type, member) CYAML_FIELD_STRING(key, flags, struct type, member, 1)
-#define CHOICE(key, flags, type, member, words)                                                              \
-    CYAML_FIELD_ENUM(key, flags | CYAML_FLAG_STRICT, struct type, member, words, CYAML_ARRAY_LEN(words))
-/* A mapping of the file whose keys stand in the struct around it. */
-#define PART(name, optional, type, its_fields)                                                               \
-    {                                                                                                        \
-        .key = name, .data_offset = 0, .value = { CYAML_VALUE_MAPPING(optional, struct type, its_fields) }   \
-    }
-#define ENTRIES(key, flags, type, member, count, entry, least, most)                                         \
-    CYAML_FIELD_SEQUENCE_COUNT(key, (flags) | CYAML_FLAG_POINTER, struct type, member, count, entry, least,  \
-                               most)
-
-static const cyaml_strval_t axes[] = {{"x", 0}, {"y", 1}, {"z", 2}};
 static const cyaml_strval_t side_types[] = {{"periodic", SCENE_PERIODIC}, {"wall", SCENE_WALL},
                                             {"slip", SCENE_SLIP},         {"inflow", SCENE_INFLOW},
                                             {"outflow", SCENE_OUTFLOW},   {"pressure", SCENE_PRESSURE},
@@ -43,8 +21,6 @@ static const cyaml_strval_t conditions[] = {{"dirichlet", SCENE_DIRICHLET}, {"ne
 static const cyaml_strval_t drivings[] = {{"none", SCENE_DRIVING_NONE},
                                           {"pressure_gradient", SCENE_DRIVING_GRADIENT},
                                           {"bulk_velocity", SCENE_DRIVING_BULK}};
-static const cyaml_strval_t shapes[] = {
-    {"box", SCENE_BOX}, {"sphere", SCENE_SPHERE}, {"cylinder", SCENE_CYLINDER}, {"points", SCENE_POINTS}};
 static const cyaml_strval_t modes[] = {{"rigid", SCENE_SOLID_RIGID}, {"elastic", SCENE_SOLID_ELASTIC}};
 static const cyaml_strval_t integrators[] = {{"rk3", SCENE_RK3}, {"verlet", SCENE_VERLET}};
 
@@ -78,7 +54,7 @@ static const cyaml_schema_field_t sides_fields[] = {
 
 static const cyaml_schema_field_t driving_fields[] = {
     CHOICE("type", NEEDED, scene_fluid, driving, drivings),
-    CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, axes),
+    CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, scene_schema_axes),
     NUMBER("value", OPTIONAL, scene_fluid, driving_value), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
@@ -88,69 +64,6 @@ static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, sc
                                                     PART("driving", OPTIONAL, scene_fluid, driving_fields),
                                                     VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
                                                     CYAML_FIELD_END};
-
-static const cyaml_schema_field_t material_fields[] = {
-    TEXT("name", NEEDED, scene_material, name),
-    NUMBER("youngs_modulus", NEEDED, scene_material, youngs_modulus),
-    NUMBER("density", NEEDED, scene_material, density),
-    NUMBER("poisson_ratio", OPTIONAL, scene_material, poisson_ratio),
-    NUMBER("fracture_energy", OPTIONAL, scene_material, fracture_energy),
-    NUMBER("horizon_ratio", OPTIONAL, scene_material, horizon_ratio),
-    CYAML_FIELD_END};
-static const cyaml_schema_value_t material = {
-    CYAML_VALUE_MAPPING(NEEDED, struct scene_material, material_fields)};
-
-static const cyaml_schema_field_t cavity_fields[] = {
-    NUMBER("period", NEEDED, scene_body, cavity_period), NUMBER("radius", NEEDED, scene_body, cavity_radius),
-    VECTOR("centre", NEEDED, scene_body, cavity_centre), CYAML_FIELD_END};
-
-static const cyaml_schema_field_t body_fields[] = {TEXT("name", OPTIONAL, scene_body, name),
-                                                   TEXT("material", OPTIONAL, scene_body, material),
-                                                   CHOICE("shape", NEEDED, scene_body, shape, shapes),
-                                                   VECTOR("low", OPTIONAL, scene_body, low),
-                                                   VECTOR("high", OPTIONAL, scene_body, high),
-                                                   VECTOR("centre", OPTIONAL, scene_body, centre),
-                                                   NUMBER("radius", OPTIONAL, scene_body, radius),
-                                                   NUMBER("length", OPTIONAL, scene_body, length),
-                                                   CHOICE("axis", OPTIONAL, scene_body, axis, axes),
-                                                   TEXT("file", OPTIONAL, scene_body, file),
-                                                   PART("cavities", OPTIONAL, scene_body, cavity_fields),
-                                                   CYAML_FIELD_END};
-static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
-
-static const cyaml_schema_field_t constraint_fields[] = {
-    VECTOR("low", NEEDED, scene_constraint, low), VECTOR("high", NEEDED, scene_constraint, high),
-    TEXT("directions", OPTIONAL, scene_constraint, directions),
-    VECTOR("velocity", OPTIONAL, scene_constraint, velocity), CYAML_FIELD_END};
-static const cyaml_schema_value_t constraint = {
-    CYAML_VALUE_MAPPING(NEEDED, struct scene_constraint, constraint_fields)};
-
-static const cyaml_schema_field_t region_fields[] = {
-    VECTOR("low", NEEDED, scene_region, low), VECTOR("high", NEEDED, scene_region, high), CYAML_FIELD_END};
-static const cyaml_schema_value_t region = {CYAML_VALUE_MAPPING(NEEDED, struct scene_region, region_fields)};
-
-static const cyaml_schema_field_t load_fields[] = {
-    VECTOR("low", NEEDED, scene_load, low), VECTOR("high", NEEDED, scene_load, high),
-    VECTOR("force", NEEDED, scene_load, force), CYAML_FIELD_END};
-static const cyaml_schema_value_t load = {CYAML_VALUE_MAPPING(NEEDED, struct scene_load, load_fields)};
-
-static const cyaml_schema_field_t contact_fields[] = {
-    BOOLEAN("enabled", OPTIONAL, scene_solid, contact),
-    NUMBER("stiffness", OPTIONAL, scene_solid, contact_stiffness),
-    NUMBER("exponent", OPTIONAL, scene_solid, contact_exponent),
-    NUMBER("radius", OPTIONAL, scene_solid, contact_radius), CYAML_FIELD_END};
-
-static const cyaml_schema_field_t solid_fields[] = {
-    NUMBER("spacing", OPTIONAL, scene_solid, spacing),
-    ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, BODIES_MAX),
-    ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, BODIES_MAX),
-    ENTRIES("constraints", LIST, scene_solid, constraint, constraints, &constraint, 0, LIST_MAX),
-    ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),
-    ENTRIES("loads", LIST, scene_solid, load, loads, &load, 0, LIST_MAX),
-    BOOLEAN("surface_correction", OPTIONAL, scene_solid, surface_correction),
-    VECTOR("body_force", OPTIONAL, scene_solid, body_force),
-    PART("contact", OPTIONAL, scene_solid, contact_fields),
-    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t medium_fields[] = {VECTOR("low", NEEDED, scene_coupling, box_low),
                                                      VECTOR("high", NEEDED, scene_coupling, box_high),
@@ -178,19 +91,33 @@ static const cyaml_schema_field_t stage_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t stage = {CYAML_VALUE_MAPPING(NEEDED, struct scene_stage, stage_fields)};
 
+static const cyaml_schema_field_t crack_fields[] = {
+    NUMBER("damage", OPTIONAL, scene_crack_output, damage),
+    VECTOR("direction", OPTIONAL, scene_crack_output, direction),
+    NUMBER("window", OPTIONAL, scene_crack_output, window),
+    WHOLE("every", OPTIONAL, scene_crack_output, every), CYAML_FIELD_END};
+
+static const cyaml_schema_value_t place = {
+    CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
+static const cyaml_schema_field_t probes_fields[] = {
+    ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX),
+    WHOLE("every", OPTIONAL, scene_probes, every), CYAML_FIELD_END};
+
 static const cyaml_schema_field_t output_fields[] = {
     WHOLE("series_every", OPTIONAL, scene_output, series_every),
     WHOLE("fields_every", OPTIONAL, scene_output, fields_every),
     WHOLE("checkpoint_every", OPTIONAL, scene_output, checkpoint_every),
     WHOLE("log_every", OPTIONAL, scene_output, log_every),
     BOOLEAN("stress", OPTIONAL, scene_output, stress),
+    CYAML_FIELD_MAPPING_PTR("crack", OPTIONAL, struct scene_output, crack, crack_fields),
+    CYAML_FIELD_MAPPING_PTR("probes", OPTIONAL, struct scene_output, probes, probes_fields),
     CYAML_FIELD_END};
 
 static const cyaml_schema_field_t scene_fields[] = {
     TEXT("title", OPTIONAL, scene, title),
     CYAML_FIELD_MAPPING("domain", NEEDED, struct scene, domain, domain_fields),
     CYAML_FIELD_MAPPING_PTR("fluid", OPTIONAL, struct scene, fluid, fluid_fields),
-    CYAML_FIELD_MAPPING_PTR("solid", OPTIONAL, struct scene, solid, solid_fields),
+    CYAML_FIELD_MAPPING_PTR("solid", OPTIONAL, struct scene, solid, scene_schema_solid),
     CYAML_FIELD_MAPPING_PTR("coupling", OPTIONAL, struct scene, coupling, coupling_fields),
     ENTRIES("stages", NEEDED, scene, stage, stages, &stage, 1, LIST_MAX),
     CYAML_FIELD_MAPPING("output", OPTIONAL, struct scene, output, output_fields),

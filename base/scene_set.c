@@ -44,11 +44,12 @@ static void refuse(const struct setting *s, char *message) {
 
 /* The entry of a list by index or name; -1 and a problem if there is none. */
 static int entry_of(const struct setting *s, const struct scene_node *list, const char *step) {
+    const char *of = list->key ? list->key : "the list";
     if (strspn(step, "0123456789") == strlen(step)) {
         const long i = strtol(step, NULL, 10);
         if (i < list->n) return (int)i;
-        refuse(s, list->n ? scene_text("there is no entry %s: %s has 0 to %d", step, list->key, list->n - 1)
-                          : scene_text("there is no entry %s: %s is empty", step, list->key));
+        refuse(s, list->n ? scene_text("there is no entry %s: %s has 0 to %d", step, of, list->n - 1)
+                          : scene_text("there is no entry %s: %s is empty", step, of));
         return -1;
     }
     const char *name[NAMES];
@@ -61,7 +62,7 @@ static int entry_of(const struct setting *s, const struct scene_node *list, cons
     }
     const char *nearest = scene_problem_nearest(step, n, name);
     refuse(s, nearest ? scene_text("there is no entry named %s; did you mean %s?", step, nearest)
-                      : scene_text("there is no entry named %s in %s", step, list->key));
+                      : scene_text("there is no entry named %s in %s", step, of));
     return -1;
 }
 

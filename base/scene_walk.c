@@ -48,6 +48,13 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
         node->load = rule->load;
         return 1;
     }
+    struct scene_rule in_plate;
+    if (rule && rule->plate_high > 0 && w->dimension != 3) {
+        in_plate = *rule;
+        in_plate.high = rule->plate_high;
+        in_plate.open &= ~2;
+        rule = &in_plate;
+    }
     const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
     const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
     const double value = form ? strtod(node->value, NULL) : 0;
@@ -81,18 +88,25 @@ char *scene_walk_joined(int n, const char *const *word) {
 }
 
 int scene_walk_choice(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                      const char *path) {
+                      const struct scene_rule *rule, const char *path) {
     const char *word[SCENE_WALK_KEYS];
-    const int n = (int)v->enumeration.count;
-    ENSURE(n <= SCENE_WALK_KEYS, "%s has %d choices", path, n);
-    for (int i = 0; i < n; i++) {
-        word[i] = v->enumeration.strings[i].str;
-        if (node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, word[i])) return 1;
+    const char *among = rule && w->dimension ? rule->choices[w->dimension == 3] : NULL;
+    const int plain = node->kind == SCENE_NODE_SCALAR;
+    int n = 0, elsewhere = 0;
+    ENSURE(v->enumeration.count <= SCENE_WALK_KEYS, "%s has %u choices", path, v->enumeration.count);
+    for (uint32_t i = 0; i < v->enumeration.count; i++) {
+        const char *its = v->enumeration.strings[i].str;
+        const int here = !among || scene_walk_is_among(its, among), is = plain && !strcmp(node->value, its);
+        if (here && is) return 1;
+        if (here) word[n++] = its;
+        elsewhere |= is;
     }
-    const char *nearest =
-        node->kind == SCENE_NODE_SCALAR ? scene_problem_nearest(node->value, n, word) : NULL;
+    const char *nearest = plain && !elsewhere ? scene_problem_nearest(node->value, n, word) : NULL;
     char *allowed = scene_walk_joined(n, word);
-    SCENE_WALK_SAY(value, w, node, path, "must be one of %s%s%s%s", allowed, nearest ? "; did you mean " : "",
+    SCENE_WALK_SAY(value, w, node, path, "must be %s%s%s%s%s", n > 1 ? "one of " : "", allowed,
+                   elsewhere ? w->dimension == 2 ? " in a plate" : " in 3D"
+                   : nearest ? "; did you mean "
+                             : "",
                    nearest ? nearest : "", nearest ? "?" : "");
     free(allowed);
     return 0;

@@ -13,6 +13,7 @@ struct reader {
     yaml_event_t event;
     int line;  /* of a mistake */
     char *why; /* NULL: none so far */
+    const char *what;
 };
 
 static int fail(struct reader *r, int line, char *why) {
@@ -91,8 +92,8 @@ static struct scene_node *value(struct reader *r, const char *key, int depth) {
     if (r->event.type == YAML_SCALAR_EVENT) return scalar(r, key);
     if (r->event.type == YAML_ALIAS_EVENT) {
         fail(r, line,
-             scene_text("an alias (*%s) is not read in a scene: write the value out",
-                        (const char *)r->event.data.alias.anchor));
+             scene_text("an alias (*%s) is not read in a %s: write the value out",
+                        (const char *)r->event.data.alias.anchor, r->what));
         return NULL;
     }
     if (r->event.type != YAML_MAPPING_START_EVENT && r->event.type != YAML_SEQUENCE_START_EVENT) {
@@ -119,7 +120,7 @@ static struct scene_node *document(struct reader *r, const char *text, size_t by
         else if (next(r))
             root = value(r, NULL, 0);
         if (root && next(r) && next(r) && r->event.type != YAML_STREAM_END_EVENT)
-            fail(r, line_of(r), scene_text("a second document begins: a scene is one"));
+            fail(r, line_of(r), scene_text("a second document begins: a %s is one", r->what));
     }
     yaml_event_delete(&r->event);
     yaml_parser_delete(&r->parser);
@@ -139,7 +140,13 @@ static int has_tab(const char *text, size_t bytes, int line) {
 }
 
 struct scene_node *scene_yaml_parse(const char *text, size_t bytes, struct scene_problems *problems) {
-    struct reader r = {0};
+    static const struct scene_yaml_what scene = {"scene", "domain: ..., fluid: ..., stages: ..."};
+    return scene_yaml_parse_as(&scene, text, bytes, problems);
+}
+
+struct scene_node *scene_yaml_parse_as(const struct scene_yaml_what *what, const char *text, size_t bytes,
+                                       struct scene_problems *problems) {
+    struct reader r = {.what = what->name};
     int empty;
     struct scene_node *root = document(&r, text, bytes, &empty);
     if (r.why)
@@ -148,10 +155,9 @@ struct scene_node *scene_yaml_parse(const char *text, size_t bytes, struct scene
                                                         : "");
     free(r.why);
     if (empty || (root && root->kind == SCENE_NODE_SCALAR && !*root->value && !root->quoted)) {
-        scene_problem_line(problems, 0, "the scene is empty");
+        scene_problem_line(problems, 0, "the %s is empty", what->name);
     } else if (root && root->kind != SCENE_NODE_MAPPING) {
-        scene_problem_line(problems, root->line,
-                           "a scene must be a mapping (domain: ..., fluid: ..., stages: ...)");
+        scene_problem_line(problems, root->line, "a %s must be a mapping (%s)", what->name, what->example);
     } else {
         return root;
     }
@@ -160,7 +166,7 @@ struct scene_node *scene_yaml_parse(const char *text, size_t bytes, struct scene
 }
 
 struct scene_node *scene_yaml_parse_value(const char *text, char **why) {
-    struct reader r = {0};
+    struct reader r = {.what = "scene"};
     int empty;
     struct scene_node *node = document(&r, text, strlen(text), &empty);
     *why = r.why;
@@ -196,6 +202,7 @@ static int emit_node(yaml_emitter_t *e, const struct scene_node *node, int for_l
     for (int i = 0; ok && i < node->n; i++)
         ok =
             (!is_mapping || emit_scalar(e, node->child[i]->key, 0)) && emit_node(e, node->child[i], for_load);
+    if (for_load && node->pad) ok = ok && emit_scalar(e, node->pad, 0);
     ok = ok && (is_mapping ? yaml_mapping_end_event_initialize(&event)
                            : yaml_sequence_end_event_initialize(&event));
     return ok && yaml_emitter_emit(e, &event);

@@ -181,12 +181,18 @@ static inline vec vec_reciprocal(vec a) {
 }
 
 static inline double vec_highest(vec a) {
+#if VEC_AVX512
+    return _mm512_reduce_max_pd((__m512d)a);
+#endif
     double m = a[0];
     for (int k = 1; k < VEC_LANES; k++) m = a[k] > m ? a[k] : m;
     return m;
 }
 
 static inline double vec_lowest(vec a) {
+#if VEC_AVX512
+    return _mm512_reduce_min_pd((__m512d)a);
+#endif
     double m = a[0];
     for (int k = 1; k < VEC_LANES; k++) m = a[k] < m ? a[k] : m;
     return m;
@@ -196,6 +202,47 @@ static inline double vec_sum(vec a) {
     double sum = 0;
     for (int k = 0; k < VEC_LANES; k++) sum += a[k];
     return sum;
+}
+
+/* The sum in whatever order is fastest: for numbers whose sums are exact. */
+static inline double vec_total(vec a) {
+#if VEC_AVX512
+    return _mm512_reduce_add_pd((__m512d)a);
+#else
+    double sum[4];
+    for (int k = 0; k < 4; k++) sum[k] = a[k] + a[k + 4];
+    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+#endif
+}
+
+/* The larger of |a| and |b|. */
+static inline vec vec_absmax(vec a, vec b) {
+#if VEC_AVX512 && defined __AVX512DQ__
+    return (vec)_mm512_range_pd((__m512d)a, (__m512d)b, 11);
+#else
+    const vec_mask digits = (vec_mask){-1, -1, -1, -1, -1, -1, -1, -1} & INT64_MAX;
+    return vec_max((vec)((vec_mask)a & digits), (vec)((vec_mask)b & digits));
+#endif
+}
+
+/* Whether a lane is above b, or no number. */
+static inline int vec_any_above(vec a, double b) {
+#if VEC_AVX512
+    return _mm512_cmp_pd_mask((__m512d)a, _mm512_set1_pd(b), _CMP_NLE_UQ) != 0;
+#else
+    int any = 0;
+    for (int k = 0; k < VEC_LANES; k++) any |= !(a[k] <= b);
+    return any;
+#endif
+}
+
+/* The power of two at or below a > 0; 0 of 0, and infinity of what is no number. */
+static inline double power_below(double a) {
+    uint64_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    bits &= UINT64_C(0x7ff) << 52;
+    memcpy(&a, &bits, sizeof a);
+    return a;
 }
 
 /* Lanes with a bit set take p[0], p[1], ... in turn, the others 0; no more is read. */
@@ -217,6 +264,47 @@ static inline void vec_press(unsigned bits, vec v, double *p) {
     _mm512_mask_storeu_pd(p, first, _mm512_maskz_compress_pd((__mmask8)bits, (__m512d)v));
 #else
     for (; bits; bits &= bits - 1) *p++ = v[__builtin_ctz(bits)];
+#endif
+}
+
+static inline vec vec_load_floats(const float *p) {
+#if VEC_AVX512
+    return (vec)_mm512_cvtps_pd(_mm256_loadu_ps(p));
+#else
+    vec v;
+    for (int k = 0; k < VEC_LANES; k++) v[k] = (double)p[k];
+    return v;
+#endif
+}
+
+/* Bit k: the sign of lane k is set. */
+static inline unsigned vec_signs(vec a) {
+#if VEC_AVX512 && defined __AVX512DQ__
+    return _mm512_movepi64_mask((__m512i)a);
+#else
+    unsigned bits = 0;
+    for (int k = 0; k < VEC_LANES; k++) bits |= (unsigned)__builtin_signbit(a[k]) << k;
+    return bits;
+#endif
+}
+
+/* Two numbers from each of eight places: lane k of v[c] is p[at[k] + c]. */
+static inline void vec_gather2(const double *p, const int *at, vec v[2]) {
+#if VEC_AVX512 && defined __AVX512DQ__
+    __m512d of[2]; /* of even places and of odd ones; the masked loads do not use the shuffles' units */
+    for (int odd = 0; odd < 2; odd++) {
+        of[odd] = _mm512_castpd128_pd512(_mm_loadu_pd(p + at[odd]));
+        of[odd] = _mm512_mask_broadcast_f64x2(of[odd], 0x0c, _mm_loadu_pd(p + at[2 + odd]));
+        of[odd] = _mm512_mask_broadcast_f64x2(of[odd], 0x30, _mm_loadu_pd(p + at[4 + odd]));
+        of[odd] = _mm512_mask_broadcast_f64x2(of[odd], 0xc0, _mm_loadu_pd(p + at[6 + odd]));
+    }
+    v[0] = (vec)_mm512_unpacklo_pd(of[0], of[1]);
+    v[1] = (vec)_mm512_unpackhi_pd(of[0], of[1]);
+#else
+    double t[2][VEC_LANES];
+    for (int k = 0; k < VEC_LANES; k++)
+        for (int c = 0; c < 2; c++) t[c][k] = p[at[k] + c];
+    for (int c = 0; c < 2; c++) v[c] = vec_load(t[c]);
 #endif
 }
 

@@ -1,37 +1,19 @@
 #include "bench/machine.h"
 #include "base/libraries.h"
+#include "base/machine.h"
 #include "base/version.h"
 #include "fluid/transform.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/utsname.h>
 #include <time.h>
-#include <unistd.h>
 
 /* Text for a CSV's cell: no commas, quotes or line ends. */
 static void cell(char *to, size_t size, const char *from) {
     snprintf(to, size, "%.*s", (int)size - 1, from);
     for (char *c = to; *c; c++)
         if (*c == ',' || *c == '"' || *c == '\n') *c = ';';
-}
-
-/* "model name" of /proc/cpuinfo, or the architecture where there is none. */
-static void processor(char *to, size_t size) {
-    struct utsname system;
-    uname(&system);
-    cell(to, size, system.machine);
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    char line[256];
-    while (file && fgets(line, sizeof line, file)) {
-        char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) || !colon) continue;
-        line[strcspn(line, "\n")] = '\0';
-        cell(to, size, colon + 1 + strspn(colon + 1, " "));
-        break;
-    }
-    if (file) fclose(file);
 }
 
 static void slug(char *to, size_t size, const char *from) {
@@ -47,11 +29,12 @@ static void slug(char *to, size_t size, const char *from) {
 }
 
 struct bench_machine bench_machine_of(void) {
-    struct bench_machine m = {.cores = (int)sysconf(_SC_NPROCESSORS_ONLN)};
-    char library[3][128];
+    struct bench_machine m = {.cores = machine_cores()};
+    char library[3][128], processor[sizeof m.cpu];
     const time_t now = time(NULL);
     libraries_describe(library);
-    processor(m.cpu, sizeof m.cpu);
+    machine_processor(processor, sizeof processor);
+    cell(m.cpu, sizeof m.cpu, processor);
     slug(m.slug, sizeof m.slug, m.cpu);
     cell(m.compiler, sizeof m.compiler, FRANA_COMPILER);
     cell(m.flags, sizeof m.flags, FRANA_FLAGS);

@@ -9,7 +9,7 @@ static const double SPACING = 1.5625e-3; /* m */
 
 struct solid *bench_block_new(const struct bench_block *in) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {1e8, 3000, 0.05, in->ratio > 0 ? in->ratio : 3};
+    const struct solid_material material = {1e8, 3000, 0.05, in->ratio > 0 ? in->ratio : 3, SOLID_CONSTANT};
     struct solid_input input = {.spacing = SPACING,
                                 .bodies = 1,
                                 .body = &body,
@@ -47,10 +47,10 @@ static void sweep(void *with) {
  * polynomial of degree four 9, weights 4, zeta 3, and the force added at both ends 12: 40 a bond, 20 directed. With damping
  * relative velocities 3, their part along zeta 5, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 15 more.
  * Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3). A directed bond on a
- * lattice: one bit. In a list: 4 B for the other end, 1 for lambda, and its reference vector, 3 doubles. */
+ * lattice: one bit. In a list: 4 B for the other end, three singles for its reference vector, and a double. */
 static void count(struct bench_row *row, double particles, int list, int damped) {
     row->flops = 20 + (damped ? 7.5 : 0);
-    row->bytes = (list ? 4 + 1 + 24 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
+    row->bytes = (list ? 4 + 12 + 8 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
 }
 
 static void measure(struct bench *b, const char *part, const struct bench_block *block, double damping) {
@@ -88,6 +88,7 @@ void bench_solid(struct bench *b) {
                                               .half = b->quick,
                                               .list = list},
                         damped ? 1e15 : 0);
+    bench_plate(b);
 }
 
 /* A horizon of 2.5 spacings has a family of |xi| < 3 spacings and a little, 122 bonds: those of a code that bonds

@@ -6,6 +6,9 @@
 #include "coupling/run.h"
 #include "solid/contact.h"
 #include "solid/family.h"
+#include "solid/material.h"
+#include "solid/refine.h"
+#include "solid/waves.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -33,6 +36,14 @@ static void say_holdings(struct run *r) {
         const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
         say("  solid      %ld particles %.6g m apart, %ld bonds\n", r->solid->n_global, r->solid->in.spacing,
             directed / 2);
+        if (r->solid->dim == 2)
+            say("  plate      %s, %.6g m thick\n",
+                r->solid->in.model == SOLID_PLANE_STRESS ? "plane stress" : "plane strain",
+                r->solid->in.thickness);
+        if (r->solid->in.cuts > 0 && r->needs.bonds) {
+            solid_count_bonds(r->solid);
+            say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
+        }
     }
     if (r->surface)
         say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
@@ -61,6 +72,22 @@ static void say_touch(struct run *r, const struct scene_stage *stage) {
         say("  warning: %s's substep is above the limit of %.6g s for contact\n", stage->name, limit);
 }
 
+/* Of the levels that there may be: inside a body of one level alone. */
+static void say_levels(struct run *r) {
+    const int finest = solid_refine_finest(r->solid);
+    struct solid_rates rates;
+    solid_rates_of(r->solid, &rates);
+    for (int level = finest + 1; level <= r->scene->solid->refinement->levels; level++) {
+        struct solid_rates finer = rates;
+        char name[64];
+        finer.stiffness = fmax(rates.stiffness, solid_refine_lattice2(r->solid, level));
+        for (int k = 0; k < 2; k++) {
+            snprintf(name, sizeof name, "solid, bonds of level %d, %s", level, k ? "velocity Verlet" : "RK3");
+            say("  %-42s %.6g\n", name, solid_stable_of(&finer, k ? SOLID_VERLET : SOLID_RK3, 0, NULL));
+        }
+    }
+}
+
 static void say_limits(struct run *r) {
     say("\nstable steps, s\n");
     if (r->fluid) {
@@ -81,6 +108,7 @@ static void say_limits(struct run *r) {
                 solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3,
                                 k / 2 ? solid_stable_touch(r->solid) : 0, NULL));
     }
+    if (r->needs.bonds && r->solid->refine) say_levels(r);
     say("\nstages\n");
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
         const struct scene_stage *stage = &r->scene->stage[r->stage];
@@ -130,20 +158,24 @@ static double velocity_of(const struct scene_fluid *f) {
     return u;
 }
 
-static void say_groups(const struct scene *scene) {
+static void say_groups(const struct run *r) {
+    const struct scene *scene = r->scene;
     const struct scene_fluid *f = scene->fluid;
     const double u = f ? velocity_of(f) : 0, h = scene->domain.size[1];
     say("\ngroups\n");
     if (u > 0) say("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
     for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
         const struct scene_material *s = &scene->solid->material[m];
-        const struct solid_material material = {s->youngs_modulus, s->density, s->fracture_energy,
-                                                s->horizon_ratio};
-        const double s0 = solid_critical_stretch(&material, scene->solid->spacing);
+        const struct solid_material *material = &r->solid->in.material[m];
+        const struct solid_input *in = &r->solid->in;
+        const struct solid_waves c = solid_waves_of(in->model, s->youngs_modulus, s->density);
+        const double s0 =
+            solid_constants_of(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
         if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
         if (u > 0) say("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
         say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
-        say("  %s: sqrt(E/rho_s) = %.6g m/s\n", s->name, sqrt(s->youngs_modulus / s->density));
+        say("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n",
+            s->name, sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);
     }
 }
 
@@ -152,7 +184,7 @@ int program_check(const struct scene *scene) {
     say_holdings(r);
     say_limits(r);
     say_memory();
-    say_groups(scene);
+    say_groups(r);
     run_free(r);
     return EXIT_CODE_DONE;
 }

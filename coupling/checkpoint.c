@@ -6,6 +6,8 @@
 #include "base/par_exchange.h"
 #include "base/store.h"
 #include "solid/family.h"
+#include "solid/load.h"
+#include "solid/refine.h"
 #include "solid/surface_state.h"
 
 #include <stdio.h>
@@ -50,7 +52,7 @@ static int read_fluid(struct run *r, struct store *s) {
     return 0;
 }
 
-/* Arrays of three components by particle: displacement, velocity, velocity a step ago, load, Verlet's last sweep. */
+/* Arrays of three components by particle, two in a plate: displacement, velocity, velocity a step ago, load, Verlet's last sweep. */
 enum { VECTORS = 5 };
 static const char *const vector_name[VECTORS] = {"displacement", "velocity", "velocity_last", "load",
                                                  "sweep"};
@@ -68,16 +70,67 @@ enum { SHARES = 5 };
 static const char *const share_name[SHARES] = {"e_damped", "e_fracture", "e_constraint", "work_load",
                                                "power_pairwise"};
 
+/* Which particles there are, of a plate that is refined as it goes, and the rates that go with them. */
+enum { RATES = 6 };
+static const char *const rate_name[RATES] = {"rate_stiffness",  "rate_damping",  "rate_sum",
+                                             "rate_difference", "rate_absolute", "rate_bound"};
+
+static void rates_of(struct run *r, double *rate[RATES]) {
+    struct solid_rates *of = &r->solid_rates;
+    double *const all[RATES] = {&of->stiffness,  &of->damping,  &of->sum,
+                                &of->difference, &of->absolute, &r->refined.rate2};
+    memcpy(rate, all, sizeof all);
+}
+
+static void write_particles(struct run *r, struct store *s) {
+    const struct solid *solid = r->solid;
+    const long n = solid->n_global, first = solid->first[par_rank()];
+    double(*place)[3] = memory_new(MEMORY_OUTPUT, (size_t)solid->n + 1, sizeof *place), *rate[RATES];
+    uint8_t *level = memory_new(MEMORY_OUTPUT, (size_t)solid->n + 1, 1);
+    for (int h = 0; h < solid->n; h++) solid_refine_save(solid, h, &level[h], place[h]);
+    store_write_range(s, "body", STORE_BYTE, 1, n, first, solid->n, solid->body);
+    store_write_range(s, "level", STORE_BYTE, 1, n, first, solid->n, level);
+    store_write_range(s, "place", STORE_DOUBLE, 3, n, first, solid->n, place);
+    store_write_long(s, "rate_level", r->refined.level);
+    rates_of(r, rate);
+    for (int k = 0; k < RATES; k++) store_write_double(s, rate_name[k], *rate[k]);
+    memory_free(level);
+    memory_free(place);
+}
+
+static int read_particles(struct run *r, struct store *s) {
+    const long n = store_count(s, "level");
+    if (n < 0) return 0; /* of a scene without refinement: as they were made */
+    double(*place)[3] = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *place), *rate[RATES];
+    uint8_t *level = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1),
+            *body = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1);
+    long finest = -1;
+    int bad = store_read_range(s, "body", STORE_BYTE, 1, n, 0, n, body) ||
+              store_read_range(s, "level", STORE_BYTE, 1, n, 0, n, level) ||
+              store_read_range(s, "place", STORE_DOUBLE, 3, n, 0, n, place) ||
+              store_read_long(s, "rate_level", &finest);
+    rates_of(r, rate);
+    for (int k = 0; k < RATES && !bad; k++) bad = store_read_double(s, rate_name[k], rate[k]);
+    r->refined.level = (int)finest;
+    bad = bad || solid_refine_restore(r->solid, n, body, level, (const double(*)[3])place);
+    memory_free(body);
+    memory_free(level);
+    memory_free(place);
+    return bad;
+}
+
 static void write_bonds(struct run *r, struct store *s) {
     struct solid *solid = r->solid;
+    const int dim = solid->dim;
     const long n = solid->n_global, first = solid->first[par_rank()];
+    if (solid->refine) write_particles(r, s);
     double *work = memory_new(MEMORY_OUTPUT, 3 * (size_t)solid->n + 1, sizeof *work);
     double *const *vector[VECTORS];
     for (int k = 0, all = vectors_of(r, vector); k < all; k++) {
         if (!vector[k]) continue;
         for (int h = 0; h < solid->n; h++)
-            for (int c = 0; c < 3; c++) work[3 * h + c] = vector[k][c][h];
-        store_write_range(s, vector_name[k], STORE_DOUBLE, 3, n, first, solid->n, work);
+            for (int c = 0; c < dim; c++) work[dim * h + c] = vector[k][c][h];
+        store_write_range(s, vector_name[k], STORE_DOUBLE, dim, n, first, solid->n, work);
     }
     memory_free(work);
     const int bytes = solid_family_bytes(solid);
@@ -99,17 +152,28 @@ static void write_bonds(struct run *r, struct store *s) {
     }
 }
 
+/* What is given is a function of time, and is added anew to what the fluid's part of a step writes. */
+static void loads_restart(struct run *r) {
+    struct solid *solid = r->solid;
+    if (!solid->given) return;
+    for (int c = 0; c < solid->dim; c++) memset(solid->load[c], 0, (size_t)solid->n * sizeof(double));
+    solid_given_forget(solid);
+}
+
 static int read_bonds(struct run *r, struct store *s) {
     struct solid *solid = r->solid;
+    const int dim = solid->dim;
+    solid->t = r->t;
+    if (solid->refine && read_particles(r, s)) return 1;
     const long n = solid->n_global, first = solid->first[par_rank()];
     double *work = memory_new(MEMORY_OUTPUT, 3 * (size_t)solid->n + 1, sizeof *work);
     double *const *vector[VECTORS];
     int bad = 0;
     for (int k = 0, all = vectors_of(r, vector); k < all && !bad; k++) {
         if (!vector[k]) continue;
-        bad = store_read_range(s, vector_name[k], STORE_DOUBLE, 3, n, first, solid->n, work);
+        bad = store_read_range(s, vector_name[k], STORE_DOUBLE, dim, n, first, solid->n, work);
         for (int h = 0; h < solid->n && !bad; h++)
-            for (int c = 0; c < 3; c++) vector[k][c][h] = work[3 * h + c];
+            for (int c = 0; c < dim; c++) vector[k][c][h] = work[dim * h + c];
     }
     memory_free(work);
     const int bytes = solid_family_bytes(solid);
@@ -127,6 +191,8 @@ static int read_bonds(struct run *r, struct store *s) {
     solid->e_constraint = keep * share[2];
     solid->work_load = keep * share[3];
     solid->power_pairwise = keep * share[4];
+    solid->t = r->t;
+    loads_restart(r);
     par_ghost_update_bytes(solid->ghost, solid->flag, solid->n);
     solid_ghosts_update(solid);
     solid_count_bonds(solid);

@@ -11,7 +11,8 @@ const char *command_usage(void) {
            "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE]] [--max-wall "
            "HH:MM:SS] [--quiet]\n"
            "  frana check SCENE.yaml [--set key.path=value]...\n"
-           "  frana post  RUNDIR... [--out DIR]\n"
+           "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--level DAMAGE] [--magnify FACTOR]\n"
+           "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
            "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
            "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
            "  frana --version\n"
@@ -38,13 +39,13 @@ static enum command_verb verb_of(const char *word) {
     static const struct {
         const char *word;
         enum command_verb verb;
-    } verb[] = {{"run", COMMAND_RUN},     {"check", COMMAND_CHECK},       {"post", COMMAND_POST},
-                {"bench", COMMAND_BENCH}, {"--version", COMMAND_VERSION}, {"--help", COMMAND_HELP},
-                {"-h", COMMAND_HELP},     {"help", COMMAND_HELP}};
+    } verb[] = {{"run", COMMAND_RUN},     {"check", COMMAND_CHECK}, {"post", COMMAND_POST},
+                {"bench", COMMAND_BENCH}, {"study", COMMAND_STUDY}, {"--version", COMMAND_VERSION},
+                {"--help", COMMAND_HELP}, {"-h", COMMAND_HELP},     {"help", COMMAND_HELP}};
     for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
         if (!strcmp(word, verb[k].word)) return verb[k].verb;
-    die_all(EXIT_CODE_SCENE, "%s: unknown command; there are run, check, post, bench, --version and --help",
-            word);
+    die_all(EXIT_CODE_SCENE,
+            "%s: unknown command; there are run, check, post, bench, study, --version and --help", word);
 }
 
 /* runs/NAME, NAME being the scene's file without its ending. */
@@ -69,12 +70,23 @@ static int table_of(const char *word) {
     die_all(EXIT_CODE_SCENE, "--table=%s: must be performance or growth", word);
 }
 
+static double number(const char *text, const char *name, double below) {
+    char *end;
+    const double value = strtod(text, &end);
+    if (end == text || *end || !(value > 0) || !(value < below))
+        die_all(EXIT_CODE_SCENE, "%s %s: must be a number above 0 and below %g", name, text, below);
+    return value;
+}
+
 /* Which option goes with which commands. */
 static void check_option(int o, const char *word, enum command_verb verb) {
     if (strchr("rwq", o) && verb != COMMAND_RUN)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
     if (o == 's' && verb != COMMAND_RUN && verb != COMMAND_CHECK)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana run and check only", word);
+    if (strchr("ilm", o) && verb != COMMAND_POST)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
+    if (o == 'f' && verb != COMMAND_STUDY) die_all(EXIT_CODE_SCENE, "%s: goes with frana study only", word);
     if (strchr("knzpt", o) && verb != COMMAND_BENCH)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
@@ -85,11 +97,15 @@ static void options(struct command *c, int argc, char **argv) {
                                            {"resume", optional_argument, NULL, 'r'},
                                            {"max-wall", required_argument, NULL, 'w'},
                                            {"quiet", no_argument, NULL, 'q'},
+                                           {"fresh", no_argument, NULL, 'f'},
                                            {"quick", no_argument, NULL, 'k'},
                                            {"only", required_argument, NULL, 'n'},
                                            {"sizes", required_argument, NULL, 'z'},
                                            {"repeats", required_argument, NULL, 'p'},
                                            {"table", required_argument, NULL, 't'},
+                                           {"film", optional_argument, NULL, 'i'},
+                                           {"level", required_argument, NULL, 'l'},
+                                           {"magnify", required_argument, NULL, 'm'},
                                            {NULL, 0, NULL, 0}};
     opterr = 0;
     for (int o; (o = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
@@ -112,6 +128,18 @@ static void options(struct command *c, int argc, char **argv) {
             break;
         case 'q':
             c->quiet = 1;
+            break;
+        case 'f':
+            c->fresh = 1;
+            break;
+        case 'i':
+            c->film = 1, c->film_quantity = optarg;
+            break;
+        case 'l':
+            c->level = number(optarg, "--level", 1);
+            break;
+        case 'm':
+            c->magnify = number(optarg, "--magnify", 1e9);
             break;
         case 'k':
             c->quick = 1;
@@ -142,9 +170,12 @@ static void check_files(const struct command *c, const char *word) {
     }
     if (c->files == 0)
         die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word,
-                c->verb == COMMAND_POST ? "run folder" : "scene");
+                c->verb == COMMAND_POST    ? "run folder"
+                : c->verb == COMMAND_STUDY ? "study"
+                                           : "scene");
     if (c->files > 1 && c->verb != COMMAND_POST)
-        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one scene", word, c->file[0], c->file[1]);
+        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", word, c->file[0], c->file[1],
+                c->verb == COMMAND_STUDY ? "study" : "scene");
 }
 
 struct command *command_new(int argc, char **argv) {

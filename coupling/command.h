@@ -1,22 +1,35 @@
 /* The command line.  (SPEC 9) */
 #pragma once
 
-enum command_verb { COMMAND_RUN, COMMAND_CHECK, COMMAND_POST, COMMAND_BENCH, COMMAND_VERSION, COMMAND_HELP };
+enum command_verb {
+    COMMAND_RUN,
+    COMMAND_CHECK,
+    COMMAND_POST,
+    COMMAND_BENCH,
+    COMMAND_STUDY,
+    COMMAND_VERSION,
+    COMMAND_HELP
+};
 
 enum command_table { COMMAND_TABLE_NONE, COMMAND_TABLE_PERFORMANCE, COMMAND_TABLE_GROWTH };
 
 struct command {
     enum command_verb verb;
-    int files;               /* scene; run folders for post; tables and run.json for bench --table */
+    int files;               /* scene; study; run folders for post; tables and run.json for bench --table */
     const char *const *file; /* borrowed from argv */
     char out[512];           /* run: the run folder; post with several folders: where the comparison goes;
-                              bench: where the tables go */
+                              bench, study: where the tables go */
     int sets;
     const char **set;        /* owned: --set key.path=value */
     int resume;              /* --resume: 1 */
     const char *resume_file; /* --resume=FILE, or NULL: the run folder's latest */
     double max_wall;         /* s; 0: no limit */
     int quiet;
+    int fresh; /* study: --fresh */
+    /* post, of plates */
+    int film;
+    const char *film_quantity; /* --film=QUANTITY, or NULL */
+    double level, magnify;     /* 0: not given */
     /* bench */
     int quick, repeats;
     enum command_table table; /* of tables measured before, nothing is measured */

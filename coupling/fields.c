@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/vtkhdf.h"
 #include "solid/measures.h"
+#include "solid/refine.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -58,9 +59,10 @@ static void write_fluid(struct run *r, const char *folder, const char *name, con
     vtkhdf_series_add(folder_path(series, folder, "fields/fluid.hdf.series"), name, r->t);
 }
 
+/* The third component of a plate's is 0. */
 static void add_vector(struct vtkhdf *f, const char *name, int n, double *const a[3], double *work) {
     for (int h = 0; h < n; h++)
-        for (int c = 0; c < 3; c++) work[3 * h + c] = a[c][h];
+        for (int c = 0; c < 3; c++) work[3 * h + c] = a[c] ? a[c][h] : 0;
     vtkhdf_add(f, name, 3, work);
 }
 
@@ -101,6 +103,15 @@ static void write_solid(struct run *r, const char *folder, const char *name, con
         solid_measure_fragments(s, whole, NULL);
         vtkhdf_add_long(f, "fragment", 1, whole);
     }
+    if (r->needs.bonds && !r->fluid) {
+        solid_ghosts_update(s);
+        solid_measure_bonds(s, work, work + n);
+        vtkhdf_add(f, "energy_density", 1, work);
+        vtkhdf_add(f, "stretch_max", 1, work + n);
+    }
+    if (!r->fluid) vtkhdf_add(f, "volume", 1, s->volume);
+    for (int h = 0; s->refine && h < n; h++) byte[h] = (uint8_t)solid_refine_level(s, h);
+    if (s->refine) vtkhdf_add_byte(f, "level", 1, byte);
     if (r->needs.bonds && r->scene->output.stress) {
         solid_measure_stress(s, tensor);
         add_tensor(f, "stress", "stress_max", "von_mises", n, tensor, work);

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "coupling/checkpoint.h"
 #include "solid/family.h"
+#include "solid/refine.h"
 #include "solid/surface_lost.h"
 #include "solid/surface_state.h"
 
@@ -20,6 +21,7 @@ struct checkpoint_guard {
     double t, driving, share[SHARES];
     long step, stage_step;
     int stage, kept;
+    long refined; /* events when the arrays were made */
 };
 
 /* The arrays of doubles that make up the state, and their lengths; 0 where there is none. */
@@ -60,6 +62,7 @@ struct checkpoint_guard *checkpoint_guard_new(const struct run *r) {
     for (int k = 0; k < ARRAYS; k++)
         if (g->count[k]) g->copy[k] = memory_new(MEMORY_OUTPUT, g->count[k], sizeof(double));
     if (!r->needs.bonds) return g;
+    g->refined = solid_refine_events(r->solid);
     const size_t n = (size_t)r->solid->n;
     g->flag = memory_new(MEMORY_OUTPUT, n + 1, 1);
     if (r->surface) g->facing = memory_new(MEMORY_OUTPUT, n + 1, sizeof *g->facing);
@@ -80,6 +83,10 @@ void checkpoint_guard_free(struct checkpoint_guard *g) {
     memory_free(g->facing);
     solid_lost_free(g->lost);
     free(g);
+}
+
+int checkpoint_guard_fits(const struct checkpoint_guard *g, const struct run *r) {
+    return !r->needs.bonds || g->refined == solid_refine_events(r->solid);
 }
 
 static void keep_bonds(struct checkpoint_guard *g, const struct solid *s) {
@@ -111,7 +118,7 @@ void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r) {
 }
 
 long checkpoint_guard_restore(struct checkpoint_guard *g, struct run *r) {
-    if (!g->kept) return -1;
+    if (!g->kept || !checkpoint_guard_fits(g, r)) return -1;
     double *array[ARRAYS];
     size_t count[ARRAYS];
     arrays_of(r, array, count);

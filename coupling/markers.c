@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/run.h"
+#include "solid/load.h"
 
 #include <math.h>
 
@@ -162,7 +163,7 @@ void run_probe(struct run *r) {
     ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active);
     clock_begin(CLOCK_PROBE);
     for (int c = 0; c < 3; c++) {
-        for (int h = 0; h < s->n; h++) s->load[c][h] = r->given[c] ? r->given[c][h] : 0;
+        for (int h = 0; h < s->n; h++) s->load[c][h] = solid_given_of(s, h, c);
         r->load[c] = 0;
     }
     load_by_probe(r, r->load);

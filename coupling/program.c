@@ -6,7 +6,9 @@
 #include "base/par.h"
 #include "base/signals.h"
 #include "coupling/checkpoint.h"
+#include "coupling/crack.h"
 #include "coupling/fields.h"
+#include "coupling/probes.h"
 #include "coupling/record.h"
 #include "coupling/run.h"
 #include "coupling/series.h"
@@ -22,6 +24,8 @@ struct program {
     const struct scene *scene;
     struct run *run;
     struct series *series;
+    struct crack *crack;   /* NULL: none is followed */
+    struct probes *probes; /* NULL: none */
     struct checkpoint_guard *guard;
     long checked; /* last step at which a checkpoint was written, -1: none */
     double slowest_step, checkpoint_seconds;
@@ -113,7 +117,14 @@ static int step(struct program *p) {
         signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, &failed);
     if (failed) return unstable(p, &status);
     if (sampled) series_sample(p->series, r);
-    if (due(KEEP_EVERY, now)) checkpoint_guard_keep(p->guard, r);
+    if (crack_is_due(p->crack, now)) crack_sample(p->crack, r);
+    if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
+    const int fits = checkpoint_guard_fits(p->guard, r);
+    if (!fits) {
+        checkpoint_guard_free(p->guard);
+        p->guard = checkpoint_guard_new(r);
+    }
+    if (due(KEEP_EVERY, now) || !fits) checkpoint_guard_keep(p->guard, r);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     progress(p);
     if (drawn) fields_write(r, p->command->out);
@@ -126,6 +137,7 @@ static int stages(struct program *p) {
     for (;; r->stage++, r->stage_step = 0) {
         const struct scene_stage *stage = &p->scene->stage[r->stage];
         run_stage_begin(r);
+        if (r->setup_seconds == 0) r->setup_seconds = par_seconds() - r->wall_start;
         if (r->stage_step < stage->steps)
             log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
                      r->dt > 0 ? "" : " (automatic)");
@@ -152,6 +164,8 @@ static void begin(struct program *p) {
     signals_begin(c->max_wall);
     log_line("frana: %s", p->scene->title);
     p->run = run_new(p->scene);
+    p->crack = crack_new(p->run);
+    p->probes = probes_new(p->run);
     if (c->resume) {
         checkpoint_read(p->run, c->out, c->resume_file);
         p->checked = p->run->resumed = p->run->step;
@@ -160,6 +174,8 @@ static void begin(struct program *p) {
     }
     write_resolved(p);
     p->series = series_new(p->run, c->out, here ? p->run->step : -1);
+    if (p->crack) crack_open(p->crack, p->run, c->out, here ? p->run->step : -1);
+    if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
     p->guard = checkpoint_guard_new(p->run);
     checkpoint_guard_keep(p->guard, p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
@@ -178,6 +194,8 @@ int program_run(const struct command *c, const struct scene *scene) {
     }
     checkpoint_guard_free(p.guard);
     series_free(p.series);
+    crack_free(p.crack);
+    probes_free(p.probes);
     run_free(p.run);
     log_end();
     return code;

@@ -107,6 +107,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_long(j, "substeps", r->substeps);
         json_long(j, "ranks", size);
         json_number(j, "wall_seconds", wall);
+        json_number(j, "setup_seconds", r->setup_seconds); /* of them, before the first step */
         write_parts(j, seconds);
         const double fluid = seconds[CLOCK_MOMENTUM] + seconds[CLOCK_POISSON] + seconds[CLOCK_HALO];
         if (r->fluid) json_long(j, "cells", (long)fluid_cells(r->fluid));

@@ -1,28 +1,10 @@
 #include "coupling/run.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/given.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-static int inside(const struct solid *s, int h, const double low[3], const double high[3]) {
-    for (int c = 0; c < 3; c++)
-        if (s->x0[c][h] < low[c] || s->x0[c][h] > high[c]) return 0;
-    return 1;
-}
-
-/* The loads that the scene gives: a force per unit volume on the particles of each region. */
-static void given_new(struct run *r) {
-    const struct scene_solid *scene = r->scene->solid;
-    struct solid *s = r->solid;
-    for (int c = 0; c < 3; c++) r->given[c] = memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof(double));
-    for (int k = 0; k < scene->loads; k++)
-        for (int h = 0; h < s->n; h++)
-            if (inside(s, h, scene->load[k].low, scene->load[k].high))
-                for (int c = 0; c < 3; c++) r->given[c][h] += scene->load[k].force[c];
-    for (int c = 0; c < 3; c++) memcpy(s->load[c], r->given[c], (size_t)s->n * sizeof(double));
-}
 
 /* The box in which porosity and permeability are measured: given, or the particles' bounds within the domain. */
 static struct medium *medium_of(struct run *r) {
@@ -58,9 +40,10 @@ struct run *run_new(const struct scene *scene) {
     }
     if (r->needs.solid) {
         struct solid_input *in = setup_solid(scene);
+        given_add(scene, in);
         r->solid = solid_new(in);
+        given_free(in);
         setup_solid_free(in);
-        if (scene->solid->loads > 0) given_new(r);
     }
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
@@ -90,7 +73,6 @@ void run_free(struct run *r) {
     if (!r) return;
     run_markers_free(r);
     for (int c = 0; c < 3; c++) {
-        memory_free(r->given[c]);
         memory_free(r->v_last[c]);
         memory_free(r->position[c]);
     }

@@ -31,6 +31,12 @@ struct run_markers {
     uint8_t *active;
 };
 
+/* What the rates of a refined plate were found from; part of a checkpoint. */
+struct run_refined {
+    int level;    /* finest when they were, -1: not yet in this stage */
+    double rate2; /* solid_refine_rate2 then, 1/s2 */
+};
+
 struct run {
     const struct scene *scene; /* borrowed */
     struct setup_needs needs;
@@ -40,7 +46,6 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct run_markers markers;
-    double *given[3];  /* [n] loads the scene gives, N/m3; NULL: none */
     double *v_last[3]; /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
     double load[3];    /* force of the fluid on the solid at the last probe, whole solid, N */
 
@@ -54,6 +59,7 @@ struct run {
     double dt;    /* s */
     int substeps; /* of the solid in a step */
     struct solid_rates solid_rates;
+    struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with what touches now */
     enum solid_bound solid_bound; /* and what bounds it */
     int parts;
@@ -66,6 +72,7 @@ struct run {
     long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond */
     long resumed;                        /* step of the checkpoint it started from, 0: none */
     double wall_start;
+    double setup_seconds; /* from wall_start until the first step; 0: not there yet */
 };
 
 struct run *
@@ -80,6 +87,10 @@ void run_step(struct run *r);
 void run_probe(struct run *r);
 /* The particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);
+/* Looks whether particles are to be refined, if it is due, and does it; the substeps follow. Collective. */
+void run_refine(struct run *r);
+/* The rates of a plate that is, or may be, refined. Collective. */
+void run_refine_rates(struct run *r);
 /* NaN or beyond reason on this rank. Unless `whole`, of the fluid one plane of p is looked at only, for NaN: the Poisson
  * solve carries one to every cell, while a velocity beyond reason may hide. Not collective (agree with step_status_agree). */
 int run_check(const struct run *r, int whole, struct step_status *status);

@@ -6,11 +6,12 @@
 #include "base/table.h"
 #include "solid/family.h"
 #include "solid/measures.h"
+#include "solid/refine.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { NEED_FLUID = 1, NEED_IMMERSED = 2, NEED_BONDS = 4 };
+enum { NEED_FLUID = 1, NEED_IMMERSED = 2, NEED_BONDS = 4, NEED_ALONE = 8, NEED_REFINED = 16 };
 
 static const struct column {
     const char *name, *unit;
@@ -43,6 +44,9 @@ static const struct column {
     COLUMN("e_damped", "J", NEED_BONDS, e_damped),
     COLUMN("e_fracture", "J", NEED_BONDS, e_fracture),
     COLUMN("work_fluid", "J", NEED_BONDS | NEED_IMMERSED, work_fluid),
+    COLUMN("work_load", "J", NEED_BONDS | NEED_ALONE, work_load),
+    COLUMN("e_constraint", "J", NEED_BONDS | NEED_ALONE, e_constraint),
+    COLUMN("particles", "1", NEED_BONDS | NEED_REFINED, particles),
     COLUMN("damage_mean", "1", NEED_BONDS, damage_mean),
     COLUMN("damage_max", "1", NEED_BONDS, damage_max),
     COLUMN("bonds_intact", "1", NEED_BONDS, bonds_intact),
@@ -61,15 +65,18 @@ struct series {
     struct series_sample now;
     double momentum[3]; /* before the step, N s */
     int prepared;
-    long counted;   /* broken bonds when damage and fragments were last looked at, -1: never */
-    long moved;     /* r->moved when the bonds were last looked at, -1: never */
-    double *damage; /* [n], work */
+    long counted; /* broken bonds when damage and fragments were last looked at, -1: never */
+    long moved;   /* r->moved when the bonds were last looked at, -1: never */
+    long refined; /* refinements there had been then */
+    int room;
+    double *damage; /* [room], work */
 };
 
 struct series *series_new(struct run *r, const char *folder, long resume_step) {
     struct series *s = calloc(1, sizeof *s);
     const int have = (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
-                     (r->needs.bonds ? NEED_BONDS : 0);
+                     (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
+                     (r->solid && r->solid->refine ? NEED_REFINED : 0);
     const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
     for (int k = 0; k < ALL_COLUMNS; k++) {
         if ((all_columns[k].needs & have) != all_columns[k].needs) continue;
@@ -80,7 +87,6 @@ struct series *series_new(struct run *r, const char *folder, long resume_step) {
     char path[FOLDER_PATH];
     s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
     s->counted = s->moved = -1;
-    if (r->needs.bonds) s->damage = memory_new(MEMORY_OUTPUT, (size_t)r->solid->n + 1, sizeof *s->damage);
     return s;
 }
 
@@ -143,8 +149,15 @@ static void sample_damage(struct series *s, struct run *r) {
     solid_count_bonds(solid);
     s->now.bonds_broken = (double)solid->bonds_broken;
     s->now.bonds_intact = (double)(solid->bonds_total - solid->bonds_broken);
-    if (solid->bonds_broken == s->counted) return;
+    s->now.particles = (double)solid->n_global;
+    if (solid->bonds_broken == s->counted && solid_refine_events(solid) == s->refined) return;
     s->counted = solid->bonds_broken;
+    s->refined = solid_refine_events(solid);
+    if (solid->n >= s->room) {
+        memory_free(s->damage);
+        s->room = solid->n + solid->n / 4 + 1;
+        s->damage = memory_new(MEMORY_OUTPUT, (size_t)s->room, sizeof *s->damage);
+    }
     double sum = 0, largest = 0;
     solid_measure_damage(solid, s->damage);
     for (int h = 0; h < solid->n; h++) {
@@ -163,13 +176,14 @@ static void sample_bonds(struct series *s, struct run *r) {
     if (s->moved == r->moved) return;
     s->moved = r->moved;
     const struct solid_energy e = solid_measure_energy(r->solid);
-    double share[] = {r->solid->e_damped, r->solid->e_fracture, r->solid->work_load};
-    par_sum_array(share, 3);
+    double share[] = {r->solid->e_damped, r->solid->e_fracture, r->solid->work_load, r->solid->e_constraint};
+    par_sum_array(share, 4);
     s->now.e_kinetic_solid = e.kinetic;
     s->now.e_strain = e.strain;
     s->now.e_damped = share[0];
     s->now.e_fracture = share[1];
-    s->now.work_fluid = share[2];
+    s->now.work_fluid = s->now.work_load = share[2];
+    s->now.e_constraint = share[3];
     sample_damage(s, r);
 }
 

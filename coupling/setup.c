@@ -1,5 +1,5 @@
 #include "coupling/setup.h"
-#include "base/par.h"
+#include "coupling/setup_parts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -45,106 +45,87 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
         for (int e = 0; e < 2; e++) setup_side(&f->side[c][e], &in->side[c][e]);
 }
 
-/* Particles of a point file: x y z volume a line; rank 0 reads, everybody gets them. Collective. */
-static void setup_points(const struct scene_body *from, struct solid_body *to) {
-    double *value = NULL;
-    long lines = 0;
-    if (par_rank() == 0) {
-        FILE *file = fopen(from->file, "r");
-        if (!file)
-            die(EXIT_CODE_FILE, "%s: the point file of body %s can't be opened", from->file, from->name);
-        long capacity = 0;
-        double v[4];
-        int got;
-        while ((got = fscanf(file, "%lf %lf %lf %lf", &v[0], &v[1], &v[2], &v[3])) == 4) {
-            if (lines == capacity) value = realloc(value, (size_t)(capacity = 2 * capacity + 64) * sizeof v);
-            ENSURE(value, "no memory for %ld points", capacity);
-            memcpy(value + 4 * lines++, v, sizeof v);
-        }
-        fclose(file);
-        if (got != EOF || lines == 0)
-            die(EXIT_CODE_FILE, "%s: line %ld is not the four numbers x y z volume", from->file, lines + 1);
-    }
-    par_bcast(&lines, sizeof lines, 0);
-    double *column = malloc((size_t)lines * 4 * sizeof(double));
-    for (long i = 0; value && i < lines; i++)
-        for (int c = 0; c < 4; c++) column[c * lines + i] = value[4 * i + c];
-    free(value);
-    par_bcast(column, (size_t)lines * 4 * sizeof(double), 0);
-    to->points = lines;
-    for (int c = 0; c < 3; c++) to->point[c] = column + c * lines;
-    to->point_volume = column + 3 * lines;
-}
-
-static void setup_body(const struct scene_body *from, struct solid_body *to) {
-    static const enum solid_shape shape[] = {[SCENE_BOX] = SOLID_BOX,
-                                             [SCENE_SPHERE] = SOLID_SPHERE,
-                                             [SCENE_CYLINDER] = SOLID_CYLINDER,
-                                             [SCENE_POINTS] = SOLID_POINTS};
-    *to = (struct solid_body){.shape = shape[from->shape],
-                              .radius = from->radius,
-                              .axis = from->axis,
-                              .length = from->length,
-                              .material = from->material_index};
-    snprintf(to->name, sizeof to->name, "%s", from->name);
+static void setup_constraint(const struct scene_constraint *from, struct solid_constraint *to) {
     copy3(to->low, from->low);
     copy3(to->high, from->high);
-    copy3(to->centre, from->centre);
-    if (from->has_cavities) {
-        to->cavity_period = from->cavity_period;
-        to->cavity_radius = from->cavity_radius;
-        copy3(to->cavity_centre, from->cavity_centre);
-    }
-    if (to->shape == SOLID_POINTS) setup_points(from, to);
+    memcpy(to->direction, from->direction, sizeof to->direction);
+    copy3(to->velocity, from->velocity);
+}
+
+static void setup_material(const struct scene_material *from, struct solid_material *to) {
+    *to = (struct solid_material){.youngs_modulus = from->youngs_modulus,
+                                  .density = from->density,
+                                  .fracture_energy = from->fracture_energy,
+                                  .horizon_ratio = from->horizon_ratio,
+                                  .micromodulus =
+                                      from->micromodulus == SCENE_CONICAL ? SOLID_CONICAL : SOLID_CONSTANT};
+}
+
+/* n elements and one more, so that none is an array too. */
+static void *array_of(int n, size_t size) {
+    void *array = calloc((size_t)n + 1, size);
+    ENSURE(array, "no memory for the solid's input");
+    return array;
 }
 
 struct solid_input *setup_solid(const struct scene *scene) {
+    static const enum solid_model model[] = {[SCENE_3D] = SOLID_3D,
+                                             [SCENE_PLANE_STRESS] = SOLID_PLANE_STRESS,
+                                             [SCENE_PLANE_STRAIN] = SOLID_PLANE_STRAIN};
     const struct scene_solid *s = scene->solid;
-    struct solid_input *in = calloc(1, sizeof *in);
-    struct solid_body *body = calloc((size_t)s->bodies, sizeof *body);
-    struct solid_material *material = calloc((size_t)s->materials, sizeof *material);
-    struct solid_constraint *constraint = calloc((size_t)s->constraints + 1, sizeof *constraint);
-    struct solid_region *unbreakable = calloc((size_t)s->unbreakables + 1, sizeof *unbreakable);
-    for (int b = 0; b < s->bodies; b++) setup_body(&s->body[b], &body[b]);
-    for (int m = 0; m < s->materials; m++)
-        material[m] = (struct solid_material){s->material[m].youngs_modulus, s->material[m].density,
-                                              s->material[m].fracture_energy, s->material[m].horizon_ratio};
-    for (int k = 0; k < s->constraints; k++) {
-        copy3(constraint[k].low, s->constraint[k].low);
-        copy3(constraint[k].high, s->constraint[k].high);
-        copy3(constraint[k].velocity, s->constraint[k].velocity);
-        memcpy(constraint[k].direction, s->constraint[k].direction, sizeof constraint[k].direction);
-    }
+    setup_check(scene);
+    struct solid_input *in = array_of(1, sizeof *in);
+    struct solid_body *body = array_of(s->bodies, sizeof *body);
+    struct solid_material *material = array_of(s->materials, sizeof *material);
+    struct solid_cut *cut = array_of(s->cracks, sizeof *cut);
+    struct solid_constraint *constraint = array_of(s->constraints, sizeof *constraint);
+    struct solid_region *unbreakable = array_of(s->unbreakables, sizeof *unbreakable);
+    for (int b = 0; b < s->bodies; b++) setup_body(&s->body[b], scene->dimension, &body[b]);
+    for (int m = 0; m < s->materials; m++) setup_material(&s->material[m], &material[m]);
+    for (int k = 0; k < s->cracks; k++) setup_cut(&s->crack[k], &cut[k]);
+    for (int k = 0; k < s->constraints; k++) setup_constraint(&s->constraint[k], &constraint[k]);
     for (int k = 0; k < s->unbreakables; k++) {
         copy3(unbreakable[k].low, s->unbreakable[k].low);
         copy3(unbreakable[k].high, s->unbreakable[k].high);
     }
-    *in = (struct solid_input){.spacing = s->spacing,
-                               .bodies = s->bodies,
-                               .body = body,
-                               .materials = s->materials,
-                               .material = material,
-                               .constraints = s->constraints,
-                               .constraint = constraint,
-                               .unbreakables = s->unbreakables,
-                               .unbreakable = unbreakable,
-                               .surface_correction = s->surface_correction,
-                               .contact = s->contact,
-                               .contact_stiffness = s->contact_stiffness,
-                               .contact_exponent = s->contact_exponent,
-                               .contact_radius = s->contact_radius};
+    *in = (struct solid_input){
+        .model = model[s->model],
+        .thickness = s->thickness,
+        .partial = s->partial_volume == SCENE_PARTIAL_RAMP ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
+        .horizons = s->horizons == SCENE_HORIZONS_ONE_SIDED ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON,
+        .cuts = s->cracks,
+        .cut = cut,
+        .spacing = s->spacing,
+        .bodies = s->bodies,
+        .body = body,
+        .materials = s->materials,
+        .material = material,
+        .constraints = s->constraints,
+        .constraint = constraint,
+        .unbreakables = s->unbreakables,
+        .unbreakable = unbreakable,
+        .surface_correction = s->surface_correction,
+        .contact = s->contact,
+        .contact_stiffness = s->contact_stiffness,
+        .contact_exponent = s->contact_exponent,
+        .contact_radius = s->contact_radius};
+    for (int d = 0; d < scene->dimension; d++) in->origin[d] = s->lattice_offset[d] * s->spacing;
     copy3(in->body_force, s->body_force);
     copy3(in->length, scene->domain.size);
     memcpy(in->periodic, scene->domain.periodic, sizeof in->periodic);
     return in;
 }
 
+static void give_back(const void *array) { free((void *)(uintptr_t)array); }
+
 void setup_solid_free(struct solid_input *in) {
-    for (int b = 0; b < in->bodies; b++) free((void *)(size_t)in->body[b].point[0]);
-    free((void *)(size_t)in->body);
-    free((void *)(size_t)in->material);
-    free((void *)(size_t)in->constraint);
-    free((void *)(size_t)in->unbreakable);
+    for (int b = 0; b < in->bodies; b++) setup_body_free((struct solid_body *)(uintptr_t)&in->body[b]);
+    for (int k = 0; k < in->cuts; k++) setup_cut_free((struct solid_cut *)(uintptr_t)&in->cut[k]);
+    give_back(in->body);
+    give_back(in->material);
+    give_back(in->cut);
+    give_back(in->constraint);
+    give_back(in->unbreakable);
     free(in);
 }
 

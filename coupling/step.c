@@ -3,6 +3,7 @@
 #include "base/par.h"
 #include "coupling/run.h"
 #include "solid/contact.h"
+#include "solid/refine.h"
 
 #include <math.h>
 
@@ -19,6 +20,16 @@ static int substeps_wanted(struct run *r) {
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
     const double least = ceil(r->dt / (r->scene->stage[r->stage].safety * r->solid_stable) * (1 - 1e-12));
     return least > 1 ? (int)fmin(least, SUBSTEPS_MAX) : 1; /* without bonds there is no limit */
+}
+
+static void part_refine(struct run *r) {
+    const long before = solid_refine_events(r->solid);
+    run_refine(r);
+    if (solid_refine_events(r->solid) == before || r->scene->stage[r->stage].substeps > 0) return;
+    const int wanted = substeps_wanted(r);
+    if (wanted <= r->substeps) return;
+    log_line("step %ld: %d solid substeps, stable up to %.4g s", r->step, wanted, r->solid_stable);
+    r->substeps = wanted;
 }
 
 /* Contact is looked at every few steps, or every step if the step itself changes. More substeps at once, fewer only every so
@@ -56,6 +67,7 @@ static void part_solid(struct run *r) {
     if (r->v_last[0])
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h];
+    s->t = r->t;
     solid_advance(s, r->dt / r->substeps, r->substeps);
     r->moved = r->step + 1;
 }
@@ -66,6 +78,7 @@ static void part_surface(struct run *r) { solid_surface_update(r->solid, r->surf
 
 static void part_relax(struct run *r) {
     if (r->stage_step > 0) return;
+    r->solid->t = r->t;
     if (solid_relax(r->solid, 1e-6, 200000) < 0)
         die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium within 200000 relaxation steps",
                 r->scene->stage[r->stage].name);
@@ -79,16 +92,22 @@ static void add(struct run *r, run_part *part, const char *name) {
 }
 
 static void stable_step(struct run *r) {
-    solid_rates_of(r->solid, &r->solid_rates);
+    if (r->scene->solid->refinement)
+        run_refine_rates(r);
+    else
+        solid_rates_of(r->solid, &r->solid_rates);
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 
 void run_stage_begin(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
+    const double dt =
+        r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0; /* of before a refinement */
     r->parts = 0;
     r->dt = stage->time_step;
     if (!elastic || r->stage_step == 0) r->substeps = 0;
+    if (r->stage_step == 0) r->refined.level = -1;
     if (elastic) {
         setup_stage(stage, &r->solid->stage);
         if (!stage->relax) stable_step(r);
@@ -96,7 +115,7 @@ void run_stage_begin(struct run *r) {
         if (!r->fluid && r->dt <= 0 && !isfinite(r->solid_stable))
             die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it",
                     stage->name);
-        if (!r->fluid && r->dt <= 0) r->dt = stage->safety * r->solid_stable;
+        if (!r->fluid && r->dt <= 0) r->dt = dt > 0 ? dt : stage->safety * r->solid_stable;
     }
     if (stage->relax) {
         add(r, part_relax, "relaxation");
@@ -116,6 +135,7 @@ void run_stage_begin(struct run *r) {
     if (r->fluid) add(r, r->ibm ? part_fluid_forced : part_fluid, r->ibm ? "fluid with forcing" : "fluid");
     if (!elastic) return;
     if (r->ibm) add(r, run_probe, "probe");
+    if (r->solid->refine) add(r, part_refine, "refinement");
     if (touches) add(r, part_contact, "contact");
     if (follows) add(r, part_substeps, "number of substeps");
     add(r, part_solid, "solid");

@@ -164,23 +164,27 @@ void fluid_boundary_faces(const struct fluid_boundary *boundary, const struct fl
         }
 }
 
+void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                           int direction, const struct par_halo_part *part) {
+    par_halo_fill_part(g->halos, direction, 3, q, part);
+    for (int side = 0; side < 2; side++) {
+        const struct fluid_boundary_side *s = &b->side[direction][side];
+        if (!s->here || !part->wanted[direction][side]) continue;
+        for (int c = 0; c < 3; c++) {
+            /* an outflow's normal velocity is continued evenly, as the other components are */
+            const int normal = c == direction;
+            const enum fluid_condition k =
+                normal && s->normal == FLUID_NORMAL_CONVECTIVE ? FLUID_NEUMANN : s->condition[c];
+            const struct extension e = {normal, k, s->value[c]};
+            extend(g, q[c], direction, side, &e, part);
+        }
+    }
+}
+
 void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g,
                                   double *const q[3], const struct par_halo_part *part) {
     fluid_boundary_faces(b, g, q, part);
-    for (int d = 0; d < 3; d++) {
-        par_halo_fill_part(g->halos, d, 3, q, part);
-        for (int side = 0; side < 2; side++) {
-            const struct fluid_boundary_side *s = &b->side[d][side];
-            if (!s->here || !part->wanted[d][side]) continue;
-            for (int c = 0; c < 3; c++) {
-                /* an outflow's normal velocity is continued evenly, as the other components are */
-                const enum fluid_condition k =
-                    c == d && s->normal == FLUID_NORMAL_CONVECTIVE ? FLUID_NEUMANN : s->condition[c];
-                const struct extension e = {c == d, k, s->value[c]};
-                extend(g, q[c], d, side, &e, part);
-            }
-        }
-    }
+    for (int d = 0; d < 3; d++) fluid_boundary_ghosts(b, g, q, d, part);
 }
 
 void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],

@@ -41,10 +41,13 @@ void fluid_boundary_free(struct fluid_boundary *b);
  * exchanged and extended. q [3]. Collective. */
 void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                              int layers);
-/* The same for a part of the ghosts and of the faces. Collective. */
+/* Of it, a part of one direction's ghosts, once the faces are set and the directions before it are done. Collective. */
+void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                           int direction, const struct par_halo_part *part);
+/* All of it for a part of the ghosts and of the faces. Collective. */
 void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g,
                                   double *const q[3], const struct par_halo_part *part);
-/* The first half of it. Not collective. */
+/* The faces of a part. Not collective. */
 void fluid_boundary_faces(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                           const struct par_halo_part *part);
 /* A part of the pressure's ghosts. Collective. */

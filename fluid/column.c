@@ -158,15 +158,16 @@ static void couple(int parts, int own, const struct fluid_column_ends *ends, con
     }
 }
 
-/* The column whose mean is free, r = 1: solved whole by every rank that holds it. */
-static void solve_free(struct fluid_column *c, double *y, ptrdiff_t plane, double mean, double *q_above) {
+/* The column whose mean is free, r = 1: its differences q[k+1] - q[k] in line, whole on every rank that holds it; returns what
+ * q[n] is if the mean is zero. */
+static double free_line(struct fluid_column *c, const double *y, ptrdiff_t plane) {
     const int n = c->in.n, at = c->free_column;
-    double *line = c->line, total = 0, slope = 0, sum = 0, q = 0;
+    double *line = c->line, total = 0, slope = 0, sum = 0;
     for (int k = 0; k < n; k++) line[k] = 0;
     for (int k = 0; k < c->m && at >= 0; k++)
         line[c->low + k] = y[k * plane + at] - (k > 0 ? y[(k - 1) * plane + at] : 0);
     par_sum_array(line, n);
-    if (at < 0) return;
+    if (at < 0) return 0;
     for (int k = 0; k < n; k++) total += line[k];
     for (int k = 0; k < n; k++) { /* b without its mean, summed up: q[k+1] - q[k], but for a constant */
         line[k] += (k > 0 ? line[k - 1] : 0) - total / n;
@@ -176,8 +177,20 @@ static void solve_free(struct fluid_column *c, double *y, ptrdiff_t plane, doubl
         if (c->in.low == FLUID_END_PERIODIC) line[k] -= slope;
         sum += (k + 1) * line[k]; /* the sum of q is n q[n] less this */
     }
-    q = mean + sum / n;
-    for (int k = n - 1; k >= c->low; k--) {
+    return sum / n;
+}
+
+double fluid_column_free_end(struct fluid_column *c, const double *y, ptrdiff_t plane, int side) {
+    double q = free_line(c, y, plane);
+    for (int k = c->in.n - 1; k >= (side ? c->in.n - 1 : 0) && c->free_column >= 0; k--) q -= c->line[k];
+    return q;
+}
+
+/* The whole column by every rank that holds it; its differences take the place of y. */
+static void solve_free(struct fluid_column *c, double *y, ptrdiff_t plane, double mean, double *q_above) {
+    const int at = c->free_column;
+    double *line = c->line, q = mean + free_line(c, y, plane);
+    for (int k = c->in.n - 1; k >= c->low && at >= 0; k--) {
         if (k == c->low + c->m - 1) *q_above = q;
         if (k < c->low + c->m) y[(k - c->low) * plane + at] = line[k];
         q -= line[k];

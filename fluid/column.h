@@ -31,6 +31,9 @@ void fluid_column_free(struct fluid_column *c);
 void fluid_column_up(struct fluid_column *c, int k, const double *below, double *b);
 /* Once all planes y (at y, y + plane, ..) are up. A free mean of q becomes `mean`, and that of b is ignored. Collective. */
 void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, double mean);
+/* Before that: where the mean is free, q at the last cell of the whole column (side 1) or the first (side 0) if its mean is zero,
+ * on the ranks that hold it; 0 on others. Collective. */
+double fluid_column_free_end(struct fluid_column *c, const double *y, ptrdiff_t plane, int side);
 /* q of plane k = m, m-1, .. 0 in turn, borrowed until the next call; m is the plane beyond this rank's last, which is the next
  * rank's first or what the end's condition makes it, and needs no y. Not collective. */
 const double *fluid_column_down(struct fluid_column *c, int k, const double *y);

@@ -75,6 +75,22 @@ static void correct_low(const struct fluid *f, double c, int k, const double *ph
     }
 }
 
+/* The sides' faces about plane k, and its ghosts as far as the plane has what they need; where y is cut, along x only. */
+static void ghosts_of_plane(const struct fluid *f, int k, double *const q[3]) {
+    const struct fluid_grid *g = f->grid;
+    struct par_halo_part part = par_halo_whole(g->halos, 1);
+    part.low[2] = k > 0 ? k : -1; /* with the face on a low side */
+    part.high[2] = k + 1;
+    fluid_boundary_faces(f->boundary, g, q, &part);
+    for (int d = 0; d < (cut(g) ? 1 : 2); d++) fluid_boundary_ghosts(f->boundary, g, q, d, &part);
+}
+
+/* The rest of them. */
+static void ghosts_between_planes(const struct fluid *f, double *const q[3]) {
+    const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
+    for (int d = cut(f->grid) ? 1 : 2; d < 3; d++) fluid_boundary_ghosts(f->boundary, f->grid, q, d, &whole);
+}
+
 void fluid_correction_apply(struct fluid *f, double c, double *const q[3]) {
     const struct fluid_grid *g = f->grid;
     if (cut(g)) collect(f);
@@ -89,5 +105,7 @@ void fluid_correction_apply(struct fluid *f, double c, double *const q[3]) {
         fluid_momentum_correct(g, k, c, f->shift, phi, plane_of(f, k + 1), f->predicted, q, f->state.p);
         add_beside(f, k, phi);
         correct_low(f, c, k, phi, q);
+        ghosts_of_plane(f, k, q);
     }
+    ghosts_between_planes(f, q);
 }

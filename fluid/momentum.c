@@ -5,7 +5,8 @@ enum {
     BLOCK =
         6144, /* cells of a plane whose fluxes along z wait for the next plane, in the second-level cache */
     STREAM =
-        100000, /* cells of an array above which ten of them do not stay in a rank's share of the last cache */
+        500000, /* cells of an array above which nothing of ten stays in a rank's share of the last cache */
+    AHEAD = 2,  /* rows from the one that is computed to the one that is asked for */
     WAITING = 3 /* components, each eight cells of one after those of another */
 };
 
@@ -77,6 +78,17 @@ static inline __attribute__((always_inline)) void put(int stream, double *to, ve
         vec_store(to, v);
 }
 
+/* The cache line of a later row that nothing has touched yet: of q and p a plane behind, of R. */
+static inline __attribute__((always_inline)) void
+ask_ahead(const struct pass *s, ptrdiff_t n, const struct kind kind, double *const rate[3], ptrdiff_t i) {
+    const ptrdiff_t row = AHEAD * s->stage->grid->row, behind = n + i + row + s->stage->grid->plane;
+    for (int c = 0; c < 3; c++) {
+        __builtin_prefetch(s->q[c] + behind);
+        if (kind.with_old) __builtin_prefetch(rate[c] + i + row);
+    }
+    __builtin_prefetch(s->p + behind);
+}
+
 /* Factors of a component's sum. */
 struct sum {
     double a, b, pressure, constant;
@@ -108,6 +120,7 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
         flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* the last one counts */
     vec ux = f.ux, vx = f.vx, wx = f.wx;
     for (ptrdiff_t i = 0; i < cells; i += VEC_LANES, y += WAITING * VEC_LANES, z += WAITING * VEC_LANES) {
+        ask_ahead(s, n, kind, rate, i);
         f = flux_at(&factors, row, plane, u + i, v + i, w + i);
         const vec p0 = vec_load(p + i);
         const vec du = f.ux - vec_before(ux, f.ux) + gain(f.uy, y) + gain(f.uz, z);

@@ -16,7 +16,9 @@ struct fluid_poisson {
     double *home,
         *y_array;  /* one array where no transpose stands between them; a plane more than the rank has */
     double *plane; /* [m_y][n_x] a plane on its way back */
-    double *sum;   /* [m_x] over y and z of the right-hand side, transformed in x; NULL where it has no use */
+    double *sum
+        [2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x and z,
+                     * transformed in y, on the ranks that hold it */
     double inverse_scale; /* one over what the transforms multiply by */
     int whole;            /* y_array has been filled and is up its columns: with a transpose */
 };
@@ -90,7 +92,8 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
     p->plane = memory_new_work(MEMORY_FLUID, area(p->x));
-    if (free_mean(in)) p->sum = memory_new(MEMORY_FLUID, (size_t)p->y[0], sizeof(double));
+    for (int d = 0; d < 2 && free_mean(in); d++)
+        p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
     plan(p);
     p->column = new_columns(p);
     return p;
@@ -98,23 +101,34 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
 
 void fluid_poisson_free(struct fluid_poisson *p) {
     if (!p) return;
-    for (int d = 0; d < 2; d++) fluid_transform_free(p->t[d]);
+    for (int d = 0; d < 2; d++) {
+        fluid_transform_free(p->t[d]);
+        memory_free(p->sum[d]);
+    }
     fluid_column_free(p->column);
     if (p->y_array != p->home) memory_free(p->y_array);
     memory_free(p->home);
     memory_free(p->plane);
-    memory_free(p->sum);
     par_pencil_free(p->pencil);
     free(p);
 }
 
 static double *y_plane(const struct fluid_poisson *p, int k) { return p->y_array + (size_t)k * area(p->y); }
 
-/* The transform in y of plane k, its mode without variation in y added up, and its step up the columns. */
+/* The modes of plane k without variation in y, and those without variation in x. */
+static void add_up(struct fluid_poisson *p, int k, const double *b) {
+    for (int d = 0; d < 2; d++) {
+        const int stride = d == 0 ? 1 : p->y[0];
+        for (int i = 0; p->sum[d] && i < p->y[d]; i++)
+            p->sum[d][i] = (k > 0 ? p->sum[d][i] : 0) + b[i * stride];
+    }
+}
+
+/* The transform in y of plane k, and its step up the columns. */
 static void y_forward(struct fluid_poisson *p, int k) {
     double *b = y_plane(p, k);
     fluid_transform_forward(p->t[1], b);
-    for (int i = 0; p->sum && i < p->y[0]; i++) p->sum[i] = (k > 0 ? p->sum[i] : 0) + b[i];
+    add_up(p, k, b);
     fluid_column_up(p->column, k, k > 0 ? y_plane(p, k - 1) : NULL, b);
 }
 
@@ -153,15 +167,21 @@ void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q) {
     fluid_transform_backward(p->t[0], plane, q);
 }
 
-/* Summed over y and z, the equation of a mode cos(pi k (i+1/2)/n) of x is lambda_x times its sum = the right-hand side's. */
-double fluid_poisson_section_mean(struct fluid_poisson *p, int side) {
-    const int n = p->in.n[0], i = side ? n - 1 : 0, low = par_pencil_low(p->pencil);
+/* Summed over the other two directions, the equation of a mode cos(pi k (i+1/2)/n) is lambda times its sum = the right-hand
+ * side's; along z the sums are a column. */
+double fluid_poisson_section_mean(struct fluid_poisson *p, int direction, int side) {
+    const int n = p->in.n[direction], i = side ? n - 1 : 0, x_low = par_pencil_low(p->pencil);
+    const int low = direction == 0 ? x_low : 0;
     double mean = 0;
-    ENSURE(p->sum && p->in.end[0][side] == FLUID_END_NEUMANN, "no free level at side %d", side);
+    ENSURE(p->sum[0] && p->in.end[direction][side] == FLUID_END_NEUMANN, "no free level at %c side %d",
+           "xyz"[direction], side);
     rest_forward(p);
-    for (int k = low == 0 ? 1 : 0; k < p->y[0]; k++) {
-        const double half = 0.5 * M_PI * (low + k) / n, s = 2 * sin(half) / p->in.d[0];
-        mean -= 2 * cos(half * (2 * i + 1)) * p->sum[k] / (s * s);
+    if (direction == 2)
+        return fluid_column_free_end(p->column, p->y_array, (ptrdiff_t)area(p->y), side) / p->in.ranks[2];
+    if (direction == 1 && x_low > 0) return 0;
+    for (int k = low == 0 ? 1 : 0; k < p->y[direction]; k++) {
+        const double half = 0.5 * M_PI * (low + k) / n, s = 2 * sin(half) / p->in.d[direction];
+        mean -= 2 * cos(half * (2 * i + 1)) * p->sum[direction][k] / (s * s);
     }
     return mean * p->inverse_scale / p->in.n[2];
 }

@@ -29,6 +29,6 @@ void fluid_poisson_solve(struct fluid_poisson *p, double mean);
  * rank's first, or the image that the end's condition puts there. Not collective. */
 void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q);
 
-/* With no Dirichlet end, once all planes are forward: this rank's share of the mean over the last cells in x (side 1) or the
- * first (side 0) of the solution that has mean zero. Collective. */
-double fluid_poisson_section_mean(struct fluid_poisson *p, int side);
+/* With no Dirichlet end, once all planes are forward: this rank's share of the mean over the last cells in a direction (side 1)
+ * or the first (side 0) of the solution that has mean zero; the direction is not periodic. Collective. */
+double fluid_poisson_section_mean(struct fluid_poisson *p, int direction, int side);

@@ -1,5 +1,6 @@
 #include "base/clock.h"
 #include "base/par.h"
+#include "base/par_halo.h"
 #include "fluid/correction.h"
 #include "fluid/internal.h"
 #include "fluid/momentum.h"
@@ -7,65 +8,90 @@
 
 #include <string.h>
 
-/* u* on the low faces of this rank's cells, which belong to the cells before them: all that its divergence reads of ghosts. */
-static void low_faces(struct fluid *f) {
+/* u* on the low faces of cells in planes first .. last-1 along a direction, which belong to the cells before them: all that
+ * their divergence reads of ghosts. */
+static void low_faces(struct fluid *f, int direction, int first, int last) {
     const struct fluid_grid *g = f->grid;
+    if (!g->periodic[direction] && g->ranks[direction] == 1) return;
     const struct par_halo_part low = {.layers = 1,
-                                      .high = {g->m[0], g->m[1], g->m[2]},
+                                      .low = {0, 0, first},
+                                      .high = {g->m[0], g->m[1], last},
                                       .wanted = {{1, 0}, {1, 0}, {1, 0}},
                                       .asked = {{0, 1}, {0, 1}, {0, 1}}};
-    const struct par_halo_part whole = par_halo_whole(g->halos, 1);
-    if (f->in.immersed) fluid_boundary_faces(f->boundary, g, f->predicted, &whole); /* after a forcing */
-    for (int d = 0; d < 3; d++) par_halo_fill_part(g->halos, d, 1, &f->predicted[d], &low);
+    par_halo_fill_part(g->halos, direction, 1, &f->predicted[direction], &low);
 }
 
-/* The right-hand side, and what can be done with each of its planes alone. */
-static void divergence(struct fluid *f, double c) {
+/* This rank's sum over plane k of the driven component. */
+static double bulk_of(const struct fluid *f, int k) {
+    const struct fluid_grid *g = f->grid;
+    double sum = 0;
+    for (int j = 0; j < g->m[1]; j++) {
+        const double *row = f->predicted[f->in.driving.direction] + fluid_grid_at(g, 0, j, k);
+        double part = 0;
+        for (int i = 0; i < g->m[0]; i++) part += row[i];
+        sum += part;
+    }
+    return sum;
+}
+
+/* The right-hand side, and what can be done with each of its planes alone while it is in the cache; returns this rank's sum of u*
+ * along the driving where that is to keep its mean. */
+static double forward(struct fluid *f, double c) {
+    const struct fluid_grid *g = f->grid;
     const double *const predicted[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
-    for (int k = 0; k < f->grid->m[2]; k++) {
-        fluid_momentum_divergence(f->grid, k, 1 / c, predicted, fluid_poisson_plane(f->poisson, k));
+    const struct par_halo_part whole = par_halo_whole(g->halos, 1);
+    double bulk = 0;
+    clock_begin(CLOCK_FORWARD);
+    if (f->in.immersed) fluid_boundary_faces(f->boundary, g, f->predicted, &whole); /* after a forcing */
+    low_faces(f, 2, 0, g->m[2]);
+    if (g->ranks[1] > 1) low_faces(f, 1, 0, g->m[2]);
+    for (int k = 0; k < g->m[2]; k++) {
+        low_faces(f, 0, k, k + 1);
+        if (g->ranks[1] == 1) low_faces(f, 1, k, k + 1);
+        if (f->in.driving.type == FLUID_DRIVING_BULK) bulk += bulk_of(f, k);
+        fluid_momentum_divergence(g, k, 1 / c, predicted, fluid_poisson_plane(f->poisson, k));
         fluid_poisson_plane_forward(f->poisson, k);
     }
+    clock_end(CLOCK_FORWARD);
+    return bulk;
 }
 
 /* The uniform velocity that brings the bulk back to its value, as a change of the driving over this stage: the gradient that
  * would have done so replaces it. */
-static void hold_bulk(struct fluid *f, double stage) {
-    const struct fluid_grid *g = f->grid;
+static void hold_bulk(struct fluid *f, double bulk, double stage) {
     const int d = f->in.driving.direction;
-    double sum = 0;
-    for (int k = 0; k < g->m[2]; k++)
-        for (int j = 0; j < g->m[1]; j++) {
-            const double *row = f->predicted[d] + fluid_grid_at(g, 0, j, k);
-            double part = 0;
-            for (int i = 0; i < g->m[0]; i++) part += row[i];
-            sum += part;
-        }
-    f->shift[d] = f->in.driving.value - par_sum(sum) / (double)fluid_cells(f);
+    f->shift[d] = f->in.driving.value - par_sum(bulk) / (double)fluid_cells(f);
     f->state.driving += f->in.density * f->shift[d] / stage;
 }
 
-/* With velocities given on every side the pressure is known up to a constant: where the flow leaves, its mean over the last
- * cells is made zero, so that what is immersed is squeezed by what stands above the outlet, and by nothing else. The mean
- * that the correction must have for it. */
-static double level(struct fluid *f) {
+/* This rank's share of the mean of p over the cells at a side. */
+static double section_mean(const struct fluid *f, int d, int side) {
     const struct fluid_grid *g = f->grid;
-    const struct fluid_side *side = f->in.side[0];
-    if (side[0].type != FLUID_OUTFLOW && side[1].type != FLUID_OUTFLOW) return 0;
-    if (f->boundary->open) return 0; /* fixed by that side's pressure */
-    const int last = side[1].type == FLUID_OUTFLOW, i = last ? g->m[0] - 1 : 0;
+    int a, b;
     double sum = 0;
-    for (int k = 0; k < g->m[2]; k++)
-        for (int j = 0; j < g->m[1]; j++) sum += f->state.p[fluid_grid_at(g, i, j, k)];
-    return -par_sum(sum / ((double)g->n[1] * g->n[2]) + fluid_poisson_section_mean(f->poisson, last));
+    if (!f->boundary->side[d][side].here) return 0;
+    fluid_boundary_others(d, &a, &b);
+    const ptrdiff_t in = side ? 0 : fluid_boundary_stride(g, d);
+    for (int l = 0; l < g->m[b]; l++)
+        for (int j = 0; j < g->m[a]; j++)
+            sum += f->state.p[(ptrdiff_t)fluid_boundary_face(g, d, side, j, l) + in];
+    return sum / ((double)g->n[a] * g->n[b]);
 }
 
-/* phi with lap phi = div(u*)/c, q = u* - c grad phi + shift, p += phi.  (001: eqs 3.71-3.73) */
+/* With velocities given on every side the pressure is known up to a constant: where the flow leaves, its mean over the last
+ * cells is made zero, so that what is immersed is squeezed by what stands above the outlet, and by nothing else; of several
+ * outlets the first counts, x before y before z, high before low. The mean that the correction must have for it. */
+static double level(struct fluid *f) {
+    if (f->boundary->open) return 0; /* fixed by that side's pressure */
+    for (int d = 0; d < 3; d++)
+        for (int side = 1; side >= 0; side--)
+            if (f->in.side[d][side].type == FLUID_OUTFLOW)
+                return -par_sum(section_mean(f, d, side) + fluid_poisson_section_mean(f->poisson, d, side));
+    return 0;
+}
+
+/* phi with lap phi = div(u*)/c, q = u* - c grad phi + shift, p += phi; all planes are forward.  (001: eqs 3.71-3.73) */
 static void project(struct fluid *f, double c, int fix_level) {
-    low_faces(f);
-    clock_begin(CLOCK_FORWARD);
-    divergence(f, c);
-    clock_end(CLOCK_FORWARD);
     clock_begin(CLOCK_COLUMNS);
     fluid_poisson_solve(f->poisson, fix_level ? level(f) : 0);
     clock_end(CLOCK_COLUMNS);
@@ -73,14 +99,14 @@ static void project(struct fluid *f, double c, int fix_level) {
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
     fluid_correction_apply(f, c, q);
     clock_end(CLOCK_BACKWARD);
-    fluid_boundary_velocity(f->boundary, f->grid, q, 1);
 }
 
 void fluid_project(struct fluid *f, int r, double dt) {
     const double stage = fluid_gamma[r] * dt;
     clock_begin(CLOCK_POISSON);
-    if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, stage);
-    project(f, stage / f->in.density, r == 2);
+    const double c = stage / f->in.density, bulk = forward(f, c);
+    if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
+    project(f, c, r == 2);
     if (f->audit.on) fluid_audit_pressure(f, r);
     clock_end(CLOCK_POISSON);
 }
@@ -93,6 +119,7 @@ void fluid_project_start(struct fluid *f) {
     for (int c = 0; c < 3 && f->predicted[c] != q[c]; c++)
         memcpy(f->predicted[c], q[c], f->grid->size * sizeof(double));
     fluid_predicted_refresh(f, 1);
+    forward(f, 1);
     project(f, 1, 0);
     memset(f->state.p, 0, f->grid->size * sizeof(double));
     fluid_state_refresh(f);

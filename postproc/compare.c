@@ -59,7 +59,8 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
         if (pdf[r].bins < 2) continue; /* none, or all alike */
         middle[r] = malloc((size_t)pdf[r].bins * sizeof(double));
         for (int i = 0; i < pdf[r].bins; i++) middle[r][i] = pdf[r].low + (i + 0.5) * pdf[r].width;
-        curve[curves++] = (struct postproc_curve){label[r], pdf[r].bins, middle[r], pdf[r].density, 1};
+        curve[curves++] = (struct postproc_curve){
+            .title = label[r], .n = pdf[r].bins, .x = middle[r], .y = pdf[r].density, .bars = 1};
         const double threshold = stress ? run[r]->sigma0 : run[r]->s0;
         if (threshold > 0) mark[marks++] = (struct postproc_mark){threshold, label[r]};
     }
@@ -135,12 +136,14 @@ static int compare(int n, struct postproc_history *const *run, const char *const
     if (!report) return fault ? fault : errno;
     folder_path(plots, out, "plots");
     postproc_charts_draw(&charts, n, run, label, plots);
+    postproc_charts_draw_crack(&charts, n, run, label, plots);
     for (int stress = 0; stress < 2; stress++) pdfs_draw(&charts, n, run, label, plots, stress);
     for (int r = 0; r < n; r++) {
         output[r] = calloc(1, sizeof *output[r]);
         postproc_sections_run(output[r], run[r]);
         postproc_sections_medium(output[r], run[r]);
         postproc_sections_fracture(output[r], run[r]);
+        postproc_sections_crack_numbers(output[r], run[r]);
         postproc_sections_wall(output[r], run[r]);
     }
     if (table_write(report, n, (const struct postproc_output *const *)output, label, out)) fault = errno;

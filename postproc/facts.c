@@ -44,10 +44,14 @@ static void put_cell(FILE *file, const char *text) {
 }
 
 int postproc_facts_write(const struct postproc_facts *f, const char *path) {
+    return postproc_facts_write_from(f, 0, path);
+}
+
+int postproc_facts_write_from(const struct postproc_facts *f, int first, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file) return -1;
     fputs("quantity,unit,value\n", file);
-    for (int i = 0; i < f->n; i++) {
+    for (int i = first; i < f->n; i++) {
         put_cell(file, f->fact[i].quantity);
         fputc(',', file);
         put_cell(file, f->fact[i].unit);

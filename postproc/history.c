@@ -49,6 +49,14 @@ static double bulk_velocity(const struct scene_fluid *f) {
     return size > 0 ? size : NAN;
 }
 
+/* E delta s0^2 / G0.  (001: eq. 3.28; of a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
+ * 48 E/(5 pi delta^3) in plane strain; conical: c1 = 4 c0, G0 = c1 s0^2 delta^4/20) */
+static double factor(const struct scene *s, const struct scene_material *m) {
+    if (s->dimension != 2) return 5 / 6.;
+    const double constant = s->solid->model == SCENE_PLANE_STRAIN ? 5 * M_PI / 12 : 4 * M_PI / 9;
+    return m->micromodulus == SCENE_CONICAL ? 1.25 * constant : constant;
+}
+
 static void scales(struct postproc_history *h) {
     const struct scene *s = h->scene;
     h->length = s->domain.size[1];
@@ -63,10 +71,10 @@ static void scales(struct postproc_history *h) {
     h->spacing = s->solid->spacing > 0    ? s->solid->spacing
                  : s->domain.cells[0] > 0 ? s->domain.size[0] / s->domain.cells[0]
                                           : NAN;
-    for (int m = 0; m < s->solid->materials; m++) { /* s0 = sqrt(5 G0 / (6 E delta))  (001: eq. 3.28) */
+    for (int m = 0; m < s->solid->materials; m++) {
         const struct scene_material *a = &s->solid->material[m];
         const double s0 =
-            sqrt(5 * a->fracture_energy / (6 * a->youngs_modulus * a->horizon_ratio * h->spacing));
+            sqrt(factor(s, a) * a->fracture_energy / (a->youngs_modulus * a->horizon_ratio * h->spacing));
         if (!isfinite(s0) || s0 >= h->s0) continue;
         h->s0 = s0;
         h->sigma0 = a->youngs_modulus * s0;
@@ -135,6 +143,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
         postproc_history_free(h);
         return NULL;
     }
+    h->crack = table_read(folder_path(path, folder, "crack.csv"), NULL);
     h->record = postproc_tree_new(folder_path(path, folder, "run.json"));
     h->scene = scene_new(folder_path(path, folder, "scene.resolved.yaml"), 0, NULL);
     scales(h);
@@ -147,9 +156,18 @@ void postproc_history_free(struct postproc_history *h) {
     if (h->scene) scene_free(h->scene);
     postproc_tree_free(h->record);
     table_data_free(h->series);
+    table_data_free(h->crack);
     free(h->solid.entry);
     free(h->fluid.entry);
     free(h);
+}
+
+struct postproc_waves postproc_history_waves(const struct postproc_history *h) {
+    const struct scene_solid *s = h->scene->solid;
+    if (!s) return (struct postproc_waves){NAN, NAN, NAN};
+    const struct scene_material *m = &s->material[s->bodies > 0 ? s->body[0].material_index : 0];
+    return postproc_waves_of(m->youngs_modulus, m->poisson_ratio, m->density,
+                             h->scene->dimension == 2 && s->model == SCENE_PLANE_STRESS);
 }
 
 double postproc_history_when(const struct postproc_history *h, double t) {
@@ -161,7 +179,10 @@ const char *postproc_history_when_name(const struct postproc_history *h) {
 }
 
 double *postproc_history_column(const struct postproc_history *h, const char *name) {
-    const struct table_data *d = h->series;
+    return postproc_history_values(h->series, name);
+}
+
+double *postproc_history_values(const struct table_data *d, const char *name) {
     const int c = d ? table_column(d, name) : -1;
     if (c < 0) return NULL;
     double *value = malloc((size_t)(d->rows + 1) * sizeof *value);

@@ -4,6 +4,7 @@
 #include "base/table.h"
 #include "base/vtkhdf.h"
 #include "postproc/tree.h"
+#include "postproc/waves.h"
 
 struct postproc_fields {
     int n;                             /* files that are there, in order of time */
@@ -15,6 +16,7 @@ struct postproc_history {
     struct scene *scene;          /* scene.resolved.yaml */
     struct postproc_tree *record; /* run.json, or NULL */
     struct table_data *series;    /* series.csv, or NULL */
+    struct table_data *crack;     /* crack.csv, or NULL */
     struct postproc_fields solid, fluid;
     /* The time origin: the start of the last stage that the run has come to.  (001: sec. 5.2) */
     const char *stage; /* its name */
@@ -32,6 +34,8 @@ struct postproc_history {
 struct postproc_history *postproc_history_new(const char *folder, char *error, int size);
 void postproc_history_free(struct postproc_history *h);
 
+/* Of the first body's material; NAN without a solid. */
+struct postproc_waves postproc_history_waves(const struct postproc_history *h);
 /* (t - origin) / t0, or s where there is no t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */
@@ -39,6 +43,8 @@ const char *postproc_history_when_name(const struct postproc_history *h); /* "t/
 double *postproc_history_column(const struct postproc_history *h, const char *name);
 /* The column's value at the time: of the last row that is not later, NAN if there is none. */
 double postproc_history_value(const struct postproc_history *h, const char *name, double t);
+/* A table's values of a column, or NULL where there is none, or no table: [rows], malloc'ed. */
+double *postproc_history_values(const struct table_data *d, const char *name);
 /* Mean over the rows of from < t <= to. */
 double postproc_history_mean(const struct postproc_history *h, const char *name, double from, double to);
 /* The last file not later than the time, or the first: opened, or NULL. */

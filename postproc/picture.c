@@ -1,45 +1,12 @@
 #include "postproc/picture.h"
 #include "base/memory.h"
+#include "postproc/bar.h"
 #include "postproc/font.h"
 #include "postproc/render.h"
 
 #include <math.h>
-#include <stdio.h>
 
 static const unsigned ink = 0x23282e, faint = 0x7c858f, paper_top = 0xffffff, paper_bottom = 0xe3e7eb;
-
-/* Three to six round numbers between low and high: their step. */
-static double tick_step(double low, double high) {
-    const double raw = (high - low) / 4, power = pow(10, floor(log10(raw))), m = raw / power;
-    return power * (m < 1.5 ? 1 : m < 3.5 ? 2 : m < 7.5 ? 5 : 10);
-}
-
-static void bar_draw(struct postproc_canvas *c, const struct postproc_picture *p, int x, int y0, int y1) {
-    const int wide = (int)(0.018 * p->width);
-    const double text = 0.0165 * p->height;
-    for (int j = y0; j < y1; j++) {
-        double srgb[3];
-        postproc_colour_map(p->map, 1 - (j + 0.5 - y0) / (y1 - y0), srgb);
-        postproc_canvas_fill(c, x, j, x + wide, j + 1, srgb);
-    }
-    const struct postproc_pen pen = {.colour = ink, .alpha = 0.7, .width = 1.2, .hidden = 1};
-    const double corner[5][3] = {{x, y0, 0}, {x + wide, y0, 0}, {x + wide, y1, 0}, {x, y1, 0}, {x, y0, 0}};
-    for (int k = 0; k < 4; k++) postproc_canvas_line(c, corner[k], corner[k + 1], pen);
-    const double step = tick_step(p->value_low, p->value_high);
-    const long first = (long)ceil(p->value_low / step - 1e-6),
-               last = (long)floor(p->value_high / step + 1e-6);
-    for (long i = first; i <= last; i++) {
-        const double v = (double)i * step,
-                     y = y1 + (v - p->value_low) / (p->value_high - p->value_low) * (y0 - y1);
-        const double a[3] = {x + wide, y, 0}, b[3] = {x + wide + 6, y, 0};
-        char number[32];
-        snprintf(number, sizeof number, "%.6g", v);
-        postproc_canvas_line(c, a, b, pen);
-        postproc_font_draw(c, x + wide + 12, y + 0.5 * text, text, ink, number);
-    }
-    const double over = x + wide - postproc_font_width(text, p->label);
-    postproc_font_draw(c, fmax(over, 0.5 * p->width), y0 - 1.4 * text, text, ink, p->label);
-}
 
 /* An arrow along the channel's axis below its near edge: where the flow goes. */
 static void flow_draw(struct postproc_canvas *c, const struct postproc_picture *p,
@@ -95,7 +62,16 @@ int postproc_picture_draw(const struct postproc_picture *p) {
     const struct postproc_camera half = postproc_camera_new(
         p->toward, zero, p->domain, (double[4]){window[0] / 2, window[1] / 2, window[2] / 2, window[3] / 2});
     flow_draw(c, p, &half);
-    bar_draw(c, p, (int)(0.9 * w), (int)(0.28 * h), (int)(0.82 * h));
+    postproc_bar_draw(c, &(struct postproc_bar){.map = p->map,
+                                                .low = p->value_low,
+                                                .high = p->value_high,
+                                                .label = p->label,
+                                                .x = (int)(0.9 * w),
+                                                .y0 = (int)(0.28 * h),
+                                                .y1 = (int)(0.82 * h),
+                                                .width = (int)(0.018 * w),
+                                                .text = 0.0165 * h,
+                                                .left = 0.5 * w});
     postproc_font_draw(c, 0.03 * w, 0.062 * h, 0.023 * h, ink, p->title);
     postproc_font_draw(c, 0.03 * w, 0.102 * h, 0.0175 * h, faint, p->subtitle);
     const int status = postproc_canvas_write(c, p->path);

@@ -4,11 +4,16 @@
 struct postproc_curve {
     const char *title;
     long n;
-    const double *x, *y; /* [n]; NaN leaves a gap */
-    int bars;            /* 1: steps through the middles of bins */
+    const double *x, *y;      /* [n]; NaN leaves a gap */
+    int bars;                 /* 1: steps through the middles of bins */
+    const char *const *label; /* [n]: points with these beside them, joined by lines; NULL: a line */
 };
 struct postproc_mark { /* a vertical line */
     double x;
+    const char *label;
+};
+struct postproc_level { /* a horizontal line */
+    double y;
     const char *label;
 };
 struct postproc_plot {
@@ -19,7 +24,9 @@ struct postproc_plot {
     const struct postproc_curve *curve;
     int marks;
     const struct postproc_mark *mark;
-    int log_y;
+    int levels;
+    const struct postproc_level *level;
+    int log_x, log_y;
     double x_low, x_high; /* NAN: from the data */
 };
 

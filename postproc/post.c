@@ -16,11 +16,11 @@ static int refuse(const char *path, int fault) {
 }
 
 /* The folders of the results; 0 or errno. */
-static int make_folders(const char *post) {
-    static const char *const inside[2] = {"plots", "pictures"};
+static int make_folders(const char *post, int film) {
+    static const char *const inside[] = {"plots", "pictures", "film"};
     char path[FOLDER_PATH];
     if (mkdir(post, 0777) != 0 && errno != EEXIST) return errno;
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2 + film; k++)
         if (mkdir(folder_path(path, post, inside[k]), 0777) != 0 && errno != EEXIST) return errno;
     return 0;
 }
@@ -60,7 +60,7 @@ static const char *plots_missing(enum postproc_plot_status status) {
     }
 }
 
-int postproc_run(const char *rundir) {
+int postproc_run(const char *rundir, const struct postproc_options *options) {
     static const struct {
         const char *heading;
         void (*add)(struct postproc_output *out, const struct postproc_history *h);
@@ -68,10 +68,12 @@ int postproc_run(const char *rundir) {
         {"The run", postproc_sections_run},
         {"The medium", postproc_sections_medium},
         {"Fracture", postproc_sections_fracture},
+        {"The crack", postproc_sections_crack},
         {"Strain and stress", postproc_sections_pdf},
         {"Where the time went", postproc_sections_wall},
         {NULL, postproc_sections_profile},
         {NULL, postproc_sections_pictures},
+        {NULL, postproc_sections_plate},
     };
     enum { SECTIONS = sizeof section / sizeof *section };
     char error[FOLDER_PATH + 256], post[FOLDER_PATH], plots[FOLDER_PATH], path[FOLDER_PATH];
@@ -83,8 +85,9 @@ int postproc_run(const char *rundir) {
     struct postproc_output *out = calloc(1, sizeof *out);
     int code = EXIT_CODE_DONE, last[SECTIONS];
     out->folder = folder_path(post, rundir, "post");
+    if (options) out->options = *options;
     struct postproc_report *report = NULL;
-    int fault = make_folders(post);
+    int fault = make_folders(post, out->options.film);
     if (!fault && !(report = postproc_report_begin(post, h->scene->title[0] ? h->scene->title : rundir)))
         fault = errno;
     if (fault) {
@@ -93,6 +96,7 @@ int postproc_run(const char *rundir) {
     }
     folder_path(plots, post, "plots");
     postproc_charts_draw(&out->charts, 1, &h, &rundir, plots);
+    postproc_charts_draw_crack(&out->charts, 1, &h, &rundir, plots);
     for (int k = 0; k < SECTIONS; k++) {
         section[k].add(out, h);
         last[k] = out->facts.n;

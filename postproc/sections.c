@@ -12,6 +12,12 @@ void postproc_sections_fail(struct postproc_output *out, const char *path) {
     snprintf(out->failed_path, sizeof out->failed_path, "%s", path);
 }
 
+void postproc_sections_picture(struct postproc_output *out, const char *name, const char *title) {
+    if (out->pictures == POSTPROC_PICTURES) return;
+    snprintf(out->picture[out->pictures].name, sizeof out->picture->name, "%s", name);
+    snprintf(out->picture[out->pictures++].title, sizeof out->picture->title, "%s", title);
+}
+
 void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_facts *f = &out->facts;
     postproc_facts_text(f, "title", h->scene->title);
@@ -57,6 +63,14 @@ void postproc_sections_medium(struct postproc_output *out, const struct postproc
     before_after(out, h, "load_x", "load on the solid, x", "N", 1);
 }
 
+/* The column's value in the first row, 0 where there is none. */
+static double first_of(const struct postproc_history *h, const char *column) {
+    double *y = postproc_history_column(h, column);
+    const double first = y && h->series->rows > 0 ? y[0] : 0;
+    free(y);
+    return first;
+}
+
 static double first_time_above(const struct postproc_history *h, const char *column, double threshold) {
     double *t = postproc_history_column(h, "t"), *y = postproc_history_column(h, column), first = NAN;
     for (long i = 0; t && y && i < h->series->rows && isnan(first); i++)
@@ -79,18 +93,24 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     postproc_facts_number(f, "damage, largest", "1", postproc_history_value(h, "damage_max", h->end));
     postproc_facts_number(f, "energy released by bonds", "J",
                           postproc_history_value(h, "e_fracture", h->end));
-    const double first = first_time_above(h, "bonds_broken", 0);
+    const int cut = h->scene->solid && h->scene->solid->cracks > 0; /* what is broken from the start */
+    const double at_start = cut ? first_of(h, "bonds_broken") : 0;
+    const double first = first_time_above(h, "bonds_broken", at_start);
     if (!isnan(first)) {
         postproc_facts_number(f, "first bond broken, t", "s", first);
         if (h->t0 > 0)
             postproc_facts_number(f, "first bond broken, after the start of the stage", "t0",
                                   (first - h->origin) / h->t0);
     }
+    if (cut) return;
     const struct postproc_onset onset = postproc_body_onset(h);
     if (!onset.found) return;
     char text[160];
-    snprintf(text, sizeof text, "x = %.4g m: %s (x/L = %.2f, y/h = %.2f, z/w = %.2f of the medium's box)",
-             onset.x[0], onset.where, onset.fraction[0], onset.fraction[1], onset.fraction[2]);
+    if (h->scene->dimension == 2)
+        snprintf(text, sizeof text, "x = %.4g m, y = %.4g m", onset.x[0], onset.x[1]);
+    else
+        snprintf(text, sizeof text, "x = %.4g m: %s (x/L = %.2f, y/h = %.2f, z/w = %.2f of the medium's box)",
+                 onset.x[0], onset.where, onset.fraction[0], onset.fraction[1], onset.fraction[2]);
     postproc_facts_text(f, "where it broke first", text);
     postproc_facts_number(f, "first field with damage, t", "s", onset.time);
     postproc_facts_number(f, "first field with damage, damaged particles", "1", (double)onset.particles);

@@ -54,8 +54,8 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
                 for (int i = 0; i < pdf[b].bins; i++) middle[b][i] = pdf[b].low + (i + 0.5) * pdf[b].width;
                 snprintf(title[b], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]",
                          fabs(t) < 1e-9 ? 0 : t);
-                curve[curves++] =
-                    (struct postproc_curve){title[b], pdf[b].bins, middle[b], pdf[b].density, 1};
+                curve[curves++] = (struct postproc_curve){
+                    .title = title[b], .n = pdf[b].bins, .x = middle[b], .y = pdf[b].density, .bars = 1};
             }
             snprintf(quantity, sizeof quantity, "%s, mean, %s", pdf_kind[kind].title, when[b]);
             postproc_facts_number(&out->facts, quantity, pdf_kind[kind].unit, pdf[b].mean);

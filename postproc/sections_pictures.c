@@ -93,14 +93,13 @@ static void view_draw(struct postproc_output *out, const struct postproc_history
     if (view->section) p.high[2] = 0.5 * p.domain[2];
     if (postproc_picture_draw(&p))
         postproc_sections_fail(out, path);
-    else {
-        snprintf(out->picture[out->pictures].name, sizeof out->picture->name, "%s", view->name);
-        snprintf(out->picture[out->pictures++].title, sizeof out->picture->title, "%s", view->title);
-    }
+    else
+        postproc_sections_picture(out, view->name, view->title);
     memory_free(value);
 }
 
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h) {
+    if (h->scene->dimension == 2) return; /* sections_plate.c */
     struct postproc_body *b = postproc_body_new(h, h->end);
     if (b && b->x && b->n > 0 && h->spacing > 0)
         for (int k = 0; k < VIEWS; k++) view_draw(out, h, &views[k], b);

@@ -41,8 +41,8 @@ void postproc_sections_profile(struct postproc_output *out, const struct postpro
             const double when = postproc_history_when(h, p[k].time);
             snprintf(title[k], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]",
                      fabs(when) < 1e-9 ? 0 : when);
-            curve[curves++] =
-                (struct postproc_curve){title[k], p[k].n, p[k].x, p[k].fluid ? p[k].fluid : p[k].pressure, 0};
+            curve[curves++] = (struct postproc_curve){
+                .title = title[k], .n = p[k].n, .x = p[k].x, .y = p[k].fluid ? p[k].fluid : p[k].pressure};
         }
         struct postproc_mark mark[2] = {{0, "front"}, {0, "back"}};
         const struct scene_coupling *c = h->scene->coupling;

@@ -10,12 +10,12 @@ void solid_added_mass_apply(struct solid *s) {
         /* faces of one particle stand behind one another: each sees the mass that those before it have added */
         double carried = density;
         for (int k = i - 1; k >= 0 && m->h[k] == h; k--) carried += m->density[k];
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < s->dim; c++) {
             before += s->a[c][h] * m->normal[c][i];
             v += s->v[c][h] * m->normal[c][i];
         }
         const double after = before * carried / (carried + m->density[i]);
-        for (int c = 0; c < 3; c++) s->a[c][h] += (after - before) * m->normal[c][i];
+        for (int c = 0; c < s->dim; c++) s->a[c][h] += (after - before) * m->normal[c][i];
         s->power_load -= s->volume[h] * density * (before - after) * v;
     }
 }

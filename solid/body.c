@@ -1,6 +1,7 @@
 #include "solid/body.h"
 #include "base/memory.h"
 #include "solid/curve.h"
+#include "solid/outline.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -115,7 +116,7 @@ static void number_rows(struct solid_sites *t) {
         if (!t->bits[r]) continue;
         const int i = r % t->rows[0], j = r / t->rows[0] % t->rows[1], k = r / t->rows[0] / t->rows[1];
         const uint32_t brick[3] = {(uint32_t)i, (uint32_t)j / ROW, (uint32_t)k / ROW};
-        row[t->filled++] = (struct keyed){solid_curve_key(brick), r};
+        row[t->filled++] = (struct keyed){solid_curve_key(brick, 3), r};
     }
     qsort(row, (size_t)t->filled, sizeof *row, by_key);
     t->order = memory_new(MEMORY_SOLID, (size_t)t->filled + 1, sizeof *t->order);
@@ -127,6 +128,21 @@ static void number_rows(struct solid_sites *t) {
         id += __builtin_popcount(t->bits[r]);
     }
     memory_free(row);
+}
+
+/* A body of so many sites along c, across the periodic side. */
+static void period_set(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t, int c,
+                       int sites, int reach) {
+    if (!in->periodic[c]) return;
+    const double period = in->length[c] / in->spacing;
+    t->wrap[c] = (int)lrint(period);
+    if (fabs(period - t->wrap[c]) > 1e-6 * period || t->wrap[c] <= reach)
+        die_all(EXIT_CODE_SCENE,
+                "solid.spacing = %g: the periodic length %g must be a whole number of spacings, more than %d",
+                in->spacing, in->length[c], reach);
+    if (sites > t->wrap[c])
+        die_all(EXIT_CODE_SCENE, "solid body %s is longer than the period %g m and would overlap itself",
+                b->name, in->length[c]);
 }
 
 static void cut_from_lattice(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t,
@@ -149,46 +165,70 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     fill_rows(t, inside, n, shift);
     memory_free(inside);
     if (t->count == 0) return;
-    for (int c = 0; c < 3; c++) {
-        if (!in->periodic[c]) continue;
-        const double period = in->length[c] / in->spacing;
-        t->wrap[c] = (int)lrint(period);
-        if (fabs(period - t->wrap[c]) > 1e-6 * period || t->wrap[c] <= reach)
-            die_all(
-                EXIT_CODE_SCENE,
-                "solid.spacing = %g: the periodic length %g must be a whole number of spacings, more than %d",
-                in->spacing, in->length[c], reach);
-        if (top[c] - t->base[c] + 1 > t->wrap[c])
-            die_all(EXIT_CODE_SCENE, "solid body %s is longer than the period %g m and would overlap itself",
-                    b->name, in->length[c]);
-    }
+    for (int c = 0; c < 3; c++) period_set(in, b, t, c, top[c] - t->base[c] + 1, reach);
     number_rows(t);
+}
+
+/* Points or cells in the order of their keys. */
+static void number(struct solid_sites *t, struct keyed *key, long n) {
+    qsort(key, (size_t)n, sizeof *key, by_key);
+    t->count = n;
+    t->point = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *t->point);
+    for (long p = 0; p < n; p++) t->point[p] = key[p].item;
+}
+
+/* The cells of a polygon. */
+static void cut_from_plane(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t,
+                           int reach) {
+    struct solid_outline_cells *cells = solid_outline_cells(b->outline, b->outlines, in->origin, in->spacing);
+    struct keyed *key = memory_new(MEMORY_SOLID, (size_t)cells->n + 1, sizeof *key);
+    solid_outline_symmetrise(cells);
+    for (long p = 0; p < cells->n; p++) {
+        const struct solid_outline_cell *cell = &cells->cell[p];
+        const uint32_t at[2] = {(uint32_t)(cell->i - cells->low[0]), (uint32_t)(cell->j - cells->low[1])};
+        key[p] = (struct keyed){solid_curve_key(at, 2), p};
+    }
+    number(t, key, cells->n);
+    memory_free(key);
+    t->cell = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *t->cell);
+    t->area = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *t->area);
+    for (long i = 0; i < t->count; i++) {
+        const struct solid_outline_cell *cell = &cells->cell[t->point[i]];
+        t->cell[i][0] = cell->i;
+        t->cell[i][1] = cell->j;
+        t->area[i] = cell->area;
+    }
+    for (int c = 0; c < 2 && t->count > 0; c++) {
+        t->base[c] = cells->low[c];
+        period_set(in, b, t, c, cells->high[c] - cells->low[c] + 1, reach);
+    }
+    solid_outline_cells_free(cells);
 }
 
 static void number_points(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t) {
     struct keyed *key = memory_new(MEMORY_SOLID, (size_t)b->points + 1, sizeof *key);
     double low[3] = {INFINITY, INFINITY, INFINITY};
+    const int dim = solid_dim(in);
     for (long p = 0; p < b->points; p++)
-        for (int c = 0; c < 3; c++) low[c] = fmin(low[c], b->point[c][p]);
+        for (int c = 0; c < dim; c++) low[c] = fmin(low[c], b->point[c][p]);
     for (long p = 0; p < b->points; p++) {
         uint32_t cell[3];
-        for (int c = 0; c < 3; c++) cell[c] = (uint32_t)((b->point[c][p] - low[c]) / in->spacing);
-        key[p] = (struct keyed){solid_curve_key(cell), p};
+        for (int c = 0; c < dim; c++) cell[c] = (uint32_t)((b->point[c][p] - low[c]) / in->spacing);
+        key[p] = (struct keyed){solid_curve_key(cell, dim), p};
     }
-    qsort(key, (size_t)b->points, sizeof *key, by_key);
-    t->count = b->points;
-    t->point = memory_new(MEMORY_SOLID, (size_t)b->points + 1, sizeof *t->point);
-    for (long p = 0; p < b->points; p++) t->point[p] = key[p].item;
+    number(t, key, b->points);
     memory_free(key);
 }
 
 struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first,
                                     int reach) {
     struct solid_sites *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
-    t->is_lattice = b->shape != SOLID_POINTS;
+    t->is_lattice = b->shape != SOLID_POINTS && b->shape != SOLID_POLYGON;
     t->first = first;
     if (t->is_lattice)
         cut_from_lattice(in, b, t, reach);
+    else if (b->shape == SOLID_POLYGON)
+        cut_from_plane(in, b, t, reach);
     else
         number_points(in, b, t);
     if (t->count == 0)
@@ -202,6 +242,8 @@ void solid_sites_free(struct solid_sites *t) {
     memory_free(t->start);
     memory_free(t->order);
     memory_free(t->point);
+    memory_free(t->cell);
+    memory_free(t->area);
     memory_free(t);
 }
 

@@ -10,13 +10,16 @@ struct solid_sites {
     int low[3];    /* lattice index of the corner */
     int rows[3];   /* rows along x (eight sites each), sites along y and z */
     int base[3];   /* the body's lowest lattice index */
-    int wrap[3];   /* sites in a period, 0: not periodic */
+    int wrap[3];   /* sites in a period, 0: not periodic; of a polygon's cells too */
     uint8_t *bits; /* [rows] which of the eight belong to the body */
     long *start;   /* [rows] global id of the row's first particle */
     int filled;    /* rows with a particle */
     int *order;    /* [filled] rows in the order of the numbering */
-    /* points */
-    long *point; /* [count] index of the particle numbered first+i */
+    /* points, and the cells of a polygon */
+    long *
+        point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
+    int (*cell)[2]; /* polygon: [count] lattice indices, by number */
+    double *area;   /* polygon: [count] of the body in the particle's cell and in what goes to it, in cells */
 };
 
 /* First is the id of the body's first particle. Dies (exit 2) on an empty body. Collective (all ranks alike). */

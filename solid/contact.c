@@ -6,12 +6,29 @@
 #include "base/par_exchange.h"
 #include "solid/contact_list.h"
 #include "solid/family.h"
+#include "solid/material.h"
 #include "solid/surface_lost.h"
 
 #include <math.h>
 #include <string.h>
 
 static const double skin = 0.5, rebuild = 0.2; /* spacings */
+
+double solid_contact_c0(const struct solid *s, const struct solid_material *m) {
+    struct solid_material constant = *m;
+    constant.micromodulus = SOLID_CONSTANT;
+    return solid_constants_of(s->in.model, s->in.thickness, &constant, m->horizon_ratio * s->in.spacing).c;
+}
+
+/* 2^-46 of the acceleration by a neighbour at half of r_c: sums of up to some thirty of these are exact. */
+static double quantum_of(const struct solid *s, const struct solid_contact *c) {
+    double most = 0, volume = 0;
+    for (int h = 0; h < s->n; h++) volume = fmax(volume, s->volume[h]);
+    for (int b = 0; b < s->in.bodies; b++)
+        most = fmax(most, s->in.contact_stiffness * c->c0[b] / c->density[b]);
+    most *= par_max(volume);
+    return most > 0 ? ldexp(1, ilogb(most) - 46) : 1;
+}
 
 static struct solid_contact *contact_new(struct solid *s) {
     struct solid_contact *c = memory_new(MEMORY_SOLID, 1, sizeof *c);
@@ -20,14 +37,19 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->skin = skin * s->in.spacing;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_material *m = &s->in.material[s->in.body[b].material];
-        c->c0[b] = solid_micromodulus(m, s->in.spacing);
+        c->c0[b] = solid_contact_c0(s, m);
         c->density[b] = m->density;
     }
-    for (int k = 0; k < 3; k++) c->built[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
+    for (int k = 0; k < s->dim; k++) {
+        c->built[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
+        c->push[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
+    }
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].dim = s->dim;
+    c->quantum = quantum_of(s, c);
     c->bounds = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *c->bounds);
     c->lost = solid_lost_new(s);
     c->known = memory_new(MEMORY_SOLID, n * (size_t)solid_family_bytes(s), 1);
-    c->tensor = memory_new(MEMORY_SOLID, 6 * n, sizeof *c->tensor);
+    c->springs = solid_contact_springs_new(s);
     c->strangers = solid_strangers_new(s);
     return c;
 }
@@ -36,27 +58,33 @@ void solid_contact_free(struct solid *s) {
     struct solid_contact *c = s->contact;
     s->contact = NULL;
     if (!c) return;
-    for (int k = 0; k < 3; k++) memory_free(c->built[k]);
+    for (int k = 0; k < 3; k++) {
+        memory_free(c->built[k]);
+        memory_free(c->push[k]);
+    }
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
         struct solid_contact_pairs *p = &c->pairs[kind];
         void *const list[] = {p->h, p->l, p->xi[0], p->xi[1], p->xi[2]};
         for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
     }
-    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l, c->tensor};
+    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
     solid_strangers_free(c->strangers);
+    solid_contact_springs_free(c->springs);
     solid_crossing_free(&c->crossing);
     memory_free(c);
 }
 
 /* The square of the furthest way of a particle since the lists were made, m2. */
 static double moved2(const struct solid *s, const struct solid_contact *c) {
-    const double *restrict x = s->d[0], *restrict y = s->d[1], *restrict z = s->d[2];
-    const double *restrict x0 = c->built[0], *restrict y0 = c->built[1], *restrict z0 = c->built[2];
+    const int plane = s->dim == 2; /* its third arrays: the second, times 0 */
+    const double *restrict x = s->d[0], *restrict y = s->d[1], *restrict z = s->d[s->dim - 1];
+    const double *restrict x0 = c->built[0], *restrict y0 = c->built[1], *restrict z0 = c->built[s->dim - 1];
+    const double third = !plane;
     double most = 0;
     for (int h = 0; h < s->n; h++) {
-        const double dx = x[h] - x0[h], dy = y[h] - y0[h], dz = z[h] - z0[h];
+        const double dx = x[h] - x0[h], dy = y[h] - y0[h], dz = third * (z[h] - z0[h]);
         const double r2 = dx * dx + dy * dy + dz * dz;
         most = r2 > most ? r2 : most;
     }
@@ -66,7 +94,7 @@ static double moved2(const struct solid *s, const struct solid_contact *c) {
 /* Both lists from scratch. Collective. */
 static void list(struct solid *s, struct solid_contact *c) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
-    for (int k = 0; k < 3; k++) memcpy(c->built[k], s->d[k], (size_t)s->n * sizeof(double));
+    for (int k = 0; k < s->dim; k++) memcpy(c->built[k], s->d[k], (size_t)s->n * sizeof(double));
     solid_contact_bounds_of(s, c->bounds);
     solid_contact_torn_list(s, c);
     solid_strangers_list(s, c);

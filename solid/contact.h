@@ -20,8 +20,14 @@ void solid_contact_force(struct solid *s);
 /* The repulsion's potential, J, 0 without contact; whole solid. Ghosts must be current. Collective. */
 double solid_contact_energy(struct solid *s);
 /* A bound of the largest eigenvalue of the present contacts' stiffness over mass, 1/s2. With kappa = -dC/dr V_l of a pair and e its
- * direction, u.K u = sum kappa [e.(u_h - u_l)]^2 <= 2 sum u_h.T_h u_h where T_h = sum kappa e e: twice the largest eigenvalue of a T_h/rho.
- * (The part of the stiffness across e is negative.) A smooth function of the state, the same on any number of ranks. Brings ghosts up
- * to date. Collective. */
+ * direction, and any weights x > 0,
+ *
+ *     u.K u = sum kappa [e.(u_h - u_l)]^2 <= sum u_h.T_h u_h      T_h = sum over l of kappa (1 + x_l/x_h) e e
+ *
+ * since (p - q)^2 <= p^2 (1 + x_l/x_h) + q^2 (1 + x_h/x_l): the largest eigenvalue of a T_h/rho. The largest eigenvalues of the
+ * x_h T_h/rho are better weights: the bound never rises (Collatz, Wielandt). (The part of the stiffness across e is negative.)
+ * A continuous function of the state, the same on any number of ranks. Brings ghosts up to date. Collective. */
 double solid_contact_rate2(struct solid *s);
 void solid_contact_free(struct solid *s);
+/* The c0 that k_c is measured by: that of a constant micromodulus. Not collective. */
+double solid_contact_c0(const struct solid *s, const struct solid_material *m);

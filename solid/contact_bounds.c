@@ -26,7 +26,8 @@ void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of) {
         for (to = from; to < s->n && s->body[to] == s->body[from]; to++) flags |= s->flag[to];
         if (flags & SOLID_BROKEN) b[12] = 0;
         if (flags & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) b[13] = 0;
-        for (int c = 0; c < 3; c++) {
+        for (int k = 0; k < 4; k++) b[3 * k + 2] = 0; /* of a plate */
+        for (int c = 0; c < s->dim; c++) {
             double out[4];
             range(from, to, s->x0[c], s->d[c], out);
             for (int k = 0; k < 4; k++) b[3 * k + c] = out[k];
@@ -47,8 +48,8 @@ int solid_contact_are_near(const struct solid *s, const double *a, const double 
 
 double solid_contact_apart(const struct solid *s, int body) {
     const struct solid_body *b = &s->in.body[body];
-    /* a family is |xi| < delta + spacing/2 on the lattice */
-    return (s->in.material[b->material].horizon_ratio + (b->shape == SOLID_POINTS ? 0 : 0.5)) * s->in.spacing;
+    /* a family is |xi| < delta + spacing/2 on the lattice; in a plate it is that and more */
+    return b->least_horizon + (b->shape == SOLID_POINTS ? 0 : 0.5) * s->in.spacing;
 }
 
 int solid_contact_could_touch(const struct solid *s, const solid_contact_bounds *of, double reach) {

@@ -51,10 +51,10 @@ void solid_crossing_keep(struct solid_crossing *x) {
 
 void solid_crossing_update(const struct solid *s, struct solid_crossing *x) {
     for (int k = 0; k < x->sent; k++)
-        for (int c = 0; c < 3; c++) x->sent_d[k][c] = s->d[c][x->h[k]];
+        for (int c = 0; c < s->dim; c++) x->sent_d[k][c] = s->d[c][x->h[k]];
     par_exchange_forward(x->exchange, x->sent_d, x->arrived, sizeof *x->sent_d);
     for (int k = 0; k < x->served; k++)
-        for (int c = 0; c < 3; c++) x->d[c][k] = x->arrived[k][c];
+        for (int c = 0; c < s->dim; c++) x->d[c][k] = x->arrived[k][c];
 }
 
 void solid_crossing_free(struct solid_crossing *x) {

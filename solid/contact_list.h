@@ -8,6 +8,7 @@
 
 struct solid_lost;
 struct solid_strangers;
+struct solid_contact_springs; /* opaque */
 
 enum { SOLID_CONTACT_BODIES = 256 }; /* solid.body is a byte */
 
@@ -20,9 +21,9 @@ enum solid_contact_kind {
 };
 
 struct solid_contact_pairs {
-    int n, capacity;
+    int dim, n, capacity;
     int *h, *l;    /* [n] an owned particle and the other */
-    double *xi[3]; /* [n] X0_h - X0_l by the image that was nearest when listed, m */
+    double *xi[3]; /* [n] X0_h - X0_l by the image that was nearest when listed, m; two in a plate */
 };
 
 /* Of each body, lowest and negated highest: positions (0-5), displacements (6-11), m; 12: 0 if a bond has broken; 13: 0 if
@@ -44,8 +45,13 @@ struct solid_contact {
     /* strangers */
     struct solid_strangers *strangers;
     struct solid_crossing crossing;
-    double *tensor; /* [s->n][6] work of solid_contact_rate2 */
+    struct solid_contact_springs *springs; /* work of solid_contact_rate2 */
+    /* work of solid_contact_force: accelerations, [s->n] m/s2, as multiples of a quantum: sums are the same in any order */
+    double *push[3], quantum;
 };
+
+struct solid_contact_springs *solid_contact_springs_new(const struct solid *s);
+void solid_contact_springs_free(struct solid_contact_springs *springs);
 
 /* Not collective. */
 void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l, const double xi[3]);
@@ -69,6 +75,11 @@ int solid_contact_are_near(const struct solid *s, const double *a, const double 
 int solid_contact_could_touch(const struct solid *s, const solid_contact_bounds *of, double reach);
 /* How far apart two of the body that are not of one family were at least at the start, m. */
 double solid_contact_apart(const struct solid *s, int body);
+
+/* X0 of one particle less that of another, m, as the places of bonds are: to 2^-32 spacing, so that mirror images agree. */
+static inline double solid_contact_between(const struct solid *s, double x0, double other) {
+    return s->in.spacing * (0x1p-32 * __builtin_rint(0x1p32 * ((x0 - other) / s->in.spacing)));
+}
 
 /* The shortest of x and its images across periodic sides. */
 static inline double solid_contact_shortest(const struct solid *s, int c, double x) {

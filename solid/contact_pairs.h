@@ -15,7 +15,8 @@ static inline double *const *solid_contact_other_d(const struct solid *s, const 
 /* X_h - X_l of pair k now, m. */
 static inline void solid_contact_pair_x(const struct solid_contact_pairs *p, double *const d[3],
                                         double *const d_other[3], int k, double x[3]) {
-    for (int c = 0; c < 3; c++) x[c] = p->xi[c][k] + (d[c][p->h[k]] - d_other[c][p->l[k]]);
+    x[2] = 0;
+    for (int c = 0; c < p->dim; c++) x[c] = p->xi[c][k] + (d[c][p->h[k]] - d_other[c][p->l[k]]);
 }
 
 /* The pairs from .. from + SOLID_CONTACT_BLOCK - 1 nearer than reach, into found; returns how many. First all distances, which
@@ -27,7 +28,7 @@ static inline int solid_contact_pairs_touching(const struct solid_contact_pairs 
     const int *restrict h = p->h + from, *restrict l = p->l + from;
     double r2[SOLID_CONTACT_BLOCK];
     for (int k = 0; k < n; k++) r2[k] = 0;
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < p->dim; c++) {
         const double *restrict xi = p->xi[c] + from, *restrict dh = d[c], *restrict dl = d_other[c];
         for (int k = 0; k < n; k++) {
             const double x = xi[k] + (dh[h[k]] - dl[l[k]]);
@@ -57,6 +58,7 @@ static inline double solid_contact_other_volume(const struct solid *s, const str
 struct solid_contact_touch {
     int h, l;
     double x[3], r;         /* X_h - X_l m; its length, at least 1e-6 r_c so that nothing divides by 0 */
+    double radius;          /* r_c of the pair, m */
     double k;               /* k_c, N/m6 */
     double volume, density; /* of the other, m3, kg/m3 */
 };
@@ -71,5 +73,9 @@ solid_contact_touch_of(const struct solid *s, const struct solid_contact *c, int
     t.k = s->in.contact_stiffness * 0.5 * (c->c0[s->body[t.h]] + c->c0[body]);
     t.volume = solid_contact_other_volume(s, c, kind, t.l);
     t.density = c->density[body];
+    t.radius = c->radius;
+    if (s->refine) /* of the smaller one's cell */
+        t.radius *=
+            fmin(sqrt(fmin(t.volume, s->volume[t.h]) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
     return t;
 }

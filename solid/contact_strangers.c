@@ -5,6 +5,7 @@
 #include "solid/contact_list.h"
 #include "solid/contact_room.h"
 #include "solid/family.h"
+#include "solid/store.h"
 
 #include <math.h>
 #include <string.h>
@@ -63,7 +64,7 @@ static void meet(const struct solid *s, const struct solid_contact *c, struct so
     memset(t->mean, 0, (size_t)s->in.bodies * sizeof *t->mean);
     for (int h = 0; h < s->n; h++) {
         double *mean = t->mean[s->body[h]];
-        for (int k = 0; k < 3; k++) mean[k] += s->d[k][h];
+        for (int k = 0; k < s->dim; k++) mean[k] += s->d[k][h];
         mean[3]++;
     }
     par_sum_array(&t->mean[0][0], 4 * s->in.bodies);
@@ -102,7 +103,7 @@ static void box_add(struct box *box, const double x[3]) {
 static int does_seek(const struct solid *s, const struct solid_contact *c, const struct meeting *m, int h,
                      const double x[3]) {
     double way2 = 0;
-    for (int k = 0; k < 3; k++) way2 += (s->d[k][h] - m->still[k]) * (s->d[k][h] - m->still[k]);
+    for (int k = 0; k < s->dim; k++) way2 += (s->d[k][h] - m->still[k]) * (s->d[k][h] - m->still[k]);
     if (way2 >= m->way2) return 1;
     for (int k = 0; k < m->bodies; k++)
         if (is_near_box(s, x, c->bounds[m->body[k]], c->radius + c->skin)) return 1;
@@ -157,7 +158,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
             if (r == par_rank() ||
                 !(near_seekers || (t->seeks[h] && is_near_box(s, x, t->boxes[r][0].at, near))))
                 continue;
-            const struct solid_other it = {.x0 = {s->x0[0][h], s->x0[1][h], s->x0[2][h]},
+            const struct solid_other it = {.x0 = {s->x0[0][h], s->x0[1][h], s->dim > 2 ? s->x0[2][h] : 0},
                                            .x = {x[0], x[1], x[2]},
                                            .volume = s->volume[h],
                                            .id = (long)t->id[h],
@@ -176,7 +177,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
 static int is_family(const struct solid *s, const struct solid_strangers *t, int h, int body,
                      const double x0[3], long id) {
     if (body != s->body[h]) return 0;
-    if (s->in.body[body].shape != SOLID_POINTS) {
+    if (s->family->lattice[body]) {
         const double reach = solid_contact_apart(s, body);
         double r2 = 0;
         for (int c = 0; c < 3; c++) {
@@ -198,10 +199,11 @@ static void pair_add(const struct solid *s, struct solid_contact *c, const struc
     const double near = c->radius + c->skin;
     const int h = t->point[i], l = t->point[j], is_served = l >= s->n;
     double x0[3], xi[3], r2 = 0;
-    for (int k = 0; k < 3; k++) {
-        const double x = t->x[i][k] - t->x[j][k], nearest = solid_contact_shortest(s, k, x);
+    for (int k = 0; k < s->dim; k++) {
         x0[k] = is_served ? c->crossing.other[l - s->n].x0[k] : s->x0[k][l];
-        xi[k] = (s->x0[k][h] - x0[k]) - (x - nearest);
+        const double between = solid_contact_between(s, s->x0[k][h], x0[k]);
+        const double x = t->x[i][k] - t->x[j][k], nearest = solid_contact_shortest(s, k, x);
+        xi[k] = between - (x - nearest);
         r2 += nearest * nearest;
     }
     if (!(r2 < near * near)) return;

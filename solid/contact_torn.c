@@ -11,22 +11,22 @@ void solid_contact_pairs_add(struct solid_contact_pairs *p, int h, int l, const 
         int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
         p->h = solid_contact_room(p->h, &p->capacity, p->n + 1, sizeof *p->h);
         p->l = solid_contact_room(p->l, &capacity[0], p->n + 1, sizeof *p->l);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < p->dim; c++)
             p->xi[c] = solid_contact_room(p->xi[c], &capacity[1 + c], p->n + 1, sizeof *p->xi[c]);
     }
     p->h[p->n] = h;
     p->l[p->n] = l;
-    for (int c = 0; c < 3; c++) p->xi[c][p->n] = xi[c];
+    for (int c = 0; c < p->dim; c++) p->xi[c][p->n] = xi[c];
     p->n++;
 }
 
 /* Onto the list if h and l are nearer than reach. */
 static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
     double xi[3], r2 = 0;
-    for (int k = 0; k < 3; k++) {
-        const double eta = s->d[k][h] - s->d[k][l], x = (s->x0[k][h] - s->x0[k][l]) + eta;
-        const double nearest = solid_contact_shortest(s, k, x);
-        xi[k] = (s->x0[k][h] - s->x0[k][l]) - (x - nearest);
+    for (int k = 0; k < s->dim; k++) {
+        const double x0 = solid_contact_between(s, s->x0[k][h], s->x0[k][l]);
+        const double x = x0 + (s->d[k][h] - s->d[k][l]), nearest = solid_contact_shortest(s, k, x);
+        xi[k] = x0 - (x - nearest);
         r2 += nearest * nearest;
     }
     if (r2 < reach2)

@@ -4,5 +4,5 @@
 
 enum { SOLID_CURVE_BITS = 20 }; /* a coordinate's bits */
 
-/* Position along the curve of a brick with coordinates 0 .. 2^SOLID_CURVE_BITS - 1. */
-uint64_t solid_curve_key(const uint32_t brick[3]);
+/* Position along the curve, in 2 or 3 dimensions, of a brick with coordinates 0 .. 2^SOLID_CURVE_BITS - 1. */
+uint64_t solid_curve_key(const uint32_t *brick, int dim);

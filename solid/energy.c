@@ -1,29 +1,58 @@
 #include "base/par.h"
 #include "solid/family.h"
+#include "solid/list.h"
 #include "solid/measures.h"
 #include "solid/rows.h"
 #include "solid/segments.h"
 
 #include <math.h>
 
-/* Bonds' energies, sum of (1/2) alpha c0 s^2 |xi| Gamma V V, second of each from either end (001: eq. 3.23). Without the
- * factor c0 V_h/4:
- *
- *     sum over bonds of alpha s^2 |xi| Gamma V_l,    s = eps/(1 + sqrt(1 + eps)),  eps = (2 xi.eta + eta.eta)/|xi|^2  */
+/* Stretch of the b-th bond of h:  s = eps/(1 + sqrt(1 + eps)),  eps = (2 xi.eta + eta.eta)/|xi|^2 */
+static double stretch_of(const struct solid *s, int h, const struct solid_family_view *view, int b,
+                         double *length) {
+    double xi2 = 0, q = 0;
+    for (int c = 0; c < s->dim; c++) {
+        const double xi = view->xi[b][c], eta = s->d[c][view->l[b]] - s->d[c][h];
+        xi2 += xi * xi;
+        q += eta * (xi + (xi + eta));
+    }
+    const double eps = q / xi2;
+    *length = sqrt(xi2);
+    return eps / (1 + sqrt(1 + eps));
+}
+
+/* Half of the energy in each of h's bonds, (1/2) alpha c s^2 |xi| Gamma V_l V_h, over V_h, J/m3.  (001: eq. 3.23) */
 static double of_view(const struct solid *s, int h, const struct solid_family_view *view) {
     double sum = 0;
     for (int b = 0; b < view->n; b++) {
         if (!view->intact[b]) continue;
-        double xi2 = 0, q = 0;
-        for (int c = 0; c < 3; c++) {
-            const double xi = view->xi[b][c], eta = s->d[c][view->l[b]] - s->d[c][h];
-            xi2 += xi * xi;
-            q += eta * (xi + (xi + eta));
+        double length;
+        const double stretch = stretch_of(s, h, view, b, &length);
+        sum += view->alpha[b] * view->micro[b] * stretch * stretch * length * view->weight[b];
+    }
+    return 0.25 * sum;
+}
+
+/* The same of the i-th particle of a list, whose stiffness is alpha c Gamma V_l/(rho |xi|) with |xi| in spacings; *most: the largest
+ * stretch, -1 where no bond is left. */
+static double of_list(const struct solid *s, const struct solid_list *t, int i, double *most) {
+    const double scale = 1 / t->spacing;
+    double sum = 0;
+    *most = -1;
+    for (long j = t->start[i]; j < t->end[i]; j++) {
+        if (!solid_list_is_intact(t, j)) continue;
+        const int h = t->first + i, l = solid_list_other(t, j);
+        double xi[3], q = 0;
+        const double length = solid_list_steps(t, j, xi), xi2 = length * length;
+        for (int c = 0; c < t->dim; c++) {
+            const double eta = scale * (s->d[c][l] - s->d[c][h]);
+            q += eta * (xi[c] + (xi[c] + eta));
         }
         const double eps = q / xi2, stretch = eps / (1 + sqrt(1 + eps));
-        sum += view->alpha[b] * stretch * stretch * sqrt(xi2) * view->weight[b];
+        *most = fmax(*most, stretch);
+        sum += t->stiffness[j] * xi2 * stretch * stretch;
     }
-    return sum;
+    return 0.25 * t->law.density * t->spacing * sum;
 }
 
 static const double small_eps = 1. / 256; /* below it the series for s^2 is exact to 1e-15 */
@@ -45,13 +74,14 @@ static inline vec square_of_stretch(vec e, int small) {
 static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *t, long cell, int n,
                                                           const uint32_t *entry, int bulk, int small,
                                                           vec *largest) {
-    const vec x = vec_load(t->d[0] + cell), y = vec_load(t->d[1] + cell), z = vec_load(t->d[2] + cell);
-    const vec w = vec_load(t->w + cell);
+    const long at = solid_lattice_place(t, cell);
+    const vec x = vec_load(t->d[0] + at), y = vec_load(t->d[1] + at), z = vec_load(t->d[2] + at);
+    const vec w = vec_load(t->w + at);
     vec sum = vec_set(0);
     for (int i = 0; i < n; i++) {
         const struct solid_lattice_offset *bond = &t->offset[entry[i] >> 8];
         const struct solid_offset *from = &t->stencil->offset[entry[i] >> 8];
-        const long far = cell + bond->shift;
+        const long far = solid_lattice_place(t, cell + bond->shift);
         const vec ex = vec_load(t->d[0] + far) - x, ey = vec_load(t->d[1] + far) - y,
                   ez = vec_load(t->d[2] + far) - z;
         const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
@@ -98,22 +128,40 @@ static double of_lattice(const struct solid *s, const struct solid_lattice *t) {
 }
 
 struct solid_energy solid_measure_energy(struct solid *s) {
-    struct solid_family_view view;
     double sum[2] = {0, 0};
     solid_ghosts_update(s);
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_material *material = &s->in.material[s->in.body[b].material];
-        const double c0 = solid_micromodulus(material, s->in.spacing);
+        const struct solid_list *list = s->family->list[b];
         if (s->family->lattice[b]) sum[1] += of_lattice(s, s->family->lattice[b]);
         for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++) {
             double v2 = 0;
-            for (int c = 0; c < 3; c++) v2 += s->v[c][h] * s->v[c][h];
+            for (int c = 0; c < s->dim; c++) v2 += s->v[c][h] * s->v[c][h];
             sum[0] += 0.5 * material->density * s->volume[h] * v2;
-            if (s->family->lattice[b]) continue;
-            solid_family_view(s, h, &view);
-            sum[1] += 0.25 * c0 * s->volume[h] * of_view(s, h, &view);
+            if (!list) continue;
+            double most;
+            sum[1] += s->volume[h] * of_list(s, list, h - list->first, &most);
         }
     }
     par_sum_array(sum, 2);
     return (struct solid_energy){sum[0], sum[1]};
+}
+
+void solid_measure_bonds_of(const struct solid *s, int h, double *energy, double *stretch) {
+    struct solid_family_view view;
+    double length;
+    const struct solid_list *list = s->family->list[s->body[h]];
+    if (list) {
+        *energy = of_list(s, list, h - list->first, stretch);
+        return;
+    }
+    solid_family_view(s, h, &view);
+    *energy = of_view(s, h, &view);
+    *stretch = -1;
+    for (int b = 0; b < view.n; b++)
+        if (view.intact[b]) *stretch = fmax(*stretch, stretch_of(s, h, &view, b, &length));
+}
+
+void solid_measure_bonds(const struct solid *s, double *energy, double *stretch) {
+    for (int h = 0; h < s->n; h++) solid_measure_bonds_of(s, h, &energy[h], &stretch[h]);
 }

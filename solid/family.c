@@ -30,7 +30,8 @@ static void view_lattice(const struct solid_lattice *t, int h, struct solid_fami
         view->l[n] = t->local[other];
         for (int c = 0; c < 3; c++) view->xi[n][c] = bond->xi[c];
         view->weight[n] = bond->weight;
-        view->alpha[n] = 2 / (t->w[cell] + t->w[other]);
+        view->alpha[n] = 2 / (*solid_lattice_w(t, cell) + *solid_lattice_w(t, other));
+        view->micro[n] = t->law.c0;
         view->intact[n] = lambda[o] >> cell % ROW & 1;
         n++;
     }
@@ -39,14 +40,15 @@ static void view_lattice(const struct solid_lattice *t, int h, struct solid_fami
 
 static void view_list(const struct solid_list *t, int h, struct solid_family_view *view) {
     const long start = t->start[h - t->first];
-    view->n = (int)(t->start[h - t->first + 1] - start);
+    view->n = (int)(t->end[h - t->first] - start);
     for (int b = 0; b < view->n; b++) {
         const long j = start + b;
-        view->l[b] = solid_list_local(t, t->record[j]);
-        solid_list_xi(t, h, j, view->xi[b]);
-        view->weight[b] = t->weight[j];
+        view->l[b] = solid_list_other(t, j);
+        solid_list_xi(t, j, view->xi[b]);
+        view->weight[b] = solid_list_weight(t, h, j);
         view->alpha[b] = solid_list_alpha(t, h, j);
-        view->intact[b] = t->intact[j];
+        view->micro[b] = solid_list_micromodulus(t, h, j);
+        view->intact[b] = (uint8_t)solid_list_is_intact(t, j);
     }
 }
 
@@ -72,9 +74,9 @@ void solid_family_break(struct solid *s, int h, int b) {
     } else {
         struct solid_list *t = f->list[s->body[h]];
         const long j = t->start[h - t->first] + b, reverse = solid_list_reverse(t, h, j);
-        l = solid_list_local(t, t->record[j]);
-        t->intact[j] = 0;
-        if (reverse >= 0) t->intact[reverse] = 0;
+        l = solid_list_other(t, j);
+        solid_list_set(t, j, 0);
+        if (reverse >= 0) solid_list_set(t, reverse, 0);
     }
     s->flag[h] |= SOLID_BROKEN;
     if (l < s->n) s->flag[l] |= SOLID_BROKEN;
@@ -99,8 +101,8 @@ void solid_family_save(const struct solid *s, int h, uint8_t *bits) {
         }
     } else {
         const struct solid_list *t = f->list[s->body[h]];
-        for (long j = t->start[h - t->first]; j < t->start[h - t->first + 1]; j++, b++)
-            bits[b / 8] |= (uint8_t)(t->intact[j] << b % 8);
+        for (long j = t->start[h - t->first]; j < t->end[h - t->first]; j++, b++)
+            bits[b / 8] |= (uint8_t)(solid_list_is_intact(t, j) << b % 8);
     }
 }
 
@@ -120,10 +122,11 @@ void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
             b++;
         }
     } else {
-        const struct solid_list *t = f->list[s->body[h]];
-        for (long j = t->start[h - t->first]; j < t->start[h - t->first + 1]; j++, b++) {
-            t->intact[j] = bits[b / 8] >> b % 8 & 1;
-            lost += !t->intact[j];
+        struct solid_list *t = f->list[s->body[h]];
+        for (long j = t->start[h - t->first]; j < t->end[h - t->first]; j++, b++) {
+            const int intact = bits[b / 8] >> b % 8 & 1;
+            solid_list_set(t, j, intact);
+            lost += !intact;
         }
     }
     if (lost)
@@ -159,7 +162,7 @@ void solid_count_bonds(struct solid *s) {
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_lattice *t = f->lattice[b];
         intact += t ? count_bits(t->lambda, (size_t)t->rows * (size_t)t->stencil->n)
-                    : count_bits(f->list[b]->intact, (size_t)f->list[b]->bonds);
+                    : solid_list_intact(f->list[b]);
     }
     s->bonds_broken = s->bonds_total - par_sum_long(intact) / 2;
 }

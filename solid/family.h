@@ -9,11 +9,13 @@
 enum { SOLID_FAMILY_MAX = 512 };
 
 struct solid_family_view {
-    int n;                            /* bonds in the family as made, broken ones included */
-    int l[SOLID_FAMILY_MAX];          /* local index of the other end (owned or ghost) */
-    double xi[SOLID_FAMILY_MAX][3];   /* X0_l - X0_h, across periodic sides, m */
-    double weight[SOLID_FAMILY_MAX];  /* Gamma_hl V_l, m3 */
-    double alpha[SOLID_FAMILY_MAX];   /* surface correction, symmetric */
+    int n;                           /* bonds in the family as made, broken ones included */
+    int l[SOLID_FAMILY_MAX];         /* local index of the other end (owned or ghost) */
+    double xi[SOLID_FAMILY_MAX][3];  /* X0_l - X0_h, across periodic sides, m; z of a plate is 0 */
+    double weight[SOLID_FAMILY_MAX]; /* Gamma_hl V_l, m3 */
+    double alpha[SOLID_FAMILY_MAX];  /* surface correction, symmetric */
+    double micro
+        [SOLID_FAMILY_MAX]; /* micromodulus c of the bond, N/m6: its force on h is alpha c s Gamma V per volume */
     uint8_t intact[SOLID_FAMILY_MAX]; /* lambda */
 };
 

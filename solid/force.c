@@ -56,7 +56,7 @@ void solid_force_loads(struct solid *s, double *const bonds[3], double damping_a
     for (int b = 0; b < f->bodies; b++) {
         const double density = s->in.material[s->in.body[b].material].density;
         const int from = f->first[b], n = f->first[b + 1] - from;
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < s->dim; c++) {
             const struct powers power =
                 add_loads(n, density, s->in.body_force[c], damping_absolute, s->volume + from,
                           s->load[c] + from, s->v[c] + from, bonds[c] + from, s->a[c] + from);

@@ -22,17 +22,18 @@ struct sweep {
 /* One component of a field into its box: of the particles owned here and their periodic images; of ghosts. */
 static void fill_owned(const struct solid_lattice *b, const double *restrict from, double *restrict box) {
     for (int r = 0; r < b->rows; r++)
-        vec_store(box + b->row_cell[r], vec_spread(b->row_owned[r], from + b->row_first[r]));
-    for (int i = b->ghosts; i < b->away; i++) box[b->copy_cell[i]] = from[b->copy_local[i]];
+        vec_store(box + solid_lattice_place(b, b->row_cell[r]),
+                  vec_spread(b->row_owned[r], from + b->row_first[r]));
+    for (int i = b->ghosts; i < b->away; i++) box[b->copy_at[i]] = from[b->copy_local[i]];
 }
 
 static void fill_ghosts(const struct solid_lattice *b, const double *restrict from, double *restrict box) {
-    for (int i = 0; i < b->ghosts; i++) box[b->copy_cell[i]] = from[b->copy_local[i]];
+    for (int i = 0; i < b->ghosts; i++) box[b->copy_at[i]] = from[b->copy_local[i]];
 }
 
 static void clear(const struct solid_lattice *b, double *restrict box) {
-    for (int r = 0; r < b->rows; r++) vec_store(box + b->row_cell[r], vec_set(0));
-    for (int i = 0; i < b->away; i++) box[b->copy_cell[i]] = 0;
+    for (int r = 0; r < b->rows; r++) vec_store(box + solid_lattice_place(b, b->row_cell[r]), vec_set(0));
+    for (int i = 0; i < b->away; i++) box[b->copy_at[i]] = 0;
 }
 
 /* The offsets' numbers with the damping in them and, behind, the same with all forces turned about. */
@@ -62,10 +63,12 @@ static int break_bond(struct solid *s, struct solid_lattice *b, long cell, int o
     const long far = cell + b->offset[o].shift;
     const int h = b->local[cell], l = b->local[far];
     double eta[3];
-    for (int c = 0; c < 3; c++) eta[c] = b->d[c][far] - b->d[c][cell];
+    for (int c = 0; c < 3; c++)
+        eta[c] = b->d[c][solid_lattice_place(b, far)] - b->d[c][solid_lattice_place(b, cell)];
     const double eps = bond_eps(t->xi, eta, t->inv_length2);
     if (!(eps > b->law.eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
-    const double stretch = eps / (1 + sqrt(1 + eps)), alpha = 2 / (b->w[cell] + b->w[far]);
+    const double stretch = eps / (1 + sqrt(1 + eps)),
+                 alpha = 2 / (*solid_lattice_w(b, cell) + *solid_lattice_w(b, far));
     const double volume = b->stencil->spacing * b->stencil->spacing * b->stencil->spacing;
     const double energy = 0.25 * b->law.c0 * alpha * stretch * stretch * t->length * t->weight * volume;
     const int home = l >= b->first && l < b->first + b->n && b->cell[l - b->first] == far;
@@ -159,6 +162,7 @@ double solid_lattice_force_end(struct solid *s, struct solid_lattice *b, const s
     const double power = sweep_segments(s, b, sweep, b->segments->inner, b->segments->n);
     for (int c = 0; c < 3; c++)
         for (int r = 0; r < b->rows; r++)
-            vec_press(b->row_owned[r], vec_load(b->f[c] + b->row_cell[r]), s->a[c] + b->row_first[r]);
+            vec_press(b->row_owned[r], vec_load(b->f[c] + solid_lattice_place(b, b->row_cell[r])),
+                      s->a[c] + b->row_first[r]);
     return power;
 }

@@ -27,24 +27,29 @@ static inline __attribute__((always_inline)) struct solid_range segment(const st
                                                                         double *power) {
     const uint32_t *entry = t->entry + t->first[g];
     const uint16_t *count = t->count[g];
-    const long cell = t->cell[g];
+    const int *far = t->far + t->first[g];
+    const long at = t->at[g];
     struct wide_result wide = {vec_set(0), vec_set(0), vec_set(0)};
     struct narrow_result narrow = {vec4_set(0), vec4_set(0), vec4_set(0)};
     struct solid_range range = {0, 0};
     if (VEC_IS_NATIVE) {
-        wide_strip(in, cell, entry, count[0], &wide, kernel, 1);
+        wide_strip(in, at, entry, far, count[0], &wide, kernel, 1);
         entry += count[0];
-        if (count[1]) wide_strip(in, cell, entry, count[1], &wide, kernel, 0);
+        far += count[0];
+        if (count[1]) wide_strip(in, at, entry, far, count[1], &wide, kernel, 0);
         entry += count[1];
+        far += count[1];
         range = (struct solid_range){vec_highest(wide.high), vec_lowest(wide.low)};
         if (kernel & KERNEL_DAMPED) *power += vec_sum(wide.power);
     }
     for (int strip = 2; strip < SOLID_STRIPS; strip += 2) {
-        const long from = cell + solid_strip_site(strip);
-        if (count[strip]) narrow_strip(in, from, entry, count[strip], &narrow, kernel, 1);
+        const long from = at + solid_strip_site(strip);
+        if (count[strip]) narrow_strip(in, from, entry, far, count[strip], &narrow, kernel, 1);
         entry += count[strip];
-        if (count[strip + 1]) narrow_strip(in, from, entry, count[strip + 1], &narrow, kernel, 0);
+        far += count[strip];
+        if (count[strip + 1]) narrow_strip(in, from, entry, far, count[strip + 1], &narrow, kernel, 0);
         entry += count[strip + 1];
+        far += count[strip + 1];
     }
     if (kernel & KERNEL_DAMPED) *power += vec4_sum(narrow.power);
     const double high = vec4_highest(narrow.high), low = vec4_lowest(narrow.low);

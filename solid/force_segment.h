@@ -3,7 +3,7 @@
 #include "solid/lattice.h"
 #include "solid/segments.h"
 
-/* What the kernels work on: dense boxes, at their first site. */
+/* What the kernels work on: boxes, at their first place. */
 struct solid_boxes {
     const double *d[3], *v[3], *w;             /* displacement m, velocity m/s, V/V0 */
     double *a[3];                              /* m/s2, added to */

@@ -27,28 +27,27 @@ static inline REAL NAME(inverse)(REAL e, const int exact) {
  *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
  *     a_l -= the same                                   the paired ones' reaction
- * d, v, w, a  dense boxes  m, m/s, -, m/s2    entry [n]  of the strip that starts at cell */
+ * d, v, w, a  boxes  m, m/s, -, m/s2    entry, other [n]  of the strip that stands at `at`: what bonds, and where to */
 static inline __attribute__((always_inline)) void
-NAME(strip)(const struct solid_boxes *in, long cell, const uint32_t *entry, int n, struct NAME(result) * out,
-            const enum solid_kernel kernel, const int paired) {
+NAME(strip)(const struct solid_boxes *in, long at, const uint32_t *entry, const int *other, int n,
+            struct NAME(result) * out, const enum solid_kernel kernel, const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0;
     const struct solid_boxes box = *in; /* a copy: no store to a box can change it */
-    for (int place = 0; place < PLACES; place += LANES, cell += LANES) {
-        const REAL dx = OF(load)(box.d[0] + cell), dy = OF(load)(box.d[1] + cell),
-                   dz = OF(load)(box.d[2] + cell);
+    for (int place = 0; place < PLACES; place += LANES, at += LANES) {
+        const REAL dx = OF(load)(box.d[0] + at), dy = OF(load)(box.d[1] + at), dz = OF(load)(box.d[2] + at);
         REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
         REAL high = out->high, low = out->low;
-        if (!bulk) w = OF(load)(box.w + cell);
+        if (!bulk) w = OF(load)(box.w + at);
         if (damped) {
-            vx = OF(load)(box.v[0] + cell);
-            vy = OF(load)(box.v[1] + cell);
-            vz = OF(load)(box.v[2] + cell);
+            vx = OF(load)(box.v[0] + at);
+            vy = OF(load)(box.v[1] + at);
+            vz = OF(load)(box.v[2] + at);
         }
         for (int i = 0; i < n; i++) {
             const struct solid_lattice_offset *t = &box.offset[entry[i] >> 8];
             const unsigned lambda = (entry[i] & 0xffu) >> place;
-            const long far = cell + t->shift;
+            const long far = other[i] + place;
             const REAL ex = OF(load)(box.d[0] + far) - dx;
             const REAL ey = OF(load)(box.d[1] + far) - dy;
             const REAL ez = OF(load)(box.d[2] + far) - dz;
@@ -82,8 +81,8 @@ NAME(strip)(const struct solid_boxes *in, long cell, const uint32_t *entry, int 
         out->low = low;
         if (judge) continue;
         out->power += paired ? 2 * power : power;
-        OF(store)(box.a[0] + cell, OF(load)(box.a[0] + cell) + ax);
-        OF(store)(box.a[1] + cell, OF(load)(box.a[1] + cell) + ay);
-        OF(store)(box.a[2] + cell, OF(load)(box.a[2] + cell) + az);
+        OF(store)(box.a[0] + at, OF(load)(box.a[0] + at) + ax);
+        OF(store)(box.a[1] + at, OF(load)(box.a[1] + at) + ay);
+        OF(store)(box.a[2] + at, OF(load)(box.a[2] + at) + az);
     }
 }

@@ -64,9 +64,10 @@ static void join_lattice(const struct solid_lattice *t, int *parent) {
 
 static void join_list(const struct solid_list *t, int *parent) {
     for (int i = 0; i < t->n; i++)
-        for (long j = t->start[i]; j < t->start[i + 1]; j++) {
-            const int l = solid_list_local(t, t->record[j]);
-            if (t->intact[j] && parent[t->first + i] != parent[l]) join(parent, t->first + i, l);
+        for (long j = t->start[i]; j < t->end[i]; j++) {
+            const int l = solid_list_other(t, j);
+            if (solid_list_is_intact(t, j) && parent[t->first + i] != parent[l])
+                join(parent, t->first + i, l);
         }
 }
 
@@ -149,7 +150,7 @@ static struct solid_fragment *parts(const struct solid *s, const double *label, 
         f->particles++;
         f->mass += mass;
         f->held |= (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) != 0;
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < s->dim; c++) {
             f->x[c] += mass * (s->x0[c][h] + s->d[c][h]);
             f->v[c] += mass * s->v[c][h];
         }

@@ -24,17 +24,23 @@ struct krylov {
 static void swap_whole(struct solid *s, uint8_t **other) {
     struct solid_family *f = s->family;
     for (int b = 0; b < f->bodies; b++) {
-        uint8_t **bonds = f->lattice[b] ? &f->lattice[b]->lambda : &f->list[b]->intact, *t = *bonds;
+        if (f->list[b]) {
+            solid_list_swap(f->list[b], other[b]);
+            continue;
+        }
+        uint8_t **bonds = &f->lattice[b]->lambda, *t = *bonds;
         *bonds = other[b];
         other[b] = t;
-        if (f->lattice[b]) solid_lattice_changed_all(f->lattice[b]);
+        solid_lattice_changed_all(f->lattice[b]);
     }
 }
 
 static uint8_t *whole_new(const struct solid_family *f, int b) {
-    if (f->list[b]) {
-        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)f->list[b]->bonds + SOLID_LIST_SLACK, 1);
-        memset(intact, 1, (size_t)f->list[b]->bonds);
+    const struct solid_list *list = f->list[b];
+    if (list) {
+        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)list->room + SOLID_LIST_BLOCK, 1);
+        for (int i = 0; i < list->n; i++)
+            memset(intact + list->start[i], 1, (size_t)(list->end[i] - list->start[i]));
         return intact;
     }
     const struct solid_lattice *t = f->lattice[b];
@@ -47,7 +53,7 @@ static double product(const struct solid *s, double *const x[3], double *const y
     double sum = 0;
     for (int h = 0; h < s->n; h++) {
         const double mass = solid_density(s, h) * s->volume[h];
-        for (int c = 0; c < 3; c++) sum += mass * x[c][h] * y[c][h];
+        for (int c = 0; c < s->dim; c++) sum += mass * x[c][h] * y[c][h];
     }
     return par_sum(sum);
 }
@@ -60,18 +66,18 @@ struct operator{
 /* a = (stiffness K + damping D) u/m by one sweep turned about, at displacements so small (1e-7 spacings) that bonds are linear. */
 static void apply(struct solid *s, double *const u[3], struct operator of) {
     double most = 0;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) most = fmax(most, fabs(u[c][h]));
     const double scale = 1e-7 * s->in.spacing / par_max(most);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             s->d[c][h] = of.stiffness * scale * u[c][h];
             s->v[c][h] = of.damping * scale * u[c][h];
         }
-    par_ghost_update(s->ghost, 3, s->d, s->n);
-    if (of.damping != 0) par_ghost_update(s->ghost, 3, s->v, s->n);
+    par_ghost_update(s->ghost, s->dim, s->d, s->n);
+    if (of.damping != 0) par_ghost_update(s->ghost, s->dim, s->v, s->n);
     solid_force_bonds(s, 0, of.damping != 0 ? s->stage.damping_relative : 0);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
 }
 
@@ -93,17 +99,17 @@ static double start_value(long id, int c) { /* the same on any number of ranks *
 /* The largest eigenvalue, at least 0. */
 static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
     double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0, norm;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++)
             k->u[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : start_value(s->first[par_rank()] + h, c);
     norm = sqrt(product(s, k->u, k->u));
     if (!(norm > 0)) return 0; /* all held */
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
     for (int i = 0; i < ITERATIONS; i++) {
         apply(s, k->u, of);
         diagonal[i] = product(s, k->u, s->a);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++)
                 s->a[c][h] -= diagonal[i] * k->u[c][h] + (i ? beside[i - 1] * k->before[c][h] : 0);
         beside[i] = sqrt(product(s, s->a, s->a));
@@ -111,7 +117,7 @@ static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
         eigenvalue = largest_eigenvalue(i + 1, diagonal, beside);
         if (i >= 10 && fabs(eigenvalue - last) < ENOUGH * eigenvalue) break;
         if (!(beside[i] > 1e-10 * eigenvalue)) break; /* the whole space has been seen */
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++) {
                 k->before[c][h] = k->u[c][h];
                 k->u[c][h] = s->a[c][h] / beside[i];
@@ -126,7 +132,7 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     double *d[3], *v[3];
     uint8_t **whole = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *whole);
     for (int b = 0; b < f->bodies; b++) whole[b] = whole_new(f, b);
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < s->dim; c++) {
         k.u[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
         k.before[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
         d[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
@@ -149,7 +155,7 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     s->a_holds = 0;
     for (int b = 0; b < f->bodies; b++) memory_free(whole[b]);
     memory_free(whole);
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < s->dim; c++) {
         memcpy(s->d[c], d[c], (size_t)s->n * sizeof(double));
         memcpy(s->v[c], v[c], (size_t)s->n * sizeof(double));
         memset(s->a[c], 0, (size_t)s->n * sizeof(double));
@@ -158,8 +164,8 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
         memory_free(d[c]);
         memory_free(v[c]);
     }
-    par_ghost_update(s->ghost, 3, s->d, s->n);
-    par_ghost_update(s->ghost, 3, s->v, s->n);
+    par_ghost_update(s->ghost, s->dim, s->d, s->n);
+    par_ghost_update(s->ghost, s->dim, s->v, s->n);
 }
 
 double solid_stable_step(struct solid *s, enum solid_integrator integrator) {

@@ -2,8 +2,10 @@
 #pragma once
 #include "solid/solid.h"
 
-void solid_rk3_step(struct solid *s, double dt);    /* Collective. */
-void solid_verlet_begin(struct solid *s);           /* a(t_n), anew unless it is still right. Collective. */
+void solid_rk3_step(struct solid *s, double dt); /* Collective. */
+void solid_verlet_begin(struct solid *s);        /* a(t_n), anew unless it is still right. Collective. */
+void solid_verlet_again(
+    struct solid *s); /* a(t_n) with other loads and imposed velocities. Not collective. */
 void solid_verlet_step(struct solid *s, double dt); /* Collective. */
 void solid_verlet_end(struct solid *s);             /* Not collective. */
 /* Within a sweep: v_old becomes the present a, the part that depends on d and on differences of v alone; a is scratch until

@@ -134,11 +134,26 @@ static void active_new(struct solid_lattice *b) {
     }
 }
 
+/* Rows that follow each other on a line do so in the boxes; a run that begins in a row that is not held ends in one that is. */
+static void places_new(struct solid_lattice *b) {
+    const long rows = b->sites / ROW;
+    b->place = solid_array((size_t)rows, sizeof *b->place);
+    b->places = ROW;
+    for (long r = 0; r < rows; r++) {
+        if (neighbours(b->local, ROW * r)) {
+            b->place[r] = (int)b->places;
+            b->places += ROW;
+        } else {
+            b->place[r] = (int)b->places - ROW; /* its last sites are before those of the next row */
+        }
+    }
+}
+
 /* The boxes of doubles stand one behind another, a step apart that leaves no two at the same place of a page: what is loaded
  * and stored together would share the cache's sets and be taken for one another. */
 static void fields_new(struct solid_lattice *b) {
     enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
-    size_t step = (size_t)b->sites + 2 * ROW;
+    size_t step = (size_t)b->places + 2 * ROW;
     step += (PAGE + PLACE - step % PAGE) % PAGE;
     double *field = b->field = solid_array(10 * step, sizeof *field);
     double **const of[] = {&b->d[0], &b->d[1], &b->d[2], &b->w,    &b->f[0],
@@ -163,9 +178,10 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     b->row_of = solid_array(sites / ROW, sizeof *b->row_of);
     memset(b->row_of, 0xff, (sites / ROW) * sizeof *b->row_of);
     b->local = solid_array(sites, sizeof *b->local);
-    fields_new(b);
     rows_new(b, t, from, to);
     bonds_new(b, t);
+    places_new(b);
+    fields_new(b);
     active_new(b);
     return b;
 }
@@ -173,9 +189,10 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
 void solid_lattice_free(struct solid_lattice *b) {
     if (!b) return;
     solid_segments_free(b->segments);
-    void *owned[] = {b->row_active, b->active, b->row_cell,  b->row_first,  b->row_owned,
-                     b->row_bulk,   b->lambda, b->offset,    b->row_of,     b->cell,
-                     b->local,      b->field,  b->copy_cell, b->copy_local, b};
+    void *owned[] = {b->row_active, b->active,   b->row_cell,   b->row_first,
+                     b->row_owned,  b->row_bulk, b->lambda,     b->offset,
+                     b->row_of,     b->cell,     b->local,      b->field,
+                     b->place,      b->copy_at,  b->copy_local, b};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
@@ -197,7 +214,7 @@ long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_site
 void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
                         const struct solid_numbering *numbering) {
     for (long cell = 0; cell < b->sites; cell++) b->copies += b->local[cell] == NEEDED;
-    b->copy_cell = solid_array((size_t)b->copies, sizeof *b->copy_cell);
+    b->copy_at = solid_array((size_t)b->copies, sizeof *b->copy_at);
     b->copy_local = solid_array((size_t)b->copies, sizeof *b->copy_local);
     const int owned = (int)(numbering->to - numbering->from);
     int home = b->copies - b->n, image = home;
@@ -209,7 +226,7 @@ void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
         ENSURE(h >= 0, "site %d %d %d is not known here", site[0], site[1], site[2]);
         const int is_home = h >= b->first && h < b->first + b->n && b->cell[h - b->first] == cell;
         const int i = is_home ? home++ : h < owned ? --image : b->ghosts++;
-        b->copy_cell[i] = (int)cell;
+        b->copy_at[i] = (int)solid_lattice_place(b, cell);
         b->copy_local[i] = h;
     }
     ENSURE(home == b->copies, "%d places for %d particles", home, b->n);
@@ -234,23 +251,22 @@ void solid_lattice_volumes(const struct solid_lattice *b, double *family_volume)
 }
 
 void solid_lattice_weights(struct solid_lattice *b, const double *family_volume, int surface_correction) {
+    for (long i = 0; i < b->places + ROW; i++) b->w[i] = 1; /* what has no bonds too: no division by 0 */
     for (int i = 0; i < b->copies; i++)
-        b->w[b->copy_cell[i]] =
-            surface_correction ? family_volume[b->copy_local[i]] / b->stencil->full_volume : 1;
+        if (surface_correction && family_volume[b->copy_local[i]] > 0)
+            b->w[b->copy_at[i]] = family_volume[b->copy_local[i]] / b->stencil->full_volume;
     for (int r = 0; r < b->rows; r++) {
         b->row_bulk[r] = 1;
         for (int k = 0; k < ROW; k++) {
             const int cell = b->row_cell[r] + k;
             if (!(b->row_owned[r] >> k & 1)) continue;
-            if (b->w[cell] != 1) b->row_bulk[r] = 0;
+            if (*solid_lattice_w(b, cell) != 1) b->row_bulk[r] = 0;
             for (int o = 0; o < b->stencil->n; o++) {
                 const long other = cell + b->offset[o].shift;
-                if (b->local[other] != NOTHING && b->w[other] != 1) b->row_bulk[r] = 0;
+                if (b->local[other] != NOTHING && *solid_lattice_w(b, other) != 1) b->row_bulk[r] = 0;
             }
         }
     }
-    for (long cell = 0; cell < b->sites; cell++)
-        if (b->local[cell] == NOTHING) b->w[cell] = 1; /* of no consequence, but not a division by 0 */
     solid_segments_weigh(b);
 }
 

@@ -1,8 +1,11 @@
-/* The fast store: rows of eight lattice sites along x. A rank holds a dense box around its part of a body, with the
- * family's reach as margin; the neighbours of a row at one offset are then eight consecutive numbers.
+/* The fast store: rows of eight lattice sites along x. A rank numbers the sites of a box around its part of a body, with the
+ * family's reach as margin; the neighbours of a row at one offset are then eight consecutive sites.
  *
  *      site      . . . . . . . . | h h h h h h h h | . . . . . . . .      row of h
  *      offset -2             l l | l l l l l l                            unaligned load at h - 2
+ *
+ * Doubles stand in boxes of those rows alone that hold a particle or a neighbour of one, in the same order. There such a run
+ * is eight consecutive numbers, too; lanes of sites that no bond asks for hold something, a number of another place.
  *
  * Setup order: new, wanted (then ghosts are made), link, volumes (then exchanged), weights. */
 #pragma once
@@ -41,15 +44,26 @@ struct solid_lattice {
     int *cell;                           /* [n] dense index */
     int copies;                          /* particles and images in the box */
     int ghosts, away;                    /* of them, in this order: ghosts, images (up to away), the others */
-    int *copy_cell, *copy_local;
-    int *local;          /* [sites] local index, or -1: no particle that matters here */
+    int *copy_at, *copy_local;           /* [copies] where it stands in the boxes; local index */
+    int *local;                          /* [sites] local index, or -1: no particle that matters here */
+    int *place;          /* [sites/8] where a row stands in the boxes, or the part of it in the next row */
+    long places;         /* where the last row ends */
     double *field;       /* the boxes that follow */
-    double *d[3], *v[3]; /* [sites] copies for a sweep, 0 where there is no particle */
-    double *f[3];        /* [sites] the sweep's accelerations, m/s2 */
-    double *w;           /* [sites] V_h/V0, or 1 without surface correction: alpha = 2/(w_h + w_l) */
+    double *d[3], *v[3]; /* [places + 8] copies for a sweep, 0 where there is no particle */
+    double *f[3];        /* [places + 8] the sweep's accelerations, m/s2 */
+    double *w;           /* [places + 8] V_h/V0, or 1 without surface correction: alpha = 2/(w_h + w_l) */
     struct solid_segments
         *segments; /* the sweep's own order of the bonds (solid/segments.h), made from lambda */
 };
+
+/* Where a run of up to eight sites from the cell on stands in the boxes. */
+static inline long solid_lattice_place(const struct solid_lattice *lattice, long cell) {
+    return lattice->place[cell / 8] + cell % 8;
+}
+
+static inline double *solid_lattice_w(const struct solid_lattice *lattice, long cell) {
+    return lattice->w + solid_lattice_place(lattice, cell);
+}
 
 struct solid_lattice *solid_lattice_new(const struct solid_sites *sites, const struct solid_stencil *stencil,
                                         struct solid_law law, long from, long to, int first);

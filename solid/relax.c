@@ -3,6 +3,7 @@
 #include "solid/constraint.h"
 #include "solid/contact.h"
 #include "solid/force.h"
+#include "solid/load.h"
 
 #include <math.h>
 
@@ -25,7 +26,7 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
     double sum[5] = {0};
     for (int h = 0; h < s->n; h++) {
         const double density = solid_density(s, h), mass = density * s->volume[h];
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < s->dim; c++) {
             const double force = s->volume[h] * (s->load[c][h] + density * s->in.body_force[c]);
             if (s->flag[h] & SOLID_HELD_X << c) continue;
             const double u = s->d[c][h] - start[c][h];
@@ -38,7 +39,7 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
     sum[2] = solid_constraint_apply(s);
     for (int h = 0; h < s->n; h++) {
         const double mass = solid_density(s, h) * s->volume[h];
-        for (int c = 0; c < 3; c++) sum[0] += mass * s->a[c][h] * mass * s->a[c][h];
+        for (int c = 0; c < s->dim; c++) sum[0] += mass * s->a[c][h] * mass * s->a[c][h];
     }
     par_sum_array(sum, 5);
     return (struct sums){sum[0], sum[1], sum[2], sum[3], sum[4]};
@@ -46,7 +47,7 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
 
 static int relax(struct solid *s, double tolerance, int max_steps, double *const start[3]) {
     const double dt = OF_STABLE_STEP * solid_stable_step(s, SOLID_VERLET);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             s->v[c][h] = 0;
             start[c][h] = s->d[c][h];
@@ -57,7 +58,7 @@ static int relax(struct solid *s, double tolerance, int max_steps, double *const
         if (!isfinite(sum.residual2)) return -1;
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++) {
                 s->v[c][h] = keep * s->v[c][h] + gain * s->a[c][h];
                 s->d[c][h] += dt * s->v[c][h];
@@ -68,10 +69,14 @@ static int relax(struct solid *s, double tolerance, int max_steps, double *const
 
 int solid_relax(struct solid *s, double tolerance, int max_steps) {
     clock_begin(CLOCK_SOLID);
+    const double put_in = s->e_constraint;
+    solid_constraint_displacement(s, s->t);
+    solid_given_set(s, s->t, 0);
     const int steps = relax(s, tolerance, max_steps, s->v_old);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) s->v[c][h] = 0;
-    solid_constraint_velocity(s);
+    solid_constraint_velocity(s, s->t, 0);
+    s->e_constraint = put_in;
     solid_ghosts_update(s);
     s->a_holds = 0;
     clock_end(CLOCK_SOLID);

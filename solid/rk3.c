@@ -1,3 +1,4 @@
+#include "solid/constraint.h"
 #include "solid/integrate.h"
 
 /* Low-storage Runge-Kutta of the fluid, for d and v and for the energies.  (001: eqs 3.47-3.48 without the third term) */
@@ -27,8 +28,9 @@ void solid_rk3_step(struct solid *s, double dt) {
         damped = s->power_damped;
         load = s->power_load;
         constraint = s->power_constraint;
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < s->dim; c++)
             update(s->n, ALPHA[r] * dt, BETA[r] * dt, s->d[c], s->v[c], s->a[c], s->v_old[c], s->a_old[c]);
     }
+    solid_constraint_displacement(s, s->t + dt);
     s->a_holds = 0;
 }

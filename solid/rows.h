@@ -16,7 +16,7 @@ struct solid_row {
 /* The displacements of now into the dense box. Ghosts must be current. */
 static inline void solid_rows_begin(const struct solid *s, const struct solid_lattice *t) {
     for (int c = 0; c < 3; c++)
-        for (int i = 0; i < t->copies; i++) t->d[c][t->copy_cell[i]] = s->d[c][t->copy_local[i]];
+        for (int i = 0; i < t->copies; i++) t->d[c][t->copy_at[i]] = s->d[c][t->copy_local[i]];
 }
 
 static inline struct solid_row solid_row_of(const struct solid_lattice *t, int r) {
@@ -24,14 +24,14 @@ static inline struct solid_row solid_row_of(const struct solid_lattice *t, int r
     row.lambda = t->lambda + (size_t)r * (size_t)t->stencil->n;
     row.bond = t->active + t->row_active[r];
     row.end = t->active + t->row_active[r + 1];
-    for (int c = 0; c < 3; c++) row.d[c] = vec_load(t->d[c] + row.cell);
-    row.w = vec_load(t->w + row.cell);
+    for (int c = 0; c < 3; c++) row.d[c] = vec_load(t->d[c] + solid_lattice_place(t, row.cell));
+    row.w = vec_load(solid_lattice_w(t, row.cell));
     return row;
 }
 
 /* eta = d_l - d_h of the row's bonds at offset o, m. */
 static inline void solid_row_eta(const struct solid_row *row, int o, vec eta[3]) {
-    const long at = row->cell + row->t->offset[o].shift;
+    const long at = solid_lattice_place(row->t, row->cell + row->t->offset[o].shift);
     for (int c = 0; c < 3; c++) eta[c] = vec_load(row->t->d[c] + at) - row->d[c];
 }
 
@@ -45,7 +45,7 @@ static inline vec solid_row_eps(const struct solid_row *row, int o, const vec et
 
 static inline vec solid_row_alpha(const struct solid_row *row, int o) {
     if (row->bulk) return vec_set(1);
-    return 2 / (row->w + vec_load(row->t->w + row->cell + row->t->offset[o].shift));
+    return 2 / (row->w + vec_load(solid_lattice_w(row->t, row->cell + row->t->offset[o].shift)));
 }
 
 /* The row's owned particles, in order, take a lane's value each: to[i * stride] for the i-th. */

@@ -38,6 +38,7 @@ struct packed {
     int n;
     uint8_t strip[4 * SOLID_FAMILY_MAX];
     uint32_t entry[4 * SOLID_FAMILY_MAX];
+    int far[4 * SOLID_FAMILY_MAX];
 };
 
 static void pack(const struct solid_lattice *b, const struct solid_segments *t, int g, struct packed *to) {
@@ -54,7 +55,10 @@ static void pack(const struct solid_lattice *b, const struct solid_segments *t, 
             unsigned left = alone ? bits & ~home : o >= offsets / 2 ? bits & home : 0;
             while (left) {
                 unsigned lambda;
-                to->strip[to->n] = (uint8_t)(window(&left, &lambda) + alone);
+                const int strip = window(&left, &lambda) + alone;
+                to->strip[to->n] = (uint8_t)strip;
+                to->far[to->n] =
+                    (int)solid_lattice_place(b, t->cell[g] + solid_strip_site(strip) + b->offset[o].shift);
                 to->entry[to->n++] = name | lambda;
             }
         }
@@ -73,7 +77,10 @@ static void place(const struct solid_lattice *b, struct solid_segments *t, int g
         at[k] = end;
         end += t->count[g][k];
     }
-    for (int i = 0; i < p.n; i++) t->entry[at[p.strip[i]]++] = p.entry[i];
+    for (int i = 0; i < p.n; i++) {
+        t->far[at[p.strip[i]]] = p.far[i];
+        t->entry[at[p.strip[i]]++] = p.entry[i];
+    }
     t->stale[g] = 0;
 }
 
@@ -85,7 +92,8 @@ static int has_correction(const struct solid_lattice *b, const struct solid_segm
         for (int i = 0; i < t->count[g][strip]; i++, entry++)
             for (int k = 0; k < ROW; k++) {
                 const long cell = t->cell[g] + solid_strip_site(strip) + k;
-                if ((*entry >> k & 1) && (b->w[cell] != 1 || b->w[cell + b->offset[*entry >> 8].shift] != 1))
+                if ((*entry >> k & 1) && (*solid_lattice_w(b, cell) != 1 ||
+                                          *solid_lattice_w(b, cell + b->offset[*entry >> 8].shift) != 1))
                     return 1;
             }
     return 0;
@@ -134,6 +142,7 @@ static void cover(const struct solid_lattice *b, struct solid_segments *t) {
         t->n++;
     }
     t->cell = solid_array((size_t)t->n, sizeof *t->cell);
+    t->at = solid_array((size_t)t->n, sizeof *t->at);
     t->owned = solid_array((size_t)t->n, 1);
     for (int outer = 0, g = 0; outer < 2; outer++) {
         for (int r = 0; r < b->rows; r++)
@@ -141,6 +150,7 @@ static void cover(const struct solid_lattice *b, struct solid_segments *t) {
                 const int cell = b->row_cell[r] + k;
                 if (!start[cell] || reaches_away(b, cell, start[cell]) != outer) continue;
                 t->cell[g] = cell;
+                t->at[g] = (int)solid_lattice_place(b, cell);
                 t->owned[g++] = start[cell];
             }
         if (!outer) t->inner = g;
@@ -173,13 +183,14 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *b) {
         }
     }
     t->entry = solid_array((size_t)t->first[t->n], sizeof *t->entry);
+    t->far = solid_array((size_t)t->first[t->n], sizeof *t->far);
     for (int g = 0; g < t->n; g++) place(b, t, g);
     return t;
 }
 
 void solid_segments_free(struct solid_segments *t) {
     if (!t) return;
-    void *owned[] = {t->cell,  t->owned, t->stale, t->large, t->bulk,  t->high,
-                     t->first, t->entry, t->count, t->of,    t->order, t};
+    void *owned[] = {t->cell,  t->owned, t->stale, t->large, t->bulk, t->high, t->first,
+                     t->entry, t->count, t->of,    t->order, t->at,   t->far,  t};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }

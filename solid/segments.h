@@ -18,7 +18,7 @@ struct solid_lattice;
 
 struct solid_segments {
     int n, inner;    /* the first of them, inner, have no bonds to ghosts or images */
-    int *cell;       /* [n] dense index of the first site */
+    int *cell, *at;  /* [n] dense index of the first site, and where it stands in the boxes */
     uint8_t *owned;  /* [n] which of the eight sites it covers */
     uint8_t *stale;  /* [n] lambda has changed since it was packed */
     uint8_t *large;  /* [n] |eps| beyond the series was seen at the last sweep */
@@ -26,6 +26,7 @@ struct solid_segments {
     float *high;     /* [n] the largest eps of the last sweep */
     long *first;     /* [n+1] where its entries stand */
     uint32_t *entry; /* offset << 8 | bits, those of a strip from its first site; first strip by strip */
+    int *far;        /* [entries] where the other end of the strip's first site stands in the boxes */
     uint16_t (*count)[SOLID_STRIPS]; /* [n] entries of each strip now */
     int *of;                         /* [lattice's n] a particle's segment */
     uint16_t *order;                 /* [offsets] the order of entries: x step slowest */

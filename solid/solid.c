@@ -2,51 +2,20 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "solid/build.h"
 #include "solid/constraint.h"
 #include "solid/contact.h"
+#include "solid/cut_bonds.h"
 #include "solid/family.h"
+#include "solid/input.h"
 #include "solid/lattice.h"
 #include "solid/list.h"
+#include "solid/load.h"
 #include "solid/number.h"
+#include "solid/plane.h"
+#include "solid/refine.h"
 
 #include <math.h>
-#include <string.h>
-
-static void *copy_of(const void *from, size_t n, size_t size) {
-    void *to = memory_new(MEMORY_SOLID, n + 1, size);
-    if (n) memcpy(to, from, n * size);
-    return to;
-}
-
-/* The input with its own copies; the points of a body stay the caller's and are forgotten afterwards. */
-static void input_copy(struct solid_input *to, const struct solid_input *from) {
-    *to = *from;
-    to->body = copy_of(from->body, (size_t)from->bodies, sizeof *from->body);
-    to->material = copy_of(from->material, (size_t)from->materials, sizeof *from->material);
-    to->constraint = copy_of(from->constraint, (size_t)from->constraints, sizeof *from->constraint);
-    to->unbreakable = copy_of(from->unbreakable, (size_t)from->unbreakables, sizeof *from->unbreakable);
-}
-
-static void input_check(const struct solid_input *in) {
-    if (!(in->spacing > 0)) die_all(EXIT_CODE_SCENE, "solid.spacing = %g: must be above 0", in->spacing);
-    if (in->bodies < 1 || in->bodies > 255)
-        die_all(EXIT_CODE_SCENE, "solid.bodies: %d of them; must be 1 to 255", in->bodies);
-    for (int b = 0; b < in->bodies; b++) {
-        const int m = in->body[b].material;
-        if (m < 0 || m >= in->materials)
-            die_all(EXIT_CODE_SCENE, "solid body %s: material %d of %d", in->body[b].name, m, in->materials);
-    }
-    for (int m = 0; m < in->materials; m++) {
-        const struct solid_material *k = &in->material[m];
-        if (!(k->youngs_modulus > 0) || !(k->density > 0) || !(k->fracture_energy >= 0) ||
-            !(k->horizon_ratio >= 1))
-            die_all(EXIT_CODE_SCENE,
-                    "solid material %d: youngs_modulus %g and density %g must be above 0, fracture_energy %g "
-                    "not below 0, "
-                    "horizon_ratio %g at least 1 particle spacing",
-                    m, k->youngs_modulus, k->density, k->fracture_energy, k->horizon_ratio);
-    }
-}
 
 /* No site may belong to two bodies. */
 static void overlap_check(const struct solid_input *in, struct solid_sites *const *sites) {
@@ -67,24 +36,38 @@ static void overlap_check(const struct solid_input *in, struct solid_sites *cons
         }
 }
 
-static void family_new(struct solid *s, struct solid_sites *const *sites) {
+/* The particles of a body that is on no lattice, or is to have lists of bonds. */
+static struct solid_cloud *cloud_new(const struct solid_input *in, const struct solid_body *body,
+                                     const struct solid_sites *sites) {
+    if (sites->is_lattice) {
+        const struct solid_material *m = &in->material[body->material];
+        const int fast =
+            !in->general_bonds && in->partial == SOLID_PARTIAL_EXACT && m->micromodulus == SOLID_CONSTANT;
+        return fast ? NULL : solid_cloud_lattice(in, body, sites);
+    }
+    return body->shape == SOLID_POLYGON ? solid_plane_cloud(in, body, sites)
+                                        : solid_cloud_points(in, body, sites);
+}
+
+static void family_new(struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
     const struct solid_input *in = &s->in;
     struct solid_family *f = s->family;
     const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
     f->lattice = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *f->lattice);
     f->list = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *f->list);
+    f->cloud = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *f->cloud);
     f->first = memory_new(MEMORY_SOLID, (size_t)f->bodies + 1, sizeof *f->first);
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_body *body = &in->body[b];
         const struct solid_material *m = &in->material[body->material];
-        const double s0 = solid_critical_stretch(m, in->spacing);
-        const struct solid_law law = {solid_micromodulus(m, in->spacing), m->density, s0 * (2 + s0)};
-        const struct solid_stencil *stencil = f->stencil[body->material];
-        if (sites[b]->is_lattice && !in->general_bonds) {
+        if (!cloud[b]) {
+            const struct solid_stencil *stencil = f->stencil[body->material];
+            const double s0 = solid_critical_stretch(m, in->spacing);
+            const struct solid_law law = {solid_micromodulus(m, in->spacing), m->density, s0 * (2 + s0)};
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
-            f->list[b] = solid_list_new(in, body, sites[b], stencil, law, from, to, f->first[b]);
+            f->list[b] = solid_list_new(cloud[b], from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->list[b]->n;
         }
     }
@@ -92,7 +75,7 @@ static void family_new(struct solid *s, struct solid_sites *const *sites) {
     ENSURE(f->first[f->bodies] == s->n, "%d particles in the stores, %d owned", f->first[f->bodies], s->n);
 }
 
-static void ghosts_new(struct solid *s, struct solid_sites *const *sites) {
+void solid_build_ghosts(struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
     struct solid_family *f = s->family;
     const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
     long n = 0;
@@ -111,14 +94,14 @@ static void ghosts_new(struct solid *s, struct solid_sites *const *sites) {
         if (f->lattice[b])
             solid_lattice_link(f->lattice[b], sites[b], &numbering);
         else
-            solid_list_link(f->list[b], &numbering);
+            solid_list_link(f->list[b], cloud[b], &numbering);
     }
     memory_free(id);
 }
 
 static void arrays_new(struct solid *s) {
     const size_t all = (size_t)(s->n + s->n_ghost) + 1, owned = (size_t)s->n + 1;
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < s->dim; c++) {
         s->x0[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
         s->d[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
         s->v[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
@@ -133,12 +116,11 @@ static void arrays_new(struct solid *s) {
     s->flag = memory_new(MEMORY_SOLID, all, 1);
 }
 
-static void points_place(struct solid *s, const struct solid_body *body, const struct solid_sites *t,
-                         int first, int n) {
+static void cloud_place(struct solid *s, const struct solid_cloud *t, int first, int n) {
     const long from = s->first[par_rank()] + first - t->first;
     for (int i = 0; i < n; i++) {
-        for (int c = 0; c < 3; c++) s->x0[c][first + i] = body->point[c][t->point[from + i]];
-        s->volume[first + i] = body->point_volume[t->point[from + i]];
+        for (int c = 0; c < s->dim; c++) s->x0[c][first + i] = solid_cloud_x(t, c, from + i);
+        s->volume[first + i] = t->volume[from + i] * t->unit;
     }
 }
 
@@ -160,67 +142,118 @@ static void lattice_place(struct solid *s, const struct solid_sites *t) {
     }
 }
 
-static void particles_place(struct solid *s, struct solid_sites *const *sites) {
+void solid_build_places(struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
     const struct solid_family *f = s->family;
     for (int b = 0; b < f->bodies; b++) {
         const int first = f->first[b], n = f->first[b + 1] - first;
-        if (sites[b]->is_lattice)
+        if (sites && sites[b]->is_lattice)
             lattice_place(s, sites[b]);
         else
-            points_place(s, &s->in.body[b], sites[b], first, n);
+            cloud_place(s, cloud[b], first, n);
         for (int h = first; h < first + n; h++) s->body[h] = (uint8_t)b;
         if (f->lattice[b])
             solid_lattice_volumes(f->lattice[b], s->family_volume);
         else
             solid_list_volumes(f->list[b], s->family_volume);
     }
-    double *const field[] = {s->x0[0], s->x0[1], s->x0[2], s->volume, s->family_volume};
-    par_ghost_update(s->ghost, 5, field, s->n);
+    double *const field[] = {s->volume, s->family_volume};
+    par_ghost_update(s->ghost, s->dim, s->x0, s->n);
+    par_ghost_update(s->ghost, 2, field, s->n);
     par_ghost_update_bytes(s->ghost, s->body, s->n);
     for (int b = 0; b < f->bodies; b++) {
         if (f->lattice[b])
             solid_lattice_weights(f->lattice[b], s->family_volume, s->in.surface_correction);
         else
-            solid_list_weights(f->list[b], s->x0, s->family_volume, s->in.surface_correction);
+            solid_list_weights(f->list[b], s->family_volume, s->in.surface_correction);
     }
+}
+
+/* Coordinates beside the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the bit. */
+static void initial_set(struct solid *s) {
+    for (int k = 0; k < s->in.initials; k++) {
+        const struct solid_initial *i = &s->in.initial[k];
+        for (int h = 0; h < s->n; h++) {
+            const double steps =
+                ldexp(rint(ldexp((s->x0[i->along][h] - i->centre) / s->in.spacing, 32)), -32);
+            const double r = steps * (s->in.spacing / i->width), bell = exp(-r * r);
+            for (int c = 0; c < s->dim; c++) s->d[c][h] += i->displacement[c] * bell;
+        }
+    }
+}
+
+/* A plate has no surface search: whatever lacks a part of its family may touch a stranger. */
+void solid_build_edges(struct solid *s) {
+    const struct solid_family *f = s->family;
+    for (int b = 0; s->dim == 2 && b < f->bodies; b++) {
+        const struct solid_list *t = f->list[b];
+        for (int i = 0; i < t->n; i++) {
+            const struct solid_end *p = &t->particle[i];
+            const double full = solid_pair_full_volume(&t->law, p->horizon, p->size);
+            if (t->own_volume[i] < (1 - 1e-6) * full) s->flag[t->first + i] |= SOLID_INTERFACE;
+        }
+    }
+}
+
+void solid_build_counts(struct solid *s) {
+    struct solid_family *f = s->family;
+    double longest = 0;
+    for (int b = 0; b < f->bodies; b++)
+        longest = fmax(longest, f->lattice[b] ? f->lattice[b]->stencil->n : solid_list_longest(f->list[b]));
+    f->bytes = ((int)par_max(longest) + 7) / 8;
+    s->bonds_total = par_sum_long(solid_family_directed(s)) / 2;
 }
 
 struct solid *solid_new(const struct solid_input *in) {
     struct solid *s = memory_new(MEMORY_SOLID, 1, sizeof *s);
-    input_check(in);
-    input_copy(&s->in, in);
-    s->dim = in->model == SOLID_3D ? 3 : 2;
+    solid_input_check(in);
+    solid_input_copy(&s->in, in);
+    s->refine = solid_refine_new(&s->in);
+    s->dim = solid_dim(in);
     s->stage = (struct solid_stage){.integrator = SOLID_RK3, .breakage = 1};
     s->first = memory_new(MEMORY_SOLID, (size_t)par_size() + 1, sizeof *s->first);
     struct solid_family *f = s->family = memory_new(MEMORY_SOLID, 1, sizeof *f);
     f->bodies = in->bodies;
     f->stencils = in->materials;
     f->stencil = memory_new(MEMORY_SOLID, (size_t)in->materials, sizeof *f->stencil);
-    for (int m = 0; m < in->materials; m++)
+    for (int m = 0; s->dim == 3 && m < in->materials; m++)
         f->stencil[m] = solid_stencil_new(in->spacing, in->material[m].horizon_ratio);
 
     struct solid_sites **sites = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *sites);
     for (int b = 0; b < in->bodies; b++) {
-        sites[b] = solid_sites_new(in, &in->body[b], s->n_global, f->stencil[in->body[b].material]->reach);
+        const struct solid_material *m = &in->material[in->body[b].material];
+        sites[b] = solid_sites_new(in, &in->body[b], s->n_global,
+                                   (int)floor(m->horizon_ratio + (s->dim == 3 ? 0.5 : 1)));
         s->n_global += sites[b]->count;
     }
     overlap_check(in, sites);
+    solid_plane_overlap_check(in, sites);
     solid_number_divide(sites, in->bodies, in->general_bonds, s->first);
-    family_new(s, sites);
-    ghosts_new(s, sites);
+    struct solid_cloud **cloud = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof(struct solid_cloud *));
+    for (int b = 0; b < in->bodies; b++) cloud[b] = cloud_new(&s->in, &s->in.body[b], sites[b]);
+    family_new(s, sites, cloud);
+    solid_build_ghosts(s, sites, cloud);
     arrays_new(s);
-    particles_place(s, sites);
-    for (int b = 0; b < in->bodies; b++) solid_sites_free(sites[b]);
+    solid_build_places(s, sites, cloud);
+    solid_cut_bonds(s, cloud);
+    solid_build_edges(s);
+    solid_given_new(s, sites);
+    for (int b = 0; b < in->bodies; b++) {
+        solid_sites_free(sites[b]);
+        if (s->dim == 2)
+            f->cloud[b] = cloud[b]; /* a plate may change while it runs */
+        else
+            solid_cloud_free(cloud[b]);
+    }
     memory_free(sites);
+    memory_free(cloud);
 
+    solid_refine_start(s);
+    initial_set(s);
     solid_constraint_mark(s);
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
-    par_ghost_update(s->ghost, 3, s->v, s->n);
-    double longest = 0;
-    for (int b = 0; b < f->bodies; b++)
-        longest = fmax(longest, f->lattice[b] ? f->lattice[b]->stencil->n : solid_list_longest(f->list[b]));
-    f->bytes = ((int)par_max(longest) + 7) / 8;
-    s->bonds_total = par_sum_long(solid_family_directed(s)) / 2;
+    par_ghost_update(s->ghost, s->dim, s->d, s->n);
+    par_ghost_update(s->ghost, s->dim, s->v, s->n);
+    solid_build_counts(s);
     return s;
 }
 
@@ -229,6 +262,8 @@ void solid_forget_bonds(struct solid *s) {
     for (int b = 0; b < f->bodies; b++) {
         solid_lattice_free(f->lattice[b]);
         solid_list_free(f->list[b]);
+        solid_cloud_free(f->cloud[b]);
+        f->cloud[b] = NULL;
         f->lattice[b] = NULL;
         f->list[b] = NULL;
     }
@@ -249,28 +284,28 @@ void solid_free(struct solid *s) {
     solid_contact_free(s);
     solid_forget_bonds(s);
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
-    void *const family[] = {f->lattice, f->list, f->first, f->stencil, f};
+    void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};
     for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);
     for (int c = 0; c < 3; c++) {
         void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
         for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
     }
-    void *const own[] = {s->volume,
-                         s->body,
-                         s->flag,
-                         s->first,
-                         (void *)(uintptr_t)s->in.body,
-                         (void *)(uintptr_t)s->in.material,
-                         (void *)(uintptr_t)s->in.constraint,
-                         (void *)(uintptr_t)s->in.unbreakable};
+    void *const own[] = {s->volume, s->body, s->flag, s->first};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    solid_refine_free(s->refine);
+    solid_input_free(&s->in);
+    solid_given_free(s->given);
     par_ghost_free(s->ghost);
     memory_free(s);
 }
 
 void solid_ghosts_begin(struct solid *s) {
-    double *const field[] = {s->d[0], s->d[1], s->d[2], s->v[0], s->v[1], s->v[2]};
-    par_ghost_begin(s->ghost, s->stage.damping_relative > 0 ? 6 : 3, field, s->n);
+    double *field[6];
+    for (int c = 0; c < s->dim; c++) {
+        field[c] = s->d[c];
+        field[s->dim + c] = s->v[c];
+    }
+    par_ghost_begin(s->ghost, s->stage.damping_relative > 0 ? 2 * s->dim : s->dim, field, s->n);
 }
 
 void solid_ghosts_update(struct solid *s) {

@@ -12,6 +12,8 @@ struct par_ghost;
 struct solid_family; /* opaque: the bonds, solid/family.h */
 struct solid_contact;
 struct solid_added_mass;
+struct solid_given;  /* opaque: the loads of the input, solid/load.h */
+struct solid_refine; /* opaque: what refinement needs, solid/refine.h */
 
 /* What the bonds stand for: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane stress,
  * 1/4 in plane strain). A plate has two components of everything, and the third arrays are NULL. */
@@ -66,25 +68,74 @@ struct solid_body {
     double cavity_period, cavity_radius, cavity_centre[3];
     /* SOLID_POINTS: particles as they are, on no lattice; borrowed, [points] */
     long points;
-    const double *point[3];
-    const double *point_volume;
+    const double *point[3];      /* of a plate: x, y, NULL */
+    const double *point_volume;  /* m3; of a plate the area, m2 */
     const double *point_horizon; /* m; NULL: the material's */
     /* SOLID_POLYGON: pieces and holes of a plate */
     int outlines;
     const struct solid_outline *outline; /* borrowed */
     int material;
+    double least_horizon; /* m, of its particles; solid_new sets it */
 };
 
-/* What is imposed on the particles of a region (X0 inside the box): per direction free, or the velocity given. */
+/* A factor that varies in time: straight lines between points, constant before the first and after the last. n = 0: 1.
+ * Borrowed. */
+struct solid_time {
+    int n;
+    const double *t, *factor; /* [n] s, ascending; 1 */
+};
+
+/* What is imposed on the particles of a region (X0 inside the box): per direction free, or the velocity given, or the
+ * displacement, times a factor of time. Over a substep a particle moves at one speed, the mean of the speeds given, so that
+ * either integrator brings it where it is to be at the substep's end. */
 struct solid_constraint {
     double low[3], high[3];
     int direction[3];   /* 1: held or driven in this direction */
     double velocity[3]; /* 0: held */
+    int has_displacement;
+    double displacement[3]; /* m, instead of the velocity */
+    struct solid_time time;
+};
+
+/* A force on the particles of a region, per unit volume, or on those along a piece of a plate's edge, per unit area of the edge;
+ * times a factor of time. A substep sees the mean of the factor over it, as a constant. */
+enum solid_load_kind { SOLID_LOAD_REGION, SOLID_LOAD_EDGE };
+struct solid_load {
+    enum solid_load_kind kind;
+    double low[3], high[3]; /* region (X0), m */
+    double force[3];        /* region, N/m3 */
+    double edge[2][2];      /* from, to, m */
+    double traction[3];     /* edge, Pa */
+    int over_horizon; /* edge, straight: even over all particles within the horizon behind it; 0: over the outermost */
+    struct solid_time time;
+};
+
+/* The displacement at the start: displacement exp(-((x - centre)/width)^2), x the coordinate `along`; several add up. */
+struct solid_initial {
+    int along;
+    double centre, width, displacement[3]; /* m */
 };
 
 /* Bonds with an end in the region (X0) never break. */
 struct solid_region {
     double low[3], high[3];
+};
+
+/* Refinement of plates that are polygons: each level halves the spacing.  (000: ch. 2; solid/refine.h) */
+struct solid_refined { /* from the start, X0 */
+    double low[3], high[3];
+    int level;
+};
+struct solid_refinement {
+    int levels;
+    double energy;          /* kappa: refine where W >= kappa W_max; 0: off */
+    double damage;          /* refine where the damage is above; 0: off */
+    double low[3], high[3]; /* only here (X0), m */
+    int horizon_kept;       /* 1: all levels have the material's horizon; 0: scaled with the spacing */
+    int interface_corrected; /* 1: fine particles next to coarse ones have sqrt(2) times their horizon  (000: eq. 40) */
+    int held_refine; /* 1: particles of constraints and loads are refined too */
+    int starts;
+    const struct solid_refined *start; /* borrowed during the call */
 };
 
 struct solid_input {
@@ -94,9 +145,9 @@ struct solid_input {
     enum solid_horizons horizons;
     int cuts;
     const struct solid_cut *cut; /* borrowed during the call */
-    double spacing;   /* m */
-    double origin[3]; /* of the lattice */
-    int periodic[3];  /* bonded across, with these lengths */
+    double spacing;              /* m */
+    double origin[3];            /* of the lattice */
+    int periodic[3];             /* bonded across, with these lengths */
     double length[3];
     int bodies;
     const struct solid_body *body; /* borrowed during the call */
@@ -106,9 +157,14 @@ struct solid_input {
     const struct solid_constraint *constraint;
     int unbreakables;
     const struct solid_region *unbreakable;
-    double body_force[3];     /* per unit mass, m/s2 */
-    int surface_correction;   /* volume method on (default 1) */
-    int general_bonds;        /* 1: lists of bonds even for lattice bodies (tests) */
+    int loads;
+    const struct solid_load *load;
+    int initials;
+    const struct solid_initial *initial;       /* borrowed during the call */
+    const struct solid_refinement *refinement; /* of plates; NULL: none */
+    double body_force[3];                      /* per unit mass, m/s2 */
+    int surface_correction;                    /* volume method on (default 1) */
+    int general_bonds;                         /* 1: lists of bonds even for lattice bodies (tests) */
     int contact;              /* 1: particles that come near repel; costs nothing before they can */
     double contact_stiffness; /* k_c / c0, default 15 */
     double contact_exponent;  /* n_c, default 1 */
@@ -149,17 +205,21 @@ struct solid {
     double *family_volume; /* V_h = sum Gamma V of the unbroken family, m3 (ghosts too) */
     uint8_t *body;
     uint8_t *flag; /* enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
-    /* state, [n + n_ghost]; with the bonds' lambda, what a checkpoint stores */
+    /* state, [n + n_ghost]; with the bonds' lambda and t, what a checkpoint stores */
+    double t;     /* s; moved on by the integrators, set by who knows better */
     double *d[3]; /* displacement X - X0, m */
     double *v[3]; /* velocity, m/s */
     /* work, [n] */
-    double *a[3];    /* acceleration of the last force sweep, m/s2 */
-    double *load[3]; /* external force per unit volume F_h, N/m3, written by the coupling */
+    double *a[3]; /* acceleration of the last force sweep, m/s2 */
+    double *
+        load[3]; /* external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
+    struct solid_given *given;            /* NULL: none */
     const struct solid_added_mass *added; /* borrowed, NULL: none (solid/added_mass.h) */
     struct solid_family *family;
     struct solid_contact *contact; /* NULL until something can touch */
+    struct solid_refine *refine;   /* NULL: nothing is refined */
     /* counters and energies, this rank's share */
-    long bonds_total;  /* undirected, whole solid, at the start */
+    long bonds_total;  /* undirected, whole solid, of the families as made, or remade by a refinement */
     long bonds_broken; /* undirected, whole solid; valid after solid_count_bonds */
     int broke;         /* 1: a bond of an owned particle broke since the flag was last cleared */
     double e_damped;   /* J taken out by damping so far */
@@ -176,6 +236,12 @@ struct solid {
     struct solid_stage stage_of_a;
     double power_pairwise; /* of the sweep that v_old belongs to, W (Verlet) */
 };
+
+static inline int solid_dim(const struct solid_input *in) { return in->model == SOLID_3D ? 3 : 2; }
+/* Depth of a plate, m; 1 in 3D: a particle's volume is spacing^dim times it. */
+static inline double solid_depth(const struct solid_input *in) {
+    return in->model == SOLID_3D ? 1 : in->thickness;
+}
 
 struct solid *
 solid_new(const struct solid_input *in); /* Collective. Dies (exit 2) on an empty or impossible body. */
@@ -195,9 +261,10 @@ void solid_force(struct solid *s, int may_break);
 void solid_ghosts_update(struct solid *s); /* d (and v when damping needs it). Collective. */
 void solid_ghosts_begin(struct solid *s);  /* The same, ended by the next force sweep. Collective. */
 
-/* Substeps of the stage's integrator under constant load. The energies are integrated by the integrator's own quadrature, so
+/* Substeps of the stage's integrator from t on, each under constant load and with constant imposed velocities: where these are given
+ * as functions of time, their means over the substep. The energies are integrated by the integrator's own quadrature, so
  * that kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order (contact stores energy that
- * is not counted). Collective. */
+ * is not counted; what it takes to change an imposed velocity is part of e_constraint). Collective. */
 void solid_advance(struct solid *s, double dt, int substeps);
 /* Goes on in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep, which saw
  * the velocity predicted then) and power_pairwise. Once the stage is set. Not collective. */
@@ -210,9 +277,11 @@ double solid_stable_step(struct solid *s, enum solid_integrator integrator);
  * |residual| <= tolerance * |load|. Breakage off. Collective. */
 int solid_relax(struct solid *s, double tolerance, int max_steps);
 
-struct step_status solid_check(const struct solid *s); /* NaN. Not collective. */
+/* NaN, or a speed of more than a hundred times sqrt(E/rho). Not collective. */
+struct step_status solid_check(const struct solid *s);
 
-/* The current position X0 + d. */
+/* The current position X0 + d; z of a plate is 0. */
 static inline void solid_position(const struct solid *s, int h, double x[3]) {
-    for (int c = 0; c < 3; c++) x[c] = s->x0[c][h] + s->d[c][h];
+    x[2] = 0;
+    for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h] + s->d[c][h];
 }

@@ -1,4 +1,5 @@
 #include "solid/stable.h"
+#include "solid/contact.h"
 
 #include <complex.h>
 #include <math.h>
@@ -70,9 +71,10 @@ double solid_stable_touch(const struct solid *s) {
     double most = 0;
     for (int m = 0; m < s->in.materials && s->in.contact; m++) {
         const struct solid_material *material = &s->in.material[m];
-        const double stiffness = s->in.contact_stiffness * solid_micromodulus(material, s->in.spacing);
-        most = fmax(most, 2 * s->in.contact_exponent * stiffness * pow(s->in.spacing, 2) /
-                              (s->in.contact_radius * material->density));
+        const double stiffness = s->in.contact_stiffness * solid_contact_c0(s, material);
+        const double volume = pow(s->in.spacing, s->dim) * solid_depth(&s->in);
+        most = fmax(most, 2 * s->in.contact_exponent * stiffness * volume /
+                              (s->in.contact_radius * s->in.spacing * material->density));
     }
     return most;
 }

@@ -26,12 +26,14 @@ struct solid_sweep {
 
 struct solid_lattice;
 struct solid_list;
+struct solid_cloud;
 
 /* One of the two for each body; the other is NULL. */
 struct solid_family {
     int bodies;
     struct solid_lattice **lattice;
     struct solid_list **list;
+    struct solid_cloud **cloud; /* of a plate's lists, for as long as the solid lives; else NULL */
     int stencils;
     struct solid_stencil **stencil; /* [stencils] by material */
     int *first;                     /* [bodies + 1] local index of the body's first owned particle */

@@ -17,12 +17,11 @@ static void add(double t[6], const double x[3], const double y[3], double w) {
 /* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any deformation,
  * in the frame of space.  (Lehoucq & Silling 2008, for forces along the bonds) */
 static void stress_of_view(const struct solid *s, int h, const struct solid_family_view *view, double t[6]) {
-    const double c0 = solid_micromodulus(&s->in.material[s->in.body[s->body[h]].material], s->in.spacing);
     for (int k = 0; k < 6; k++) t[k] = 0;
     for (int b = 0; b < view->n; b++) {
         if (!view->intact[b]) continue;
-        double zeta[3], xi2 = 0, zeta2 = 0, q = 0;
-        for (int c = 0; c < 3; c++) {
+        double zeta[3] = {0}, xi2 = 0, zeta2 = 0, q = 0;
+        for (int c = 0; c < s->dim; c++) {
             const double xi = view->xi[b][c], eta = s->d[c][view->l[b]] - s->d[c][h];
             zeta[c] = xi + eta;
             xi2 += xi * xi;
@@ -30,8 +29,10 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
             q += eta * (xi + zeta[c]);
         }
         const double length = sqrt(xi2), now = sqrt(zeta2), stretch = q / (length * (now + length));
-        if (now > 0) add(t, zeta, zeta, 0.5 * view->alpha[b] * c0 * stretch / now * view->weight[b]);
+        if (now > 0)
+            add(t, zeta, zeta, 0.5 * view->alpha[b] * view->micro[b] * stretch / now * view->weight[b]);
     }
+    if (s->in.model == SOLID_PLANE_STRAIN) t[2] = 0.25 * (t[0] + t[1]);
 }
 
 /* The same for a row of a lattice: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r (1 + r)), and nothing where r = 0. */
@@ -86,7 +87,7 @@ static void moments_of_view(const struct solid *s, int h, const struct solid_fam
         const double *xi = view->xi[b];
         const double w = view->weight[b] / (xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]);
         add(shape, xi, xi, w);
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < s->dim; i++) {
             const double eta = w * (s->d[i][view->l[b]] - s->d[i][h]);
             for (int j = 0; j < 3; j++) mixed[i][j] += eta * xi[j];
         }
@@ -146,6 +147,7 @@ static void strain_of_eight(const struct solid *s, int h, int n, double (*strain
         moments_of_view(s, h + i, &view, &m, i);
     }
     strain_of(&m, of);
+    if (s->in.model == SOLID_PLANE_STRESS) of[2] = -0.5 * (of[0] + of[1]);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 6; k++) strain[h + i][k] = of[k][i];
 }

@@ -54,7 +54,7 @@ static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice 
 static void find_in_list(struct solid_lost *lost, const struct solid_list *t) {
     for (int i = 0; i < t->n; i++) {
         int intact = 0;
-        for (long j = t->start[i]; j < t->start[i + 1]; j++) intact += t->intact[j];
+        for (long j = t->start[i]; j < t->end[i]; j++) intact += solid_list_is_intact(t, j);
         compare(lost, t->first + i, intact);
     }
 }

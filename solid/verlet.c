@@ -1,8 +1,9 @@
 #include "base/par.h"
 #include "base/vec.h"
-#include "solid/store.h"
+#include "solid/constraint.h"
 #include "solid/force.h"
 #include "solid/integrate.h"
+#include "solid/store.h"
 
 #include <string.h>
 
@@ -41,11 +42,15 @@ static double predict(int n, double dt, double weight, const double *restrict vo
     return sum;
 }
 
+void solid_verlet_again(struct solid *s) {
+    s->power_damped = s->power_pairwise;
+    solid_force_rest(s);
+}
+
 void solid_verlet_begin(struct solid *s) {
     const int same = s->a_holds && memcmp(&s->stage, &s->stage_of_a, sizeof s->stage) == 0;
     if (par_min(same) > 0) { /* on no rank anything but the load has changed */
-        s->power_damped = s->power_pairwise;
-        solid_force_rest(s);
+        solid_verlet_again(s);
     } else {
         solid_ghosts_begin(s);
         solid_force(s, 1);
@@ -61,14 +66,15 @@ void solid_verlet_step(struct solid *s, double dt) {
     for (int b = 0; b < s->in.bodies; b++) {
         const int from = first[b], n = first[b + 1] - from;
         const double density = s->in.material[s->in.body[b].material].density;
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < s->dim; c++)
             s->work_load += predict(n, dt, density * s->in.body_force[c], s->volume + from, s->load[c] + from,
                                     s->a[c] + from, s->d[c] + from, s->v[c] + from);
     }
+    solid_constraint_displacement(s, s->t + dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);
     solid_force(s, 1);
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < s->dim; c++) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
         for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);
     }

@@ -4,7 +4,9 @@
 #include "solid/family.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { CELLS = 400 }; /* columns a side under a cube's face: fractions to 1e-6 */
 
@@ -34,11 +36,15 @@ static void swap_ordered(double *a, double *b) {
     }
 }
 
-double solid_weight_fraction(const double xi[3], double side, double radius, int cells) {
-    double a[3] = {fabs(xi[0]), fabs(xi[1]), fabs(xi[2])};
+static void sort(const double xi[3], double a[3]) {
+    for (int c = 0; c < 3; c++) a[c] = fabs(xi[c]);
     swap_ordered(&a[0], &a[1]);
     swap_ordered(&a[1], &a[2]);
     swap_ordered(&a[0], &a[1]);
+}
+
+/* 1 or 0, or -1 where the sphere cuts the cube. */
+static int inside(const double a[3], double side, double radius) {
     double far = 0, near = 0;
     for (int c = 0; c < 3; c++) {
         const double low = fmax(a[c] - side / 2, 0), high = a[c] + side / 2;
@@ -46,8 +52,49 @@ double solid_weight_fraction(const double xi[3], double side, double radius, int
         far += high * high;
     }
     if (far <= radius * radius) return 1;
-    if (near >= radius * radius) return 0;
-    return fraction_of_sorted(a, side, radius, cells);
+    return near >= radius * radius ? 0 : -1;
+}
+
+double solid_weight_fraction(const double xi[3], double side, double radius, int cells) {
+    double a[3];
+    sort(xi, a);
+    const int whole = inside(a, side, radius);
+    return whole >= 0 ? whole : fraction_of_sorted(a, side, radius, cells);
+}
+
+/* Places of the table; a new one takes the place of an old one with the same hash. */
+enum { PLACES = 1024, KEY = 6 };
+
+struct solid_weight_table {
+    struct {
+        double key[KEY], fraction;
+    } place[PLACES];
+};
+
+struct solid_weight_table *solid_weight_table_new(void) {
+    return memory_new(MEMORY_SOLID, 1, sizeof(struct solid_weight_table));
+}
+
+void solid_weight_table_free(struct solid_weight_table *table) { memory_free(table); }
+
+double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side,
+                                  double radius, int cells) {
+    double key[KEY] = {[3] = side, [4] = radius, [5] = cells};
+    sort(xi, key);
+    const int whole = inside(key, side, radius);
+    if (whole >= 0) return whole;
+    uint64_t hash = 0, word;
+    for (int k = 0; k < KEY; k++) {
+        memcpy(&word, &key[k], sizeof word);
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 29;
+    }
+    const int at = (int)(hash % PLACES);
+    if (memcmp(table->place[at].key, key, sizeof key) != 0) {
+        memcpy(table->place[at].key, key, sizeof key);
+        table->place[at].fraction = fraction_of_sorted(key, side, radius, cells);
+    }
+    return table->place[at].fraction;
 }
 
 static double fraction_of_step(const struct solid_stencil *t, const int step[3]) {

@@ -5,6 +5,13 @@
  * the origin. Symmetric under permutations and signs of xi to the bit. Not collective. */
 double solid_weight_fraction(const double xi[3], double side, double radius, int cells);
 
+/* The same, with what has been computed lately kept in a table: the particles of a lattice have few different ones. */
+struct solid_weight_table; /* opaque */
+struct solid_weight_table *solid_weight_table_new(void);
+void solid_weight_table_free(struct solid_weight_table *table);
+double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side,
+                                  double radius, int cells);
+
 /* One directed bond of the lattice's family. */
 struct solid_offset {
     int step[3];        /* X0_l - X0_h in lattice spacings */

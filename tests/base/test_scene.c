@@ -1,5 +1,6 @@
 /* What is read, what is filled in, what --set changes, and that the resolved scene says the same. */
 #include "base/par.h"
+#include "base/scene_outline.h"
 #include "scene_sample.h"
 
 #include <math.h>
@@ -184,12 +185,212 @@ static void test_wrong_settings_are_refused(void **state) {
     free(text);
 }
 
+static void test_a_plate_is_read(void **state) {
+    (void)state;
+    struct scene *s = read_or_fail("plate.yaml", 0, NULL);
+    const struct scene_solid *p = s->solid;
+    assert_int_equal(s->dimension, 2);
+    assert_vector(s->domain.size, 0.1, 0.04, 0);
+    assert_true(!s->fluid && !s->coupling && s->domain.cells[0] == 0 && !s->domain.periodic[2]);
+    assert_true(p->model == SCENE_PLANE_STRESS && p->thickness == 0.002);
+    assert_vector(p->lattice_offset, 0.25, -0.5, 0);
+    assert_true(p->partial_volume == SCENE_PARTIAL_RAMP && p->horizons == SCENE_HORIZONS_ONE_SIDED);
+    assert_true(p->material[0].micromodulus == SCENE_CONICAL && p->material[1].horizon_ratio == 5);
+    assert_true(p->material[0].poisson_ratio == 1.0 / 3 && p->material[1].poisson_ratio == 0.3333);
+    assert_vector(p->body_force, 0, -9.81, 0);
+    assert_true(p->cracks == 1 && p->crack[0].points == 3);
+    assert_string_equal(p->crack[0].name, "notch");
+    assert_vector(p->crack[0].point[2], 0.02, 0.021, 0);
+    const struct scene_constraint *held = &p->constraint[0], *pulled = &p->constraint[1];
+    assert_true(!held->has_displacement && !held->direction[0] && held->direction[1] && held->time.n == 0);
+    assert_true(pulled->has_displacement && pulled->direction[0] && pulled->direction[1] &&
+                !pulled->direction[2]);
+    assert_vector(pulled->displacement, 0, 1e-5, 0);
+    assert_vector(pulled->velocity, 0, 0, 0);
+    assert_true(pulled->time.n == 2 && pulled->time.t[1] == 1e-6 && pulled->time.factor[1] == 1);
+    assert_true(p->load[0].kind == SCENE_LOAD_REGION && p->load[1].kind == SCENE_LOAD_EDGE);
+    assert_true(p->load[0].time.n == 3 && p->load[0].time.t[2] == 3e-6 && p->load[0].time.factor[2] == 0);
+    assert_true(p->load[1].over_horizon == 1 && p->load[2].over_horizon == 0);
+    assert_true(p->load[1].edge[0][1] == 0.04 && p->load[1].edge[1][0] == 0.06);
+    assert_vector(p->load[2].traction, -1e6, 0, 0);
+    assert_true(p->initial[0].along == 1 && p->initial[0].width == 0.005);
+    assert_vector(p->initial[0].displacement, 0, 1e-6, 0);
+    const struct scene_refinement *r = p->refinement;
+    assert_true(r->levels == 2 && r->energy == 0 && r->damage == 0.1 && r->from == 1e-6 && r->every == 5);
+    assert_true(!r->horizon_kept && !r->interface_corrected && r->held_refine && r->starts == 1);
+    assert_vector(r->high, 0.08, 0.03, 0);
+    assert_true(r->start[0].level == 2 && r->start[0].low[1] == 0.015);
+    assert_true(s->output.crack->damage == 0.4 && s->output.crack->window == 2e-6 &&
+                s->output.crack->every == 4);
+    assert_vector(s->output.crack->direction, 1, 1, 0);
+    scene_free(s);
+}
+
+/* All curves of a body, as corners: rectangles and discs too. */
+static void test_outlines_are_curves(void **state) {
+    (void)state;
+    struct scene *s = read_or_fail("plate.yaml", 0, NULL);
+    const struct scene_body *plate = &s->solid->body[0], *ring = &s->solid->body[1];
+    assert_int_equal(plate->outlines, 4); /* its own, a piece, two holes */
+    assert_int_equal(plate->outline[0].corners, 6);
+    assert_true(plate->outline[0].corner[2].turn == 1 && plate->outline[0].corner[2].centre[0] == 0.07);
+    assert_true(plate->outline[0].corner[3].turn == 0 && plate->outline[0].corner[3].at[0] == 0.06);
+    const struct scene_outline *piece = &plate->outline[1], *disc = &plate->outline[2];
+    assert_true(piece->corners == 4 && !piece->is_hole && piece->corner[2].at[0] == 0.095 &&
+                piece->corner[2].at[1] == 0.01 && piece->corner[3].at[0] == 0.085);
+    assert_true(disc->corners == 2 && disc->is_hole && disc->corner[0].turn == 1 &&
+                disc->corner[1].turn == 1);
+    assert_true(disc->corner[0].at[0] == 0.02 - 0.004 && disc->corner[1].at[0] == 0.02 + 0.004);
+    assert_true(plate->outline[3].is_hole && plate->outline[3].corner[1].turn == -1);
+    assert_true(ring->outlines == 2 && !ring->outline[0].is_hole && ring->outline[1].is_hole);
+    assert_true(s->solid->body[2].outlines == 1 && s->solid->body[3].outlines == 0); /* points have none */
+    scene_free(s);
+}
+
+static void assert_bounds(const struct scene_corner *corner, int n, double low_x, double low_y, double high_x,
+                          double high_y) {
+    struct scene_corner copy[4];
+    double low[2], high[2];
+    memcpy(copy, corner, (size_t)n * sizeof *copy);
+    const struct scene_outline o = {n, copy, 0};
+    scene_outline_bounds(&o, low, high);
+    const double of[4] = {low[0], low[1], high[0], high[1]}, is[4] = {low_x, low_y, high_x, high_y};
+    for (int i = 0; i < 4; i++)
+        if (fabs(of[i] - is[i]) > 1e-15 * 8) fail_msg("%d: %.17g, should be %.17g", i, of[i], is[i]);
+}
+
+/* An arc's bounds are those of its extremes that it passes; round-off is that of atan2 and hypot. */
+static void test_bounds_of_arcs(void **state) {
+    (void)state;
+    const double h = sqrt(0.5);
+    const struct scene_corner quarter[] = {{.at = {0, 0}}, {{1, 0}, {0, 0}, 1}, {.at = {0, 1}}};
+    const struct scene_corner top[] = {{{h, h}, {0, 0}, 1}, {.at = {-h, h}}};
+    const struct scene_corner rest[] = {{{h, h}, {0, 0}, -1}, {.at = {-h, h}}};
+    const struct scene_corner disc[] = {{{-1, 0}, {0, 0}, 1}, {{1, 0}, {0, 0}, 1}};
+    const struct scene_corner bite[] = {{{-1, 0}, {0, 0}, 1}, {{1, 0}, {0, 0}, -1}};
+    assert_bounds(quarter, 3, 0, 0, 1, 1);
+    assert_bounds(top, 2, -h, h, h, 1);
+    assert_bounds(rest, 2, -1, -1, 1, h);
+    assert_bounds(disc, 2, -1, -1, 1, 1);
+    assert_bounds(bite, 2, -1, -1, 1, 0);
+}
+
+static void test_defaults_of_a_plate(void **state) {
+    (void)state;
+    const char *const set[] = {"solid.refinement={}", "output.crack={}"};
+    struct scene *s = read_or_fail("pulled.yaml", 2, set);
+    const struct scene_solid *p = s->solid;
+    assert_true(p->model == SCENE_PLANE_STRAIN && p->thickness == 1 && p->material[0].poisson_ratio == 0.25);
+    assert_vector(p->lattice_offset, 0, 0, 0);
+    assert_true(p->partial_volume == SCENE_PARTIAL_EXACT && p->horizons == SCENE_HORIZONS_DUAL);
+    assert_true(p->material[0].micromodulus == SCENE_CONSTANT && p->material[0].horizon_ratio == 3);
+    assert_string_equal(p->constraint[0].directions, "xy");
+    assert_true(p->constraint[0].direction[1] && !p->constraint[0].direction[2]);
+    assert_true(!p->constraint[0].has_displacement && p->load[0].time.n == 0 && !p->load[1].over_horizon);
+    const struct scene_refinement *r = p->refinement;
+    assert_true(r->levels == 1 && r->energy == 0.4 && r->damage == 0 && r->from == 0 && r->every == 10);
+    assert_true(!r->horizon_kept && !r->interface_corrected && !r->held_refine && r->starts == 0);
+    for (int d = 0; d < 3; d++) assert_true(r->low[d] == -INFINITY && r->high[d] == INFINITY);
+    assert_true(s->output.crack->damage == 0.35 && s->output.crack->window == 2e-6 &&
+                s->output.crack->every == 10);
+    assert_vector(s->output.crack->direction, 1, 0, 0);
+    scene_free(s);
+    s = read_or_fail("block.yaml", 0, NULL); /* in 3D */
+    assert_int_equal(s->dimension, 3);
+    assert_true(s->solid->model == SCENE_3D && !s->solid->refinement && s->solid->crack[0].points == 4);
+    assert_vector(s->solid->lattice_offset, 0.5, 0, 0);
+    assert_vector(s->solid->crack[0].point[2], 0.01, 0.005, 0.01);
+    assert_string_equal(s->solid->constraint[0].directions, "xyz");
+    assert_vector(s->output.crack->direction, 1, 0, 0);
+    scene_free(s);
+}
+
+/* Equal arrays, NULL where they are empty. */
+static void assert_same_array(const void *a, const void *b, int n, size_t size) {
+    if (n > 0) assert_memory_equal(a, b, (size_t)n * size);
+}
+
+static void assert_same_time(const struct scene_time *a, const struct scene_time *b) {
+    assert_int_equal(a->n, b->n);
+    assert_same_array(a->point, b->point, a->n, sizeof *a->point);
+    assert_same_array(a->t, b->t, a->n, sizeof *a->t);
+    assert_same_array(a->factor, b->factor, a->n, sizeof *a->factor);
+}
+
+static void assert_same_corners(int n, const struct scene_corner *a, const struct scene_corner *b) {
+    for (int i = 0; i < n; i++) {
+        assert_memory_equal(a[i].at, b[i].at, sizeof a->at);
+        assert_memory_equal(a[i].centre, b[i].centre, sizeof a->centre);
+        assert_int_equal(a[i].turn, b[i].turn);
+    }
+}
+
+static void assert_same_parts(int n, const struct scene_part *a, const struct scene_part *b) {
+    for (int i = 0; i < n; i++) {
+        assert_memory_equal(&a[i], &b[i], offsetof(struct scene_part, corner));
+        assert_same_corners(a[i].corners, a[i].corner, b[i].corner);
+    }
+}
+
+static void assert_same_body(const struct scene_body *a, const struct scene_body *b) {
+    assert_memory_equal(a, b, offsetof(struct scene_body, corner));
+    assert_same_corners(a->corners, a->corner, b->corner);
+    assert_same_parts(a->pieces, a->piece, b->piece);
+    assert_same_parts(a->holes, a->hole, b->hole);
+    assert_int_equal(a->outlines, b->outlines);
+    for (int i = 0; i < a->outlines; i++) {
+        assert_true(a->outline[i].corners == b->outline[i].corners &&
+                    a->outline[i].is_hole == b->outline[i].is_hole);
+        assert_same_corners(a->outline[i].corners, a->outline[i].corner, b->outline[i].corner);
+    }
+}
+
+static void assert_same_refinement(const struct scene_refinement *a, const struct scene_refinement *b) {
+    assert_true(!a == !b);
+    if (!a) return;
+    assert_memory_equal(a, b, offsetof(struct scene_refinement, start));
+    assert_same_array(a->start, b->start, a->starts, sizeof *a->start);
+}
+
+static void assert_same_solid(const struct scene_solid *s, const struct scene_solid *t) {
+    assert_memory_equal(s, t, offsetof(struct scene_solid, material)); /* numbers, and how many of each */
+    assert_same_array(s->material, t->material, s->materials, sizeof *s->material);
+    for (int b = 0; b < s->bodies; b++) assert_same_body(&s->body[b], &t->body[b]);
+    for (int i = 0; i < s->cracks; i++) {
+        assert_memory_equal(&s->crack[i], &t->crack[i], offsetof(struct scene_crack, point));
+        assert_same_array(s->crack[i].point, t->crack[i].point, s->crack[i].points,
+                          sizeof *s->crack[i].point);
+    }
+    for (int i = 0; i < s->constraints; i++) {
+        assert_memory_equal(&s->constraint[i], &t->constraint[i], offsetof(struct scene_constraint, time));
+        assert_same_time(&s->constraint[i].time, &t->constraint[i].time);
+    }
+    assert_same_array(s->unbreakable, t->unbreakable, s->unbreakables, sizeof *s->unbreakable);
+    for (int i = 0; i < s->loads; i++) {
+        assert_memory_equal(&s->load[i], &t->load[i], offsetof(struct scene_load, time));
+        assert_same_time(&s->load[i].time, &t->load[i].time);
+    }
+    assert_same_array(s->initial, t->initial, s->initials, sizeof *s->initial);
+    assert_same_refinement(s->refinement, t->refinement);
+    assert_memory_equal(s->body_force, t->body_force, sizeof s->body_force);
+    assert_true(s->contact == t->contact && s->contact_stiffness == t->contact_stiffness);
+    assert_true(s->contact_exponent == t->contact_exponent && s->contact_radius == t->contact_radius);
+    assert_true(s->surface_correction == t->surface_correction);
+}
+
+static void assert_same_output(const struct scene_output *a, const struct scene_output *b) {
+    assert_memory_equal(a, b, offsetof(struct scene_output, crack));
+    assert_true(!a->crack == !b->crack);
+    if (a->crack) assert_memory_equal(a->crack, b->crack, sizeof *a->crack);
+}
+
 /* The same numbers in all that both hold. */
 static void assert_same(const struct scene *a, const struct scene *b) {
     assert_string_equal(a->resolved, b->resolved);
     assert_string_equal(a->title, b->title);
     assert_memory_equal(&a->domain, &b->domain, sizeof a->domain);
-    assert_memory_equal(&a->output, &b->output, sizeof a->output);
+    assert_same_output(&a->output, &b->output);
+    assert_int_equal(a->dimension, b->dimension);
     assert_true(!a->fluid == !b->fluid && !a->solid == !b->solid && !a->coupling == !b->coupling);
     if (a->fluid) assert_memory_equal(a->fluid, b->fluid, sizeof *a->fluid);
     if (a->coupling) assert_memory_equal(a->coupling, b->coupling, sizeof *a->coupling);
@@ -197,20 +398,7 @@ static void assert_same(const struct scene *a, const struct scene *b) {
     assert_memory_equal(a->stage, b->stage, (size_t)a->stages * sizeof *a->stage);
     if (!a->solid) return;
     const struct scene_solid *s = a->solid, *t = b->solid;
-    assert_true(s->spacing == t->spacing && s->materials == t->materials && s->bodies == t->bodies);
-    assert_true(s->constraints == t->constraints && s->unbreakables == t->unbreakables &&
-                s->loads == t->loads);
-    assert_memory_equal(s->material, t->material, (size_t)s->materials * sizeof *s->material);
-    assert_memory_equal(s->body, t->body, (size_t)s->bodies * sizeof *s->body);
-    if (s->constraints)
-        assert_memory_equal(s->constraint, t->constraint, (size_t)s->constraints * sizeof *s->constraint);
-    if (s->unbreakables)
-        assert_memory_equal(s->unbreakable, t->unbreakable, (size_t)s->unbreakables * sizeof *s->unbreakable);
-    if (s->loads) assert_memory_equal(s->load, t->load, (size_t)s->loads * sizeof *s->load);
-    assert_memory_equal(s->body_force, t->body_force, sizeof s->body_force);
-    assert_true(s->contact == t->contact && s->contact_stiffness == t->contact_stiffness);
-    assert_true(s->contact_exponent == t->contact_exponent && s->contact_radius == t->contact_radius);
-    assert_true(s->surface_correction == t->surface_correction);
+    assert_same_solid(s, t);
 }
 
 static void test_resolved_says_the_same(void **state) {
@@ -218,6 +406,9 @@ static void test_resolved_says_the_same(void **state) {
     const char *const name[] = {SCENES "coupled.yaml",
                                 SCENES "fluid.yaml",
                                 SCENES "solid.yaml",
+                                SCENES "plate.yaml",
+                                SCENES "pulled.yaml",
+                                SCENES "block.yaml",
                                 FRANA_SOURCE_DIR "/cases/porous_channel/s1.yaml",
                                 FRANA_SOURCE_DIR "/cases/channel/scene.yaml",
                                 FRANA_SOURCE_DIR "/cases/bar/scene.yaml",
@@ -281,6 +472,51 @@ static void test_ranks_hold_the_same(void **state) {
     scene_free(s);
 }
 
+static void test_settings_of_a_plate(void **state) {
+    (void)state;
+    const char *const set[] = {"solid.cracks.notch.points[1]=[0.011, 0.02]",
+                               "solid.bodies.plate.outline[0]=[0.001, 0]",
+                               "solid.bodies.plate.outline[2].centre[0]=0.07", "solid.refinement.energy=0.5",
+                               "solid.loads[1].time=[[0, 0], [1, 1]]"};
+    const char *const wrong[][2] = {
+        {"solid.bodies.plate.outline[0].at=[0, 0]",
+         "--set solid.bodies.plate.outline[0].at: there is no entry named at in the list"},
+        {"solid.bodies.plate.outline[0]=[0, 0, 0]",
+         "--set solid.bodies.plate.outline[0]: solid.bodies[0].outline[0].at = [0, 0, 0]: must be a list of "
+         "2 "
+         "numbers (m)"},
+        {"solid.cracks.notch.points[3]=[0, 0]",
+         "--set solid.cracks.notch.points[3]: there is no entry 3: points has 0 to 2"}};
+    struct scene *s = read_or_fail("plate.yaml", 5, set);
+    assert_vector(s->solid->crack[0].point[1], 0.011, 0.02, 0);
+    assert_true(s->solid->body[0].corner[0].at[0] == 0.001 && s->solid->refinement->energy == 0.5);
+    assert_int_equal(s->solid->load[1].time.n, 2);
+    scene_free(s);
+    char *text = sample_text(SCENES "plate.yaml");
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct scene_problems problems;
+        assert_null(sample_read(text, 1, &wrong[i][0], &problems));
+        assert_string_equal(problems.text[0], wrong[i][1]);
+        assert_int_equal(problems.n, 1);
+        scene_problems_free(&problems);
+    }
+    free(text);
+}
+
+/* Ranks above 0 read the resolved scene: all is there as in the file itself. */
+static void test_plates_on_ranks(void **state) {
+    (void)state;
+    struct scene *s = read_or_fail("plate.yaml", 0, NULL);
+    char *text = sample_text(SCENES "plate.yaml");
+    struct scene_problems problems;
+    struct scene *here = sample_read(text, 0, NULL, &problems);
+    assert_non_null(here);
+    assert_same(here, s);
+    scene_free(here);
+    scene_free(s);
+    free(text);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
@@ -290,6 +526,12 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(test_settings_override),
                                        cmocka_unit_test(test_settings_make_missing_sections),
                                        cmocka_unit_test(test_wrong_settings_are_refused),
+                                       cmocka_unit_test(test_a_plate_is_read),
+                                       cmocka_unit_test(test_outlines_are_curves),
+                                       cmocka_unit_test(test_bounds_of_arcs),
+                                       cmocka_unit_test(test_defaults_of_a_plate),
+                                       cmocka_unit_test(test_settings_of_a_plate),
+                                       cmocka_unit_test(test_plates_on_ranks),
                                        cmocka_unit_test(test_resolved_says_the_same),
                                        cmocka_unit_test(test_texts_survive_the_resolved_scene),
                                        cmocka_unit_test(test_ranks_hold_the_same)};

@@ -39,7 +39,7 @@ static void test_every_key_has_a_rule(void **state) {
     (void)state;
     struct keys keys = {0};
     collect(&keys, &scene_schema, "");
-    assert_true(keys.n > 80);
+    assert_true(keys.n > 160);
     int rules = 0;
     while (scene_rules[rules].path) rules++;
     assert_int_equal(keys.n, rules);
@@ -119,12 +119,27 @@ static void test_largest_horizon_fits_a_family(void **state) {
     assert_int_equal(within + on, 514);
 }
 
+/* In a plate the largest is the last whole number with which a family, |xi| < m + 1/2 spacings, has at most 512 bonds. */
+static void test_largest_horizon_of_a_plate(void **state) {
+    (void)state;
+    int bonds[2] = {-1, -1};
+    for (int more = 0; more < 2; more++) {
+        const double r = SCENE_HORIZON_MAX_PLATE + more + 0.5;
+        for (int i = -14; i <= 14; i++)
+            for (int j = -14; j <= 14; j++) bonds[more] += i * i + j * j < r * r;
+    }
+    assert_int_equal(bonds[0], 488);
+    assert_true(bonds[1] > 512);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_key_has_a_rule), cmocka_unit_test(test_paths_find_their_rule),
-        cmocka_unit_test(test_the_reference_has_every_key), cmocka_unit_test(test_nearest_word),
-        cmocka_unit_test(test_largest_horizon_fits_a_family)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_key_has_a_rule),
+                                       cmocka_unit_test(test_paths_find_their_rule),
+                                       cmocka_unit_test(test_the_reference_has_every_key),
+                                       cmocka_unit_test(test_nearest_word),
+                                       cmocka_unit_test(test_largest_horizon_fits_a_family),
+                                       cmocka_unit_test(test_largest_horizon_of_a_plate)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

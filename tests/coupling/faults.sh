@@ -36,4 +36,8 @@ grep -q HDF5 out || fail "--version does not name HDF5"
 echo 'oddity: 1' >>scene.yaml
 code 2 ranks 2 run scene.yaml --out never
 [ ! -e never ] || fail "a folder was made for a broken scene"
+# nor for a plate whose outline only its geometry shows to be none
+code 2 ranks 2 run "$source/tests/base/scenes/plate.yaml" --out never --set 'solid.bodies.plate.outline=[[0, 0], [0.05, 0.04], [0.05, 0], [0, 0.04]]'
+grep -q 'crosses or touches itself' err || { cat err; fail "no sentence on the outline"; }
+[ ! -e never ] || fail "a folder was made for an outline that crosses itself"
 echo ok

@@ -20,7 +20,7 @@ static struct solid *block(void) {
                                     .cavity_period = 16 * SPACING,
                                     .cavity_radius = 9.15 * SPACING,
                                     .cavity_centre = {16.15 * SPACING, 0, 0}};
-    const struct solid_material material = {1e8, 3000, 0.05, 3};
+    const struct solid_material material = {1e8, 3000, 0.05, 3, SOLID_CONSTANT};
     const struct solid_input in = {.spacing = SPACING,
                                    .bodies = 1,
                                    .body = &body,

@@ -183,7 +183,8 @@ static double largest_rate(struct solid *s) {
     return rate;
 }
 
-/* Bonds and present contacts together are no faster than the bound, and the bound is no more than twice what is there. */
+/* Bonds and present contacts together are no faster than the bound, and the bound is no more than 1.38 times what is there: equal
+ * weights for all give 1.41. */
 static void test_contact_bound(void **state) {
     (void)state;
     const double strain[3] = {0.001, 0.03, 0.15};
@@ -197,7 +198,7 @@ static void test_contact_bound(void **state) {
                       rates.stiffness, contact, there);
         assert_true(there > 1.3 * rates.stiffness);
         assert_true(there < rates.stiffness + contact);
-        assert_true(2 * there > rates.stiffness + contact);
+        assert_true(1.38 * there > rates.stiffness + contact);
         enum solid_bound bound;
         solid_stable_of(&rates, SOLID_VERLET, contact, &bound);
         assert_int_equal(bound, SOLID_BOUND_CONTACT);

@@ -1,0 +1,39 @@
+/* Refinement within a run: when it is looked for, and what step the solid takes afterwards. */
+#include "base/clock.h"
+#include "base/log.h"
+#include "coupling/run.h"
+#include "solid/refine.h"
+
+#include <math.h>
+
+/* What the fastest mode between levels may gain as a refined region grows: Lanczos need not run again. */
+static const double GROWTH = 1.03;
+
+/* Lanczos's rates are right for the particles there were, and a small region is slower than an endless one of its level, which is
+ * therefore counted too. They hold for others of the same levels as long as the bound by families is no higher; a new level, or a
+ * higher bound, asks for them again. Never above the bound itself. */
+void run_refine_rates(struct run *r) {
+    struct solid_rates *of = &r->solid_rates;
+    const double bound = solid_refine_rate2(r->solid);
+    const int level = solid_refine_finest(r->solid);
+    if (level <= r->refined.level && bound <= r->refined.rate2 * (1 + 1e-9)) return;
+    solid_rates_of(r->solid, of);
+    if (level > 0) of->stiffness = fmax(GROWTH * of->stiffness, solid_refine_lattice2(r->solid, level));
+    if (r->solid->in.horizons == SOLID_DUAL_HORIZON) of->stiffness = fmin(of->stiffness, bound);
+    r->refined = (struct run_refined){level, bound};
+}
+
+void run_refine(struct run *r) {
+    const struct scene_refinement *in = r->scene->solid->refinement;
+    if (r->step % in->every != 0 || r->t < in->from) return;
+    clock_begin(CLOCK_SOLID);
+    r->solid->t = r->t;
+    solid_ghosts_update(r->solid);
+    const long refined = solid_refine_look(r->solid);
+    if (refined > 0) {
+        run_refine_rates(r);
+        log_line("step %ld: %ld particles refined, %ld in all, finest level %d", r->step, refined,
+                 r->solid->n_global, solid_refine_finest(r->solid));
+    }
+    clock_end(CLOCK_SOLID);
+}

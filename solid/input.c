@@ -1,0 +1,62 @@
+#include "solid/input.h"
+#include "base/memory.h"
+#include "solid/time.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+static void *copy_of(const void *from, size_t n, size_t size) {
+    void *to = memory_new(MEMORY_SOLID, n + 1, size);
+    if (n) memcpy(to, from, n * size);
+    return to;
+}
+
+void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
+    *to = *from;
+    to->body = copy_of(from->body, (size_t)from->bodies, sizeof *from->body);
+    to->material = copy_of(from->material, (size_t)from->materials, sizeof *from->material);
+    to->constraint = copy_of(from->constraint, (size_t)from->constraints, sizeof *from->constraint);
+    to->unbreakable = copy_of(from->unbreakable, (size_t)from->unbreakables, sizeof *from->unbreakable);
+    for (int b = 0; b < to->bodies; b++) {
+        struct solid_body *body = (struct solid_body *)(uintptr_t)&to->body[b];
+        body->least_horizon = to->material[body->material].horizon_ratio * to->spacing;
+        for (long p = 0; body->point_horizon && p < body->points; p++)
+            body->least_horizon = fmin(body->least_horizon, body->point_horizon[p]);
+    }
+    to->load = copy_of(from->load, (size_t)from->loads, sizeof *from->load);
+    for (int k = 0; k < to->constraints; k++)
+        solid_time_copy((struct solid_time *)(uintptr_t)&to->constraint[k].time);
+    for (int k = 0; k < to->loads; k++) solid_time_copy((struct solid_time *)(uintptr_t)&to->load[k].time);
+}
+
+void solid_input_free(struct solid_input *in) {
+    for (int k = 0; k < in->constraints; k++)
+        solid_time_free((struct solid_time *)(uintptr_t)&in->constraint[k].time);
+    for (int k = 0; k < in->loads; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->load[k].time);
+    const void *const own[] = {in->body, in->material, in->constraint, in->unbreakable, in->load};
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free((void *)(uintptr_t)own[i]);
+}
+
+void solid_input_check(const struct solid_input *in) {
+    if (!(in->spacing > 0)) die_all(EXIT_CODE_SCENE, "solid.spacing = %g: must be above 0", in->spacing);
+    if (in->model != SOLID_3D && !(in->thickness > 0))
+        die_all(EXIT_CODE_SCENE, "solid.thickness = %g: must be above 0", in->thickness);
+    if (in->bodies < 1 || in->bodies > 255)
+        die_all(EXIT_CODE_SCENE, "solid.bodies: %d of them; must be 1 to 255", in->bodies);
+    for (int b = 0; b < in->bodies; b++) {
+        const int m = in->body[b].material;
+        if (m < 0 || m >= in->materials)
+            die_all(EXIT_CODE_SCENE, "solid body %s: material %d of %d", in->body[b].name, m, in->materials);
+    }
+    for (int m = 0; m < in->materials; m++) {
+        const struct solid_material *k = &in->material[m];
+        if (!(k->youngs_modulus > 0) || !(k->density > 0) || !(k->fracture_energy >= 0) ||
+            !(k->horizon_ratio >= 1))
+            die_all(EXIT_CODE_SCENE,
+                    "solid material %d: youngs_modulus %g and density %g must be above 0, fracture_energy %g "
+                    "not below 0, "
+                    "horizon_ratio %g at least 1 particle spacing",
+                    m, k->youngs_modulus, k->density, k->fracture_energy, k->horizon_ratio);
+    }
+}

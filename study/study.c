@@ -1,0 +1,71 @@
+#include "study/study.h"
+#include "base/error.h"
+#include "base/scene_node.h"
+#include "study/child.h"
+#include "study/report.h"
+#include "study/runs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* This program's own file. */
+static void program_of(char *path, size_t size) {
+    const ssize_t n = readlink("/proc/self/exe", path, size - 1);
+    if (n <= 0) die_all(EXIT_CODE_FILE, "frana study: cannot find its own program in /proc/self/exe");
+    path[n] = '\0';
+}
+
+/* What commands of quantities may ask for, and what Open MPI wants of a superuser. */
+static void environment(const struct study *s, const char *program) {
+    char *folder = realpath(s->folder, NULL);
+    setenv("FRANA", program, 1);
+    setenv("FRANA_STUDY", folder ? folder : s->folder, 1);
+    free(folder);
+    if (geteuid() != 0) return;
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+}
+
+static int count(const struct study_plan *p, enum study_state state) {
+    int n = 0;
+    for (int i = 0; i < p->runs; i++) n += p->run[i].outcome.state == state;
+    return n;
+}
+
+static int report(const struct study_plan *p, const char *out) {
+    struct study_result *r = study_result_new(p);
+    const struct study_maker maker = study_report_maker();
+    const int plotted = study_report_plots(r, out);
+    study_report_csv(r, &maker, out);
+    study_report_page(r, &maker, out);
+    study_result_free(r);
+    const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);
+    printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "",
+           done);
+    if (!plotted)
+        fprintf(stderr,
+                "frana: %s: plots are missing: gnuplot was not found or failed; their scripts are there\n",
+                out);
+    if (failed) fprintf(stderr, "frana: %s: %d runs have failed\n", p->study->path, failed);
+    return done ? EXIT_CODE_DONE : EXIT_CODE_UNSTABLE;
+}
+
+int study_run(const struct study_options *o) {
+    char program[4096];
+    if (getenv("OMPI_COMM_WORLD_SIZE") || getenv("PMI_SIZE"))
+        die_all(EXIT_CODE_SCENE, "frana study: starts the ranks of its runs itself: call it without mpiexec");
+    program_of(program, sizeof program);
+    struct study *s = study_file_new(o->file);
+    char *out = o->out ? scene_text("%s", o->out) : scene_text("%s/results", s->folder);
+    struct study_plan *plan = study_plan_new(s, out);
+    environment(s, program);
+    study_child_begin();
+    int code = study_runs_make(plan, program, o->fresh);
+    if (code == EXIT_CODE_DONE) code = report(plan, out);
+    study_plan_free(plan);
+    study_file_free(s);
+    free(out);
+    return code;
+}

@@ -1,0 +1,151 @@
+/* A plate's scene as the solid's input, point files, and the plates that bound no body. */
+#include "base/par.h"
+#include "coupling/setup.h"
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define SCENES FRANA_SOURCE_DIR "/tests/base/scenes/"
+
+static void test_a_plate(void **state) {
+    (void)state;
+    struct scene *s = scene_new(SCENES "plate.yaml", 0, NULL);
+    struct solid_input *in = setup_solid(s);
+    assert_true(in->model == SOLID_PLANE_STRESS && in->thickness == 0.002);
+    assert_true(in->partial == SOLID_PARTIAL_RAMP && in->horizons == SOLID_ONE_SIDED);
+    assert_true(in->origin[0] == 0.25 * 0.001 && in->origin[1] == -0.5 * 0.001 && in->origin[2] == 0);
+    assert_true(in->material[0].micromodulus == SOLID_CONICAL &&
+                in->material[1].micromodulus == SOLID_CONSTANT);
+    assert_true(in->cuts == 1 && in->cut[0].points == 3 && in->cut[0].point[2][1] == 0.021);
+    const struct solid_body *plate = &in->body[0];
+    assert_true(plate->shape == SOLID_POLYGON && plate->outlines == 4 && plate->outline[0].corners == 6);
+    assert_true(plate->outline[0].turn[2] == 1 && plate->outline[0].centre[2][0] == 0.07);
+    assert_true(!plate->outline[1].is_hole && plate->outline[2].is_hole && plate->outline[3].turn[1] == -1);
+    assert_true(in->body[1].shape == SOLID_POLYGON && in->body[1].outlines == 2); /* a disc with a hole */
+    assert_true(in->body[2].shape == SOLID_POLYGON && in->body[2].outlines == 1); /* a rectangle */
+    const struct solid_body *grains = &in->body[3];
+    assert_true(grains->shape == SOLID_POINTS && grains->points == 2 && grains->outlines == 0);
+    assert_true(grains->point[0][1] == 0.0635 && grains->point[1][1] == 0.0005 && !grains->point[2]);
+    assert_true(grains->point_volume[0] == 1e-6 && grains->point_horizon[1] == 3e-3);
+    assert_true(in->constraint[0].direction[1] == 1 && in->constraint[0].direction[0] == 0);
+    setup_solid_free(in);
+    scene_free(s);
+}
+
+static void test_a_block(void **state) {
+    (void)state;
+    struct scene *s = scene_new(SCENES "block.yaml", 0, NULL);
+    struct solid_input *in = setup_solid(s);
+    assert_true(in->model == SOLID_3D && in->origin[0] == 0.5 * 0.001 && in->origin[2] == 0);
+    assert_true(in->partial == SOLID_PARTIAL_EXACT && in->horizons == SOLID_DUAL_HORIZON);
+    assert_true(in->body[0].shape == SOLID_BOX && in->cuts == 1 && in->cut[0].points == 4);
+    setup_solid_free(in);
+    scene_free(s);
+    s = scene_new(SCENES "solid.yaml", 0, NULL); /* its points have no horizon */
+    in = setup_solid(s);
+    assert_true(in->body[0].points == 2 && in->body[0].point[2][0] == 0.0005 && !in->body[0].point_horizon);
+    assert_true(in->body[0].point_volume[1] == 1e-9);
+    setup_solid_free(in);
+    scene_free(s);
+}
+
+/* What a process says of a scene with settings, and leaves with. */
+static int leaves_with(const char *path, int n, const char *const *set, int whole, char *said, size_t size) {
+    int pipes[2], status;
+    assert_int_equal(pipe(pipes), 0);
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(pipes[1], STDERR_FILENO);
+        struct scene *s = scene_new(path, n, set);
+        setup_check(s);
+        if (whole) setup_solid(s);
+        _exit(0);
+    }
+    close(pipes[1]);
+    size_t got = 0;
+    for (ssize_t k; got < size - 1 && (k = read(pipes[0], said + got, size - 1 - got)) > 0;) got += (size_t)k;
+    said[got] = '\0';
+    close(pipes[0]);
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void test_plates_that_bound_no_body(void **state) {
+    (void)state;
+    static const char *const fault[][2] = {
+        {"solid.bodies.plate.outline=[[0, 0], [0.05, 0.04], [0.05, 0], [0, 0.04]]",
+         "solid.bodies[0] (plate): outline 1 crosses or touches itself"},
+        {"solid.bodies.ring.holes[0].high=[0.1, 0.032]",
+         "solid.bodies[1] (ring): outlines 1 and 2 cross or touch"},
+        {"solid.bodies.ring.holes=[{shape: disc, centre: [0.05, 0.01], radius: 0.001}]",
+         "(outline 1 is the body's own, 2 its hole)"},
+        {"solid.cracks.notch.points=[[0.065, 0.0325], [0.068, 0.0325]]",
+         "solid.cracks[0]: no part of it lies in a body"}};
+    char said[4096], sentence[4096];
+    for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
+        /* without the points, whose shape is not known */
+        const char *const set[] = {fault[i][0], "solid.bodies.grains={name: grains, material: glass, shape: "
+                                                "disc, centre: [0.068, 0.037], radius: 0.001}"};
+        const int code = leaves_with(SCENES "plate.yaml", 2, set, 0, said, sizeof said);
+        snprintf(sentence, sizeof sentence, "%s", said);
+        if (code != EXIT_CODE_SCENE || !strstr(said, fault[i][1]) ||
+            strchr(said, '\n') != strrchr(said, '\n'))
+            fail_msg("%s: exit %d, \"%s\"", fault[i][0], code, sentence);
+    }
+    assert_int_equal(leaves_with(SCENES "plate.yaml", 0, NULL, 1, said, sizeof said), 0);
+    assert_string_equal(said, "");
+}
+
+static void test_broken_point_files(void **state) {
+    (void)state;
+    static const char *const file[][2] = {
+        {"", "holds no line x y area, or x y area horizon"},
+        {"0.06 0.03 1e-6\n0.07 0.03\n", "line 2 is not the numbers x y area, or x y area horizon"},
+        {"0.06 0.03 1e-6 1 1\n", "line 1 is not the numbers x y area, or x y area horizon"},
+        {"0.06 0.03 1e-6\n\n0.07 0.03 much\n", "line 3 is not the numbers x y area, or x y area horizon"},
+        {"0.06 0.03 1e-6 3e-3\n0.07 0.03 1e-6\n", "line 2 has no horizon, unlike those before it"},
+        {"0.06 0.03 1e-6\n0.07 0.03 1e-6 3e-3\n", "line 2 has a horizon, unlike those before it"},
+        {"0.06 0.03 0\n", "line 1: area and horizon must be greater than 0 and everything finite"},
+        {"0.06 nan 1e-6\n", "line 1: area and horizon must be greater than 0 and everything finite"}};
+    char path[] = "/tmp/points_XXXXXX", set[64], said[4096];
+    close(mkstemp(path));
+    snprintf(set, sizeof set, "solid.bodies.grains.file=%s", path);
+    for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
+        FILE *out = fopen(path, "w");
+        fputs(file[i][0], out);
+        fclose(out);
+        const int code =
+            leaves_with(SCENES "plate.yaml", 1, (const char *const[]){set}, 1, said, sizeof said);
+        if (code != EXIT_CODE_FILE || !strstr(said, file[i][1])) {
+            unlink(path);
+            fail_msg("%s: exit %d, \"%s\"", file[i][0], code, said);
+        }
+    }
+    unlink(path);
+}
+
+int main(int argc, char **argv) {
+    /* forks: before MPI has begun, and on one rank */
+    const char *ranks = getenv("OMPI_COMM_WORLD_SIZE");
+    int failed = 0;
+    if (!ranks || atoi(ranks) == 1) {
+        const struct CMUnitTest leaving[] = {cmocka_unit_test(test_plates_that_bound_no_body),
+                                             cmocka_unit_test(test_broken_point_files)};
+        failed = cmocka_run_group_tests(leaving, NULL, NULL);
+    }
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_plate), cmocka_unit_test(test_a_block)};
+    failed += cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
