@@ -13,7 +13,10 @@ go() {
 }
 
 # of NAME QUANTITY: a number of NAME's crack-summary.csv, nothing where it has none
-of() { awk -v q="$2," '{ l = $0; gsub(/"/, "", l) } index(l, q) == 1 { sub(/.*,/, "", l); print l }' "$runs/$1/post/crack-summary.csv"; }
+of() {
+  awk -v q="$2" '{ gsub(/"/, ""); v = $0; sub(/.*,/, "", v); sub(/,[^,]*,[^,]*$/, ""); if ($0 == q) print v }' \
+    "$runs/$1/post/crack-summary.csv"
+}
 
 # json NAME KEY: a number of its run.json
 json() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$runs/$1/run.json" | head -n 1; }

@@ -70,6 +70,8 @@ void solid_refine_free(struct solid_refine *r) {
     give_back(r->cut);
     give_back(r->in.start);
     memory_free(r->cells);
+    memory_free(r->mark);
+    memory_free(r->energy);
     memory_free(r);
 }
 
@@ -156,8 +158,12 @@ static struct solid_refine_plan **plans(const struct solid *s) {
 
 long solid_refine_marked(struct solid *s, const uint8_t *mark) {
     const long from = s->first[par_rank()];
-    long *id = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *id), n = 0, refined = 0;
+    long n = 0, refined = 0;
     size_t bytes;
+    for (int h = 0; h < s->n; h++) n += mark[h] != 0;
+    if (par_sum_long(n) == 0) return 0;
+    long *id = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *id);
+    n = 0;
     for (int h = 0; h < s->n; h++)
         if (mark[h]) id[n++] = from + h;
     long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);

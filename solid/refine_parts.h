@@ -11,6 +11,9 @@ struct solid_refine {
     const struct solid_cut *cut;   /* owned */
     int room;                      /* places for particles, owned and ghosts, in the arrays of struct solid */
     long events;
+    int looked; /* places in mark and energy, work of a look */
+    uint8_t *mark;
+    double *energy; /* J/m3 */
 };
 
 /* 1: the body is a polygon, whose particles may be refined. */

@@ -40,6 +40,10 @@ long solid_refine_plan_at(const struct solid_refine_plan *plan, int x, int y);
  * (000: "incolla"). */
 void solid_refine_plan_close(struct solid_refine_plan *plan, const long *marked, long n, int families);
 
+/* The new particle of a level at a place where there is none, of those that are there now. */
+struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *plan, const int at[2],
+                                              int level);
+
 static inline int solid_refine_spacing(int level) { return SOLID_REFINE_UNIT >> level; }
 /* delta of a particle, spacings. */
 double solid_refine_plan_horizon(const struct solid_refine_plan *plan, long i);

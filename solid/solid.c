@@ -186,9 +186,13 @@ void solid_build_edges(struct solid *s) {
     const struct solid_family *f = s->family;
     for (int b = 0; s->dim == 2 && b < f->bodies; b++) {
         const struct solid_list *t = f->list[b];
+        struct solid_end last = {0};
+        double full = 0;
         for (int i = 0; i < t->n; i++) {
             const struct solid_end *p = &t->particle[i];
-            const double full = solid_pair_full_volume(&t->law, p->horizon, p->size);
+            if (p->size != last.size || p->horizon != last.horizon)
+                full = solid_pair_full_volume(&t->law, p->horizon, p->size);
+            last = *p;
             if (t->own_volume[i] < (1 - 1e-6) * full) s->flag[t->first + i] |= SOLID_INTERFACE;
         }
     }

@@ -223,6 +223,8 @@ static void test_a_plate_is_read(void **state) {
     assert_true(s->output.crack->damage == 0.4 && s->output.crack->window == 2e-6 &&
                 s->output.crack->every == 4);
     assert_vector(s->output.crack->direction, 1, 1, 0);
+    assert_true(s->output.probes->places == 2 && s->output.probes->every == 2);
+    assert_vector(s->output.probes->at[1], 0.01, 0.03, 0);
     scene_free(s);
 }
 
@@ -277,8 +279,8 @@ static void test_bounds_of_arcs(void **state) {
 
 static void test_defaults_of_a_plate(void **state) {
     (void)state;
-    const char *const set[] = {"solid.refinement={}", "output.crack={}"};
-    struct scene *s = read_or_fail("pulled.yaml", 2, set);
+    const char *const set[] = {"solid.refinement={}", "output.crack={}", "output.probes={at: [[0, 0]]}"};
+    struct scene *s = read_or_fail("pulled.yaml", 3, set);
     const struct scene_solid *p = s->solid;
     assert_true(p->model == SCENE_PLANE_STRAIN && p->thickness == 1 && p->material[0].poisson_ratio == 0.25);
     assert_vector(p->lattice_offset, 0, 0, 0);
@@ -294,6 +296,7 @@ static void test_defaults_of_a_plate(void **state) {
     assert_true(s->output.crack->damage == 0.35 && s->output.crack->window == 2e-6 &&
                 s->output.crack->every == 10);
     assert_vector(s->output.crack->direction, 1, 0, 0);
+    assert_true(s->output.probes->places == 1 && s->output.probes->every == 10);
     scene_free(s);
     s = read_or_fail("block.yaml", 0, NULL); /* in 3D */
     assert_int_equal(s->dimension, 3);
@@ -382,6 +385,10 @@ static void assert_same_output(const struct scene_output *a, const struct scene_
     assert_memory_equal(a, b, offsetof(struct scene_output, crack));
     assert_true(!a->crack == !b->crack);
     if (a->crack) assert_memory_equal(a->crack, b->crack, sizeof *a->crack);
+    assert_true(!a->probes == !b->probes);
+    if (!a->probes) return;
+    assert_true(a->probes->places == b->probes->places && a->probes->every == b->probes->every);
+    assert_same_array(a->probes->at, b->probes->at, a->probes->places, sizeof *a->probes->at);
 }
 
 /* The same numbers in all that both hold. */

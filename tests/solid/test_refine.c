@@ -245,12 +245,54 @@ static void test_crack(void **state) {
     solid_free(s);
 }
 
+/* Refined from the start, with the horizon kept or scaled: the displacement given is that of each place. Periodic sides are none. */
+static void test_start(void **state) {
+    (void)state;
+    for (int kind = 0; kind < 3; kind++) {
+        const struct solid_refined start = {{-1, 0}, {7.1 * SPACING, 1}, 1};
+        struct solid_refinement refinement = levels(1);
+        refinement.horizon_kept = kind == 0;
+        refinement.interface_corrected = kind == 2;
+        refinement.starts = 1;
+        refinement.start = &start;
+        const struct solid_initial initial = {
+            .along = 0, .centre = 7.2 * SPACING, .width = 3 * SPACING, .displacement = {1e-5, -2e-5}};
+        struct solid *s = make((struct make){.sites = {16, 10},
+                                             .periodic = {0, 1},
+                                             .initials = 1,
+                                             .initial = &initial,
+                                             .refinement = &refinement});
+        const struct solid_cloud *t = s->family->cloud[0];
+        /* columns 0 to 6 and what stands between them and beside: 15 columns, 20 rows and not 21 */
+        assert_int_equal(s->n_global, 160 - 70 + 15 * 20);
+        assert_near(area_of(s), 160, 160 * 1e-12);
+        for (long i = 0; i < t->n; i++) {
+            const int fine = t->place[0][i]<7.1, last = t->place[0][i]> 6.9;
+            assert_true(t->size[i] == (fine ? 0.5 : 1));
+            assert_near(t->horizon[i], !fine || kind == 0 ? 3 : 1.5 * (kind == 2 && last ? M_SQRT2 : 1),
+                        1e-15);
+            assert_near(t->volume[i],
+                        fine                    ? (t->place[0][i] == 0 ? 0.125 : 0.25)
+                        : t->place[0][i] == 7.5 ? 0.75
+                                                : 1,
+                        1e-12);
+        }
+        for (int h = 0; h < s->n; h++) {
+            const double bell = exp(-pow((s->x0[0][h] - 7.2 * SPACING) / (3 * SPACING), 2));
+            assert_near(s->d[0][h], 1e-5 * bell, 1e-14);
+            assert_near(s->d[1][h], -2e-5 * bell, 2e-14);
+        }
+        assert_int_equal(solid_refine_events(s), 0);
+        solid_free(s);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_eq38),   cmocka_unit_test(test_total),    cmocka_unit_test(test_levels),
         cmocka_unit_test(test_linear), cmocka_unit_test(test_momentum), cmocka_unit_test(test_held),
-        cmocka_unit_test(test_crack),
+        cmocka_unit_test(test_crack),  cmocka_unit_test(test_start),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# Both steels on uniform grids and refined where they crack, and in 3D; what the result depends on. Writes results/.
+# usage: cases/kalthoff/run.sh [RUNS]      (runs/kalthoff)
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+runs=${1:-runs/kalthoff} case=cases/kalthoff out=cases/kalthoff/results
+. cases/crack.sh
+mkdir -p "$runs" "$out"
+
+# grid SPACING: the real notches, 75 and 125 mm up, which grids of 1 mm and less have between their rows
+grid() {
+  echo "--set solid.spacing=$1 --set solid.cracks.lower.points=[[0,0.075],[0.05,0.075]]" \
+    "--set solid.cracks.upper.points=[[0,0.125],[0.05,0.125]]" \
+    "--set solid.constraints[0].low=[0,0.075] --set solid.constraints[0].high=[$1,0.125]"
+}
+# variation NAME SCENE words of --set, with _ for spaces
+variation() {
+  local name=$1 scene=$2 words=() w
+  shift 2
+  for w in "$@"; do words+=("${w//:_/: }"); done
+  go "$name" "$case/$scene.yaml" "${words[@]}" >"$runs/$name.log"
+}
+# path NAME HEIGHT: of the upper crack, whose notch is HEIGHT up: the angle (degrees) of the chord from the notch's tip to where the crack is
+# at the end, the angle of the line by least squares through the tip's places, the time (s) from which the tip is 2 mm off the notch, and
+# the top speed (m/s) over windows of 1.82 and 9.1 us
+path() {
+  awk -F, -v y0="$2" '
+    NR < 3 { next }
+    { n++; t[n] = $2; x[n] = $3; y[n] = $4; if (!start && $4 > y0 + 0.002) start = $2 }
+    $4 > y0 + 0.003 && ($3 != x[n - 1] || $4 != y[n - 1]) { m++; a += $3; b += $4; ab += $3 * $4; bb += $4 * $4 }
+    function top(window,  i, k, v, most) {
+      for (i = k = 1; i <= n; i++) {
+        while (t[i] - t[k] > 1.01 * window) k++
+        if (t[i] - t[k] < 0.99 * window) continue
+        v = sqrt((x[i] - x[k]) ^ 2 + (y[i] - y[k]) ^ 2) / (t[i] - t[k])
+        if (v > most) most = v }
+      return most }
+    END { d = 45 / atan2(1, 1)
+      printf "%.2f %.2f %.4g %.0f %.0f\n", d * atan2(y[n] - y0, x[n] - 0.05), d * atan2(bb - b * b / m, ab - a * b / m),
+        start, top(1.82e-6), top(9.1e-6) }' "$runs/$1/crack.csv"
+}
+# mirrored NAME SPACING: of the particles, how many are not their mirror image's to the bit
+mirrored() { { cases/symmetric.sh "$runs/$1" 0.1 "$2" || true; } | awk '{ print $1 == "symmetric" ? 0 : $2 }'; }
+# measured STEEL NAME HEIGHT SPACING ANGLE C_R PARTICLES: its rows; ANGLE and PARTICLES are the thesis's
+measured() {
+  local p
+  read -r -a p <<<"$(path "$2" "$3")"
+  row "$2: angle to where the crack ends" deg "${p[0]}" "$5" "000 table 11 (experiment: 68 to 70)" 66 71
+  row "$2: angle by least squares" deg "${p[1]}" "$5" "000 table 11 (experiment: 68 to 70)"
+  row "$2: the crack has left the notch" s "${p[2]}" "" ""
+  row "$2: top speed over 1.82 us" m/s "${p[3]}" "below 2000" "000 figs. 75 and 76" 0 2000
+  row "$2: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "$1" 0 "$6"
+  [ -z "$4" ] || row "$2: particles that are not their mirror image's to the bit" 1 "$(mirrored "$2" "$4")" 0 "symmetry" 0 0
+  row "$2: particles at the end" 1 "$(json "$2" particles)" "$7" "000 table 10"
+  row "$2: wall time of the steps" s "$(json "$2" wall_seconds)" "" ""
+}
+
+refine='solid.refinement={levels:_1,damage:_0.01,energy:'
+for steel in x2nicomo 18ni1900; do
+  variation ${steel}_2mm $steel
+  variation ${steel}_1mm $steel $(grid 1.0e-3)
+  variation ${steel}_half_mm $steel $(grid 5.0e-4) --set output.fields_every=1300
+done
+variation x2nicomo_refined x2nicomo --set "${refine}_0.35,from:_2.0e-5}"
+variation 18ni1900_refined 18ni1900 --set "${refine}_0.7,from:_1.533e-5}"
+variation slab slab
+
+summary=$out/summary.csv
+echo "quantity, unit, ours, reference, source, tolerance, pass" >"$summary"
+while read -r steel angle c_r nodes; do
+  measured "$steel" ${steel}_2mm 0.124 0.002 "$angle" "$c_r" ""
+  measured "$steel" ${steel}_refined 0.124 0.001 "$angle" "$c_r" "$nodes"
+  measured "$steel" ${steel}_1mm 0.125 0.001 "$angle" "$c_r" ""
+  measured "$steel" ${steel}_half_mm 0.125 0.0005 "$angle" "$c_r" ""
+done <<'STEELS'
+x2nicomo 71 2841.2 8488
+18ni1900 66 2833.8 9550
+STEELS
+measured x2nicomo slab 0.125 "" 71 2841.2 ""
+
+# what the angle depends on, of X2 NiCoMo 18 9 5 on 2 mm
+table=$out/sensitivity.csv
+echo "changed, angle to the end (deg), angle by least squares (deg), left the notch (s), top speed over 1.82 us (m/s), over 9.1 us (m/s)" >"$table"
+while read -r name words; do
+  variation "x_$name" x2nicomo $words --set output.fields_every=0
+  height=0.124
+  case $name in notch_74) height=0.126 ;; notch_75*) height=0.125 ;; esac
+  echo "$name, $(path "x_$name" $height | sed 's/ /, /g')" >>"$table"
+done <<'CHANGES'
+nothing
+horizon_ratio_3.5 --set solid.materials[0].horizon_ratio=3.5
+horizon_ratio_4 --set solid.materials[0].horizon_ratio=4
+horizon_ratio_5 --set solid.materials[0].horizon_ratio=5
+partial_volume_ramp --set solid.partial_volume=ramp
+no_surface_correction --set solid.surface_correction=false
+ramp_and_no_correction --set solid.partial_volume=ramp --set solid.surface_correction=false
+conical --set solid.materials[0].micromodulus=conical
+two_driven_layers --set solid.constraints[0].high=[0.004,0.124]
+three_driven_layers --set solid.constraints[0].high=[0.006,0.124]
+contact --set solid.contact.enabled=true
+plane_stress --set solid.model=plane_stress
+notch_74 --set solid.cracks.lower.points=[[0,0.074],[0.05,0.074]] --set solid.cracks.upper.points=[[0,0.126],[0.05,0.126]] --set solid.constraints[0].low=[0,0.074] --set solid.constraints[0].high=[0.002,0.126]
+notch_75_half_cells_at_edges --set solid.lattice_offset=[0,0.5] --set solid.cracks.lower.points=[[0,0.075],[0.05,0.075]] --set solid.cracks.upper.points=[[0,0.125],[0.05,0.125]] --set solid.constraints[0].low=[0,0.075] --set solid.constraints[0].high=[0.002,0.125]
+refined_by_energy_alone --set solid.refinement={levels:_1,energy:_0.35,from:_2.0e-5}
+refined_by_18ni_triggers --set solid.refinement={levels:_1,damage:_0.01,energy:_0.7,from:_1.533e-5}
+CHANGES
+for name in x2nicomo_half_mm 18ni1900_refined; do cp "$runs/$name/post/pictures/damage.png" "$out/$name.png"; done
+cat "$summary" "$table"

@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# Runs the models and writes results/: summary.csv beside the thesis's numbers, the energies, their plot.
+# usage: cases/plate_step/run.sh [FRANA [RUNS [RESULTS]]]
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+frana=${1:-build/frana} runs=${2:-runs/plate_step} out=${3:-$here/results}
+mkdir -p "$runs" "$out"
+
+one=(--set solid.horizons=one_sided) none=(--set 'solid.refinement={from: 1}') # not before 1 s: never
+# one particle and its family instead of a row of them: 7 x 7 mm
+patch=(--set 'solid.refinement.start=[{low: [0.0169, 0.0199], high: [0.0231, 0.0201], level: 1},
+  {low: [0.0179, 0.0179], high: [0.0221, 0.0221], level: 1}, {low: [0.0199, 0.0169], high: [0.0201, 0.0231], level: 1}]')
+# the supported rows are three as well, in a plate two fine rows shorter
+fine=(--set solid.spacing=5.0e-4 --set solid.bodies.plate.high='[0.04, 0.041]')
+run() { # run NAME options...: the step, and the plate at rest under the same load
+  local name=$1
+  shift
+  rm -rf "${runs:?}/$name" "${runs:?}/${name}_rest"
+  "$frana" run "$here/scene.yaml" --out "$runs/$name" --quiet "$@"
+  "$frana" run "$here/scene.yaml" --out "$runs/${name}_rest" --quiet "$@" --set 'stages=[{name: rest, relax: true, steps: 4000}]'
+}
+run uniform "${none[@]}"
+run uniform_fine "${none[@]}" "${fine[@]}"
+run b "${one[@]}"
+run b_corrected "${one[@]}" --set solid.refinement.interface=corrected
+run dual
+run dual_kept --set solid.refinement.horizon=kept
+run patch_b "${one[@]}" "${patch[@]}"
+run patch_b_corrected "${one[@]}" --set solid.refinement.interface=corrected "${patch[@]}"
+run patch_dual "${patch[@]}"
+
+names='FNR == 1 { delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { next }'
+# Largest |kinetic + strain - what load and support have put in|, over the largest energy, %: made or lost by the coupling.
+unbalanced() {
+  awk -F, "$names"' { e = $k["e_kinetic_solid"] + $k["e_strain"]; d = e - $k["work_load"] - $k["e_constraint"]
+      if (e > top) top = e; if (d < 0) d = -d; if (d > most) most = d }
+    END { print 100 * most / top }' "$runs/$1/series.csv"
+}
+# Largest difference of the total energy from the uniform coarse grid's, over the largest energy, %.
+deviation() {
+  awk -F, "$names"' { e = $k["e_kinetic_solid"] + $k["e_strain"]; s = $k["step"] }
+    FILENAME == ARGV[1] { uniform[s] = e; if (e > top) top = e; next }
+    { d = uniform[s] - e; if (d * d > most * most) most = d }
+    END { print 100 * most / top }' "$runs/uniform/series.csv" "$runs/$1/series.csv"
+}
+# The particle's greatest energy density, and greatest displacement along the load, less the uniform coarse grid's, %.
+peak() { # peak NAME PROBE COLUMN
+  awk -F, -v p="$2" -v c="$3" "$names"' $k["probe"] != p { next } { v = $k[c]; if (v < 0) v = -v }
+    FILENAME == ARGV[1] { if (v > uniform) uniform = v; next }
+    { if (v > here) here = v }
+    END { print 100 * (here / uniform - 1) }' "$runs/uniform/probes.csv" "$runs/$1/probes.csv"
+}
+# How much farther the loaded edge goes at rest than on the uniform coarse grid, %.
+longer() {
+  awk -F, "$names"' $k["probe"] == 2 { if (FILENAME == ARGV[1]) uniform = $k["displacement_y"]; else here = $k["displacement_y"] }
+    END { print 100 * (here / uniform - 1) }' "$runs/uniform_rest/probes.csv" "$runs/$1_rest/probes.csv"
+}
+particles() { sed -n 's/.*"particles": \([0-9]*\).*/\1/p' "$runs/$1/run.json"; }
+
+summary="$out/summary.csv"
+echo "quantity,unit,ours,reference,source,tolerance,pass" >"$summary"
+# row QUANTITY UNIT OURS REFERENCE SOURCE LOW HIGH: passes between LOW and HIGH in magnitude; without them it is only shown
+row() {
+  awk -v q="$1" -v u="$2" -v x="$3" -v r="$4" -v s="$5" -v a="${6:-}" -v b="${7:-}" 'BEGIN {
+    t = b == "" ? "" : (a == b ? "exactly " a : (a == 0 ? "at most " b : a " to " b))
+    m = x < 0 ? -x : x + 0
+    printf "%s,%s,%.4g,%s,%s,%s,%s\n", q, u, x, r, s, t, t == "" ? "" : (m >= a + 0 && m <= b + 0 ? "yes" : "no") }' >>"$summary"
+}
+row "particles: uniform" 1 "$(particles uniform)" "" ""
+row "particles: band" 1 "$(particles dual)" "" ""
+row "particles: patch" 1 "$(particles patch_dual)" "" ""
+of() { # of LABEL NAME REFERENCE SOURCE LIMIT LIMIT: both measures
+  row "$1: energy made or lost" % "$(unbalanced "$2")" "$3" "$4" 0 "$5"
+  row "$1: energy less than uniform coarse's" % "$(deviation "$2")" "$3" "$4" 0 "$6"
+  row "$1: at rest longer than uniform coarse" % "$(longer "$2")" "" ""
+}
+row "uniform coarse: energy made or lost" % "$(unbalanced uniform)" 0 exact 0 0.02
+row "uniform fine: energy made or lost" % "$(unbalanced uniform_fine)" 0 exact 0 0.02
+row "uniform fine: energy less than uniform coarse's" % "$(deviation uniform_fine)" "" ""
+row "uniform fine: at rest longer than uniform coarse" % "$(longer uniform_fine)" "" ""
+of "band; B" b 7.15 "000 fig. 48" 7.15 7.15
+of "band; B corrected" b_corrected 13.65 "000 fig. 48" 13.65 13.65
+of "band; dual horizon" dual 0 "no loss" 0.02 1
+of "band; dual horizon kept" dual_kept 0 "no loss" 0.02 1
+of "patch; B" patch_b 7.15 "000 fig. 48" 7.15 7.15
+of "patch; B corrected" patch_b_corrected 13.65 "000 fig. 48" 13.65 13.65
+of "patch; dual horizon" patch_dual 0 "no loss" 0.02 1
+for m in uniform_fine b b_corrected dual dual_kept patch_dual; do
+  row "$m: greatest displacement at (0.02 0.02)" % "$(peak $m 0 displacement_y)" "" ""
+  row "$m: greatest energy density at (0.02 0.02)" % "$(peak $m 0 energy_density)" "" ""
+  row "$m: greatest energy density at the interface" % "$(peak $m 1 energy_density)" "" ""
+done
+
+{
+  echo "t,uniform,uniform_fine,b,b_corrected,dual,dual_kept"
+  echo "#s,J,J,J,J,J,J"
+  files=()
+  for m in uniform uniform_fine b b_corrected dual dual_kept; do files+=("$runs/$m/series.csv"); done
+  awk -F, 'FNR == 1 { file++; delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { next }
+    file == 1 { step[++n] = $k["step"]; line[$k["step"]] = $k["t"] }
+    { line[$k["step"]] = line[$k["step"]] sprintf(",%.8g", $k["e_kinetic_solid"] + $k["e_strain"]) }
+    END { for (i = 1; i <= n; i++) print line[step[i]] }' "${files[@]}"
+} >"$out/energy.csv"
+if command -v gnuplot >/dev/null; then
+  gnuplot <<GP
+set terminal pngcairo size 900,560
+set output "$out/energy.png"
+set datafile separator ","
+set xlabel "t, s"
+set ylabel "(energy of the uniform coarse grid - energy)/its largest, %"
+stats "$out/energy.csv" every ::2 using 2 nooutput
+plot for [c=4:7] "$out/energy.csv" every ::2 using 1:(100*(column(2)-column(c))/STATS_max) with lines lw 1.5 title word("B B-corrected dual dual-kept", c-3)
+GP
+fi
+cat "$summary"

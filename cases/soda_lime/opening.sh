@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Opening of the notch at its mouth (m) at the end of the run in this folder: displacement of the particle nearest to the corner above it,
+# less that of the one below. Needs h5dump (Debian: hdf5-tools).
+set -euo pipefail
+field=$(ls fields/solid_*.hdf | tail -n 1)
+values() { h5dump -y -w 0 -m %.9g -d "$1" "$field" | sed -n '/DATA {/,/}/p' | tr -d '{}DAT ' | tr ',' '\n' | grep -v '^$' | paste -d ' ' - - -; }
+paste -d ' ' <(values /VTKHDF/Points) <(values /VTKHDF/PointData/displacement) | awk -v axis=0.02 '
+  { x = $1 - $4; y = $2 - $5 - axis; up = y > 0; r = x * x + y * y }
+  !(up in least) || r < least[up] { least[up] = r; u[up] = $5 }
+  END { printf "%.9g\n", u[1] - u[0] }'
