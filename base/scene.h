@@ -40,16 +40,22 @@ struct scene_side {
     double pressure;            /* pressure */
     enum scene_condition u, v, w, p; /* general */
 };
+enum scene_axes { SCENE_XY, SCENE_XZ, SCENE_YZ, SCENE_XYZ };
 enum scene_driving { SCENE_DRIVING_NONE, SCENE_DRIVING_GRADIENT, SCENE_DRIVING_BULK };
 struct scene_fluid {
-    double density, viscosity;    /* kg/m3; kinematic, m2/s */
-    double initial_velocity[3];   /* m/s */
-    int initial_poiseuille;       /* initial: {poiseuille: true}: a parabola with that mean */
-    struct scene_side side[3][2]; /* YAML keys sides.x_low, sides.x_high, ... */
-    enum scene_driving driving;   /* driving.type: none, pressure_gradient, bulk_velocity */
-    int driving_direction;        /* driving.direction: x, y or z */
-    double driving_value;         /* driving.value */
-    double body_force[3];         /* m/s2 */
+    double density, viscosity;  /* kg/m3; kinematic, m2/s */
+    double initial_velocity[3]; /* m/s */
+    int initial_poiseuille;     /* initial: {poiseuille: true}: a parabola with that mean */
+    int has_taylor_green; /* initial: {taylor_green: {velocity, axes}}: vortices, added to the uniform flow */
+    double taylor_green_velocity;      /* m/s */
+    enum scene_axes taylor_green_axes; /* along which they vary: xy (default), xz, yz, xyz */
+    struct scene_side side[3][2];      /* YAML keys sides.x_low, sides.x_high, ... */
+    enum scene_driving driving;        /* driving.type: none, pressure_gradient, bulk_velocity */
+    int driving_direction;             /* driving.direction: x, y or z */
+    double driving_value;              /* driving.value */
+    double
+        driving_frequency; /* driving.frequency, Hz: the gradient is value cos(2 pi frequency t); default 0 */
+    double body_force[3];  /* m/s2 */
 };
 
 enum scene_model { SCENE_3D, SCENE_PLANE_STRESS, SCENE_PLANE_STRAIN };
@@ -229,12 +235,23 @@ struct scene_probes {
     double (*at)[3]; /* m */
     long every;      /* steps, default 10 */
 };
+struct scene_probe_line {
+    double from[3], to[3]; /* m */
+    int points;            /* evenly from end to end, both included */
+};
+struct scene_fluid_probes {
+    int places, lines;
+    double (*at)[3];               /* m */
+    struct scene_probe_line *line; /* lines: [...] */
+    long every;                    /* steps, default 10 */
+};
 struct scene_output {
     long series_every, fields_every, checkpoint_every; /* steps; 0: never. Defaults 10, 0, 1000 */
     long log_every;                                    /* lines in a log, default 100 */
     int stress;                                        /* tensors into solid fields, default true */
     struct scene_crack_output *crack;                  /* NULL: no crack is followed */
     struct scene_probes *probes;                       /* NULL: none */
+    struct scene_fluid_probes *fluid_probes;           /* NULL: none */
 };
 
 struct scene {

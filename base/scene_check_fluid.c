@@ -106,6 +106,27 @@ static void check_driving(const struct scene_check *c) {
                          type_name[f->side[d][1].type]);
 }
 
+/* Each direction in which the vortices vary holds one wave, sin or cos, which must fit its sides. */
+static void check_taylor_green(const struct scene_check *c) {
+    static const int along[][3] = {
+        [SCENE_XY] = {1, 1, 0}, [SCENE_XZ] = {1, 0, 1}, [SCENE_YZ] = {0, 1, 1}, [SCENE_XYZ] = {1, 1, 1}};
+    const struct scene_fluid *f = c->scene->fluid;
+    if (!f->has_taylor_green || !scene_node_is_clean(c->root, "fluid.initial")) return;
+    for (int d = 0; d < 3; d++) {
+        if (!along[f->taylor_green_axes][d]) continue;
+        for (int end = 0; end < 2; end++)
+            if (sides_clean(c, d) && f->side[d][end].type != SCENE_PERIODIC &&
+                f->side[d][end].type != SCENE_SLIP)
+                scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
+                                 "%s must be periodic or slip, it is %s", scene_check_side[d][end],
+                                 type_name[f->side[d][end].type]);
+        if (scene_node_is_clean(c->root, "domain.cells") && c->scene->domain.cells[d] < 4)
+            scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
+                             "needs at least 4 cells in %c, there are %d", "xyz"[d],
+                             c -> scene -> domain.cells[d]);
+    }
+}
+
 static void check_initial(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
     const double *u = f->initial_velocity;
@@ -131,4 +152,5 @@ void scene_check_fluid(const struct scene_check *c) {
         check_flux(c);
     check_driving(c);
     check_initial(c);
+    check_taylor_green(c);
 }

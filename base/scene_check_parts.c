@@ -60,6 +60,28 @@ static void check_crack_output(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "output.crack.direction", "must not be 0 in every direction");
 }
 
+static void check_place(const struct scene_check *c, struct scene_path path, const double place[3]) {
+    const double *size = c->scene->domain.size;
+    for (int d = 0; d < 3 && scene_check_clean(c, path); d++)
+        if (place[d] < 0 || place[d] > size[d]) {
+            scene_problem_at(c->problems, c->root, path.text, "must be within the domain, 0 to %g m in %c",
+                             size[d], "xyz"[d]);
+            return;
+        }
+}
+
+static void check_fluid_probes(const struct scene_check *c) {
+    const struct scene_fluid_probes *p = c->scene->output.fluid_probes;
+    if (!p || !scene_node_is_clean(c->root, "domain.size")) return;
+    if (p->places + p->lines == 0)
+        scene_problem_at(c->problems, c->root, "output.fluid_probes", "needs at, lines or both");
+    for (int k = 0; k < p->places; k++) check_place(c, scene_path("output.fluid_probes.at[%d]", k), p->at[k]);
+    for (int k = 0; k < p->lines; k++) {
+        check_place(c, scene_path("output.fluid_probes.lines[%d].from", k), p->line[k].from);
+        check_place(c, scene_path("output.fluid_probes.lines[%d].to", k), p->line[k].to);
+    }
+}
+
 void scene_check_parts(const struct scene_check *c) {
     if (!c->scene->fluid && !c->scene->solid && c->problems->n == 0)
         scene_problem_line(c->problems, 0,
@@ -67,6 +89,7 @@ void scene_check_parts(const struct scene_check *c) {
                                ? "there is nothing to run: give the plate a section solid"
                                : "there is nothing to run: give a section fluid, solid or both");
     check_crack_output(c);
+    check_fluid_probes(c);
     check_cells(c);
     check_medium(c);
 }

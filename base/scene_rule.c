@@ -25,6 +25,7 @@ enum {
 #define BOTH (FLUID | SOLID)
 #define CELLS_MAX 1e6
 #define LEVELS_MAX 4
+#define PROBES_MAX 10000
 
 #define RULE(its_path, its_unit, ...)                                                                        \
     { .path = its_path, .unit = its_unit, ##__VA_ARGS__ }
@@ -42,7 +43,10 @@ const struct scene_rule scene_rules[] = {
     RULE("fluid.viscosity", "m2/s", ABOVE(0)),
     RULE("fluid.initial", "section", "{}"),
     RULE("fluid.initial.velocity", "m/s", "[0, 0, 0]"),
-    RULE("fluid.initial.poiseuille", "bool", "false"),
+    RULE("fluid.initial.poiseuille", "bool", "false", NOT_WITH("taylor_green")),
+    RULE("fluid.initial.taylor_green", "section"),
+    RULE("fluid.initial.taylor_green.velocity", "m/s"),
+    RULE("fluid.initial.taylor_green.axes", "choice", "xy"),
     RULE("fluid.sides", "section"),
     RULE("fluid.sides.SIDE", "section"),
     RULE("fluid.sides.SIDE.type", "choice"),
@@ -59,6 +63,7 @@ const struct scene_rule scene_rules[] = {
     RULE("fluid.driving.type", "choice"),
     RULE("fluid.driving.direction", "choice", "x", WHERE("type", "pressure_gradient bulk_velocity")),
     RULE("fluid.driving.value", "Pa/m or m/s", .needed = ALWAYS, WHERE("type", "pressure_gradient bulk_velocity")),
+    RULE("fluid.driving.frequency", "Hz", "0", FROM(0), WHERE("type", "pressure_gradient")),
     RULE("fluid.body_force", "m/s2", "[0, 0, 0]"),
 
     RULE("solid", "section"),
@@ -203,6 +208,13 @@ const struct scene_rule scene_rules[] = {
     RULE("output.probes", "section", .only = SOLID),
     RULE("output.probes.at", "m"),
     RULE("output.probes.every", "steps", "10", FROM(1)),
+    RULE("output.fluid_probes", "section", .only = FLUID),
+    RULE("output.fluid_probes.at", "m"),
+    RULE("output.fluid_probes.lines", "list"),
+    RULE("output.fluid_probes.lines[].from", "m"),
+    RULE("output.fluid_probes.lines[].to", "m"),
+    RULE("output.fluid_probes.lines[].points", "1", WITHIN(2, PROBES_MAX)),
+    RULE("output.fluid_probes.every", "steps", "10", FROM(1)),
     {.path = NULL}};
 /* clang-format on */
 

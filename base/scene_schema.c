@@ -21,6 +21,8 @@ static const cyaml_strval_t conditions[] = {{"dirichlet", SCENE_DIRICHLET}, {"ne
 static const cyaml_strval_t drivings[] = {{"none", SCENE_DRIVING_NONE},
                                           {"pressure_gradient", SCENE_DRIVING_GRADIENT},
                                           {"bulk_velocity", SCENE_DRIVING_BULK}};
+static const cyaml_strval_t axes[] = {
+    {"xy", SCENE_XY}, {"xz", SCENE_XZ}, {"yz", SCENE_YZ}, {"xyz", SCENE_XYZ}};
 static const cyaml_strval_t modes[] = {{"rigid", SCENE_SOLID_RIGID}, {"elastic", SCENE_SOLID_ELASTIC}};
 static const cyaml_strval_t integrators[] = {{"rk3", SCENE_RK3}, {"verlet", SCENE_VERLET}};
 
@@ -30,9 +32,13 @@ static const cyaml_schema_field_t domain_fields[] = {
     CYAML_FIELD_SEQUENCE_FIXED("periodic", OPTIONAL, struct scene_domain, periodic, &boolean, 3),
     CYAML_FIELD_END};
 
+static const cyaml_schema_field_t taylor_green_fields[] = {
+    NUMBER("velocity", NEEDED, scene_fluid, taylor_green_velocity),
+    CHOICE("axes", OPTIONAL, scene_fluid, taylor_green_axes, axes), CYAML_FIELD_END};
 static const cyaml_schema_field_t initial_fields[] = {
     VECTOR("velocity", OPTIONAL, scene_fluid, initial_velocity),
-    BOOLEAN("poiseuille", OPTIONAL, scene_fluid, initial_poiseuille), CYAML_FIELD_END};
+    BOOLEAN("poiseuille", OPTIONAL, scene_fluid, initial_poiseuille),
+    PART("taylor_green", OPTIONAL, scene_fluid, taylor_green_fields), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t side_fields[] = {
     CHOICE("type", NEEDED, scene_side, type, side_types),
@@ -55,7 +61,8 @@ static const cyaml_schema_field_t sides_fields[] = {
 static const cyaml_schema_field_t driving_fields[] = {
     CHOICE("type", NEEDED, scene_fluid, driving, drivings),
     CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, scene_schema_axes),
-    NUMBER("value", OPTIONAL, scene_fluid, driving_value), CYAML_FIELD_END};
+    NUMBER("value", OPTIONAL, scene_fluid, driving_value),
+    NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
                                                     NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
@@ -97,11 +104,19 @@ static const cyaml_schema_field_t crack_fields[] = {
     NUMBER("window", OPTIONAL, scene_crack_output, window),
     WHOLE("every", OPTIONAL, scene_crack_output, every), CYAML_FIELD_END};
 
-static const cyaml_schema_value_t place = {
-    CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
+static const cyaml_schema_value_t place = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
 static const cyaml_schema_field_t probes_fields[] = {
     ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX),
     WHOLE("every", OPTIONAL, scene_probes, every), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t line_fields[] = {
+    VECTOR("from", NEEDED, scene_probe_line, from), VECTOR("to", NEEDED, scene_probe_line, to),
+    WHOLE("points", NEEDED, scene_probe_line, points), CYAML_FIELD_END};
+static const cyaml_schema_value_t line = {CYAML_VALUE_MAPPING(NEEDED, struct scene_probe_line, line_fields)};
+static const cyaml_schema_field_t fluid_probes_fields[] = {
+    ENTRIES("at", LIST, scene_fluid_probes, at, places, &place, 1, LIST_MAX),
+    ENTRIES("lines", LIST, scene_fluid_probes, line, lines, &line, 1, LIST_MAX),
+    WHOLE("every", OPTIONAL, scene_fluid_probes, every), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t output_fields[] = {
     WHOLE("series_every", OPTIONAL, scene_output, series_every),
@@ -111,6 +126,7 @@ static const cyaml_schema_field_t output_fields[] = {
     BOOLEAN("stress", OPTIONAL, scene_output, stress),
     CYAML_FIELD_MAPPING_PTR("crack", OPTIONAL, struct scene_output, crack, crack_fields),
     CYAML_FIELD_MAPPING_PTR("probes", OPTIONAL, struct scene_output, probes, probes_fields),
+    CYAML_FIELD_MAPPING_PTR("fluid_probes", OPTIONAL, struct scene_output, fluid_probes, fluid_probes_fields),
     CYAML_FIELD_END};
 
 static const cyaml_schema_field_t scene_fields[] = {

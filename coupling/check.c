@@ -150,6 +150,7 @@ static void say_memory(void) {
 /* The largest inflow or driven velocity of the scene, m/s. */
 static double velocity_of(const struct scene_fluid *f) {
     double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
+    if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);
     for (int c = 0; c < 3; c++) {
         u = fmax(u, fabs(f->initial_velocity[c]));
         for (int e = 0; e < 2; e++)

@@ -8,6 +8,7 @@
 #include "coupling/checkpoint.h"
 #include "coupling/crack.h"
 #include "coupling/fields.h"
+#include "coupling/fluid_probes.h"
 #include "coupling/probes.h"
 #include "coupling/record.h"
 #include "coupling/run.h"
@@ -24,8 +25,9 @@ struct program {
     const struct scene *scene;
     struct run *run;
     struct series *series;
-    struct crack *crack;   /* NULL: none is followed */
-    struct probes *probes; /* NULL: none */
+    struct crack *crack;               /* NULL: none is followed */
+    struct probes *probes;             /* NULL: none */
+    struct fluid_probes *fluid_probes; /* NULL: none */
     struct checkpoint_guard *guard;
     long checked; /* last step at which a checkpoint was written, -1: none */
     double slowest_step, checkpoint_seconds;
@@ -119,6 +121,7 @@ static int step(struct program *p) {
     if (sampled) series_sample(p->series, r);
     if (crack_is_due(p->crack, now)) crack_sample(p->crack, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
+    if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
     const int fits = checkpoint_guard_fits(p->guard, r);
     if (!fits) {
         checkpoint_guard_free(p->guard);
@@ -166,6 +169,7 @@ static void begin(struct program *p) {
     p->run = run_new(p->scene);
     p->crack = crack_new(p->run);
     p->probes = probes_new(p->run);
+    p->fluid_probes = fluid_probes_new(p->run);
     if (c->resume) {
         checkpoint_read(p->run, c->out, c->resume_file);
         p->checked = p->run->resumed = p->run->step;
@@ -176,6 +180,7 @@ static void begin(struct program *p) {
     p->series = series_new(p->run, c->out, here ? p->run->step : -1);
     if (p->crack) crack_open(p->crack, p->run, c->out, here ? p->run->step : -1);
     if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
+    if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
     p->guard = checkpoint_guard_new(p->run);
     checkpoint_guard_keep(p->guard, p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
@@ -196,6 +201,7 @@ int program_run(const struct command *c, const struct scene *scene) {
     series_free(p.series);
     crack_free(p.crack);
     probes_free(p.probes);
+    fluid_probes_free(p.fluid_probes);
     run_free(p.run);
     log_end();
     return code;

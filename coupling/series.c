@@ -39,6 +39,7 @@ static const struct column {
     COLUMN("forcing_z", "N", NEED_IMMERSED, forcing[2]),
     COLUMN("momentum_residual", "1", NEED_IMMERSED, momentum_residual),
     COLUMN("e_kinetic_fluid", "J", NEED_FLUID, e_kinetic_fluid),
+    COLUMN("dissipation", "W", NEED_FLUID, dissipation),
     COLUMN("e_kinetic_solid", "J", NEED_BONDS, e_kinetic_solid),
     COLUMN("e_strain", "J", NEED_BONDS, e_strain),
     COLUMN("e_damped", "J", NEED_BONDS, e_damped),
@@ -126,6 +127,7 @@ static void sample_fluid(struct series *s, struct run *r) {
     s->now.cfl = fluid_cfl(r->fluid, r->dt);
     s->now.u_bulk = fluid_bulk_velocity(r->fluid, 0);
     s->now.e_kinetic_fluid = fluid_kinetic_energy(r->fluid);
+    s->now.dissipation = fluid_dissipation(r->fluid);
 }
 
 static void sample_immersed(struct series *s, struct run *r) {

@@ -31,16 +31,23 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
     static const enum fluid_driving_type driving[] = {[SCENE_DRIVING_NONE] = FLUID_DRIVING_NONE,
                                                       [SCENE_DRIVING_GRADIENT] = FLUID_DRIVING_GRADIENT,
                                                       [SCENE_DRIVING_BULK] = FLUID_DRIVING_BULK};
+    static const int along[][3] = {
+        [SCENE_XY] = {1, 1, 0}, [SCENE_XZ] = {1, 0, 1}, [SCENE_YZ] = {0, 1, 1}, [SCENE_XYZ] = {1, 1, 1}};
     const struct scene_fluid *f = scene->fluid;
     *in = (struct fluid_input){.density = f->density,
                                .viscosity = f->viscosity,
                                .driving = {driving[f->driving], f->driving_direction, f->driving_value},
+                               .driving_frequency = f->driving_frequency,
                                .initial_poiseuille = f->initial_poiseuille,
                                .immersed = scene->solid != NULL};
     memcpy(in->n, scene->domain.cells, sizeof in->n);
     copy3(in->length, scene->domain.size);
     copy3(in->body_force, f->body_force);
     copy3(in->initial_velocity, f->initial_velocity);
+    if (f->has_taylor_green) {
+        in->vortices.velocity = f->taylor_green_velocity;
+        memcpy(in->vortices.along, along[f->taylor_green_axes], sizeof in->vortices.along);
+    }
     for (int c = 0; c < 3; c++)
         for (int e = 0; e < 2; e++) setup_side(&f->side[c][e], &in->side[c][e]);
 }

@@ -45,7 +45,10 @@ static void part_substeps(struct run *r) {
     r->substeps = wanted;
 }
 
-static void part_fluid(struct run *r) { fluid_step(r->fluid, r->dt); }
+static void part_fluid(struct run *r) {
+    fluid_state_of(r->fluid)->t = r->t;
+    fluid_step(r->fluid, r->dt);
+}
 
 static void part_markers(struct run *r) {
     run_markers_update(r);
@@ -55,6 +58,7 @@ static void part_markers(struct run *r) {
 
 /* Fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.65-3.69, 3.80-3.82) */
 static void part_fluid_forced(struct run *r) {
+    fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
         fluid_predict(r->fluid, s, r->dt);
         ibm_force(r->ibm, s, r->dt);

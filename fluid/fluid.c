@@ -4,7 +4,6 @@
 #include "fluid/internal.h"
 #include "fluid/momentum.h"
 #include "fluid/outflow.h"
-#include "fluid/profile.h"
 #include "fluid/reach.h"
 #include "fluid/wisdom.h"
 
@@ -25,29 +24,6 @@ static struct fluid_poisson *new_poisson(const struct fluid *f) {
                                   : FLUID_END_NEUMANN;
     }
     return fluid_poisson_new(&in);
-}
-
-/* The initial velocity: uniform, or for each component the developed profile of that mean. */
-static void fill_velocity(struct fluid *f) {
-    const struct fluid_grid *g = f->grid;
-    for (int c = 0; c < 3; c++) {
-        double *q = fluid_component(&f->state, c), *profile = NULL;
-        int a, b;
-        fluid_boundary_others(c, &a, &b);
-        if (f->in.initial_poiseuille) {
-            profile = memory_new(MEMORY_FLUID, (size_t)g->n[a] * (size_t)g->n[b], sizeof *profile);
-            fluid_profile_developed(&f->in, c, profile);
-        }
-        for (int k = -1; k < g->m[2]; k++) /* low faces too: they start an outflow there */
-            for (int j = -1; j < g->m[1]; j++)
-                for (int i = -1; i < g->m[0]; i++) {
-                    const int at[3] = {i, j, k};
-                    const int ja = at[a] + g->lo[a], jb = at[b] + g->lo[b];
-                    const double shape = !profile || ja < 0 || jb < 0 ? 1 : profile[jb * g->n[a] + ja];
-                    q[fluid_grid_at(g, i, j, k)] = f->in.initial_velocity[c] * shape;
-                }
-        memory_free(profile);
-    }
 }
 
 static void check_driving(const struct fluid_input *in) {
@@ -83,7 +59,7 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     f->poisson = new_poisson(f);
     fluid_wisdom_store();
     if (in->driving.type == FLUID_DRIVING_GRADIENT) f->state.driving = in->driving.value;
-    fill_velocity(f);
+    fluid_initial_fill(f);
     fluid_project_start(f);
     return f;
 }
@@ -146,4 +122,5 @@ void fluid_step(struct fluid *f, double dt) {
         fluid_predict(f, r, dt);
         fluid_project(f, r, dt);
     }
+    f->state.t += dt;
 }

@@ -34,6 +34,13 @@ struct fluid_driving {
     double value; /* gradient: -dp/dx, Pa/m; bulk: mean velocity, m/s */
 };
 
+/* Taylor and Green's, one wave along two axes or all three: with x, y, z in 1/2 pi lengths
+ *     u = velocity sin x cos y cos z, v = -velocity cos x sin y cos z, w = 0                    (without z: no last factor) */
+struct fluid_vortices {
+    double velocity; /* m/s; 0: none */
+    int along[3];    /* 1: they vary in it */
+};
+
 struct fluid_input {
     int n[3];
     double length[3];
@@ -41,17 +48,21 @@ struct fluid_input {
     double viscosity;             /* kinematic, m2/s */
     struct fluid_side side[3][2]; /* [direction][low, high] */
     struct fluid_driving driving;
-    double body_force[3];       /* per unit mass, m/s2 */
-    double initial_velocity[3]; /* m/s */
-    int initial_poiseuille;     /* 1: a parabola between the walls with that mean instead */
-    int immersed;               /* 1: three ghost layers, and arrays for the forcing */
+    double driving_frequency;       /* Hz, of a gradient: it is value cos(2 pi frequency t) */
+    double body_force[3];           /* per unit mass, m/s2 */
+    double initial_velocity[3];     /* m/s */
+    int initial_poiseuille;         /* 1: a parabola between the walls with that mean instead */
+    struct fluid_vortices vortices; /* added to it */
+    int immersed;                   /* 1: three ghost layers, and arrays for the forcing */
 };
 
 /* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid.h; ghosts are rebuilt. */
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
-    double driving;    /* the pressure gradient now applied, Pa/m */
+    double
+        driving; /* the pressure gradient now applied, Pa/m; its mean over the stage where it goes with time */
+    double t;    /* s, when the step begins: set by whoever steps, advanced by fluid_step */
 };
 
 struct fluid; /* opaque: grid, parameters, state, work, plans */
@@ -104,6 +115,10 @@ double fluid_divergence_max(struct fluid *f); /* 1/s */
 double fluid_cfl(struct fluid *f, double dt);
 double fluid_bulk_velocity(struct fluid *f, int direction); /* m/s */
 double fluid_kinetic_energy(struct fluid *f);               /* J */
+double fluid_dissipation(struct fluid *f);                  /* rho nu int |grad u|^2 dV, W */
+/* u, v, w, p at a place of the domain, linear in each direction; on the rank that holds the place, on others 0. Ghosts must be
+ * there (fluid_state_refresh). Not collective. */
+void fluid_value_at(struct fluid *f, const double x[3], double value[4]);
 void fluid_mean_pressure(struct fluid *f, int direction,
                          double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.

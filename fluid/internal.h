@@ -34,4 +34,7 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
 
 void fluid_audit_flux(struct fluid *f, int r);     /* at the stage's begin. Not collective. */
 void fluid_audit_pressure(struct fluid *f, int r); /* at its end. Not collective. */
+void fluid_initial_fill(struct fluid *f);          /* the initial velocity. Not collective. */
+/* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. */
+void fluid_advanced(const struct fluid *f, int c, int low[3], int high[3]);
 void fluid_project_start(struct fluid *f); /* the initial velocity made divergence-free. Collective. */

@@ -47,7 +47,7 @@ static double speed_beyond_reason(const struct fluid *f) {
     for (int d = 0; d < 3; d++) {
         length = fmax(length, in->length[d]);
         most = fmax(most, in->viscosity / f->grid->d[d]);
-        most = fmax(most, fabs(in->initial_velocity[d]));
+        most = fmax(most, fabs(in->initial_velocity[d]) + fabs(in->vortices.velocity));
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
             for (int c = 0; c < 3; c++)

@@ -62,8 +62,7 @@ void fluid_mean_pressure(struct fluid *f, int direction, double *mean) {
     for (int i = 0; i < n; i++) mean[i] *= n / (double)fluid_cells(f);
 }
 
-/* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. */
-static void advanced(const struct fluid *f, int c, int low[3], int high[3]) {
+void fluid_advanced(const struct fluid *f, int c, int low[3], int high[3]) {
     const struct fluid_grid *g = f->grid;
     for (int d = 0; d < 3; d++) {
         low[d] = 0;
@@ -78,7 +77,7 @@ void fluid_momentum(struct fluid *f, double out[3]) {
     const struct fluid_grid *g = f->grid;
     for (int c = 0; c < 3; c++) {
         int low[3], high[3];
-        advanced(f, c, low, high);
+        fluid_advanced(f, c, low, high);
         out[c] = 0;
         for (int k = low[2]; k < high[2]; k++)
             for (int j = low[1]; j < high[1]; j++) {
@@ -92,9 +91,9 @@ void fluid_momentum(struct fluid *f, double out[3]) {
     par_sum_array(out, 3);
 }
 
-/* The faces of component c next to one side of direction d, as advanced() gives them. */
+/* The faces of component c next to one side of direction d, as fluid_advanced gives them. */
 static void beside(const struct fluid *f, int c, int d, int side, int low[3], int high[3]) {
-    advanced(f, c, low, high);
+    fluid_advanced(f, c, low, high);
     low[d] = side ? high[d] - 1 : low[d];
     high[d] = low[d] + 1;
 }
@@ -156,7 +155,7 @@ static double flux_force(const struct fluid *f, int c) {
 
 static double source_force(const struct fluid *f, int c, double driving) {
     int low[3], high[3];
-    advanced(f, c, low, high);
+    fluid_advanced(f, c, low, high);
     const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
     const double source = f->in.body_force[c] + (c == f->in.driving.direction ? driving / f->in.density : 0);
     return f->in.density * cell_volume(f->grid) * faces * source;

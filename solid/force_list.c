@@ -17,11 +17,15 @@ static inline __attribute__((always_inline)) void fill_places(const struct solid
             b->record[width * (b->n + r) + c] = d[c][b->other_local[r]] * inv_spacing;
 }
 
-static void fill(const struct solid *s, const struct solid_list *b, int damped) {
+void solid_list_fill(const struct solid *s, const struct solid_list *b) {
     if (b->dim == 2)
         fill_places(s, b, 2);
     else
         fill_places(s, b, 3);
+}
+
+static void fill(const struct solid *s, const struct solid_list *b, int damped) {
+    solid_list_fill(s, b);
     for (int r = 0; damped && r < b->n + b->others; r++)
         for (int c = 0; c < b->dim; c++)
             b->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(b, r)];

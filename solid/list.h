@@ -124,5 +124,7 @@ double solid_list_weight(const struct solid_list *list, int h, long j);
 /* eps at which it breaks. */
 double solid_list_limit(const struct solid_list *list, int h, long j);
 
+/* Puts the displacements into the records. Not collective. */
+void solid_list_fill(const struct solid *s, const struct solid_list *list);
 /* As solid_lattice_force_begin and _end in one. */
 double solid_list_force(struct solid *s, struct solid_list *list, const struct solid_sweep *sweep);

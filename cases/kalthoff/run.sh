@@ -52,7 +52,7 @@ measured() {
   row "$2: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "$1" 0 "$6"
   [ -z "$4" ] || row "$2: particles that are not their mirror image's to the bit" 1 "$(mirrored "$2" "$4")" 0 "symmetry" 0 0
   row "$2: particles at the end" 1 "$(json "$2" particles)" "$7" "000 table 10"
-  row "$2: wall time of the steps" s "$(json "$2" wall_seconds)" "" ""
+  row "$2: wall time of the steps" s "$(json "$2" wall_seconds | cut -c 1-5)" "" ""
 }
 
 refine='solid.refinement={levels:_1,damage:_0.01,energy:'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the models and writes results/: summary.csv beside the thesis's numbers, the displacement before the patch, its plot.
-# usage: cases/plate_wave/run.sh [FRANA [RUNS]]
+# usage: cases/plate_wave/run.sh [FRANA [RUNS [RESULTS]]]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 frana=${1:-build/frana} runs=${2:-runs/plate_wave} out=${3:-$here/results}

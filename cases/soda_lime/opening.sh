@@ -6,5 +6,6 @@ field=$(ls fields/solid_*.hdf | tail -n 1)
 values() { h5dump -y -w 0 -m %.9g -d "$1" "$field" | sed -n '/DATA {/,/}/p' | tr -d '{}DAT ' | tr ',' '\n' | grep -v '^$' | paste -d ' ' - - -; }
 paste -d ' ' <(values /VTKHDF/Points) <(values /VTKHDF/PointData/displacement) | awk -v axis=0.02 '
   { x = $1 - $4; y = $2 - $5 - axis; up = y > 0; r = x * x + y * y }
+  y * y < 1e-16 { next }
   !(up in least) || r < least[up] { least[up] = r; u[up] = $5 }
   END { printf "%.9g\n", u[1] - u[0] }'

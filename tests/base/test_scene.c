@@ -59,6 +59,27 @@ static void test_values_are_read(void **state) {
     scene_free(s);
 }
 
+static void test_vortices_and_places_of_a_fluid(void **state) {
+    (void)state;
+    const char *const set[] = {
+        "fluid.initial.taylor_green={velocity: 2, axes: xz}", "fluid.sides.x_low={type: slip}",
+        "fluid.sides.x_high={type: slip}",
+        "fluid.driving={type: pressure_gradient, direction: z, value: 3, frequency: 0.25}",
+        "output.fluid_probes={lines: [{from: [0, 0, 0], to: [1, 2, 0.5], points: 3}]}"};
+    struct scene *s = read_or_fail("fluid.yaml", 5, set);
+    assert_true(s->fluid->has_taylor_green && s->fluid->taylor_green_velocity == 2);
+    assert_int_equal(s->fluid->taylor_green_axes, SCENE_XZ);
+    assert_true(s->fluid->driving_value == 3 && s->fluid->driving_frequency == 0.25);
+    const struct scene_fluid_probes *p = s->output.fluid_probes;
+    assert_true(p->places == 0 && p->lines == 1 && p->every == 10 && p->line[0].points == 3);
+    assert_vector(p->line[0].to, 1, 2, 0.5);
+    assert_true(!strstr(s->resolved, "poiseuille"));
+    scene_free(s);
+    s = read_or_fail("fluid.yaml", 0, NULL);
+    assert_true(!s->fluid->has_taylor_green && s->fluid->driving_frequency == 0 && !s->output.fluid_probes);
+    scene_free(s);
+}
+
 static void test_defaults_are_filled_in(void **state) {
     (void)state;
     struct scene *s = read_or_fail("coupled.yaml", 0, NULL);
@@ -527,6 +548,7 @@ static void test_plates_on_ranks(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
+                                       cmocka_unit_test(test_vortices_and_places_of_a_fluid),
                                        cmocka_unit_test(test_defaults_are_filled_in),
                                        cmocka_unit_test(test_parts_that_are_left_out_are_null),
                                        cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),

@@ -231,7 +231,23 @@ static void bulk_velocity_is_held(void **state) {
     fluid_free(f);
 }
 
+/* A gradient that goes with time: without walls its impulse is exact, whatever the step. */
+static void oscillating_gradient(void **state) {
+    (void)state;
+    struct fluid_input in = channel(0, 1, 6);
+    all_sides(&in, 1, FLUID_PERIODIC);
+    in.driving = (struct fluid_driving){FLUID_DRIVING_GRADIENT, 0, 3};
+    in.driving_frequency = 0.7;
+    const double w = 2 * M_PI * in.driving_frequency, dt = 0.05;
+    struct fluid *f = fluid_new(&in);
+    for (int s = 1; s <= 20; s++) {
+        fluid_step(f, dt);
+        assert_near(fluid_bulk_velocity(f, 0), 3 / in.density / w * sin(w * s * dt), 1e-14);
+    }
+    fluid_free(f);
+}
+
 FLUID_TEST_MAIN(cmocka_unit_test(poiseuille_by_gradient), cmocka_unit_test(start_up),
-                cmocka_unit_test(inflow_and_outflow), cmocka_unit_test(between_pressures),
-                cmocka_unit_test(couette), cmocka_unit_test(square_duct),
+                cmocka_unit_test(oscillating_gradient), cmocka_unit_test(inflow_and_outflow),
+                cmocka_unit_test(between_pressures), cmocka_unit_test(couette), cmocka_unit_test(square_duct),
                 cmocka_unit_test(bulk_velocity_is_held))

@@ -1,0 +1,16 @@
+/* What the fuzz targets share. Each target reads one kind of a user's file from given bytes; libFuzzer makes the bytes, or
+ * replay.c takes them from the corpus. The linker turns die, die_all and error_bug to fuzz.c: a refusal comes back to the
+ * target, a bug of ours aborts. */
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+
+int LLVMFuzzerInitialize(int *argc, char ***argv);
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes);
+
+/* Calls read(what); returns 0, or the exit code with which it would have ended the program. */
+int fuzz_read(void (*read)(void *), void *what);
+/* A file in memory with these bytes; its path, which stays the same. */
+const char *fuzz_file(const void *data, size_t bytes);
+/* Aborts with the sentence where the condition does not hold. */
+void fuzz_expect(int holds, const char *sentence);
