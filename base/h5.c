@@ -138,7 +138,10 @@ void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block 
     int fault = set < 0;
     if (fault) because(f, "array %s cannot be made", name);
     const haddr_t at = fault ? HADDR_UNDEF : H5Dget_offset(set);
-    if (at != HADDR_UNDEF) f->end = (off_t)(at + H5Dget_storage_size(set));
+    if (at != HADDR_UNDEF) {
+        f->at = (off_t)at;
+        f->end = f->at + (off_t)H5Dget_storage_size(set);
+    }
     /* an array of nothing has no place in the file to write to */
     if (!agree(f, fault) && h5_items(b, b->n) > 0) {
         hid_t in_memory;
@@ -193,7 +196,7 @@ void h5_attribute_text(struct h5 *f, const char *of, const char *name, const cha
     H5Tclose(type);
 }
 
-/* Looks whether the closed file can be read, gives back what was reserved and not used, and publishes it. One rank. */
+/* Looks whether the closed file can be read, gives back what was reserved and not used, seals and publishes it. One rank. */
 static int publish(struct h5 *f) {
     haddr_t end = 0;
     const hid_t file = h5_open_alone(f->part);
@@ -204,7 +207,10 @@ static int publish(struct h5 *f) {
     H5Fclose(file);
     struct stat is;
     int code = stat(f->part, &is) == 0 ? 0 : errno;
-    if (!code && is.st_size > (off_t)end && truncate(f->part, (off_t)end) != 0) code = errno;
+    if (!code && f->seal)
+        code = seal_write(f->seal, f->part, end);
+    else if (!code && is.st_size > (off_t)end && truncate(f->part, (off_t)end) != 0)
+        code = errno;
     if (!code) code = aside_publish(f->part, f->path, !f->unsynced);
     if (code) because(f, "%s", strerror(code));
     return code != 0;

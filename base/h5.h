@@ -3,6 +3,8 @@
  *
  * A fault of the disk is remembered, agreed on by all ranks, and makes what follows do nothing until h5_end tells. */
 #pragma once
+#include "base/seal.h"
+
 #include <hdf5.h>
 #include <stddef.h>
 #include <sys/types.h>
@@ -15,10 +17,11 @@ struct h5 {
     int failed;     /* the same on all ranks */
     int stuck;      /* HDF5 could not close it */
     int unsynced;   /* set after h5_begin: the disk may take its time */
-    off_t end;      /* of the last array in the file */
+    off_t at, end;  /* of the last array in the file */
     off_t reserved; /* bytes of the disk held for it, rank 0 */
     char path[1024], part[1032];
-    char why[256]; /* the first fault */
+    char why[256];     /* the first fault */
+    struct seal *seal; /* set after h5_begin: put behind the file when it is closed; borrowed */
 };
 
 /* A block of an array of dims dimensions: all n, this rank's from lo, of m. */

@@ -40,7 +40,8 @@ static char *lacks(const struct scene_walk *w, int only, int *unsure) {
     }
     if (lacking & SCENE_WITHOUT_FLUID) return scene_text("only in a scene without fluid");
     if (lacking && (only & both) == both) return scene_text("only in a scene with both fluid and solid");
-    if (lacking) return scene_text("only in a scene with a solid");
+    if (lacking)
+        return scene_text("only in a scene with a %s", lacking & SCENE_WITH_SOLID ? "solid" : "fluid");
     return NULL;
 }
 

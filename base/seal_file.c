@@ -14,9 +14,7 @@ enum { CHUNK = 1 << 16 }; /* bytes read at a time, the longest row */
 
 static const char magic[16] = "frana checkpoint"; /* without its ending zero */
 
-static uint64_t own_sum(const struct seal *seal) {
-    return seal_sum(seal, 1, offsetof(struct seal, own), 0);
-}
+static uint64_t own_sum(const struct seal *seal) { return seal_sum(seal, 1, offsetof(struct seal, own), 0); }
 
 /* 0, or 1 where the file ends before. */
 static int read_all(int fd, void *to, size_t bytes, uint64_t at) {
@@ -107,8 +105,9 @@ static int refuse_unsealed(int fd, uint64_t bytes, char *why, size_t size) {
     const int cut = read_all(fd, begin, sizeof begin, 0);
     memcpy(&end, begin + 40, sizeof end);
     if (!cut && begin[8] == 0 && end == bytes)
-        return refuse(why, size, "it was written by an earlier version of frana (format 1, without checksums; this one "
-                                 "reads format %d)",
+        return refuse(why, size,
+                      "it was written by an earlier version of frana (format 1, without checksums; this one "
+                      "reads format %d)",
                       SEAL_FORMAT);
     return refuse(why, size, "it is truncated or damaged");
 }
@@ -128,6 +127,7 @@ static int read_open(struct seal *seal, int fd, char *why, size_t size) {
     if (seal->format != SEAL_FORMAT || seal->own != own_sum(seal) || seal->arrays > SEAL_ARRAYS ||
         seal->bytes != bytes - sizeof *seal)
         return refuse(why, size, "it is damaged: its last bytes are not what was written");
+    for (uint64_t k = 0; k < seal->arrays; k++) seal->array[k].name[SEAL_NAME - 1] = '\0';
     if (sum_rest(fd, seal, &rest) || rest != seal->rest)
         return refuse(why, size, "it is damaged: its headers are not what was written");
     return 0;

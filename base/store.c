@@ -24,6 +24,7 @@ struct store *store_begin(const char *folder, const char *name, int keep) {
         die_all(EXIT_CODE_FILE, "checkpoint %s: the name is too long", name);
     s->keep = keep;
     h5_begin(&s->h5, folder_path(path, s->folder, s->name));
+    s->h5.seal = &s->seal;
     return s;
 }
 
@@ -32,6 +33,8 @@ hid_t store_h5_type(enum store_type type) {
            : type == STORE_BYTE ? H5T_NATIVE_UINT8
                                 : H5T_NATIVE_INT64;
 }
+
+size_t store_row(enum store_type type, int comps) { return (type == STORE_BYTE ? 1 : 8) * (size_t)comps; }
 
 /* Bytes of scratch that stay with the store. */
 double *store_scratch(struct store *s, size_t items) {
@@ -66,6 +69,24 @@ struct h5_block store_h5_range(int comps, long n, long first, long count) {
     return h;
 }
 
+uint64_t store_sum_block(const struct store_block *b, const double *value) {
+    const uint64_t n0 = (uint64_t)b->n[0], n1 = (uint64_t)b->n[1];
+    uint64_t sum = 0;
+    for (int k = 0; k < b->m[2]; k++)
+        for (int j = 0; j < b->m[1]; j++, value += b->m[0])
+            sum += seal_sum(value, (size_t)b->m[0], sizeof *value,
+                            ((uint64_t)(b->lo[2] + k) * n1 + (uint64_t)(b->lo[1] + j)) * n0 +
+                                (uint64_t)b->lo[0]);
+    return sum;
+}
+
+/* Notes the array just written; sum: this rank's part. */
+static void seal(struct store *s, const char *name, size_t row, uint64_t sum) {
+    if (s->h5.failed || s->h5.end == s->h5.at) return;
+    seal_add(&s->seal, name, (uint64_t)s->h5.at, (uint64_t)(s->h5.end - s->h5.at), row,
+             (uint64_t)par_sum_long((long)sum));
+}
+
 void store_write_block(struct store *s, const char *name, const struct store_block *b, const double *value) {
     const struct h5_block h = store_h5_block(b);
     if (!store_is_contiguous(b)) {
@@ -77,12 +98,15 @@ void store_write_block(struct store *s, const char *name, const struct store_blo
         value = packed;
     }
     h5_write(&s->h5, name, H5T_NATIVE_DOUBLE, &h, value);
+    seal(s, name, sizeof *value, store_sum_block(b, value));
 }
 
 void store_write_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first,
                        long count, const void *value) {
     const struct h5_block h = store_h5_range(comps, n, first, count);
     h5_write(&s->h5, name, store_h5_type(type), &h, value);
+    const size_t row = store_row(type, comps);
+    if (n > 0) seal(s, name, row, seal_sum(value, (size_t)count, row, (uint64_t)first));
 }
 
 void store_write_double(struct store *s, const char *name, double value) {

@@ -1,6 +1,6 @@
 /* Checkpoint files: arrays by global index, so that what any ranks wrote any ranks read.
  *
- * Written to FOLDER/checkpoint/NAME.h5.part, synced, renamed to NAME.h5, then named in FOLDER/checkpoint/latest. A disk that
+ * Written to FOLDER/checkpoint/NAME.h5.part, sealed, synced, renamed to NAME.h5, then named in FOLDER/checkpoint/latest. A disk that
  * is full or forbidden ends the run with a sentence and exit code 4, and leaves finished files as they were. Reading never
  * dies: it returns nonzero and store_error() says why, the same on every rank.  All collective. */
 #pragma once
@@ -31,14 +31,18 @@ void store_write_long(struct store *s, const char *name, long value);
 void store_write_text(struct store *s, const char *name, const char *value);
 void store_end(struct store *s);
 
-/* NULL: missing, truncated, or no checkpoint. */
+/* Everything is under a seal (base/seal.h). NULL: missing, truncated, damaged outside its arrays, or no checkpoint of this frana. */
 struct store *store_open(const char *path);
 /* The newest that can be read: the one that `latest` names or, should that be damaged, the one before. */
 struct store *store_open_latest(const char *folder);
 const char *store_path(const struct store *s); /* borrowed */
 void store_close(struct store *s);
 
-/* 0, or nonzero when it is missing or of another size or type; value is then untouched. */
+/* Another whole checkpoint of the file's folder, the newest, its values looked at; NULL: none. Borrowed until the next call. */
+const char *store_other(const char *path);
+int store_is_damaged(const struct store *s); /* the last read found an array that is not what was written */
+
+/* 0, or nonzero when it is missing or of another size or type (value is then untouched), or not what was written. */
 int store_read_block(struct store *s, const char *name, const struct store_block *b, double *value);
 int store_read_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first,
                      long count, void *value);

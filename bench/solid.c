@@ -89,6 +89,7 @@ void bench_solid(struct bench *b) {
                                               .list = list},
                         damped ? 1e15 : 0);
     bench_plate(b);
+    bench_refine(b);
 }
 
 /* A horizon of 2.5 spacings has a family of |xi| < 3 spacings and a little, 122 bonds: those of a code that bonds

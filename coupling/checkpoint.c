@@ -240,30 +240,53 @@ static int stage_of(const struct scene *scene, const char *name) {
     return -1;
 }
 
-void checkpoint_read(struct run *r, const char *folder, const char *file) {
-    struct store *s = file ? store_open(file) : store_open_latest(folder);
-    if (!s) die_all(EXIT_CODE_FILE, "%s", store_error());
-    const char *path = store_path(s);
+/* Reads the whole of it; 0, or 1 and a sentence. */
+static int read_state(struct run *r, struct store *s, char *why, size_t size) {
     long substeps = 0; /* a checkpoint without it: found anew */
     char stage[SCENE_NAME];
     double spacing;
-    if (store_read_double(s, "t", &r->t) || store_read_double(s, "dt", &r->dt) ||
-        store_read_long(s, "step", &r->step) || store_read_long(s, "stage_step", &r->stage_step) ||
-        store_read_text(s, "stage", stage, sizeof stage) || store_read_double(s, "spacing", &spacing))
-        die_all(EXIT_CODE_CHECKPOINT, "%s: %s", path, store_error());
+    int bad = store_read_double(s, "t", &r->t) || store_read_double(s, "dt", &r->dt) ||
+              store_read_long(s, "step", &r->step) || store_read_long(s, "stage_step", &r->stage_step) ||
+              store_read_text(s, "stage", stage, sizeof stage) || store_read_double(s, "spacing", &spacing);
+    if (bad) {
+        snprintf(why, size, "%s", store_error());
+        return 1;
+    }
     r->substeps = store_read_long(s, "substeps", &substeps) ? 0 : (int)substeps;
     r->stage = stage_of(r->scene, stage);
-    if (r->stage < 0)
-        die_all(EXIT_CODE_CHECKPOINT, "%s: was written in stage %s, which the scene does not have", path,
-                stage);
-    if (r->solid && spacing != r->solid->in.spacing)
-        die_all(EXIT_CODE_CHECKPOINT, "%s: has particles %g m apart, the scene %g m", path, spacing,
-                r->solid->in.spacing);
-    if (r->fluid && read_fluid(r, s))
-        die_all(EXIT_CODE_CHECKPOINT, "%s does not fit the scene: %s", path, store_error());
-    if (r->needs.bonds && read_bonds(r, s))
-        die_all(EXIT_CODE_CHECKPOINT, "%s does not fit the scene: %s", path, store_error());
+    if (r->stage < 0) {
+        snprintf(why, size, "%s: was written in stage %s, which the scene does not have", store_path(s),
+                 stage);
+        return 1;
+    }
+    if (r->solid && spacing != r->solid->in.spacing) {
+        snprintf(why, size, "%s: has particles %g m apart, the scene %g m", store_path(s), spacing,
+                 r->solid->in.spacing);
+        return 1;
+    }
+    bad = (r->fluid && read_fluid(r, s)) || (r->needs.bonds && read_bonds(r, s));
+    if (bad && store_is_damaged(s))
+        snprintf(why, size, "%s", store_error());
+    else if (bad)
+        snprintf(why, size, "%s does not fit the scene: %s", store_path(s), store_error());
+    return bad;
+}
+
+/* Says why a checkpoint cannot be gone on from, and what can. */
+static _Noreturn void refuse(enum exit_code code, const char *path, const char *why) {
+    const char *other = path && code == EXIT_CODE_FILE ? store_other(path) : NULL;
+    if (other) die_all(code, "%s; --resume=%s is whole", why, other);
+    die_all(code, "%s", why);
+}
+
+void checkpoint_read(struct run *r, const char *folder, const char *file) {
+    struct store *s = file ? store_open(file) : store_open_latest(folder);
+    if (!s) refuse(EXIT_CODE_FILE, file, store_error());
+    char why[2048], path[FOLDER_PATH];
+    snprintf(path, sizeof path, "%s", store_path(s));
+    const int bad = read_state(r, s, why, sizeof why), damaged = store_is_damaged(s);
     store_close(s);
+    if (bad) refuse(damaged ? EXIT_CODE_FILE : EXIT_CODE_CHECKPOINT, path, why);
     if (r->stage_step >= r->scene->stage[r->stage].steps && r->stage + 1 < r->scene->stages) {
         r->stage++;
         r->stage_step = 0;

@@ -35,14 +35,13 @@ static void list_if_near(const struct solid *s, struct solid_contact *c, int h, 
 
 /* Bonds of h that are broken and were not when last looked at. */
 static void record(struct solid *s, struct solid_contact *c, int h) {
-    struct solid_family_view view;
-    const int bytes = solid_family_bytes(s);
+    int place[SOLID_FAMILY_MAX], other[SOLID_FAMILY_MAX];
+    const int bytes = solid_family_bytes(s), broken = solid_family_broken(s, h, place, other);
     uint8_t *known = c->known + (size_t)h * (size_t)bytes;
-    solid_family_view(s, h, &view);
-    for (int b = 0; b < view.n; b++) {
-        if (view.intact[b] || known[b / 8] >> b % 8 & 1) continue;
+    for (int k = 0; k < broken; k++) {
+        const int b = place[k], l = other[k];
+        if (known[b / 8] >> b % 8 & 1) continue;
         known[b / 8] |= (uint8_t)(1u << b % 8);
-        const int l = view.l[b];
         if (l <= h) continue; /* owned: its other end has it */
         if (c->torn == c->torn_capacity) {
             int capacity = c->torn_capacity;

@@ -1,15 +1,6 @@
-#include "solid/family.h"
+#include "solid/list.h"
 #include "solid/measures.h"
 #include "solid/rows.h"
-
-static double of_view(const struct solid_family_view *view) {
-    double intact = 0, all = 0;
-    for (int b = 0; b < view->n; b++) {
-        all += view->weight[b];
-        if (view->intact[b]) intact += view->weight[b];
-    }
-    return all > 0 ? 1 - intact / all : 0;
-}
 
 /* sum(Gamma V) of a row's intact bonds. */
 static vec intact_of(const struct solid_row *row) {
@@ -35,15 +26,10 @@ static void of_row(const struct solid *s, const struct solid_lattice *t, int r, 
 }
 
 void solid_measure_damage(const struct solid *s, double *phi) {
-    struct solid_family_view view;
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_lattice *t = s->family->lattice[b];
         for (int r = 0; t && r < t->rows; r++) of_row(s, t, r, phi);
-        for (int h = s->family->first[b]; !t && h < s->family->first[b + 1]; h++) {
-            phi[h] = 0;
-            if (!(s->flag[h] & SOLID_BROKEN)) continue;
-            solid_family_view(s, h, &view);
-            phi[h] = of_view(&view);
-        }
+        for (int h = s->family->first[b]; !t && h < s->family->first[b + 1]; h++)
+            phi[h] = s->flag[h] & SOLID_BROKEN ? solid_list_damage(s->family->list[b], h) : 0;
     }
 }

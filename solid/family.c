@@ -45,9 +45,9 @@ static void view_list(const struct solid_list *t, int h, struct solid_family_vie
         const long j = start + b;
         view->l[b] = solid_list_other(t, j);
         solid_list_xi(t, j, view->xi[b]);
-        view->weight[b] = solid_list_weight(t, h, j);
         view->alpha[b] = solid_list_alpha(t, h, j);
         view->micro[b] = solid_list_micromodulus(t, h, j);
+        view->weight[b] = solid_list_weight(t, h, j, view->micro[b]);
         view->intact[b] = (uint8_t)solid_list_is_intact(t, j);
     }
 }
@@ -60,6 +60,30 @@ void solid_family_view(const struct solid *s, int h, struct solid_family_view *v
         view_lattice(f->lattice[b], h, view);
     else
         view_list(f->list[b], h, view);
+}
+
+int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
+    const struct solid_list *t = s->family->list[s->body[h]];
+    int n = 0;
+    if (!t) {
+        struct solid_family_view view;
+        solid_family_view(s, h, &view);
+        for (int b = 0; b < view.n; b++) {
+            place[n] = b;
+            other[n] = view.l[b];
+            n += !view.intact[b];
+        }
+        return n;
+    }
+    const long start = t->start[h - t->first], end = t->end[h - t->first];
+    for (long from = start; from < end; from += SOLID_LIST_BLOCK)
+        for (unsigned left = ~solid_list_block_intact(t, from) & 0xffu; left; left &= left - 1) {
+            const long j = from + __builtin_ctz(left);
+            if (j >= end) break;
+            place[n] = (int)(j - start);
+            other[n++] = solid_list_other(t, j);
+        }
+    return n;
 }
 
 void solid_family_break(struct solid *s, int h, int b) {

@@ -21,6 +21,9 @@ struct solid_family_view {
 
 /* The family of owned particle h. Not collective. */
 void solid_family_view(const struct solid *s, int h, struct solid_family_view *view);
+/* The broken bonds of h: their numbers in its view and their other ends, [SOLID_FAMILY_MAX]; returns how many. Cheaper. Not
+ * collective. */
+int solid_family_broken(const struct solid *s, int h, int *place, int *other);
 /* Break a bond for good, from both its ends where both are owned here (the owner of the other end must call it too for
  * its own particle): the b-th of h's view. Used for initial cracks and tests. Not collective. */
 void solid_family_break(struct solid *s, int h, int b);

@@ -13,10 +13,10 @@ static void *solid_array(long n, size_t size) { return memory_new(MEMORY_SOLID, 
 void solid_list_free(struct solid_list *b) {
     if (!b) return;
     solid_weight_table_free(b->law.table);
-    void *const own[] = {b->start,     b->end,         b->at,       b->step,  b->stiffness,
-                         b->large,     b->limit,       b->digit,    b->power, b->own_volume,
-                         b->other_key, b->other_local, b->particle, b->w,     b->record,
-                         b->speed,     b->key,         b->scaled,   b};
+    void *const own[] = {b->start,    b->end,     b->at,     b->step,       b->stiffness, b->large,
+                         b->limit,    b->digit,   b->power,  b->own_volume, b->other_key, b->other_local,
+                         b->particle, b->w,       b->record, b->speed,      b->key,       b->scaled,
+                         b->damage,   b->counted, b};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -139,7 +139,8 @@ int solid_list_longest(const struct solid_list *b) {
 long solid_list_intact(const struct solid_list *b) {
     long count = 0;
     for (int i = 0; i < b->n; i++)
-        for (long j = b->start[i]; j < b->end[i]; j++) count += solid_list_is_intact(b, j);
+        for (long j = b->start[i]; j < b->end[i]; j += SOLID_LIST_BLOCK)
+            count += __builtin_popcount(solid_list_block_intact(b, j));
     return count;
 }
 
@@ -172,11 +173,29 @@ double solid_list_micromodulus(const struct solid_list *b, int h, long j) {
                                    &b->particle[solid_list_record(b, j)]);
 }
 
-double solid_list_weight(const struct solid_list *b, int h, long j) {
+double solid_list_weight(const struct solid_list *b, int h, long j, double micromodulus) {
     double xi[3];
     const double length = solid_list_steps(b, j, xi);
     const double kv = fabs(b->stiffness[j]) * b->law.density * length / solid_list_alpha(b, h, j);
-    return kv / solid_list_micromodulus(b, h, j);
+    return kv / micromodulus;
+}
+
+/* As long as no bond of the family breaks, the damage found last stands. */
+double solid_list_damage(struct solid_list *b, int h) {
+    const int i = h - b->first;
+    int intact = 0;
+    for (long j = b->start[i]; j < b->end[i]; j += SOLID_LIST_BLOCK)
+        intact += __builtin_popcount(solid_list_block_intact(b, j));
+    if (b->counted[i] == intact + 1) return b->damage[i];
+    double left = 0, all = 0;
+    for (long j = b->start[i]; j < b->end[i]; j++) {
+        const double weight = solid_list_weight(b, h, j, solid_list_micromodulus(b, h, j));
+        all += weight;
+        if (solid_list_is_intact(b, j)) left += weight;
+    }
+    b->counted[i] = intact + 1;
+    b->damage[i] = all > 0 ? 1 - left / all : 0;
+    return b->damage[i];
 }
 
 double solid_list_limit(const struct solid_list *b, int h, long j) {

@@ -7,6 +7,7 @@
  * particle with itself. Records hold the displacements of owned particles in their order, then of ghosts and periodic
  * images. */
 #pragma once
+#include "base/vec.h"
 #include "solid/cloud.h"
 #include "solid/store.h"
 
@@ -38,6 +39,8 @@ struct solid_list {
     double *digit;        /* [n] a plate's sums (solid/force_family.h): of the family */
     double *power;        /* [n] and of the last sweep */
     double *own_volume;   /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
+    double *damage;       /* [n] as found when .. */
+    int *counted;         /* [n] .. one less of its bonds were intact; 0: not found yet */
     long *other_key;      /* [others] ascending: global id and image */
     int *other_local;     /* [others] */
     struct solid_end *particle; /* [n + others] */
@@ -87,6 +90,10 @@ static inline int solid_list_other(const struct solid_list *t, long j) {
 static inline int solid_list_is_intact(const struct solid_list *t, long j) {
     return !signbit(t->stiffness[j]);
 }
+/* The same of eight bonds from j, the first of a block: bit k of bond j + k. What fills a family up counts as broken. */
+static inline unsigned solid_list_block_intact(const struct solid_list *t, long j) {
+    return ~vec_signs(vec_load(t->stiffness + j)) & 0xffu;
+}
 static inline void solid_list_set(struct solid_list *t, long j, int intact) {
     t->stiffness[j] = copysign(t->stiffness[j], intact ? 1 : -1);
 }
@@ -120,7 +127,9 @@ static inline double solid_list_alpha(const struct solid_list *t, int h, long j)
 
 /* Its micromodulus, N/m6, and Gamma V_l, m3: their product is K V_l (solid/pair.h). */
 double solid_list_micromodulus(const struct solid_list *list, int h, long j);
-double solid_list_weight(const struct solid_list *list, int h, long j);
+double solid_list_weight(const struct solid_list *list, int h, long j, double micromodulus);
+/* 1 - sum(lambda Gamma V)/sum(Gamma V) of particle h. */
+double solid_list_damage(struct solid_list *list, int h);
 /* eps at which it breaks. */
 double solid_list_limit(const struct solid_list *list, int h, long j);
 

@@ -29,6 +29,8 @@ struct solid_list *solid_list_begin(const struct solid_cloud *cloud, long from, 
     b->digit = solid_array(b->n, sizeof *b->digit);
     b->power = solid_array(b->n, sizeof *b->power);
     b->own_volume = solid_array(b->n, sizeof *b->own_volume);
+    b->damage = solid_array(b->n, sizeof *b->damage);
+    b->counted = solid_array(b->n, sizeof *b->counted);
     b->scaled = solid_array(b->n, 1);
     return b;
 }

@@ -121,8 +121,9 @@ double solid_pair_limit(const struct solid_bond_law *law, const double *xi, cons
 double solid_pair_micromodulus(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
                                const struct solid_end *l) {
     const double xi2 = square(law, xi);
-    const int here = solid_pair_holds(law, xi, h->horizon, l->size),
-              there = law->horizons == SOLID_DUAL_HORIZON && solid_pair_holds(law, xi, l->horizon, h->size);
+    const int here = solid_pair_holds(law, xi, h->horizon, l->size);
+    if (h->horizon == l->horizon && h->size == l->size) return here ? micromodulus(law, xi2, h->horizon) : 0;
+    const int there = law->horizons == SOLID_DUAL_HORIZON && solid_pair_holds(law, xi, l->horizon, h->size);
     const double a = here ? micromodulus(law, xi2, h->horizon) : 0,
                  b = there ? micromodulus(law, xi2, l->horizon) : 0;
     return here && there ? 0.5 * (a + b) : a + b;

@@ -2,8 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/constraint.h"
-#include "solid/family.h"
-#include "solid/list.h"
+#include "solid/force_family.h"
 #include "solid/measures.h"
 #include "solid/refine_parts.h"
 
@@ -21,36 +20,54 @@ static double sum_of(const double *term, int n) {
     return sum;
 }
 
-/* The way of each of its family, spacings. */
-static int ways_of(const struct solid *s, const struct solid_list *t, int i,
-                   double eta[2][SOLID_FAMILY_MAX]) {
-    const int h = t->first + i, n = (int)(t->end[i] - t->start[i]);
-    for (int k = 0; k < n; k++) {
-        const int l = solid_list_other(t, t->start[i] + k);
-        for (int c = 0; c < 2; c++) eta[c][k] = (s->d[c][l] - s->d[c][h]) / t->spacing;
-    }
-    return n;
+/* sum_of, eight terms at a time, 0 behind the last; most: the largest. */
+static inline double sum_of_blocks(const double *term, long n, double most) {
+    const vec shift = vec_set(power_below(most) * 0x1.8p11);
+    vec sum = vec_set(0);
+    for (long k = 0; k < n; k += VEC_LANES) sum += (vec_load(term + k) + shift) - shift;
+    return vec_total(sum);
 }
 
-/* 1/4 sum of alpha c s^2 |xi| Gamma V_l, with k = alpha c Gamma V_l/(rho |xi|), negative where broken.  (001: eq. 3.23) */
-static double energy_of(const struct solid *s, const struct solid_list *t, int i) {
-    double eta[2][SOLID_FAMILY_MAX], term[SOLID_FAMILY_MAX];
-    const int n = ways_of(s, t, i, eta);
-    for (int k = 0; k < n; k++) {
+/* 1/4 sum of alpha c s^2 |xi| Gamma V_l, with k = alpha c Gamma V_l/(rho |xi|), negative where broken. By the records.
+ * (001: eq. 3.23) */
+static double energy_of(const struct solid_list *t, int i) {
+    double term[SOLID_FAMILY_MAX + VEC_LANES];
+    const double *here = t->record + (long)t->width * i;
+    const long n = t->end[i] - t->start[i];
+    vec most = vec_set(0);
+    for (long k = 0; k < n; k += VEC_LANES) {
         const long j = t->start[i] + k;
-        const double x = *solid_list_step(t, j, 0), y = *solid_list_step(t, j, 1), length2 = x * x + y * y;
-        const double one = eta[0][k] * (x + (x + eta[0][k])), two = eta[1][k] * (y + (y + eta[1][k]));
-        const double eps = (one + two) / length2, stretch = eps / (1 + sqrt(1 + eps));
-        const double of = t->stiffness[j] * length2 * (stretch * stretch);
-        term[k] = of > 0 ? of : 0;
+        const vec x = vec_load_floats(solid_list_step(t, j, 0)), y = vec_load_floats(solid_list_step(t, j, 1));
+        const vec stiffness = vec_load(t->stiffness + j), length2 = x * x + y * y;
+        vec there[2];
+        vec_gather2(t->record, t->at + j, there);
+        const vec dx = there[0] - here[0], dy = there[1] - here[1];
+        const vec one = dx * (x + (x + dx)), two = dy * (y + (y + dy));
+        const vec eps = (one + two) * vec_reciprocal(length2), stretch = eps * vec_reciprocal(1 + vec_sqrt(1 + eps));
+        const vec of =
+            vec_where(solid_list_block_intact(t, j), stiffness * length2 * (stretch * stretch));
+        most = vec_max(most, of);
+        vec_store(term + k, of);
     }
-    return 0.25 * t->law.density * t->spacing * sum_of(term, n);
+    const double largest = vec_highest(most);
+    return largest > 0 ? 0.25 * t->law.density * t->spacing * sum_of_blocks(term, n, largest) : 0;
+}
+
+/* No less than energy_of says where a list's last sweep, without damping, was at the present displacements: of its largest |eps| it
+ * knows the power of two, of k |xi| the family's digit. INFINITY: nothing is known. */
+static double energy_bound(const struct solid_list *t, int i) {
+    const double eps = 2 * t->power[i];
+    if (!(eps > 0) || eps > 0.03) return INFINITY;
+    const double force = t->digit[i] / force_family_room(t, i), reach = t->law.horizon + 1;
+    return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach *
+           (0.26 * eps * eps);
 }
 
 void solid_refine_energy(const struct solid *s, double *energy) {
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_list *t = s->family->list[b];
-        for (int i = 0; i < t->n; i++) energy[t->first + i] = energy_of(s, t, i);
+        solid_list_fill(s, t);
+        for (int i = 0; i < t->n; i++) energy[t->first + i] = energy_of(t, i);
     }
 }
 
@@ -69,15 +86,27 @@ static double damage_of(const struct solid *s, int h) {
     return all > 0 ? sum_of(lost, broken) / all : 0;
 }
 
-/* Of the particles that mark says, and the largest of them. */
-static double energy_where(const struct solid *s, const uint8_t *mark, double *energy) {
+/* Of the particles that mark says, and the largest of them; where less than part of that is certain, 0 and not looked at. */
+static double energy_where(const struct solid *s, const uint8_t *mark, double part, double *energy) {
+    const int is_bound = s->a_holds && s->stage_of_a.damping_relative == 0;
     double most = 0;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_list *t = s->family->list[b];
+        int first = -1; /* where eps is largest: most others are then known to have less */
+        double power = 0;
+        for (int i = 0; is_bound && i < t->n; i++) {
+            if (!mark[t->first + i] || t->power[i] <= power) continue;
+            power = t->power[i];
+            first = i;
+        }
+        solid_list_fill(s, t);
+        if (first >= 0) most = fmax(most, energy_of(t, first));
         for (int i = 0; i < t->n; i++) {
             const int h = t->first + i;
-            energy[h] = mark[h] ? energy_of(s, t, i) : 0;
-            most = fmax(most, energy[h]);
+            energy[h] = 0;
+            if (!mark[h] || (is_bound && energy_bound(t, i) < part * most)) continue;
+            energy[h] = energy_of(t, i);
+            most = energy[h] > most ? energy[h] : most;
         }
     }
     return par_max(most);
@@ -99,11 +128,12 @@ long solid_refine_look(struct solid *s) {
     uint8_t *mark = s->refine->mark;
     double *energy = s->refine->energy, most = 0;
     for (int h = 0; h < s->n; h++) mark[h] = (uint8_t)solid_constraint_inside(s, h, in->low, in->high);
-    if (in->energy > 0) most = energy_where(s, mark, energy);
+    if (in->energy > 0) most = energy_where(s, mark, in->energy, energy);
     for (int h = 0; h < s->n; h++) {
         if (!mark[h]) continue;
-        mark[h] = solid_refine_level(s, h) < in->levels && ((most > 0 && energy[h] >= in->energy * most) ||
-                                                            (in->damage > 0 && damage_of(s, h) > in->damage));
+        mark[h] = ((most > 0 && energy[h] >= in->energy * most) ||
+                   (in->damage > 0 && damage_of(s, h) > in->damage)) &&
+                  solid_refine_level(s, h) < in->levels;
     }
     return solid_refine_marked(s, mark);
 }

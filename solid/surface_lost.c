@@ -51,10 +51,13 @@ static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice 
     }
 }
 
-static void find_in_list(struct solid_lost *lost, const struct solid_list *t) {
+/* Who has lost a bond is flagged. */
+static void find_in_list(struct solid_lost *lost, const struct solid_list *t, const uint8_t *flag) {
     for (int i = 0; i < t->n; i++) {
+        if (!(flag[t->first + i] & SOLID_BROKEN)) continue;
         int intact = 0;
-        for (long j = t->start[i]; j < t->end[i]; j++) intact += solid_list_is_intact(t, j);
+        for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK)
+            intact += __builtin_popcount(solid_list_block_intact(t, j));
         compare(lost, t->first + i, intact);
     }
 }
@@ -68,7 +71,7 @@ int solid_lost_find(struct solid_lost *lost, const struct solid *s) {
             find_in_lattice(lost, t, row_intact);
             row_intact += t->rows;
         } else {
-            find_in_list(lost, s->family->list[b]);
+            find_in_list(lost, s->family->list[b], s->flag);
         }
     }
     return lost->found;
@@ -80,6 +83,7 @@ struct solid_lost *solid_lost_new(const struct solid *s) {
     for (int b = 0; b < s->family->bodies; b++)
         if (s->family->lattice[b]) rows += (size_t)s->family->lattice[b]->rows;
     lost->intact = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->intact);
+    memset(lost->intact, 0xff, (size_t)s->n * sizeof *lost->intact); /* more than there can be */
     lost->h = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->h);
     lost->row_intact = memory_new(MEMORY_SOLID, rows, sizeof *lost->row_intact);
     solid_lost_find(lost, s);

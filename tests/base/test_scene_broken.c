@@ -95,7 +95,6 @@ static const struct broken table[] = {
     {"coupled", "initial: {velocity: [0.1, 0, 0]", "initial: {velocity: [0, 0, 0]", "it.yaml:8: fluid.initial.poiseuille = true: needs initial.velocity, its mean, along one of the axes"},
     {"coupled", "initial: {velocity: [0.1, 0, 0]", "initial: {velocity: [0, 0.1, 0]", "it.yaml:8: fluid.initial.poiseuille = true: needs walls on both sides in x or z"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  initial: {taylor_green: {velocity: 1, axes: yz}}", "it.yaml:5: fluid.initial.taylor_green.axes = yz: y_low must be periodic or slip, it is general"},
-    {"coupled", "poiseuille: true", "poiseuille: true, taylor_green: {velocity: 1, axes: xz}", "it.yaml:8: fluid.initial.poiseuille = true: not together with taylor_green"},
     {"coupled", "direction: z, value: 0", "direction: z, value: 0, frequency: -1", "it.yaml:16: fluid.driving.frequency = -1: must be at least 0"},
     {"coupled", "type: pressure_gradient, direction: z, value: 0", "type: bulk_velocity, direction: z, value: 0, frequency: 1", "it.yaml:16: fluid.driving.frequency = 1: only with type pressure_gradient, here it is bulk_velocity"},
     {"coupled", "series_every: 10", "fluid_probes: {}", "it.yaml:46: output.fluid_probes: needs at, lines or both"},

@@ -2,11 +2,12 @@
 #include "base/error.h"
 #include "base/par.h"
 
+#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 _Noreturn void __wrap_die(enum exit_code code, const char *format, ...);
@@ -14,9 +15,9 @@ _Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...);
 _Noreturn void __wrap_error_bug(const char *file, int line, const char *cond, const char *format, ...);
 
 static jmp_buf *back;
+static char sentence[4096]; /* of the last refusal */
 
 static _Noreturn void leave(enum exit_code code, const char *format, va_list args) {
-    char sentence[4096]; /* made and thrown away: its arguments are looked at */
     vsnprintf(sentence, sizeof sentence, format, args);
     if (back) longjmp(*back, code);
     fprintf(stderr, "%s\n", sentence);
@@ -52,25 +53,40 @@ int fuzz_read(void (*read)(void *), void *what) {
     return code;
 }
 
-const char *fuzz_file(const void *data, size_t bytes) {
-    static char path[64];
-    static int fd = -1;
-    if (fd < 0) {
-        fd = memfd_create("fuzz", 0);
-        snprintf(path, sizeof path, "/proc/self/fd/%d", fd);
-    }
-    fuzz_expect(ftruncate(fd, 0) == 0 && pwrite(fd, data, bytes, 0) == (ssize_t)bytes, "no memory for the file");
-    return path;
+/* A folder of its own, and a name: HDF5 follows links to what they stand for. */
+static char folder[] = "/tmp/fuzz_XXXXXX", file[32];
+
+static void remove_file(void) {
+    unlink(file);
+    rmdir(folder);
 }
 
-void fuzz_expect(int holds, const char *sentence) {
+const char *fuzz_file(const void *data, size_t bytes) {
+    static int fd = -1;
+    if (fd < 0) {
+        fuzz_expect(mkdtemp(folder) != NULL, "no folder can be made in /tmp");
+        snprintf(file, sizeof file, "%s/file", folder);
+        fd = open(file, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        atexit(remove_file);
+    }
+    fuzz_expect(ftruncate(fd, 0) == 0 && pwrite(fd, data, bytes, 0) == (ssize_t)bytes, "no room in /tmp");
+    return file;
+}
+
+void fuzz_expect(int holds, const char *what) {
     if (holds) return;
-    fprintf(stderr, "fuzz: %s\n", sentence);
+    fprintf(stderr, "fuzz: %s; the last refusal: %s\n", what, sentence);
     abort();
 }
 
+/* Of LeakSanitizer, where it is linked. */
+void __lsan_disable(void) __attribute__((weak));
+void __lsan_enable(void) __attribute__((weak));
+
+/* MPI is never ended: what its modules hold would look like leaks once they are unloaded. What it loses in beginning is not ours. */
 int LLVMFuzzerInitialize(int *argc, char ***argv) {
+    if (__lsan_disable) __lsan_disable();
     par_begin(argc, argv);
-    atexit(par_end);
+    if (__lsan_enable) __lsan_enable();
     return 0;
 }

@@ -10,7 +10,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes);
 
 /* Calls read(what); returns 0, or the exit code with which it would have ended the program. */
 int fuzz_read(void (*read)(void *), void *what);
-/* A file in memory with these bytes; its path, which stays the same. */
+/* Writes these bytes to a file of the process, the same at each call; returns its path. */
 const char *fuzz_file(const void *data, size_t bytes);
-/* Aborts with the sentence where the condition does not hold. */
-void fuzz_expect(int holds, const char *sentence);
+/* Aborts and says what is wrong where the condition does not hold. */
+void fuzz_expect(int holds, const char *what);

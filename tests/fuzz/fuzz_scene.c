@@ -8,6 +8,8 @@
 
 enum { SETS = 8 };
 
+static const char path[] = FRANA_SOURCE_DIR "/tests/base/scenes/scene.yaml"; /* files it names are there */
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
     char *text = malloc(bytes + 1), *set[SETS] = {0};
     int n = 0;
@@ -23,13 +25,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
     }
     if (end) *end = '\0';
     struct scene_problems problems = {0};
-    struct scene *s = scene_read("scene.yaml", text, length, n, (const char *const *)set, 1, &problems);
+    struct scene *s = scene_read(path, text, length, n, (const char *const *)set, 1, &problems);
     fuzz_expect((s == NULL) == (problems.n > 0), "refused without a sentence, or accepted with one");
     scene_problems_free(&problems);
     if (s) {
         problems = (struct scene_problems){0};
-        struct scene *again =
-            scene_read("scene.yaml", s->resolved, strlen(s->resolved), 0, NULL, 0, &problems);
+        struct scene *again = scene_read(path, s->resolved, strlen(s->resolved), 0, NULL, 0, &problems);
         fuzz_expect(again != NULL, problems.n ? problems.text[0] : "the resolved scene is refused");
         fuzz_expect(!strcmp(again->resolved, s->resolved), "the resolved scene is resolved to another");
         scene_problems_free(&problems);
