@@ -8,7 +8,7 @@
 static struct scene_outline curve_new(int corners, const struct scene_corner *corner, int is_hole) {
     struct scene_outline o = {corners, malloc((size_t)(corners + 1) * sizeof *corner), is_hole};
     if (!o.corner) die(EXIT_CODE_FILE, "no memory left for the scene");
-    memcpy(o.corner, corner, (size_t)corners * sizeof *corner);
+    if (corners > 0) memcpy(o.corner, corner, (size_t)corners * sizeof *corner);
     return o;
 }
 

@@ -28,7 +28,7 @@ uint64_t seal_sum(const void *value, size_t rows, size_t row, uint64_t first) {
     uint64_t sum = 0;
     for (size_t r = 0; r < rows; r++, at += row) {
         uint64_t w = 0;
-        memcpy(&w, at + 8 * words, left);
+        for (size_t k = 0; k < left; k++) w |= (uint64_t)at[8 * words + k] << 8 * k;
         sum += sum_words(at, words, (first + r) * stride) + mix((first + r) * stride + words, w);
     }
     return sum;

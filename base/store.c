@@ -72,6 +72,7 @@ struct h5_block store_h5_range(int comps, long n, long first, long count) {
 uint64_t store_sum_block(const struct store_block *b, const double *value) {
     const uint64_t n0 = (uint64_t)b->n[0], n1 = (uint64_t)b->n[1];
     uint64_t sum = 0;
+    if (b->m[0] == 0) return 0;
     for (int k = 0; k < b->m[2]; k++)
         for (int j = 0; j < b->m[1]; j++, value += b->m[0])
             sum += seal_sum(value, (size_t)b->m[0], sizeof *value,

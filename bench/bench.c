@@ -17,7 +17,7 @@ static const struct {
     int asked_only; /* not unless named by --only */
 } part[] = {{"limits", bench_limits, 0},     {"fluid", bench_fluid, 0},   {"solid", bench_solid, 0},
             {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0}, {"growth", growth, 0},
-            {"peer", bench_peer, 1},         {"refine", bench_refine, 1}};
+            {"peer", bench_peer, 1}};
 enum { PARTS = sizeof part / sizeof *part };
 
 /* Whether the comma-separated list holds the word. */
@@ -37,8 +37,8 @@ static void check_only(const char *list) {
             found |= (int)strlen(part[k].name) == length && !strncmp(at, part[k].name, (size_t)length);
         if (!found)
             die_all(EXIT_CODE_SCENE,
-                    "--only %.*s: must be of limits, fluid, solid, immersed, memory, growth, peer and refine",
-                    length, at);
+                    "--only %.*s: must be of limits, fluid, solid, immersed, memory, growth and peer", length,
+                    at);
     }
 }
 

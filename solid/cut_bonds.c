@@ -2,6 +2,7 @@
 #include "base/par.h"
 #include "solid/cut.h"
 #include "solid/family.h"
+#include "solid/list.h"
 #include "solid/store.h"
 
 #include <math.h>
@@ -72,7 +73,12 @@ static long break_in_body(struct solid *s, const struct crack *k, int body, cons
     int most[3];
     long met = 0;
     for (int c = 0; c < 3; c++) most[c] = k->period[c] > 0;
+    const struct solid_list *list = s->family->list[body];
     for (int h = first[body]; h < first[body + 1]; h++) {
+        if (list && list->scaled[h - list->first]) { /* its bonds were looked at when they were made */
+            met++;
+            continue;
+        }
         double x[3] = {0}, at[3] = {0};
         const long number = cloud ? s->first[par_rank()] + h - cloud->first : 0;
         for (int c = 0; c < s->dim; c++) x[c] = k->line ? cloud->place[c][number] : s->x0[c][h];

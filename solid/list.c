@@ -13,40 +13,44 @@ static void *solid_array(long n, size_t size) { return memory_new(MEMORY_SOLID, 
 void solid_list_free(struct solid_list *b) {
     if (!b) return;
     solid_weight_table_free(b->law.table);
-    void *const own[] = {b->start,    b->end,     b->at,     b->step,       b->stiffness, b->large,
-                         b->limit,    b->digit,   b->power,  b->own_volume, b->other_key, b->other_local,
-                         b->particle, b->w,       b->record, b->speed,      b->key,       b->scaled,
-                         b->damage,   b->counted, b};
+    void *const own[] = {
+        b->start, b->end,        b->at,        b->step,        b->stiffness, b->large, b->limit,  b->digit,
+        b->power, b->own_volume, b->other_key, b->other_local, b->particle,  b->w,     b->record, b->speed,
+        b->key,   b->scaled,     b->damage,    b->counted,     b->kept,      b};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
 long solid_list_wanted(const struct solid_list *b, long from, long to, long *id) {
     long wanted = 0;
-    for (int i = 0; i < b->n; i++)
+    for (int i = 0; i < b->n; i++) {
+        if (b->scaled[i] == SOLID_LIST_LINKED) continue;
         for (long j = b->start[i]; j < b->end[i]; j++) {
-            const long other = solid_key_id(b->key[j]);
+            const long other = b->key[j] < 0 ? from : solid_key_id(b->key[j]);
             if (other >= from && other < to) continue;
             if (id) id[wanted] = other;
             wanted++;
         }
+    }
     return wanted;
 }
 
-/* The owned particle itself, without its periodic images. */
+/* The owned particle itself, without its periodic images; a key below 0 is of one that is linked. */
 static int is_home(const struct solid_list *b, const struct solid_numbering *numbering, long key) {
+    if (key < 0) return 1;
     const long i = solid_key_id(key) - numbering->from - b->first;
     return solid_key_image(key) == SOLID_NO_IMAGE && i >= 0 && i < b->n;
 }
 
 static void others_new(struct solid_list *b, const struct solid_numbering *numbering) {
-    long n = 0;
+    long n = 0, room = 0;
     for (int i = 0; i < b->n; i++)
-        for (long j = b->start[i]; j < b->end[i]; j++) n += !is_home(b, numbering, b->key[j]);
-    long *all = solid_array(n, sizeof *all);
-    n = 0;
-    for (int i = 0; i < b->n; i++)
-        for (long j = b->start[i]; j < b->end[i]; j++)
-            if (!is_home(b, numbering, b->key[j])) all[n++] = b->key[j];
+        if (b->scaled[i] != SOLID_LIST_LINKED)
+            for (long j = b->start[i]; j < b->end[i]; j++) room += !is_home(b, numbering, b->key[j]);
+    long *all = solid_array(room, sizeof *all);
+    for (int i = 0; i < b->n && n < room; i++)
+        if (b->scaled[i] != SOLID_LIST_LINKED)
+            for (long j = b->start[i]; j < b->end[i]; j++)
+                if (!is_home(b, numbering, b->key[j])) all[n++] = b->key[j];
     b->others = solid_number_unique(all, n);
     b->other_key = solid_array(b->others, sizeof *all);
     memcpy(b->other_key, all, (size_t)b->others * sizeof *all);
@@ -76,8 +80,10 @@ void solid_list_link(struct solid_list *b, const struct solid_cloud *cloud,
     const struct solid_numbering others = {0, 0, b->others, b->other_key};
     for (int i = 0; i < b->n; i++) {
         const long next = i + 1 < b->n ? b->start[i + 1] : b->room;
+        if (b->scaled[i] == SOLID_LIST_LINKED) continue;
         for (long j = b->start[i]; j < b->end[i]; j++) {
             const long key = b->key[j];
+            if (key < 0) continue;
             const int record = is_home(b, numbering, key)
                                    ? (int)(solid_key_id(key) - numbering->from) - b->first
                                    : b->n + solid_numbering_local(&others, key);
@@ -86,7 +92,9 @@ void solid_list_link(struct solid_list *b, const struct solid_cloud *cloud,
         for (long j = b->end[i]; j < next; j++) b->at[j] = b->width * i;
     }
     memory_free(b->key);
+    memory_free(b->kept);
     b->key = NULL;
+    b->kept = NULL;
     records_new(b, cloud);
 }
 
@@ -121,12 +129,11 @@ static double digit_of(const struct solid_list *b, int i) {
 void solid_list_weights(struct solid_list *b, const double *family_volume, int surface_correction) {
     ratios_set(b, family_volume, surface_correction);
     for (int i = 0; i < b->n; i++) {
-        for (long j = b->start[i]; !b->scaled[i] && j < b->end[i]; j++)
+        if (b->scaled[i]) continue;
+        for (long j = b->start[i]; j < b->end[i]; j++)
             b->stiffness[j] *= solid_list_alpha(b, b->first + i, j);
         b->digit[i] = digit_of(b, i);
     }
-    memory_free(b->scaled);
-    b->scaled = NULL;
 }
 
 int solid_list_longest(const struct solid_list *b) {

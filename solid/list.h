@@ -19,6 +19,9 @@ enum {
         4 /* numbers of a record read with damping only: v (2 or 3, m/s), nothing; the last is w = V/V0 */
 };
 
+struct solid_pairs_kept;
+enum { SOLID_LIST_SCALED = 1, SOLID_LIST_LINKED = 2 }; /* linked: as well, and to owned particles only */
+
 struct solid_list {
     struct solid_bond_law law;
     int dim;
@@ -48,7 +51,8 @@ struct solid_list {
     double *record;             /* [n + others][width] */
     double *speed;              /* [n + others][SOLID_LIST_SPEED] */
     long *key;                  /* [room] of the other end: its global id and image; while being set up */
-    uint8_t *scaled;            /* [n] 1: alpha is in the stiffness already; while being set up */
+    uint8_t *scaled; /* [n] SOLID_LIST_SCALED: of before the last renewal, alpha is in the stiffness */
+    struct solid_pairs_kept *kept; /* while being set up */
 };
 
 /* Set up in four steps: the families of the owned ids; the ids of others that they need; where these are known here; the

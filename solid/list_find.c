@@ -32,6 +32,7 @@ struct solid_list *solid_list_begin(const struct solid_cloud *cloud, long from, 
     b->damage = solid_array(b->n, sizeof *b->damage);
     b->counted = solid_array(b->n, sizeof *b->counted);
     b->scaled = solid_array(b->n, 1);
+    if (b->dim == 2) b->kept = memory_new(MEMORY_SOLID, 1, sizeof *b->kept);
     return b;
 }
 
@@ -48,8 +49,27 @@ void solid_list_make_room(struct solid_list *b) {
     b->at = solid_array(b->room, sizeof *b->at);
     b->step = solid_array(b->room * b->dim, sizeof *b->step);
     b->stiffness = solid_array(b->room, sizeof *b->stiffness);
-    for (long j = 0; j < b->room; j++) b->stiffness[j] = -0.;
-    for (long j = 0; j < b->room * b->dim; j++) b->step[j] = 1; /* |xi| of what fills up is not 0 */
+    for (int i = 0; i < b->n; i++)
+        for (long j = b->end[i]; j % SOLID_LIST_BLOCK; j++) { /* what fills a family up */
+            b->stiffness[j] = -0.;
+            for (int c = 0; c < b->dim; c++) *solid_list_step(b, j, c) = 1; /* |xi| is not 0 */
+        }
+}
+
+/* solid_pair_of in a plate, of which most are alike. */
+static struct solid_pair pair_of(struct solid_list *b, const double xi[3], const struct solid_end *h,
+                                 const struct solid_end *l) {
+    const double of[6] = {xi[0], xi[1], h->horizon, h->size, l->horizon, l->size};
+    uint64_t bits[6], hash = 0;
+    if (b->dim == 3) return solid_pair_of(&b->law, xi, h, l);
+    memcpy(bits, of, sizeof bits);
+    for (int k = 0; k < 6; k++) hash = (hash ^ bits[k]) * UINT64_C(0x9e3779b97f4a7c15) ^ hash >> 29;
+    const unsigned slot = (unsigned)(hash >> 40) % SOLID_PAIRS_KEPT;
+    if (memcmp(b->kept->slot[slot].of, of, sizeof of) != 0) {
+        memcpy(b->kept->slot[slot].of, of, sizeof of);
+        b->kept->slot[slot].pair = solid_pair_of(&b->law, xi, h, l);
+    }
+    return b->kept->slot[slot].pair;
 }
 
 /* Number of the bond j between h and the other end at xi. Returns the part of V_h. */
@@ -60,7 +80,7 @@ static double number_bond(struct solid_list *b, const double xi[3], const struct
         *solid_list_step(b, j, c) = (float)xi[c];
         xi2 += xi[c] * xi[c];
     }
-    const struct solid_pair pair = solid_pair_of(&b->law, xi, h, l);
+    const struct solid_pair pair = pair_of(b, xi, h, l);
     b->stiffness[j] = pair.stiffness * (l->volume * b->unit / b->law.density) / sqrt(xi2);
     *limit = fmin(*limit, pair.limit);
     return solid_pair_rounded(&b->law, h->horizon, pair.gamma * l->volume);

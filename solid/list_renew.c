@@ -4,14 +4,17 @@
 #include <math.h>
 #include <string.h>
 
-enum { UNTOUCHED, FRESH };
+enum { UNTOUCHED, NEAR, FRESH };
 
 /* What is the same and what is not, of the whole body. */
 struct change {
     const struct solid_cloud *before, *cloud;
     const long *was; /* [cloud->n] number before, -1: new */
     long *now;       /* [before->n] number after, -1: gone */
-    uint8_t *family; /* [cloud->n] FRESH: to be found anew */
+    uint8_t *family; /* [cloud->n] FRESH: to be found anew; NEAR: another end's is */
+    /* what is being marked about */
+    struct solid_end end;
+    uint8_t as;
 };
 
 static int is_same(const struct change *k, long number) {
@@ -23,16 +26,20 @@ static int is_same(const struct change *k, long number) {
            a->horizon[number] == b->horizon[old];
 }
 
+/* Families that have, or had, a particle in them. */
 static void mark(void *with, long number, int image, const double xi[3]) {
     struct change *k = with;
     (void)image;
-    (void)xi;
-    k->family[number] = FRESH;
+    if (k->family[number] >= k->as) return;
+    const struct solid_end end = solid_cloud_end(k->cloud, number);
+    if (solid_pair_exists(&k->cloud->law, xi, &end, &k->end)) k->family[number] = k->as;
 }
 
-static void mark_about(struct change *k, const struct solid_cloud *from, long number) {
+static void mark_about(struct change *k, const struct solid_cloud *from, long number, uint8_t as) {
     double place[3] = {0};
     for (int c = 0; c < from->dim; c++) place[c] = from->place[c][number];
+    k->end = solid_cloud_end(from, number);
+    k->as = as;
     solid_cloud_visit(k->cloud, place, fmax(k->before->longest_reach, k->cloud->longest_reach), mark, k);
 }
 
@@ -42,10 +49,14 @@ static void change_begin(struct change *k) {
     for (long old = 0; old < k->before->n; old++) k->now[old] = -1;
     for (long number = 0; number < k->cloud->n; number++) {
         if (k->was[number] >= 0) k->now[k->was[number]] = number;
-        if (!is_same(k, number)) mark_about(k, k->cloud, number);
+        if (is_same(k, number)) continue;
+        k->family[number] = FRESH;
+        mark_about(k, k->cloud, number, FRESH);
     }
     for (long old = 0; old < k->before->n; old++)
-        if (k->now[old] < 0 || !is_same(k, k->now[old])) mark_about(k, k->before, old);
+        if (k->now[old] < 0 || !is_same(k, k->now[old])) mark_about(k, k->before, old, FRESH);
+    for (long number = 0; number < k->cloud->n; number++)
+        if (k->family[number] == FRESH) mark_about(k, k->cloud, number, NEAR);
 }
 
 static void change_end(struct change *k) {
@@ -62,31 +73,34 @@ static long key_now(const struct change *k, const struct solid_list *old, int re
     return now < 0 ? -1 : solid_key_of(k->cloud->first + now, home ? SOLID_NO_IMAGE : solid_key_image(key));
 }
 
-/* Whether alpha of a bond of the family may have changed: another end's family has. */
-static int near_fresh(const struct change *k, const struct solid_list *b, int i) {
-    for (long j = b->start[i]; j < b->end[i]; j++)
-        if (k->family[solid_key_id(b->key[j]) - k->cloud->first] == FRESH) return 1;
-    return 0;
+/* With the alpha it had. Bonds to owned particles, which keep their order, need no key. */
+static void copy_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i,
+                        int o) {
+    const long from = old->start[o], to = b->start[i];
+    const size_t n = (size_t)(old->end[o] - from),
+                 blocks = (n + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK * SOLID_LIST_BLOCK;
+    memcpy(b->at + to, old->at + from, blocks * sizeof *b->at);
+    memcpy(b->step + to * b->dim, old->step + from * b->dim, blocks * (size_t)b->dim * sizeof *b->step);
+    memcpy(b->stiffness + to, old->stiffness + from, blocks * sizeof *b->stiffness);
+    b->limit[i] = old->limit[o];
+    b->digit[i] = old->digit[o];
+    b->power[i] = old->power[o];
+    b->own_volume[i] = old->own_volume[o];
+    b->scaled[i] = SOLID_LIST_LINKED;
+    for (size_t j = 0; old->others > 0 && j < n; j++) {
+        const int record = solid_list_record(old, from + (long)j);
+        b->key[to + (long)j] = record < old->n ? -1 : key_now(k, old, record);
+        if (record >= old->n) b->scaled[i] = SOLID_LIST_SCALED;
+    }
 }
 
-static void copy_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i,
-                        int o, long number) {
-    const long from = old->start[o], to = b->start[i];
-    const size_t n = (size_t)(old->end[o] - from);
-    for (size_t j = 0; j < n; j++)
-        b->key[to + (long)j] = key_now(k, old, solid_list_record(old, from + (long)j));
-    if (near_fresh(k, b, i)) {
-        solid_list_number(b, k->cloud, i, number);
-        for (size_t j = 0; j < n; j++)
-            solid_list_set(b, to + (long)j, solid_list_is_intact(old, from + (long)j));
-        return;
-    }
-    const size_t blocks = (n + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK * SOLID_LIST_BLOCK;
-    memcpy(b->step + to * b->dim, old->step + from * b->dim, blocks * (size_t)b->dim * sizeof *b->step);
-    memcpy(b->stiffness + to, old->stiffness + from, n * sizeof *b->stiffness);
-    b->limit[i] = old->limit[o];
-    b->own_volume[i] = old->own_volume[o];
-    b->scaled[i] = 1;
+/* Without alpha. */
+static void number_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i,
+                          int o, long number) {
+    const long from = old->start[o], to = b->start[i], n = old->end[o] - from;
+    for (long j = 0; j < n; j++) b->key[to + j] = key_now(k, old, solid_list_record(old, from + j));
+    solid_list_number(b, k->cloud, i, number);
+    for (long j = 0; j < n; j++) solid_list_set(b, to + j, solid_list_is_intact(old, from + j));
 }
 
 /* What was broken stays broken. */
@@ -119,7 +133,9 @@ struct solid_list *solid_list_renew(const struct solid_list *old, const struct s
         const int o = (int)(was[number] - old->number), is_old = was[number] >= 0;
         if (is_old) b->large[i] = old->large[o];
         if (k.family[number] == UNTOUCHED) {
-            copy_family(b, old, &k, i, o, number);
+            copy_family(b, old, &k, i, o);
+        } else if (k.family[number] == NEAR) {
+            number_family(b, old, &k, i, o, number);
         } else {
             solid_list_find(b, cloud, i, number, near);
             if (is_old) keep_broken(b, old, &k, i, o);

@@ -86,7 +86,7 @@ static void *grown(void *old, size_t n, size_t room, size_t size) {
 
 void solid_refine_make_room(struct solid *s, int n) {
     if (n + 1 < s->refine->room) return;
-    const size_t room = (size_t)(s->refine->room = n + n / 4 + 1024), owned = (size_t)s->n;
+    const size_t room = (size_t)(s->refine->room = n + n / 8 + 256), owned = (size_t)s->n;
     for (int c = 0; c < s->dim; c++) {
         double **const of[] = {&s->x0[c],   &s->d[c],     &s->v[c],    &s->a[c],
                                &s->load[c], &s->v_old[c], &s->a_old[c]};
@@ -122,9 +122,11 @@ static void carry(struct solid *s, const struct change *change, const int *old_f
 
 /* New particles of a rank may have lost bonds before they had any. */
 static void mark_broken(struct solid *s, const struct solid_list *t) {
-    for (int i = 0; i < t->n; i++)
+    for (int i = 0; i < t->n; i++) {
+        if (t->scaled[i]) continue;
         for (long j = t->start[i]; j < t->end[i]; j++)
             if (!solid_list_is_intact(t, j)) s->flag[t->first + i] |= SOLID_BROKEN;
+    }
 }
 
 static void numbers_set(struct solid *s, struct change *change, struct solid_refine_plan *const *plan) {

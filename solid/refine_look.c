@@ -37,15 +37,15 @@ static double energy_of(const struct solid_list *t, int i) {
     vec most = vec_set(0);
     for (long k = 0; k < n; k += VEC_LANES) {
         const long j = t->start[i] + k;
-        const vec x = vec_load_floats(solid_list_step(t, j, 0)), y = vec_load_floats(solid_list_step(t, j, 1));
+        const vec x = vec_load_floats(solid_list_step(t, j, 0)),
+                  y = vec_load_floats(solid_list_step(t, j, 1));
         const vec stiffness = vec_load(t->stiffness + j), length2 = x * x + y * y;
         vec there[2];
         vec_gather2(t->record, t->at + j, there);
         const vec dx = there[0] - here[0], dy = there[1] - here[1];
         const vec one = dx * (x + (x + dx)), two = dy * (y + (y + dy));
-        const vec eps = (one + two) * vec_reciprocal(length2), stretch = eps * vec_reciprocal(1 + vec_sqrt(1 + eps));
-        const vec of =
-            vec_where(solid_list_block_intact(t, j), stiffness * length2 * (stretch * stretch));
+        const vec eps = (one + two) * vec_reciprocal(length2), stretch = eps / (1 + vec_sqrt(1 + eps));
+        const vec of = vec_where(solid_list_block_intact(t, j), stiffness * length2 * (stretch * stretch));
         most = vec_max(most, of);
         vec_store(term + k, of);
     }
@@ -117,7 +117,7 @@ static void look_make_room(const struct solid *s) {
     if (s->n < r->looked) return;
     memory_free(r->mark);
     memory_free(r->energy);
-    r->looked = s->n + s->n / 4 + 1024;
+    r->looked = s->n + s->n / 8 + 256;
     r->mark = memory_new(MEMORY_SOLID, (size_t)r->looked, 1);
     r->energy = memory_new(MEMORY_SOLID, (size_t)r->looked, sizeof *r->energy);
 }

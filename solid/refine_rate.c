@@ -9,22 +9,24 @@
 
 /* u.K u = 1/2 sum over bonds of k (e.(u_h - u_l))^2 <= 2 sum u_h.T_h u_h,  T_h = sum k e e. With halves that differ (one-sided) a guide
  * only. */
+static double rate2_of(const struct solid_list *t, int i) {
+    vec xx = vec_set(0), yy = vec_set(0), xy = vec_set(0);
+    for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK) {
+        const vec stiffness = vec_load(t->stiffness + j), x = vec_load_floats(solid_list_step(t, j, 0)),
+                  y = vec_load_floats(solid_list_step(t, j, 1)),
+                  k = vec_absmax(stiffness, stiffness) * vec_reciprocal(x * x + y * y);
+        xx += k * x * x;
+        yy += k * y * y;
+        xy += k * x * y;
+    }
+    const double a = vec_sum(xx), b = vec_sum(yy);
+    return (a + b + hypot(a - b, 2 * vec_sum(xy))) / t->spacing;
+}
+
 double solid_refine_rate2(const struct solid *s) {
     double most = 0;
-    for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_list *t = s->family->list[b];
-        for (int i = 0; i < t->n; i++) {
-            double xx = 0, yy = 0, xy = 0, xi[3];
-            for (long j = t->start[i]; j < t->end[i]; j++) {
-                const double length = solid_list_steps(t, j, xi),
-                             k = fabs(t->stiffness[j]) / (length * length * t->spacing);
-                xx += k * xi[0] * xi[0];
-                yy += k * xi[1] * xi[1];
-                xy += k * xi[0] * xi[1];
-            }
-            most = fmax(most, xx + yy + hypot(xx - yy, 2 * xy));
-        }
-    }
+    for (int b = 0; b < s->in.bodies; b++)
+        for (int i = 0; i < s->family->list[b]->n; i++) most = fmax(most, rate2_of(s->family->list[b], i));
     return par_max(most);
 }
 

@@ -15,6 +15,7 @@ struct solid_refine_torn {
     const struct solid_refine_plan *plan; /* borrowed */
     long pairs;
     struct pair *pair; /* ascending, malloc'ed */
+    uint8_t *is_end;   /* [before] of one of them */
 };
 
 /* The particles before from which one of the plan comes. */
@@ -77,6 +78,9 @@ struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body,
     torn->pair = par_all_gather_any(pair, (size_t)mine * sizeof *pair, &bytes);
     torn->pairs = (long)(bytes / sizeof *pair);
     qsort(torn->pair, (size_t)torn->pairs, sizeof *pair, by_pair);
+    torn->is_end = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
+    for (long k = 0; k < torn->pairs; k++)
+        torn->is_end[torn->pair[k].one] = torn->is_end[torn->pair[k].two] = 1;
     memory_free(pair);
     memory_free(is_ancestor);
     return torn;
@@ -84,12 +88,14 @@ struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body,
 
 void solid_refine_torn_free(struct solid_refine_torn *torn) {
     free(torn->pair);
+    memory_free(torn->is_end);
     memory_free(torn);
 }
 
 static int was_torn(const struct solid_refine_torn *torn, const long *a, int as, const long *b, int bs) {
     for (int k = 0; k < as; k++)
-        for (int l = 0; l < bs; l++) {
+        for (int l = 0; torn->is_end[a[k]] && l < bs; l++) {
+            if (!torn->is_end[b[l]]) continue;
             const struct pair pair = pair_of(a[k], b[l]);
             if (bsearch(&pair, torn->pair, (size_t)torn->pairs, sizeof pair, by_pair)) return 1;
         }
@@ -100,9 +106,13 @@ void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct soli
                                const struct solid_cloud *cloud, const long *was) {
     const struct solid_refine_plan *p = torn->plan;
     for (int i = 0; torn->pairs > 0 && i < t->n; i++) {
+        if (t->scaled[i]) continue; /* it is as it was */
         long here[ANCESTORS], there[ANCESTORS];
         const long one = was[t->number + i];
         const int heres = ancestors_of(p, one, here, 0);
+        int any = 0;
+        for (int k = 0; k < heres; k++) any |= torn->is_end[here[k]];
+        if (!any) continue;
         for (long j = t->start[i]; j < t->end[i]; j++) {
             const long two = was[solid_key_id(t->key[j]) - cloud->first];
             if (one < p->before && two < p->before) continue;

@@ -16,6 +16,7 @@ set_tests_properties(base_vtk_writes PROPERTIES FIXTURES_SETUP vtk_sample PROCES
 set_tests_properties(base_vtk_reads PROPERTIES FIXTURES_REQUIRED vtk_sample TIMEOUT 60 LABELS base)
 
 frana_test(base/test_store.c ROOM base RANKS 1 2 3 4)
+frana_test(base/test_seal.c ROOM base RANKS 1 2 3)
 frana_test(base/test_table.c ROOM base RANKS 1 3)
 frana_test(base/test_folder.c ROOM base RANKS 1 3)
 frana_test(base/test_log.c ROOM base RANKS 1 2)
