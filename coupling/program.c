@@ -162,14 +162,15 @@ static void begin(struct program *p) {
     if (!here && folder_has_run(c->out))
         die_all(EXIT_CODE_FILE,
                 "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
-    folder_make(c->out);
-    log_begin(c->out, c->quiet, here);
     signals_begin(c->max_wall);
-    log_line("frana: %s", p->scene->title);
-    p->run = run_new(p->scene);
+    p->run = run_new(
+        p->scene); /* what the scene gets wrong shows here at the latest: before anything is written */
     p->crack = crack_new(p->run);
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
+    folder_make(c->out);
+    log_begin(c->out, c->quiet, here);
+    log_line("frana: %s", p->scene->title);
     if (c->resume) {
         checkpoint_read(p->run, c->out, c->resume_file);
         p->checked = p->run->resumed = p->run->step;

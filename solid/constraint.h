@@ -4,6 +4,8 @@
 
 /* Flags of the owned particles from the regions, and what is imposed at the start. Not collective. */
 void solid_constraint_mark(struct solid *s);
+/* Dies (exit 2) on a region without a particle. Collective. */
+void solid_constraint_check(const struct solid *s);
 /* The flags alone, of regions that have got new particles. Not collective. */
 void solid_constraint_flags(struct solid *s);
 /* v of held and driven directions as imposed from t to t + dt (dt = 0: at t); e_constraint takes what that changes in kinetic

@@ -253,6 +253,7 @@ struct solid *solid_new(const struct solid_input *in) {
 
     solid_refine_start(s);
     initial_set(s);
+    solid_constraint_check(s);
     solid_constraint_mark(s);
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
     par_ghost_update(s->ghost, s->dim, s->d, s->n);

@@ -34,6 +34,7 @@ static void a_run_is_seen_and_cleared(void **state) {
     }
     assert_true(files_exists(folder_path(path, folder, "scene.yaml")));
     assert_true(files_exists(folder_path(path, folder, "fields/notes.txt")));
+    par_barrier(); /* all have seen them */
     if (par_rank() == 0) {
         remove(path);
         remove(folder_path(path, folder, "scene.yaml"));

@@ -18,7 +18,7 @@ code 4 ranks 1 run scene.yaml --out none --resume
 echo rubbish >rubbish.h5
 code 4 ranks 2 run scene.yaml --out none2 --resume=rubbish.h5
 # a checkpoint of another scene
-code 5 ranks 2 run scene.yaml --out other --resume=nan/checkpoint/stage_flow.h5 --set domain.cells="[32, 16, 32]" --set domain.size="[0.2, 0.1, 0.2]"
+code 5 ranks 2 run scene.yaml --out other --resume=nan/checkpoint/stage_flow.h5 --set domain.cells="[32, 16, 32]" --set domain.size="[0.05, 0.025, 0.05]"
 # time that the run may take
 code 75 ranks 2 run scene.yaml --out wall --max-wall 1 --set stages.flow.steps=1000000
 grep -q -- '--max-wall' wall/run.log || fail "run.log does not say why it stopped"
