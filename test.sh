@@ -19,4 +19,4 @@ setup_install $packages_of_tests
 setup_build build
 setup_mpi 4
 [ ! -t 1 ] || options=(--progress "${options[@]}")
-exec ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(setup_cores)" "${select[@]}" "${options[@]}"
+exec ctest --test-dir build --output-on-failure --no-tests=error --timeout 600 --parallel "$(setup_cores)" "${select[@]}" "${options[@]}"
