@@ -37,6 +37,9 @@ static void put_head(FILE *f, const struct study_result *r, const struct study_m
         char *reference = study_report_reference(r, &r->table[q]);
         fprintf(f, "# reference of %s: %s\n", r->table[q].quantity->name, reference);
         free(reference);
+        char *advice = study_report_advice(r, &r->table[q]);
+        if (*advice) fprintf(f, "# advice on %s: %s\n", r->table[q].quantity->name, advice);
+        free(advice);
     }
     fputs("method,level,size,quantity,unit,value,reference,uncertainty,error,relative_error,order,wall_"
           "median_s,"

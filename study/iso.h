@@ -9,3 +9,5 @@
 double study_iso_time(int n, const double *error, const double *time, double at, double floor, int *at_most);
 /* The k-th round error: 1, 0.3, 0.1, 0.03, ... */
 double study_iso_round(int k);
+/* The cheapest of the levels from which on the error stays at or below `at`, coarse to fine; -1: none. NAN is passed over. */
+int study_iso_cheapest(int n, const double *error, const double *time, double at);

@@ -179,7 +179,10 @@ static void put_spread(FILE *f, const struct study_result *r, const struct study
 
 static void put_quantity(FILE *f, const struct study_result *r, const struct study_table *t) {
     char *name = study_report_name(r, t), *reference = study_report_reference(r, t);
+    char *advice = study_report_advice(r, t);
     fprintf(f, "\n## %s\n\nReference: %s.\n\n", t->quantity->name, reference);
+    if (*advice) fprintf(f, "**%s.**\n\n", advice);
+    free(advice);
     put_table(f, r, t);
     put_spread(f, r, t);
     put_fits(f, r, t);

@@ -20,3 +20,6 @@ const char *study_report_status(const struct study_point *p,
                                 char status[32]); /* "done", "failed 3", "no value" */
 /* What the reference is, in words; malloc'ed. */
 char *study_report_reference(const struct study_result *r, const struct study_table *t);
+/* What a user can act on, in one sentence: what run gets below each of the smallest round errors that were reached, its wall
+ * time, and what the other methods would have cost. Empty where no run does; malloc'ed. */
+char *study_report_advice(const struct study_result *r, const struct study_table *t);

@@ -54,7 +54,7 @@ grep -q '4 runs, 2 of them made before' out || fail "resumed: $(cat out)"
 [ "$(cat results/runs/bar/rk3/50/1/where)" = "$PWD" ] || fail "FRANA_STUDY"
 
 # the table
-for what in machine compiler frana libraries date 'reference of energy'; do
+for what in machine compiler frana libraries date 'reference of energy' 'advice on energy'; do
   grep -q "^# $what: " results/bar.csv || fail "no line of $what"
 done
 for m in verlet rk3; do

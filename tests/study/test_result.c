@@ -107,6 +107,32 @@ static void value(void **state) {
     free(x);
 }
 
+static void advises(struct made *x, const char *wanted) {
+    struct study_result *r = study_result_new(&x->plan);
+    char *advice = study_report_advice(r, &r->table[0]);
+    assert_string_equal(advice, wanted);
+    free(advice);
+    study_result_free(r);
+}
+
+/* Errors are 8, 2, 0.5 % in 2, 4, 8 s, and 4, 0.5, 0.0625 % in 4, 8, 16 s. */
+static void advice(void **state) {
+    (void)state;
+    struct made *x = make(known);
+    advises(x, "3 % costs 4 s (square at half), 1 % 8 s (square at quarter), 0.1 % 16 s (cubic at quarter); "
+               "at 0.1 % square does not get there");
+    for (int i = 4; i < RUNS; i += CASES)
+        x->value[i] = 10.9; /* the finest of square is worse: chance before */
+    advises(x, "10 % costs 2 s (square at one), 1 % 8 s (cubic at half), 0.1 % 16 s (cubic at quarter); "
+               "at 0.1 % square does not get there");
+    x->quantity.reference.uncertainty = 0.02; /* nothing is said below 0.2 % */
+    advises(x, "10 % costs 2 s (square at one), 1 % 8 s (cubic at half), 0.3 % 16 s (cubic at quarter); "
+               "at 0.3 % square does not get there");
+    for (int i = 0; i < RUNS; i++) x->value[i] = 30;
+    advises(x, "");
+    free(x);
+}
+
 /* The first method's finest, extrapolated: exact, and its own finest level is within the index of it. */
 static void extrapolated(void **state) {
     (void)state;
@@ -188,7 +214,8 @@ static void time_left(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(value), cmocka_unit_test(extrapolated),
-                                       cmocka_unit_test(uneven), cmocka_unit_test(time_left)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(value), cmocka_unit_test(advice),
+                                       cmocka_unit_test(extrapolated), cmocka_unit_test(uneven),
+                                       cmocka_unit_test(time_left)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# docs/accuracy.md from the results of all cases. Runs nothing. usage: cases/verification/accuracy.sh
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+page=docs/accuracy.md work=$(mktemp)
+trap 'rm -f "$work"' EXIT
+
+# One paragraph of a README, from the line that begins with a word in bold to the next blank line.
+paragraph() { awk -v word="**$2" 'index($0, word) == 1 { on = 1 } /^$/ { on = 0 } on' "$1/README.md"; }
+plot() { # plot CSV: of a study's first quantity: NAME.png, or NAME_QUANTITY.png of several
+  local name=${1%.csv} first png
+  first=$(sed -n 's/^# reference of \([^:]*\):.*/\1/p' "$1" | sed -n '1{s/[^A-Za-z0-9._]/-/g;p}')
+  for png in "$name.png" "${name}_$first.png"; do
+    if [ -f "$png" ]; then printf '\n![error against wall time](../%s)\n' "$png"; fi
+  done
+}
+study() { # study CSV: title, machine, one line of advice a quantity, its plots
+  echo
+  echo "**$(sed -n '1s/^# //p' "$1")**"
+  echo
+  grep '^# advice on ' "$1" | sed 's/^# advice on \([^:]*\): \(.*\)/* \1: \2./' || true
+  plot "$1"
+}
+case_section() {
+  local dir=$1 summary=$1/results/summary.csv passed missed
+  echo
+  echo "## $(sed -n '1s/^# //p' "$dir/README.md")"
+  echo
+  passed=$(grep -c ',yes$' "$summary" || true) missed=$(grep -c ',no$' "$summary" || true)
+  echo "[$(basename "$dir")](../$dir): $passed of $((passed + missed)) tolerances met ([summary](../$summary))."
+  grep ',no$' "$summary" | awk -F, '{ n = NF; printf "* missed: %s: %s %s, asked %s\n", $1, $3, $2, $(n - 1) }' || true
+  for csv in "$dir"/results/*.csv; do
+    if grep -qs '^method,level' "$csv"; then study "$csv"; fi
+  done
+  [ -z "$(paragraph "$dir" 'Wanting')" ] || { echo; paragraph "$dir" 'Wanting'; }
+}
+{
+  cat <<'END'
+# Accuracy
+
+Made by `cases/verification/nightly.sh` from the results of the cases in [cases/verification](../cases/verification), not by hand. What an
+error costs is the wall time of the steps of the cheapest run that stays below it, by the named method at the named level;
+times are of the machine named in each table of results, errors are not.
+END
+  cat cases/verification/*/results/*.csv | sed -n 's/^# machine: \(.*\)/Machine: \1./p' | sort -u | sed 's/^/\n/'
+  [ ! -f cases/verification/defaults.md ] || { echo; cat cases/verification/defaults.md; }
+  for dir in cases/verification/*/; do
+    [ ! -f "$dir/results/summary.csv" ] || case_section "${dir%/}"
+  done
+} >"$work"
+cp "$work" "$page"
