@@ -97,6 +97,23 @@ static void forget(const char *path) {
     }
 }
 
+static void forget_part(const char *path) {
+    const size_t n = strlen(path);
+    if (n > 5 && !strcmp(path + n - 5, ".part")) forget(path);
+}
+
+void folder_clear_parts(const char *folder) {
+    char name[64], path[FOLDER_PATH];
+    if (par_rank() == 0) {
+        for (int k = 0; k < FILES; k++) {
+            snprintf(name, sizeof name, "%s.part", part_file[k]);
+            unlink(folder_path(path, folder, name));
+        }
+        for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), forget_part);
+    }
+    par_barrier();
+}
+
 void folder_clear(const char *folder) {
     char path[FOLDER_PATH];
     if (par_rank() == 0) {

@@ -84,6 +84,20 @@ static int reserve(struct h5 *f, hsize_t bytes) {
     return agree(f, code != 0);
 }
 
+/* Whether the disk still takes what has been reserved, its last byte: a limit, or a disk that is gone, may come amid the file. HDF5
+ * is then left alone, because ranks that cannot write wait in it for each other for ever. */
+static int try_write(struct h5 *f) {
+    int code = 0;
+    if (par_rank() == 0 && f->reserved > 0) {
+        const int fd = open(f->part, O_WRONLY | O_CLOEXEC);
+        if (fd < 0 || pwrite(fd, "", 1, f->reserved - 1) != 1) code = errno;
+        if (fd >= 0) close(fd);
+        if (code) because(f, "%s", strerror(code));
+    }
+    f->stuck = agree(f, code != 0);
+    return f->stuck;
+}
+
 void h5_begin(struct h5 *f, const char *path) {
     clear(f, path);
     int fault = 0;
@@ -130,7 +144,7 @@ void h5_select(const struct h5_block *b, hid_t in_file, hid_t *in_memory) {
 
 void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block *b, const void *value) {
     static const char nothing = 0;
-    if (f->failed || reserve(f, h5_items(b, b->n) * H5Tget_size(type))) return;
+    if (f->failed || reserve(f, h5_items(b, b->n) * H5Tget_size(type)) || try_write(f)) return;
     const hid_t list = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(b->dims, b->n, NULL);
     H5Pset_alloc_time(list, H5D_ALLOC_TIME_EARLY);
     H5Pset_fill_time(list, H5D_FILL_TIME_NEVER);
@@ -151,9 +165,9 @@ void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block 
         if (fault) because(f, "array %s cannot be written", name);
         H5Pclose(transfer);
         H5Sclose(in_memory);
-        agree(f, fault);
+        f->stuck = agree(f, fault);
     }
-    if (set >= 0) H5Dclose(set);
+    if (set >= 0 && !f->stuck) H5Dclose(set);
     H5Sclose(space);
     H5Pclose(list);
 }
@@ -217,6 +231,7 @@ static int publish(struct h5 *f) {
 }
 
 static void finish(struct h5 *f) {
+    if (f->stuck || try_write(f)) return;
     int fault = H5Fflush(f->file, H5F_SCOPE_GLOBAL) < 0;
     if (fault) because(f, "HDF5 cannot flush it");
     agree(f, fault);

@@ -15,7 +15,7 @@ struct h5 {
     hid_t file;
     int shared;     /* more than one rank has it open */
     int failed;     /* the same on all ranks */
-    int stuck;      /* HDF5 could not close it */
+    int stuck;      /* it cannot be written or closed, and HDF5 is not to be called for it again */
     int unsynced;   /* set after h5_begin: the disk may take its time */
     off_t at, end;  /* of the last array in the file */
     off_t reserved; /* bytes of the disk held for it, rank 0 */

@@ -5,8 +5,9 @@
 
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
-/* The default retraction of the markers, in cells.  (Breugem 2012) */
+/* The default retraction of the markers, in cells: from the lattice's faces; from shapes' own surfaces.  (Breugem 2012) */
 #define SCENE_RETRACTION 0.6
+#define SCENE_RETRACTION_SHAPE 0.3
 /* A family holds at most 512 bonds: |xi| < (m + 1/2) spacing gives 484 just below m = 4.5 and 514 just above. */
 #define SCENE_HORIZON_MAX 4.5
 /* In a plate 488 at m = 12; the largest that is allowed there. */
@@ -42,8 +43,10 @@ struct scene_side {
 };
 enum scene_axes { SCENE_XY, SCENE_XZ, SCENE_YZ, SCENE_XYZ };
 enum scene_driving { SCENE_DRIVING_NONE, SCENE_DRIVING_GRADIENT, SCENE_DRIVING_BULK };
+enum scene_diffusion { SCENE_DIFFUSION_EXPLICIT, SCENE_DIFFUSION_IMPLICIT };
 struct scene_fluid {
-    double density, viscosity;  /* kg/m3; kinematic, m2/s */
+    double density, viscosity; /* kg/m3; kinematic, m2/s */
+    enum scene_diffusion diffusion;
     double initial_velocity[3]; /* m/s */
     int initial_poiseuille;     /* initial: {poiseuille: true}: a parabola with that mean */
     int has_taylor_green; /* initial: {taylor_green: {velocity, axes}}: vortices, added to the uniform flow */
@@ -151,8 +154,9 @@ struct scene_load {
     int over_horizon;          /* depth: over one layer of particles (0, default) or over the horizon (1) */
     struct scene_time time;
 };
-/* Displacement at the start: displacement exp(-((x - centre)/width)^2), x the coordinate `along`. */
-enum scene_initial_shape { SCENE_GAUSSIAN };
+/* Displacement at the start: displacement exp(-((x - centre)/width)^2) or displacement sin(2 pi (x - centre)/width), x the coordinate
+ * `along`. */
+enum scene_initial_shape { SCENE_GAUSSIAN, SCENE_SINE };
 struct scene_initial {
     enum scene_initial_shape shape;
     int along;
@@ -198,10 +202,23 @@ struct scene_solid {
     double contact_stiffness, contact_exponent, contact_radius; /* k_c/c0 = 15, n_c = 1, r_c/spacing = 1 */
 };
 
+enum scene_surface { SCENE_SURFACE_LATTICE, SCENE_SURFACE_SHAPE };
+enum scene_load_form { SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
+enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
+enum scene_relaxation { SCENE_QUASI_NEWTON, SCENE_AITKEN };
 struct scene_coupling {
     int forcing_iterations; /* N_s, default 2 */
-    double retraction;      /* r_d / dx, default the calibrated value */
-    double probe_length;    /* / dx, default 2 */
+    enum scene_surface
+        surface;         /* where bodies are wetted: the lattice's faces (default), their shapes' surfaces */
+    double retraction;   /* r_d / dx, default the calibrated value of that surface */
+    double probe_length; /* / dx, default 2 */
+    enum scene_load_form
+        load; /* as the probes read it (default), carried to the wall, or each body's sum made the forcing's */
+    enum scene_scheme scheme;
+    /* strong: how the next guess is made, the residual relative to the step's change of velocity, the most iterations of a step */
+    enum scene_relaxation relaxation;
+    double tolerance;
+    int iterations;
     /* medium: {low, high}: the box in which porosity and permeability are measured; default: all bodies' bounds within
      * the domain */
     double box_low[3], box_high[3];

@@ -141,6 +141,37 @@ static void check_initial(const struct scene_check *c) {
                          "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
 }
 
+/* Implicit diffusion solves for every velocity with a condition of its own, and keeps the force on every marker. */
+static void check_diffusion(const struct scene_check *c) {
+    const struct scene *s = c->scene;
+    const struct scene_fluid *f = s->fluid;
+    int breaks = 0;
+    if (f->diffusion != SCENE_DIFFUSION_IMPLICIT) return;
+    for (int d = 0; d < 3; d++)
+        for (int end = 0; end < 2; end++) {
+            const struct scene_side *side = &f->side[d][end];
+            const int clean = scene_check_clean(c, side_path(d, end, ""));
+            const int free =
+                side->type == SCENE_PRESSURE || (side->type == SCENE_GENERAL && side->p == SCENE_DIRICHLET);
+            if (clean && free)
+                scene_problem_at(c->problems, c->root, "fluid.diffusion",
+                                 "needs a normal velocity on every side, and %s has a pressure",
+                                 scene_check_side[d][end]);
+        }
+    if (s->coupling && s->coupling->scheme == SCENE_STRONG)
+        scene_problem_at(c->problems, c->root, "fluid.diffusion", "does not go with coupling.scheme: strong");
+    for (int k = 0; s->solid && k < s->stages; k++)
+        breaks |= s->stage[k].solid == SCENE_SOLID_ELASTIC && s->stage[k].breakage;
+    for (int m = 0; breaks && m < s->solid->materials; m++)
+        if (isfinite(s->solid->material[m].fracture_energy)) {
+            scene_problem_at(c->problems, c->root, "fluid.diffusion",
+                             "needs a solid that does not break: material %s has a fracture energy, and "
+                             "a stage breakage",
+                             s->solid->material[m].name);
+            return;
+        }
+}
+
 void scene_check_fluid(const struct scene_check *c) {
     if (!c->scene->fluid) return;
     for (int d = 0; d < 3; d++) {
@@ -152,5 +183,6 @@ void scene_check_fluid(const struct scene_check *c) {
         check_flux(c);
     check_driving(c);
     check_initial(c);
+    check_diffusion(c);
     check_taylor_green(c);
 }

@@ -3,10 +3,20 @@
 
 #include <string.h>
 
+/* A stage's checkpoint is named after it. */
+static int can_name_a_file(const char *name) {
+    while (*name && *name != '/' && (unsigned char)*name >= ' ') name++;
+    return !*name;
+}
+
 void scene_check_stages(const struct scene_check *c) {
     for (int i = 0; i < c->scene->stages; i++) {
         const struct scene_stage *s = &c->scene->stage[i];
         if (!scene_check_clean(c, scene_path("stages[%d].name", i))) continue;
+        if (!can_name_a_file(s->name))
+            scene_problem_at(
+                c->problems, c->root, scene_path("stages[%d].name", i).text,
+                "must not hold a slash or a control character: its checkpoint is named after it");
         for (int k = 0; k < i; k++)
             if (!strcmp(c->scene->stage[k].name, s->name)) {
                 scene_problem_at(c->problems, c->root, scene_path("stages[%d].name", i).text,

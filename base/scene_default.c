@@ -97,6 +97,16 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
     free(path);
 }
 
+static void fill_retraction(struct scene *s, struct scene_node *root) {
+    struct scene_node *coupling = scene_node_find(root, "coupling");
+    if (scene_node_child(coupling, "retraction")) return;
+    s->coupling->retraction =
+        s->coupling->surface == SCENE_SURFACE_SHAPE ? SCENE_RETRACTION_SHAPE : SCENE_RETRACTION;
+    int at = 0;
+    while (at < coupling->n && strcmp(coupling->child[at]->key, "surface") != 0) at++;
+    scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));
+}
+
 /* The bounds of all bodies, within the domain. */
 static void fill_medium(struct scene *s, struct scene_node *root) {
     struct scene_coupling *c = s->coupling;
@@ -129,5 +139,6 @@ void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_p
         for (int m = 0; m < s->solid->materials; m++) fill_poisson(s, root, m);
         for (int b = 0; b < s->solid->bodies; b++) fill_body(s, root, problems, b);
     }
+    if (s->coupling) fill_retraction(s, root);
     if (s->coupling && s->solid) fill_medium(s, root);
 }

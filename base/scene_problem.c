@@ -72,9 +72,11 @@ static char *shown(const struct scene_node *node) {
         text = closed;
     }
     for (char *c = text; *c; c++)
-        if (*c == '\n' || *c == '\r') *c = ' ';
+        if ((unsigned char)*c < ' ') *c = ' ';
     if (strlen(text) > SHOWN) {
-        char *cut = scene_text("%.*s...", SHOWN - 3, text);
+        int end = SHOWN - 3;
+        while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not amid a character */
+        char *cut = scene_text("%.*s...", end, text);
         free(text);
         text = cut;
     }

@@ -11,8 +11,6 @@
 #define WITH(key) .with = (key)
 #define NOT_WITH(key) .not_with = (key)
 #define CHOICES(plate, space) .choices = {(plate), (space)}
-#define TEXT_OF(x) #x
-#define TEXT(x) TEXT_OF(x)
 
 enum {
     FLUID = SCENE_WITH_FLUID,
@@ -41,6 +39,7 @@ const struct scene_rule scene_rules[] = {
     RULE("fluid", "section"),
     RULE("fluid.density", "kg/m3", ABOVE(0)),
     RULE("fluid.viscosity", "m2/s", ABOVE(0)),
+    RULE("fluid.diffusion", "choice", "explicit"),
     RULE("fluid.initial", "section", "{}"),
     RULE("fluid.initial.velocity", "m/s", "[0, 0, 0]"),
     RULE("fluid.initial.poiseuille", "bool", "false", NOT_WITH("taylor_green")),
@@ -174,8 +173,14 @@ const struct scene_rule scene_rules[] = {
 
     RULE("coupling", "section", "{}", .only = BOTH),
     RULE("coupling.forcing_iterations", "1", "2", WITHIN(1, 100)),
-    RULE("coupling.retraction", "cells", TEXT(SCENE_RETRACTION), WITHIN(-1, 1)),
+    RULE("coupling.surface", "choice", "lattice"),
+    RULE("coupling.retraction", "cells", WITHIN(-1, 1)),
     RULE("coupling.probe_length", "cells", "2", WITHIN(0, 10), .open = 1),
+    RULE("coupling.load", "choice", "probe"),
+    RULE("coupling.scheme", "choice", "explicit"),
+    RULE("coupling.relaxation", "choice", "quasi_newton", WHERE("scheme", "strong")),
+    RULE("coupling.tolerance", "1", "1.0e-3", WITHIN(0, 1), .open = 1, WHERE("scheme", "strong")),
+    RULE("coupling.iterations", "1", "50", WITHIN(1, 1000), WHERE("scheme", "strong")),
     RULE("coupling.medium", "section"),
     RULE("coupling.medium.low", "m"),
     RULE("coupling.medium.high", "m"),
@@ -221,7 +226,7 @@ const struct scene_rule scene_rules[] = {
 /* Whether the path is one that the pattern stands for: [] for [3], SIDE for a word. */
 static int matches(const char *pattern, const char *path) {
     while (*pattern) {
-        if (!strncmp(pattern, "SIDE", 4)) {
+        if (*pattern == 'S' && !strncmp(pattern, "SIDE", 4)) {
             pattern += 4;
             path += strcspn(path, ".[");
         } else if (*pattern == '[') {

@@ -23,7 +23,14 @@ static const cyaml_strval_t drivings[] = {{"none", SCENE_DRIVING_NONE},
                                           {"bulk_velocity", SCENE_DRIVING_BULK}};
 static const cyaml_strval_t axes[] = {
     {"xy", SCENE_XY}, {"xz", SCENE_XZ}, {"yz", SCENE_YZ}, {"xyz", SCENE_XYZ}};
+static const cyaml_strval_t load_forms[] = {
+    {"probe", SCENE_LOAD_PROBE}, {"wall", SCENE_LOAD_WALL}, {"balanced", SCENE_LOAD_BALANCED}};
+static const cyaml_strval_t schemes[] = {{"explicit", SCENE_EXPLICIT}, {"strong", SCENE_STRONG}};
+static const cyaml_strval_t relaxations[] = {{"quasi_newton", SCENE_QUASI_NEWTON}, {"aitken", SCENE_AITKEN}};
+static const cyaml_strval_t diffusions[] = {{"explicit", SCENE_DIFFUSION_EXPLICIT},
+                                            {"implicit", SCENE_DIFFUSION_IMPLICIT}};
 static const cyaml_strval_t modes[] = {{"rigid", SCENE_SOLID_RIGID}, {"elastic", SCENE_SOLID_ELASTIC}};
+static const cyaml_strval_t surfaces[] = {{"lattice", SCENE_SURFACE_LATTICE}, {"shape", SCENE_SURFACE_SHAPE}};
 static const cyaml_strval_t integrators[] = {{"rk3", SCENE_RK3}, {"verlet", SCENE_VERLET}};
 
 static const cyaml_schema_field_t domain_fields[] = {
@@ -64,13 +71,15 @@ static const cyaml_schema_field_t driving_fields[] = {
     NUMBER("value", OPTIONAL, scene_fluid, driving_value),
     NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency), CYAML_FIELD_END};
 
-static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
-                                                    NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
-                                                    PART("initial", OPTIONAL, scene_fluid, initial_fields),
-                                                    PART("sides", NEEDED, scene_fluid, sides_fields),
-                                                    PART("driving", OPTIONAL, scene_fluid, driving_fields),
-                                                    VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
-                                                    CYAML_FIELD_END};
+static const cyaml_schema_field_t fluid_fields[] = {
+    NUMBER("density", NEEDED, scene_fluid, density),
+    NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
+    CHOICE("diffusion", OPTIONAL, scene_fluid, diffusion, diffusions),
+    PART("initial", OPTIONAL, scene_fluid, initial_fields),
+    PART("sides", NEEDED, scene_fluid, sides_fields),
+    PART("driving", OPTIONAL, scene_fluid, driving_fields),
+    VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
+    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t medium_fields[] = {VECTOR("low", NEEDED, scene_coupling, box_low),
                                                      VECTOR("high", NEEDED, scene_coupling, box_high),
@@ -78,9 +87,16 @@ static const cyaml_schema_field_t medium_fields[] = {VECTOR("low", NEEDED, scene
 
 static const cyaml_schema_field_t coupling_fields[] = {
     WHOLE("forcing_iterations", OPTIONAL, scene_coupling, forcing_iterations),
+    CHOICE("surface", OPTIONAL, scene_coupling, surface, surfaces),
     NUMBER("retraction", OPTIONAL, scene_coupling, retraction),
     NUMBER("probe_length", OPTIONAL, scene_coupling, probe_length),
-    PART("medium", OPTIONAL, scene_coupling, medium_fields), CYAML_FIELD_END};
+    CHOICE("load", OPTIONAL, scene_coupling, load, load_forms),
+    CHOICE("scheme", OPTIONAL, scene_coupling, scheme, schemes),
+    CHOICE("relaxation", OPTIONAL, scene_coupling, relaxation, relaxations),
+    NUMBER("tolerance", OPTIONAL, scene_coupling, tolerance),
+    WHOLE("iterations", OPTIONAL, scene_coupling, iterations),
+    PART("medium", OPTIONAL, scene_coupling, medium_fields),
+    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t stage_fields[] = {
     TEXT("name", NEEDED, scene_stage, name),

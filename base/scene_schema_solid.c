@@ -15,7 +15,7 @@ static const cyaml_strval_t part_shapes[] = {
     {"rectangle", SCENE_RECTANGLE}, {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}};
 static const cyaml_strval_t turns[] = {{"straight", 0}, {"left", 1}, {"right", -1}};
 static const cyaml_strval_t depths[] = {{"layer", 0}, {"horizon", 1}};
-static const cyaml_strval_t initial_shapes[] = {{"gaussian", SCENE_GAUSSIAN}};
+static const cyaml_strval_t initial_shapes[] = {{"gaussian", SCENE_GAUSSIAN}, {"sine", SCENE_SINE}};
 static const cyaml_strval_t refined_horizons[] = {{"scaled", 0}, {"kept", 1}};
 static const cyaml_strval_t refined_interfaces[] = {{"plain", 0}, {"corrected", 1}};
 static const cyaml_strval_t refined_held[] = {{"keep", 0}, {"refine", 1}};

@@ -14,6 +14,8 @@ struct reader {
     int line;  /* of a mistake */
     char *why; /* NULL: none so far */
     const char *what;
+    const char *text;
+    size_t bytes;
 };
 
 static int fail(struct reader *r, int line, char *why) {
@@ -26,13 +28,20 @@ static int fail(struct reader *r, int line, char *why) {
     return 0;
 }
 
+static int line_at(const struct reader *r, size_t offset) {
+    int line = 1;
+    for (size_t i = 0; i < offset && i < r->bytes; i++) line += r->text[i] == '\n';
+    return line;
+}
+
 /* The next event stands in r->event. */
 static int next(struct reader *r) {
     yaml_event_delete(&r->event);
     memset(&r->event, 0, sizeof r->event);
     if (yaml_parser_parse(&r->parser, &r->event)) return 1;
     const yaml_parser_t *p = &r->parser;
-    const int line = (int)(p->problem_mark.line ? p->problem_mark.line : p->context_mark.line) + 1;
+    int line = (int)(p->problem_mark.line ? p->problem_mark.line : p->context_mark.line) + 1;
+    if (p->error == YAML_READER_ERROR) line = line_at(r, p->problem_offset); /* bytes that are no text */
     const char *context = p->context ? p->context : "", *joint = p->context ? ": " : "";
     return fail(r, line,
                 scene_text("not valid YAML: %s%s%s", context, joint, p->problem ? p->problem : "unreadable"));
@@ -112,6 +121,8 @@ static struct scene_node *value(struct reader *r, const char *key, int depth) {
 static struct scene_node *document(struct reader *r, const char *text, size_t bytes, int *empty) {
     struct scene_node *root = NULL;
     *empty = 0;
+    r->text = text;
+    r->bytes = bytes;
     if (!yaml_parser_initialize(&r->parser)) die(EXIT_CODE_FILE, "no memory left for the scene");
     yaml_parser_set_input_string(&r->parser, (const unsigned char *)text, bytes);
     if (next(r) && next(r)) { /* start of stream, then of document */

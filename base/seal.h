@@ -40,3 +40,7 @@ int seal_write(struct seal *seal, const char *path, uint64_t bytes);
 /* Each 0, or 1 and a sentence on the file. seal_read looks at everything but the arrays' values, seal_check at these too. */
 int seal_read(struct seal *seal, const char *path, char *why, size_t size);
 int seal_check(const char *path, char *why, size_t size);
+
+/* The sums of the part-th of so many parts of each array, as the file has it; they add up to the arrays'. 0, or 1 where it cannot
+ * be read. */
+int seal_sum_part(const struct seal *seal, const char *path, int part, int parts, uint64_t sum[SEAL_ARRAYS]);

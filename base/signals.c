@@ -1,4 +1,5 @@
 #include "base/signals.h"
+#include "base/error.h"
 #include "base/par.h"
 
 #include <signal.h>
@@ -22,6 +23,8 @@ void signals_begin(double max_wall) {
     sigaction(SIGUSR1, &action, NULL);
     action.sa_flags = SA_RESTART | SA_RESETHAND;
     sigaction(SIGINT, &action, NULL);
+    signal(SIGXFSZ, SIG_IGN); /* a limit on files, or a screen that is gone, is for who writes to tell */
+    signal(SIGPIPE, SIG_IGN);
     caught = 0;
     wall_deadline = max_wall > 0 ? par_seconds() + max_wall : 0;
     const char *batch = getenv("SLURM_JOB_END_TIME");
@@ -35,20 +38,22 @@ static double since_1970(void) {
 }
 
 /* The reasons' order is no matter: a signal, where some rank has one, then the limits. */
-enum signals_reason signals_stop_also(double reserve, int *any) {
-    double has[4];
+enum signals_reason signals_stop_also(double reserve, double *also, int n) {
+    enum { REASONS = 3 };
+    double has[REASONS + SIGNALS_ALSO];
+    ENSURE(n <= SIGNALS_ALSO, "%d numbers along", n);
     has[0] = caught != 0;
     has[1] = wall_deadline > 0 && par_seconds() + reserve > wall_deadline;
     has[2] = batch_deadline > 0 && since_1970() + reserve > batch_deadline;
-    has[3] = any ? *any : 0;
-    par_max_array(has, 4);
-    if (any) *any = has[3] > 0;
+    for (int k = 0; k < n; k++) has[REASONS + k] = also[k];
+    par_max_array(has, REASONS + n);
+    for (int k = 0; k < n; k++) also[k] = has[REASONS + k];
     if (has[0] > 0) return SIGNALS_SIGNAL;
     if (has[1] > 0) return SIGNALS_MAX_WALL;
     return has[2] > 0 ? SIGNALS_BATCH : SIGNALS_NONE;
 }
 
-enum signals_reason signals_stop(double reserve) { return signals_stop_also(reserve, NULL); }
+enum signals_reason signals_stop(double reserve) { return signals_stop_also(reserve, NULL, 0); }
 
 const char *signals_name(enum signals_reason reason) {
     if (reason == SIGNALS_MAX_WALL) return "--max-wall";

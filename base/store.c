@@ -198,7 +198,8 @@ int store_candidates(const char *folder, char (**name)[256]) {
     char path[FOLDER_PATH], latest[256] = "";
     struct old *list;
     FILE *f = fopen(folder_path(path, folder, "latest"), "r");
-    if (f && fscanf(f, "%255s", latest) != 1) latest[0] = '\0';
+    if (f && !fgets(latest, sizeof latest, f)) latest[0] = '\0';
+    latest[strcspn(latest, "\r\n")] = '\0'; /* names may hold spaces */
     if (f) fclose(f);
     const int old = list_old(folder, &list);
     int n = 0;

@@ -33,7 +33,8 @@ void store_end(struct store *s);
 
 /* Everything is under a seal (base/seal.h). NULL: missing, truncated, damaged outside its arrays, or no checkpoint of this frana. */
 struct store *store_open(const char *path);
-/* The newest that can be read: the one that `latest` names or, should that be damaged, the one before. */
+/* The newest that is whole, its arrays looked at: the one that `latest` names or, should that be damaged or missing, another; each
+ * that is passed over is told on stderr. */
 struct store *store_open_latest(const char *folder);
 const char *store_path(const struct store *s); /* borrowed */
 void store_close(struct store *s);

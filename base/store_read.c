@@ -35,6 +35,27 @@ struct store *store_open(const char *path) {
     return NULL;
 }
 
+static int tell_damaged(struct store *s, const char *name) {
+    s->damaged = 1;
+    snprintf(s->h5.why, sizeof s->h5.why,
+             "its array %s is damaged: its checksum is not the one it was written with", name);
+    return told(s, 1);
+}
+
+/* Whether each array is what was written, before any of it is taken for the state; ranks share the reading. */
+static int check_arrays(struct store *s) {
+    uint64_t sum[SEAL_ARRAYS] = {0};
+    const int fault = seal_sum_part(&s->seal, s->h5.path, par_rank(), par_size(), sum);
+    if (par_max(fault) > 0) {
+        snprintf(s->h5.why, sizeof s->h5.why, "it cannot be read");
+        return told(s, 1);
+    }
+    for (uint64_t k = 0; k < s->seal.arrays; k++)
+        if ((uint64_t)par_sum_long((long)sum[k]) != s->seal.array[k].sum)
+            return tell_damaged(s, s->seal.array[k].name);
+    return 0;
+}
+
 struct store *store_open_latest(const char *folder) {
     char checkpoint[FOLDER_PATH], path[FOLDER_PATH], first[sizeof error] = "";
     char(*name)[256] = NULL;
@@ -48,6 +69,10 @@ struct store *store_open_latest(const char *folder) {
         if (par_rank() == 0) folder_path(path, checkpoint, name[k]);
         par_bcast(path, sizeof path, 0);
         s = store_open(path);
+        if (s && check_arrays(s)) {
+            store_close(s);
+            s = NULL;
+        }
         if (!s && par_rank() == 0) fprintf(stderr, "frana: passed over %s\n", error);
         if (!s && !first[0]) memcpy(first, error, sizeof first);
     }
@@ -90,11 +115,7 @@ static int check_sum(struct store *s, const char *name, long n, long count, uint
     const struct seal_array *a = seal_find(&s->seal, name);
     if (n == 0) return 0;
     if (par_sum_long(count) == n) sum = (uint64_t)par_sum_long((long)sum);
-    s->damaged = par_max(!a || sum != a->sum) > 0;
-    if (s->damaged)
-        snprintf(s->h5.why, sizeof s->h5.why,
-                 "its array %s is damaged: its checksum is not the one it was written with", name);
-    return told(s, s->damaged);
+    return par_max(!a || sum != a->sum) > 0 ? tell_damaged(s, name) : 0;
 }
 
 int store_read_block(struct store *s, const char *name, const struct store_block *b, double *value) {

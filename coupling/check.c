@@ -1,6 +1,7 @@
 /* frana check: what a run will hold, what it leaves out and why, its stable steps, memory and groups. Steps nothing. */
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/blocked.h"
 #include "coupling/program.h"
 #include "coupling/record.h"
 #include "coupling/run.h"
@@ -25,7 +26,7 @@ static void say(const char *format, ...) {
 }
 
 static void say_holdings(struct run *r) {
-    char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
+    char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     say("%s\n\nholds\n", r->scene->title);
     if (r->fluid) {
         const struct fluid_grid *g = fluid_grid_of(r->fluid);
@@ -53,6 +54,7 @@ static void say_holdings(struct run *r) {
         say("  medium     porosity %.5f, connected %.5f\n", medium_porosity(r->medium),
             medium_porosity_effective(r->medium));
     }
+    for (int k = 0, n = blocked_of(r, blocked); k < n; k++) say("  warning: %s\n", blocked[k]);
     say("\nleaves out\n");
     const int n = record_left_out(r->scene, sentence);
     for (int k = 0; k < n; k++) say("  %s\n", sentence[k]);
@@ -61,7 +63,7 @@ static void say_holdings(struct run *r) {
 
 /* What a contact would ask for, where there is none yet. */
 static void say_touch(struct run *r, const struct scene_stage *stage) {
-    if (!(r->substeps > 0) || !r->needs.breakage || !solid_contact_is_possible(r->solid)) return;
+    if (!(r->substeps > 0) || !r->needs.contact || !solid_contact_is_possible(r->solid)) return;
     const double limit =
         solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_stable_touch(r->solid), NULL);
     const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
@@ -92,11 +94,16 @@ static void say_limits(struct run *r) {
     say("\nstable steps, s\n");
     if (r->fluid) {
         const struct fluid_limits l = fluid_stable_step(r->fluid);
-        say("  %-42s %.6g\n", "fluid, viscous", l.viscous);
+        if (fluid_input_of(r->fluid)->implicit) {
+            say("  %-42s %s\n", "fluid, viscous", "none: implicit diffusion");
+            say("  %-42s %.6g\n", "fluid, an automatic step at most", l.viscous);
+        } else {
+            say("  %-42s %.6g\n", "fluid, viscous", l.viscous);
+        }
         say("  %-42s %.6g\n", "fluid, convective (initial velocity)", l.convective);
     }
     if (r->needs.bonds) {
-        const int touches = r->needs.breakage && r->solid->in.contact;
+        const int touches = r->needs.contact;
         const char *const name[2][2] = {
             {"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
             {"solid, a broken bond closed, RK3", "solid, a broken bond closed, Verlet"}};
@@ -126,8 +133,9 @@ static void say_limits(struct run *r) {
         say("\n");
         if (r->fluid && r->dt > 0) {
             const struct fluid_limits l = fluid_stable_step(r->fluid);
-            if (r->dt > l.step)
-                say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, l.step);
+            const double limit = fluid_input_of(r->fluid)->implicit ? l.convective : l.step;
+            if (r->dt > limit)
+                say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, limit);
         }
         if (r->substeps > 0 && r->dt / r->substeps > r->solid_stable)
             say("  warning: %s's substep is above the limit of %.6g s for %s\n", stage->name, r->solid_stable,

@@ -1,10 +1,12 @@
 #include "coupling/checkpoint.h"
 #include "base/clock.h"
 #include "base/folder.h"
+#include "base/log.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
 #include "base/store.h"
+#include "coupling/demand.h"
 #include "solid/family.h"
 #include "solid/load.h"
 #include "solid/refine.h"
@@ -206,18 +208,41 @@ static int read_bonds(struct run *r, struct store *s) {
     return bad;
 }
 
+static void write_demand(struct run *r, struct store *s) {
+    const struct solid *solid = r->solid;
+    double(*all)[3] = memory_new(MEMORY_OUTPUT, (size_t)solid->n + 1, sizeof *all);
+    demand_take(r, all);
+    store_write_range(s, "demand", STORE_DOUBLE, 3, solid->n_global, solid->first[par_rank()], solid->n, all);
+    memory_free(all);
+}
+
+/* A checkpoint without it: the force is found anew. */
+static int read_demand(struct run *r, struct store *s) {
+    const struct solid *solid = r->solid;
+    if (store_count(s, "demand") < 0) return 0;
+    double(*all)[3] = memory_new(MEMORY_OUTPUT, (size_t)solid->n + 1, sizeof *all);
+    const int bad = store_read_range(s, "demand", STORE_DOUBLE, 3, solid->n_global, solid->first[par_rank()],
+                                     solid->n, all);
+    if (!bad) demand_put(r, (const double(*)[3])all);
+    memory_free(all);
+    return bad;
+}
+
 static void write(struct run *r, const char *folder, const char *name, int keep) {
     clock_begin(CLOCK_OUTPUT);
+    strong_forget(r->strong);
     struct store *s = store_begin(folder, name, keep);
     store_write_double(s, "t", r->t);
     store_write_double(s, "dt", r->dt);
     store_write_long(s, "step", r->step);
     store_write_long(s, "stage_step", r->stage_step);
     store_write_long(s, "substeps", r->substeps);
+    store_write_double(s, "approach", r->adapt.approach);
     store_write_text(s, "stage", r->scene->stage[r->stage].name);
     store_write_double(s, "spacing", r->solid ? r->solid->in.spacing : 0);
     if (r->fluid) write_fluid(r, s);
     if (r->needs.bonds) write_bonds(r, s);
+    if (demand_is_part_of(r)) write_demand(r, s);
     store_end(s);
     clock_end(CLOCK_OUTPUT);
 }
@@ -253,6 +278,7 @@ static int read_state(struct run *r, struct store *s, char *why, size_t size) {
         return 1;
     }
     r->substeps = store_read_long(s, "substeps", &substeps) ? 0 : (int)substeps;
+    if (store_read_double(s, "approach", &r->adapt.approach)) r->adapt.approach = 0;
     r->stage = stage_of(r->scene, stage);
     if (r->stage < 0) {
         snprintf(why, size, "%s: was written in stage %s, which the scene does not have", store_path(s),
@@ -264,7 +290,8 @@ static int read_state(struct run *r, struct store *s, char *why, size_t size) {
                  r->solid->in.spacing);
         return 1;
     }
-    bad = (r->fluid && read_fluid(r, s)) || (r->needs.bonds && read_bonds(r, s));
+    bad = (r->fluid && read_fluid(r, s)) || (r->needs.bonds && read_bonds(r, s)) ||
+          (demand_is_part_of(r) && read_demand(r, s));
     if (bad && store_is_damaged(s))
         snprintf(why, size, "%s", store_error());
     else if (bad)
@@ -286,6 +313,7 @@ void checkpoint_read(struct run *r, const char *folder, const char *file) {
     snprintf(path, sizeof path, "%s", store_path(s));
     const int bad = read_state(r, s, why, sizeof why), damaged = store_is_damaged(s);
     store_close(s);
+    if (!bad) log_line("resumed from %s", path);
     if (bad) refuse(damaged ? EXIT_CODE_FILE : EXIT_CODE_CHECKPOINT, path, why);
     if (r->stage_step >= r->scene->stage[r->stage].steps && r->stage + 1 < r->scene->stages) {
         r->stage++;

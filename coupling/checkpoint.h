@@ -14,8 +14,8 @@ void checkpoint_read(struct run *r, const char *folder, const char *file);
 struct checkpoint_guard; /* opaque */
 struct checkpoint_guard *checkpoint_guard_new(const struct run *r);
 void checkpoint_guard_free(struct checkpoint_guard *g);
-void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r);
+void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r); /* Collective. */
 /* 0: the solid has been refined since the guard was made, which is to be made anew. Not collective. */
 int checkpoint_guard_fits(const struct checkpoint_guard *g, const struct run *r);
-/* Puts the kept state back; returns its step, or -1 when none was kept that fits the particles of now. */
+/* Puts the kept state back; returns its step, or -1 when none was kept that fits the particles of now. Collective. */
 long checkpoint_guard_restore(struct checkpoint_guard *g, struct run *r);

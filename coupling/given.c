@@ -49,6 +49,7 @@ void given_add(const struct scene *scene, struct solid_input *in) {
     ENSURE(load && initial, "no memory for %d loads", s->loads);
     for (int k = 0; k < s->loads; k++) load_add(&s->load[k], &load[k]);
     for (int k = 0; k < s->initials; k++) {
+        initial[k].shape = s->initial[k].shape == SCENE_SINE ? SOLID_SINE : SOLID_GAUSSIAN;
         initial[k].along = s->initial[k].along;
         initial[k].centre = s->initial[k].centre;
         initial[k].width = s->initial[k].width;

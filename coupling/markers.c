@@ -2,10 +2,13 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/balance.h"
 #include "coupling/run.h"
 #include "solid/load.h"
 
 #include <math.h>
+
+static int is_at_wall(const struct run *r) { return r->scene->coupling->load != SCENE_LOAD_PROBE; }
 
 static void grow(double **array, int count) {
     memory_free(*array);
@@ -26,6 +29,7 @@ static void reserve(struct run_markers *m, int markers) {
         m->probe_capacity = 2 * m->capacity;
         for (int c = 0; c < 3; c++) {
             grow(&m->root[c], m->probe_capacity);
+            grow(&m->root_v[c], m->probe_capacity);
             grow(&m->normal[c], m->probe_capacity);
             grow(&m->traction[c], m->probe_capacity);
         }
@@ -48,6 +52,7 @@ void run_markers_free(struct run *r) {
         memory_free(m->v[c]);
         memory_free(m->force[c]);
         memory_free(m->root[c]);
+        memory_free(m->root_v[c]);
         memory_free(m->normal[c]);
         memory_free(m->traction[c]);
     }
@@ -79,21 +84,23 @@ static double set_free_volume(const struct run *r, int h) {
     return fmin(drag, half) / (3 * r->scene->coupling->forcing_iterations);
 }
 
-/* A particle's centre stands half a spacing inside the face it wets, the marker r_d inside it: it is moved by
- * (spacing/2 - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the centre and probes both ways; a
- * particle without bonds has no probe. */
+/* A particle's centre stands half a spacing inside the face it wets, or as deep as its shape says, the marker r_d inside it: it is
+ * moved by (depth - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the centre and probes both ways; a
+ * particle without bonds has no probe. A probe's root is the marker, or the face itself where loads are carried to the wall. */
 void run_markers_update(struct run *r) {
     const struct solid *s = r->solid;
     const struct solid_surface *surface = r->surface;
     struct run_markers *m = &r->markers;
     const double dx = fluid_grid_of(r->fluid)->d[0];
-    const double shift = 0.5 * s->in.spacing - r->scene->coupling->retraction * dx;
+    const double retraction = r->scene->coupling->retraction * dx;
     const double layer = 0.5 * fluid_input_of(r->fluid)->density * r->scene->coupling->probe_length * dx;
+    const int at_wall = is_at_wall(r);
     reserve(m, surface->n);
     m->n = surface->n;
     m->probes = 0;
     for (int i = 0; i < surface->n; i++) {
         const int h = surface->h[i], faces = surface->two_sided[i];
+        const double shift = surface->depth[i] - retraction, root = at_wall ? surface->depth[i] : shift;
         double x[3], a_n = 0;
         solid_position(s, h, x);
         m->volume[i] = faces == SOLID_SET_FREE ? set_free_volume(r, h) : surface->area[i] * dx;
@@ -112,7 +119,8 @@ void run_markers_update(struct run *r) {
             m->acceleration_n[q] = side * a_n;
             for (int c = 0; c < 3; c++) {
                 m->normal[c][q] = side * surface->normal[c][i];
-                m->root[c][q] = x[c] + side * shift * surface->normal[c][i];
+                m->root[c][q] = x[c] + side * root * surface->normal[c][i];
+                m->root_v[c][q] = s->v[c][h];
             }
         }
     }
@@ -156,10 +164,15 @@ static void load_by_forcing(struct run *r, double sum[3]) {
 void run_probe(struct run *r) {
     struct solid *s = r->solid;
     struct run_markers *m = &r->markers;
-    const struct ibm_probe_input in = {.n = m->probes,
-                                       .x = {m->root[0], m->root[1], m->root[2]},
-                                       .normal = {m->normal[0], m->normal[1], m->normal[2]},
-                                       .length = r->scene->coupling->probe_length};
+    struct ibm_probe_input in = {.n = m->probes,
+                                 .x = {m->root[0], m->root[1], m->root[2]},
+                                 .normal = {m->normal[0], m->normal[1], m->normal[2]},
+                                 .length = r->scene->coupling->probe_length,
+                                 .is_carried = 1};
+    if (is_at_wall(r)) {
+        in.acceleration_n = m->acceleration_n;
+        for (int c = 0; c < 3; c++) in.velocity[c] = m->root_v[c];
+    }
     ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active);
     clock_begin(CLOCK_PROBE);
     for (int c = 0; c < 3; c++) {
@@ -167,6 +180,7 @@ void run_probe(struct run *r) {
         r->load[c] = 0;
     }
     load_by_probe(r, r->load);
+    if (r->scene->coupling->load == SCENE_LOAD_BALANCED) balance_loads(r, r->load);
     if (r->surface->set_free > 0) load_by_forcing(r, r->load);
     par_sum_array(r->load, 3);
     m->added_mass = (struct solid_added_mass){.n = m->probes,

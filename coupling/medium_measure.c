@@ -62,7 +62,7 @@ static double line_at(const double *section, int a, int b, double d, double x) {
 static double driving_along_x(struct fluid *f) {
     const struct fluid_input *in = fluid_input_of(f);
     const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == 0;
-    return (driven ? fluid_state_of(f)->driving : 0) + in->density * in->body_force[0];
+    return (driven ? fluid_state_of(f)->driven : 0) + in->density * in->body_force[0];
 }
 
 /*        a  b |front ........ back| b  a

@@ -26,6 +26,17 @@ struct medium {
     struct medium_cube *served; /* those this rank deposits */
 };
 
+/* Index of cell i,j,k in the rimmed array. */
+static inline int medium_rimmed(const struct fluid_grid *g, int i, int j, int k) {
+    return ((k + 1) * (g->m[1] + 2) + j + 1) * (g->m[0] + 2) + i + 1;
+}
+/* 1: this rank's piece ends where the domain does. */
+static inline int medium_at_end(const struct fluid_grid *g, int c, int high) {
+    return high ? g->lo[c] + g->m[c] == g->n[c] : g->lo[c] == 0;
+}
+/* Floods a level on all ranks from the stack's first n cells; over [3]: across the periodic sides of that direction too. Collective. */
+void medium_flood_on(struct medium *m, uint8_t level, int n, const int over[3]);
+
 struct medium_cube {
     double x[3], side; /* centre, wrapped, m */
 };

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/par.h"
 #include "base/signals.h"
+#include "coupling/blocked.h"
 #include "coupling/checkpoint.h"
 #include "coupling/crack.h"
 #include "coupling/fields.h"
@@ -71,32 +72,80 @@ static void progress(struct program *p) {
                      s->bonds_broken);
 }
 
-/* A fault of the numbers: what and where, the last good state on disk, exit code 3. status: this rank's. */
+/* A fault of the numbers: what and where, what step would have been stable, the last good state on disk, exit code 3. status: this
+ * rank's. */
 static int unstable(struct program *p, struct step_status *status) {
+    struct run *r = p->run;
+    const double dt = r->dt;
+    const int substeps = r->substeps;
+    char what[256], why[256] = "the solid has been refined since a state was kept";
     step_status_agree(status);
-    log_line("unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m, rank %d", p->run->step, status->field,
-             status->value, status->x[0], status->x[1], status->x[2], status->rank);
-    if (par_rank() == 0)
-        fprintf(stderr, "frana: unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d\n",
-                p->run->step, status->field, status->value, status->x[0], status->x[1], status->x[2],
-                status->rank);
-    const long step = checkpoint_guard_restore(p->guard, p->run);
-    if (step >= 0 && step != p->checked) checkpoint_write(p->run, p->command->out);
-    log_line("the last good state is that of step %ld", step);
+    adapt_made(r);
+    snprintf(what, sizeof what, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step,
+             status->field, status->value, status->x[0], status->x[1], status->x[2], status->rank);
+    const long step = checkpoint_guard_restore(p->guard, r);
+    if (step >= 0) adapt_explain(r, dt, substeps, why, sizeof why);
+    if (step >= 0 && step != p->checked) checkpoint_write(r, p->command->out);
+    log_line("%s; %s", what, why);
+    if (par_rank() == 0) fprintf(stderr, "frana: %s; %s\n", what, why);
+    if (step >= 0) log_line("the last good state is that of step %ld: its checkpoint can be resumed", step);
     record_write(p->run, p->command->out, "unstable", EXIT_CODE_UNSTABLE);
     return EXIT_CODE_UNSTABLE;
 }
 
 static int stopped(struct program *p, enum signals_reason reason) {
     struct step_status status;
-    int failed = run_check(p->run, 1, &status);
-    signals_stop_also(0, &failed);
-    if (failed) return unstable(p, &status);
+    double failed = run_check(p->run, 1, &status);
+    signals_stop_also(0, &failed, 1);
+    if (failed > 0) return unstable(p, &status);
     checkpoint(p);
     log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(reason),
              p->run->step);
     record_write(p->run, p->command->out, "stopped", EXIT_CODE_REQUEUE);
     return EXIT_CODE_REQUEUE;
+}
+
+/* Back to the state before the step just taken: the last one kept, and the same steps from there. Returns whether it can be had. */
+static int go_back(struct program *p) {
+    struct run *r = p->run;
+    struct adapt *a = &r->adapt;
+    const long before = r->step - 1, kept = checkpoint_guard_restore(p->guard, r);
+    const double most = a->most;
+    const int least = a->least, tries = a->tries;
+    if (kept < 0) return 0;
+    strong_forget(r->strong);
+    a->most = INFINITY;
+    a->least = 0;
+    for (a->replays = 1; r->step < before;) {
+        struct step_status status = {0};
+        double number[ADAPT_NUMBERS];
+        run_step(r);
+        adapt_look(r, 0, number);
+        par_max_array(number, ADAPT_NUMBERS);
+        adapt_judge(r, number, &status);
+    }
+    a->replays = 0;
+    if (r->step > kept) checkpoint_guard_keep(p->guard, r);
+    a->most = most;
+    a->least = least;
+    a->tries = tries;
+    return 1;
+}
+
+/* A step, made again as long as it does not hold and something else can be tried. Returns 1 where it is lost. */
+static int advance(struct program *p, int sampled, int whole, enum signals_reason *reason,
+                   struct step_status *status) {
+    struct run *r = p->run;
+    for (;;) {
+        double number[ADAPT_NUMBERS];
+        if (sampled) series_prepare(p->series, r);
+        run_step(r);
+        adapt_look(r, run_check(r, whole, status), number);
+        *reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, ADAPT_NUMBERS);
+        const enum adapt_verdict verdict = adapt_judge(r, number, status);
+        if (verdict != ADAPT_MAKE_AGAIN) return verdict == ADAPT_LOST;
+        if (!go_back(p)) return 1;
+    }
 }
 
 /* One step and whatever is due after it; what is kept or written has been looked at as a whole. Returns an exit code to
@@ -112,12 +161,8 @@ static int step(struct program *p) {
     const int whole = sampled || drawn || saved || last || due(LOOK_EVERY, now) || due(KEEP_EVERY, now);
     const double start = par_seconds();
     struct step_status status;
-    if (sampled) series_prepare(p->series, r);
-    run_step(r);
-    int failed = run_check(r, whole, &status);
-    const enum signals_reason reason =
-        signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, &failed);
-    if (failed) return unstable(p, &status);
+    enum signals_reason reason;
+    if (advance(p, sampled, whole, &reason, &status)) return unstable(p, &status);
     if (sampled) series_sample(p->series, r);
     if (crack_is_due(p->crack, now)) crack_sample(p->crack, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
@@ -127,10 +172,16 @@ static int step(struct program *p) {
         checkpoint_guard_free(p->guard);
         p->guard = checkpoint_guard_new(r);
     }
-    if (due(KEEP_EVERY, now) || !fits) checkpoint_guard_keep(p->guard, r);
+    if (due(KEEP_EVERY, now) || !fits || r->adapt.tries > 0) {
+        checkpoint_guard_keep(p->guard, r);
+        strong_forget(r->strong);
+    }
+    adapt_made(r);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     progress(p);
     if (drawn) fields_write(r, p->command->out);
+    if (r->stage_step == p->scene->stage[r->stage].steps)
+        checkpoint_write_stage(r, p->command->out); /* before the other, from which a run goes on behind it */
     if (saved) checkpoint(p);
     return reason != SIGNALS_NONE ? stopped(p, reason) : -1;
 }
@@ -143,25 +194,30 @@ static int stages(struct program *p) {
         if (r->setup_seconds == 0) r->setup_seconds = par_seconds() - r->wall_start;
         if (r->stage_step < stage->steps)
             log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
-                     r->dt > 0 ? "" : " (automatic)");
+                     r->fluid && stage->time_step <= 0 ? " (automatic)" : "");
         if (r->substeps > 0)
             log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                      r->dt / r->substeps, r->solid_stable);
+        checkpoint_guard_keep(p->guard, r);
         while (r->stage_step < stage->steps) {
             const int code = step(p);
             if (code >= 0) return code;
-            if (r->stage_step == stage->steps) checkpoint_write_stage(r, p->command->out);
         }
         if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;
     }
 }
 
-static void begin(struct program *p) {
-    const struct command *c = p->command;
-    const int here = c->resume && !c->resume_file;
+static void refuse_to_overwrite(const struct command *c, int here) {
     if (!here && folder_has_run(c->out))
         die_all(EXIT_CODE_FILE,
                 "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
+}
+
+static void begin(struct program *p) {
+    const struct command *c = p->command;
+    const int here = c->resume && !c->resume_file;
+    if (here) folder_hold(c->out);
+    refuse_to_overwrite(c, here);
     signals_begin(c->max_wall);
     p->run = run_new(
         p->scene); /* what the scene gets wrong shows here at the latest: before anything is written */
@@ -169,6 +225,8 @@ static void begin(struct program *p) {
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
     folder_make(c->out);
+    folder_hold(c->out);
+    refuse_to_overwrite(c, here); /* nobody else can write there from now on */
     log_begin(c->out, c->quiet, here);
     log_line("frana: %s", p->scene->title);
     if (c->resume) {
@@ -183,10 +241,11 @@ static void begin(struct program *p) {
     if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
     p->guard = checkpoint_guard_new(p->run);
-    checkpoint_guard_keep(p->guard, p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++)
         log_line("left out: %s", sentence[k]);
+    char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
+    for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
 }
 
 int program_run(const struct command *c, const struct scene *scene) {

@@ -32,7 +32,7 @@ int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RE
     if (needs.bonds && !needs.breakage)
         SAY("breakage: no stage lets bonds break, or no material has a fracture energy");
     if (needs.bonds && !scene->solid->contact) SAY("contact: switched off");
-    if (needs.bonds && scene->solid->contact && !needs.breakage) SAY("contact: nothing can come loose");
+    if (needs.bonds && scene->solid->contact && !needs.contact) SAY("contact: nothing can come loose");
     if (scene->output.fields_every == 0) SAY("fields: output.fields_every is 0");
     if (scene->output.checkpoint_every == 0) SAY("checkpoints while running: output.checkpoint_every is 0");
 #undef SAY
@@ -56,6 +56,28 @@ static void write_traffic(struct json *j, double (*most)[3], long steps) {
         json_close(j);
     }
     json_close(j);
+}
+
+/* Of the strongly coupled steps. */
+static void write_iterations(struct json *j, struct strong_count count) {
+    json_object(j, "coupling_iterations");
+    json_number(j, "mean", count.steps ? (double)count.iterations / (double)count.steps : 0);
+    json_long(j, "most", count.most);
+    json_long(j, "steps_not_converged", count.unconverged);
+    json_close(j);
+}
+
+/* Of automatic steps and substeps. */
+static void write_bounds(struct json *j, const struct adapt *a) {
+    json_object(j, "steps_bound_by");
+    for (int k = ADAPT_CONVECTION; k < ADAPT_BOUNDS; k++)
+        if (a->ruled[k]) json_long(j, adapt_bound_name[k], a->ruled[k]);
+    json_close(j);
+    json_object(j, "substeps_bound_by");
+    for (int k = 0; k < ADAPT_SOLID_BOUNDS; k++)
+        if (a->substeps_ruled[k]) json_long(j, solid_bound_name[k], a->substeps_ruled[k]);
+    json_close(j);
+    json_long(j, "steps_made_again", a->again);
 }
 
 static void write_version(struct json *j) {
@@ -105,6 +127,8 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_number(j, "t", r->t);
         json_number(j, "dt", r->dt);
         json_long(j, "substeps", r->substeps);
+        if (r->strong) write_iterations(j, strong_count_of(r->strong));
+        write_bounds(j, &r->adapt);
         json_long(j, "ranks", size);
         json_number(j, "wall_seconds", wall);
         json_number(j, "setup_seconds", r->setup_seconds); /* of them, before the first step */

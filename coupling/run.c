@@ -27,6 +27,16 @@ static struct medium *medium_of(struct run *r) {
     return medium_new(fluid_grid_of(r->fluid), low, high);
 }
 
+/* What only the bonds would bound needs a value where there are none. */
+static void check_steps(const struct run *r) {
+    for (int k = 0; !r->fluid && r->solid->bonds_total == 0 && k < r->scene->stages; k++) {
+        const struct scene_stage *stage = &r->scene->stage[k];
+        if (stage->time_step <= 0 && stage->damping_absolute <= 0 && !stage->relax)
+            die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it",
+                    stage->name);
+    }
+}
+
 struct run *run_new(const struct scene *scene) {
     struct run *r = calloc(1, sizeof *r);
     r->scene = scene;
@@ -41,9 +51,11 @@ struct run *run_new(const struct scene *scene) {
     if (r->needs.solid) {
         struct solid_input *in = setup_solid(scene);
         given_add(scene, in);
+        if (r->fluid) in->speed = fluid_speed(r->fluid);
         r->solid = solid_new(in);
         given_free(in);
         setup_solid_free(in);
+        check_steps(r);
     }
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
@@ -56,6 +68,7 @@ struct run *run_new(const struct scene *scene) {
         if (r->needs.bonds)
             for (int c = 0; c < 3; c++)
                 r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
+        r->strong = strong_new(r);
     }
     return r;
 }
@@ -72,10 +85,12 @@ void run_deposit(struct run *r) {
 void run_free(struct run *r) {
     if (!r) return;
     run_markers_free(r);
+    strong_free(r->strong);
     for (int c = 0; c < 3; c++) {
         memory_free(r->v_last[c]);
         memory_free(r->position[c]);
     }
+    memory_free(r->demand);
     medium_free(r->medium);
     ibm_free(r->ibm);
     solid_surface_free(r->surface);

@@ -1,8 +1,10 @@
 /* A run: the parts a scene needs, where it stands, and the step that is put together from them. */
 #pragma once
 #include "base/scene.h"
+#include "coupling/adapt.h"
 #include "coupling/medium.h"
 #include "coupling/setup.h"
+#include "coupling/strong.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
 #include "solid/added_mass.h"
@@ -26,6 +28,7 @@ struct run_markers {
     double *added;                      /* [probes] added mass, kg per m3 of the particle */
     struct solid_added_mass added_mass; /* the same for the solid, pointing here */
     double *root[3], *normal[3];        /* [probes] m; outward unit normal */
+    double *root_v[3];                  /* [probes] the wall's velocity there, m/s */
     double *acceleration_n;             /* [probes] dV/dt . n at the root, m/s2 */
     double *traction[3], *pressure;     /* [probes] Pa */
     uint8_t *active;
@@ -46,14 +49,18 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct run_markers markers;
+    double (*demand)[3]; /* [n] waits for markers (coupling/demand.h); NULL: none does */
     double *v_last[3]; /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
     double load[3];    /* force of the fluid on the solid at the last probe, whole solid, N */
+    struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 
     /* where the run stands */
     double t;        /* s */
     long step;       /* over all stages */
     int stage;       /* index into scene->stage */
     long stage_step; /* steps done of it */
+
+    struct adapt adapt; /* how its steps are found */
 
     /* of the present stage */
     double dt;    /* s */

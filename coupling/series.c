@@ -55,6 +55,7 @@ static const struct column {
     COLUMN("fragments", "1", NEED_BONDS, fragments),
     COLUMN("largest_fragment", "1", NEED_BONDS, largest_fragment),
     COLUMN("interface_particles", "1", NEED_IMMERSED, interface_particles),
+    COLUMN("particles_outside", "1", NEED_IMMERSED, particles_outside),
 #undef COLUMN
 };
 enum { ALL_COLUMNS = sizeof all_columns / sizeof *all_columns };
@@ -130,6 +131,19 @@ static void sample_fluid(struct series *s, struct run *r) {
     s->now.dissipation = fluid_dissipation(r->fluid);
 }
 
+/* Where run_deposit has put them. */
+static double particles_outside(const struct run *r) {
+    const struct scene_domain *domain = &r->scene->domain;
+    long outside = 0;
+    for (int h = 0; h < r->solid->n; h++) {
+        int is_in = 1;
+        for (int c = 0; c < 3; c++)
+            is_in &= domain->periodic[c] || (r->position[c][h] >= 0 && r->position[c][h] <= domain->size[c]);
+        outside += !is_in;
+    }
+    return (double)par_sum_long(outside);
+}
+
 static void sample_immersed(struct series *s, struct run *r) {
     if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) run_probe(r);
     run_deposit(r);
@@ -143,6 +157,7 @@ static void sample_immersed(struct series *s, struct run *r) {
     ibm_force_total(r->ibm, s->now.forcing);
     s->now.momentum_residual = momentum_residual(s, r);
     s->now.interface_particles = (double)r->surface->total;
+    s->now.particles_outside = particles_outside(r);
 }
 
 /* Damage and fragments are looked at again only once more bonds have broken. */

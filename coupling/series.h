@@ -19,6 +19,6 @@ struct series_sample {
     double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, work_fluid,
         work_load, e_constraint;
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
-        interface_particles;
+        interface_particles, particles_outside;
 };
 const struct series_sample *series_last(const struct series *s);

@@ -27,6 +27,14 @@ static void setup_side(const struct scene_side *from, struct fluid_side *to) {
         to->condition[q] = condition[q] == SCENE_NEUMANN ? FLUID_NEUMANN : FLUID_DIRICHLET;
 }
 
+/* The fastest sqrt(E/rho) of an elastic solid, m/s. */
+static double wave_speed(const struct scene *scene) {
+    double most = 0;
+    for (int m = 0; setup_needs_of(scene).bonds && m < scene->solid->materials; m++)
+        most = fmax(most, sqrt(scene->solid->material[m].youngs_modulus / scene->solid->material[m].density));
+    return most;
+}
+
 void setup_fluid(const struct scene *scene, struct fluid_input *in) {
     static const enum fluid_driving_type driving[] = {[SCENE_DRIVING_NONE] = FLUID_DRIVING_NONE,
                                                       [SCENE_DRIVING_GRADIENT] = FLUID_DRIVING_GRADIENT,
@@ -39,7 +47,9 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
                                .driving = {driving[f->driving], f->driving_direction, f->driving_value},
                                .driving_frequency = f->driving_frequency,
                                .initial_poiseuille = f->initial_poiseuille,
-                               .immersed = scene->solid != NULL};
+                               .immersed = scene->solid != NULL,
+                               .speed = wave_speed(scene),
+                               .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT};
     memcpy(in->n, scene->domain.cells, sizeof in->n);
     copy3(in->length, scene->domain.size);
     copy3(in->body_force, f->body_force);
@@ -115,7 +125,8 @@ struct solid_input *setup_solid(const struct scene *scene) {
         .contact = s->contact,
         .contact_stiffness = s->contact_stiffness,
         .contact_exponent = s->contact_exponent,
-        .contact_radius = s->contact_radius};
+        .contact_radius = s->contact_radius,
+        .shape_surface = scene->coupling && scene->coupling->surface == SCENE_SURFACE_SHAPE};
     for (int d = 0; d < scene->dimension; d++) in->origin[d] = s->lattice_offset[d] * s->spacing;
     copy3(in->body_force, s->body_force);
     copy3(in->length, scene->domain.size);
@@ -143,6 +154,11 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
                                .damping_absolute = from->damping_absolute};
 }
 
+/* Whether particles may be strangers from the start: of several bodies, across a crack, of points that may stand apart. */
+static int is_in_pieces(const struct scene_solid *s) {
+    return s->bodies > 1 || s->cracks > 0 || s->body[0].shape == SCENE_POINTS;
+}
+
 struct setup_needs setup_needs_of(const struct scene *scene) {
     struct setup_needs needs = {.fluid = scene->fluid != NULL, .solid = scene->solid != NULL};
     needs.immersed = needs.fluid && needs.solid;
@@ -153,5 +169,6 @@ struct setup_needs setup_needs_of(const struct scene *scene) {
             needs.breakage |=
                 elastic && scene->stage[k].breakage && isfinite(scene->solid->material[m].fracture_energy);
     }
+    needs.contact = needs.bonds && scene->solid->contact && (needs.breakage || is_in_pieces(scene->solid));
     return needs;
 }

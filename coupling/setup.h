@@ -19,5 +19,6 @@ struct setup_needs {
     int bonds;        /* some stage has an elastic solid */
     int immersed;     /* both */
     int breakage;     /* some stage lets bonds break, and some material can */
+    int contact;      /* particles that no bond joins may meet */
 };
 struct setup_needs setup_needs_of(const struct scene *scene);

@@ -1,47 +1,21 @@
 /* The time step, put together from the parts that the stage needs.  (001: sec. 4.3; SPEC 5) */
 #include "base/log.h"
+#include "base/memory.h"
 #include "base/par.h"
+#include "coupling/demand.h"
 #include "coupling/run.h"
 #include "solid/contact.h"
 #include "solid/refine.h"
 
 #include <math.h>
 
-enum { LOOK_AT_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100, SUBSTEPS_MAX = 1000000 };
-
-static void part_time_step(struct run *r) {
-    const struct scene_stage *stage = &r->scene->stage[r->stage];
-    r->dt = stage->cfl * fluid_stable_step(r->fluid).step;
-}
-
-/* The least number of substeps that is stable with what touches now. */
-static int substeps_wanted(struct run *r) {
-    const double contact = solid_contact_rate2(r->solid);
-    r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
-    const double least = ceil(r->dt / (r->scene->stage[r->stage].safety * r->solid_stable) * (1 - 1e-12));
-    return least > 1 ? (int)fmin(least, SUBSTEPS_MAX) : 1; /* without bonds there is no limit */
-}
-
 static void part_refine(struct run *r) {
     const long before = solid_refine_events(r->solid);
     run_refine(r);
     if (solid_refine_events(r->solid) == before || r->scene->stage[r->stage].substeps > 0) return;
-    const int wanted = substeps_wanted(r);
+    const int wanted = adapt_substeps_wanted(r);
     if (wanted <= r->substeps) return;
     log_line("step %ld: %d solid substeps, stable up to %.4g s", r->step, wanted, r->solid_stable);
-    r->substeps = wanted;
-}
-
-/* Contact is looked at every few steps, or every step if the step itself changes. More substeps at once, fewer only every so
- * many steps: the number is part of a checkpoint, and the steps at which it may change are fixed. */
-static void part_substeps(struct run *r) {
-    const int is_fixed = !(r->fluid && r->scene->stage[r->stage].time_step <= 0);
-    if (is_fixed && r->substeps > 0 && r->stage_step % LOOK_AT_CONTACT_EVERY != 0) return;
-    const int wanted = substeps_wanted(r);
-    if (wanted == r->substeps || (wanted < r->substeps && r->stage_step % FEWER_SUBSTEPS_EVERY != 0)) return;
-    if (r->substeps > 0)
-        log_line("step %ld: %d solid substeps, bound by %s (stable up to %.4g s)", r->step, wanted,
-                 solid_bound_name[r->solid_bound], r->solid_stable);
     r->substeps = wanted;
 }
 
@@ -54,6 +28,7 @@ static void part_markers(struct run *r) {
     run_markers_update(r);
     ibm_markers(r->ibm, r->markers.n, (const double *const *)r->markers.x,
                 (const double *const *)r->markers.v, r->markers.volume);
+    demand_hand_on(r);
 }
 
 /* Fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.65-3.69, 3.80-3.82) */
@@ -62,6 +37,18 @@ static void part_fluid_forced(struct run *r) {
     for (int s = 0; s < 3; s++) {
         fluid_predict(r->fluid, s, r->dt);
         ibm_force(r->ibm, s, r->dt);
+        fluid_project(r->fluid, s, r->dt);
+    }
+}
+
+/* The same with implicit diffusion: what was forced a stage ago diffuses with the rest, and what it lacks is added. */
+static void part_fluid_implicit(struct run *r) {
+    fluid_state_of(r->fluid)->t = r->t;
+    for (int s = 0; s < 3; s++) {
+        fluid_predict(r->fluid, s, r->dt);
+        ibm_force_again(r->ibm, s, r->dt);
+        fluid_diffuse(r->fluid, s, r->dt);
+        ibm_force_implicit(r->ibm, s, r->dt);
         fluid_project(r->fluid, s, r->dt);
     }
 }
@@ -109,7 +96,8 @@ void run_stage_begin(struct run *r) {
     const double dt =
         r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0; /* of before a refinement */
     r->parts = 0;
-    r->dt = stage->time_step;
+    adapt_begin(r);
+    if (stage->time_step > 0 || !r->fluid || r->stage_step == 0) r->dt = stage->time_step;
     if (!elastic || r->stage_step == 0) r->substeps = 0;
     if (r->stage_step == 0) r->refined.level = -1;
     if (elastic) {
@@ -125,23 +113,35 @@ void run_stage_begin(struct run *r) {
         add(r, part_relax, "relaxation");
         return;
     }
-    if (r->fluid && stage->time_step <= 0) add(r, part_time_step, "time step from the fluid's limits");
-    const int touches = elastic && r->needs.breakage && solid_contact_is_possible(r->solid);
+    if (r->fluid && stage->time_step <= 0) add(r, adapt_time_step, "time step from the fluid's limits");
+    const int touches = elastic && r->needs.contact && solid_contact_is_possible(r->solid);
     const int follows = stage->substeps == 0 && (touches || (r->fluid && stage->time_step <= 0));
     if (elastic && stage->substeps > 0)
         r->substeps = stage->substeps;
     else if (elastic && r->dt > 0 && (r->substeps == 0 || !follows))
-        r->substeps = substeps_wanted(r);
+        r->substeps = adapt_substeps_wanted(r);
+    if (elastic && r->strong) {
+        if (touches) add(r, part_contact, "contact");
+        if (follows) add(r, adapt_substeps, "number of substeps");
+        strong_parts(r->strong, part_markers,
+                     fluid_input_of(r->fluid)->implicit ? part_fluid_implicit : part_fluid_forced);
+        add(r, strong_step, "fluid, probe and solid, iterated");
+        add(r, part_surface, "surface");
+        return;
+    }
     if (r->ibm && elastic)
         add(r, part_markers, "markers");
     else if (r->ibm)
         part_markers(r); /* at rest: once a stage */
-    if (r->fluid) add(r, r->ibm ? part_fluid_forced : part_fluid, r->ibm ? "fluid with forcing" : "fluid");
+    if (r->fluid && r->ibm && fluid_input_of(r->fluid)->implicit)
+        add(r, part_fluid_implicit, "fluid with forcing, implicit diffusion");
+    else if (r->fluid)
+        add(r, r->ibm ? part_fluid_forced : part_fluid, r->ibm ? "fluid with forcing" : "fluid");
     if (!elastic) return;
     if (r->ibm) add(r, run_probe, "probe");
     if (r->solid->refine) add(r, part_refine, "refinement");
     if (touches) add(r, part_contact, "contact");
-    if (follows) add(r, part_substeps, "number of substeps");
+    if (follows) add(r, adapt_substeps, "number of substeps");
     add(r, part_solid, "solid");
     if (r->surface) add(r, part_surface, "surface");
 }

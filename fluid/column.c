@@ -24,7 +24,7 @@ struct fluid_column {
     double *from_below, *q; /* y below times r^(k+1); q of the plane last done */
     const double *last;     /* y of the last plane */
     /* of the own columns: [own], and [ranks][own] where by rank */
-    int own;
+    int own, own_low;
     struct fluid_column_ends *ends;
     double *decay, *feel, *place; /* by rank: r^m, r^2 + .. + r^2m, r^low */
     double *share, *line;         /* [ranks][2][own]; [n] a whole column */
@@ -38,9 +38,9 @@ static double power_of(double theta, int n) {
     return p < smallest ? 0 : p;
 }
 
-static void fill_columns(struct fluid_column *c, const double *lambda) {
+static void fill_columns(struct fluid_column *c, const double *lambda, double shift) {
     for (int i = 0; i < c->in.columns; i++) {
-        const double theta = fluid_column_theta(lambda[i], c->in.d);
+        const double theta = fluid_column_theta(lambda[i] - shift, c->in.d);
         int reach = c->m;
         if (theta * reach > -log(negligible)) reach = (int)ceil(-log(negligible) / theta);
         c->r[i] = exp(-theta);
@@ -51,10 +51,10 @@ static void fill_columns(struct fluid_column *c, const double *lambda) {
     }
 }
 
-static void fill_own(struct fluid_column *c, const double *lambda) {
+static void fill_own(struct fluid_column *c, const double *lambda, double shift) {
     const int parts = c->in.ranks[2];
     for (int i = 0; i < c->own; i++) {
-        const double theta = fluid_column_theta(lambda[i], c->in.d), r = exp(-theta);
+        const double theta = fluid_column_theta(lambda[i] - shift, c->in.d), r = exp(-theta);
         c->ends[i] = fluid_column_close(c->in.n, theta, c->in.low, c->in.high);
         for (int p = 0; p < parts; p++) {
             const int low = par_piece_low(c->in.n, parts, p), m = par_piece_low(c->in.n, parts, p + 1) - low;
@@ -78,8 +78,7 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     double **of_columns[] = {&c->r,     &c->inverse, &c->power,      &c->sum,
                              &c->reach, &c->end,     &c->from_below, &c->q};
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
-    int own_low;
-    par_column_own(c->exchange, &own_low, &c->own);
+    par_column_own(c->exchange, &c->own_low, &c->own);
     const size_t own = (size_t)c->own;
     c->ends = memory_new(MEMORY_FLUID, own + 1, sizeof *c->ends);
     c->decay = array(parts * own);
@@ -87,9 +86,13 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     c->place = array(parts * own);
     c->share = array(2 * parts * own);
     c->line = array((size_t)in->n);
-    fill_columns(c, in->lambda);
-    fill_own(c, in->lambda + own_low);
+    fluid_column_set(c, in->lambda, in->shift);
     return c;
+}
+
+void fluid_column_set(struct fluid_column *c, const double *lambda, double shift) {
+    fill_columns(c, lambda, shift);
+    fill_own(c, lambda + c->own_low, shift);
 }
 
 void fluid_column_free(struct fluid_column *c) {

@@ -5,6 +5,7 @@
  * Each rank runs up from y = 0, plane by plane as they come, and adds up what its first q would be; from these two values a
  * column and rank the true y below and q above each rank's planes follow (geometric sums, closed by the ends' conditions),
  * which takes one exchange of two values a column there and back. The run down adds the y from below times r^(k+1).
+ * Between faces (FLUID_END_FACE) q is zero at k = -1 and at k = n-1, whatever b is there.
  * Reading and writing is all it costs: no elimination, no transpose, any number of ranks, one round of messages. */
 #pragma once
 #include "fluid/transform.h"
@@ -18,6 +19,7 @@ struct fluid_column_input {
     enum fluid_end low, high;
     int columns;          /* of this rank: [columns] in each plane */
     const double *lambda; /* [columns], 1/m2, borrowed during the call */
+    double shift;         /* taken off every lambda, 1/m2, not negative */
     int free_mean; /* 1: on some rank lambda = 0 between periodic or Neumann ends, and the mean is free */
 };
 
@@ -25,6 +27,8 @@ struct fluid_column; /* opaque: factors, sums, exchange */
 
 struct fluid_column *fluid_column_new(const struct fluid_column_input *in); /* Collective. */
 void fluid_column_free(struct fluid_column *c);
+/* Another lambda and shift, of columns without a free mean. Not collective. */
+void fluid_column_set(struct fluid_column *c, const double *lambda, double shift);
 
 /* Plane k = 0, 1, .. of this rank in turn: b [columns] is replaced by y started from zero; below is plane k-1 (k > 0).
  * Not collective. */

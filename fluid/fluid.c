@@ -34,8 +34,9 @@ static void check_driving(const struct fluid_input *in) {
                 "xyz"[d]);
 }
 
-/* u* has arrays of its own: a forcing compares it with what it was, an open side's faces are advanced after the inside. */
-static int apart(const struct fluid *f) { return f->in.immersed || f->boundary->open; }
+/* u* has arrays of its own: a forcing compares it with what it was, implicit diffusion solves for the change, an open side's
+ * faces are advanced after the inside. */
+static int apart(const struct fluid *f) { return f->in.immersed || f->in.implicit || f->boundary->open; }
 
 struct fluid *fluid_new(const struct fluid_input *in) {
     struct fluid *f = calloc(1, sizeof *f);
@@ -57,8 +58,9 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     f->flux = memory_new_work(MEMORY_FLUID, fluid_momentum_work(f->grid));
     fluid_wisdom_load();
     f->poisson = new_poisson(f);
+    if (in->implicit) f->diffusion = fluid_diffusion_new(f);
     fluid_wisdom_store();
-    if (in->driving.type == FLUID_DRIVING_GRADIENT) f->state.driving = in->driving.value;
+    if (in->driving.type == FLUID_DRIVING_GRADIENT) f->state.driving = f->state.driven = in->driving.value;
     fluid_initial_fill(f);
     fluid_project_start(f);
     return f;
@@ -75,6 +77,7 @@ void fluid_free(struct fluid *f) {
     memory_free(f->correction);
     memory_free(f->flux);
     fluid_poisson_free(f->poisson);
+    fluid_diffusion_free(f->diffusion);
     fluid_boundary_free(f->boundary);
     fluid_grid_free(f->grid);
     free(f);
@@ -120,6 +123,7 @@ void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], con
 void fluid_step(struct fluid *f, double dt) {
     for (int r = 0; r < 3; r++) {
         fluid_predict(f, r, dt);
+        fluid_diffuse(f, r, dt);
         fluid_project(f, r, dt);
     }
     f->state.t += dt;

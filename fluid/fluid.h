@@ -54,6 +54,8 @@ struct fluid_input {
     int initial_poiseuille;         /* 1: a parabola between the walls with that mean instead */
     struct fluid_vortices vortices; /* added to it */
     int immersed;                   /* 1: three ghost layers, and arrays for the forcing */
+    double speed;                   /* of waves in what is immersed, m/s; 0: nothing moves by itself */
+    int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
 };
 
 /* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid.h; ghosts are rebuilt. */
@@ -62,7 +64,8 @@ struct fluid_state {
     double *p;         /* centres, Pa */
     double
         driving; /* the pressure gradient now applied, Pa/m; its mean over the stage where it goes with time */
-    double t;    /* s, when the step begins: set by whoever steps, advanced by fluid_step */
+    double driven; /* its mean over the last step, Pa/m; not stored */
+    double t;      /* s, when the step begins: set by whoever steps, advanced by fluid_step */
 };
 
 struct fluid; /* opaque: grid, parameters, state, work, plans */
@@ -74,12 +77,25 @@ const struct fluid_input *fluid_input_of(const struct fluid *f);
 struct fluid_state *fluid_state_of(struct fluid *f);
 
 /* One low-storage RK3 step is, for r = 0, 1, 2:
- *     fluid_predict(f, r, dt); [ibm_force(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001: sec. 3.4.3) */
+ *     fluid_predict(f, r, dt); [ibm_force(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001: sec. 3.4.3)
+ * and with implicit diffusion
+ *     fluid_predict(f, r, dt); [ibm_force_again(..)]; fluid_diffuse(f, r, dt); [ibm_force_implicit(..)];
+ *     fluid_project(f, r, dt); */
 extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 
 /* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), with the values on the sides' faces; ghosts are left to
  * fluid_predicted_refresh. Collective. */
 void fluid_predict(struct fluid *f, int r, double dt);
+/* Implicit diffusion: u* from what fluid_predict made without a viscous term, and what a force has added to it; nothing with explicit
+ * diffusion. Collective. */
+void fluid_diffuse(struct fluid *f, int r, double dt);
+/* For a forcing that is implicit too: a field on the faces, which is cleared, filled by the forcing, solved for
+ * (field <- (I - b_r dt nu lap)^-1 field, zero on the sides), and added to u* times a factor. [3] borrowed. */
+double *const *fluid_diffusion_field(struct fluid *f);
+void fluid_diffusion_clear(struct fluid *f);                   /* Not collective. */
+void fluid_diffusion_solve(struct fluid *f, int r, double dt); /* Collective. */
+void fluid_diffusion_add(struct fluid *f, double factor);      /* Not collective. */
+double fluid_explicit_step(const struct fluid *f);             /* viscous limit of explicit diffusion, s */
 /* The predicted velocity u*, to which a forcing adds in place (faces inside the domain only). [3] borrowed. */
 double *const *fluid_predicted(struct fluid *f);
 /* Ghosts of u*, v*, w* after somebody changed them: boundary values and `layers` exchanged layers. Collective. */
@@ -101,11 +117,17 @@ void fluid_state_refresh(struct fluid *f);
  * side; the same box on every rank): ghosts that such blocks do not reach may be left stale. Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
-/* The largest stable step, by its convective and viscous limits; either is INFINITY where it does not bind. Collective. */
+/* The largest stable step, by its convective and viscous limits; either is INFINITY where it does not bind. With implicit
+ * diffusion `viscous` is no limit of stability but what the accuracy of the way to a steady state asks for. Collective. */
 struct fluid_limits {
     double convective, viscous, step;
 };
 struct fluid_limits fluid_stable_step(struct fluid *f);
+/* The same of what goes along with somebody's reduction: this rank's largest sum of |velocity|/d over its cells, from the faces of
+ * each, 1/s (INFINITY where one is no number), and the middle of that cell, m (x may be NULL); the limits by the largest of all
+ * ranks. Not collective. */
+double fluid_convection_rate(const struct fluid *f, double x[3]);
+struct fluid_limits fluid_limits_of(const struct fluid *f, double rate);
 
 /* NaN or velocity beyond reason: where and which. Not collective (agree with step_status_agree). */
 struct step_status fluid_check(struct fluid *f);
@@ -113,6 +135,8 @@ struct step_status fluid_check(struct fluid *f);
 /* Measures. Collective. */
 double fluid_divergence_max(struct fluid *f); /* 1/s */
 double fluid_cfl(struct fluid *f, double dt);
+/* The speeds that sides, start, driving and body force set up, or diffusion over a cell: the largest, m/s. Not collective. */
+double fluid_speed(const struct fluid *f);
 double fluid_bulk_velocity(struct fluid *f, int direction); /* m/s */
 double fluid_kinetic_energy(struct fluid *f);               /* J */
 double fluid_dissipation(struct fluid *f);                  /* rho nu int |grad u|^2 dV, W */

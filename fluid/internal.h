@@ -1,6 +1,7 @@
 /* What the fluid's files share. Not for other rooms. */
 #pragma once
 #include "fluid/boundary.h"
+#include "fluid/diffusion.h"
 #include "fluid/fluid.h"
 #include "fluid/poisson.h"
 
@@ -19,11 +20,13 @@ struct fluid {
     struct fluid_state state;
     /* work, arrays of grid->size */
     double *predicted[3]; /* u*, m/s; the state's own arrays where nobody reads u once u* is there */
-    double
-        *rate[3]; /* R = -div(uu) + nu lap u of the last stage, m/s2; at open faces, that face's own rate */
+    double *rate
+        [3]; /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; at open faces, that
+                   * face's own rate */
     double *correction; /* p-hat, Pa: fluid/correction.h */
     double *flux;       /* scratch of the momentum equation */
     struct fluid_poisson *poisson;
+    struct fluid_diffusion *diffusion; /* NULL: explicit */
     struct fluid_audit audit;
     double shift[3]; /* uniform velocity that the bulk driving adds in this stage, m/s */
 };
@@ -32,9 +35,12 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
     return c == 0 ? s->u : c == 1 ? s->v : s->w;
 }
 
-void fluid_audit_flux(struct fluid *f, int r);     /* at the stage's begin. Not collective. */
-void fluid_audit_pressure(struct fluid *f, int r); /* at its end. Not collective. */
-void fluid_initial_fill(struct fluid *f);          /* the initial velocity. Not collective. */
+void fluid_audit_flux(struct fluid *f, int r);      /* at the stage's begin. Not collective. */
+void fluid_audit_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is there. Collective. */
+void fluid_audit_pressure(struct fluid *f, int r);  /* at its end. Not collective. */
+/* sign times p as it stands, for what is added to p without pushing in this stage. Not collective. */
+void fluid_audit_pressure_part(struct fluid *f, int r, double sign);
+void fluid_initial_fill(struct fluid *f); /* the initial velocity. Not collective. */
 /* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. */
 void fluid_advanced(const struct fluid *f, int c, int low[3], int high[3]);
 void fluid_project_start(struct fluid *f); /* the initial velocity made divergence-free. Collective. */

@@ -7,41 +7,65 @@
 /* The larger size, and NaN where b is: the compiler makes one instruction of it, which it may not of fmax. */
 static inline double larger(double a, double b) { return fabs(a) > fabs(b) ? fabs(a) : fabs(b); }
 
-/* Largest sum of |velocity|/d over cells, from the faces of each, 1/s. */
-static double convection_rate(const struct fluid *f) {
+/* The largest of a row of cells, or which cell it is in. */
+static double row_rate(const struct fluid *f, int j, int k, int *where) {
     const struct fluid_grid *g = f->grid;
     const double per[3] = {1 / g->d[0], 1 / g->d[1], 1 / g->d[2]};
+    const size_t n = fluid_grid_at(g, 0, j, k);
+    const double *u = f->state.u + n, *v = f->state.v + n, *w = f->state.w + n;
+    double most = 0;
+    for (int i = 0; i < g->m[0]; i++) {
+        const double rate = larger(u[i - 1], u[i]) * per[0] + larger(v[i - g->row], v[i]) * per[1] +
+                            larger(w[i - g->plane], w[i]) * per[2];
+        if (where && !(rate <= most)) *where = i;
+        most = rate <= most ? most : rate == rate ? rate : INFINITY; /* a NaN shows */
+    }
+    return most;
+}
+
+double fluid_convection_rate(const struct fluid *f, double x[3]) {
+    const struct fluid_grid *g = f->grid;
+    int cell[3] = {0};
     double most = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
-            const size_t n = fluid_grid_at(g, 0, j, k);
-            const double *u = f->state.u + n, *v = f->state.v + n, *w = f->state.w + n;
-            for (int i = 0; i < g->m[0]; i++) {
-                const double rate = larger(u[i - 1], u[i]) * per[0] + larger(v[i - g->row], v[i]) * per[1] +
-                                    larger(w[i - g->plane], w[i]) * per[2];
-                most = rate <= most ? most : rate == rate ? rate : INFINITY; /* a NaN shows */
-            }
+            const double rate = row_rate(f, j, k, NULL);
+            if (rate <= most) continue;
+            most = rate;
+            cell[1] = j, cell[2] = k;
         }
-    return par_max(most);
+    if (!x) return most;
+    row_rate(f, cell[1], cell[2], &cell[0]);
+    for (int d = 0; d < 3; d++) x[d] = (cell[d] + g->lo[d] + 0.5) * g->d[d];
+    return most;
 }
 
 /* The rectangle -1.65 <= Re <= 0, |Im| <= sqrt(3) lies within the stability region of third-order Runge-Kutta, so that
  * either limit may be met alone or both together: sqrt(3) = dt sum |u|/d, 1.65 = dt 4 nu sum 1/d^2.  (Wesseling 2001) */
-struct fluid_limits fluid_stable_step(struct fluid *f) {
-    const double *d = f->grid->d, rate = convection_rate(f);
+double fluid_explicit_step(const struct fluid *f) {
+    const double *d = f->grid->d;
+    return 1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
+}
+
+struct fluid_limits fluid_limits_of(const struct fluid *f, double rate) {
     struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
     if (rate > 0) l.convective = sqrt(3) / rate;
-    if (f->in.viscosity > 0)
-        l.viscous =
-            1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
+    if (f->diffusion)
+        l.viscous = fluid_diffusion_step(f);
+    else if (f->in.viscosity > 0)
+        l.viscous = fluid_explicit_step(f);
     l.step = fmin(l.convective, l.viscous);
     return l;
 }
 
-double fluid_cfl(struct fluid *f, double dt) { return dt * convection_rate(f); }
+struct fluid_limits fluid_stable_step(struct fluid *f) {
+    return fluid_limits_of(f, par_max(fluid_convection_rate(f, NULL)));
+}
 
-/* A speed far above every one that the scene can set up: of the sides, the start, the driving, or diffusion over a cell. */
-static double speed_beyond_reason(const struct fluid *f) {
+double fluid_cfl(struct fluid *f, double dt) { return dt * par_max(fluid_convection_rate(f, NULL)); }
+
+/* Of the sides, the start, the driving, or diffusion over a cell. */
+double fluid_speed(const struct fluid *f) {
     const struct fluid_input *in = &f->in;
     double most = 0, length = 0;
     for (int d = 0; d < 3; d++) {
@@ -60,14 +84,14 @@ static double speed_beyond_reason(const struct fluid *f) {
     if (in->driving.type == FLUID_DRIVING_GRADIENT)
         most = fmax(most, sqrt(fabs(in->driving.value) * length / in->density));
     if (in->driving.type == FLUID_DRIVING_BULK) most = fmax(most, fabs(in->driving.value));
-    return 1e4 * most;
+    return most;
 }
 
 static int bad(double value, double most) { return !(fabs(value) <= most); }
 
 struct step_status fluid_check(struct fluid *f) {
     const struct fluid_grid *g = f->grid;
-    const double most = speed_beyond_reason(f);
+    const double most = fmax(1e4 * fluid_speed(f), 100 * f->in.speed);
     const double *field[4] = {f->state.u, f->state.v, f->state.w, f->state.p};
     struct step_status s = {.failed = 0};
     for (int k = 0; k < g->m[2]; k++)

@@ -98,12 +98,18 @@ static void beside(const struct fluid *f, int c, int d, int side, int low[3], in
     high[d] = low[d] + 1;
 }
 
+/* What is looked at: convection (1) or none of it, and diffusion with this viscosity. */
+struct flux_kind {
+    double convection, viscosity; /* 1; m2/s */
+};
+
 /* Flux of momentum of component c through the control surface at one side of direction d, outward, viscous traction
  * taken off: (q_d q_c - nu dq_c/dx_d) times the outward sign, summed over the side, m2/s2.
  * n: the last advanced value of c at the side; s: towards the outside. */
-static double flux_through_side(const struct fluid *f, int c, int d, int side) {
+static double flux_through_side(const struct fluid *f, const double *const all[3], struct flux_kind kind,
+                                int c, int d, int side) {
     const struct fluid_grid *g = f->grid;
-    const double *q = fluid_component(&f->state, c), *through = fluid_component(&f->state, d);
+    const double *q = all[c], *through = all[d];
     const double sign = side ? 1 : -1;
     const ptrdiff_t sd = fluid_boundary_stride(g, d), s = side ? sd : -sd, sc = fluid_boundary_stride(g, c);
     const int free_face = f->boundary->side[d][side].normal == FLUID_NORMAL_FREE;
@@ -115,15 +121,17 @@ static double flux_through_side(const struct fluid *f, int c, int d, int side) {
             for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
                 const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
                 if (c == d && free_face) { /* beyond an open face: no gradient */
-                    sum += sign * q[n] * q[n];
+                    sum += kind.convection * sign * q[n] * q[n];
                 } else if (c == d) { /* at the centre between the last advanced face and the side's own */
                     const double mean = 0.5 * (q[n] + q[n + s]);
-                    sum += sign * mean * mean - f->in.viscosity * (q[n + s] - q[n]) / g->d[d];
+                    sum +=
+                        kind.convection * sign * mean * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
                 } else { /* at the corners on the side's face */
                     const ptrdiff_t face = side ? n : n - sd;
                     const double velocity = 0.5 * (through[face] + through[face + sc]),
                                  mean = 0.5 * (q[n] + q[n + s]);
-                    sum += sign * velocity * mean - f->in.viscosity * (q[n + s] - q[n]) / g->d[d];
+                    sum += kind.convection * sign * velocity * mean -
+                           kind.viscosity * (q[n + s] - q[n]) / g->d[d];
                 }
             }
     return sum;
@@ -144,12 +152,12 @@ static double pressure_on_side(const struct fluid *f, int d, int side) {
 }
 
 /* This rank's share of the box's force along c: sources and fluxes; pressure. N */
-static double flux_force(const struct fluid *f, int c) {
+static double flux_force(const struct fluid *f, const double *const q[3], struct flux_kind kind, int c) {
     const struct fluid_grid *g = f->grid;
     double sum = 0;
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            if (f->boundary->side[d][side].here) sum -= flux_through_side(f, c, d, side) / g->d[d];
+            if (f->boundary->side[d][side].here) sum -= flux_through_side(f, q, kind, c, d, side) / g->d[d];
     return f->in.density * cell_volume(g) * sum;
 }
 
@@ -170,19 +178,39 @@ static double pressure_force(const struct fluid *f, int c) {
 }
 
 void fluid_box_force(struct fluid *f, double out[3]) {
+    const double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    const struct flux_kind whole = {1, f->in.viscosity};
     for (int c = 0; c < 3; c++)
-        out[c] = flux_force(f, c) + source_force(f, c, f->state.driving) + pressure_force(f, c);
+        out[c] = flux_force(f, q, whole, c) + source_force(f, c, f->state.driving) + pressure_force(f, c);
     par_sum_array(out, 3);
 }
 
 void fluid_audit_begin(struct fluid *f) { f->audit = (struct fluid_audit){.on = 1}; }
 
 void fluid_audit_flux(struct fluid *f, int r) {
+    const double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    const struct flux_kind kind = {1, f->diffusion ? 0 : f->in.viscosity};
     for (int c = 0; c < 3; c++) {
-        const double flux = flux_force(f, c);
+        const double flux = flux_force(f, q, kind, c);
+        if (r == 0) f->audit.force[c] = 0; /* of the last step, where one is taken several times */
         f->audit.force[c] += fluid_alpha[r] * flux + fluid_beta[r] * f->audit.flux[c];
         f->audit.flux[c] = flux;
     }
+}
+
+/* gamma nu lap u + b nu lap (u* - u), b = length2/(dt nu). */
+void fluid_audit_diffusion(struct fluid *f, int r) {
+    const double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    const double *const next[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
+    const double nu = f->in.viscosity, b = fluid_diffusion_length2(f, r, 1) / nu;
+    const struct flux_kind before = {0, (fluid_gamma[r] - b) * nu}, after = {0, b * nu};
+    fluid_predicted_refresh(f, 1);
+    for (int c = 0; c < 3; c++)
+        f->audit.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
+}
+
+void fluid_audit_pressure_part(struct fluid *f, int r, double sign) {
+    for (int c = 0; c < 3; c++) f->audit.force[c] += sign * fluid_gamma[r] * pressure_force(f, c);
 }
 
 void fluid_audit_pressure(struct fluid *f, int r) {

@@ -12,7 +12,12 @@ struct fluid_poisson {
     struct par_pencil *pencil;
     int x[3], y[3];               /* shapes of the pencils */
     struct fluid_transform *t[2]; /* of a plane of the x pencil, of a plane of the y pencil */
-    struct fluid_column *column;
+    struct fluid_column *column;  /* the one in use */
+    struct {
+        double shift;
+        struct fluid_column *column;
+    } shifted[FLUID_POISSON_SHIFTS];
+    double *lambda; /* [columns] of the Laplacian along x and y; NULL where nothing is shifted */
     double *home,
         *y_array;  /* one array where no transpose stands between them; a plane more than the rank has */
     double *plane; /* [m_y][n_x] a plane on its way back */
@@ -30,6 +35,7 @@ static double *eigenvalues(const struct fluid_poisson_input *in, int d) {
 }
 
 static int free_mean(const struct fluid_poisson_input *in) {
+    if (in->shifts > 0) return 0;
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
             if (in->end[d][side] == FLUID_END_DIRICHLET) return 0;
@@ -59,12 +65,20 @@ static void plan(struct fluid_poisson *p) {
     }
 }
 
-static struct fluid_column *new_columns(const struct fluid_poisson *p) {
+/* [columns] of this rank. */
+static double *new_lambda(const struct fluid_poisson *p) {
     const int *m = p->y, low = par_pencil_low(p->pencil);
     double *x = eigenvalues(&p->in, 0), *y = eigenvalues(&p->in, 1);
     double *lambda = memory_new(MEMORY_FLUID, area(m), sizeof *lambda);
     for (int j = 0; j < m[1]; j++)
         for (int i = 0; i < m[0]; i++) lambda[j * m[0] + i] = x[low + i] + y[j];
+    memory_free(x);
+    memory_free(y);
+    return lambda;
+}
+
+static struct fluid_column *new_columns(const struct fluid_poisson *p, const double *lambda, double shift) {
+    const int *m = p->y;
     const struct fluid_column_input in = {.n = p->in.n[2],
                                           .ranks = {1, p->in.ranks[1], p->in.ranks[2]},
                                           .d = p->in.d[2],
@@ -73,12 +87,34 @@ static struct fluid_column *new_columns(const struct fluid_poisson *p) {
                                           .high = p->in.end[2][1],
                                           .columns = m[0] * m[1],
                                           .lambda = lambda,
+                                          .shift = shift,
                                           .free_mean = free_mean(&p->in)};
-    struct fluid_column *column = fluid_column_new(&in);
-    memory_free(x);
-    memory_free(y);
+    return fluid_column_new(&in);
+}
+
+/* The Laplacian's own columns, or as many as there are shifts, for some shift. */
+static void add_columns(struct fluid_poisson *p) {
+    const double some = 1 / (p->in.d[2] * p->in.d[2]);
+    double *lambda = new_lambda(p);
+    ENSURE(p->in.shifts <= FLUID_POISSON_SHIFTS, "%d shifts of one solver", p->in.shifts);
+    for (int s = 0; s < p->in.shifts; s++) {
+        p->shifted[s].shift = some;
+        p->shifted[s].column = new_columns(p, lambda, some);
+    }
+    if (p->in.shifts > 0) {
+        p->lambda = lambda;
+        p->column = p->shifted[0].column;
+        return;
+    }
+    p->column = new_columns(p, lambda, 0);
     memory_free(lambda);
-    return column;
+}
+
+void fluid_poisson_shift(struct fluid_poisson *p, int which, double shift) {
+    ENSURE(which < p->in.shifts && shift > 0, "shift %d of %d, %g 1/m2", which, p->in.shifts, shift);
+    p->column = p->shifted[which].column;
+    if (p->shifted[which].shift != shift) fluid_column_set(p->column, p->lambda, shift);
+    p->shifted[which].shift = shift;
 }
 
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
@@ -91,11 +127,11 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     const size_t planes = (size_t)p->x[2] + 1;
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
-    p->plane = memory_new_work(MEMORY_FLUID, area(p->x));
+    p->plane = memory_new(MEMORY_FLUID, area(p->x), sizeof(double)); /* rows of a side's faces stay zero */
     for (int d = 0; d < 2 && free_mean(in); d++)
         p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
     plan(p);
-    p->column = new_columns(p);
+    add_columns(p);
     return p;
 }
 
@@ -105,7 +141,9 @@ void fluid_poisson_free(struct fluid_poisson *p) {
         fluid_transform_free(p->t[d]);
         memory_free(p->sum[d]);
     }
-    fluid_column_free(p->column);
+    if (p->in.shifts == 0) fluid_column_free(p->column);
+    for (int s = 0; s < p->in.shifts; s++) fluid_column_free(p->shifted[s].column);
+    memory_free(p->lambda);
     if (p->y_array != p->home) memory_free(p->y_array);
     memory_free(p->home);
     memory_free(p->plane);

@@ -35,7 +35,7 @@ void fluid_predict(struct fluid *f, int r, double dt) {
                                      .b = dt * fluid_beta[r],
                                      .c = dt * fluid_gamma[r],
                                      .keep = r < 2,
-                                     .viscosity = f->in.viscosity,
+                                     .viscosity = f->in.implicit ? 0 : f->in.viscosity,
                                      .inverse_density = 1 / f->in.density,
                                      .work = f->flux};
     if (f->audit.on) fluid_audit_flux(f, r);

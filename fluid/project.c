@@ -34,9 +34,19 @@ static double bulk_of(const struct fluid *f, int k) {
     return sum;
 }
 
+static void add_to_pressure(struct fluid *f, int k, double factor, const double *plane) {
+    const struct fluid_grid *g = f->grid;
+    for (int j = 0; j < g->m[1]; j++) {
+        double *p = f->state.p + fluid_grid_at(g, 0, j, k);
+        for (int i = 0; i < g->m[0]; i++) p[i] += factor * plane[j * g->m[0] + i];
+    }
+}
+
 /* The right-hand side, and what can be done with each of its planes alone while it is in the cache; returns this rank's sum of u*
- * along the driving where that is to keep its mean. */
-static double forward(struct fluid *f, double c) {
+ * along the driving where that is to keep its mean. With implicit diffusion p gets -length2 lap phi, length2 = b dt nu: then
+ * p + phi is the pressure that the equation of u* would have needed, and a large step does not slow it down (the rotational form
+ * of Timmermans, Minev and van de Vosse 1996). */
+static double forward(struct fluid *f, double c, double length2) {
     const struct fluid_grid *g = f->grid;
     const double *const predicted[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
     const struct par_halo_part whole = par_halo_whole(g->halos, 1);
@@ -49,7 +59,9 @@ static double forward(struct fluid *f, double c) {
         low_faces(f, 0, k, k + 1);
         if (g->ranks[1] == 1) low_faces(f, 1, k, k + 1);
         if (f->in.driving.type == FLUID_DRIVING_BULK) bulk += bulk_of(f, k);
-        fluid_momentum_divergence(g, k, 1 / c, predicted, fluid_poisson_plane(f->poisson, k));
+        double *divergence = fluid_poisson_plane(f->poisson, k);
+        fluid_momentum_divergence(g, k, 1 / c, predicted, divergence);
+        if (length2 > 0) add_to_pressure(f, k, -length2, divergence);
         fluid_poisson_plane_forward(f->poisson, k);
     }
     clock_end(CLOCK_FORWARD);
@@ -101,12 +113,25 @@ static void project(struct fluid *f, double c, int fix_level) {
     clock_end(CLOCK_BACKWARD);
 }
 
+/* Its ghosts have got phi alone. */
+static void refresh_pressure(struct fluid *f) {
+    const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
+    fluid_boundary_pressure(f->boundary, f->grid, f->state.p, &whole);
+}
+
 void fluid_project(struct fluid *f, int r, double dt) {
     const double stage = fluid_gamma[r] * dt;
     clock_begin(CLOCK_POISSON);
-    const double c = stage / f->in.density, bulk = forward(f, c);
+    const double length2 = f->diffusion ? fluid_diffusion_length2(f, r, dt) : 0;
+    const int apart = f->audit.on && f->diffusion;
+    if (apart) fluid_audit_diffusion(f, r);
+    if (apart) fluid_audit_pressure_part(f, r, 1);
+    const double c = stage / f->in.density, bulk = forward(f, c, length2);
+    if (apart) fluid_audit_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
+    f->state.driven = (r == 0 ? 0 : f->state.driven) + fluid_gamma[r] * f->state.driving;
     project(f, c, r == 2);
+    if (f->diffusion) refresh_pressure(f);
     if (f->audit.on) fluid_audit_pressure(f, r);
     clock_end(CLOCK_POISSON);
 }
@@ -119,7 +144,7 @@ void fluid_project_start(struct fluid *f) {
     for (int c = 0; c < 3 && f->predicted[c] != q[c]; c++)
         memcpy(f->predicted[c], q[c], f->grid->size * sizeof(double));
     fluid_predicted_refresh(f, 1);
-    forward(f, 1);
+    forward(f, 1, 0);
     project(f, 1, 0);
     memset(f->state.p, 0, f->grid->size * sizeof(double));
     fluid_state_refresh(f);

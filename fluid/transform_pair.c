@@ -55,7 +55,9 @@ static void plan(struct fluid_transform_pair *t) {
 
 struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transform_input *in) {
     const int along = in->stride == 1 && in->distance >= in->n && in->n > 1, n = in->n;
-    if (in->low != in->high || in->lines % 2 || n < 2 || (!along && in->distance != 1)) return NULL;
+    if (in->low != in->high || in->low == FLUID_END_FACE || in->lines % 2 || n < 2 ||
+        (!along && in->distance != 1))
+        return NULL;
     struct fluid_transform_pair *t = calloc(1, sizeof *t);
     t->in = *in;
     if (!in->out_stride) {

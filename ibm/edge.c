@@ -150,6 +150,18 @@ void ibm_edges_finish(struct ibm *b, int first, int last, enum ibm_keep keep, st
         for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
 }
 
+void ibm_edges_velocity(struct ibm *b, int with_sides, double (*velocity)[3]) {
+    for (int e = 0; e < b->edges; e++) {
+        const struct ibm_edge *edge = &b->edge[e];
+        for (int c = 0; c < 3; c++) {
+            velocity[e][c] = with_sides ? edge->constant[c] : 0;
+            for (int k = 0; k < edge->summands; k++) velocity[e][c] += b->sum[edge->summand[k]][c];
+        }
+    }
+    for (int e = 0; e < b->edges; e++)
+        for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
+}
+
 void ibm_edges_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece) {
     const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
     for (int p = first_piece; p < last_piece; p++) {

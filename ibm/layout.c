@@ -60,6 +60,8 @@ static void reserve_markers(struct ibm *b) {
     b->stencil = grown(b->stencil, b->capacity, sizeof *b->stencil);
     b->increment = grown(b->increment, b->capacity, sizeof *b->increment);
     b->received = grown(b->received, b->capacity, sizeof *b->received);
+    for (int k = 0; b->implicit && k < IBM_VECTORS; k++)
+        b->vector[k] = grown(b->vector[k], b->capacity, sizeof *b->vector[k]);
 }
 
 static void reserve_edges(struct ibm *b) {

@@ -36,6 +36,7 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
     const struct fluid_grid *g = b->grid = fluid_grid_of(f);
     b->fluid = f;
     b->iterations = iterations;
+    b->implicit = fluid_input_of(f)->implicit;
     ENSURE(g->halo >= 3, "%d ghost layers: the kernel's rows and the probe need three", g->halo);
     for (int d = 0; d < 3; d++) {
         const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];
@@ -60,10 +61,11 @@ void ibm_free(struct ibm *b) {
     ibm_route_free(&b->route);
     ibm_route_free(&b->probe);
     par_swap_free(b->swap);
-    void *const owned[] = {b->touch[1], b->touch[2],  b->owner[1],  b->owner[2],  b->slab_at,
-                           b->bin,      b->peer,      b->arrival,   b->place,     b->by_x,
-                           b->stencil,  b->increment, b->received,  b->edge,      b->piece,
-                           b->sum,      b->sent,      b->swap_edge, b->by_marker, b};
+    void *const owned[] = {
+        b->touch[1], b->touch[2], b->owner[1], b->owner[2],  b->slab_at,   b->bin,      b->peer,
+        b->arrival,  b->place,    b->by_x,     b->stencil,   b->increment, b->received, b->edge,
+        b->piece,    b->sum,      b->sent,     b->swap_edge, b->by_marker, b->home,     b};
+    for (int k = 0; k < IBM_VECTORS; k++) memory_free(b->vector[k]);
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
@@ -177,6 +179,8 @@ void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *c
                  const double *volume) {
     clock_begin(CLOCK_FORCING);
     double differs[2];
+    const int before = b->route.n;
+    if (b->implicit) ibm_demand_home(b);
     fill(b, n, x, v, volume, differs);
     par_max_array(differs, 2);
     if (differs[0] > 0) renew_plan(b);
@@ -187,5 +191,6 @@ void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *c
             renew_weights(b, 1);
         }
     }
+    if (b->implicit) ibm_demand_out(b, n == before);
     clock_end(CLOCK_FORCING);
 }

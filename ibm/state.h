@@ -65,6 +65,20 @@ struct ibm_touch {
     short low, high;
 };
 
+/* Vectors of the implicit forcing's equation. */
+enum ibm_vector {
+    IBM_DEMAND,    /* y: what the force is made from, m/s2; kept from stage to stage */
+    IBM_FORCE,     /* q = B y, m/s2 */
+    IBM_RESIDUAL,  /* of the equation of y, m/s */
+    IBM_Z,         /* B residual */
+    IBM_D,         /* direction of the search */
+    IBM_BD,        /* B direction */
+    IBM_KD,        /* the equation's operator on the direction */
+    IBM_TARGET,    /* scratch of B, and of a read */
+    IBM_INCREMENT, /* scratch of B */
+    IBM_VECTORS
+};
+
 /* Of the markers that are counted here: what the fluid receives of their increments, and their slips. */
 struct ibm_tally {
     double given[3], squares;
@@ -96,8 +110,12 @@ struct ibm {
     struct ibm_edge *edge;
     int pieces, piece_capacity;
     struct ibm_piece *piece;
-    double (*increment)[3]; /* [served] (V - U) A_h dx / cell volume, m/s */
-    double (*received)[3];  /* [served] its sum over stages and iterations */
+    double (*increment)[3];           /* [served] (V - U) A_h dx / cell volume, m/s */
+    double (*received)[3];            /* [served] its sum over stages and iterations */
+    int implicit;                     /* diffusion is implicit: ibm/implicit.c */
+    double (*vector[IBM_VECTORS])[3]; /* [served] of its equation, by enum ibm_vector */
+    double *home;                     /* [n][3] the demand, as its markers came */
+    size_t home_size;
 
     /* sums over the blocks of edges, m/s: those of this rank's edges, then those of other ranks */
     double (*sum)[3], (*sent)[3]; /* [edges + swapped], [swapped] */
@@ -131,11 +149,18 @@ static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) 
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles);
 void ibm_route_free(struct ibm_route *route);
 
-/* A probe's tip on its way: place, cells, and outward normal; and back: p|e, dp/dn|e, viscous traction. */
-enum { IBM_TIP_SENT = 6, IBM_TIP_RETURNED = 5 };
+/* A probe's tip on its way: place, cells, outward normal, and the wall's velocity; and back: p|e, dp/dn|e, viscous traction, and, read
+ * for the wall, dp/dn carried there and mu |u - V|/l2, both Pa/m. */
+enum { IBM_TIP_NORMAL = 3, IBM_TIP_VELOCITY = 6, IBM_TIP_SENT = 9 };
+enum { IBM_TIP_SLOPE = 1, IBM_TIP_STRESS = 2, IBM_TIP_WALL_SLOPE = 5, IBM_TIP_SCALE = 6, IBM_TIP_RETURNED = 7 };
+/* What all tips have in common. */
+struct ibm_tip_form {
+    double density, mu; /* kg/m3, Pa s */
+    double length;      /* from the wall, m, where stresses are carried there; 0: the tip's own */
+};
 /* The served tips, from the state with its ghosts: item [tips][IBM_TIP_SENT] -> result [tips][IBM_TIP_RETURNED]. Not collective. */
-void ibm_tips_measure(const struct fluid_grid *g, const struct fluid_state *f, double mu, size_t tips,
-                      const double *item, double *result);
+void ibm_tips_measure(const struct fluid_grid *g, const struct fluid_state *f,
+                      const struct ibm_tip_form *form, size_t tips, const double *item, double *result);
 
 /* The ranks that serve a marker in a cell, by rising number; returns how many. */
 int ibm_sharers(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]);
@@ -161,10 +186,20 @@ static inline void ibm_keep(double received[3], const double increment[3], enum 
 void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep,
                       struct ibm_tally *t);
 /* u += increment delta  (001: eqs 3.81, 3.82) */
+void ibm_sweep_read(const struct ibm *b, double *const u[3], double (*velocity)[3]);
 void ibm_sweep_scatter(const struct ibm *b, double *const u[3], int first, int last);
 /* The same for edges: sums over pieces; the increments once the sums are complete; pieces. */
 void ibm_edges_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece);
 void ibm_edges_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
+void ibm_edges_velocity(struct ibm *b, int with_sides, double (*velocity)[3]);
 void ibm_edges_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece);
+/* The demand, to those that sent the markers (kept in home), and back once they are sorted anew; unless they are the same, what
+ * they had is forgotten. Collective. */
+void ibm_demand_home(struct ibm *b);
+void ibm_demand_out(struct ibm *b, int same);
+/* All markers' velocities, velocity [served]; with what the sides' conditions add to it, or without. Collective. */
+void ibm_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
+/* u += strength delta, of all markers, strength [served]. Not collective. */
+void ibm_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
 void ibm_edges_share(struct ibm *b);

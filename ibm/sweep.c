@@ -57,6 +57,16 @@ void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, en
     }
 }
 
+void ibm_sweep_read(const struct ibm *b, double *const u[3], double (*velocity)[3]) {
+    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
+    for (int h = 0; h < b->inner; h++) {
+        const struct ibm_stencil *s = &b->stencil[h];
+        ask_ahead(s + (h + AHEAD < b->inner ? AHEAD : 0), u, row, plane);
+        const ibm_row block = block_velocity(s, u, row, plane);
+        for (int c = 0; c < 3; c++) velocity[h][c] = block[c];
+    }
+}
+
 void ibm_sweep_scatter(const struct ibm *b, double *const u[3], int first, int last) {
     const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
     for (int h = first; h < last; h++) {

@@ -26,9 +26,10 @@ struct frame {
 
 /* Four grid points i-1 .. i+2 a direction. */
 struct tip {
-    double value[4][LANES], slope[4][LANES]; /* slope: 1/m */
-    double value_x[2][4], slope_x[2][4];     /* those along x, [alignment] */
-    int64_t at[LANES];                       /* of the first grid point, doubles */
+    double value[4][LANES], slope[4][LANES],
+        bend[4][LANES]; /* of a field, its first and second derivative: 1, 1/m, 1/m2 */
+    double value_x[2][4], slope_x[2][4], bend_x[2][4]; /* those along x, [alignment] */
+    int64_t at[LANES];                                 /* of the first grid point, doubles */
 };
 
 static struct frame frame_of(const struct fluid_grid *g) {
@@ -54,19 +55,44 @@ static inline void take_x(double x[2][4], const vec w[4]) {
 }
 
 /* Both points of a direction are offset alike from their nearest grid points, i and i+1: the mean of the two kernels for the value,
- * and their difference over the cell for the slope. s: the tip, cells.  (001: eq. 3.78) */
-static inline void tip_set(const struct frame *f, const double *s, struct tip *e) {
+ * and their difference over the cell for the slope. t: offset, cells.  (001: eq. 3.78) */
+static inline void weigh_by_kernel(vec t, vec per_cell, vec value[4], vec slope[4]) {
+    const vec middle = (1 + vec_sqrt(1 - 3 * t * t)) * (1.0 / 3);
+    const vec before = 0.5 * (1 - middle - t), behind = 0.5 * (1 - middle + t);
+    value[0] = 0.5 * before, value[1] = 0.5 * (before + middle);
+    value[2] = 0.5 * (middle + behind), value[3] = 0.5 * behind;
+    slope[0] = -before * per_cell, slope[1] = (before - middle) * per_cell;
+    slope[2] = (middle - behind) * per_cell, slope[3] = behind * per_cell;
+}
+
+/* The cubic through the same four points, which does not smooth, and its derivatives. */
+static inline void weigh_by_cubic(vec t, vec per_cell, vec value[4], vec slope[4], vec bend[4]) {
+    const vec s = t + 0.5, a = s + 1, b = s - 1, c = s - 2, per_cell2 = per_cell * per_cell;
+    value[0] = s * b * c * (-1.0 / 6), value[1] = a * b * c * 0.5;
+    value[2] = a * s * c * -0.5, value[3] = a * s * b * (1.0 / 6);
+    slope[0] = ((6 - 3 * s) * s - 2) * (1.0 / 6) * per_cell;
+    slope[1] = ((3 * s - 4) * s - 1) * 0.5 * per_cell;
+    slope[2] = ((2 - 3 * s) * s + 2) * 0.5 * per_cell;
+    slope[3] = (3 * s * s - 1) * (1.0 / 6) * per_cell;
+    bend[0] = -b * per_cell2, bend[1] = (3 * s - 2) * per_cell2;
+    bend[2] = (1 - 3 * s) * per_cell2, bend[3] = s * per_cell2;
+}
+
+/* s: the tip, cells. to_wall: what is read is carried there. */
+static inline void tip_set(const struct frame *f, const double *s, int to_wall, struct tip *e) {
     typedef int64_t whole __attribute__((vector_size(64)));
     const ibm_row place = ibm_row_load(s); /* and what follows, unused */
     const vec low = __builtin_shufflevector(place, place, 0, 1, 0, 1, 2, 2, 2, 2) - f->offset;
     vec near = low + 0.5;
     for (int l = 0; l < LANES; l++) near[l] = __builtin_floor(near[l]);
     const vec t = low - near;
-    const vec middle = (1 + vec_sqrt(1 - 3 * t * t)) * (1.0 / 3);
-    const vec before = 0.5 * (1 - middle - t), behind = 0.5 * (1 - middle + t);
-    const vec value[4] = {0.5 * before, 0.5 * (before + middle), 0.5 * (middle + behind), 0.5 * behind};
-    const vec slope[4] = {-before * f->per_cell, (before - middle) * f->per_cell,
-                          (middle - behind) * f->per_cell, behind * f->per_cell};
+    vec value[4], slope[4], bend[4];
+    if (to_wall)
+        weigh_by_cubic(t, f->per_cell, value, slope, bend);
+    else
+        weigh_by_kernel(t, f->per_cell, value, slope);
+    for (int i = 0; i < 4 && to_wall; i++) vec_store(e->bend[i], bend[i]);
+    if (to_wall) take_x(e->bend_x, bend);
     const whole at = __builtin_convertvector((near - 1) * f->stride, whole);
     for (int i = 0; i < 4; i++) {
         vec_store(e->value[i], value[i]);
@@ -104,27 +130,81 @@ static inline ibm_row contract(const double *field, const struct fluid_grid *g, 
     return sums(value_x * mean, slope_x * mean, value_x * dy, value_x * dz);
 }
 
-/* p|e, dp/dn|e, mu (grad u + grad u^T)|e n.  (001: eqs 3.88-3.95)      n [3] */
-static inline void tip_measure(const struct fluid_grid *g, const struct fluid_state *f, double mu,
-                               const struct tip *e, const double *n, double *result) {
+/* One field's second derivative along n: the sum of n_i n_j d2f/dx_i dx_j. */
+static inline double bend_along(const double *field, const struct fluid_grid *g, const struct tip *e, int x,
+                                int y, int z, const double *n) {
+    const double *at = field + e->at[x ? XF : XC] + e->at[y] + e->at[z];
+    ibm_row by_value = ibm_row_set(0), by_slope = by_value, by_bend = by_value;
+    for (int k = 0; k < 4; k++, at += g->plane) {
+        ibm_row value = ibm_row_set(0), slope = value, bend = value;
+        for (int j = 0; j < 4; j++) {
+            const ibm_row line = ibm_row_load(at + j * g->row);
+            value += e->value[j][y] * line;
+            slope += e->slope[j][y] * line;
+            bend += e->bend[j][y] * line;
+        }
+        by_bend += e->value[k][z] * value;
+        by_slope += 2 * n[1] * e->value[k][z] * slope + 2 * n[2] * e->slope[k][z] * value;
+        by_value += n[1] * n[1] * e->value[k][z] * bend + n[2] * n[2] * e->bend[k][z] * value +
+                    2 * n[1] * n[2] * e->slope[k][z] * slope;
+    }
+    const ibm_row all = ibm_row_load(e->value_x[x]) * by_value +
+                        n[0] * ibm_row_load(e->slope_x[x]) * by_slope +
+                        n[0] * n[0] * ibm_row_load(e->bend_x[x]) * by_bend;
+    return all[0] + all[1] + all[2] + all[3];
+}
+
+/* The wall's shear by the cubic that has its velocity V, and the tip's u, du/dn and d2u/dn2, on the straight line between them however
+ * the wall bends:  du/dn|w = 3 (u|e - V)/l - 2 du/dn|e + l/2 d2u/dn2|e, along the wall. Across it a rigid wall has none.
+ * slope, bend: (dp/dn, du/dn) and (d2p/dn2, d2u/dn2) */
+static inline void carry_to_wall(const struct ibm_tip_form *form, const double u[3], const double slope[4],
+                                 const double bend[4], const double *n, const double *V, double *result) {
+    const double l = form->length;
+    double speed2 = 0, across = 0, *stress = result + IBM_TIP_STRESS;
+    for (int c = 0; c < 3; c++) {
+        const double drift = u[c] - V[c];
+        stress[c] = form->mu * (3 / l * drift - 2 * slope[1 + c] + 0.5 * l * bend[1 + c]);
+        across += stress[c] * n[c];
+        speed2 += drift * drift;
+    }
+    for (int c = 0; c < 3; c++) stress[c] -= across * n[c];
+    result[IBM_TIP_WALL_SLOPE] = slope[0] - l * bend[0];
+    result[IBM_TIP_SCALE] = form->mu / (l * l) * sqrt(speed2);
+}
+
+/* p|e, dp/dn|e, mu (grad u + grad u^T)|e n  (001: eqs 3.88-3.95), or the wall's.      item: the tip's */
+static inline void tip_measure(const struct fluid_grid *g, const struct fluid_state *f,
+                               const struct ibm_tip_form *form, const struct tip *e, const double *item,
+                               double *result) {
+    const double *n = item + IBM_TIP_NORMAL, mu = form->mu;
     const size_t first = fluid_grid_at(g, 0, 0, 0);
     const ibm_row p = contract(f->p + first, g, e, 0, YC, ZC), u = contract(f->u + first, g, e, 1, YC, ZC),
                   v = contract(f->v + first, g, e, 0, YF, ZC), w = contract(f->w + first, g, e, 0, YC, ZF);
     const ibm_row normal = {0, n[0], n[1], n[2]}, along = {1, mu, mu, mu}, across = {0, mu, mu, mu};
+    const ibm_row slope = sums(p * normal, u * normal, v * normal, w * normal),
+                  of_normal = n[0] * u + n[1] * v + n[2] * w;
     result[0] = p[0];
-    ibm_row_store(result + 1, along * sums(p * normal, u * normal, v * normal, w * normal) +
-                                  across * (n[0] * u + n[1] * v + n[2] * w));
+    ibm_row_store(result + IBM_TIP_SLOPE, along * slope + across * of_normal);
+    if (form->length > 0) {
+        const double bend[4] = {
+            bend_along(f->p + first, g, e, 0, YC, ZC, n), bend_along(f->u + first, g, e, 1, YC, ZC, n),
+            bend_along(f->v + first, g, e, 0, YF, ZC, n), bend_along(f->w + first, g, e, 0, YC, ZF, n)};
+        carry_to_wall(form, (double[3]){u[0], v[0], w[0]},
+                      (double[4]){slope[0], slope[1], slope[2], slope[3]}, bend, n, item + IBM_TIP_VELOCITY,
+                      result);
+    }
 }
 
-void ibm_tips_measure(const struct fluid_grid *g, const struct fluid_state *f, double mu, size_t tips,
-                      const double *item, double *result) {
+void ibm_tips_measure(const struct fluid_grid *g, const struct fluid_state *f,
+                      const struct ibm_tip_form *form, size_t tips, const double *item, double *result) {
     const struct frame frame = frame_of(g);
     struct tip e[GROUP];
     for (size_t h = 0; h < tips; h += GROUP) {
         const size_t group = tips - h < GROUP ? tips - h : GROUP;
-        for (size_t i = 0; i < group; i++) tip_set(&frame, item + (h + i) * IBM_TIP_SENT, &e[i]);
         for (size_t i = 0; i < group; i++)
-            tip_measure(g, f, mu, &e[i], item + (h + i) * IBM_TIP_SENT + 3,
+            tip_set(&frame, item + (h + i) * IBM_TIP_SENT, form->length > 0, &e[i]);
+        for (size_t i = 0; i < group; i++)
+            tip_measure(g, f, form, &e[i], item + (h + i) * IBM_TIP_SENT,
                         result + (h + i) * IBM_TIP_RETURNED);
     }
 }

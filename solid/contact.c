@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
-#include "solid/contact_list.h"
+#include "solid/contact_keep.h"
 #include "solid/family.h"
 #include "solid/material.h"
 #include "solid/surface_lost.h"
@@ -48,6 +48,7 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->quantum = quantum_of(s, c);
     c->bounds = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *c->bounds);
     c->lost = solid_lost_new(s);
+    c->record = ++s->versions;
     c->known = memory_new(MEMORY_SOLID, n * (size_t)solid_family_bytes(s), 1);
     c->springs = solid_contact_springs_new(s);
     c->strangers = solid_strangers_new(s);
@@ -62,11 +63,8 @@ void solid_contact_free(struct solid *s) {
         memory_free(c->built[k]);
         memory_free(c->push[k]);
     }
-    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
-        struct solid_contact_pairs *p = &c->pairs[kind];
-        void *const list[] = {p->h, p->l, p->xi[0], p->xi[1], p->xi[2]};
-        for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
-    }
+    solid_contact_put_away_free(c);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
     void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
@@ -93,6 +91,7 @@ static double moved2(const struct solid *s, const struct solid_contact *c) {
 
 /* Both lists from scratch. Collective. */
 static void list(struct solid *s, struct solid_contact *c) {
+    solid_contact_put_away(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
     for (int k = 0; k < s->dim; k++) memcpy(c->built[k], s->d[k], (size_t)s->n * sizeof(double));
     solid_contact_bounds_of(s, c->bounds);

@@ -28,6 +28,9 @@ double solid_contact_energy(struct solid *s);
  * x_h T_h/rho are better weights: the bound never rises (Collatz, Wielandt). (The part of the stiffness across e is negative.)
  * A continuous function of the state, the same on any number of ranks. Brings ghosts up to date. Collective. */
 double solid_contact_rate2(struct solid *s);
+/* How far from touching pairs count already, m: nothing that the bound has not seen touches before two particles have come nearer
+ * by as much. 0: nothing is near. Not collective. */
+double solid_contact_margin(const struct solid *s);
 void solid_contact_free(struct solid *s);
 /* The c0 that k_c is measured by: that of a constant micromodulus. Not collective. */
 double solid_contact_c0(const struct solid *s, const struct solid_material *m);

@@ -8,7 +8,8 @@
 
 struct solid_lost;
 struct solid_strangers;
-struct solid_contact_springs; /* opaque */
+struct solid_contact_springs;  /* opaque */
+struct solid_contact_put_away; /* opaque */
 
 enum { SOLID_CONTACT_BODIES = 256 }; /* solid.body is a byte */
 
@@ -36,11 +37,14 @@ struct solid_contact {
     double *built[3];                                               /* [s->n] d when the lists were made, m */
     solid_contact_bounds *bounds;                                   /* [bodies] */
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
-    int any; /* pairs on some rank */
+    int any;                                /* pairs on some rank */
+    struct solid_contact_put_away *present; /* who keeps these lists (solid/contact_keep.h), NULL: nobody */
+    struct solid_contact_put_away *spare;   /* memory for them, NULL: none */
     /* torn */
     struct solid_lost *lost;
     uint8_t *known;          /* [s->n][bytes] bonds on record, bit b of the view */
     int torn, torn_capacity; /* the record */
+    long record;             /* number of the record as it is */
     int *torn_h, *torn_l;    /* [torn] owned particle; the other: owned (once, h < l) or ghost */
     /* strangers */
     struct solid_strangers *strangers;
@@ -54,6 +58,7 @@ struct solid_contact_springs *solid_contact_springs_new(const struct solid *s);
 void solid_contact_springs_free(struct solid_contact_springs *springs);
 
 /* Not collective. */
+void solid_contact_pairs_free(struct solid_contact_pairs *pairs);
 void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l, const double xi[3]);
 
 /* scan: puts all torn bonds of a solid just met on record. news: those torn since the last look, into the lists as well if

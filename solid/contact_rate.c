@@ -155,6 +155,11 @@ static double better(struct solid_contact_springs *t, double before) {
     return par_max(most);
 }
 
+double solid_contact_margin(const struct solid *s) {
+    const struct solid_contact *c = s->contact;
+    return s->in.contact && c && c->any ? MARGIN * c->radius : 0;
+}
+
 double solid_contact_rate2(struct solid *s) {
     struct solid_contact *c = s->contact;
     double bound = 0;

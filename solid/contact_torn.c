@@ -6,6 +6,11 @@
 
 #include <string.h>
 
+void solid_contact_pairs_free(struct solid_contact_pairs *p) {
+    void *const list[] = {p->h, p->l, p->xi[0], p->xi[1], p->xi[2]};
+    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
+}
+
 void solid_contact_pairs_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
     if (p->n == p->capacity) {
         int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
@@ -42,6 +47,7 @@ static void record(struct solid *s, struct solid_contact *c, int h) {
         const int b = place[k], l = other[k];
         if (known[b / 8] >> b % 8 & 1) continue;
         known[b / 8] |= (uint8_t)(1u << b % 8);
+        c->record = ++s->versions;
         if (l <= h) continue; /* owned: its other end has it */
         if (c->torn == c->torn_capacity) {
             int capacity = c->torn_capacity;

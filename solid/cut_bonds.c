@@ -107,6 +107,7 @@ void solid_cut_bonds(struct solid *s, struct solid_cloud *const *cloud) {
             solid_cut_line_free(k.line);
         }
         if (par_sum_long(met) == 0)
-            die_all(EXIT_CODE_SCENE, "solid.cracks[%d] crosses no bond: it lies outside the bodies", q);
+            die_all(EXIT_CODE_SCENE,
+                    "solid.cracks[%d] crosses no bond: it lies outside the bodies or along an edge", q);
     }
 }

@@ -31,6 +31,13 @@ static void fill_ghosts(const struct solid_lattice *b, const double *restrict fr
     for (int i = 0; i < b->ghosts; i++) box[b->copy_at[i]] = from[b->copy_local[i]];
 }
 
+void solid_lattice_refill(const struct solid *s, const struct solid_lattice *b) {
+    for (int c = 0; c < 3; c++) {
+        fill_ghosts(b, s->d[c], b->d[c]);
+        fill_ghosts(b, s->v[c], b->v[c]);
+    }
+}
+
 static void clear(const struct solid_lattice *b, double *restrict box) {
     for (int r = 0; r < b->rows; r++) vec_store(box + solid_lattice_place(b, b->row_cell[r]), vec_set(0));
     for (int i = 0; i < b->away; i++) box[b->copy_at[i]] = 0;

@@ -34,14 +34,28 @@ void solid_advance(struct solid *s, double dt, int substeps) {
     clock_end(CLOCK_SOLID);
 }
 
-/* Nothing moves faster than waves do; well beyond that the numbers have no meaning, though they may still be finite. */
-enum { WAVE_SPEEDS_ALLOWED = 100 };
+/* What is given: velocities, and what forces make of a free particle up to now, m/s. */
+static double speed_given(const struct solid *s) {
+    double speed = s->in.speed, force = 0, lightest = INFINITY, push = 0;
+    for (int k = 0; k < s->in.constraints; k++)
+        for (int c = 0; c < s->dim; c++) speed = fmax(speed, fabs(s->in.constraint[k].velocity[c]));
+    for (int k = 0; k < s->in.loads; k++)
+        for (int c = 0; c < s->dim; c++)
+            force += fabs(s->in.load[k].force[c]) + fabs(s->in.load[k].traction[c]) / s->in.spacing;
+    for (int m = 0; m < s->in.materials; m++) lightest = fmin(lightest, s->in.material[m].density);
+    for (int c = 0; c < s->dim; c++) push += fabs(s->in.body_force[c]);
+    return speed + (push + force / lightest) * s->t;
+}
+
+/* Nothing moves faster than waves do and what drives it; well beyond that the numbers have no meaning, though they may still be
+ * finite. */
+enum { SPEEDS_ALLOWED = 100 };
 
 static double speed_limit(const struct solid *s) {
     double most = 0;
     for (int m = 0; m < s->in.materials; m++)
         most = fmax(most, s->in.material[m].youngs_modulus / s->in.material[m].density);
-    return WAVE_SPEEDS_ALLOWED * sqrt(most);
+    return SPEEDS_ALLOWED * (sqrt(most) + speed_given(s));
 }
 
 /* The first particle whose displacement is no number, or whose speed is none or beyond the limit; -1: none. */

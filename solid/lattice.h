@@ -91,3 +91,6 @@ double solid_lattice_force_begin(struct solid *s, struct solid_lattice *lattice,
                                  const struct solid_sweep *sweep);
 double solid_lattice_force_end(struct solid *s, struct solid_lattice *lattice,
                                const struct solid_sweep *sweep);
+/* Ghosts' d and v into the dense box: the first half reads them times 0 before they are current, so they must be numbers. Not
+ * collective. */
+void solid_lattice_refill(const struct solid *s, const struct solid_lattice *lattice);

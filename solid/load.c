@@ -105,6 +105,31 @@ void solid_given_mark(const struct solid *s, uint8_t *mark) {
 
 double solid_given_of(const struct solid *s, int h, int c) { return s->given ? s->given->sum[c][h] : 0; }
 
+/* sum, by the factors of now, of particles for which it is 0. */
+static void sum_up(struct solid_given *g, int c) {
+    for (int k = 0; k < g->loads; k++) {
+        const struct share *p = &g->share[k];
+        for (int i = 0; i < p->n; i++) g->sum[c][p->h[i]] += p->factor * p->force[c][i];
+    }
+}
+
+void solid_given_keep(const struct solid *s, double *factor) {
+    for (int k = 0; s->given && k < s->given->loads; k++) factor[k] = s->given->share[k].factor;
+}
+
+void solid_given_restore(struct solid *s, const double *factor) {
+    struct solid_given *g = s->given;
+    int differs = 0;
+    for (int k = 0; g && k < g->loads; k++) {
+        differs |= factor[k] != g->share[k].factor;
+        g->share[k].factor = factor[k];
+    }
+    for (int c = 0; differs && c < s->dim; c++) {
+        for (int i = 0; i < g->touched; i++) g->sum[c][g->touch[i]] = 0;
+        sum_up(g, c);
+    }
+}
+
 int solid_given_set(struct solid *s, double t, double dt) {
     struct solid_given *g = s->given;
     int differs = 0;
@@ -121,10 +146,7 @@ int solid_given_set(struct solid *s, double t, double dt) {
             load[g->touch[i]] -= sum[g->touch[i]];
             sum[g->touch[i]] = 0;
         }
-        for (int k = 0; k < g->loads; k++) {
-            const struct share *p = &g->share[k];
-            for (int i = 0; i < p->n; i++) sum[p->h[i]] += p->factor * p->force[c][i];
-        }
+        sum_up(g, c);
         for (int i = 0; i < g->touched; i++) load[g->touch[i]] += sum[g->touch[i]];
     }
     return 1;

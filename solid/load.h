@@ -13,6 +13,10 @@ void solid_given_free(struct solid_given *given);
 int solid_given_set(struct solid *s, double t, double dt);
 /* They are no longer in s->load, which somebody else has set: to be called before the next solid_given_set. Not collective. */
 void solid_given_forget(struct solid *s);
+/* The factors that s->load holds them with, factor [s->in.loads]; and what s->load is said to hold of them: put back with it. Not
+ * collective. */
+void solid_given_keep(const struct solid *s, double *factor);
+void solid_given_restore(struct solid *s, const double *factor);
 /* Sets mark [n] to 1 where a load is taken up. Not collective. */
 void solid_given_mark(const struct solid *s, uint8_t *mark);
 /* What s->load holds of them for particle h in direction c, N/m3. */

@@ -175,26 +175,35 @@ static void initial_set(struct solid *s) {
         for (int h = 0; h < s->n; h++) {
             const double steps =
                 ldexp(rint(ldexp((s->x0[i->along][h] - i->centre) / s->in.spacing, 32)), -32);
-            const double r = steps * (s->in.spacing / i->width), bell = exp(-r * r);
-            for (int c = 0; c < s->dim; c++) s->d[c][h] += i->displacement[c] * bell;
+            const double r = steps * (s->in.spacing / i->width);
+            const double part = i->shape == SOLID_SINE ? sin(2 * M_PI * r) : exp(-r * r);
+            for (int c = 0; c < s->dim; c++) s->d[c][h] += i->displacement[c] * part;
         }
     }
 }
 
-/* A plate has no surface search: whatever lacks a part of its family may touch a stranger. */
+static void plate_edges(struct solid *s, const struct solid_list *t) {
+    struct solid_end last = {0};
+    double full = 0;
+    for (int i = 0; i < t->n; i++) {
+        const struct solid_end *p = &t->particle[i];
+        if (p->size != last.size || p->horizon != last.horizon)
+            full = solid_pair_full_volume(&t->law, p->horizon, p->size);
+        last = *p;
+        if (t->own_volume[i] < (1 - 1e-6) * full) s->flag[t->first + i] |= SOLID_INTERFACE;
+    }
+}
+
+/* Until a surface is looked for, which only a fluid asks for, whatever lacks a part of its family may touch a stranger; of points
+ * on no lattice in space nobody knows what a whole family is. */
 void solid_build_edges(struct solid *s) {
     const struct solid_family *f = s->family;
-    for (int b = 0; s->dim == 2 && b < f->bodies; b++) {
-        const struct solid_list *t = f->list[b];
-        struct solid_end last = {0};
-        double full = 0;
-        for (int i = 0; i < t->n; i++) {
-            const struct solid_end *p = &t->particle[i];
-            if (p->size != last.size || p->horizon != last.horizon)
-                full = solid_pair_full_volume(&t->law, p->horizon, p->size);
-            last = *p;
-            if (t->own_volume[i] < (1 - 1e-6) * full) s->flag[t->first + i] |= SOLID_INTERFACE;
-        }
+    for (int b = 0; s->dim == 2 && b < f->bodies; b++) plate_edges(s, f->list[b]);
+    for (int h = 0; s->dim == 3 && h < s->n; h++) {
+        const struct solid_lattice *t = f->lattice[s->body[h]];
+        struct solid_family_view view;
+        if (t) solid_family_view(s, h, &view);
+        if (!t || view.n < t->stencil->n) s->flag[h] |= SOLID_INTERFACE;
     }
 }
 
@@ -203,7 +212,7 @@ void solid_build_counts(struct solid *s) {
     double longest = 0;
     for (int b = 0; b < f->bodies; b++)
         longest = fmax(longest, f->lattice[b] ? f->lattice[b]->stencil->n : solid_list_longest(f->list[b]));
-    f->bytes = ((int)par_max(longest) + 7) / 8;
+    f->bytes = ((int)par_max(fmax(longest, 1)) + 7) / 8;
     s->bonds_total = par_sum_long(solid_family_directed(s)) / 2;
 }
 

@@ -110,8 +110,11 @@ struct solid_load {
     struct solid_time time;
 };
 
-/* The displacement at the start: displacement exp(-((x - centre)/width)^2), x the coordinate `along`; several add up. */
+/* The displacement at the start: displacement times exp(-r^2) or sin(2 pi r), r = (x - centre)/width, x the coordinate `along`;
+ * several add up. */
+enum solid_initial_shape { SOLID_GAUSSIAN, SOLID_SINE };
 struct solid_initial {
+    enum solid_initial_shape shape;
     int along;
     double centre, width, displacement[3]; /* m */
 };
@@ -146,6 +149,7 @@ struct solid_input {
     int cuts;
     const struct solid_cut *cut; /* borrowed during the call */
     double spacing;              /* m */
+    double speed;                /* of the fluid it stands in, m/s; 0: none */
     double origin[3];            /* of the lattice */
     int periodic[3];             /* bonded across, with these lengths */
     double length[3];
@@ -169,6 +173,7 @@ struct solid_input {
     double contact_stiffness; /* k_c / c0, default 15 */
     double contact_exponent;  /* n_c, default 1 */
     double contact_radius;    /* r_c / spacing, default 1 */
+    int shape_surface; /* 1: the wetted surface is the shapes' own, not the lattice's (solid/shaped.h) */
 };
 
 enum solid_integrator { SOLID_RK3, SOLID_VERLET };
@@ -230,6 +235,8 @@ struct solid {
     double power_damped, power_load, power_constraint;
     double power_added; /* the part of power_load that is the added mass's */
     long sweeps;        /* force sweeps so far */
+    long versions; /* numbers given so far to states of the bonds and of contact's record (solid/keep.h) */
+    long bonds_version; /* another one whenever kept bonds are put back */
     /* work of the integrators, [n]: rates of the stage before (RK3); bonds' and contact's part of a, a before (Verlet) */
     double *v_old[3], *a_old[3];
     int a_holds; /* 1: a is of the present d, v and bonds (Verlet); whoever changes one of them clears it */
@@ -277,7 +284,7 @@ double solid_stable_step(struct solid *s, enum solid_integrator integrator);
  * |residual| <= tolerance * |load|. Breakage off. Collective. */
 int solid_relax(struct solid *s, double tolerance, int max_steps);
 
-/* NaN, or a speed of more than a hundred times sqrt(E/rho). Not collective. */
+/* NaN, or a speed of more than a hundred times sqrt(E/rho) and what is imposed. Not collective. */
 struct step_status solid_check(const struct solid *s);
 
 /* The current position X0 + d; z of a plate is 0. */

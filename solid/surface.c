@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "solid/lattice.h"
 #include "solid/normal.h"
+#include "solid/shaped.h"
 #include "solid/surface_area.h"
 #include "solid/surface_lists.h"
 #include "solid/surface_lost.h"
@@ -29,14 +30,23 @@ void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
     f->watch[f->watch_of[w->h]] = *w;
 }
 
+/* Entry i as it is now. */
+static void renew(const struct solid *s, struct solid_surface *f, int i) {
+    const struct solid_facing *facing = &f->facing[f->h[i]];
+    double shape[3];
+    const int is_shaped = solid_shaped_at(f, f->h[i], shape, &f->depth[i]);
+    if (!is_shaped) f->depth[i] = 0.5 * s->in.spacing;
+    for (int c = 0; c < 3; c++) f->normal[c][i] = is_shaped ? shape[c] : facing->n[c];
+    f->two_sided[i] = facing->two_sided;
+}
+
 void solid_surface_gather(struct solid *s, struct solid_surface *f) {
     f->n = 0;
     for (int h = 0; h < s->n; h++) {
         if (!(s->flag[h] & SOLID_INTERFACE)) continue;
         const int i = f->n++;
         f->h[i] = h;
-        for (int c = 0; c < 3; c++) f->normal[c][i] = f->facing[h].n[c];
-        f->two_sided[i] = f->facing[h].two_sided;
+        renew(s, f, i);
         f->area[i] = s->flag[h] & SOLID_FIRST ? f->initial_area : solid_surface_fresh_area(s, h);
     }
 }
@@ -48,6 +58,7 @@ static struct solid_surface *allocate(const struct solid *s) {
     f->h = memory_new(MEMORY_SOLID, n, sizeof *f->h);
     for (int c = 0; c < 3; c++) f->normal[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
     f->two_sided = memory_new(MEMORY_SOLID, n, 1);
+    f->depth = memory_new(MEMORY_SOLID, n, sizeof(double));
     f->area = memory_new(MEMORY_SOLID, n, sizeof(double));
     f->facing = memory_new(MEMORY_SOLID, n, sizeof *f->facing);
     f->bare = memory_new(MEMORY_SOLID, n, 1);
@@ -96,6 +107,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
         solid_normal_look(s, h, &view, open, &f->facing[h]);
     }
     solid_lost_take(s, SOLID_BROKE_SURFACE);
+    if (s->in.shape_surface) f->shaped = solid_shaped_new(s, f);
     solid_surface_gather(s, f);
     solid_surface_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
                            (double[]){INFINITY, INFINITY, INFINITY});
@@ -109,6 +121,7 @@ void solid_surface_free(struct solid_surface *f) {
     memory_free(f->h);
     for (int c = 0; c < 3; c++) memory_free(f->normal[c]);
     memory_free(f->two_sided);
+    memory_free(f->depth);
     memory_free(f->area);
     memory_free(f->facing);
     memory_free(f->bare);
@@ -118,6 +131,7 @@ void solid_surface_free(struct solid_surface *f) {
     memory_free(f->watch_of);
     solid_lost_free(f->lost);
     memory_free(f->near);
+    solid_shaped_free(f->shaped);
     memory_free(f);
 }
 
@@ -172,10 +186,8 @@ static int look_where_open(struct solid *s, struct solid_surface *f, int *normal
     return changes;
 }
 
-static void renew(struct solid_surface *f, int i) {
-    const struct solid_facing *facing = &f->facing[f->h[i]];
-    for (int c = 0; c < 3; c++) f->normal[c][i] = facing->n[c];
-    f->two_sided[i] = facing->two_sided;
+void solid_surface_renew(const struct solid *s, struct solid_surface *f) {
+    for (int i = 0; i < f->n; i++) renew(s, f, i);
 }
 
 /* Normals of particles whose family has turned. */
@@ -186,7 +198,7 @@ static void look_where_turned(struct solid *s, struct solid_surface *f) {
         if (!solid_normal_has_turned(s, h, &f->facing[h])) continue;
         solid_family_view(s, h, &view);
         solid_normal_look(s, h, &view, f->facing[h].open, &f->facing[h]);
-        renew(f, i);
+        renew(s, f, i);
     }
 }
 
@@ -199,8 +211,8 @@ int solid_surface_update(struct solid *s, struct solid_surface *f) {
     const int changes = look_where_open(s, f, &normals);
     if (changes)
         solid_surface_gather(s, f);
-    else if (normals) /* new where the set is not */
-        for (int i = 0; i < f->n; i++) renew(f, i);
+    else if (normals)
+        solid_surface_renew(s, f); /* new where the set is not */
     look_where_turned(s, f);
     const long changed = solid_surface_count(f, changes);
     clock_end(CLOCK_INTERFACE);

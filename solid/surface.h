@@ -17,6 +17,7 @@
 struct solid_lost;
 struct solid_watch;
 struct solid_facing;
+struct solid_shaped;
 
 enum solid_faces {
     SOLID_ONE_FACE,
@@ -30,8 +31,9 @@ struct solid_surface {
     int *h;       /* [n] local index of the particle */
     double
         *normal[3]; /* [n] unit, out of the material; for two-sided particles the plate's axis, either sign */
-    uint8_t *two_sided;   /* [n] enum solid_faces: nonzero where both faces are wetted */
-    double *area;         /* [n] A_h, m2 (per face) */
+    uint8_t *two_sided; /* [n] enum solid_faces: nonzero where both faces are wetted */
+    double *depth; /* [n] of the particle's centre below the wetted face, m: half a spacing on a lattice */
+    double *area;  /* [n] A_h, m2 (per face) */
     double initial_area;  /* A_h of the particles that were on the interface at the start */
     double immersed_area; /* whole solid, at the start, m2 */
     long total;           /* interface particles of all ranks */
@@ -46,7 +48,8 @@ struct solid_surface {
     struct solid_watch *watch; /* [watched] */
     int *watch_of;             /* [s->n] place in watch, or -1 */
     struct solid_lost *lost;
-    int (*near)[6]; /* [bodies] on a lattice: offsets of the nearest sites */
+    int (*near)[6];              /* [bodies] on a lattice: offsets of the nearest sites */
+    struct solid_shaped *shaped; /* NULL: faces are the lattice's */
 };
 
 struct solid_surface *

@@ -77,17 +77,31 @@ int solid_lost_find(struct solid_lost *lost, const struct solid *s) {
     return lost->found;
 }
 
-struct solid_lost *solid_lost_new(const struct solid *s) {
-    struct solid_lost *lost = memory_new(MEMORY_SOLID, 1, sizeof *lost);
-    size_t rows = 1;
+static size_t rows_of(const struct solid *s) {
+    size_t rows = 0;
     for (int b = 0; b < s->family->bodies; b++)
         if (s->family->lattice[b]) rows += (size_t)s->family->lattice[b]->rows;
-    lost->intact = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->intact);
+    return rows;
+}
+
+void solid_lost_forget(struct solid_lost *lost, const struct solid *s) {
     memset(lost->intact, 0xff, (size_t)s->n * sizeof *lost->intact); /* more than there can be */
+    memset(lost->row_intact, 0xff, rows_of(s) * sizeof *lost->row_intact);
+}
+
+struct solid_lost *solid_lost_new(const struct solid *s) {
+    struct solid_lost *lost = memory_new(MEMORY_SOLID, 1, sizeof *lost);
+    lost->intact = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->intact);
     lost->h = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->h);
-    lost->row_intact = memory_new(MEMORY_SOLID, rows, sizeof *lost->row_intact);
+    lost->row_intact = memory_new(MEMORY_SOLID, rows_of(s) + 1, sizeof *lost->row_intact);
+    solid_lost_forget(lost, s);
     solid_lost_find(lost, s);
     return lost;
+}
+
+void solid_lost_copy(struct solid_lost *to, const struct solid_lost *from, const struct solid *s) {
+    memcpy(to->intact, from->intact, (size_t)s->n * sizeof *to->intact);
+    memcpy(to->row_intact, from->row_intact, rows_of(s) * sizeof *to->row_intact);
 }
 
 void solid_lost_free(struct solid_lost *lost) {

@@ -22,5 +22,8 @@ struct solid_lost {
 
 struct solid_lost *solid_lost_new(const struct solid *s); /* Not collective. */
 void solid_lost_free(struct solid_lost *lost);
+void solid_lost_copy(struct solid_lost *to, const struct solid_lost *from, const struct solid *s); /* not h */
+/* Whoever has lost a bond is found again. */
+void solid_lost_forget(struct solid_lost *lost, const struct solid *s);
 /* The owned particles that have lost bonds since this was last called, into lost->h; returns how many. Not collective. */
 int solid_lost_find(struct solid_lost *lost, const struct solid *s);

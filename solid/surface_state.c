@@ -1,4 +1,5 @@
 #include "solid/surface_state.h"
+#include "base/memory.h"
 #include "base/par.h"
 #include "solid/family.h"
 #include "solid/normal.h"
@@ -35,18 +36,15 @@ void solid_surface_save(const struct solid *s, const struct solid_surface *f, do
     }
 }
 
-/* Lists and watched particles, from d, the bonds, the flags and the normals as they are now. */
+/* Watched particles and lists, from the bonds, the flags and the normals as they are now. What is lost is known. */
 static void resume(struct solid *s, struct solid_surface *f) {
     for (int k = 0; k < f->watched; k++) f->watch_of[f->watch[k].h] = -1;
     f->watched = 0;
-    solid_lost_find(f->lost, s); /* what is lost is known */
     for (int h = 0; h < s->n; h++) {
         struct solid_watch w;
         if (s->flag[h] & SOLID_BROKEN) solid_surface_look(s, f, h, &w);
     }
-    s->broke = SOLID_BROKE_CONTACT; /* its lists are to be made */
     solid_surface_gather(s, f);
-    solid_surface_count(f, 0);
 }
 
 void solid_surface_load(struct solid *s, struct solid_surface *f, const double *state) {
@@ -62,15 +60,46 @@ void solid_surface_load(struct solid *s, struct solid_surface *f, const double *
         facing->two_sided = (uint8_t)from[11];
         facing->open = (uint8_t)from[12];
     }
+    solid_lost_find(f->lost, s);
     resume(s, f);
+    s->broke = SOLID_BROKE_CONTACT; /* its lists are to be made */
+    solid_surface_count(f, 0);
 }
 
-void solid_surface_keep(const struct solid_surface *f, struct solid_facing *kept) {
-    for (int i = 0; i < f->n; i++) kept[i] = f->facing[f->h[i]];
+struct solid_surface_keep {
+    long total, set_free;
+    struct solid_facing *facing; /* [interface particles, room for s->n] by rising index */
+};
+
+struct solid_surface_keep *solid_surface_keep_new(const struct solid *s) {
+    struct solid_surface_keep *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
+    k->facing = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *k->facing);
+    return k;
 }
 
-void solid_surface_restore(struct solid *s, struct solid_surface *f, const struct solid_facing *kept) {
+void solid_surface_keep_free(struct solid_surface_keep *k) {
+    if (!k) return;
+    memory_free(k->facing);
+    memory_free(k);
+}
+
+void solid_surface_keep_take(struct solid_surface_keep *k, const struct solid_surface *f) {
+    for (int i = 0; i < f->n; i++) k->facing[i] = f->facing[f->h[i]];
+    k->total = f->total;
+    k->set_free = f->set_free;
+}
+
+void solid_surface_keep_restore(const struct solid_surface_keep *k, struct solid *s, struct solid_surface *f,
+                                const struct solid_lost *lost) {
+    const struct solid_facing *kept = k->facing;
     for (int h = 0; h < s->n; h++)
         if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *kept++;
-    resume(s, f);
+    if (lost) {
+        solid_lost_copy(f->lost, lost, s);
+        resume(s, f);
+    } else {
+        solid_surface_renew(s, f);
+    }
+    f->total = k->total;
+    f->set_free = k->set_free;
 }

@@ -10,7 +10,13 @@ void solid_surface_save(const struct solid *s, const struct solid_surface *f, do
 /* Once d, the bonds and the flags are back, ghosts too. Collective. */
 void solid_surface_load(struct solid *s, struct solid_surface *f, const double *state);
 
-/* The same within a run: kept [f->n, at most s->n] of the interface particles, by rising index. Not collective. */
-void solid_surface_keep(const struct solid_surface *f, struct solid_facing *kept);
-/* Once d, the bonds and the flags of that time are back. Collective. */
-void solid_surface_restore(struct solid *s, struct solid_surface *f, const struct solid_facing *kept);
+/* The surface as part of a kept state (solid/keep.h). */
+struct solid_surface_keep;
+struct solid_surface_keep *solid_surface_keep_new(const struct solid *s);
+void solid_surface_keep_free(struct solid_surface_keep *k);
+void solid_surface_keep_take(struct solid_surface_keep *k,
+                             const struct solid_surface *f); /* Not collective. */
+/* Once bonds and flags of that time are back; lost: of them; NULL: nobody has come to the interface, gone from it or lost a bond
+ * since. Not collective. */
+void solid_surface_keep_restore(const struct solid_surface_keep *k, struct solid *s, struct solid_surface *f,
+                                const struct solid_lost *lost);

@@ -133,6 +133,7 @@ void study_file_variants(struct study_variants *v, const struct scene_node *node
             if (*v->variant[i].name && !strcmp(v->variant[i].name, v->variant[j].name)) {
                 const struct scene_node place = {.kind = SCENE_NODE_MAPPING, .line = v->variant[i].line};
                 scene_problem_key(problems, &place, path, "two are called %s", v->variant[i].name);
+                break;
             }
     check_sizes(v, node, path, problems);
 }

@@ -24,12 +24,12 @@ def digest(path):
         return hashlib.sha256(f.read()).hexdigest()
 
 
-def refused(place, why, *limit):
+def refused(place, why, *limit, mebibytes=4):
     """step_1 stands; step_2 must fail for the reason given and change nothing."""
     checkpoint = os.path.join(place, "checkpoint")
     before = {name: digest(os.path.join(checkpoint, name)) for name in os.listdir(checkpoint)}
     assert sorted(before) == ["latest", "step_1.h5"], before
-    code, said = run(place, "step_2", 4, *limit)
+    code, said = run(place, "step_2", mebibytes, *limit)
     sentences = [line for line in said.splitlines() if line.startswith("frana: ")]
     assert code == 4, (code, said)
     assert len(sentences) == 1 and why in sentences[0] and "step_2.h5: cannot be written" in sentences[0], said
@@ -52,6 +52,8 @@ def file_size_limit():
     fresh(folder)
     for limit in (1, 3):
         refused(folder, "File too large", limit)
+    # amid a file, in what was reserved of it: no rank may wait for ever for another that could not write
+    refused(folder, "File too large", 0.001, "amid", mebibytes=0.05)
     print("refused by the limit on a file's size")
 
 

@@ -19,6 +19,8 @@ frana_test(base/test_store.c ROOM base RANKS 1 2 3 4)
 frana_test(base/test_seal.c ROOM base RANKS 1 2 3)
 frana_test(base/test_table.c ROOM base RANKS 1 3)
 frana_test(base/test_folder.c ROOM base RANKS 1 3)
+frana_test(base/test_folder_hold.c ROOM base RANKS 1 3)
+target_link_options(base_test_folder_hold PRIVATE LINKER:--wrap=die_all,--wrap=fcntl)
 frana_test(base/test_log.c ROOM base RANKS 1 2)
 frana_test(base/test_signals.c ROOM base RANKS 1 2 3 4)
 

@@ -42,3 +42,34 @@ static inline char *sample_problem(const struct scene_problems *problems, int i)
     if (!strncmp(text, SCENES, strlen(SCENES))) text += strlen(SCENES);
     return strstr(text, SCENES) ? sample_with(text, SCENES, "@/") : scene_text("%s", text);
 }
+
+/* A sample with one piece exchanged, and the one line that is said of it. */
+struct sample_broken {
+    const char *sample, *find, *replace, *line;
+};
+
+/* How many of them do not say exactly their line; those are told. */
+static inline int sample_check_broken(size_t n, const struct sample_broken *table) {
+    int wrong = 0;
+    for (const struct sample_broken *b = table; b < table + n; b++) {
+        char *path = scene_text("%s%s.yaml", SCENES, b->sample), *sample = sample_text(path);
+        char *text = sample_with(sample, b->find, b->replace);
+        struct scene_problems problems;
+        struct scene *s = sample_read(text, 0, NULL, &problems);
+        char *said = problems.n ? sample_problem(&problems, 0) : scene_text("nothing");
+        if (problems.n != 1 || strcmp(said, b->line) != 0) {
+            fprintf(stderr, "%s: \"%s\" -> \"%s\": %d mistakes:\n", b->sample, b->find, b->replace,
+                    problems.n);
+            for (int k = 0; k < problems.n; k++) fprintf(stderr, "    %s\n", problems.text[k]);
+            fprintf(stderr, "  should be exactly:\n    %s\n", b->line);
+            wrong++;
+        }
+        free(said);
+        assert_null(s);
+        scene_problems_free(&problems);
+        free(text);
+        free(sample);
+        free(path);
+    }
+    return wrong;
+}

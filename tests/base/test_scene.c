@@ -91,7 +91,9 @@ static void test_defaults_are_filled_in(void **state) {
     assert_true(s->solid->constraint[0].direction[0] && s->solid->constraint[0].direction[1]);
     assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
     assert_true(s->coupling->retraction == SCENE_RETRACTION && s->coupling->probe_length == 2);
+    assert_int_equal(s->coupling->surface, SCENE_SURFACE_LATTICE);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
+    assert_int_equal(s->coupling->scheme, SCENE_EXPLICIT);
     assert_true(s->stage[2].solid == SCENE_SOLID_ELASTIC && s->stage[2].time_step == 0 &&
                 s->stage[2].cfl == 0.9);
     assert_true(s->stage[2].breakage == 1 && s->stage[1].substeps == 0 && s->stage[1].safety == 0.95);
@@ -99,6 +101,18 @@ static void test_defaults_are_filled_in(void **state) {
                 s->output.log_every == 100);
     assert_true(s->output.stress == 1);
     scene_free(s);
+}
+
+static void test_retraction_follows_the_surface(void **state) {
+    (void)state;
+    const char *const set[] = {"coupling.surface=shape", "coupling.retraction=0.25"};
+    for (int n = 1; n <= 2; n++) {
+        struct scene *s = read_or_fail("coupled.yaml", n, set);
+        assert_int_equal(s->coupling->surface, SCENE_SURFACE_SHAPE);
+        assert_true(s->coupling->retraction == (n == 1 ? SCENE_RETRACTION_SHAPE : 0.25));
+        assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.3" : "retraction: 0.25"));
+        scene_free(s);
+    }
 }
 
 static void test_parts_that_are_left_out_are_null(void **state) {
@@ -140,6 +154,8 @@ static void test_settings_override(void **state) {
                                "stages.fracture.steps=9",
                                "domain.size=[0.08, 0.04, 0.04]",
                                "coupling.retraction=-0.5",
+                               "coupling.scheme=strong",
+                               "coupling.tolerance=0.01",
                                "output={series_every: 3, fields_every: 4}",
                                "solid.materials.glass.density=2600.5",
                                "solid.bodies[1].centre[0]=0.031",
@@ -157,6 +173,8 @@ static void test_settings_override(void **state) {
     assert_vector(s->domain.size, 0.08, 0.04, 0.04);
     assert_true(s->solid->spacing == 0.08 / 40);
     assert_true(s->coupling->retraction == -0.5 && s->coupling->forcing_iterations == 2);
+    assert_true(s->coupling->scheme == SCENE_STRONG && s->coupling->relaxation == SCENE_QUASI_NEWTON);
+    assert_true(s->coupling->tolerance == 0.01 && s->coupling->iterations == 50);
     assert_true(s->output.series_every == 3 && s->output.fields_every == 4 && s->output.log_every == 100);
     assert_true(s->solid->material[1].density == 2600.5 && s->solid->body[1].centre[0] == 0.031);
     assert_true(s->stage[0].time_step == 2e-4);
@@ -502,10 +520,10 @@ static void test_ranks_hold_the_same(void **state) {
 
 static void test_settings_of_a_plate(void **state) {
     (void)state;
-    const char *const set[] = {"solid.cracks.notch.points[1]=[0.011, 0.02]",
-                               "solid.bodies.plate.outline[0]=[0.001, 0]",
-                               "solid.bodies.plate.outline[2].centre[0]=0.07", "solid.refinement.energy=0.5",
-                               "solid.loads[1].time=[[0, 0], [1, 1]]"};
+    const char *const set[] = {
+        "solid.cracks.notch.points[1]=[0.011, 0.02]",   "solid.bodies.plate.outline[0]=[0.001, 0]",
+        "solid.bodies.plate.outline[2].centre[0]=0.07", "solid.refinement.energy=0.5",
+        "solid.loads[1].time=[[0, 0], [1, 1]]",         "solid.initial[0].shape=sine"};
     const char *const wrong[][2] = {
         {"solid.bodies.plate.outline[0].at=[0, 0]",
          "--set solid.bodies.plate.outline[0].at: there is no entry named at in the list"},
@@ -515,8 +533,9 @@ static void test_settings_of_a_plate(void **state) {
          "numbers (m)"},
         {"solid.cracks.notch.points[3]=[0, 0]",
          "--set solid.cracks.notch.points[3]: there is no entry 3: points has 0 to 2"}};
-    struct scene *s = read_or_fail("plate.yaml", 5, set);
+    struct scene *s = read_or_fail("plate.yaml", 6, set);
     assert_vector(s->solid->crack[0].point[1], 0.011, 0.02, 0);
+    assert_int_equal(s->solid->initial[0].shape, SCENE_SINE);
     assert_true(s->solid->body[0].corner[0].at[0] == 0.001 && s->solid->refinement->energy == 0.5);
     assert_int_equal(s->solid->load[1].time.n, 2);
     scene_free(s);
@@ -550,6 +569,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
                                        cmocka_unit_test(test_vortices_and_places_of_a_fluid),
                                        cmocka_unit_test(test_defaults_are_filled_in),
+                                       cmocka_unit_test(test_retraction_follows_the_surface),
                                        cmocka_unit_test(test_parts_that_are_left_out_are_null),
                                        cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),
                                        cmocka_unit_test(test_settings_override),

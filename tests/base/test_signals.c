@@ -7,10 +7,13 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <time.h>
+#include <unistd.h>
 
 static void one_rank_stops_all(void **state) {
     (void)state;
@@ -36,6 +39,28 @@ static void a_second_interrupt_is_the_systems(void **state) {
     raise(SIGTERM);
     sigaction(SIGTERM, NULL, &action);
     assert_true(action.sa_handler != SIG_DFL);
+}
+
+/* A write beyond the limit on files' sizes fails instead of ending the program, and so does one to a reader who is gone. */
+static void a_write_that_is_refused_only_fails(void **state) {
+    (void)state;
+    struct rlimit was;
+    int pipes[2];
+    signals_begin(0);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &was), 0);
+    FILE *f = tmpfile();
+    assert_non_null(f);
+    const struct rlimit few = {100, was.rlim_max};
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &few), 0);
+    assert_int_equal(pwrite(fileno(f), "x", 1, 100), -1);
+    assert_int_equal(errno, EFBIG);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &was), 0);
+    fclose(f);
+    assert_int_equal(pipe(pipes), 0);
+    close(pipes[0]);
+    assert_int_equal(write(pipes[1], "x", 1), -1);
+    assert_int_equal(errno, EPIPE);
+    close(pipes[1]);
 }
 
 static void wall_time_ends_in_time(void **state) {
@@ -67,7 +92,8 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_rank_stops_all), cmocka_unit_test(a_second_interrupt_is_the_systems),
-        cmocka_unit_test(wall_time_ends_in_time), cmocka_unit_test(the_batch_systems_limit_counts)};
+        cmocka_unit_test(a_write_that_is_refused_only_fails), cmocka_unit_test(wall_time_ends_in_time),
+        cmocka_unit_test(the_batch_systems_limit_counts)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

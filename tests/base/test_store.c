@@ -1,4 +1,5 @@
 /* Checkpoints: written by one division of the arrays, read by another. */
+#include "base/seal.h"
 #include "base/store.h"
 #include "tests/base/files.h"
 
@@ -204,6 +205,55 @@ static void damaged_files_are_passed_over(void **state) {
     par_barrier();
 }
 
+/* A bit of an array is turned over, `latest` names nothing, is empty, is gone: the newest that is whole is found. */
+static void the_newest_that_is_whole_is_found(void **state) {
+    (void)state;
+    char older[FOLDER_PATH], newer[FOLDER_PATH], latest[FOLDER_PATH], why[256];
+    struct seal seal;
+    folder_clear(folder);
+    write_all("step_300", 2, 0, 0, 2);
+    write_all("step_301", 2, 0, 0, 2);
+    folder_path(older, folder, "checkpoint/step_300.h5");
+    folder_path(newer, folder, "checkpoint/step_301.h5");
+    folder_path(latest, folder, "checkpoint/latest");
+    const char *const names[] = {"step_999.h5\n", "", NULL};
+    for (int k = 0; k < 3; k++) {
+        if (par_rank() == 0) {
+            remove(latest);
+            FILE *f = names[k] ? fopen(latest, "w") : NULL;
+            if (f) fputs(names[k], f), fclose(f);
+        }
+        par_barrier();
+        struct store *s = store_open_latest(folder);
+        assert_non_null(s);
+        assert_string_equal(store_path(s), newer);
+        store_close(s);
+        par_barrier();
+    }
+    assert_int_equal(seal_read(&seal, newer, why, sizeof why), 0);
+    for (uint64_t k = 0; k < seal.arrays; k++) { /* each array in turn */
+        const off_t at = (off_t)(seal.array[k].at + seal.array[k].bytes * (k % 3) / 3);
+        FILE *f = par_rank() == 0 ? fopen(newer, "r+") : NULL;
+        for (int back = 0; back < 2; back++) {
+            if (f) {
+                fseek(f, at, SEEK_SET);
+                const int byte = fgetc(f) ^ 4;
+                fseek(f, at, SEEK_SET);
+                fputc(byte, f);
+                fflush(f);
+            }
+            par_barrier();
+            struct store *s = store_open_latest(folder);
+            assert_non_null(s);
+            assert_string_equal(store_path(s), back ? newer : older);
+            if (!back) assert_non_null(strstr(store_error(), seal.array[k].name));
+            store_close(s);
+            par_barrier();
+        }
+        if (f) fclose(f);
+    }
+}
+
 static void no_checkpoint_is_told(void **state) {
     (void)state;
     folder_clear(folder);
@@ -214,10 +264,12 @@ static void no_checkpoint_is_told(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     folder = files_folder("store");
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_division_reads_what_any_wrote), cmocka_unit_test(what_does_not_fit_is_told),
-        cmocka_unit_test(latest_two_are_kept), cmocka_unit_test(damaged_files_are_passed_over),
-        cmocka_unit_test(no_checkpoint_is_told)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(any_division_reads_what_any_wrote),
+                                       cmocka_unit_test(what_does_not_fit_is_told),
+                                       cmocka_unit_test(latest_two_are_kept),
+                                       cmocka_unit_test(damaged_files_are_passed_over),
+                                       cmocka_unit_test(the_newest_that_is_whole_is_found),
+                                       cmocka_unit_test(no_checkpoint_is_told)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,18 +1,12 @@
 /* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together from
  * what the stage needs. */
-#include "base/par.h"
-#include "base/scene.h"
 #include "coupling/run.h"
+#include "scene_of.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-#include <cmocka.h>
 
 static const char *const box =
     "title: test\n"
@@ -34,22 +28,6 @@ static const char *const drift = "stages:\n"
                                  "  - {name: drift, steps: 40, time_step: 2.0e-3}\n";
 static const char *const rigid = "stages:\n"
                                  "  - {name: flow, steps: 5, time_step: 2.0e-3, solid: rigid}\n";
-
-static struct scene *scene_of(const char *one, const char *two, int n, const char *const *set) {
-    char path[] = "/tmp/frana_test_stepXXXXXX";
-    if (par_rank() == 0) {
-        const int fd = mkstemp(path);
-        assert_true(fd >= 0);
-        assert_int_equal(write(fd, one, strlen(one)), (long)strlen(one));
-        assert_int_equal(write(fd, two, strlen(two)), (long)strlen(two));
-        close(fd);
-    }
-    par_bcast(path, sizeof path, 0);
-    struct scene *scene = scene_new(path, n, set);
-    par_barrier();
-    if (par_rank() == 0) unlink(path);
-    return scene;
-}
 
 /* 40 steps at a tenth of a cell each: four cells. Velocities must stay the flow's, bonds unstretched.  (REFERENCES 5.2.4) */
 static void test_moves_with_flow(void **state) {

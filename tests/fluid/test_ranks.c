@@ -4,9 +4,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { NX = 18, NY = 14, NZ = 16, CASES = 4, CELLS = NX * NY * NZ };
+enum { NX = 18, NY = 14, NZ = 16, CASES = 7, CELLS = NX * NY * NZ };
 
+/* The last three: implicit diffusion with a larger viscosity, of the first three. */
 static struct fluid_input scene(int which) {
+    if (which >= 4) {
+        struct fluid_input in = scene(which - 4);
+        in.viscosity = 0.05;
+        in.implicit = 1;
+        return in;
+    }
     struct fluid_input in = {.n = {NX, NY, NZ}, .length = {1.8, 1.4, 1.6}, .density = 1.2, .viscosity = 0.01};
     all_sides(&in, 0, FLUID_PERIODIC);
     all_sides(&in, 1, FLUID_WALL);

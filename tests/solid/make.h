@@ -33,6 +33,8 @@ struct make {
     int unbreakables;
     const struct solid_region *unbreakable;
     double body_force[3];
+    int cuts;
+    const struct solid_cut *cut;
 };
 
 static inline struct solid *make(struct make m) {
@@ -48,6 +50,8 @@ static inline struct solid *make(struct make m) {
                              .constraint = m.constraint,
                              .unbreakables = m.unbreakables,
                              .unbreakable = m.unbreakable,
+                             .cuts = m.cuts,
+                             .cut = m.cut,
                              .surface_correction = !m.uncorrected,
                              .general_bonds = m.list};
     for (int c = 0; c < 3; c++) {

@@ -1,5 +1,6 @@
 frana_test(solid/test_surface.c ROOM solid RANKS 1 2 3 4)
 frana_test(solid/test_surface_update.c ROOM solid RANKS 1 2 3 4)
+frana_test(solid/test_shape.c ROOM solid RANKS 1 2 3)
 frana_test(solid/test_contact.c ROOM solid RANKS 1 2 3 4)
 frana_test(solid/test_measures.c ROOM solid RANKS 1 2)
 frana_test(solid/test_fragments.c ROOM solid RANKS 1 2 3 4)

@@ -196,15 +196,17 @@ static void test_traction(void **state) {
         }
 }
 
-/* A Gaussian at the start. */
+/* A Gaussian and a sine at the start. */
 static void test_initial(void **state) {
     (void)state;
-    const struct solid_initial initial = {
-        .along = 0, .centre = 7.2 * SPACING, .width = 3 * SPACING, .displacement = {1e-5, -2e-5}};
-    struct solid *s = make((struct make){.sites = {16, 10}, .initials = 1, .initial = &initial});
+    const struct solid_initial initial[] = {
+        {.along = 0, .centre = 7.2 * SPACING, .width = 3 * SPACING, .displacement = {1e-5, -2e-5}},
+        {SOLID_SINE, .along = 1, .centre = 0.7 * SPACING, .width = 6 * SPACING, .displacement = {3e-6, 0}}};
+    struct solid *s = make((struct make){.sites = {16, 10}, .initials = 2, .initial = initial});
     for (int h = 0; h < s->n + s->n_ghost; h++) {
         const double bell = exp(-pow((s->x0[0][h] - 7.2 * SPACING) / (3 * SPACING), 2));
-        assert_near(s->d[0][h], 1e-5 * bell, 1e-14);
+        const double wave = sin(2 * M_PI * (s->x0[1][h] - 0.7 * SPACING) / (6 * SPACING));
+        assert_near(s->d[0][h], 1e-5 * bell + 3e-6 * wave, 1e-14);
         assert_near(s->d[1][h], -2e-5 * bell, 2e-14);
     }
     solid_free(s);

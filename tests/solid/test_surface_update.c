@@ -1,6 +1,6 @@
 /* The interface after bonds have broken and the solid has moved. */
 #include "solid/surface.h"
-#include "solid/surface_state.h"
+#include "solid/keep.h"
 #include "test_surface_bodies.h"
 
 static struct solid *block_new(int nx, int ny, int nz, int general) {
@@ -171,27 +171,17 @@ static void kept_and_restored(void **state) {
     for (int general = 0; general < 2; general++) {
         struct solid *s = block_new(8, 7, 6, general);
         struct solid_surface *f = solid_surface_new(s);
-        const size_t bytes = (size_t)solid_family_bytes(s), n = (size_t)s->n;
-        struct solid_facing *kept = malloc((n + 1) * sizeof *kept);
-        uint8_t *bits = malloc(n * bytes + 1), *flag = malloc(n + 1);
-        double *d = malloc((3 * n + 1) * sizeof *d), *normal = malloc((3 * n + 1) * sizeof *normal);
+        const size_t n = (size_t)s->n;
+        struct solid_keep *kept = solid_keep_new(s, f, 1);
+        double *normal = malloc((3 * n + 1) * sizeof *normal);
         crush(s, 1, 0.3);
         solid_surface_update(s, f);
         const int on = f->n;
-        solid_surface_keep(f, kept);
-        memcpy(flag, s->flag, n);
-        for (size_t h = 0; h < n; h++) solid_family_save(s, (int)h, bits + h * bytes);
-        for (size_t c = 0; c < 3; c++) {
-            memcpy(d + c * n, s->d[c], n * sizeof *d);
-            memcpy(normal + c * n, f->normal[c], (size_t)on * sizeof *normal);
-        }
+        solid_keep_take(kept, s, f);
+        for (size_t c = 0; c < 3; c++) memcpy(normal + c * n, f->normal[c], (size_t)on * sizeof *normal);
         crush(s, 2, 0.5);
         solid_surface_update(s, f);
-        for (size_t h = 0; h < n; h++) solid_family_load(s, (int)h, bits + h * bytes);
-        memcpy(s->flag, flag, n);
-        for (size_t c = 0; c < 3; c++) memcpy(s->d[c], d + c * n, n * sizeof *d);
-        solid_ghosts_update(s);
-        solid_surface_restore(s, f, kept);
+        solid_keep_restore(kept, s, f);
         assert_int_equal(f->n, on);
         for (int i = 0; i < on; i++)
             for (size_t c = 0; c < 3; c++) assert_true(f->normal[c][i] == normal[c * n + (size_t)i]);
@@ -201,10 +191,7 @@ static void kept_and_restored(void **state) {
         solid_surface_update(s, f);
         check_against_scratch(s, f);
         free(normal);
-        free(d);
-        free(flag);
-        free(bits);
-        free(kept);
+        solid_keep_free(kept);
         solid_surface_free(f);
         solid_free(s);
     }

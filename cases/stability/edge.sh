@@ -1,0 +1,80 @@
+# What the maps share, besides cases/verification/common.sh: runs that hold or do not, and the edge between them.
+# Edges found are kept under RUNS by program, scene and settings, so a map that was stopped goes on where it was.
+build=$("$frana" --version)
+export LC_ALL=C OMP_NUM_THREADS=1
+
+# of_run DIR COLUMN COMMAND: COMMAND (awk, with n, t[], x[]) on a column of its series.
+of_run() {
+  awk -F, -v column="$2" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } NR > 2 { t[++n] = $2; x[n] = $at[column] }
+    function max(from, to,  k, m) { for (k = from; k <= to; k++) { y = x[k] < 0 ? -x[k] : x[k]; if (y > m || y != y) m = y } return m }
+    END { '"$3"' }' "$1/series.csv"
+}
+# made DIR SCENE SETTING...: runs it; 1 where it went unstable, and leaves where it is refused or fails otherwise.
+made() {
+  local dir=$1 scene=$2 code=0 set=() s
+  shift 2
+  for s in "$@"; do set+=(--set "$s"); done
+  rm -rf "$dir"
+  mkdir -p "$(dirname "$dir")"
+  "$frana" run "$here/$scene.yaml" --out "$dir" --quiet "${set[@]}" >"$dir.log" 2>&1 || code=$?
+  case $code in
+    0) return 0 ;;
+    3) return 1 ;;
+    *) cat "$dir.log" >&2; exit 2 ;;
+  esac
+}
+# holds DIR SCENE SETTING...: made, and what the map's own function `judge DIR` asks for.
+holds() { made "$@" && judge "$1"; }
+
+# edge GOOD BAD WITHIN SCENE SETTING...: by bisection of @ in the settings, from GOOD, which should hold, towards BAD. Prints the middle
+# of what is left, 1 + WITHIN wide; BAD where that holds too, nan where not even GOOD does.
+edge() {
+  local good=$1 bad=$2 within=$3 scene=$4 key kept dir mid
+  key=$(printf '%s\n' "$build" "$scene" "$(cat "$here/$scene.yaml")" "$@" | cksum | tr -d ' ')
+  kept=$runs/edges/$key dir=$runs/at/$key
+  shift 4
+  if [ ! -f "$kept" ]; then
+    mkdir -p "$runs/edges"
+    if ! holds "$dir" "$scene" "${@//@/$good}"; then
+      mid=nan
+    elif holds "$dir" "$scene" "${@//@/$bad}"; then
+      mid=$bad
+    else
+      while [ "$(calc "(($good > $bad ? $good / $bad : $bad / $good) > 1 + $within)")" = 1 ]; do
+        mid=$(calc "sqrt($good * $bad)")
+        if holds "$dir" "$scene" "${@//@/$mid}"; then good=$mid; else bad=$mid; fi
+      done
+      mid=$(calc "sqrt($good * $bad)")
+    fi
+    rm -rf "$dir" "$dir.log"
+    echo "$mid" >"$kept"
+  fi
+  cat "$kept"
+}
+# stable_step SCENE NAME SETTING...: what frana check says a step may be, by the name of its line.
+stable_step() {
+  local scene=$1 name=$2 set=() s
+  shift 2
+  for s in "$@"; do set+=(--set "$s"); done
+  "$frana" check "$here/$scene.yaml" "${set[@]}" | sed -n "s/^  $name  *\([0-9.e+-]*\)\$/\1/p"
+}
+# table NAME HEADER: lines of arguments from the standard input, two at a time through the map's function `point`, in their order.
+table() {
+  local i=0 args
+  mkdir -p "$runs/rows"
+  rm -f "$runs/rows/$1".*
+  while read -r args; do
+    i=$((i + 1))
+    while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n; done
+    (point $args >"$runs/rows/$1.$(printf %03d $i)" </dev/null) &
+  done
+  wait
+  { echo "$2"; cat "$runs/rows/$1".*; } >"$out/$1.csv"
+  [ "$(wc -l <"$out/$1.csv")" -gt "$i" ] || { echo "$1: points are missing" >&2; exit 1; }
+}
+# plot NAME: a gnuplot script on the standard input to NAME.png; without gnuplot there are the tables alone.
+plot() {
+  command -v gnuplot >/dev/null || return 0
+  { echo "set terminal pngcairo size 900,560 font 'sans,11'; set output '$out/$1.png'; set datafile separator ','; set grid; set key left top"
+    echo "cd '$out'"; cat; } | gnuplot
+}

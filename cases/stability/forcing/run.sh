@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# What iterations of the forcing buy: the slip at the walls of a slit, over their number and the step. The bulk velocity of a slit under a given
+# gradient, less the one without slip (100 iterations at the shortest step), over the shear at its walls, is the slip's share of the flow.
+# usage: cases/stability/forcing/run.sh [FRANA [RUNS [OUT [quick]]]]
+. "$(dirname "$0")/../../verification/common.sh" "$@"
+. "$here/../edge.sh"
+point() { # point DIFFUSION STEP ITERATIONS, the step over the explicit viscous limit
+  local dir=$runs/at/$1-$2-$3 steps
+  steps=$(calc "int(200 / (0.1375 * $2) + 0.5)")
+  if ! [ -f "$dir.u" ] || [ "$(head -n 1 "$dir.u")" != "$build" ]; then
+    if made "$dir" scene fluid.diffusion="$1" coupling.forcing_iterations="$3" stages.0.time_step="$(calc "0.1375 * $2")" stages.0.steps="$steps" \
+      output.series_every="$steps"; then
+      printf '%s\n' "$build" "$(of_run "$dir" u_bulk 'print x[n]')" >"$dir.u"
+    else
+      printf '%s\n' "$build" nan >"$dir.u"
+    fi
+  fi
+  echo "$1,$2,$3,$(tail -n 1 "$dir.u")"
+}
+{
+  printf 'explicit 1 %s\n' 1 2 3 5 10 20 50 100
+  printf 'explicit 0.1 %s\n' 1 2 5 10 100
+  printf 'implicit 10 %s\n' 1 2 5 10 100
+} >"$runs/points"
+table slip 'diffusion,step,iterations,bulk_velocity' <"$runs/points"
+finish

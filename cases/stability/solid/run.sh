@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# How long a step of the solid may be, over stiffness, horizon, damping, damage and contact, against what frana computes.
+# usage: cases/stability/solid/run.sh [FRANA [RUNS [OUT [quick]]]]
+. "$(dirname "$0")/../../verification/common.sh" "$@"
+. "$here/../edge.sh"
+# Bounded: the energy late in the run is not a thousand times the one at its start. At 0.3 % above RK3's limit it is, after 2000 steps.
+judge() { [ "$(of_run "$1" e_kinetic_solid 'print max(n - n / 4, n) <= 1e3 * max(1, n / 20)')" = 1 ]; }
+
+both() { # both SCENE LIMIT SETTING...: edges with RK3 and Verlet, and what check says of LIMIT
+  local scene=$1 limit=$2 method name at row=
+  shift 2
+  for method in rk3 verlet; do
+    case $limit,$method in
+      touch,rk3) name='solid, a broken bond closed, RK3' ;;
+      touch,*) name='solid, a broken bond closed, Verlet' ;;
+      stage,*) name= ;;
+      *,rk3) name='solid, bonds, RK3' ;;
+      *) name='solid, bonds, velocity Verlet' ;;
+    esac
+    if [ "$name" ]; then at=$(stable_step "$scene" "$name" "$@"); else at=$(stage_limit "$scene" "$@" stages.0.integrator=$method); fi
+    row=$row,$(edge "$(calc "0.5 * $at")" "$(calc "4 * $at")" 0.004 "$scene" "$@" stages.0.integrator=$method stages.0.time_step=@),$at
+  done
+  echo "${row#,}"
+}
+stage_limit() { # with the stage's damping
+  local scene=$1 set=() s
+  shift
+  for s in "$@"; do set+=(--set "$s"); done
+  "$frana" check "$here/$scene.yaml" "${set[@]}" | sed -n 's/^  swing .*stable up to \([0-9.e+-]*\) s.*/\1/p'
+}
+planes() { # planes N: a setting of N cracks across the body, along x, y, z in turn
+  local k list= a
+  for ((k = 0; k < $1; k++)); do
+    a=$((k / 3 + 1))
+    case $((k % 3)) in
+      0) list="$list, {points: [[$a, -1, -1], [$a, 7, -1], [$a, 7, 7], [$a, -1, 7]]}" ;;
+      1) list="$list, {points: [[-1, $a, -1], [7, $a, -1], [7, $a, 7], [-1, $a, 7]]}" ;;
+      2) list="$list, {points: [[-1, -1, $a], [7, -1, $a], [7, 7, $a], [-1, 7, $a]]}" ;;
+    esac
+  done
+  echo "solid.cracks=[${list#, }]"
+}
+point() { # point WHAT AT: of one kind
+  local what=$1 at=$2
+  case $what in
+    E) echo "$what,$at,$(both scene bonds solid.materials.0.youngs_modulus="$at")" ;;
+    m) echo "$what,$at,$(both scene bonds solid.materials.0.horizon_ratio="$at")" ;;
+    damping) echo "$what,$at,$(both scene stage stages.0.damping_relative="$at")" ;;
+    absolute) echo "$what,$at,$(both scene stage stages.0.damping_absolute="$at")" ;;
+    cracks) echo "$what,$at,$(both scene bonds "$(planes "$at")")" ;;
+    contact) echo "$what,$at,$(both touch touch solid.contact.stiffness="$at")" ;;
+  esac
+}
+{
+  printf 'E %s\n' 1 ${quick:-1e3 1e6 1e9 1e12}
+  [ "$quick" ] || printf 'm %s\n' 1 1.5 2 2.5 3 3.5 4 4.49
+  [ "$quick" ] || printf 'damping %s\n' 0.001 0.003 0.01 0.02 0.04 0.1 0.3
+  [ "$quick" ] || printf 'absolute %s\n' 0.1 0.3 1 2
+  [ "$quick" ] || printf 'cracks %s\n' 0 3 6 9 12 14
+  printf 'contact %s\n' 15 ${quick:-1 5 50 150}
+} | sed '/quick$/d' >"$runs/points"
+table limits 'what,at,rk3,rk3_computed,verlet,verlet_computed' <"$runs/points"
+
+while IFS=, read -r what at rk3 of_rk3 verlet of_verlet; do
+  case $what in
+    what) continue ;;
+    cracks)
+      [ "$at" = 0 ] || { shown "$at cracks across: RK3" s "$rk3" "$of_rk3" "computed for the whole body"; continue; } ;;
+  esac
+  near "$what = $at: RK3" s "$rk3" "$of_rk3" "computed from the largest rates" 0.02
+  near "$what = $at: velocity Verlet" s "$verlet" "$of_verlet" "computed from the largest rates" 0.02
+done <"$out/limits.csv"
+finish

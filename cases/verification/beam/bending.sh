@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# In a run folder: the tip's deflection over that of Timoshenko's beam, or the bending stiffness E I, from the third derivative of the
+# axis's deflection, over that of the material. The beam is clamped at the face of the last held layer, or where that layer itself
+# stands if all is symmetric about it, and loaded where its last layer stands.
+# usage: bending.sh deflection|stiffness [lattice]      Timoshenko's beam has the moduli of the material, 1 and 2/5, or the lattice's
+set -euo pipefail
+e=1 g=0.4
+if [ "${2:-}" = lattice ]; then
+  read -r e g < <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" | awk '{ v[$1] = $2 } END { print v["e100"], v["c12"] }')
+fi
+read -r low high clamp height sym < <(awk -F'[][,]' '
+  /^  constraints:/ { in_held = 1 }
+  in_held && /low:/ { low = $2 }
+  in_held && /high:/ { high = $2; in_held = 0 }
+  /^  size:/ { height = $3 }
+  END { sym = low > 0; print low, high, sym ? (low + high) / 2 : high, height, sym }' scene.resolved.yaml)
+awk -F, -v what="$1" -v e="$e" -v g="$g" -v clamp="$clamp" -v h="$height" '
+  NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+  NR > 2 && $1 == 1 { n = $3 + 0; x[n] = $at["x"] - clamp; w[n] = $at["displacement_z"] * 1e6 }
+  END {
+    length_ = x[n]; p = 1e-2 * h * h
+    if (what == "deflection") {
+      print w[n] / (p / (e * h) * (4 * (length_ / h) ^ 3 + e / g * 1.2 * (length_ / h)))
+      exit
+    }
+    for (i = 0; i < n; i++) { # the tip, near its load, left out: w = sum a_k s^k, s = x/L, by least squares
+      s = x[i] / length_
+      for (j = 0; j < 4; j++) {
+        for (k = 0; k < 4; k++) m[j, k] += s ^ (j + k)
+        b[j] += s ^ j * w[i]
+      }
+    }
+    for (j = 0; j < 4; j++)
+      for (k = j + 1; k < 4; k++) {
+        f = m[k, j] / m[j, j]
+        for (l = j; l < 4; l++) m[k, l] -= f * m[j, l]
+        b[k] -= f * b[j]
+      }
+    print -p * length_ ^ 3 / (6 * b[3] / m[3, 3]) / (h ^ 4 / 12)
+  }' probes.csv

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# The first frequency over that of Timoshenko's cantilever, in a run folder: a sine through the tip's deflection by least squares.
+# usage: frequency.sh [E G]
+set -euo pipefail
+read -r length height < <(awk -F'[][,]' '/^  size:/ { print $2 - 3, $3 }' scene.resolved.yaml)
+exact=$(awk -v l="$length" -v h="$height" -v e="${1:-1}" -v g="${2:-0.4}" -f "$(dirname "$0")/timoshenko.awk")
+awk -F, -v exact="$exact" '
+  NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+  NR > 3 { n++; t[n] = $2; w[n] = $at["displacement_z"] * 1e6 }
+  function explained(f,   i, c, s, cc, cs, ss, wc, ws, det) { # of the sum of squares by a cosine and a sine
+    for (i = 1; i <= n; i++) {
+      c = cos(f * t[i]); s = sin(f * t[i])
+      cc += c * c; cs += c * s; ss += s * s; wc += w[i] * c; ws += w[i] * s
+    }
+    det = cc * ss - cs * cs
+    return (wc * (ss * wc - cs * ws) + ws * (cc * ws - cs * wc)) / det
+  }
+  END {
+    a = 0.7 * exact; b = 1.3 * exact; r = (sqrt(5) - 1) / 2
+    for (k = 0; k < 60; k++) { p = b - r * (b - a); q = a + r * (b - a); if (explained(p) > explained(q)) b = q; else a = p }
+    printf "%.8g\n", (a + b) / 2 / exact
+  }' probes.csv

@@ -1,0 +1,34 @@
+#!/bin/sh
+# What does not add up in a run folder's series.csv from the first elastic step on, over what was put in: the gradient's work
+# int G u_bulk V dt, or the solid's energy at the start where nothing drives. Integrals by the trapezium rule.
+#   whole  d(fluid's + solid's energy) + damped + fracture + int dissipation dt - put in
+#   rigid  the same before the solid is let go, over the gradient's work until then, from a quarter of that time on
+#   solid  d(solid's energy) + damped + fracture - work of the fluid on it
+#   work   of the fluid on the solid;    broken  bonds
+# usage: budget.sh whole|rigid|solid|work|broken
+g=$(sed -n '/driving:/,$s/.*value: *\([0-9.e+-]*\).*/\1/p' scene.resolved.yaml | head -n 1)
+v=$(sed -n 's/.*size: *\[\([^]]*\)\].*/\1/p' scene.resolved.yaml | awk -F, '{ print $1 * $2 * $3 }')
+awk -F, -v what="$1" -v g="${g:-0}" -v v="$v" '
+  NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR <= 2 { next }
+  {
+    n++
+    t[n] = $at["t"]; spent[n] = $at["dissipation"]; put[n] = g * v * $at["u_bulk"]; f[n] = $at["e_kinetic_fluid"]
+    s[n] = $at["e_kinetic_solid"] + $at["e_strain"] + $at["e_damped"] + $at["e_fracture"]
+    w[n] = $at["work_fluid"]; broken = $at["bonds_broken"]
+    if (s[n] == 0) still = n
+  }
+  function integral(q, a, b,  i, sum) {
+    for (i = a + 1; i <= b; i++) sum += (q[i] + q[i - 1]) / 2 * (t[i] - t[i - 1])
+    return sum
+  }
+  function whole(a, b) { return f[b] - f[a] + s[b] - s[a] + integral(spent, a, b) - integral(put, a, b) }
+  END {
+    if (what == "broken") { print broken; exit }
+    first = still ? still : 1
+    all = integral(put, first, n)
+    if (all == 0) all = s[first]
+    if (what == "rigid") { first = int(still / 4); print whole(first, still) / integral(put, first, still) }
+    if (what == "whole") print whole(first, n) / all
+    if (what == "solid") print (s[n] - s[first] - w[n] + w[first]) / all
+    if (what == "work") print (w[n] - w[first]) / all
+  }' series.csv

@@ -1,0 +1,59 @@
+# What a simple cubic lattice of spacing 1 with E = 1, density 1 and the horizon m gives, by sums over one family of its own: nothing
+# here is read from the program. usage: awk -v m=3 [-v k=0.1] -f lattice.awk, k in pi/spacing; a line a quantity.
+#     C_ijkl = (1/2) sum c G xi_i xi_j xi_k xi_l/|xi|^3      omega^2 = sum c G (xi.e)^2/|xi|^3 (1 - cos k.xi)      c = 12/(pi m^4)
+# G is the part of a unit cube within the sphere of radius m: slices of exact area (rectangle and disc), Gauss's rule across.
+
+function min(a, b) { return a < b ? a : b }
+function primitive(t, r) { # of sqrt(r^2 - t^2)
+  return (t * sqrt(max0(r * r - t * t)) + r * r * atan2(t, sqrt(max0(r * r - t * t)))) / 2
+}
+function max0(a) { return a > 0 ? a : 0 }
+function quadrant(x, y, r,   sign, turn) { # area of the disc within [0, x] x [0, y], odd in both
+  sign = (x < 0 ? -1 : 1) * (y < 0 ? -1 : 1)
+  x = min(x < 0 ? -x : x, r); y = min(y < 0 ? -y : y, r)
+  if (x * x + y * y <= r * r) return sign * x * y
+  turn = sqrt(r * r - y * y)
+  return sign * (turn * y + primitive(x, r) - primitive(turn, r))
+}
+function slice(x, y, z,   r) {
+  if (z * z >= m * m) return 0
+  r = sqrt(m * m - z * z)
+  return quadrant(x + 0.5, y + 0.5, r) - quadrant(x - 0.5, y + 0.5, r) - quadrant(x + 0.5, y - 0.5, r) + quadrant(x - 0.5, y - 0.5, r)
+}
+function part(x, y, z,   n, i, c, g, sum, far, near) {
+  far = (x + 0.5) ^ 2 + (y + 0.5) ^ 2 + (z + 0.5) ^ 2
+  if (far <= m * m) return 1
+  n = 400; g = sqrt(0.6) / (2 * n); sum = 0
+  for (i = 0; i < n; i++) {
+    c = z - 0.5 + (i + 0.5) / n
+    sum += (5 * slice(x, y, c - g) + 8 * slice(x, y, c) + 5 * slice(x, y, c + g)) / (18 * n)
+  }
+  return sum
+}
+function part_kept(i, j, l,   t, key) { # the same for all signs and orders
+  i = i < 0 ? -i : i; j = j < 0 ? -j : j; l = l < 0 ? -l : l
+  if (i > j) { t = i; i = j; j = t }
+  if (j > l) { t = j; j = l; l = t }
+  if (i > j) { t = i; i = j; j = t }
+  key = i " " j " " l
+  if (!(key in kept)) kept[key] = part(i, j, l)
+  return kept[key]
+}
+BEGIN {
+  pi = atan2(0, -1); c = 12 / (pi * m ^ 4); reach = int(m + 0.5)
+  for (i = -reach; i <= reach; i++)
+    for (j = -reach; j <= reach; j++)
+      for (l = -reach; l <= reach; l++) {
+        r2 = i * i + j * j + l * l
+        if (r2 == 0 || r2 >= (m + 0.5) ^ 2 * (1 - 1e-12)) continue
+        g = part_kept(i, j, l); r = sqrt(r2); f = c * g / (r2 * r)
+        family++; volume += g
+        c11 += f * i ^ 4 / 2; c12 += f * i * i * j * j / 2
+        wave = 1 - cos(pi * k * i)
+        along += f * i * i * wave; across += f * j * j * wave
+        if (i > 0) cleaved += 0.5 * c * r * g * i * 5 / (6 * m)
+      }
+  printf "family %d\nvolume %.12g\nc11 %.12g\nc12 %.12g\n", family, volume / (4 * pi * m ^ 3 / 3), c11, c12
+  printf "e100 %.12g\nnu100 %.12g\n", c11 - 2 * c12 * c12 / (c11 + c12), c12 / (c11 + c12)
+  printf "g100 %.12g\nomega_l %.12g\nomega_t %.12g\n", cleaved, sqrt(along), sqrt(across)
+}

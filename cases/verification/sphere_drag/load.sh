@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# usage, in a run folder: load.sh load|forcing: the force on the body by the probes, or by what the forcing gave, over what drives the
+# flow, dp times the box's section of 1 m2.
+awk -F, -v way="$1" '
+  !dp { for (i = 1; i <= NF; i++) { if ($i == way "_x") at = i; if ($i == "dp") dp = i } next }
+  /^#/ { next }
+  { ratio = (way == "load" ? 1 : -1) * $at / $dp } END { printf "%.9g\n", ratio }' series.csv

@@ -1,0 +1,231 @@
+#include "coupling/adapt.h"
+#include "base/log.h"
+#include "base/par.h"
+#include "coupling/run.h"
+#include "solid/contact.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { LOOK_AT_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100, SUBSTEPS_MAX = 1000000 };
+
+/* Steps grow by no more than this, and a step that is longer by it than it was to be no longer holds, unless it is within the
+ * limit itself. */
+static const double GROWTH = 1.2, BEYOND = 1.1;
+/* What is made again: a quarter where nothing is known, else what the limit says, within these; below this part of the stage's first
+ * step nothing will help. */
+static const double SHORTER = 0.25, SHORTEST = 1e-3, LONGEST = 0.9, LEAST = 1e-6;
+enum { DOUBLINGS = 6, SAID_AFTER = 10 };
+
+const char *const adapt_bound_name[] = {"the scene", "convection", "diffusion", "growth",
+                                        "a step made again"};
+
+static const struct scene_stage *stage_of(const struct run *r) { return &r->scene->stage[r->stage]; }
+static int is_automatic(const struct run *r) { return r->fluid && stage_of(r)->time_step <= 0; }
+static int has_substeps(const struct run *r) { return r->substeps > 0 && stage_of(r)->substeps == 0; }
+
+void adapt_begin(struct run *r) {
+    r->adapt.limits_of = -1;
+    r->adapt.most = INFINITY;
+    r->adapt.least = r->adapt.tries = 0;
+    r->adapt.first = 0;
+    r->adapt.said = ADAPT_GIVEN;
+    if (r->stage_step == 0) r->adapt.approach = 0;
+}
+
+/* One line where another bound has come to stay. */
+static void say_bound(struct run *r) {
+    struct adapt *a = &r->adapt;
+    if (a->replays || a->bound == a->said || (a->said != ADAPT_GIVEN && a->since < SAID_AFTER)) return;
+    log_line("step %ld: time step %.4g s, bound by %s", r->step, r->dt, adapt_bound_name[a->bound]);
+    a->said = a->bound;
+}
+
+static void bounded_by(struct run *r, enum adapt_bound bound) {
+    r->adapt.since = bound == r->adapt.bound ? r->adapt.since + 1 : 1;
+    r->adapt.bound = bound;
+}
+
+void adapt_time_step(struct run *r) {
+    struct adapt *a = &r->adapt;
+    const double before = r->stage_step > 0 ? GROWTH * r->dt : 0;
+    if (a->limits_of != r->step) a->limits = fluid_stable_step(r->fluid);
+    enum adapt_bound bound = a->limits.convective < a->limits.viscous ? ADAPT_CONVECTION : ADAPT_DIFFUSION;
+    r->dt = stage_of(r)->cfl * a->limits.step;
+    if (before > 0 && r->dt > before) r->dt = before, bound = ADAPT_GROWTH;
+    if (r->dt > a->most) r->dt = a->most, bound = ADAPT_AGAIN;
+    if (!(a->first > 0)) a->first = r->dt;
+    bounded_by(r, bound);
+    say_bound(r);
+}
+
+int adapt_substeps_wanted(struct run *r) {
+    const double contact = solid_contact_rate2(r->solid);
+    r->adapt.approach = 0;
+    r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
+    const double least = ceil(r->dt / (stage_of(r)->safety * r->solid_stable) * (1 - 1e-12));
+    if (least > SUBSTEPS_MAX && contact == 0) /* contact may ask for that for a while */
+        die_all(EXIT_CODE_SCENE,
+                "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
+                stage_of(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
+    return least > 1 ? (int)fmin(least, SUBSTEPS_MAX) : 1; /* without bonds there is no limit */
+}
+
+static void set_substeps(struct run *r, int substeps) {
+    if (r->substeps > 0 && !r->adapt.replays)
+        log_line("step %ld: %d solid substeps, bound by %s (stable up to %.4g s)", r->step, substeps,
+                 solid_bound_name[r->solid_bound], r->solid_stable);
+    r->substeps = substeps;
+}
+
+/* Contact is looked at every few steps, or every step if the step itself changes. More substeps at once, fewer only every so
+ * many steps: the number is part of a checkpoint, and the steps at which it may change are fixed. */
+void adapt_substeps(struct run *r) {
+    const int least = r->adapt.least;
+    if (is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
+        const int wanted = adapt_substeps_wanted(r);
+        if (wanted > r->substeps || (wanted < r->substeps && r->stage_step % FEWER_SUBSTEPS_EVERY == 0))
+            set_substeps(r, wanted);
+    }
+    if (r->substeps < least) r->substeps = least;
+}
+
+/* Speed of this rank's fastest particle, m/s. */
+static double fastest_of(const struct solid *s) {
+    const int plane = s->dim == 2; /* its third array: the second, times 0 */
+    const double *restrict u = s->v[0], *restrict v = s->v[1], *restrict w = s->v[s->dim - 1];
+    const double third = !plane;
+    double most = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double v2 = u[h] * u[h] + v[h] * v[h] + third * (w[h] * w[h]);
+        most = v2 > most ? v2 : most;
+    }
+    return sqrt(most);
+}
+
+void adapt_look(const struct run *r, int failed, double number[ADAPT_NUMBERS]) {
+    number[ADAPT_FAILED] = failed;
+    number[ADAPT_RATE] = is_automatic(r) && !failed ? fluid_convection_rate(r->fluid, NULL) : 0;
+    number[ADAPT_FASTEST] =
+        has_substeps(r) && !failed && solid_contact_margin(r->solid) > 0 ? fastest_of(r->solid) : 0;
+}
+
+static void say_again(struct run *r, const char *how, const char *why) {
+    r->adapt.tries++;
+    if (!r->adapt.replays) log_line("step %ld: made again with %s: %s", r->step, how, why);
+}
+
+static enum adapt_verdict shorter(struct run *r, double dt, const struct step_status *s) {
+    char how[64], why[160];
+    if (!(dt >= LEAST * r->adapt.first)) return ADAPT_LOST;
+    r->adapt.most = dt;
+    snprintf(how, sizeof how, "%.4g s instead of %.4g s", dt, r->dt);
+    snprintf(why, sizeof why, "%s = %.4g at (%.6g, %.6g, %.6g) m on rank %d", s->field, s->value, s->x[0],
+             s->x[1], s->x[2], s->rank);
+    say_again(r, how, why);
+    return ADAPT_MAKE_AGAIN;
+}
+
+static enum adapt_verdict finer(struct run *r, int substeps, const char *why) {
+    char how[64];
+    if (r->adapt.tries >= DOUBLINGS || substeps > SUBSTEPS_MAX) return ADAPT_LOST;
+    r->adapt.least = substeps;
+    snprintf(how, sizeof how, "%d solid substeps instead of %d", substeps, r->substeps);
+    say_again(r, how, why);
+    return ADAPT_MAKE_AGAIN;
+}
+
+static enum adapt_verdict judge_failure(struct run *r, struct step_status *status) {
+    step_status_agree(status);
+    if (is_automatic(r)) return shorter(r, SHORTER * r->dt, status);
+    const int solid = status->field[0] == 'd' || status->field[0] == 's'; /* displacement, solid velocity */
+    return solid && has_substeps(r) ? finer(r, 2 * r->substeps, status->field) : ADAPT_LOST;
+}
+
+static enum adapt_verdict judge_convection(struct run *r, double rate, struct step_status *status) {
+    struct adapt *a = &r->adapt;
+    const double cfl = stage_of(r)->cfl;
+    a->limits = fluid_limits_of(r->fluid, rate);
+    a->limits_of = r->step;
+    if (r->dt <= fmax(BEYOND * cfl, 1) * a->limits.convective) return ADAPT_HOLDS;
+    *status = (struct step_status){.rank = par_rank(), .field = "convection"};
+    status->failed = fluid_convection_rate(r->fluid, status->x) == rate;
+    status->value = r->dt / a->limits.convective;
+    step_status_agree(status);
+    return shorter(r, fmin(fmax(cfl * a->limits.step, SHORTEST * r->dt), LONGEST * r->dt), status);
+}
+
+/* The bound sees a pair before it touches; it is looked at again before two can have come nearer by as much. */
+static enum adapt_verdict judge_contact(struct run *r, double fastest, struct step_status *status) {
+    r->adapt.approach += 2 * r->dt * fastest;
+    if (r->adapt.approach <= solid_contact_margin(r->solid)) return ADAPT_HOLDS;
+    const int wanted = adapt_substeps_wanted(r);
+    if (r->dt > r->solid_stable * r->substeps * (1 + 1e-12)) {
+        char why[96];
+        snprintf(why, sizeof why, "bound by %s (stable up to %.4g s)", solid_bound_name[r->solid_bound],
+                 r->solid_stable);
+        *status = (struct step_status){.failed = 1, .field = "substep", .value = r->dt / r->substeps};
+        return finer(r, wanted, why);
+    }
+    if (wanted > r->substeps) set_substeps(r, wanted);
+    return ADAPT_HOLDS;
+}
+
+static void count(struct run *r) {
+    if (r->adapt.replays) return;
+    if (is_automatic(r)) r->adapt.ruled[r->adapt.bound]++;
+    if (has_substeps(r)) r->adapt.substeps_ruled[r->solid_bound]++;
+}
+
+enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS],
+                               struct step_status *status) {
+    enum adapt_verdict verdict = ADAPT_HOLDS;
+    if (number[ADAPT_FAILED] > 0) return judge_failure(r, status);
+    if (is_automatic(r)) verdict = judge_convection(r, number[ADAPT_RATE], status);
+    if (verdict == ADAPT_HOLDS && has_substeps(r) && solid_contact_margin(r->solid) > 0)
+        verdict = judge_contact(r, number[ADAPT_FASTEST], status);
+    if (verdict == ADAPT_HOLDS) count(r);
+    return verdict;
+}
+
+void adapt_made(struct run *r) {
+    r->adapt.again += r->adapt.tries;
+    r->adapt.tries = r->adapt.least = 0;
+    r->adapt.most = INFINITY;
+}
+
+void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t size) {
+    const char *name = "";
+    double most = 0, stable = INFINITY;
+    int of_solid = 0;
+    if (r->fluid) {
+        const struct fluid_limits l = fluid_stable_step(r->fluid);
+        name =
+            l.convective < l.viscous ? adapt_bound_name[ADAPT_CONVECTION] : adapt_bound_name[ADAPT_DIFFUSION];
+        stable = l.step;
+        most = dt / stable;
+    }
+    if (substeps > 0) {
+        adapt_substeps_wanted(r);
+        of_solid = dt / substeps > most * r->solid_stable;
+        if (of_solid) {
+            name = solid_bound_name[r->solid_bound];
+            stable = r->solid_stable;
+            most = dt / substeps / stable;
+        }
+    }
+    const double step = of_solid ? dt / substeps : dt;
+    const char *what = of_solid ? "solid's substep" : "step";
+    if (most <= 1)
+        snprintf(
+            text, size,
+            "no limit of the last good state was exceeded: the %s of %.4g s is %.3g of what %s would allow",
+            what, step, most, name);
+    else if (of_solid)
+        snprintf(text, size,
+                 "the %s of %.4g s is %.3g times what %s would allow, %.4g s: %.0f substeps would do", what,
+                 step, most, name, stable, ceil(dt / (stage_of(r)->safety * stable)));
+    else
+        snprintf(text, size, "the %s of %.4g s is %.3g times what %s would allow, %.4g s", what, step, most,
+                 name, stable);
+}

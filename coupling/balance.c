@@ -1,0 +1,81 @@
+/* The probes say where on a body the fluid pulls, but their sum is of first order in the cell over the body's size. The forcing's sum is the
+ * fluid's own. For the markers' shell and the fluid within, which moves with the body,
+ *
+ *     rho V dU/dt = T + f + V (rho g + G),      so  T = rho V dU/dt - f - V (rho g + G),                     (after Uhlmann 2005)
+ *
+ * T the outer fluid's force on the body, f the forcing's on the fluid, G the driving gradient, which the solved pressure leaves out. T less
+ * the probes' sum is spread evenly over the volume that is in the domain: it moves the body and strains nothing that is free. A body is what
+ * the scene calls one, whole or in pieces. dU/dt is of the step before, as the probes' is. */
+#include "coupling/balance.h"
+#include "base/par.h"
+#include "solid/load.h"
+
+enum { BODIES_MAX = 255, VOLUME = 0, LACK, COLUMNS = LACK + 3 };
+
+static int is_inside(const struct run *r, int h) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    double x[3];
+    solid_position(r->solid, h, x);
+    for (int c = 0; c < 3; c++)
+        if (!g->periodic[c] && (x[c] < 0 || x[c] > g->length[c])) return 0;
+    return 1;
+}
+
+/* The next bonded particle in the domain from h on, or n. i: place among the surface's, which rise. */
+static int next_from(const struct run *r, int h, int *i) {
+    const struct solid_surface *f = r->surface;
+    for (; h < r->solid->n; h++) {
+        while (*i < f->n && f->h[*i] < h) ++*i;
+        const int is_set_free = *i < f->n && f->h[*i] == h && f->two_sided[*i] == SOLID_SET_FREE;
+        if (!is_set_free && is_inside(r, h)) break;
+    }
+    return h;
+}
+
+/* T less the probes' sum, of what a particle holds: the fluid within it, and its load. */
+static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    const struct solid *s = r->solid;
+    sum[VOLUME] += s->volume[h];
+    for (int c = 0; c < 3; c++) {
+        const int has_last = r->v_last[0] && r->dt > 0;
+        const double acceleration = has_last ? (s->v[c][h] - r->v_last[c][h]) / r->dt : 0;
+        const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == c;
+        const double push =
+            in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
+        const double probed = s->load[c][h] - solid_given_of(s, h, c);
+        sum[LACK + c] += (in->density * acceleration - push - probed) * s->volume[h];
+    }
+}
+
+static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
+    const struct solid *s = r->solid;
+    const struct run_markers *m = &r->markers;
+    for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
+        add_particle(r, h, sum[s->body[h]]);
+    for (int i = 0; i < m->n; i++) {
+        const int h = r->surface->h[i];
+        if (r->surface->two_sided[i] == SOLID_SET_FREE) continue;
+        for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
+    }
+    for (int q = 0; q < m->probes; q++) { /* what is carried as mass is the probes' too */
+        const int h = m->particle[q];
+        for (int c = 0; c < 3; c++)
+            sum[s->body[h]][LACK + c] += m->added[q] * m->acceleration_n[q] * m->normal[c][q] * s->volume[h];
+    }
+}
+
+void balance_loads(struct run *r, double sum[3]) {
+    struct solid *s = r->solid;
+    double body[BODIES_MAX][COLUMNS] = {{0}};
+    ENSURE(s->in.bodies <= BODIES_MAX, "%d bodies", s->in.bodies);
+    ibm_force_by_marker(r->ibm, r->dt, r->markers.force);
+    sum_bodies(r, body);
+    par_sum_array(body[0], s->in.bodies * COLUMNS);
+    for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
+        for (int c = 0; c < 3; c++) {
+            const double lack = body[s->body[h]][LACK + c] / body[s->body[h]][VOLUME];
+            s->load[c][h] += lack;
+            sum[c] += lack * s->volume[h];
+        }
+}

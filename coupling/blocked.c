@@ -1,0 +1,48 @@
+#include "coupling/blocked.h"
+
+#include <stdio.h>
+
+static const char *const side_name[3][2] = {{"x_low", "x_high"}, {"y_low", "y_high"}, {"z_low", "z_high"}};
+
+/* 1: the side gives a flow into the domain; -1: fluid may leave through it. */
+static int flows(const struct fluid_side *s, int d, int high) {
+    const double in = high ? -s->velocity[d] : s->velocity[d];
+    switch (s->type) {
+    case FLUID_INFLOW:
+        return 1;
+    case FLUID_OUTFLOW:
+    case FLUID_PRESSURE:
+        return -1;
+    case FLUID_GENERAL:
+        return s->condition[d] == FLUID_NEUMANN || in < 0 ? -1 : in > 0;
+    default:
+        return 0;
+    }
+}
+
+int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
+    int outlets[3][2], n = 0;
+    if (!r->needs.immersed) return 0;
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    const int driven = in->driving.direction;
+    run_deposit(r);
+    for (int d = 0; d < 3; d++)
+        for (int high = 0; high < 2; high++) outlets[d][high] = flows(&in->side[d][high], d, high) < 0;
+    for (int d = 0; d < 3; d++)
+        for (int high = 0; high < 2; high++)
+            if (flows(&in->side[d][high], d, high) > 0 &&
+                medium_is_blocked(r->medium, d, high, (const int(*)[2])outlets))
+                snprintf(
+                    sentence[n++], BLOCKED_SENTENCE,
+                    "%s has no way out that cells resolve: what flows in there is pressed through the solid",
+                    side_name[d][high]);
+    if (in->driving.type == FLUID_DRIVING_BULK && in->driving.value != 0 && n < BLOCKED_MAX) {
+        int far[3][2] = {{0}};
+        far[driven][1] = 1;
+        if (medium_is_blocked(r->medium, driven, 0, (const int(*)[2])far))
+            snprintf(sentence[n++], BLOCKED_SENTENCE,
+                     "no way along %c that cells resolve: the given mean flow is pressed through the solid",
+                     "xyz"[driven]);
+    }
+    return n;
+}

@@ -1,0 +1,50 @@
+/* Whether fluid can come from one side of the domain to others, as far as the cells tell. */
+#include "base/par.h"
+#include "coupling/medium_parts.h"
+
+#include <string.h>
+
+/* All cells of the domain, those of the rim left as walls. */
+static void set_cells(struct medium *m) {
+    const struct fluid_grid *g = m->g;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++)
+            for (int i = 0; i < g->m[0]; i++)
+                m->cell[medium_rimmed(g, i, j, k)] =
+                    m->fraction[fluid_grid_at(g, i, j, k)] < 0.5 ? MEDIUM_PORE : MEDIUM_WALL;
+}
+
+/* The cells along one side that the flood may enter (start: enters them, and puts them on the stack) or has reached; how many. */
+static int along_side(struct medium *m, int d, int high, int start) {
+    const struct fluid_grid *g = m->g;
+    int from[3] = {0, 0, 0}, to[3] = {g->m[0], g->m[1], g->m[2]}, n = 0;
+    if (!medium_at_end(g, d, high)) return 0;
+    if (high)
+        from[d] = g->m[d] - 1;
+    else
+        to[d] = 1;
+    for (int k = from[2]; k < to[2]; k++)
+        for (int j = from[1]; j < to[1]; j++)
+            for (int i = from[0]; i < to[0]; i++) {
+                const int at = medium_rimmed(g, i, j, k);
+                if (m->cell[at] != (start ? MEDIUM_PORE : MEDIUM_FRONT)) continue;
+                if (start) m->cell[at] = MEDIUM_FRONT, m->stack[n] = at;
+                n++;
+            }
+    return n;
+}
+
+int medium_is_blocked(struct medium *m, int d, int high, const int outlets[3][2]) {
+    const struct fluid_grid *g = m->g;
+    int over[3];
+    long reached = 0;
+    for (int c = 0; c < 3; c++) over[c] = g->periodic[c] && c != d;
+    set_cells(m);
+    medium_flood_on(m, MEDIUM_FRONT, along_side(m, d, high, 1), over);
+    for (int c = 0; c < 3; c++)
+        for (int side = 0; side < 2; side++)
+            if (outlets[c][side]) reached += along_side(m, c, side, 0);
+    memset(m->cell, MEDIUM_WALL, (size_t)(g->m[0] + 2) * (size_t)(g->m[1] + 2) * (size_t)(g->m[2] + 2));
+    m->effective = -1;
+    return par_sum_long(reached) == 0;
+}

@@ -1,0 +1,200 @@
+#include "coupling/strong.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/checkpoint.h"
+#include "coupling/quasi_newton.h"
+#include "coupling/run.h"
+
+#include <math.h>
+#include <string.h>
+
+/* w of the first iteration while nothing is known; the least independent part of a column. Both of preCICE. */
+static const double RELAXATION = 0.1, FILTER = 1e-2;
+/* A step's change of velocity is not asked to be known better than this part of what the load alone would give, where a solid in
+ * equilibrium has next to none. */
+static const double OF_LOAD = 1e-3;
+
+struct strong {
+    run_part *markers, *fluid; /* borrowed */
+    struct quasi_newton *relaxation;
+    struct checkpoint_guard *start; /* the state at t_n */
+    int n, capacity;                /* particles of the interface */
+    int *h;                         /* [n] which they are */
+    double *guess, *image; /* [3n] their velocity at t_{n+1}: given to the fluid, the solid's answer, m/s */
+    double *end;           /* [3n] their displacement there, extrapolated, m */
+    int forget;
+    struct strong_count count;
+};
+
+struct strong *strong_new(struct run *r) {
+    const struct scene_coupling *scene = r->scene->coupling;
+    if (!r->needs.immersed || !r->needs.bonds || scene->scheme != SCENE_STRONG) return NULL;
+    struct strong *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
+    k->relaxation = quasi_newton_new(&(struct quasi_newton_input){
+        .kind = scene->relaxation == SCENE_AITKEN ? QUASI_NEWTON_AITKEN : QUASI_NEWTON_LEAST_SQUARES,
+        .relaxation = RELAXATION,
+        .filter = FILTER});
+    k->start = checkpoint_guard_new(r);
+    return k;
+}
+
+void strong_free(struct strong *k) {
+    if (!k) return;
+    quasi_newton_free(k->relaxation);
+    checkpoint_guard_free(k->start);
+    memory_free(k->h);
+    memory_free(k->guess);
+    memory_free(k->image);
+    memory_free(k->end);
+    memory_free(k);
+}
+
+void strong_forget(struct strong *k) {
+    if (k) k->forget = 1;
+}
+
+void strong_parts(struct strong *k, run_part *markers, run_part *fluid) {
+    k->markers = markers;
+    k->fluid = fluid;
+}
+
+struct strong_count strong_count_of(const struct strong *k) {
+    return k->count;
+}
+
+static void reserve(struct strong *k, int n) {
+    if (n <= k->capacity && k->h) return;
+    double **const array[] = {&k->guess, &k->image, &k->end};
+    k->capacity = n + n / 4 + 64;
+    memory_free(k->h);
+    k->h = memory_new(MEMORY_COUPLING, (size_t)k->capacity, sizeof *k->h);
+    for (int a = 0; a < 3; a++) {
+        memory_free(*array[a]);
+        *array[a] = memory_new(MEMORY_COUPLING, 3 * (size_t)k->capacity, sizeof **array[a]);
+    }
+}
+
+/* The interface's particles as the surface has them now; forgets where they are others than before. */
+static void renew_interface(struct strong *k, const struct solid_surface *surface) {
+    const size_t bytes = (size_t)surface->n * sizeof *k->h;
+    const int same = k->h && k->n == surface->n && !memcmp(k->h, surface->h, bytes);
+    if (!same) {
+        reserve(k, surface->n);
+        memcpy(k->h, surface->h, bytes);
+        k->n = surface->n;
+    }
+    quasi_newton_begin(k->relaxation, 3 * k->n, !same || k->forget);
+    k->forget = 0;
+}
+
+/* The first guess, and where the interface ends: both straight on from the last two steps. From here on v_last is the velocity at
+ * t_n, so that the markers' acceleration is that of this very step. */
+static void begin(struct run *r) {
+    struct strong *k = r->strong;
+    struct solid *s = r->solid;
+    renew_interface(k, r->surface);
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < k->n; i++) {
+            const double v = s->v[c][k->h[i]], guess = 2 * v - r->v_last[c][k->h[i]];
+            k->guess[c * k->n + i] = guess;
+            k->end[c * k->n + i] = s->d[c][k->h[i]] + 0.5 * r->dt * (v + guess);
+        }
+    for (int c = 0; c < 3; c++) memcpy(r->v_last[c], s->v[c], (size_t)s->n * sizeof(double));
+    checkpoint_guard_keep(k->start, r);
+}
+
+static void swap(double *a, double *b) {
+    const double was = *a;
+    *a = *b;
+    *b = was;
+}
+
+static void swap_interface(struct strong *k, struct solid *s) {
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < k->n; i++) {
+            swap(&s->v[c][k->h[i]], &k->guess[c * k->n + i]);
+            swap(&s->d[c][k->h[i]], &k->end[c * k->n + i]);
+        }
+}
+
+/* Markers and probes of the interface as it is guessed at t_{n+1}. All stages see that velocity: the forcing lags behind by some
+ * steps, and lags more where it is led there in stages. */
+static void set_markers(struct run *r) {
+    swap_interface(r->strong, r->solid);
+    r->strong->markers(r);
+    swap_interface(r->strong, r->solid);
+}
+
+/* From t_n under the load of t_{n+1}: with the mean of both the part of it that goes with the acceleration would ring. */
+static void advance_solid(struct run *r) {
+    const struct strong *k = r->strong;
+    struct solid *s = r->solid;
+    s->t = r->t;
+    solid_advance(s, r->dt / r->substeps, r->substeps);
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < k->n; i++) k->image[c * k->n + i] = s->v[c][k->h[i]];
+}
+
+/* 1: guess and answer agree, against the change of velocity in the step; -1: no number. */
+static int is_converged(const struct run *r) {
+    enum { RESIDUAL, CHANGE, LOAD, SUMS };
+    const struct strong *k = r->strong;
+    const struct solid *s = r->solid;
+    double sum[SUMS] = {0};
+    for (int i = 0; i < k->n; i++) {
+        const int h = k->h[i];
+        const double per_density = r->dt / s->in.material[s->in.body[s->body[h]].material].density;
+        for (int c = 0; c < 3; c++) {
+            const double image = k->image[c * k->n + i];
+            sum[RESIDUAL] += pow(image - k->guess[c * k->n + i], 2);
+            sum[CHANGE] += pow(image - r->v_last[c][h], 2);
+            sum[LOAD] += pow(per_density * s->load[c][h], 2);
+        }
+    }
+    par_sum_array(sum, SUMS);
+    if (!isfinite(sum[RESIDUAL])) return -1;
+    const double tolerance = r->scene->coupling->tolerance;
+    return sum[RESIDUAL] <= tolerance * tolerance * fmax(sum[CHANGE], OF_LOAD * OF_LOAD * sum[LOAD]);
+}
+
+/* Doubling, so that a run that never converges does not drown its log. */
+static void say_unconverged(const struct run *r) {
+    const long n = ++r->strong->count.unconverged;
+    if ((n & (n - 1)) == 0)
+        log_line("step %ld: interface not converged after %d iterations (%ld such steps so far)", r->step,
+                 r->scene->coupling->iterations, n);
+}
+
+static void add_up(struct run *r, int iterations) {
+    struct strong_count *count = &r->strong->count;
+    count->steps++;
+    count->iterations += iterations;
+    count->most = iterations > count->most ? iterations : count->most;
+    r->fluid_cell_steps += (iterations - 1) * (long)fluid_cells(r->fluid);
+    r->solid_sweeps +=
+        (iterations - 1) * (long)r->substeps * (r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
+    if (r->stage_step + 1 == r->scene->stage[r->stage].steps)
+        log_line("strong coupling: %.2f iterations a step, %ld at most; %ld steps not converged",
+                 (double)count->iterations / (double)count->steps, count->most, count->unconverged);
+}
+
+void strong_step(struct run *r) {
+    struct strong *k = r->strong;
+    int iterations = 1;
+    begin(r);
+    for (;; iterations++) {
+        set_markers(r);
+        k->fluid(r);
+        run_probe(r);
+        advance_solid(r);
+        const int converged = is_converged(r);
+        if (converged < 0) k->forget = 1;
+        if (converged == 0 && iterations == r->scene->coupling->iterations) say_unconverged(r);
+        if (converged != 0 || iterations == r->scene->coupling->iterations) break;
+        quasi_newton_next(k->relaxation, k->guess, k->image);
+        checkpoint_guard_restore(k->start, r);
+    }
+    r->moved = r->step + 1;
+    add_up(r, iterations);
+}

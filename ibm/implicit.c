@@ -1,0 +1,166 @@
+/* Forcing where diffusion is implicit.
+ *
+ * A large step smears what a marker gives over sqrt(nu dt), so that giving what is missing, as ibm_force does, would leave a slip
+ * that grows with the step. Here the force q is an unknown of the stage. With S the spreading of increments, J the reading, and
+ * N_s iterations of the multidirect forcing
+ *     x = B e:   x = 0;  N_s times  x += (A_h dx/cell) (e - J S x)                          (001: eqs 3.79-3.82)
+ * explicit forcing in stages of length s leaves a steady flow with  V - J u = s (1 - J S B) y ,  q = B y : the slip that goes with
+ * the force. The same is asked for here, with s fixed at the mean stage of the explicit scheme's largest viscous step, whatever
+ * the step is now: the wall stands where the explicit scheme has it, and where the retraction was calibrated.
+ * With H = 1 - b dt nu lap and u* diffused under the last stage's force, y changes by d:
+ *     [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S B) y ,   u* += dt_r H^-1 S B d .
+ * The operator is symmetric and positive in the product <a, B b>: conjugate gradients, a Helmholtz solve an iteration, and none
+ * in a steady flow. */
+#include "base/clock.h"
+#include "base/par.h"
+#include "ibm/state.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A stage ends when its residual has fallen to a part of what it was, or of the slip itself; or after so many iterations. */
+static const double PART = 0.05, OF_SLIP = 2e-3;
+enum { ITERATIONS = 40 };
+
+typedef double vector3[3];
+
+void ibm_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]) {
+    ibm_sweep_read(b, u, velocity);
+    ibm_edges_sum(b, u, 0, b->pieces);
+    ibm_edges_share(b);
+    ibm_edges_velocity(b, with_sides, velocity + b->inner);
+}
+
+void ibm_write(struct ibm *b, double *const u[3], const double (*strength)[3]) {
+    memcpy(b->increment, strength, (size_t)b->served * sizeof *strength);
+    ibm_sweep_scatter(b, u, 0, b->inner);
+    ibm_edges_scatter(b, u, 0, b->pieces);
+}
+
+static double weight_of(const struct ibm *b, int h) {
+    return h < b->inner ? b->stencil[h].volume : b->edge[h - b->inner].volume;
+}
+
+static int is_mine(const struct ibm *b, int h) { return h < b->inner || b->edge[h - b->inner].mine; }
+
+/* Sum over all markers. Collective. */
+static double dot(const struct ibm *b, const vector3 *x, const vector3 *y) {
+    double sum = 0;
+    for (int h = 0; h < b->served; h++)
+        if (is_mine(b, h)) sum += x[h][0] * y[h][0] + x[h][1] * y[h][1] + x[h][2] * y[h][2];
+    return par_sum(sum);
+}
+
+/* x += a y */
+static void add(const struct ibm *b, vector3 *x, double a, const vector3 *y) {
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) x[h][c] += a * y[h][c];
+}
+
+/* x = a x + y; a = 0: x is not read, it may be no number */
+static void turn(const struct ibm *b, vector3 *x, double a, const vector3 *y) {
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) x[h][c] = (a == 0 ? 0 : a * x[h][c]) + y[h][c];
+}
+
+/* x = B e; left = e - J S x. Collective. */
+static void multidirect(struct ibm *b, const vector3 *e, vector3 *x, vector3 *left) {
+    double *const *u = fluid_diffusion_field(b->fluid);
+    vector3 *increment = b->vector[IBM_INCREMENT];
+    fluid_diffusion_clear(b->fluid);
+    memset(x, 0, (size_t)b->served * sizeof *x);
+    memcpy(left, e, (size_t)b->served * sizeof *left);
+    for (int s = 0; s < b->iterations; s++) {
+        for (int h = 0; h < b->served; h++)
+            for (int c = 0; c < 3; c++) increment[h][c] = weight_of(b, h) * left[h][c];
+        add(b, x, 1, (const vector3 *)increment);
+        ibm_write(b, u, (const vector3 *)increment);
+        ibm_read(b, u, 0, left);
+        turn(b, left, -1, e);
+    }
+}
+
+static double slip_time(const struct ibm *b) { return fluid_explicit_step(b->fluid) / 3; }
+
+/* Counts what q gives in a stage. */
+static void tally(struct ibm *b, int r, double dt) {
+    const struct fluid_grid *g = b->grid;
+    const double stage = fluid_gamma[r] * dt;
+    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] * fluid_gamma[r];
+    const vector3 *q = (const vector3 *)b->vector[IBM_FORCE];
+    for (int c = 0; c < 3 && r == 0; c++) b->given[c] = 0;
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) {
+            const double share = h < b->inner ? 1 : b->edge[h - b->inner].share[c];
+            b->received[h][c] = (r == 0 ? 0 : b->received[h][c]) + stage * q[h][c];
+            if (is_mine(b, h)) b->given[c] += scale * share * q[h][c];
+        }
+}
+
+/* q = B y; in RESIDUAL what the slip law takes: -s (1 - J S B) y. */
+void ibm_force_again(struct ibm *b, int r, double dt) {
+    vector3 *residual = b->vector[IBM_RESIDUAL], *q = b->vector[IBM_FORCE];
+    clock_begin(CLOCK_FORCING);
+    multidirect(b, (const vector3 *)b->vector[IBM_DEMAND], q, residual);
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) residual[h][c] *= -slip_time(b);
+    memcpy(b->vector[IBM_TARGET], q, (size_t)b->served * sizeof *q);
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) b->vector[IBM_TARGET][h][c] *= fluid_gamma[r] * dt;
+    ibm_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
+    clock_end(CLOCK_FORCING);
+}
+
+/* The residual once u* is there: += V - J u*. Collective. */
+static void begin(struct ibm *b) {
+    vector3 *residual = b->vector[IBM_RESIDUAL], *velocity = b->vector[IBM_TARGET];
+    ibm_read(b, fluid_predicted(b->fluid), 1, velocity);
+    for (int h = 0; h < b->served; h++) {
+        const double *v = h < b->inner ? b->stencil[h].v : b->edge[h - b->inner].v;
+        for (int c = 0; c < 3; c++) residual[h][c] += v[c] - velocity[h][c];
+    }
+}
+
+/* KD from D, BD: leaves dt_r H^-1 S B d in the diffusion's field. Collective. */
+static void apply(struct ibm *b, int r, double dt) {
+    double *const *u = fluid_diffusion_field(b->fluid);
+    vector3 *kd = b->vector[IBM_KD], *read = b->vector[IBM_TARGET];
+    const double s = slip_time(b), stage = fluid_gamma[r] * dt;
+    fluid_diffusion_clear(b->fluid);
+    ibm_write(b, u, (const vector3 *)b->vector[IBM_BD]);
+    ibm_read(b, u, 0, read);
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) kd[h][c] = s * (b->vector[IBM_D][h][c] - read[h][c]);
+    fluid_diffusion_solve(b->fluid, r, dt);
+    ibm_read(b, u, 0, read);
+    add(b, kd, stage, (const vector3 *)read);
+}
+
+void ibm_force_implicit(struct ibm *b, int r, double dt) {
+    vector3 **v = b->vector, *residual = v[IBM_RESIDUAL], *z = v[IBM_Z], *d = v[IBM_D], *bd = v[IBM_BD];
+    const double stage = fluid_gamma[r] * dt;
+    double before = 0, start = 0;
+    clock_begin(CLOCK_FORCING);
+    begin(b);
+    for (int k = 0; k < ITERATIONS; k++) {
+        multidirect(b, (const vector3 *)residual, z, v[IBM_TARGET]);
+        const double now = dot(b, (const vector3 *)residual, (const vector3 *)z);
+        const double slip = slip_time(b) * slip_time(b) *
+                            dot(b, (const vector3 *)v[IBM_DEMAND], (const vector3 *)v[IBM_FORCE]);
+        if (k == 0) start = now;
+        if (!(now > fmax(PART * PART * start * (k > 0), OF_SLIP * OF_SLIP * slip))) break;
+        turn(b, d, k > 0 ? now / before : 0, (const vector3 *)residual);
+        turn(b, bd, k > 0 ? now / before : 0, (const vector3 *)z);
+        before = now;
+        apply(b, r, dt);
+        const double curvature = dot(b, (const vector3 *)bd, (const vector3 *)v[IBM_KD]);
+        if (!(curvature > 0)) break;
+        const double a = now / curvature;
+        add(b, v[IBM_DEMAND], a, (const vector3 *)d);
+        add(b, v[IBM_FORCE], a, (const vector3 *)bd);
+        add(b, residual, -a, (const vector3 *)v[IBM_KD]);
+        fluid_diffusion_add(b->fluid, a * stage);
+    }
+    tally(b, r, dt);
+    clock_end(CLOCK_FORCING);
+}

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# A run folder that another run is at work in is refused, whatever is asked for; looking at it is not; a kill gives it back.
+. "$(dirname "$0")/common.sh" "$@"
+scene | sed 's/fields_every: .*/fields_every: 10/; s/checkpoint_every: .*/checkpoint_every: 10/' >scene.yaml
+mpiexec --oversubscribe -n 2 "$frana" run scene.yaml --out run --set stages.flow.steps=1000000 >first 2>&1 & mpiexec=$!
+trap 'kill -9 $mpiexec 2>/dev/null || true' EXIT
+for _ in $(seq 600); do [ -f run/checkpoint/latest ] && break; sleep 0.05; done
+[ -f run/checkpoint/latest ] || { cat first; fail "the first run does not begin"; }
+
+refused() {
+  grep -Eq '^frana: run folder run: another run is at work there \(process [0-9]+ on .+\)$' err || { cat err; fail "$*: no sentence"; }
+  [ "$(grep -c '^frana:' err)" = 1 ] || { cat err; fail "$*: more than one sentence"; }
+}
+before=$(cat run/checkpoint/latest)
+code 4 ranks 1 run scene.yaml --out run --resume && refused "a resume"
+code 4 ranks 2 run scene.yaml --out ./run/../run --resume && grep -q 'another run is at work' err || fail "by another name"
+code 4 ranks 1 run scene.yaml --out run # a new run: what is there is not overwritten
+grep -q 'holds a run already' err || { cat err; fail "a new run"; }
+code 0 ranks 1 post run
+[ -d run/post ] || fail "nothing was drawn of a run at work"
+for _ in $(seq 200); do [ "$(cat run/checkpoint/latest)" != "$before" ] && break; sleep 0.05; done
+[ "$(cat run/checkpoint/latest)" != "$before" ] || fail "the first run has stopped"
+
+# killed, it holds nothing, as soon as its last rank is gone
+kill -9 "$mpiexec"
+wait "$mpiexec" 2>/dev/null || true
+for _ in $(seq 100); do
+  got=0
+  ranks 2 run scene.yaml --out run --resume --set stages.flow.steps=1000000 --max-wall 2 >out 2>err || got=$?
+  { [ "$got" = 4 ] && grep -q 'another run is at work' err; } || break
+  sleep 0.1
+done
+[ "$got" = 75 ] || { cat out err; fail "exit code $got after the first run was killed"; }
+[ ! -e run/run.lock ] || fail "run.lock is left by a run that has ended"
+echo ok

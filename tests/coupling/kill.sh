@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# A run that is killed (SIGKILL) at random moments and resumed ends with the series that it would have had, and at no moment is a
+# finished file damaged.  usage: kill.sh FRANA SOURCE WORK LOOK KILLS [SEED]
+# RANKS: how many (default 2). A rank or mpiexec is killed: some time after the start, or when a checkpoint or a field is being written.
+. "$(dirname "$0")/common.sh" "$@"
+look=$(realpath "$4") kills=$5 seed=${6:-$((EPOCHSECONDS % 32768))} until=$((EPOCHSECONDS + ${7:-86400}))
+RANDOM=$seed n=${RANKS:-2}
+echo "seed $seed"
+scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 30/; /name: settle/s/steps: [0-9]*/steps: 30/' \
+  -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 6/; s/checkpoint_every: .*/checkpoint_every: 4/' \
+  -e 's/substeps: 4/substeps: auto/' >scene.yaml
+code 0 ranks "$n" run scene.yaml --out whole
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i } END { exit !($b > 0) }' whole/series.csv ||
+  fail "nothing has broken"
+wall=$(grep -o '"wall_seconds": *[0-9.]*' whole/run.json | grep -o '[0-9.]*$')
+echo "uninterrupted: $wall s"
+half=$(awk -v w="$wall" 'BEGIN { h = int(500 * w); print h < 700 ? 700 : h }') # milliseconds
+
+exists() { compgen -G "$1" >/dev/null; }
+# random A B: so many thousandths of a second, in seconds
+random() { local ms=$(($1 + RANDOM % ($2 - $1))); printf '%d.%03d' $((ms / 1000)) $((ms % 1000)); }
+
+# Waits for the moment at which to kill: at a random time after the start, or at the n-th file that is being written.
+moment() {
+  local part count
+  case $1 in
+  0) sleep "$(random 1 $((2 * half)))"; return ;;
+  1) part=run/checkpoint/*.part count=$((1 + RANDOM % 6)) ;;
+  2) part=run/fields/*.part count=$((1 + RANDOM % 6)) ;;
+  3)
+    until exists run/series.csv || ! kill -0 "$mpiexec" 2>/dev/null; do :; done
+    sleep "$(random 1 "$half")"
+    return
+    ;;
+  esac
+  while ((count-- > 0)); do
+    while exists "$part" && kill -0 "$mpiexec" 2>/dev/null; do :; done
+    until exists "$part" || ! kill -0 "$mpiexec" 2>/dev/null; do :; done
+  done
+}
+
+declare -A during=([set-up]=0 [step]=0 [checkpoint]=0 [field]=0 [record]=0) victims=([rank]=0 [mpiexec]=0)
+killed=0 ends=0 waits=0 anew=0
+rm -rf run
+while :; do
+  resume=
+  if exists 'run/checkpoint/*.h5'; then resume=--resume; elif [ -e run ]; then rm -rf run anew=$((anew + 1)); fi
+  got=0
+  mpiexec --oversubscribe -n "$n" "$frana" run scene.yaml --out run $resume >out 2>err & mpiexec=$!
+  ((EPOCHSECONDS < until)) || kills=$killed
+  if ((killed < kills)); then
+    moment $((RANDOM % 4))
+    pids=($(pgrep -P "$mpiexec" -x frana || true))
+    if ((${#pids[@]} == n && RANDOM % 3 > 0)); then victim=rank pid=${pids[RANDOM % n]}; else victim=mpiexec pid=$mpiexec; fi
+    if kill -9 "$pid" 2>/dev/null; then hit=1; else hit=0; fi
+    wait "$mpiexec" 2>/dev/null || got=$?
+    for pid in "${pids[@]}"; do # what mpiexec has left behind goes by itself
+      for _ in $(seq 200); do kill -0 "$pid" 2>/dev/null || break; sleep 0.05; done
+      kill -0 "$pid" 2>/dev/null && fail "rank $pid lives on after a kill"
+    done
+  else
+    hit=0
+    wait "$mpiexec" || got=$?
+  fi
+  if [ "$got" = 4 ] && grep -q 'another run is at work' err; then waits=$((waits + 1)); sleep 0.1; continue; fi
+  if [ "$got" = 0 ]; then # done, or killed too late
+    same whole/series.csv run/series.csv
+    exists 'run/*/*.part' && fail "an unfinished file is left: $(ls run/*/*.part)"
+    [ "$("$look" run | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "other files than of the uninterrupted run"
+    ends=$((ends + 1))
+    ((killed < kills)) || break
+    rm -rf run
+    continue
+  fi
+  ((hit)) || { cat out err >&2; fail "ended with exit code $got without being killed"; }
+  killed=$((killed + 1)) victims[$victim]=$((victims[$victim] + 1))
+  if exists 'run/checkpoint/*.h5.part'; then what=checkpoint
+  elif exists 'run/fields/*.part'; then what=field
+  elif exists 'run/*.part' || exists 'run/checkpoint/latest.part'; then what=record
+  elif [ ! -e run/series.csv ] || { [ -z "$resume" ] && ! exists 'run/checkpoint/*.h5' && [ "$(wc -l <run/series.csv)" -le 2 ]; }; then what=set-up
+  else what=step; fi
+  during[$what]=$((during[$what] + 1))
+  if [ -d run ]; then "$look" run >found || { cat found >&2; fail "damaged after kill $killed, of $victim, during $what"; }; fi
+done
+echo "$killed kills (${victims[rank]} of a rank, ${victims[mpiexec]} of mpiexec): ${during[checkpoint]} during a checkpoint," \
+  "${during[field]} a field, ${during[record]} latest or run.json, ${during[set-up]} set-up, ${during[step]} a step;" \
+  "$anew begun anew, $waits waits for a folder in use, $ends runs done"
+echo ok

@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# What the system refuses in the middle of a run: a limit on files' sizes, a full disk, a folder turned read-only, a folder that
+# is gone. Exit code 4 and one sentence that names the file; what is finished is whole; resumed, the run ends as it would have.
+# usage: refused.sh FRANA SOURCE WORK LOOK
+. "$(dirname "$0")/common.sh" "$@"
+look=$(realpath "$4")
+scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 200/; /name: settle/s/steps: [0-9]*/steps: 30/; /name: fracture/s/steps: [0-9]*/steps: 30/' \
+  -e 's/fields_every: .*/fields_every: 80/; s/checkpoint_every: .*/checkpoint_every: 40/' >scene.yaml
+code 0 ranks 2 run scene.yaml --out whole
+
+# begin FOLDER [COMMAND...]: a run of two ranks in the background, until its first checkpoint is there
+begin() {
+  local folder=$1
+  said=$PWD/${1//\//_}; shift
+  "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" >"$said.out" 2>"$said.err" & mpiexec=$!
+  for _ in $(seq 1200); do [ -f "$folder/checkpoint/latest" ] && return; sleep 0.02; done
+  cat "$said.out" "$said.err" >&2
+  fail "$folder: no checkpoint"
+}
+# A launcher may fall over its own finalize after frana has left with 4.
+refused() { # FOLDER WHY
+  local got=0
+  wait "$mpiexec" || got=$?
+  [ "$got" = 4 ] || grep -q 'with errorcode 4' "$said.err" || { cat "$said.err" >&2; fail "$2: exit code $got"; }
+  [ "$(grep -c '^frana: ' "$said.err")" = 1 ] || { cat "$said.err" >&2; fail "$2: not one sentence"; }
+  grep -Eq "^frana: (rank 0: )?$1/[a-z0-9_/.]+: cannot be written: $2" "$said.err" || { cat "$said.err" >&2; fail "$2: not what was to be said"; }
+  echo "$(grep '^frana: ' "$said.err")"
+}
+whole() { # FOLDER [COMMAND...]: nothing is damaged, and it can be gone on from
+  local folder=$1; shift
+  "$look" "$folder" >found || { cat found >&2; fail "$folder: damaged"; }
+  code 0 "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" --resume
+  same whole/series.csv "$folder/series.csv"
+  [ "$("$look" "$folder" | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "$folder: other files than of the uninterrupted run"
+}
+
+# a limit on files' sizes: of the series, which grows; of checkpoints and fields
+begin limit
+for pid in $(pgrep -P "$mpiexec" -x frana); do prlimit --pid "$pid" --fsize=1000:1000; done
+refused limit 'File too large'
+whole limit
+
+# the folder is gone, and comes back
+begin gone
+mv gone away
+refused gone 'No such file or directory'
+mv away gone
+whole gone
+
+# read-only, for one who is not root
+user=()
+if [ "$(id -u)" = 0 ]; then
+  user=(setpriv --reuid=65534 --regid=65534 --clear-groups env "HOME=$PWD/readonly.home" "XDG_CACHE_HOME=$PWD/readonly.home")
+  mkdir readonly.home && chown 65534:65534 readonly.home
+fi
+if "${user[@]}" "$frana" --version >/dev/null 2>&1 && "${user[@]}" test -r "$PWD/scene.yaml"; then
+  mkdir readonly && [ ${#user[@]} = 0 ] || chown 65534:65534 readonly
+  begin readonly "${user[@]}"
+  chmod a-w readonly/checkpoint readonly/fields readonly
+  refused readonly 'Permission denied'
+  chmod u+w readonly/checkpoint readonly/fields readonly
+  whole readonly "${user[@]}"
+else
+  echo "no other user can run frana here: the read-only folder is left out"
+fi
+
+# a full disk
+mkdir small
+if mount -t tmpfs -o size=24m tmpfs small 2>/dev/null; then
+  trap 'umount -l "$work/small"' EXIT
+  begin small/run
+  cat /dev/zero >small/ballast 2>/dev/null || true
+  refused small/run 'No space left on device'
+  rm small/ballast
+  whole small/run
+else
+  echo "no small file system can be mounted here: the full disk is left out"
+fi
+echo ok

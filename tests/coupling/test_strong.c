@@ -1,0 +1,116 @@
+/* The iterated step: its answer does not depend on how it is found, a body that moves with the flow needs no iterations, and
+ * steps that do not converge are counted. */
+#include "coupling/run.h"
+#include "scene_of.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A light ball: half the fluid's density. */
+static const char *const text =
+    "title: test\n"
+    "domain: {size: [0.16, 0.16, 0.16], cells: [16, 16, 16]}\n"
+    "fluid:\n"
+    "  density: 1000\n"
+    "  viscosity: 1.0e-3\n"
+    "  initial: {velocity: [0.1, 0.05, -0.02]}\n"
+    "  sides:\n"
+    "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"
+    "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
+    "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
+    "solid:\n"
+    "  materials:\n"
+    "    - {name: light, youngs_modulus: 1.0e6, density: 500, fracture_energy: 0.05}\n"
+    "  bodies:\n"
+    "    - {shape: sphere, centre: [0.08, 0.08, 0.08], radius: 0.04}\n"
+    "coupling: {scheme: strong, tolerance: 1.0e-7}\n"
+    "stages:\n"
+    "  - {name: drift, steps: 6, time_step: 2.0e-3}\n";
+
+/* Six steps of a ball at rest in the flow; its mean velocity, and the fastest particle against it. */
+static struct strong_count ball_after(int n, const char *const *set, double mean[3], double *shake) {
+    struct scene *scene = scene_of(text, "", n, set);
+    struct run *r = run_new(scene);
+    run_stage_begin(r);
+    while (r->stage_step < scene->stage[0].steps) run_step(r);
+    const struct strong_count count = r->strong ? strong_count_of(r->strong) : (struct strong_count){0};
+    *shake = 0;
+    for (int c = 0; c < 3; c++) {
+        mean[c] = 0;
+        for (int h = 0; h < r->solid->n; h++) mean[c] += r->solid->v[c][h];
+        mean[c] = par_sum(mean[c]) / (double)r->solid->n_global;
+        for (int h = 0; h < r->solid->n; h++) *shake = fmax(*shake, fabs(r->solid->v[c][h] - mean[c]));
+    }
+    *shake = par_max(*shake);
+    run_free(r);
+    scene_free(scene);
+    return count;
+}
+
+static void test_one_answer(void **state) {
+    (void)state;
+    static const char *const aitken[] = {"coupling.relaxation=aitken"};
+    double a[3], b[3], shake, shake_b;
+    const struct strong_count newton = ball_after(0, NULL, a, &shake);
+    assert_int_equal(newton.steps, 6);
+    assert_int_equal(newton.unconverged, 0);
+    assert_true(newton.iterations > newton.steps);
+    assert_true(a[0] > 0.02 && a[0] < 0.1); /* dragged along, not past the flow */
+    const struct strong_count other = ball_after(1, aitken, b, &shake_b);
+    assert_int_equal(other.unconverged, 0);
+    for (int c = 0; c < 3; c++) assert_true(fabs(a[c] - b[c]) < 1e-6 * 0.1);
+    assert_true(fabs(shake - shake_b) < 1e-5 * 0.1);
+}
+
+/* Verlet goes on from its last sweep, which is part of what is put back. */
+static void test_one_answer_of_verlet(void **state) {
+    (void)state;
+    static const char *const set[] = {"stages.drift.integrator=verlet", "coupling.relaxation=aitken"};
+    double a[3], b[3], shake, shake_b;
+    const struct strong_count newton = ball_after(1, set, a, &shake), other = ball_after(2, set, b, &shake_b);
+    assert_int_equal(newton.unconverged + other.unconverged, 0);
+    assert_true(newton.iterations !=
+                other.iterations); /* so the state was put back another number of times */
+    for (int c = 0; c < 3; c++) assert_true(fabs(a[c] - b[c]) < 1e-6 * 0.1);
+    assert_true(fabs(shake - shake_b) < 1e-5 * 0.1);
+}
+
+static void test_with_the_flow(void **state) {
+    (void)state;
+    const double velocity[3] = {0.1, 0.05, -0.02};
+    struct scene *scene = scene_of(text, "", 0, NULL);
+    struct run *r = run_new(scene);
+    run_stage_begin(r);
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < r->solid->n; h++) r->solid->v[c][h] = r->v_last[c][h] = velocity[c];
+    while (r->stage_step < scene->stage[0].steps) run_step(r);
+    double error = 0;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < r->solid->n; h++)
+            error = fmax(error, fabs(r->solid->d[c][h] - velocity[c] * r->t) / r->t);
+    assert_true(par_max(error) < 1e-8 * 0.1);
+    run_free(r);
+    scene_free(scene);
+}
+
+static void test_too_few_iterations(void **state) {
+    (void)state;
+    static const char *const one[] = {"coupling.iterations=1"}, *const explicit[] = {"coupling={}"};
+    double mean[3], shake;
+    const struct strong_count count = ball_after(1, one, mean, &shake);
+    assert_int_equal(count.iterations, 6);
+    assert_int_equal(count.unconverged, 6);
+    assert_int_equal(ball_after(1, explicit, mean, &shake).steps, 0);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_one_answer), cmocka_unit_test(test_one_answer_of_verlet),
+        cmocka_unit_test(test_with_the_flow), cmocka_unit_test(test_too_few_iterations)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

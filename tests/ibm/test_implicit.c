@@ -1,0 +1,190 @@
+/* Forcing with implicit diffusion: one steady flow for every step and number of ranks, the explicit scheme's; momentum; bodies that
+ * move, sides with conditions. */
+#include "flows.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <string.h>
+/* after the above */
+#include <cmocka.h>
+
+enum { N = 16 };
+
+/* One step. */
+static void march(struct fluid *f, struct ibm *b, double dt) {
+    for (int r = 0; r < 3; r++) {
+        fluid_predict(f, r, dt);
+        if (fluid_input_of(f)->implicit) {
+            ibm_force_again(b, r, dt);
+            fluid_diffuse(f, r, dt);
+            ibm_force_implicit(b, r, dt);
+        } else {
+            ibm_force(b, r, dt);
+        }
+        fluid_project(f, r, dt);
+    }
+}
+
+/* A sphere in a box of unit cells and viscosity; nu dt/d^2 is dt. */
+static struct fluid_input box(int implicit) {
+    struct fluid_input in = {.n = {N, N, N},
+                             .length = {N, N, N},
+                             .density = 2,
+                             .viscosity = 1,
+                             .driving = {FLUID_DRIVING_GRADIENT, 0, 2e-6},
+                             .immersed = 1,
+                             .implicit = implicit};
+    return in;
+}
+
+static struct body sphere(void) {
+    const double centre[3] = {0.5 * N, 0.5 * N, 0.5 * N}, lattice[3] = {0.5, 0.5, 0.5};
+    return body_sphere_lattice(centre, ARRAY_RADIUS * N, 1, lattice, 0.5 - IBM_RETRACTION);
+}
+
+/* k/L^2 after so many steps; each step's momentum balance, with the force on the fluid. */
+static double permeability(int implicit, double dt, int steps) {
+    const struct fluid_input in = box(implicit);
+    struct fluid *f = fluid_new(&in);
+    struct ibm *b = ibm_new(f, 2);
+    struct body body = sphere();
+    body_send(b, &body);
+    double before[3], after[3], force[3];
+    for (int s = 0; s < steps; s++) {
+        fluid_momentum(f, before);
+        march(f, b, dt);
+        fluid_momentum(f, after);
+        ibm_force_total(b, force);
+        const double driven = 2e-6 * N * N * N, residual = (after[0] - before[0]) / dt - force[0] - driven;
+        assert_true(fabs(residual) < 1e-12 * driven);
+    }
+    const double k = in.density * in.viscosity * fluid_bulk_velocity(f, 0) / (2e-6 * N * N);
+    ibm_free(b);
+    fluid_free(f);
+    body_free(&body);
+    return k;
+}
+
+/* Within what a stage's tolerance leaves, 2e-3 of a slip that is itself a tenth of k. */
+static void same_for_every_step(void **state) {
+    (void)state;
+    const double huge = permeability(1, 1e4, 12), large = permeability(1, 100, 12),
+                 small = permeability(1, 8, 60);
+    print_message("k/L^2 = %.7f (nu dt/d^2 = 1e4), %.7f (100), %.7f (8)\n", huge, large, small);
+    assert_true(fabs(large / huge - 1) < 3e-4);
+    assert_true(fabs(small / huge - 1) < 3e-4);
+}
+
+/* The slip law has the mean stage where the explicit scheme has three of unlike length. */
+static void explicit_scheme_agrees(void **state) {
+    (void)state;
+    if (par_size() > 1) return;
+    const double implicit = permeability(1, 1e3, 8), limit = 1.65 / 12,
+                 explicit = permeability(0, limit, 2000);
+    print_message("k/L^2 = %.6f implicit, %.6f explicit at its limit\n", implicit, explicit);
+    assert_true(fabs(implicit / explicit - 1) < 0.01);
+}
+
+/* Sum of the force by marker, and the force as a whole, where the body reaches over periodic sides and ranks. */
+static void markers_share_the_force(void **state) {
+    (void)state;
+    const struct fluid_input in = box(1);
+    struct fluid *f = fluid_new(&in);
+    struct ibm *b = ibm_new(f, 2);
+    struct body body = sphere();
+    double *each[3], force[3], sum[3] = {0, 0, 0};
+    for (int h = 0; h < body.n; h++) body.x[2][h] += 0.5 * N;
+    body_send(b, &body);
+    march(f, b, 50);
+    ibm_force_total(b, force);
+    for (int c = 0; c < 3; c++) each[c] = calloc((size_t)body.n + 1, sizeof(double));
+    ibm_force_by_marker(b, 50, each);
+    for (int c = 0; c < 3; c++) {
+        for (int h = 0; h < body.n; h++) sum[c] += each[c][h];
+        free(each[c]);
+    }
+    par_sum_array(sum, 3);
+    for (int c = 0; c < 3; c++) assert_true(fabs(sum[c] - force[c]) < 1e-12 * fabs(force[0]));
+    assert_true(force[0] < 0);
+    ibm_free(b);
+    fluid_free(f);
+    body_free(&body);
+}
+
+/* A sphere dragged along between walls, from an inflow to an outflow, through cells and over ranks, at nu dt/d^2 from 0.1 to 1e4: the
+ * flow stays of the order of the speeds that are given, and what moves with the sphere moves as it does. */
+static void a_moving_body_between_walls(void **state) {
+    (void)state;
+    for (int power = -1; power <= 4; power++) {
+        struct fluid_input in = box(1);
+        const double speed = 2e-5, dt = pow(10, power), step = speed * dt;
+        in.driving.type = FLUID_DRIVING_NONE;
+        in.side[1][0].type = in.side[1][1].type = FLUID_WALL;
+        in.side[2][0] = (struct fluid_side){.type = FLUID_INFLOW, .bulk_velocity = speed};
+        in.side[2][1].type = FLUID_OUTFLOW;
+        in.initial_velocity[2] = speed;
+        struct fluid *f = fluid_new(&in);
+        struct ibm *b = ibm_new(f, 2);
+        struct body body = sphere();
+        for (int s = 0; s < 12; s++) {
+            for (int h = 0; h < body.n; h++) {
+                body.x[0][h] += step;
+                body.v[0][h] = speed;
+            }
+            body_send(b, &body);
+            march(f, b, dt);
+        }
+        struct step_status status = fluid_check(f);
+        assert_false(status.failed);
+        assert_true(fluid_divergence_max(f) < 1e-12 * speed * N);
+        assert_true(fluid_cfl(f, 1) < 20 * speed);
+        if (power > 0) assert_true(ibm_slip(b) < 0.3 * speed);
+        ibm_free(b);
+        fluid_free(f);
+        body_free(&body);
+    }
+}
+
+/* What a run resumes from is enough, and it is kept when the markers are sorted anew. */
+static void demand_is_handed_on(void **state) {
+    (void)state;
+    const struct fluid_input in = box(1);
+    struct fluid *f[2] = {fluid_new(&in), fluid_new(&in)};
+    struct ibm *b[2] = {ibm_new(f[0], 2), ibm_new(f[1], 2)};
+    struct body body = sphere();
+    double *demand[3], force[2][3];
+    for (int c = 0; c < 3; c++) demand[c] = calloc((size_t)body.n + 1, sizeof(double));
+    body_send(b[0], &body);
+    for (int s = 0; s < 3; s++) march(f[0], b[0], 20);
+    struct fluid_state *from = fluid_state_of(f[0]), *to = fluid_state_of(f[1]);
+    double *const all[2][4] = {{from->u, from->v, from->w, from->p}, {to->u, to->v, to->w, to->p}};
+    for (int q = 0; q < 4; q++) memcpy(all[1][q], all[0][q], fluid_grid_of(f[0])->size * sizeof(double));
+    ibm_demand(b[0], demand);
+    body_send(b[1], &body);
+    ibm_demand_set(b[1], (const double *const *)demand);
+    body_send(b[1], &body);
+    for (int k = 0; k < 2; k++) {
+        fluid_state_refresh(f[k]);
+        march(f[k], b[k], 20);
+        ibm_force_total(b[k], force[k]);
+    }
+    assert_true(fabs(force[1][0] / force[0][0] - 1) < 1e-12);
+    for (int k = 0; k < 2; k++) {
+        ibm_free(b[k]);
+        fluid_free(f[k]);
+    }
+    for (int c = 0; c < 3; c++) free(demand[c]);
+    body_free(&body);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(same_for_every_step), cmocka_unit_test(explicit_scheme_agrees),
+        cmocka_unit_test(markers_share_the_force), cmocka_unit_test(a_moving_body_between_walls),
+        cmocka_unit_test(demand_is_handed_on)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

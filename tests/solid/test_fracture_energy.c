@@ -1,0 +1,97 @@
+/* What a cleaved block gives up is, a unit of area, what its bonds hold at the critical stretch.  (001: eq. 3.26) */
+#include "make.h"
+
+static const double FRACTURE_ENERGY = 0.05;
+enum { SITES = 8, UP = 2 };
+
+static double length_of(const double xi[3]) { return sqrt(xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]); }
+
+/* G/G0 of a plane between two layers: the sum over one family of xi_z times what a bond of stretch s0 holds, J/m2. */
+static double cleaved(const struct solid *s, struct solid_family_view *view, int h, double stretch) {
+    const double c0 = solid_micromodulus(s->in.material, SPACING);
+    double sum = 0;
+    solid_family_view(s, h, view);
+    for (int b = 0; b < view->n; b++)
+        if (view->xi[b][UP] > 0)
+            sum += 0.5 * c0 * stretch * stretch * length_of(view->xi[b]) * view->weight[b] * view->xi[b][UP];
+    return sum;
+}
+
+/* A plane cut through the block cuts the bonds across it and no others: the sum over pairs equals the sum over one family. */
+static void test_bonds_across_a_plane(void **state) {
+    (void)state;
+    static struct solid_family_view view;
+    const double a = SITES * SPACING, x[2] = {-a, 2 * a};
+    const double point[4][3] = {{x[0], x[0], a}, {x[1], x[0], a}, {x[1], x[1], a}, {x[0], x[1], a}};
+    const struct solid_cut cut = {4, point};
+    for (int list = 0; list < 2; list++) {
+        struct solid *s = make((struct make){.sites = {SITES, SITES, 2 * SITES},
+                                             .periodic = {1, 1, 0},
+                                             .list = list,
+                                             .uncorrected = 1,
+                                             .fracture_energy = FRACTURE_ENERGY,
+                                             .cuts = 1,
+                                             .cut = &cut});
+        const double c0 = solid_micromodulus(s->in.material, SPACING);
+        const double s0 = solid_critical_stretch(s->in.material, SPACING);
+        double sum = 0, one = 0;
+        for (int h = 0; h < s->n; h++) {
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++)
+                if (!view.intact[b]) /* half of it: seen from both ends */
+                    sum += 0.25 * c0 * s0 * s0 * length_of(view.xi[b]) * view.weight[b] * s->volume[h];
+            if (fabs(s->x0[UP][h] - 3.5 * SPACING) < 0.1 * SPACING) one = cleaved(s, &view, h, s0);
+        }
+        sum = par_sum(sum) / (a * a * FRACTURE_ENERGY);
+        one = par_max(one) / FRACTURE_ENERGY;
+        assert_near(one, 1.0131175, 2e-6); /* cases/verification/lattice.awk */
+        assert_near(sum / one, 1, 1e-12);
+        solid_free(s);
+    }
+}
+
+/* Halves drawn apart at once: e_fracture is what their bonds held when they broke. */
+static void test_released(void **state) {
+    (void)state;
+    static struct solid_family_view view;
+    const double a = SITES * SPACING;
+    for (int list = 0; list < 2; list++) {
+        struct solid *s = make((struct make){.sites = {SITES, SITES, 2 * SITES},
+                                             .periodic = {1, 1, 0},
+                                             .list = list,
+                                             .uncorrected = 1,
+                                             .fracture_energy = FRACTURE_ENERGY});
+        double across = 0; /* bonds across the plane, for each particle of a layer */
+        const double c0 = solid_micromodulus(s->in.material, SPACING), gap = 0.05 * SPACING;
+        double held = 0;
+        for (int h = 0; h < s->n; h++) s->d[UP][h] = s->x0[UP][h] > a ? gap : 0;
+        solid_ghosts_update(s);
+        for (int h = 0; h < s->n; h++) {
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++) {
+                const double *xi = view.xi[b], open = s->d[UP][view.l[b]] - s->d[UP][h];
+                const double now[3] = {xi[0], xi[1], xi[2] + open};
+                const double stretch = length_of(now) / length_of(xi) - 1;
+                held += 0.25 * c0 * stretch * stretch * length_of(xi) * view.weight[b] * s->volume[h];
+                if (xi[UP] > 0 && fabs(s->x0[UP][h] - 3.5 * SPACING) < 0.1 * SPACING)
+                    across += xi[UP] / SPACING;
+            }
+        }
+        solid_force(s, 1);
+        solid_count_bonds(s);
+        assert_near(par_sum(s->e_fracture) / par_sum(held), 1, 1e-12);
+        assert_int_equal(s->bonds_broken, lrint(par_sum(across)));
+        solid_free(s);
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bonds_across_a_plane),
+        cmocka_unit_test(test_released),
+    };
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

@@ -1,0 +1,193 @@
+/* The surface of the shapes that bodies are cut from: places and normals of the interface particles. */
+#include "solid/surface.h"
+#include "test_surface_bodies.h"
+
+static struct solid *make(const struct solid_body *body, int periodic, int sites, struct solid_surface **f) {
+    struct solid_input in = bodies_input(1, body);
+    in.shape_surface = 1;
+    if (periodic >= 0) {
+        in.periodic[periodic] = 1;
+        in.length[periodic] = sites * SPACING;
+    }
+    struct solid *s = solid_new(&in);
+    *f = solid_surface_new(s);
+    return s;
+}
+
+static void give_up(struct solid *s, struct solid_surface *f) {
+    solid_surface_free(f);
+    solid_free(s);
+}
+
+/* Its point of the surface, spacings. */
+static void point(const struct solid *s, const struct solid_surface *f, int i, double x[3]) {
+    solid_position(s, f->h[i], x);
+    for (int c = 0; c < 3; c++) x[c] = (x[c] + f->depth[i] * f->normal[c][i]) / SPACING;
+}
+
+static double distance(const double x[3], const double centre[3]) {
+    double r2 = 0;
+    for (int c = 0; c < 3; c++) r2 += (x[c] - centre[c]) * (x[c] - centre[c]);
+    return sqrt(r2);
+}
+
+static const double middle[3] = {8.23, 8.61, 8.47}; /* spacings */
+
+static struct solid_body round_body(enum solid_shape shape, double radius) {
+    struct solid_body b = {.name = "round", .shape = shape, .radius = radius * SPACING, .axis = 2};
+    for (int c = 0; c < 3; c++) b.centre[c] = middle[c] * SPACING;
+    return b;
+}
+
+static void ball(void **state) {
+    (void)state;
+    struct solid_surface *f;
+    const struct solid_body body = round_body(SOLID_SPHERE, 6.3);
+    struct solid *s = make(&body, -1, 0, &f);
+    double least = INFINITY, most = 0;
+    for (int i = 0; i < f->n; i++) {
+        double x[3];
+        point(s, f, i, x);
+        const double r = distance(x, middle);
+        assert_true(fabs(r - 6.3) < 1e-12);
+        for (int c = 0; c < 3; c++) assert_true(fabs(f->normal[c][i] - (x[c] - middle[c]) / r) < 1e-12);
+        least = fmin(least, f->depth[i] / SPACING);
+        most = fmax(most, f->depth[i] / SPACING);
+    }
+    least = par_min(least), most = par_max(most);
+    print_message("ball: %ld particles %.3f to %.3f spacings deep\n", f->total, least, most);
+    assert_true(least >= 0 && least < 0.1 && most > 0.9 && most <= 1);
+
+    /* turned and pushed as a whole, the points stand on the ball where it is now */
+    bodies_turn(s, 0.4, 2 * SPACING);
+    solid_surface_update(s, f);
+    double away = 0, now[3];
+    for (int c = 0; c < 3; c++) now[c] = 0;
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3; c++) now[c] += (s->x0[c][h] + s->d[c][h]) / SPACING;
+    double mean[3] = {0, 0, 0};
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3; c++) mean[c] += s->x0[c][h] / SPACING;
+    par_sum_array(now, 3);
+    par_sum_array(mean, 3);
+    /* the particles' mean is not the ball's centre: turned with them */
+    const double w = sin(0.4) / sqrt(3), t = (1 - cos(0.4)) / 3, d = cos(0.4) + t;
+    const double turn[3][3] = {{d, t - w, t + w}, {t + w, d, t - w}, {t - w, t + w, d}};
+    for (int i = 0; i < 3; i++) {
+        now[i] /= (double)s->n_global;
+        for (int c = 0; c < 3; c++) now[i] += turn[i][c] * (middle[c] - mean[c] / (double)s->n_global);
+    }
+    for (int i = 0; i < f->n; i++) {
+        double x[3];
+        point(s, f, i, x);
+        away = fmax(away, fabs(distance(x, now) - 6.3));
+    }
+    away = par_max(away);
+    print_message("turned by 0.4: %.4f spacings off at most\n", away);
+    assert_true(away > 0 && away < 0.02);
+    give_up(s, f);
+}
+
+static void cylinder(void **state) {
+    (void)state;
+    struct solid_surface *f;
+    struct solid_body body = round_body(SOLID_CYLINDER, 5.7);
+    for (int endless = 0; endless < 2; endless++) {
+        body.length = 12 * SPACING;
+        body.centre[2] = 6 * SPACING;
+        struct solid *s = make(&body, endless ? 2 : -1, 12, &f);
+        for (int i = 0; i < f->n; i++) {
+            double x[3], home[3] = {0}, axis[3] = {middle[0], middle[1], 0};
+            point(s, f, i, x);
+            solid_position(s, f->h[i], home);
+            for (int c = 0; c < 3; c++) home[c] /= SPACING;
+            axis[2] = home[2];
+            int on_side = 0, at_end = !endless && (home[2] < 1 || home[2] > 11);
+            for (int k = 0; k < 4; k++) {
+                double beyond[3] = {home[0], home[1], home[2]};
+                beyond[k / 2] += k % 2 ? 1 : -1;
+                on_side |= distance(beyond, axis) >= 5.7;
+            }
+            axis[2] = x[2];
+            if (!at_end) assert_true(fabs(distance(x, axis) - 5.7) < 1e-12 && f->normal[2][i] == 0);
+            if (at_end && !on_side)
+                assert_true(fabs(fabs(f->normal[2][i]) - 1) < 1e-12 &&
+                            fabs(f->depth[i] / SPACING - 0.5) < 1e-9);
+            if (at_end && on_side) assert_true(f->depth[i] == 0.5 * SPACING && fabs(f->normal[2][i]) < 0.99);
+        }
+        give_up(s, f);
+    }
+}
+
+/* Faces anywhere between the sites; edges as on the lattice. */
+static void box(void **state) {
+    (void)state;
+    struct solid_surface *f;
+    const struct solid_body body = {.name = "box",
+                                    .shape = SOLID_BOX,
+                                    .low = {0.3 * SPACING, 0, 0},
+                                    .high = {8.8 * SPACING, 8 * SPACING, 8 * SPACING}};
+    struct solid *s = make(&body, 1, 8, &f);
+    int low = 0, high = 0, edges = 0;
+    for (int i = 0; i < f->n; i++) {
+        int p[3];
+        bodies_site(s, f->h[i], p);
+        if (p[2] == 0 || p[2] == 7) {
+            if (p[0] != 0 && p[0] != 8) continue;
+            assert_true(f->depth[i] == 0.5 * SPACING);
+            edges++;
+            continue;
+        }
+        assert_true(fabs(f->normal[0][i] - (p[0] == 0 ? -1 : 1)) < 1e-12);
+        assert_true(fabs(f->depth[i] / SPACING - (p[0] == 0 ? 0.2 : 0.3)) < 1e-9);
+        low += p[0] == 0, high += p[0] == 8;
+    }
+    assert_int_equal(par_sum_long(low), 48);
+    assert_int_equal(par_sum_long(high), 48);
+    assert_int_equal(par_sum_long(edges), 32);
+    give_up(s, f);
+}
+
+/* A cavity's points stand on it; where the cut of a crack has opened, faces are the lattice's again. */
+static void cavity_and_crack(void **state) {
+    (void)state;
+    struct solid_surface *f;
+    struct solid_body body = bodies_box(0, 0, 0, 16, 16, 16);
+    body.cavity_period = 16 * SPACING;
+    body.cavity_radius = 4.4 * SPACING;
+    for (int c = 0; c < 3; c++) body.cavity_centre[c] = middle[c] * SPACING;
+    struct solid *s = make(&body, -1, 0, &f);
+    long inner = 0;
+    for (int i = 0; i < f->n; i++) {
+        double x[3], home[3] = {0};
+        solid_position(s, f->h[i], home);
+        for (int c = 0; c < 3; c++) home[c] /= SPACING;
+        if (distance(home, middle) > 6) continue;
+        point(s, f, i, x);
+        assert_true(fabs(distance(x, middle) - 4.4) < 1e-12 && f->depth[i] > 0);
+        inner++;
+    }
+    assert_true(par_sum_long(inner) > 100);
+    bodies_cut(s, 0, 2);
+    bodies_open(s, 0, 2, 4 * SPACING);
+    solid_surface_update(s, f);
+    long fresh = 0;
+    for (int i = 0; i < f->n; i++) {
+        int p[3];
+        bodies_site(s, f->h[i], p);
+        if ((p[0] != 1 && p[0] != 2) || p[1] < 1 || p[1] > 14 || p[2] < 1 || p[2] > 14) continue;
+        assert_true(f->depth[i] == 0.5 * SPACING);
+        fresh++;
+    }
+    assert_int_equal(par_sum_long(fresh), 2 * 14 * 14);
+    give_up(s, f);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ball), cmocka_unit_test(cylinder),
+                                       cmocka_unit_test(box), cmocka_unit_test(cavity_and_crack)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
