@@ -213,7 +213,7 @@ struct scene_coupling {
     double retraction;   /* r_d / dx, default the calibrated value of that surface */
     double probe_length; /* / dx, default 2 */
     enum scene_load_form
-        load; /* as the probes read it (default), carried to the wall, or each body's sum made the forcing's */
+        load; /* as the probes read it (default), carried to the wall, or that with each body's sum made the forcing's */
     enum scene_scheme scheme;
     /* strong: how the next guess is made, the residual relative to the step's change of velocity, the most iterations of a step */
     enum scene_relaxation relaxation;

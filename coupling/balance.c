@@ -1,4 +1,4 @@
-/* The probes say where on a body the fluid pulls, but their sum is of first order in the cell over the body's size. The forcing's sum is the
+/* The probes say where on a body the fluid pulls, but their sum is only as good as the cells resolve the body. The forcing's sum is the
  * fluid's own. For the markers' shell and the fluid within, which moves with the body,
  *
  *     rho V dU/dt = T + f + V (rho g + G),      so  T = rho V dU/dt - f - V (rho g + G),                     (after Uhlmann 2005)

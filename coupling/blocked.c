@@ -24,25 +24,28 @@ int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
     int outlets[3][2], n = 0;
     if (!r->needs.immersed) return 0;
     const struct fluid_input *in = fluid_input_of(r->fluid);
-    const int driven = in->driving.direction;
-    run_deposit(r);
     for (int d = 0; d < 3; d++)
         for (int high = 0; high < 2; high++) outlets[d][high] = flows(&in->side[d][high], d, high) < 0;
+    run_deposit(r);
     for (int d = 0; d < 3; d++)
-        for (int high = 0; high < 2; high++)
-            if (flows(&in->side[d][high], d, high) > 0 &&
-                medium_is_blocked(r->medium, d, high, (const int(*)[2])outlets))
-                snprintf(
-                    sentence[n++], BLOCKED_SENTENCE,
-                    "%s has no way out that cells resolve: what flows in there is pressed through the solid",
-                    side_name[d][high]);
-    if (in->driving.type == FLUID_DRIVING_BULK && in->driving.value != 0 && n < BLOCKED_MAX) {
+        for (int high = 0; high < 2; high++) {
+            if (flows(&in->side[d][high], d, high) <= 0) continue;
+            const double part = medium_cut_off(r->medium, d, high, (const int(*)[2])outlets, 1);
+            if (part > 0)
+                snprintf(sentence[n++], BLOCKED_SENTENCE,
+                         "%.3g %% of %s have no way out that cells resolve: what flows in there is pressed "
+                         "through the "
+                         "solid",
+                         100 * part, side_name[d][high]);
+        }
+    if (in->driving.type == FLUID_DRIVING_BULK && in->driving.value != 0) {
+        const int d = in->driving.direction;
         int far[3][2] = {{0}};
-        far[driven][1] = 1;
-        if (medium_is_blocked(r->medium, driven, 0, (const int(*)[2])far))
+        far[d][1] = 1;
+        if (medium_cut_off(r->medium, d, 0, (const int(*)[2])far, 0) == 1)
             snprintf(sentence[n++], BLOCKED_SENTENCE,
                      "no way along %c that cells resolve: the given mean flow is pressed through the solid",
-                     "xyz"[driven]);
+                     "xyz"[d]);
     }
     return n;
 }

@@ -2,6 +2,6 @@
 #pragma once
 #include "coupling/run.h"
 
-/* One sentence for each side or direction that gives a flow and has no way out as the bodies stand now; returns how many. Collective. */
+/* One sentence for each side, or driven direction, that gives a flow and has no way out, as the bodies stand now; returns how many. Collective. */
 enum { BLOCKED_MAX = 6, BLOCKED_SENTENCE = 200 };
 int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]);

@@ -37,9 +37,9 @@ double medium_porosity(const struct medium *m);
 /* Connected porosity: pore cells joined to both the front and the back face through faces of pore cells within the box
  * (across periodic sides in y and z too), each counted with its void, 1 - fraction, as porosity counts it. */
 double medium_porosity_effective(struct medium *m);
-/* 1: no path through faces of pore cells joins side d, high to any of the outlets: in the whole domain, and across its periodic sides
- * but those of d. */
-int medium_is_blocked(struct medium *m, int d, int high, const int outlets[3][2]);
+/* Part of the cells along side d, high from which no path through faces of pore cells comes to any of the outlets: in the whole domain,
+ * and across its periodic sides; across: those of d too. */
+double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2], int across);
 /* Mean pressure at the front face less that at the back face. Means are over whole sections of the domain. At the front, the
  * straight line through the two nearest sections of cells that lie wholly before the box is drawn on to the face;
  * at the back likewise from behind; where the domain has fewer there, through its last two. What drives the fluid along x

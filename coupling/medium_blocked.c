@@ -1,4 +1,4 @@
-/* Whether fluid can come from one side of the domain to others, as far as the cells tell. */
+/* Whether fluid can leave from where it comes into the domain, as far as the cells tell. */
 #include "base/par.h"
 #include "coupling/medium_parts.h"
 
@@ -14,11 +14,15 @@ static void set_cells(struct medium *m) {
                     m->fraction[fluid_grid_at(g, i, j, k)] < 0.5 ? MEDIUM_PORE : MEDIUM_WALL;
 }
 
-/* The cells along one side that the flood may enter (start: enters them, and puts them on the stack) or has reached; how many. */
-static int along_side(struct medium *m, int d, int high, int start) {
+/* This rank's cells along a side; of them, those that the flood has reached, or at its start enters: these go on the stack behind n. */
+struct along {
+    int cells, reached;
+};
+static struct along along_side(struct medium *m, int d, int high, int start, int n) {
     const struct fluid_grid *g = m->g;
-    int from[3] = {0, 0, 0}, to[3] = {g->m[0], g->m[1], g->m[2]}, n = 0;
-    if (!medium_at_end(g, d, high)) return 0;
+    int from[3] = {0, 0, 0}, to[3] = {g->m[0], g->m[1], g->m[2]};
+    struct along sum = {0};
+    if (!medium_at_end(g, d, high)) return sum;
     if (high)
         from[d] = g->m[d] - 1;
     else
@@ -27,24 +31,27 @@ static int along_side(struct medium *m, int d, int high, int start) {
         for (int j = from[1]; j < to[1]; j++)
             for (int i = from[0]; i < to[0]; i++) {
                 const int at = medium_rimmed(g, i, j, k);
+                sum.cells++;
                 if (m->cell[at] != (start ? MEDIUM_PORE : MEDIUM_FRONT)) continue;
-                if (start) m->cell[at] = MEDIUM_FRONT, m->stack[n] = at;
-                n++;
+                if (start) m->cell[at] = MEDIUM_FRONT, m->stack[n + sum.reached] = at;
+                sum.reached++;
             }
-    return n;
+    return sum;
 }
 
-int medium_is_blocked(struct medium *m, int d, int high, const int outlets[3][2]) {
+double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2], int across) {
     const struct fluid_grid *g = m->g;
-    int over[3];
-    long reached = 0;
-    for (int c = 0; c < 3; c++) over[c] = g->periodic[c] && c != d;
+    int over[3], n = 0;
     set_cells(m);
-    medium_flood_on(m, MEDIUM_FRONT, along_side(m, d, high, 1), over);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
+        over[c] = g->periodic[c] && (c != d || across);
         for (int side = 0; side < 2; side++)
-            if (outlets[c][side]) reached += along_side(m, c, side, 0);
+            if (outlets[c][side]) n += along_side(m, c, side, 1, n).reached;
+    }
+    medium_flood_on(m, MEDIUM_FRONT, n, over);
+    const struct along side = along_side(m, d, high, 0, 0);
+    const long cells = par_sum_long(side.cells), reached = par_sum_long(side.reached);
     memset(m->cell, MEDIUM_WALL, (size_t)(g->m[0] + 2) * (size_t)(g->m[1] + 2) * (size_t)(g->m[2] + 2));
     m->effective = -1;
-    return par_sum_long(reached) == 0;
+    return 1 - (double)reached / (double)cells;
 }

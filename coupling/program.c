@@ -213,6 +213,13 @@ static void refuse_to_overwrite(const struct command *c, int here) {
                 "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
 }
 
+/* Dies (exit 2) on steps that the solid cannot take, which only its bonds tell. */
+static void check_stages(struct run *r) {
+    for (r->stage = 0; r->stage < r->scene->stages; r->stage++)
+        if (r->solid && r->scene->stage[r->stage].solid == SCENE_SOLID_ELASTIC) run_stage_begin(r);
+    r->stage = 0;
+}
+
 static void begin(struct program *p) {
     const struct command *c = p->command;
     const int here = c->resume && !c->resume_file;
@@ -224,6 +231,7 @@ static void begin(struct program *p) {
     p->crack = crack_new(p->run);
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
+    if (!here) check_stages(p->run);
     folder_make(c->out);
     folder_hold(c->out);
     refuse_to_overwrite(c, here); /* nobody else can write there from now on */

@@ -28,7 +28,12 @@ int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RE
     if (!needs.fluid) SAY("fluid: the scene has no section fluid");
     if (!needs.solid) SAY("solid: the scene has no section solid");
     if (!needs.immersed) SAY("forcing and probe: nothing is immersed");
+    if (needs.fluid && scene->fluid->diffusion != SCENE_DIFFUSION_IMPLICIT)
+        SAY("implicit diffusion: fluid.diffusion is explicit");
     if (needs.solid && !needs.bonds) SAY("bonds: the solid is rigid in every stage");
+    if (needs.immersed && !(needs.bonds && scene->coupling->scheme == SCENE_STRONG))
+        SAY("strong coupling: %s",
+            needs.bonds ? "coupling.scheme is explicit" : "the solid is rigid in every stage");
     if (needs.bonds && !needs.breakage)
         SAY("breakage: no stage lets bonds break, or no material has a fracture energy");
     if (needs.bonds && !scene->solid->contact) SAY("contact: switched off");

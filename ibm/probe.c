@@ -4,7 +4,7 @@
  * stress is taken where the tip is. Both are short by dl over the body's size. Carried to the wall, the momentum equation there has its
  * viscous part too,
  *
- *     dp/dn|m = rho (f - dV/dt).n + nu.n,      nu = mu lap u|m,      nu.n = dp/dn|e - dl d2p/dn2|e - rho (f - dV/dt).n,
+ *     dp/dn|m = rho (f - dV/dt).n + mu n.lap u|m,      mu n.lap u|m = dp/dn|e - dl d2p/dn2|e - rho (f - dV/dt).n,
  *
  * which leaves an error of the third order, as the shear has that is made from the wall's velocity (ibm/tip.c). */
 #include "base/clock.h"

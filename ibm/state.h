@@ -152,7 +152,13 @@ void ibm_route_free(struct ibm_route *route);
 /* A probe's tip on its way: place, cells, outward normal, and the wall's velocity; and back: p|e, dp/dn|e, viscous traction, and, read
  * for the wall, dp/dn carried there and mu |u - V|/l2, both Pa/m. */
 enum { IBM_TIP_NORMAL = 3, IBM_TIP_VELOCITY = 6, IBM_TIP_SENT = 9 };
-enum { IBM_TIP_SLOPE = 1, IBM_TIP_STRESS = 2, IBM_TIP_WALL_SLOPE = 5, IBM_TIP_SCALE = 6, IBM_TIP_RETURNED = 7 };
+enum {
+    IBM_TIP_SLOPE = 1,
+    IBM_TIP_STRESS = 2,
+    IBM_TIP_WALL_SLOPE = 5,
+    IBM_TIP_SCALE = 6,
+    IBM_TIP_RETURNED = 7
+};
 /* What all tips have in common. */
 struct ibm_tip_form {
     double density, mu; /* kg/m3, Pa s */

@@ -77,6 +77,8 @@ struct solid_cloud_near {
     double xi[SOLID_NEAR_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
 };
 
+/* 1: a particle, or its image, stands at x, m, as far as places are told apart. Not collective. */
+int solid_cloud_holds(const struct solid_cloud *t, const double x[3]);
 /* Dies (exit 2) when there are more than SOLID_NEAR_MAX or two particles coincide. Not collective. */
 void solid_cloud_near(const struct solid_cloud *cloud, long i, struct solid_cloud_near *near);
 /* How many there are, cheaper. */

@@ -58,6 +58,19 @@ void solid_cloud_visit(const struct solid_cloud *t, const double place[3], doubl
     visit_all(t, place, reach, visit, with);
 }
 
+static void find(void *found, long l, int image, const double *xi) {
+    (void)l, (void)image, (void)xi;
+    *(int *)found = 1;
+}
+
+int solid_cloud_holds(const struct solid_cloud *t, const double x[3]) {
+    double place[3] = {0};
+    int found = 0;
+    for (int c = 0; c < t->dim; c++) place[c] = (x[c] - t->origin[c]) / t->spacing;
+    visit_all(t, place, 0x1p-19, find, &found);
+    return found;
+}
+
 struct search {
     const struct solid_cloud *cloud;
     long number;

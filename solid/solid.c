@@ -49,6 +49,21 @@ static struct solid_cloud *cloud_new(const struct solid_input *in, const struct 
                                         : solid_cloud_points(in, body, sites);
 }
 
+/* Points may stand anywhere: none where a particle of another body is. */
+static void points_check(const struct solid *s, struct solid_sites *const *sites,
+                         struct solid_cloud *const *cloud) {
+    for (int b = 0; b < s->in.bodies; b++) {
+        if (!sites[b]->point || sites[b]->cell) continue;
+        for (int h = 0; h < s->n; h++) {
+            double x[3] = {0};
+            for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h];
+            if (s->body[h] != b && solid_cloud_holds(cloud[b], x))
+                die(EXIT_CODE_SCENE, "a particle of solid body %s and one of %s coincide",
+                    s->in.body[s->body[h]].name, s->in.body[b].name);
+        }
+    }
+}
+
 static void family_new(struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
     const struct solid_input *in = &s->in;
     struct solid_family *f = s->family;
@@ -247,6 +262,7 @@ struct solid *solid_new(const struct solid_input *in) {
     solid_build_ghosts(s, sites, cloud);
     arrays_new(s);
     solid_build_places(s, sites, cloud);
+    points_check(s, sites, cloud);
     solid_cut_bonds(s, cloud);
     solid_build_edges(s);
     solid_given_new(s, sites);

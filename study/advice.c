@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUND_ERRORS = 24, RUNGS = 3 };
+enum { ROUND_ERRORS = 24, RUNGS = 3, NAMED_MOST = 4 };
 
 /* The cheapest run of all methods that stays below an error. */
 struct rung {
@@ -38,24 +38,50 @@ static char *joined(char *a, char *b) {
     return both;
 }
 
+/* Of many methods: how many get there, and in which times. */
+static char *counted(const double *factor, int n, const char *error) {
+    double least = INFINITY, most = 0;
+    int reached = 0;
+    for (int k = 0; k < n; k++) {
+        if (!isfinite(factor[k])) continue;
+        least = fmin(least, factor[k]);
+        most = fmax(most, factor[k]);
+        reached++;
+    }
+    if (!reached) return scene_text("; none of the %d others gets to %s", n, error);
+    return scene_text("; %d of the %d others get to %s, in %.2g to %.2g times the time", reached, n, error,
+                      least, most);
+}
+
+static char *named(const struct study_variants *methods, int but, const double *factor, const char *error) {
+    char *text = scene_text("; at %s", error);
+    for (int m = 0, k = 0; m < methods->n; m++) {
+        if (m == but) continue;
+        const char *name = methods->variant[m].name, *comma = k ? "," : "";
+        text = joined(text, isfinite(factor[k])
+                                ? scene_text("%s %s takes %.2g times as long", comma, name, factor[k])
+                                : scene_text("%s %s does not get there", comma, name));
+        k++;
+    }
+    return text;
+}
+
 /* What the other methods would have cost at the last rung's error. */
 static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last,
                     double *work) {
-    const struct study *s = r->plan->study;
-    char *text = scene_text("%s", ""), *error = error_text(t, last->at);
-    int said = 0;
-    for (int m = 0; m < s->methods.n; m++) {
+    const struct study_variants *methods = &r->plan->study->methods;
+    const int levels = r->plan->study->levels.n, n = methods->n - 1;
+    double *factor = malloc((size_t)n * sizeof *factor);
+    for (int m = 0, k = 0; m < methods->n; m++) {
         if (m == last->method) continue;
-        study_result_curve(r, t, m, work, work + s->levels.n);
-        const int l = study_iso_cheapest(s->levels.n, work, work + s->levels.n, last->at);
-        char *lead = said++ ? scene_text(", ") : scene_text("; at %s ", error);
-        text = joined(text, lead);
-        const char *name = s->methods.variant[m].name;
-        text = joined(text, l < 0 ? scene_text("%s does not get there", name)
-                                  : scene_text("%s takes %.2g times as long", name,
-                                               work[s->levels.n + l] / last->time));
+        study_result_curve(r, t, m, work, work + levels);
+        const int l = study_iso_cheapest(levels, work, work + levels, last->at);
+        factor[k++] = l < 0 ? NAN : work[levels + l] / last->time;
     }
+    char *error = error_text(t, last->at);
+    char *text = n > NAMED_MOST ? counted(factor, n, error) : named(methods, last->method, factor, error);
     free(error);
+    free(factor);
     return text;
 }
 

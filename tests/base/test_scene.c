@@ -92,6 +92,7 @@ static void test_defaults_are_filled_in(void **state) {
     assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
     assert_true(s->coupling->retraction == SCENE_RETRACTION && s->coupling->probe_length == 2);
     assert_int_equal(s->coupling->surface, SCENE_SURFACE_LATTICE);
+    assert_int_equal(s->coupling->load, SCENE_LOAD_PROBE);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
     assert_int_equal(s->coupling->scheme, SCENE_EXPLICIT);
     assert_true(s->stage[2].solid == SCENE_SOLID_ELASTIC && s->stage[2].time_step == 0 &&
@@ -155,6 +156,7 @@ static void test_settings_override(void **state) {
                                "domain.size=[0.08, 0.04, 0.04]",
                                "coupling.retraction=-0.5",
                                "coupling.scheme=strong",
+                               "coupling.load=wall",
                                "coupling.tolerance=0.01",
                                "output={series_every: 3, fields_every: 4}",
                                "solid.materials.glass.density=2600.5",
@@ -174,6 +176,7 @@ static void test_settings_override(void **state) {
     assert_true(s->solid->spacing == 0.08 / 40);
     assert_true(s->coupling->retraction == -0.5 && s->coupling->forcing_iterations == 2);
     assert_true(s->coupling->scheme == SCENE_STRONG && s->coupling->relaxation == SCENE_QUASI_NEWTON);
+    assert_int_equal(s->coupling->load, SCENE_LOAD_WALL);
     assert_true(s->coupling->tolerance == 0.01 && s->coupling->iterations == 50);
     assert_true(s->output.series_every == 3 && s->output.fields_every == 4 && s->output.log_every == 100);
     assert_true(s->solid->material[1].density == 2600.5 && s->solid->body[1].centre[0] == 0.031);

@@ -63,6 +63,7 @@ static const struct sample_broken table[] = {
     {"coupled", "forcing_iterations: 2", "forcing_iterations: 0", "it.yaml:39: coupling.forcing_iterations = 0: must be between 1 and 100"},
     {"coupled", "forcing_iterations: 2", "retraction: 1.5", "it.yaml:39: coupling.retraction = 1.5: must be between -1 and 1"},
     {"coupled", "forcing_iterations: 2", "relaxation: aitken", "it.yaml:39: coupling.relaxation = aitken: only with scheme strong, here it is explicit"},
+    {"coupled", "forcing_iterations: 2", "load: wal", "it.yaml:39: coupling.load = wal: must be one of probe, wall, balanced; did you mean wall?"},
     {"coupled", "forcing_iterations: 2", "scheme: strongly", "it.yaml:39: coupling.scheme = strongly: must be one of explicit, strong; did you mean strong?"},
     {"coupled", "steps: 100, time_step: auto", "steps: -1", "it.yaml:42: stages[0].steps = -1: must be at least 0"},
     {"coupled", "time_step: auto", "time_step: 0", "it.yaml:42: stages[0].time_step = 0: must be greater than 0, or auto"},

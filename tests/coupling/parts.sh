@@ -29,6 +29,7 @@ grep -q '"solid: the scene has no section solid"' fluid/run.json || fail "run.js
 grep -q 'bonds: the solid is rigid' rigid/run.json || fail "run.json does not say that the bonds are left out"
 [ ! -e fluid/fields/solid.hdf.series ] || fail "a fluid alone has written solid fields"
 [ ! -e solid/fields/fluid.hdf.series ] || fail "a solid alone has written fluid fields"
+grep -q 'strong coupling: coupling.scheme is explicit' whole/run.json || fail "run.json does not say that nothing is iterated"
 head -n 1 fluid/series.csv | grep -qE 'porosity|bonds' && fail "a fluid alone has columns of the solid"
 head -n 1 solid/series.csv | grep -qE 'cfl|dp' && fail "a solid alone has columns of the fluid"
 echo ok

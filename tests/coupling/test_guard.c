@@ -254,8 +254,9 @@ static void test_implicit(void **state) {
     go(&(struct course){channel, 2, {implicit, lasting}, 0, 4, 0, 0}); /* kept before there are markers */
     go(&(struct course){
         channel, 4, {implicit, lasting, "stages.drift.time_step=auto", "stages.drift.cfl=0.1"}, 6, 6, 0, 0});
-    const char *const rigid = "stages=[{name: drift, steps: 100, time_step: 1.0e-3, solid: rigid}]";
-    go(&(struct course){channel, 2, {implicit, rigid}, 8, 6, 0, 0});
+    const char *const rigid =
+        "stages=[{name: drift, steps: 100, time_step: 1.0e-3, solid: rigid}, {name: later, steps: 1}]";
+    go(&(struct course){channel, 3, {implicit, lasting, rigid}, 8, 6, 0, 0});
 }
 
 static void test_fluid_alone(void **state) {

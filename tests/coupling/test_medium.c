@@ -311,6 +311,7 @@ static double effective_brute(int periodic_y, int periodic_z) {
 static void test_random_media(void **state) {
     (void)state;
     seed = 3;
+    const int x_high[3][2] = {{0, 1}, {0, 0}, {0, 0}};
     double most = 0, least = 1e9;
     for (int sample = 0; sample < 12; sample++) {
         const int py = sample % 2, pz = sample / 2 % 2;
@@ -322,11 +323,44 @@ static void test_random_media(void **state) {
         deposit_map(m);
         const double cells = effective_brute(py, pz);
         assert_effective(m, cells);
+        assert_int_equal(medium_cut_off(m, 0, 0, x_high, 1) < 1, cells > 0);
+        assert_effective(m, cells); /* as before */
         most = fmax(most, cells), least = fmin(least, cells);
         medium_free(m);
         fluid_grid_free(g);
     }
     assert_true(least == 0 && most > 200); /* the samples lie on both sides of the threshold */
+}
+
+/* Two channels from y_low: one turns, across the periodic sides of x, and comes to y_high; one ends. */
+static void test_cut_off(void **state) {
+    (void)state;
+    const int n[3] = {M, M, M}, y_high[3][2] = {{0, 0}, {0, 1}, {0, 0}},
+              y_low[3][2] = {{0, 0}, {1, 0}, {0, 0}};
+    const double L[3] = {M, M, M};
+    memset(map, 1, sizeof map);
+    for (int j = 0; j < M; j++) map[5][j][j < 6 ? 0 : M - 1] = map[8][j][3] = 0;
+    map[5][6][0] = 0;
+    map[8][7][3] = 1;
+    for (int wraps = 0; wraps < 2; wraps++) {
+        const int periodic[3] = {wraps, 0, 0}, along_y[3] = {1, 1, 0};
+        struct fluid_grid *g = fluid_grid_new(n, L, periodic, 1);
+        struct medium *m = map_medium(g);
+        deposit_map(m);
+        const double cells = M * M, through = wraps ? 1 : 0;
+        assert_true(fabs(medium_cut_off(m, 1, 0, y_high, 1) - (1 - through / cells)) < 1e-12);
+        assert_true(fabs(medium_cut_off(m, 1, 1, y_low, 1) - (1 - through / cells)) < 1e-12);
+        assert_true(fabs(medium_cut_off(m, 1, 0, y_low, 1) - (1 - 2 / cells)) < 1e-12);
+        medium_free(m);
+        fluid_grid_free(g);
+        g = fluid_grid_new(n, L, along_y, 1); /* y periodic: from end to end, or across as well */
+        m = map_medium(g);
+        deposit_map(m);
+        assert_true(fabs(medium_cut_off(m, 1, 0, y_high, 0) - (1 - 1 / cells)) < 1e-12);
+        assert_true(fabs(medium_cut_off(m, 1, 0, y_high, 1) - (1 - 2 / cells)) < 1e-12);
+        medium_free(m);
+        fluid_grid_free(g);
+    }
 }
 
 /* A cell counts as pore up to half full, and then with what is void of it. */
@@ -368,7 +402,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_cavity_lattice), cmocka_unit_test(test_closed_does_not_count),
         cmocka_unit_test(test_winding_path),   cmocka_unit_test(test_path_across_periodic_sides),
         cmocka_unit_test(test_random_media),   cmocka_unit_test(test_half_full_cells),
-        cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_memory),         cmocka_unit_test(test_cut_off),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -26,7 +26,8 @@ computed() {
     BEGIN { pi = atan2(0, -1); a[0] = 8 / 15; a[1] = 5 / 12; a[2] = 3 / 4; b[1] = -17 / 60; b[2] = -5 / 12
       for (i = 0; i <= 4; i++) { s[i] = sin(pi * i / 4); q[i] = cos(pi * i / 4) }
       dt = 1e-3; if (nu > 1) dt /= nu
-      while (!any(dt) && dt < 1e3) dt *= 1.005
+      while (!any(dt) && dt < 100) dt *= 1.005
+      if (dt >= 100) { print 100; exit } # none
       low = dt / 1.005; high = dt
       for (n = 0; n < 30; n++) { dt = (low + high) / 2; if (any(dt)) high = dt; else low = dt }
       print dt }'
@@ -51,10 +52,28 @@ done | awk '!/quick/ && !seen[$0]++' >"$runs/waves"
 [ ! "$quick" ] || sed -i '/implicit/d' "$runs/waves"
 table waves 'diffusion,cell_reynolds,step,step_computed,diffusion_number,cfl,diffusion_number_computed,cfl_computed' <"$runs/waves"
 while IFS=, read -r kind at found step rest; do
-  [ "$kind" = diffusion ] || near "$kind diffusion, U dx/nu = $at: longest step" s "$found" "$step" "amplification of each wave" 0.05
+  [ "$kind" != diffusion ] || continue
+  if [ "$step" = 100 ]; then
+    row "$kind diffusion, U dx/nu = $at: longest step" s "$found" "" "no wave grows, up to 100 s" 100 1e9
+  else
+    near "$kind diffusion, U dx/nu = $at: longest step" s "$found" "$step" "amplification of each wave" 0.05
+  fi
 done <"$out/waves.csv"
+plot waves <<'END'
+set logscale x; set xlabel 'U dx/nu'; set logscale y; set yrange [0.001:100]; set ylabel 'longest step, dx/U'; set key bottom right
+f = 'waves.csv'; of(k, c) = strcol(1) eq k ? column(c) : NaN
+plot f using (of('explicit', 2)):(of('explicit', 3)) with points pt 7 title 'explicit', '' using (of('explicit', 2)):(of('explicit', 4)) with lines lc 'black' title 'computed', \
+  '' using (of('implicit', 2)):(of('implicit', 3)) with points pt 6 title 'implicit (100: none found)', '' using (of('implicit', 2)):(of('implicit', 4)) with lines lc 'black' dt 2 title 'computed', \
+  x * 1.65 / 12 with lines lc 'grey' title '1.65/(4 nu sum 1/dx^2)', sqrt(3) / 3 with lines lc 'grey' dt 2 title 'sqrt(3)/sum |u|/dx'
+END
 if [ ! "$quick" ]; then
   for kind in explicit implicit; do printf "channel $kind %s\n" 1e-3 1e-2 0.1 1 10 100 1000; done >"$runs/channel"
   table channel 'diffusion,reynolds,step,step_automatic' <"$runs/channel"
+  plot channel <<'END'
+set logscale xy; set xlabel 'Re_b'; set ylabel 'step, s'; set key bottom right
+f = 'channel.csv'; of(k, c) = strcol(1) eq k ? column(c) : NaN
+plot f using (of('explicit', 2)):(of('explicit', 3)) with linespoints pt 7 title 'explicit: longest', '' using (of('explicit', 2)):(of('explicit', 4)) with lines dt 2 title 'explicit: automatic, cfl 1', \
+  '' using (of('implicit', 2)):(of('implicit', 3)) with linespoints pt 6 title 'implicit: longest', '' using (of('implicit', 2)):(of('implicit', 4)) with lines dt 2 title 'implicit: automatic, cfl 1'
+END
 fi
 finish

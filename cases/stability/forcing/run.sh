@@ -23,4 +23,10 @@ point() { # point DIFFUSION STEP ITERATIONS, the step over the explicit viscous 
   printf 'implicit 10 %s\n' 1 2 5 10 100
 } >"$runs/points"
 table slip 'diffusion,step,iterations,bulk_velocity' <"$runs/points"
+exact=$(awk -F, '$1 == "explicit" && $2 == 0.1 && $3 == 100 { print $4 }' "$out/slip.csv")
+plot slip <<END
+set logscale xy; set xlabel 'iterations N_s'; set ylabel 'slip, share of the bulk velocity'; set key bottom left; set yrange [1e-8:0.1]; set format y '1e%T'
+f = 'slip.csv'; exact = $exact; of(k, d) = strcol(1) eq k && column(2) == d ? column(4) / exact - 1 : NaN
+plot f using 3:(of('explicit', 1)) with points pt 7 title 'explicit, at the viscous limit', '' using 3:(of('explicit', 0.1)) with points pt 6 title 'a tenth of it', '' using 3:(of('implicit', 10)) with points pt 4 title 'implicit, 10 times it'
+END
 finish

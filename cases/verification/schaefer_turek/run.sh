@@ -21,6 +21,12 @@ else
   "$here/inflow.sh" 41 >"$runs/inflow.txt"
   here=$runs study study_3d
   study study_40
+  study study_wall
+  for level in 10 20; do
+    for method in probe wall; do
+      shown "2D-1, eight cells across, $level cells: drag by the probe, load $method" 1 "$(of study_wall value $method $level "drag by the probe")" $drag "$source"
+    done
+  done
   for method in lattice shape; do
     gates study_fine $method 10 0.08 0.05
     gates study_fine $method 20 0.04 0.03

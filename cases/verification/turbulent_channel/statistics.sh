@@ -1,10 +1,10 @@
 #!/bin/sh
 # In a run folder: means from t = 20 h/u_tau on, from fluid_probes.csv, both halves of the channel together, in units of the friction
-# velocity of the mean flow's slope at the walls; kept in statistics.csv and profiles.csv.
+# velocity of the mean flow's slope at the walls; kept in statistics.csv, profiles.csv and stress.csv.
 # The scene's lines are told by where they stand in a cell: of u (x face, y and z centre), of uv and v (x and y face), of w (z face).
 # usage: statistics.sh time|bulk|centre|u|v|w|uv|stress
 set -eu
-[ statistics.csv -nt fluid_probes.csv ] || awk -F, -v from=20 '
+[ statistics.csv -nt fluid_probes.csv ] || awk -F, -v from="${FROM:-20}" '
   function near(a, b) { a -= b; return a * a < 1e-12 }
   NR <= 2 || $2 < from { next }
   {
@@ -22,21 +22,33 @@ set -eu
       W[j] = ww[j] / nw[j] - (w[j] / nw[j]) ^ 2
     }
     for (j = 1; j < n; j++) {
+      if (!n2[j]) continue
       V[j] = vv[j] / n2[j] - (v2[j] / n2[j]) ^ 2
       S[j] = -(uv[j] / n2[j] - u2[j] * v2[j] / n2[j] ^ 2)
       T[j] = S[j] + nu * (U[j] - U[j - 1]) / dy
     }
     tau = nu * (U[0] + U[n - 1]) / dy; ut = sqrt(tau)
-    print "y_plus,U,u,w,y_plus_face,v,minus_uv,total_stress,total_stress_exact\n#1,u_tau,u_tau,u_tau,1,u_tau,u_tau2,u_tau2,u_tau2" >"profiles.csv"
+    print "y_plus,U,u,w\n#1,u_tau,u_tau,u_tau" >"profiles.csv"
+    print "y_plus,v,minus_uv,total_stress,total_stress_exact\n#1,u_tau,u_tau2,u_tau2,u_tau2" >"stress.csv"
     for (j = 0; j < n / 2; j++) {
-      k = n - 1 - j; f = j + 1; g = n - f
-      a = sqrt((R[j] + R[k]) / 2) / ut; c = sqrt((W[j] + W[k]) / 2) / ut; b = sqrt((V[f] + V[g]) / 2) / ut
-      s = (S[f] - S[g]) / 2 / tau; t = (T[f] - T[g]) / 2 / tau; e = t - (1 - f * dy)
-      bulk += (U[j] + U[k]) / n
-      if (a > A) A = a; if (b > B) B = b; if (c > C) C = c; if (s > D) D = s; if (e < 0) e = -e; if (e > E) E = e
-      printf "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", (j + 0.5) * dy * ut / nu, (U[j] + U[k]) / 2 / ut, a, c, f * dy * ut / nu, b, s, t, 1 - f * dy >"profiles.csv"
+      k = n - 1 - j
+      a = sqrt((R[j] + R[k]) / 2) / ut; b = sqrt((W[j] + W[k]) / 2) / ut
+      if (a > A) A = a
+      if (b > B) B = b
+      printf "%.6g,%.6g,%.6g,%.6g\n", (j + 0.5) * dy * ut / nu, (U[j] + U[k]) / 2 / ut, a, b >"profiles.csv"
     }
-    printf "quantity,value\ntime,%.10g\nbulk,%.10g\ncentre,%.10g\nu,%.10g\nv,%.10g\nw,%.10g\nuv,%.10g\nstress,%.10g\nu_tau,%.10g\nbulk_of_lines,%.10g\n", (last - first) * ut,
-      15.68 / ut, (U[n / 2] + U[n / 2 - 1]) / 2 / ut, A, B, C, D, E, ut, bulk
+    for (j = 1; j < n / 2; j++) {
+      k = n - j
+      if (!n2[j]) continue
+      c = sqrt((V[j] + V[k]) / 2) / ut; s = (S[j] - S[k]) / 2 / tau; t = (T[j] - T[k]) / 2 / tau
+      e = t - (1 - j * dy)
+      if (e < 0) e = -e
+      if (c > C) C = c
+      if (s > D) D = s
+      if (e > E) E = e
+      printf "%.6g,%.6g,%.6g,%.6g,%.6g\n", j * dy * ut / nu, c, s, t, 1 - j * dy >"stress.csv"
+    }
+    printf "quantity,value\ntime,%.10g\nbulk,%.10g\ncentre,%.10g\n", (last - first) * ut, 15.68 / ut, (U[n / 2] + U[n / 2 - 1]) / 2 / ut
+    printf "u,%.10g\nv,%.10g\nw,%.10g\nuv,%.10g\nstress,%.10g\n", A, C, B, D, E
   }' fluid_probes.csv >statistics.csv
 sed -n "s/^$1,//p" statistics.csv

@@ -43,6 +43,9 @@ row "two bodies overlap" "is refused"
 printf '0.05 0.05 0.05 1.0e-6\n0.05 0.05 0.05 1.0e-6\n' >twice.txt
 go 1 2 "$solid" --set "solid.bodies=[{shape: points, file: $PWD/twice.txt}]" --set stages.run.time_step=1e-5
 row "two points in one place" "is refused"
+printf '0.045 0.045 0.045 1.0e-6\n' >once.txt
+go 2 2 "$solid" --set "solid.bodies=[{name: grain, shape: points, file: $PWD/once.txt}, {name: block, shape: box, low: [0.04, 0.04, 0.04], high: [0.06, 0.05, 0.05]}]" --set stages.run.time_step=1e-5
+row "a point in the place of another body's particle" "is refused"
 go 1 2 "$solid" --set 'domain.periodic=[true, false, false]' --set 'solid.bodies=[{shape: box, low: [-0.1, 0.05, 0.05], high: [0.3, 0.06, 0.06]}]'
 row "a body wider than the domain across a periodic side" "is refused"
 go 1 0 "$solid" --set 'domain.periodic=[true, false, false]' --set 'solid.bodies=[{shape: box, low: [0, 0.05, 0.05], high: [0.2, 0.06, 0.06]}]'

@@ -22,13 +22,15 @@ near "mean velocity" 0.01 1e-15 "$(last u_bulk)"
 less "divergence" "$(last div_max)" 1e-12
 less "momentum residual" "$(last momentum_residual)" 1e-10
 near "effective porosity" 0 1e-12 "$(last porosity_effective)"
-row "a body touches inlet, wall and outlet" "what is given to flow in where it stands is pressed through it; effective porosity 0 tells"
+grep -q 'warning: 50 % of x_low have no way out' run/run.log || fail "the log does not warn"
+row "a body touches inlet, wall and outlet" "what is given to flow in where it stands is pressed through it; a warning says so"
 go 2 0 "$immersed" "${through[@]}" $(body '0.004,-0.003,-0.003' '0.008,0.019,0.019') "${rigid[@]}"
 near "mean velocity" 0.01 1e-15 "$(last u_bulk)"
 less "momentum residual" "$(last momentum_residual)" 1e-10
 near "porosity" 0 1e-12 "$(last porosity_effective)"
 less "100 Pa, a million times the flow's own" 100 "$(last dp)"
-row "a block fills the channel" "what is given to flow in is pressed through it; effective porosity 0 tells"
+grep -q 'warning: 100 % of x_low have no way out' run/run.log || fail "the log does not warn"
+row "a block fills the channel" "what is given to flow in is pressed through it; a warning says so"
 
 # closed pore: a hollow cube
 hollow='solid.bodies=[{name: body, shape: box, low: [0.003, 0.003, 0.003], high: [0.013, 0.013, 0.013], cavities: {period: 0.1, radius: 0.0035, centre: [0.008, 0.008, 0.008]}}]'

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# All maps, one after the other; edges that this build has found are not sought again. usage: cases/stability/run.sh [FRANA [RUNS]]
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+frana=$(realpath "${1:-build/frana}") runs=${2:-runs/stability}
+bad=0
+for map in solid flow added_mass stiffness forcing cavities start; do
+  echo "== $map"
+  "cases/stability/$map/run.sh" "$frana" "$runs/$map" "cases/stability/$map/results" || bad=1
+done
+exit $bad

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Every two of the choices that a scene has: they run to the end with numbers, and go on from a checkpoint on other ranks as the run
+# that was not stopped; or they are refused in one sentence before anything is written.
+. "$(dirname "$0")/common.sh" "$@"
+block='{name: block, material: soft, shape: box, low: [0.05, 0.0, 0.02], high: [0.07, 0.055, 0.06]}'
+fluid=(
+  'title: Pairs'
+  'domain: {size: [0.16, 0.08, 0.08], cells: [32, 16, 16]}'
+  'fluid:' '  density: 1000' '  viscosity: 1.0e-3' '  initial: {velocity: [0.1, 0, 0]}' '  sides:'
+  '    x_low: {type: inflow, profile: uniform, bulk_velocity: 0.1}' '    x_high: {type: outflow}'
+  '    y_low: {type: wall}' '    y_high: {type: wall}' '    z_low: {type: periodic}' '    z_high: {type: periodic}'
+  'solid:' '  materials: [{name: soft, youngs_modulus: 1.0e6, density: 3000, fracture_energy: .inf}]'
+  "  bodies: [$block]"
+  '  constraints: [{low: [0, 0, 0], high: [0.16, 0.006, 0.08]}]'
+  'coupling: {medium: {low: [0.02, 0, 0], high: [0.14, 0.08, 0.08]}}'
+  'stages:' '  - {name: flow, steps: 6, time_step: 1.0e-3, solid: rigid}'
+  '  - {name: move, steps: 14, time_step: 1.0e-3, integrator: verlet, damping_relative: 1.0e12}'
+  'output: {series_every: 2, checkpoint_every: 12}')
+plate=(
+  'title: Pairs' 'domain: {size: [0.06, 0.04]}' 'solid:' '  spacing: 0.001' '  model: plane_stress' '  thickness: 0.002'
+  '  materials: [{name: glass, youngs_modulus: 7.2e10, density: 2235, fracture_energy: .inf}]'
+  '  bodies: [{name: block, material: glass, shape: rectangle, low: [0, 0], high: [0.06, 0.04]}]'
+  '  cracks: [{points: [[0, 0.02], [0.02, 0.02]]}]' '  loads:'
+  '    - {edge: {from: [0, 0.04], to: [0.03, 0.04]}, traction: [0, 8.0e6]}'
+  'stages:' '  - {name: flow, steps: 100, time_step: 5.0e-8, breakage: false}' '  - {name: move, steps: 100, time_step: 5.0e-8}'
+  'output: {series_every: 20, checkpoint_every: 120}')
+ball='{name: ball, material: soft, shape: sphere, centre: [0.11, 0.04, 0.04], radius: 0.0149}'
+setting() { # CHOICE BASE: what it sets, a line each
+  case $1.$2 in
+    implicit.*) echo fluid.diffusion=implicit ;;
+    strong.*) echo coupling.scheme=strong ;;
+    balanced.*) echo coupling.load=balanced ;;
+    shape.*) echo coupling.surface=shape ;;
+    auto.*) printf '%s\n' stages.flow.time_step=auto stages.move.time_step=auto ;;
+    breakage.fluid) echo solid.materials.soft.fracture_energy=5.0e-4 ;;
+    breakage.plate) echo solid.materials.glass.fracture_energy=20 ;;
+    several.fluid) echo "solid.bodies=[$block, $ball]" ;;
+    several.plate) echo 'solid.bodies=[{shape: rectangle, low: [0, 0], high: [0.04, 0.04]}, {shape: rectangle, low: [0.041, 0], high: [0.06, 0.04]}]' ;;
+  esac | sed 'i--set'
+}
+# A plate with a fluid is no scene in more than one way, each of which is said.
+refused() { # NAME SENTENCE
+  [ "$(grep -c '^frana: ' err)" = 1 ] || [ $1 = implicit-plate ] || { cat err >&2; fail "$1: not one sentence"; }
+  grep -q "$2" err || { cat err >&2; fail "$1: not what was to be said"; }
+  [ ! -e "$1" ] || fail "$1: refused after its folder was made"
+}
+of() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1/series.csv"; }
+# What is refused, by both names in the order below
+says() {
+  case $1 in
+    implicit-strong) echo 'does not go with coupling.scheme: strong' ;;
+    implicit-breakage) echo 'needs a solid that does not break' ;;
+    implicit-plate) echo 'a plate, of 2, has no fluid yet' ;;
+    strong-plate | balanced-plate | shape-plate) echo 'coupling' ;;
+  esac
+}
+choices=(implicit strong balanced shape auto breakage several plate)
+count=0
+for ((i = 0; i < 8; i++)); do
+  for ((k = i + 1; k < 8; k++)); do
+    one=${choices[i]} two=${choices[k]} name=${choices[i]}-${choices[k]} base=fluid
+    [ $two = plate ] && base=plate && printf '%s\n' "${plate[@]}" >scene.yaml || printf '%s\n' "${fluid[@]}" >scene.yaml
+    mapfile -t with < <(setting $one $base; setting $two $base)
+    said=$(says $name)
+    if [ -n "$said" ]; then
+      code 2 "$frana" run scene.yaml --out $name "${with[@]}"
+      refused $name "$said"
+      continue
+    fi
+    n=$((count++ % 3 + 1))
+    code 0 ranks $n run scene.yaml --out $name "${with[@]}"
+    grep -q '"status": *"done"' $name/run.json || fail "$name is not done"
+    awk 'NR > 2 && /[0-9],(-?nan|-?inf)/ { bad = 1 } END { exit bad }' $name/series.csv || fail "$name: no numbers"
+    code 0 ranks $((n % 3 + 1)) run scene.yaml --out $name-again --resume=$(ls $name/checkpoint/step_*.h5 | head -n 1) "${with[@]}"
+    awk -F, 'NR == FNR { if (FNR > 2) first = first ? first : $1; next } FNR <= 2 || $1 >= first' $name-again/series.csv $name/series.csv >tail.csv
+    same tail.csv $name-again/series.csv
+    case $name in *breakage*) [ "$(of $name bonds_broken)" -gt 0 ] || fail "$name: nothing has broken" ;; esac
+  done
+done
+# An elastic body under implicit diffusion: what sets it going dies out, and its load is the explicit one's but for the forcing's slip,
+# which is that of the longest explicit step.
+printf '%s\n' "${fluid[@]}" >scene.yaml
+long=(--set stages.flow.steps=100 --set stages.move.steps=300 --set output.series_every=20 --set output.checkpoint_every=0)
+code 0 ranks 1 run scene.yaml --out explicit "${long[@]}"
+code 0 ranks 2 run scene.yaml --out implicit "${long[@]}" --set fluid.diffusion=implicit
+mean() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "load_x") k = i } NR > 2 && $1 > 200 { sum += $k; n++ } END { print sum / n }' $1/series.csv; }
+awk -v a="$(mean explicit)" -v b="$(mean implicit)" 'BEGIN { d = b / a - 1; print "load, implicit over explicit:", 1 + d; exit !(d < 0.1 && d > -0.1) }' ||
+  fail "the load of an elastic body under implicit diffusion"
+for run in explicit implicit; do
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "e_kinetic_solid") k = i; if ($i == "e_strain") s = i } }
+    NR > 2 { e = $k + $s; if ($1 > 100 && $1 <= 200 && e > early) early = e; if ($1 > 300 && e > late) late = e }
+    END { exit !(late < early) }' $run/series.csv || fail "$run: the body gains energy"
+done
+[ $count = 22 ] || fail "$count pairs have run"
+echo ok
