@@ -30,7 +30,7 @@ holds() { made "$@" && judge "$1"; }
 # of what is left, 1 + WITHIN wide; BAD where that holds too, nan where not even GOOD does.
 edge() {
   local good=$1 bad=$2 within=$3 scene=$4 key kept dir mid
-  key=$(printf '%s\n' "$build" "$scene" "$(cat "$here/$scene.yaml")" "$@" | cksum | tr -d ' ')
+  key=$(printf '%s\n' "$build" "$(declare -f judge)" "$scene" "$(cat "$here/$scene.yaml")" "$@" | cksum | tr -d ' ')
   kept=$runs/edges/$key dir=$runs/at/$key
   shift 4
   if [ ! -f "$kept" ]; then
@@ -74,6 +74,7 @@ table() {
 }
 # plot NAME: a gnuplot script on the standard input to NAME.png; without gnuplot there are the tables alone.
 plot() {
+  [ ! "$quick" ] || return 0
   command -v gnuplot >/dev/null || return 0
   { echo "set terminal pngcairo size 900,560 font 'sans,11'; set output '$out/$1.png'; set datafile separator ','; set grid; set key left top"
     echo "cd '$out'"; cat; } | gnuplot

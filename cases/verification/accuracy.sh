@@ -5,8 +5,8 @@ cd "$(dirname "$0")/../.."
 page=docs/accuracy.md work=$(mktemp)
 trap 'rm -f "$work"' EXIT
 
-# One paragraph of a README, from the line that begins with a word in bold to the next blank line.
-paragraph() { awk -v word="**$2" 'index($0, word) == 1 { on = 1 } /^$/ { on = 0 } on' "$1/README.md"; }
+# One paragraph of a README, from the line that begins with a word, bold or not, to the next blank line.
+paragraph() { awk -v word="$2" 'index($0, word) == 1 || index($0, "**" word) == 1 { on = 1 } /^$/ { on = 0 } on' "$1/README.md"; }
 plot() { # plot CSV: of a study's first quantity: NAME.png, or NAME_QUANTITY.png of several
   local name=${1%.csv} first png
   first=$(sed -n 's/^# reference of \([^:]*\):.*/\1/p' "$1" | sed -n '1{s/[^A-Za-z0-9._]/-/g;p}')
@@ -18,7 +18,7 @@ study() { # study CSV: title, machine, one line of advice a quantity, its plots
   echo
   echo "**$(sed -n '1s/^# //p' "$1")**"
   echo
-  grep '^# advice on ' "$1" | sed 's/^# advice on \([^:]*\): \(.*\)/* \1: \2./' || true
+  grep '^# advice on ' "$1" | sed -n '1,3s/^# advice on \([^:]*\): \(.*\)/* \1: \2./p' || true
   plot "$1"
 }
 case_section() {
