@@ -1,3 +1,9 @@
+# Under the sanitizers a test may take ten times as long: TIMEOUT 60${tenfold}.
+set(tenfold "")
+if(FRANA_SANITIZE)
+  set(tenfold 0)
+endif()
+
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 120])
 # One executable of cmocka tests, run by ctest once for each number of ranks.
 function(frana_test source)
@@ -25,7 +31,7 @@ function(frana_test source)
   endif()
   foreach(n ${T_RANKS})
     add_test(NAME ${name}_${n} COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n ${n} $<TARGET_FILE:${name}>)
-    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS "${T_ROOM};${T_LABELS}" PROCESSORS ${n}
+    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${T_ROOM};${T_LABELS}" PROCESSORS ${n}
       ENVIRONMENT "OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_hwloc_base_binding_policy=none;OMPI_MCA_mpi_yield_when_idle=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;ASAN_OPTIONS=detect_leaks=0")
   endforeach()
 endfunction()

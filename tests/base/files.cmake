@@ -11,9 +11,9 @@ add_test(NAME base_vtk_writes COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root 
   $<TARGET_FILE:base_test_vtkhdf_sample> ${CMAKE_BINARY_DIR}/files/vtk_sample)
 add_test(NAME base_vtk_reads COMMAND ${FRANA_VTK_PYTHON} ${CMAKE_SOURCE_DIR}/tests/base/vtk_reads.py
   ${CMAKE_BINARY_DIR}/files/vtk_sample)
-set_tests_properties(base_vtk_writes PROPERTIES FIXTURES_SETUP vtk_sample PROCESSORS 3 TIMEOUT 60 LABELS base
+set_tests_properties(base_vtk_writes PROPERTIES FIXTURES_SETUP vtk_sample PROCESSORS 3 TIMEOUT 60${tenfold} LABELS base
   ENVIRONMENT "${files_environment}")
-set_tests_properties(base_vtk_reads PROPERTIES FIXTURES_REQUIRED vtk_sample TIMEOUT 60 LABELS base)
+set_tests_properties(base_vtk_reads PROPERTIES FIXTURES_REQUIRED vtk_sample TIMEOUT 60${tenfold} LABELS base)
 
 frana_test(base/test_store.c ROOM base RANKS 1 2 3 4)
 frana_test(base/test_seal.c ROOM base RANKS 1 2 3)
@@ -34,6 +34,6 @@ set(files_launch_3 ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n 
 foreach(n 1 3)
   add_test(NAME base_disk_full_${n} COMMAND ${FRANA_VTK_PYTHON} ${CMAKE_SOURCE_DIR}/tests/base/disk_full.py
     $<TARGET_FILE:base_test_store_full> $<TARGET_FILE:base_test_table_full> ${CMAKE_BINARY_DIR}/files/disk_full_${n} ${files_launch_${n}})
-  set_tests_properties(base_disk_full_${n} PROPERTIES PROCESSORS ${n} TIMEOUT 120 LABELS base
+  set_tests_properties(base_disk_full_${n} PROPERTIES PROCESSORS ${n} TIMEOUT 120${tenfold} LABELS base
     ENVIRONMENT "${files_environment}")
 endforeach()
