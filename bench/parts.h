@@ -40,3 +40,8 @@ struct bench_block {
     double ratio; /* horizon / spacing, 0: 3 */
 };
 struct solid *bench_block_new(const struct bench_block *in);
+
+/* Displacements with stretches of some 1e-4, of which none breaks a bond. */
+void bench_strain(struct solid *s);
+/* A force sweep with its exchange of ghosts, of a struct solid. */
+void bench_sweep(void *solid);

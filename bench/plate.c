@@ -34,16 +34,8 @@ static struct solid *plate_new(const int sites[2]) {
                                                       .materials = 1,
                                                       .material = &material,
                                                       .surface_correction = 1});
-    for (int h = 0; h < s->n; h++) /* stretches of some 1e-4: none breaks */
-        for (int c = 0; c < 2; c++) s->d[c][h] = 2e-4 * SPACING * sin(300 * s->x0[1 - c][h] + c);
-    solid_ghosts_update(s);
+    bench_strain(s);
     return s;
-}
-
-static void sweep(void *with) {
-    struct solid *s = with;
-    solid_ghosts_update(s);
-    solid_force(s, 1);
 }
 
 /* Each bond once, for both its ends. In: the relative displacement 2, eps = eta.(2 xi + eta)/xi^2 6, the stretch's polynomial
@@ -53,7 +45,7 @@ static void sweep(void *with) {
 static void measure(struct bench *b, const char *part, struct solid *s, double damping) {
     struct bench_sample of[1][BENCH_CHANNELS];
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&b->effort, sweep, 1, (void *[]){s}, of);
+    bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = {.part = part,
                             .time = of[0][BENCH_WALL],
                             .units = (double)par_sum_long(solid_family_directed(s)),

@@ -28,16 +28,8 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
                                                       .refinement = refinement,
                                                       .surface_correction = 1});
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1};
-    for (int h = 0; h < s->n; h++) /* stretches of some 1e-4: none breaks */
-        for (int c = 0; c < 2; c++) s->d[c][h] = 2e-4 * SPACING * sin(300 * s->x0[1 - c][h] + c);
-    solid_ghosts_update(s);
+    bench_strain(s);
     return s;
-}
-
-static void sweep(void *with) {
-    struct solid *s = with;
-    solid_ghosts_update(s);
-    solid_force(s, 1);
 }
 
 /* No particle has more than the threshold. */
@@ -79,7 +71,7 @@ void bench_refine(struct bench *b) {
     struct solid *s = square_new(b->quick ? 80 : 130, &refinement);
     struct bench_sample of[1][BENCH_CHANNELS];
     double seconds[EVENTS];
-    bench_measure(&b->effort, sweep, 1, (void *[]){s}, of);
+    bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = row_of("sweep_refined", s, of[0][BENCH_WALL]);
     bench_table_row(&b->table, &row);
     bench_measure(&b->effort, look, 1, (void *[]){s}, of);

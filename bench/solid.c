@@ -31,16 +31,8 @@ struct solid *bench_block_new(const struct bench_block *in) {
         input.length[2] = width * SPACING;
     }
     struct solid *s = solid_new(&input);
-    for (int h = 0; h < s->n; h++) /* stretches of some 1e-4: none breaks */
-        for (int c = 0; c < 3; c++) s->d[c][h] = 2e-4 * SPACING * sin(300 * s->x0[(c + 1) % 3][h] + c);
-    solid_ghosts_update(s);
+    bench_strain(s);
     return s;
-}
-
-static void sweep(void *with) {
-    struct solid *s = with;
-    solid_ghosts_update(s);
-    solid_force(s, 1);
 }
 
 /* Each bond once, for both its ends. In: the relative displacement 3, eps = eta.(2 xi + eta)/xi^2 9, the stretch's
@@ -57,7 +49,7 @@ static void measure(struct bench *b, const char *part, const struct bench_block 
     struct bench_sample of[1][BENCH_CHANNELS];
     struct solid *s = bench_block_new(block);
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&b->effort, sweep, 1, (void *[]){s}, of);
+    bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = {.part = part,
                             .time = of[0][BENCH_WALL],
                             .units = (double)par_sum_long(solid_family_directed(s)),
@@ -65,7 +57,7 @@ static void measure(struct bench *b, const char *part, const struct bench_block 
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     count(&row, (double)s->n_global, block->list, damping > 0);
     bench_table_row(&b->table, &row);
-    if (!block->list) bench_table_traffic(&b->table, part, row.size, sweep, s, 4);
+    if (!block->list) bench_table_traffic(&b->table, part, row.size, bench_sweep, s, 4);
     solid_free(s);
 }
 

@@ -2,8 +2,6 @@
 
 #include <stdio.h>
 
-static const char *const side_name[3][2] = {{"x_low", "x_high"}, {"y_low", "y_high"}, {"z_low", "z_high"}};
-
 /* 1: the side gives a flow into the domain; -1: fluid may leave through it. */
 static int flows(const struct fluid_side *s, int d, int high) {
     const double in = high ? -s->velocity[d] : s->velocity[d];
@@ -34,9 +32,8 @@ int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
             if (part > 0)
                 snprintf(sentence[n++], BLOCKED_SENTENCE,
                          "%.3g %% of %s have no way out that cells resolve: what flows in there is pressed "
-                         "through the "
-                         "solid",
-                         100 * part, side_name[d][high]);
+                         "through the solid",
+                         100 * part, fluid_side_name[d][high]);
         }
     if (in->driving.type == FLUID_DRIVING_BULK && in->driving.value != 0) {
         const int d = in->driving.direction;

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 
+#include <lapacke.h>
 #include <math.h>
 #include <string.h>
 
@@ -137,19 +138,12 @@ static void factorise(struct quasi_newton *q, double l[C][C], double *right) {
 
 /* x <- H(x) + W c, V^T V c = -V^T r. */
 static void least_squares(struct quasi_newton *q, double *x, const double *image, const double *r) {
-    double c[2 * C], l[C][C];
+    double c[2 * C], l[C][C] = {{0}};
     products(q, r, c);
     factorise(q, l, c);
     const int m = q->columns;
-    for (int k = 0; k < m; k++) {
-        c[k] = -c[k];
-        for (int j = 0; j < k; j++) c[k] -= l[k][j] * c[j];
-        c[k] /= l[k][k];
-    }
-    for (int k = m - 1; k >= 0; k--) {
-        for (int j = k + 1; j < m; j++) c[k] -= l[j][k] * c[j];
-        c[k] /= l[k][k];
-    }
+    for (int k = 0; k < m; k++) c[k] = -c[k];
+    if (m > 0) ENSURE(LAPACKE_dpotrs(LAPACK_ROW_MAJOR, 'L', m, 1, l[0], C, c, 1) == 0, "%d columns", m);
     memcpy(x, image, (size_t)q->n * sizeof *x);
     for (int k = 0; k < m; k++)
         for (int i = 0; i < q->n; i++) x[i] += c[k] * q->dx[k][i];

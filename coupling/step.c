@@ -124,7 +124,7 @@ void run_stage_begin(struct run *r) {
         if (touches) add(r, part_contact, "contact");
         if (follows) add(r, adapt_substeps, "number of substeps");
         strong_parts(r->strong, part_markers,
-                     fluid_input_of(r->fluid)->implicit ? part_fluid_implicit : part_fluid_forced);
+                     part_fluid_forced); /* diffusion is explicit: the scene saw to it */
         add(r, strong_step, "fluid, probe and solid, iterated");
         add(r, part_surface, "surface");
         return;

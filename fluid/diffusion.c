@@ -40,7 +40,6 @@ static struct fluid_poisson *new_solver(const struct fluid *f, int c) {
 }
 
 static void refuse_open(const struct fluid *f) {
-    static const char *const name[3][2] = {{"x_low", "x_high"}, {"y_low", "y_high"}, {"z_low", "z_high"}};
     if (!(f->in.viscosity > 0)) die_all(EXIT_CODE_SCENE, "fluid.diffusion: implicit needs a viscosity");
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
@@ -48,14 +47,14 @@ static void refuse_open(const struct fluid *f) {
                 die_all(EXIT_CODE_SCENE,
                         "fluid.diffusion: implicit needs a normal velocity on every side, and that of "
                         "fluid.sides.%s is free",
-                        name[d][side]);
+                        fluid_side_name[d][side]);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
             if (f->in.side[d][side].type == FLUID_OUTFLOW && f->grid->n[d] / f->grid->ranks[d] < 2)
                 die_all(EXIT_CODE_SCENE,
                         "fluid.diffusion: implicit with an outflow at %s needs two cells a rank in %c, and "
                         "there are %d for %d ranks",
-                        name[d][side], "xyz"[d], f -> grid -> n[d], f -> grid -> ranks[d]);
+                        fluid_side_name[d][side], "xyz"[d], f -> grid -> n[d], f -> grid -> ranks[d]);
 }
 
 struct fluid_diffusion *fluid_diffusion_new(const struct fluid *f) {

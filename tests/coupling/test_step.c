@@ -1,6 +1,7 @@
 /* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together from
  * what the stage needs. */
 #include "coupling/run.h"
+#include "ball.h"
 #include "scene_of.h"
 
 #include <math.h>
@@ -8,22 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const box =
-    "title: test\n"
-    "domain: {size: [0.16, 0.16, 0.16], cells: [16, 16, 16]}\n"
-    "fluid:\n"
-    "  density: 1000\n"
-    "  viscosity: 1.0e-3\n"
-    "  initial: {velocity: [0.1, 0.05, -0.02]}\n"
-    "  sides:\n"
-    "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"
-    "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
-    "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
-    "solid:\n"
-    "  materials:\n"
-    "    - {name: soft, youngs_modulus: 1.0e6, density: 3000, fracture_energy: 0.05}\n"
-    "  bodies:\n"
-    "    - {name: ball, material: soft, shape: sphere, centre: [0.08, 0.08, 0.08], radius: 0.04}\n";
+static const char *const box = BALL_IN_A_BOX("3000");
 static const char *const drift = "stages:\n"
                                  "  - {name: drift, steps: 40, time_step: 2.0e-3}\n";
 static const char *const rigid = "stages:\n"

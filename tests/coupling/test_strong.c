@@ -1,6 +1,7 @@
 /* The iterated step: its answer does not depend on how it is found, a body that moves with the flow needs no iterations, and
  * steps that do not converge are counted. */
 #include "coupling/run.h"
+#include "ball.h"
 #include "scene_of.h"
 
 #include <math.h>
@@ -9,25 +10,9 @@
 #include <string.h>
 
 /* A light ball: half the fluid's density. */
-static const char *const text =
-    "title: test\n"
-    "domain: {size: [0.16, 0.16, 0.16], cells: [16, 16, 16]}\n"
-    "fluid:\n"
-    "  density: 1000\n"
-    "  viscosity: 1.0e-3\n"
-    "  initial: {velocity: [0.1, 0.05, -0.02]}\n"
-    "  sides:\n"
-    "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"
-    "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
-    "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
-    "solid:\n"
-    "  materials:\n"
-    "    - {name: light, youngs_modulus: 1.0e6, density: 500, fracture_energy: 0.05}\n"
-    "  bodies:\n"
-    "    - {shape: sphere, centre: [0.08, 0.08, 0.08], radius: 0.04}\n"
-    "coupling: {scheme: strong, tolerance: 1.0e-7}\n"
-    "stages:\n"
-    "  - {name: drift, steps: 6, time_step: 2.0e-3}\n";
+static const char *const text = BALL_IN_A_BOX("500") "coupling: {scheme: strong, tolerance: 1.0e-7}\n"
+                                                     "stages:\n"
+                                                     "  - {name: drift, steps: 6, time_step: 2.0e-3}\n";
 
 /* Six steps of a ball at rest in the flow; its mean velocity, and the fastest particle against it. */
 static struct strong_count ball_after(int n, const char *const *set, double mean[3], double *shake) {

@@ -1,0 +1,17 @@
+#include "bench/parts.h"
+#include "solid/family.h"
+
+#include <math.h>
+
+void bench_strain(struct solid *s) {
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < s->dim; c++)
+            s->d[c][h] = 2e-4 * s->in.spacing * sin(300 * s->x0[(c + 1) % s->dim][h] + c);
+    solid_ghosts_update(s);
+}
+
+void bench_sweep(void *solid) {
+    struct solid *s = solid;
+    solid_ghosts_update(s);
+    solid_force(s, 1);
+}
