@@ -109,8 +109,10 @@ static void targets(const struct page *p) {
         const struct bench_whole *found = NULL;
         for (int k = 0; k < p->runs; k++)
             if (p->run[k].rk3 == rk3) found = &p->run[k];
-        target(rk3 ? "the whole S3, 2 ranks, RK3" : "the whole S3, 2 ranks, Verlet",
-               "the two peers' own parts added up: about an hour", "min", rk3 ? 9 : 6,
+        char what[96], since[48] = "";
+        if (found && found->from > 0) snprintf(since, sizeof since, ", from step %ld on", found->from);
+        snprintf(what, sizeof what, "the whole S3, 2 ranks, %s%s", rk3 ? "RK3" : "Verlet", since);
+        target(what, "the two peers' own parts added up: about an hour", "min", rk3 ? 9 : 6,
                found ? found->wall_seconds / 60 : NAN, NAN, NAN, NAN);
     }
     const double off = bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", "128x64x64", 2),

@@ -38,6 +38,7 @@ struct bench_whole bench_whole_read(const char *path) {
             whole.wall_seconds = strtod(text, NULL);
         if (strstr(line, "\"ranks\"") && value_of(line, "\"ranks\"", text, sizeof text))
             whole.ranks = strtod(text, NULL);
+        if (value_of(line, "\"resumed_at_step\"", text, sizeof text)) whole.from = strtol(text, NULL, 10);
         value_of(line, "\"title\"", whole.title, sizeof whole.title);
         value_of(line, "\"status\"", status, sizeof status);
     }

@@ -4,6 +4,7 @@
 struct bench_whole {
     char title[256];
     double wall_seconds, ranks;
+    long from; /* the step at which it was resumed, 0: it began there */
     int rk3; /* 1: the last stage's solid went by RK3, 0: by velocity Verlet */
 };
 

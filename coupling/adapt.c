@@ -59,17 +59,30 @@ void adapt_time_step(struct run *r) {
     say_bound(r);
 }
 
-int adapt_substeps_wanted(struct run *r) {
-    const double contact = solid_contact_rate2(r->solid);
+static double least_substeps(const struct run *r, double stable) {
+    return ceil(r->dt / (stage_of(r)->safety * stable) * (1 - 1e-12));
+}
+
+/* Whether the present number will do with contact of this rate. */
+static int suffices(const void *run, double contact) {
+    const struct run *r = run;
+    const enum solid_integrator integrator = r->solid->stage.integrator;
+    return least_substeps(r, solid_stable_of(&r->solid_rates, integrator, contact, NULL)) <= r->substeps;
+}
+
+static int wanted(struct run *r, solid_contact_enough *enough) {
+    const double contact = solid_contact_rate2(r->solid, enough, r);
     r->adapt.approach = 0;
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
-    const double least = ceil(r->dt / (stage_of(r)->safety * r->solid_stable) * (1 - 1e-12));
+    const double least = least_substeps(r, r->solid_stable);
     if (least > SUBSTEPS_MAX && contact == 0) /* contact may ask for that for a while */
         die_all(EXIT_CODE_SCENE,
                 "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
                 stage_of(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
     return least > 1 ? (int)fmin(least, SUBSTEPS_MAX) : 1; /* without bonds there is no limit */
 }
+
+int adapt_substeps_wanted(struct run *r) { return wanted(r, NULL); }
 
 static void set_substeps(struct run *r, int substeps) {
     if (r->substeps > 0 && !r->adapt.replays)
@@ -83,9 +96,9 @@ static void set_substeps(struct run *r, int substeps) {
 void adapt_substeps(struct run *r) {
     const int least = r->adapt.least;
     if (is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
-        const int wanted = adapt_substeps_wanted(r);
-        if (wanted > r->substeps || (wanted < r->substeps && r->stage_step % FEWER_SUBSTEPS_EVERY == 0))
-            set_substeps(r, wanted);
+        const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
+        const int least_now = wanted(r, may_fall ? NULL : suffices);
+        if (least_now > r->substeps || (least_now < r->substeps && may_fall)) set_substeps(r, least_now);
     }
     if (r->substeps < least) r->substeps = least;
 }
@@ -159,15 +172,15 @@ static enum adapt_verdict judge_convection(struct run *r, double rate, struct st
 static enum adapt_verdict judge_contact(struct run *r, double fastest, struct step_status *status) {
     r->adapt.approach += 2 * r->dt * fastest;
     if (r->adapt.approach <= solid_contact_margin(r->solid)) return ADAPT_HOLDS;
-    const int wanted = adapt_substeps_wanted(r);
+    const int least = wanted(r, suffices);
     if (r->dt > r->solid_stable * r->substeps * (1 + 1e-12)) {
         char why[96];
         snprintf(why, sizeof why, "bound by %s (stable up to %.4g s)", solid_bound_name[r->solid_bound],
                  r->solid_stable);
         *status = (struct step_status){.failed = 1, .field = "substep", .value = r->dt / r->substeps};
-        return finer(r, wanted, why);
+        return finer(r, least, why);
     }
-    if (wanted > r->substeps) set_substeps(r, wanted);
+    if (least > r->substeps) set_substeps(r, least);
     return ADAPT_HOLDS;
 }
 

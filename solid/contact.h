@@ -26,8 +26,10 @@ double solid_contact_energy(struct solid *s);
  *
  * since (p - q)^2 <= p^2 (1 + x_l/x_h) + q^2 (1 + x_h/x_l): the largest eigenvalue of a T_h/rho. The largest eigenvalues of the
  * x_h T_h/rho are better weights: the bound never rises (Collatz, Wielandt). (The part of the stiffness across e is negative.)
- * A continuous function of the state, the same on any number of ranks. Brings ghosts up to date. Collective. */
-double solid_contact_rate2(struct solid *s);
+ * The best is a continuous function of the state, the same on any number of ranks; where a bound is `enough` for the caller, with
+ * what it brings, no better one is sought (NULL: none is). Brings ghosts up to date. Collective. */
+typedef int solid_contact_enough(const void *with, double rate2);
+double solid_contact_rate2(struct solid *s, solid_contact_enough *enough, const void *with);
 /* How far from touching pairs count already, m: nothing that the bound has not seen touches before two particles have come nearer
  * by as much. 0: nothing is near. Not collective. */
 double solid_contact_margin(const struct solid *s);

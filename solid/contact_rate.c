@@ -160,7 +160,7 @@ double solid_contact_margin(const struct solid *s) {
     return s->in.contact && c && c->any ? MARGIN * c->radius : 0;
 }
 
-double solid_contact_rate2(struct solid *s) {
+double solid_contact_rate2(struct solid *s, solid_contact_enough *enough, const void *with) {
     struct solid_contact *c = s->contact;
     double bound = 0;
     if (!s->in.contact || !c || !c->any) return 0;
@@ -169,7 +169,7 @@ double solid_contact_rate2(struct solid *s) {
     solid_ghosts_update(s);
     if (c->crossing.active) solid_crossing_update(s, &c->crossing);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) gather(s, c, kind);
-    for (int turn = 0; turn < TURNS; turn++) {
+    for (int turn = 0; turn < TURNS && !(turn > 0 && enough && enough(with, bound)); turn++) {
         share(s, c);
         sum(t);
         bound = better(t, bound);

@@ -8,7 +8,12 @@
 
 enum { ROUND_ERRORS = 24, RUNGS = 3, NAMED_MOST = 4 };
 
-/* The cheapest run of all methods that stays below an error. */
+/* Where the finest run is itself the reference it is at no distance from it, which says nothing of its error. */
+static int reference_level(const struct study_table *t, int method) {
+    return t->method == method && !t->extrapolated ? t->curve[method].finest : -1;
+}
+
+/* The cheapest run of all methods that stays below an error, the reference apart. */
 struct rung {
     double at, time;
     int method, level;
@@ -20,6 +25,8 @@ static struct rung rung_of(const struct study_result *r, const struct study_tabl
     struct rung best = {.at = at, .time = NAN, .method = -1, .level = -1};
     for (int m = 0; m < s->methods.n; m++) {
         study_result_curve(r, t, m, work, work + s->levels.n);
+        const int own = reference_level(t, m);
+        if (own >= 0) work[own] = NAN;
         const int l = study_iso_cheapest(s->levels.n, work, work + s->levels.n, at);
         if (l < 0 || (best.method >= 0 && work[s->levels.n + l] >= best.time)) continue;
         best = (struct rung){at, work[s->levels.n + l], m, l};
@@ -28,7 +35,14 @@ static struct rung rung_of(const struct study_result *r, const struct study_tabl
 }
 
 static char *error_text(const struct study_table *t, double error) {
+    if (error <= study_iso_round(ROUND_ERRORS - 1)) return scene_text("round-off");
     return t->has_scale ? scene_text("%.3g %%", 100 * error) : scene_text("%.3g", error);
+}
+
+/* Two digits, and no exponent where there are seconds to count. */
+static char *seconds_text(double seconds) {
+    const double digit = seconds > 0 ? pow(10, fmax(floor(log10(seconds)) - 1, 0)) : 1;
+    return seconds < 10 ? scene_text("%.2g s", seconds) : scene_text("%.0f s", digit * rint(seconds / digit));
 }
 
 static char *joined(char *a, char *b) {
@@ -85,6 +99,17 @@ static char *others(const struct study_result *r, const struct study_table *t, c
     return text;
 }
 
+static char *of_reference(const struct study_result *r, const struct study_table *t) {
+    const struct study *s = r->plan->study;
+    const int level = reference_level(t, t->method);
+    if (level < 0) return scene_text("%s", "");
+    char *seconds = seconds_text(study_result_point(r, t, t->method, level)->wall);
+    char *text = scene_text("; the reference, %s at %s, takes %s", s->methods.variant[t->method].name,
+                            s->levels.variant[level].name, seconds);
+    free(seconds);
+    return text;
+}
+
 char *study_report_advice(const struct study_result *r, const struct study_table *t) {
     const struct study *s = r->plan->study;
     const double floor = t->uncertainty > 0 ? t->uncertainty / t->scale : 0;
@@ -101,13 +126,15 @@ char *study_report_advice(const struct study_result *r, const struct study_table
     }
     char *text = scene_text("%s", "");
     for (int k = 0; k < rungs; k++) {
-        char *error = error_text(t, rung[k].at);
-        text = joined(text, scene_text(k ? ", %s %.2g s (%s at %s)" : "%s costs %.2g s (%s at %s)", error,
-                                       rung[k].time, s->methods.variant[rung[k].method].name,
+        char *error = error_text(t, rung[k].at), *seconds = seconds_text(rung[k].time);
+        text = joined(text, scene_text(k ? ", %s %s (%s at %s)" : "%s costs %s (%s at %s)", error, seconds,
+                                       s->methods.variant[rung[k].method].name,
                                        s->levels.variant[rung[k].level].name));
         free(error);
+        free(seconds);
     }
     if (rungs && s->methods.n > 1) text = joined(text, others(r, t, &rung[rungs - 1], work));
+    if (rungs && t->method >= 0) text = joined(text, of_reference(r, t));
     free(work);
     return text;
 }

@@ -1,5 +1,5 @@
 # What the maps share, besides cases/verification/common.sh: runs that hold or do not, and the edge between them.
-# Edges found are kept under RUNS by program, scene and settings, so a map that was stopped goes on where it was.
+# Edges and points found are kept under RUNS by program, scene and settings, so a map that was stopped goes on where it was.
 build=$("$frana" --version)
 export LC_ALL=C OMP_NUM_THREADS=1
 
@@ -58,6 +58,17 @@ stable_step() {
   for s in "$@"; do set+=(--set "$s"); done
   "$frana" check "$here/$scene.yaml" "${set[@]}" | sed -n "s/^  $name  *\([0-9.e+-]*\)\$/\1/p"
 }
+# kept_point ARGUMENT...: what the map's function `point` prints of them.
+kept_point() {
+  local kept
+  kept=$runs/points_found/$(printf '%s\n' "$build" "$(declare -f point judge || true)" "$(cat "$here"/*.yaml)" "$@" | cksum | tr -d ' ')
+  if [ ! -f "$kept" ]; then
+    mkdir -p "$runs/points_found"
+    point "$@" >"$kept.part"
+    mv "$kept.part" "$kept"
+  fi
+  cat "$kept"
+}
 # table NAME HEADER: lines of arguments from the standard input, two at a time through the map's function `point`, in their order.
 table() {
   local i=0 args
@@ -66,7 +77,7 @@ table() {
   while read -r args; do
     i=$((i + 1))
     while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n; done
-    (point $args >"$runs/rows/$1.$(printf %03d $i)" </dev/null) &
+    (kept_point $args >"$runs/rows/$1.$(printf %03d $i)" </dev/null) &
   done
   wait
   { echo "$2"; cat "$runs/rows/$1".*; } >"$out/$1.csv"

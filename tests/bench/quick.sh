@@ -43,7 +43,10 @@ if [ "$ranks" -gt 1 ]; then
 else
   [ "$(wc -l <"$traffic")" = 1 ] || fail "one rank has spoken to itself: $(cat "$traffic")"
 fi
-"$frana" bench --table=performance out/*.csv >page
+mkdir -p whole
+printf '{"status": "done",\n"wall_seconds": 120,\n"resumed_at_step": 5000\n}\n' >whole/run.json
+"$frana" bench --table=performance out/*.csv whole/run.json >page
 grep -q '^## To reach' page && grep -q '| sweep_porous |' page || fail "the page of times"
+grep -q '^| the whole S3, 2 ranks, RK3, from step 5000 on |.*| 2 min |' page || fail "the page's whole runs"
 "$frana" bench --table=growth out/*.csv >page
 grep -q '^| 32x16x16 |' page || fail "the page of growth"

@@ -183,6 +183,8 @@ static double largest_rate(struct solid *s) {
     return rate;
 }
 
+static int always(const void *with, double rate2) { return !with && rate2 > 0; }
+
 /* Bonds and present contacts together are no faster than the bound, and the bound is no more than 1.38 times what is there: equal
  * weights for all give 1.41. */
 static void test_contact_bound(void **state) {
@@ -193,9 +195,10 @@ static void test_contact_bound(void **state) {
         struct solid_rates rates;
         assert_non_null(s->contact);
         solid_rates_of(s, &rates);
-        const double contact = solid_contact_rate2(s), there = largest_rate(s);
+        const double contact = solid_contact_rate2(s, NULL, NULL), there = largest_rate(s);
         print_message("strain %.3f: bonds %.3g, contact %.3g, together %.3g 1/s2\n", strain[k],
                       rates.stiffness, contact, there);
+        assert_true(solid_contact_rate2(s, always, NULL) > contact); /* the first one */
         assert_true(there > 1.3 * rates.stiffness);
         assert_true(there < rates.stiffness + contact);
         assert_true(1.38 * there > rates.stiffness + contact);
@@ -220,7 +223,7 @@ static void test_one_pair(void **state) {
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) solid_family_break(s, h, b);
     }
-    assert_true(solid_contact_rate2(s) == 0);
+    assert_true(solid_contact_rate2(s, NULL, NULL) == 0);
     solid_contact_update(s);
     assert_non_null(s->contact);
     const double touch = solid_stable_touch(s);
@@ -230,8 +233,8 @@ static void test_one_pair(void **state) {
     const double gap[4] = {-1e-9, -0.1, 0.01, 0.021}, expected[4] = {1, pow(0.9, -3), 0.5 * pow(1.01, -3), 0};
     for (int k = 0; k < 4; k++) {
         for (int h = 0; h < s->n; h++) s->d[0][h] = s->x0[0][h] > SPACING ? gap[k] * SPACING : 0;
-        assert_near(solid_contact_rate2(s) / touch, expected[k], 0.03 * expected[k] + 1e-12);
-        assert_true(solid_contact_rate2(s) / touch >= expected[k] * (1 - 1e-6));
+        assert_near(solid_contact_rate2(s, NULL, NULL) / touch, expected[k], 0.03 * expected[k] + 1e-12);
+        assert_true(solid_contact_rate2(s, NULL, NULL) / touch >= expected[k] * (1 - 1e-6));
     }
     solid_contact_free(s);
     solid_free(s);

@@ -130,6 +130,24 @@ static void advice(void **state) {
                "at 0.3 % square does not get there");
     for (int i = 0; i < RUNS; i++) x->value[i] = 30;
     advises(x, "");
+    for (int i = 0; i < RUNS; i++) {
+        x->value[i] = 10;
+        x->run[i].outcome.wall *= 30;
+    }
+    x->quantity.reference.uncertainty = 0;
+    advises(x, "round-off costs 60 s (square at one); at round-off cubic takes 2 times as long");
+    free(x);
+}
+
+/* The run that is the reference is not told as one without an error. */
+static void reference_apart(void **state) {
+    (void)state;
+    struct made *x = make(finest);
+    for (int i = 4; i < RUNS; i += CASES) x->value[i] = 11; /* square at quarter: nothing to extrapolate */
+    x->quantity.reference.scale = 10;
+    advises(x,
+            "30 % costs 2 s (square at one), 10 % 4 s (cubic at one); at 10 % square takes 2 times as long; "
+            "the reference, square at quarter, takes 8 s");
     free(x);
 }
 
@@ -214,8 +232,8 @@ static void time_left(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(value), cmocka_unit_test(advice),
-                                       cmocka_unit_test(extrapolated), cmocka_unit_test(uneven),
-                                       cmocka_unit_test(time_left)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(value),           cmocka_unit_test(advice),
+                                       cmocka_unit_test(reference_apart), cmocka_unit_test(extrapolated),
+                                       cmocka_unit_test(uneven),          cmocka_unit_test(time_left)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
