@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Measures, and makes the pages: bench/results/*.csv, docs/performance.md, the tables in docs/scaling.md.
-#     bench/run.sh [--build DIR] [--no-lammps] [RUN.json...]        run.json of whole runs of the main case's S3
+#     bench/run.sh [--build DIR] [--no-lammps] [RUN.json...]        run.json of whole runs of the main case's S3, with their
+#                                                                   scene.resolved.yaml beside (those kept in bench/results)
 # Builds first if there is no program yet. Takes under five minutes, and wants the machine for itself.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -13,6 +14,7 @@ while [ $# -gt 0 ]; do
     *) echo "run.sh: $1: unknown; there are --build DIR, --no-lammps and run.json files" >&2; exit 2 ;;
   esac
 done
+[ ${#runs[@]} -gt 0 ] || runs=(bench/results/*/run.json)
 if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 export OMPI_MCA_hwloc_base_binding_policy=none
 unset OMPI_MCA_mpi_yield_when_idle

@@ -52,50 +52,61 @@ static char *joined(char *a, char *b) {
     return both;
 }
 
+/* What another method takes at an error, over what the cheapest one does. */
+struct other {
+    const char *method;
+    double factor; /* NAN: it does not get there */
+};
+
 /* Of many methods: how many get there, and in which times. */
-static char *counted(const double *factor, int n, const char *error) {
+static char *counted(const struct other *other, int n, const char *error) {
     double least = INFINITY, most = 0;
     int reached = 0;
     for (int k = 0; k < n; k++) {
-        if (!isfinite(factor[k])) continue;
-        least = fmin(least, factor[k]);
-        most = fmax(most, factor[k]);
+        if (!isfinite(other[k].factor)) continue;
+        least = fmin(least, other[k].factor);
+        most = fmax(most, other[k].factor);
         reached++;
     }
     if (!reached) return scene_text("; none of the %d others gets to %s", n, error);
+    if (reached == 1)
+        return scene_text("; 1 of the %d others gets to %s, in %.2g times the time", n, error, most);
     return scene_text("; %d of the %d others get to %s, in %.2g to %.2g times the time", reached, n, error,
                       least, most);
 }
 
-static char *named(const struct study_variants *methods, int but, const double *factor, const char *error) {
+static char *named(const struct other *other, int n, const char *error) {
     char *text = scene_text("; at %s", error);
-    for (int m = 0, k = 0; m < methods->n; m++) {
-        if (m == but) continue;
-        const char *name = methods->variant[m].name, *comma = k ? "," : "";
-        text = joined(text, isfinite(factor[k])
-                                ? scene_text("%s %s takes %.2g times as long", comma, name, factor[k])
-                                : scene_text("%s %s does not get there", comma, name));
-        k++;
+    for (int k = 0; k < n; k++) {
+        const char *comma = k ? "," : "";
+        text = joined(
+            text, isfinite(other[k].factor)
+                      ? scene_text("%s %s takes %.2g times as long", comma, other[k].method, other[k].factor)
+                      : scene_text("%s %s does not get there", comma, other[k].method));
     }
     return text;
 }
 
-/* What the other methods would have cost at the last rung's error. */
+/* What the other methods would have cost at the last rung's error; nothing is said of the reference's own run. */
 static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last,
                     double *work) {
     const struct study_variants *methods = &r->plan->study->methods;
-    const int levels = r->plan->study->levels.n, n = methods->n - 1;
-    double *factor = malloc((size_t)n * sizeof *factor);
-    for (int m = 0, k = 0; m < methods->n; m++) {
+    const int levels = r->plan->study->levels.n;
+    struct other *other = malloc((size_t)methods->n * sizeof *other);
+    int n = 0;
+    for (int m = 0; m < methods->n; m++) {
         if (m == last->method) continue;
         study_result_curve(r, t, m, work, work + levels);
         const int l = study_iso_cheapest(levels, work, work + levels, last->at);
-        factor[k++] = l < 0 ? NAN : work[levels + l] / last->time;
+        if (l >= 0 && l == reference_level(t, m)) continue;
+        other[n++] = (struct other){methods->variant[m].name, l < 0 ? NAN : work[levels + l] / last->time};
     }
     char *error = error_text(t, last->at);
-    char *text = n > NAMED_MOST ? counted(factor, n, error) : named(methods, last->method, factor, error);
+    char *text = n == 0           ? scene_text("%s", "")
+                 : n > NAMED_MOST ? counted(other, n, error)
+                                  : named(other, n, error);
     free(error);
-    free(factor);
+    free(other);
     return text;
 }
 

@@ -145,9 +145,8 @@ static void reference_apart(void **state) {
     struct made *x = make(finest);
     for (int i = 4; i < RUNS; i += CASES) x->value[i] = 11; /* square at quarter: nothing to extrapolate */
     x->quantity.reference.scale = 10;
-    advises(x,
-            "30 % costs 2 s (square at one), 10 % 4 s (cubic at one); at 10 % square takes 2 times as long; "
-            "the reference, square at quarter, takes 8 s");
+    advises(x, "30 % costs 2 s (square at one), 10 % 4 s (cubic at one); "
+               "the reference, square at quarter, takes 8 s");
     free(x);
 }
 
