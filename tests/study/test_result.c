@@ -150,6 +150,42 @@ static void reference_apart(void **state) {
     free(x);
 }
 
+/* Of many methods it is told how many get there. */
+static void many_methods(void **state) {
+    (void)state;
+    enum { N = 7 };
+    static const double values[N] = {10.1, 10.2, 10.01, 10.005, 11, 10.001, 10.3},
+                        walls[N] = {1, 2, 2, 3, 1, 8, 9};
+    struct made *x = make(known);
+    struct study_variant method[N];
+    struct study_case at[N];
+    struct study_run run[N];
+    double value[N];
+    for (int m = 0; m < N; m++) {
+        method[m] = (struct study_variant){.name = TEXT(m == 0 ? "first" : m == 2 ? "third" : "another")};
+        at[m] = (struct study_case){.method = m, .ranks = 1};
+        value[m] = values[m];
+        run[m] = (struct study_run){.at = m, .value = &value[m]};
+        run[m].outcome = (struct study_outcome){.state = STUDY_DONE, .wall = walls[m]};
+    }
+    x->study.repeats = 1;
+    x->study.methods = (struct study_variants){N, method};
+    x->study.levels.n = 1;
+    x->plan = (struct study_plan){&x->study, N, at, N, run};
+    x->quantity.reference.uncertainty = 0.008; /* nothing is said below 0.08 % */
+    advises(
+        x,
+        "1 % costs 1 s (first at one), 0.1 % 2 s (third at one); 2 of the 6 others get to 0.1 %, in 1.5 to 4 "
+        "times the time");
+    value[5] = 12;
+    advises(x, "1 % costs 1 s (first at one), 0.1 % 2 s (third at one); 1 of the 6 others gets to 0.1 %, in "
+               "1.5 times "
+               "the time");
+    value[3] = 12;
+    advises(x, "1 % costs 1 s (first at one), 0.1 % 2 s (third at one); none of the 6 others gets to 0.1 %");
+    free(x);
+}
+
 /* The first method's finest, extrapolated: exact, and its own finest level is within the index of it. */
 static void extrapolated(void **state) {
     (void)state;
@@ -232,7 +268,8 @@ static void time_left(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(value),           cmocka_unit_test(advice),
-                                       cmocka_unit_test(reference_apart), cmocka_unit_test(extrapolated),
-                                       cmocka_unit_test(uneven),          cmocka_unit_test(time_left)};
+                                       cmocka_unit_test(reference_apart), cmocka_unit_test(many_methods),
+                                       cmocka_unit_test(extrapolated),    cmocka_unit_test(uneven),
+                                       cmocka_unit_test(time_left)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
