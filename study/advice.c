@@ -3,6 +3,7 @@
 #include "study/report.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,10 +40,15 @@ static char *error_text(const struct study_table *t, double error) {
     return t->has_scale ? scene_text("%.3g %%", 100 * error) : scene_text("%.3g", error);
 }
 
-/* Two digits, and no exponent where there are seconds to count. */
-static char *seconds_text(double seconds) {
-    const double digit = seconds > 0 ? pow(10, fmax(floor(log10(seconds)) - 1, 0)) : 1;
-    return seconds < 10 ? scene_text("%.2g s", seconds) : scene_text("%.0f s", digit * rint(seconds / digit));
+/* Two digits, and no exponent in front of the point. */
+enum { DIGITS = 32 };
+static const char *two_digits(double x, char text[DIGITS]) {
+    const double digit = x > 0 ? pow(10, fmax(floor(log10(x)) - 1, 0)) : 1;
+    if (x < 10)
+        snprintf(text, DIGITS, "%.2g", x);
+    else
+        snprintf(text, DIGITS, "%.0f", digit * rint(x / digit));
+    return text;
 }
 
 static char *joined(char *a, char *b) {
@@ -69,20 +75,23 @@ static char *counted(const struct other *other, int n, const char *error) {
         reached++;
     }
     if (!reached) return scene_text("; none of the %d others gets to %s", n, error);
+    char from[DIGITS], to[DIGITS];
+    two_digits(least, from);
+    two_digits(most, to);
     if (reached == 1)
-        return scene_text("; 1 of the %d others gets to %s, in %.2g times the time", n, error, most);
-    return scene_text("; %d of the %d others get to %s, in %.2g to %.2g times the time", reached, n, error,
-                      least, most);
+        return scene_text("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
+    return scene_text("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from,
+                      to);
 }
 
 static char *named(const struct other *other, int n, const char *error) {
     char *text = scene_text("; at %s", error);
     for (int k = 0; k < n; k++) {
-        const char *comma = k ? "," : "";
-        text = joined(
-            text, isfinite(other[k].factor)
-                      ? scene_text("%s %s takes %.2g times as long", comma, other[k].method, other[k].factor)
-                      : scene_text("%s %s does not get there", comma, other[k].method));
+        const char *comma = k ? "," : "", *name = other[k].method;
+        char times[DIGITS];
+        text = joined(text, isfinite(other[k].factor) ? scene_text("%s %s takes %s times as long", comma,
+                                                                   name, two_digits(other[k].factor, times))
+                                                      : scene_text("%s %s does not get there", comma, name));
     }
     return text;
 }
@@ -113,12 +122,11 @@ static char *others(const struct study_result *r, const struct study_table *t, c
 static char *of_reference(const struct study_result *r, const struct study_table *t) {
     const struct study *s = r->plan->study;
     const int level = reference_level(t, t->method);
+    char seconds[DIGITS];
     if (level < 0) return scene_text("%s", "");
-    char *seconds = seconds_text(study_result_point(r, t, t->method, level)->wall);
-    char *text = scene_text("; the reference, %s at %s, takes %s", s->methods.variant[t->method].name,
-                            s->levels.variant[level].name, seconds);
-    free(seconds);
-    return text;
+    two_digits(study_result_point(r, t, t->method, level)->wall, seconds);
+    return scene_text("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
+                      s->levels.variant[level].name, seconds);
 }
 
 char *study_report_advice(const struct study_result *r, const struct study_table *t) {
@@ -137,12 +145,12 @@ char *study_report_advice(const struct study_result *r, const struct study_table
     }
     char *text = scene_text("%s", "");
     for (int k = 0; k < rungs; k++) {
-        char *error = error_text(t, rung[k].at), *seconds = seconds_text(rung[k].time);
-        text = joined(text, scene_text(k ? ", %s %s (%s at %s)" : "%s costs %s (%s at %s)", error, seconds,
-                                       s->methods.variant[rung[k].method].name,
-                                       s->levels.variant[rung[k].level].name));
+        char *error = error_text(t, rung[k].at), seconds[DIGITS];
+        text = joined(text,
+                      scene_text(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
+                                 two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
+                                 s->levels.variant[rung[k].level].name));
         free(error);
-        free(seconds);
     }
     if (rungs && s->methods.n > 1) text = joined(text, others(r, t, &rung[rungs - 1], work));
     if (rungs && t->method >= 0) text = joined(text, of_reference(r, t));
