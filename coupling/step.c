@@ -123,8 +123,7 @@ void run_stage_begin(struct run *r) {
     if (elastic && r->strong) {
         if (touches) add(r, part_contact, "contact");
         if (follows) add(r, adapt_substeps, "number of substeps");
-        strong_parts(r->strong, part_markers,
-                     part_fluid_forced); /* diffusion is explicit: the scene saw to it */
+        strong_parts(r->strong, part_markers, part_fluid_forced); /* never implicit: the scene saw to it */
         add(r, strong_step, "fluid, probe and solid, iterated");
         add(r, part_surface, "surface");
         return;
