@@ -77,7 +77,7 @@ double bench_cells_number(const struct bench_cells *c, int row, const char *colu
 }
 
 int bench_cells_find(const struct bench_cells *c, const char *part, const char *size, int ranks) {
-    for (int row = c->rows - 1; row >= 0; row--)
+    for (int row = 0; row < c->rows; row++)
         if (!strcmp(bench_cells_text(c, row, "part"), part) &&
             (!*size || !strcmp(bench_cells_text(c, row, "size"), size)) &&
             (!ranks || (int)bench_cells_number(c, row, "ranks") == ranks))

@@ -15,5 +15,5 @@ void bench_cells_free(struct bench_cells *cells);
 /* "" where the row or the column is not there. row may be -1. */
 const char *bench_cells_text(const struct bench_cells *cells, int row, const char *column);
 double bench_cells_number(const struct bench_cells *cells, int row, const char *column); /* NAN: none */
-/* The last row with this part, size ("": any) and number of ranks (0: any), or -1. */
+/* The first row with this part, size ("": any) and number of ranks (0: any), or -1: what is measured again, for growth, comes behind. */
 int bench_cells_find(const struct bench_cells *cells, const char *part, const char *size, int ranks);
