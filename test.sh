@@ -24,4 +24,4 @@ setup_mpi 4
 # Open MPI leaks; what frana itself loses, tests/valgrind.sh finds
 [ "$folder" = build ] || export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 [ ! -t 1 ] || options=(--progress "${options[@]}")
-exec ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout "$patience" --parallel "$(setup_cores)" "${select[@]}" "${options[@]}"
+exec ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout "$patience" --parallel "$(setup_tests)" "${select[@]}" "${options[@]}"

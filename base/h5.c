@@ -20,6 +20,13 @@ __attribute__((format(printf, 2, 3))) static void because(struct h5 *f, const ch
     va_end(args);
 }
 
+/* A fault inside HDF5: in the system's own words if the file cannot be opened any more, because its folder or its disk is gone. */
+static void because_hdf5(struct h5 *f, const char *does_not) {
+    const int fd = open(f->part, O_RDWR | O_CLOEXEC);
+    because(f, "%s", fd < 0 ? strerror(errno) : does_not);
+    if (fd >= 0) close(fd);
+}
+
 /* A fault of any rank becomes everybody's, with the words of the lowest rank that has it. */
 static int agree(struct h5 *f, int fault) {
     if (f->shared) {
@@ -113,7 +120,7 @@ void h5_begin(struct h5 *f, const char *path) {
     H5Pclose(list);
     f->reserved = 0; /* given back by H5F_ACC_TRUNC */
     fault = f->file < 0;
-    if (fault) because(f, "HDF5 cannot create it");
+    if (fault) because_hdf5(f, "HDF5 cannot create it");
     if (!agree(f, fault)) reserve(f, 0);
 }
 
@@ -215,7 +222,7 @@ static int publish(struct h5 *f) {
     haddr_t end = 0;
     const hid_t file = h5_open_alone(f->part);
     if (file < 0 || H5Fget_eoa(file, &end) < 0) {
-        because(f, "it cannot be read back");
+        because_hdf5(f, "it cannot be read back");
         return 1;
     }
     H5Fclose(file);
@@ -233,10 +240,10 @@ static int publish(struct h5 *f) {
 static void finish(struct h5 *f) {
     if (f->stuck || try_write(f)) return;
     int fault = H5Fflush(f->file, H5F_SCOPE_GLOBAL) < 0;
-    if (fault) because(f, "HDF5 cannot flush it");
+    if (fault) because_hdf5(f, "HDF5 cannot flush it");
     agree(f, fault);
     fault = H5Fclose(f->file) < 0;
-    if (fault) because(f, "HDF5 cannot close it");
+    if (fault) because_hdf5(f, "HDF5 cannot close it");
     f->stuck = agree(f, fault);
     agree(f, par_rank() == 0 && !f->failed && publish(f));
 }

@@ -107,6 +107,7 @@ setup_build() {
 }
 
 setup_cores() { getconf _NPROCESSORS_ONLN; }
+setup_tests() { echo $((2 * $(setup_cores))); } # ranks at a time: a test waits for much of its time, for ranks to start and end
 
 setup_mpi() {
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
