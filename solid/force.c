@@ -75,9 +75,13 @@ void solid_force_rest(struct solid *s) {
     solid_constraint_apply(s);
 }
 
-void solid_force(struct solid *s, int may_break) {
+void solid_force_pairs(struct solid *s, int may_break) {
     solid_force_bonds(s, may_break && s->stage.breakage, s->stage.damping_relative);
     if (s->in.contact && s->contact) solid_contact_force(s);
     if (s->stage.integrator == SOLID_VERLET) solid_verlet_keep(s);
+}
+
+void solid_force(struct solid *s, int may_break) {
+    solid_force_pairs(s, may_break);
     solid_force_rest(s);
 }

@@ -2,6 +2,10 @@
 #pragma once
 #include "solid/solid.h"
 
+/* The part of a Verlet step at which pairwise damping sees the velocity. A later one damps the fastest waves more than it is asked
+ * to, an earlier one less, and takes longer steps (solid/stable.c; docs/design.md). */
+#define SOLID_VERLET_PAIRWISE 0.4
+
 void solid_rk3_step(struct solid *s, double dt); /* Collective. */
 void solid_verlet_begin(struct solid *s);        /* a(t_n), anew unless it is still right. Collective. */
 void solid_verlet_again(

@@ -1,5 +1,6 @@
 #include "solid/stable.h"
 #include "solid/contact.h"
+#include "solid/integrate.h"
 
 #include <complex.h>
 #include <math.h>
@@ -29,14 +30,15 @@ static double rk3_limit(double w, double g) {
     return low / sqrt(w);
 }
 
-/* Velocity Verlet whose damping sees the velocity predicted, v + dt a: the first root to leave the unit circle does so at -1,
- * where v = 0, d = -dt^2 a/4 and a (1 - g dt) = a w dt^2/4. So w dt^2/4 + g dt <= 1. */
-static double verlet_limit(double w, double g) {
-    return w > 0 ? 2 / (g + sqrt(g * g + w)) : g > 0 ? 1 / g : INFINITY;
+/* Velocity Verlet whose damping sees the velocity v + theta dt a: the first root to leave the unit circle does so at -1, where
+ * v = 0, d = -dt^2 a/4 and a (1 - theta g dt) = a w dt^2/4. So w dt^2/4 + (theta g) dt <= 1. */
+static double verlet_limit(double w, double theta_g) {
+    return w > 0 || theta_g > 0 ? 2 / (theta_g + sqrt(theta_g * theta_g + w)) : INFINITY;
 }
 
-double solid_stable_oscillator(enum solid_integrator integrator, double w, double g) {
-    return integrator == SOLID_RK3 ? rk3_limit(w, g) : verlet_limit(w, g);
+double solid_stable_oscillator(enum solid_integrator integrator, double w, double pairwise, double absolute) {
+    return integrator == SOLID_RK3 ? rk3_limit(w, pairwise + absolute)
+                                   : verlet_limit(w, SOLID_VERLET_PAIRWISE * pairwise + absolute);
 }
 
 /* The oscillators on the polygon's upper boundary; below it, for RK3, only strongly damped ones count. */
@@ -48,7 +50,7 @@ static double polygon_limit(const struct solid_rates *r, enum solid_integrator i
         const double y = fmin(fmin(1, r->difference + x), r->sum - x);
         if (y >= 0)
             least = fmin(least, solid_stable_oscillator(integrator, y * r->stiffness + contact,
-                                                        x * r->damping + r->absolute));
+                                                        x * r->damping, r->absolute));
     }
     const double fastest = r->damping + r->absolute;
     return integrator == SOLID_RK3 && fastest > 0 ? fmin(least, RK3_REAL / fastest) : least;
@@ -56,7 +58,7 @@ static double polygon_limit(const struct solid_rates *r, enum solid_integrator i
 
 double solid_stable_of(const struct solid_rates *r, enum solid_integrator integrator, double contact,
                        enum solid_bound *bound) {
-    const double bonds = solid_stable_oscillator(integrator, r->stiffness, 0),
+    const double bonds = solid_stable_oscillator(integrator, r->stiffness, 0, 0),
                  damped = polygon_limit(r, integrator, 0),
                  all = contact > 0 ? polygon_limit(r, integrator, contact) : damped;
     if (bound)

@@ -20,24 +20,25 @@ void solid_verlet_keep(struct solid *s) {
     s->power_pairwise = s->power_damped;
 }
 
-/* d += dt v + dt^2/2 a, v += dt a; returns the sum of (load + weight) volume times the step of d, J. [n] */
+/* d += dt v + dt^2/2 a, v += theta dt a; returns the sum of (load + weight) volume times the step of d, J. [n] */
 static double predict(int n, double dt, double weight, const double *restrict volume,
                       const double *restrict load, const double *restrict a, double *restrict d,
                       double *restrict v) {
+    const double theta = SOLID_VERLET_PAIRWISE;
     vec work = vec_set(0);
     int h = 0;
     for (; h + VEC_LANES <= n; h += VEC_LANES) {
         const vec rate = vec_load(v + h), dv = dt * vec_load(a + h), step = dt * (rate + 0.5 * dv);
         work += vec_load(volume + h) * (vec_load(load + h) + weight) * step;
         vec_store(d + h, vec_load(d + h) + step);
-        vec_store(v + h, rate + dv);
+        vec_store(v + h, rate + theta * dv);
     }
     double sum = vec_sum(work);
     for (; h < n; h++) {
         const double dv = dt * a[h], step = dt * (v[h] + 0.5 * dv);
         sum += volume[h] * (load[h] + weight) * step;
         d[h] += step;
-        v[h] += dv;
+        v[h] += theta * dv;
     }
     return sum;
 }
@@ -57,8 +58,9 @@ void solid_verlet_begin(struct solid *s) {
     }
 }
 
-/* Velocity Verlet with one sweep a step; velocity-dependent forces see the velocity predicted for the end of the step:
- *     v* = v + dt a      d += dt v + dt^2/2 a      a' = a(d, v*)      v = v* + dt/2 (a' - a)
+/* Velocity Verlet with one sweep a step. Pairwise damping sees the velocity at theta = SOLID_VERLET_PAIRWISE of the step, what else
+ * depends on velocity the one predicted for its end:
+ *     v^ = v + theta dt a      v* = v + dt a      d += dt v + dt^2/2 a      a' = a(d, v^, v*)      v = v* + dt/2 (a' - a)
  * Work of the load over the displacement, the other energies by the trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
@@ -73,7 +75,10 @@ void solid_verlet_step(struct solid *s, double dt) {
     solid_constraint_displacement(s, s->t + dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);
-    solid_force(s, 1);
+    solid_force_pairs(s, 1);
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - SOLID_VERLET_PAIRWISE) * dt * s->a_old[c][h];
+    solid_force_rest(s);
     for (int c = 0; c < s->dim; c++) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
         for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);
