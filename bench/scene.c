@@ -32,7 +32,7 @@ static const char text[] =
     "stages:\n"
     "  - {name: flow, steps: 20, time_step: 3.3569e-4, solid: rigid}\n"
     "  - {name: elastic, steps: 1000000, time_step: 3.3569e-5, breakage: %s, integrator: %s,\n"
-    "     damping_absolute: 2000, damping_relative: 1.0e15}\n";
+    "     safety: 0.97, damping_absolute: 2000, damping_relative: 1.0e15}\n";
 
 struct scene *bench_scene_new(const struct bench_scene *b) {
     char filled[4096];
