@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and runs the tests: all but the nightly ones.
 #   ./test.sh              ./test.sh --nightly     the long ones too
 #   ./test.sh -R fluid     whatever ctest takes: -R, -E, -L, --rerun-failed, ...
-#   ./test.sh --sanitize   under ASan and UBSan, on all numbers of ranks, built in build-debug: hours
+#   ./test.sh --sanitize   under ASan and UBSan, on all numbers of ranks, built in build-debug: half an hour
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 

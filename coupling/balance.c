@@ -5,10 +5,13 @@
  *
  * T the outer fluid's force on the body, f the forcing's on the fluid, G the driving gradient, which the solved pressure leaves out. T less
  * the probes' sum is spread evenly over the volume that is in the domain: it moves the body and strains nothing that is free. A body is what
- * the scene calls one, whole or in pieces. dU/dt is of the step before, as the probes' is. */
+ * the scene calls one, whole or in pieces. dU/dt is of the step before. So is the acceleration of the carried mass, which is the probes' too: a step gives
+ * back, body by body, just what the one before has taken, so that nothing is lost where normals turn or particles come off meanwhile. */
 #include "coupling/balance.h"
 #include "base/par.h"
 #include "solid/load.h"
+
+#include <string.h>
 
 enum { BODIES_MAX = 255, VOLUME = 0, LACK, COLUMNS = LACK + 3 };
 
@@ -58,11 +61,26 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
         if (r->surface->two_sided[i] == SOLID_SET_FREE) continue;
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
     }
-    for (int q = 0; q < m->probes; q++) { /* what is carried as mass is the probes' too */
+    for (int q = 0; q < m->probes && r->strong; q++) { /* of this very step: markers.c */
         const int h = m->particle[q];
         for (int c = 0; c < 3; c++)
             sum[s->body[h]][LACK + c] += m->added[q] * m->acceleration_n[q] * m->normal[c][q] * s->volume[h];
     }
+}
+
+void balance_keep(struct run *r) {
+    const struct solid *s = r->solid;
+    const struct run_markers *m = &r->markers;
+    if (!r->carried) return;
+    memset(r->carried, 0, (size_t)s->in.bodies * sizeof *r->carried);
+    for (int q = 0; q < m->probes; q++) {
+        const int h = m->particle[q];
+        double a_n = 0;
+        for (int c = 0; c < 3; c++) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * m->normal[c][q];
+        for (int c = 0; c < 3; c++)
+            r->carried[s->body[h]][c] += m->added[q] * a_n * m->normal[c][q] * s->volume[h];
+    }
+    par_sum_array(r->carried[0], 3 * s->in.bodies);
 }
 
 void balance_loads(struct run *r, double sum[3]) {
@@ -72,6 +90,8 @@ void balance_loads(struct run *r, double sum[3]) {
     ibm_force_by_marker(r->ibm, r->dt, r->markers.force);
     sum_bodies(r, body);
     par_sum_array(body[0], s->in.bodies * COLUMNS);
+    for (int b = 0; b < s->in.bodies && r->carried; b++)
+        for (int c = 0; c < 3; c++) body[b][LACK + c] += r->carried[b][c];
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
         for (int c = 0; c < 3; c++) {
             const double lack = body[s->body[h]][LACK + c] / body[s->body[h]][VOLUME];

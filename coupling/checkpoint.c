@@ -135,6 +135,9 @@ static void write_bonds(struct run *r, struct store *s) {
         store_write_range(s, vector_name[k], STORE_DOUBLE, dim, n, first, solid->n, work);
     }
     memory_free(work);
+    const int bodies = solid->in.bodies;
+    if (r->carried)
+        store_write_range(s, "carried", STORE_DOUBLE, 3, bodies, 0, par_rank() == 0 ? bodies : 0, r->carried);
     const int bytes = solid_family_bytes(solid);
     uint8_t *bits = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)bytes + 1, 1);
     for (int h = 0; h < solid->n; h++) solid_family_save(solid, h, bits + (size_t)h * (size_t)bytes);
@@ -178,6 +181,10 @@ static int read_bonds(struct run *r, struct store *s) {
             for (int c = 0; c < dim; c++) vector[k][c][h] = work[dim * h + c];
     }
     memory_free(work);
+    const int bodies = solid->in.bodies;
+    if (r->carried && !bad &&
+        store_count(s, "carried") == bodies) /* else of a run whose loads were not balanced */
+        bad = store_read_range(s, "carried", STORE_DOUBLE, 3, bodies, 0, bodies, r->carried);
     const int bytes = solid_family_bytes(solid);
     uint8_t *bits = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)bytes + 1, 1);
     bad = bad || store_read_range(s, "bonds", STORE_BYTE, bytes, n, first, solid->n, bits) ||

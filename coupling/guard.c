@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIELDS = 4, ARRAYS = FIELDS + 3 };
+enum { FIELDS = 4, CARRIED = FIELDS + 3, ARRAYS };
 
 /* Where a run stands, and what the present stage has found of its steps. */
 struct place {
@@ -29,7 +29,7 @@ struct checkpoint_guard {
     long refined; /* events when the arrays were made */
 };
 
-/* The fluid's fields with their ghosts, and the solid's velocity a step ago; 0 where there is none. */
+/* The fluid's fields with their ghosts, the solid's velocity a step ago, what bodies carried; 0 where there is none. */
 static void arrays_of(const struct run *r, double *array[ARRAYS], size_t count[ARRAYS]) {
     memset(array, 0, ARRAYS * sizeof *array);
     memset(count, 0, ARRAYS * sizeof *count);
@@ -42,6 +42,7 @@ static void arrays_of(const struct run *r, double *array[ARRAYS], size_t count[A
         array[FIELDS + c] = r->v_last[c];
         count[FIELDS + c] = (size_t)r->solid->n;
     }
+    if (r->carried) array[CARRIED] = r->carried[0], count[CARRIED] = 3 * (size_t)r->solid->in.bodies;
 }
 
 struct checkpoint_guard *checkpoint_guard_new(const struct run *r) {

@@ -69,6 +69,8 @@ struct run *run_new(const struct scene *scene) {
             for (int c = 0; c < 3; c++)
                 r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         r->strong = strong_new(r);
+        if (r->needs.bonds && scene->coupling->load == SCENE_LOAD_BALANCED && !r->strong)
+            r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
     }
     return r;
 }
@@ -91,6 +93,7 @@ void run_free(struct run *r) {
         memory_free(r->position[c]);
     }
     memory_free(r->demand);
+    memory_free(r->carried);
     medium_free(r->medium);
     ibm_free(r->ibm);
     solid_surface_free(r->surface);

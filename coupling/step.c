@@ -2,6 +2,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/balance.h"
 #include "coupling/demand.h"
 #include "coupling/run.h"
 #include "solid/contact.h"
@@ -60,6 +61,7 @@ static void part_solid(struct run *r) {
             for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h];
     s->t = r->t;
     solid_advance(s, r->dt / r->substeps, r->substeps);
+    balance_keep(r);
     r->moved = r->step + 1;
 }
 

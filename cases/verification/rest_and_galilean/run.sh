@@ -17,7 +17,7 @@ for case in driven free; do
   done
 done
 # Of the box's momentum 1 the sphere's particles, 463 of twice the fluid's density, take what the fluid within has not brought already.
-near "free, balanced, 24 cells: velocity in the end" m/s "$(of study_free value balanced 24 velocity)" "$(calc "1 / (1 + 463 / 24 ^ 3)")" "momentum of fluid and sphere" 1e-6
+near "free, balanced, 24 cells: velocity in the end" m/s "$(of study_free value balanced 24 velocity)" "$(calc "1 / (1 + 463 / 24 ^ 3)")" "momentum of fluid and sphere" 1e-9
 near "balanced, 20 cells a diameter: buoyancy" N "$(of study_hydrostatic value balanced 20 buoyancy)" 5235.98776 "rho g V" 0.01
 for method in lattice shape; do
   shown "free, $method, 24 cells: velocity in the end" m/s "$(of study_free value $method 24 velocity)" 0.9351858 "momentum of the fluid outside and of the solid"
