@@ -51,6 +51,13 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
     }
 }
 
+/* What the mass that a probe's particle carries takes at an acceleration along the normal, N. */
+static void add_carried(const struct run *r, int q, double a_n, double sum[3]) {
+    const struct run_markers *m = &r->markers;
+    const double force = m->added[q] * a_n * r->solid->volume[m->particle[q]];
+    for (int c = 0; c < 3; c++) sum[c] += force * m->normal[c][q];
+}
+
 static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
     const struct solid *s = r->solid;
     const struct run_markers *m = &r->markers;
@@ -61,11 +68,8 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
         if (r->surface->two_sided[i] == SOLID_SET_FREE) continue;
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
     }
-    for (int q = 0; q < m->probes && r->strong; q++) { /* of this very step: markers.c */
-        const int h = m->particle[q];
-        for (int c = 0; c < 3; c++)
-            sum[s->body[h]][LACK + c] += m->added[q] * m->acceleration_n[q] * m->normal[c][q] * s->volume[h];
-    }
+    for (int q = 0; q < m->probes && r->strong; q++) /* of this very step */
+        add_carried(r, q, m->acceleration_n[q], &sum[s->body[m->particle[q]]][LACK]);
 }
 
 void balance_keep(struct run *r) {
@@ -77,8 +81,7 @@ void balance_keep(struct run *r) {
         const int h = m->particle[q];
         double a_n = 0;
         for (int c = 0; c < 3; c++) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * m->normal[c][q];
-        for (int c = 0; c < 3; c++)
-            r->carried[s->body[h]][c] += m->added[q] * a_n * m->normal[c][q] * s->volume[h];
+        add_carried(r, q, a_n, r->carried[s->body[h]]);
     }
     par_sum_array(r->carried[0], 3 * s->in.bodies);
 }

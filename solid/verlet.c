@@ -21,10 +21,9 @@ void solid_verlet_keep(struct solid *s) {
 }
 
 /* d += dt v + dt^2/2 a, v += theta dt a; returns the sum of (load + weight) volume times the step of d, J. [n] */
-static double predict(int n, double dt, double weight, const double *restrict volume,
+static double predict(int n, double dt, double theta, double weight, const double *restrict volume,
                       const double *restrict load, const double *restrict a, double *restrict d,
                       double *restrict v) {
-    const double theta = SOLID_VERLET_PAIRWISE;
     vec work = vec_set(0);
     int h = 0;
     for (; h + VEC_LANES <= n; h += VEC_LANES) {
@@ -65,19 +64,20 @@ void solid_verlet_begin(struct solid *s) {
 void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;
+    const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
     for (int b = 0; b < s->in.bodies; b++) {
         const int from = first[b], n = first[b + 1] - from;
         const double density = s->in.material[s->in.body[b].material].density;
         for (int c = 0; c < s->dim; c++)
-            s->work_load += predict(n, dt, density * s->in.body_force[c], s->volume + from, s->load[c] + from,
-                                    s->a[c] + from, s->d[c] + from, s->v[c] + from);
+            s->work_load += predict(n, dt, theta, density * s->in.body_force[c], s->volume + from,
+                                    s->load[c] + from, s->a[c] + from, s->d[c] + from, s->v[c] + from);
     }
     solid_constraint_displacement(s, s->t + dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);
     solid_force_pairs(s, 1);
-    for (int c = 0; c < s->dim; c++)
-        for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - SOLID_VERLET_PAIRWISE) * dt * s->a_old[c][h];
+    for (int c = 0; c < s->dim && theta < 1; c++)
+        for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - theta) * dt * s->a_old[c][h];
     solid_force_rest(s);
     for (int c = 0; c < s->dim; c++) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];

@@ -78,6 +78,18 @@ static void test_oscillator(void **state) {
     assert_near(solid_stable_oscillator(SOLID_VERLET, 0, 2, 0), 1.25, 1e-12);
 }
 
+/* What the main case's waves lose with three substeps, of what k_d = 1e15 asks of them: g goes with w. */
+static void test_damps_what_is_asked(void **state) {
+    (void)state;
+    const double fastest = 1.454e5, g = 6.12e4, dt = 3.3569e-5 / 3;
+    for (double part = 0.3; part < 1.01; part += 0.1) {
+        const double omega = part * fastest, asked = g * part * part;
+        const double lost = -log_gain(SOLID_VERLET, omega * omega, (struct damping){asked, 0}, dt);
+        assert_true(lost / (0.5 * asked * dt) > (part < 0.81 ? 0.94 : 0.7));
+        assert_true(lost / (0.5 * asked * dt) < 1.03);
+    }
+}
+
 /* Growth of a noisy velocity over some steps of the block with damping. */
 static double growth(enum solid_integrator integrator, const double damping[2], double of_limit, int periodic,
                      enum solid_bound *bound) {
@@ -252,9 +264,8 @@ static void test_one_pair(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_oscillator),
-        cmocka_unit_test(test_block),
-        cmocka_unit_test(test_contact_bound),
+        cmocka_unit_test(test_oscillator), cmocka_unit_test(test_damps_what_is_asked),
+        cmocka_unit_test(test_block),      cmocka_unit_test(test_contact_bound),
         cmocka_unit_test(test_one_pair),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

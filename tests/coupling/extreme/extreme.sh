@@ -16,8 +16,8 @@ go() {
 # neither when nor in what, a velocity of the fluid or of the solid, it shows first.
 sentence() {
   grep -m 1 '^frana: .' err | sed -E -e 's/^frana: //' -e 's#/[^ :]*/##g' -e 's/^--set //' \
-    -e 's/^(unstable in) step [0-9]+: (u|v|w|p|solid velocity) = .*/\1 step N: velocity = .../' \
-    -e 's/^(unstable in) step [0-9]+: ([a-z ]*[a-z]) = [-0-9ni].*/\1 step N: \2 = .../'
+    -e 's/^(unstable in) step [0-9]+: (u|v|w|solid velocity) = .*/\1 step N: velocity = .../' \
+    -e 's/^(unstable in) step [0-9]+: ([a-z ]*[a-z]) = .*/\1 step N: \2 = .../'
 }
 row() {
   local seen=done line
