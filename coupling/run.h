@@ -51,9 +51,8 @@ struct run {
     struct run_markers markers;
     double (*demand)[3]; /* [n] waits for markers (coupling/demand.h); NULL: none does */
     double *v_last[3]; /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
-    double (
-        *carried)[3]; /* [bodies] the last step's force on carried mass, N (coupling/balance.h); or NULL */
-    double load[3];   /* force of the fluid on the solid at the last probe, whole solid, N */
+    double (*carried)[3];  /* [bodies] by their carried mass, N (coupling/balance.h); or NULL */
+    double load[3];        /* force of the fluid on the solid at the last probe, whole solid, N */
     struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 
     /* where the run stands */
