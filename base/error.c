@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-void error_bug(const char *file, int line, const char *cond, const char *format, ...) {
+void ensure_failed(const char *file, int line, const char *cond, const char *format, ...) {
     va_list args;
     va_start(args, format);
     fprintf(stderr, "frana: bug on rank %d at %s:%d: %s: ", par_rank(), file, line, cond);

@@ -22,10 +22,10 @@ struct step_status {
 /* Our own bug: aborts with rank, file, line. Not collective. */
 #define ENSURE(cond, ...)                                                                                    \
     do {                                                                                                     \
-        if (!(cond)) error_bug(__FILE__, __LINE__, #cond, __VA_ARGS__);                                      \
+        if (!(cond)) ensure_failed(__FILE__, __LINE__, #cond, __VA_ARGS__);                                      \
     } while (0)
 
-_Noreturn void error_bug(const char *file, int line, const char *cond, const char *format, ...)
+_Noreturn void ensure_failed(const char *file, int line, const char *cond, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
 /* A mistake that every rank has met alike: rank 0 says one sentence, all ranks leave with the code. Collective. */

@@ -7,8 +7,8 @@
 #include <string.h>
 
 static void growth(struct bench *b) {
-    bench_growth_fluid(b);
-    bench_growth_solid(b);
+    bench_fluid_growth(b);
+    bench_solid_growth(b);
 }
 
 static const struct {
@@ -17,7 +17,7 @@ static const struct {
     int asked_only; /* not unless named by --only */
 } part[] = {{"limits", bench_limits, 0},     {"fluid", bench_fluid, 0},   {"solid", bench_solid, 0},
             {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0}, {"growth", growth, 0},
-            {"peer", bench_peer, 1}};
+            {"peer", bench_solid_peer, 1}};
 enum { PARTS = sizeof part / sizeof *part };
 
 /* Whether the comma-separated list holds the word. */
@@ -86,7 +86,7 @@ void bench_limits(struct bench *b) {
     for (int k = 0; k < 3; k++) {
         struct bench_row r = row[k];
         snprintf(r.size, sizeof r.size, "%.0f", r.units);
-        bench_table_row(&b->table, &r);
+        bench_row_write(&b->table, &r);
     }
 }
 
@@ -98,11 +98,11 @@ int bench_run(const struct command *c) {
         die_all(EXIT_CODE_SCENE, "--repeats %d: must be 5 to %d", c->repeats, BENCH_REPEATS_MAX);
     if (c->only) check_only(c->only);
     if (c->sizes) b.size = size = sizes_of(c->sizes, &b.sizes);
-    bench_table_begin(&b.table, c->out[0] ? c->out : NULL);
+    bench_row_begin(&b.table, c->out[0] ? c->out : NULL);
     b.table.limits = bench_limits_measure(&b.effort, b.quick ? 1 << 20 : 1 << 23);
     for (int k = 0; k < PARTS; k++)
         if (c->only ? holds(c->only, part[k].name) : !part[k].asked_only) part[k].measure(&b);
-    bench_table_end(&b.table);
+    bench_row_end(&b.table);
     free(size);
     return EXIT_CODE_DONE;
 }

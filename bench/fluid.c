@@ -83,7 +83,7 @@ static const struct {
     int channel;
 } part[PARTS] = {
     [STEP] = {{"fluid_step", "channel_step"}, BENCH_WALL},
-    [MOMENTUM] = {{"fluid_momentum", "channel_momentum"}, BENCH_CLOCK + CLOCK_MOMENTUM},
+    [MOMENTUM] = {{"fluid_measures_momentum", "channel_momentum"}, BENCH_CLOCK + CLOCK_MOMENTUM},
     [POISSON] = {{"fluid_poisson", "channel_poisson"}, BENCH_CLOCK + CLOCK_POISSON},
     [FORWARD] = {{"fluid_poisson_forward", "channel_poisson_forward"}, BENCH_CLOCK + CLOCK_FORWARD},
     [COLUMNS] = {{"fluid_poisson_columns", "channel_poisson_columns"}, BENCH_CLOCK + CLOCK_COLUMNS},
@@ -103,8 +103,8 @@ static void measure_step(struct bench *b, struct flow *f, const int n[3], int ch
                                 .bytes = 3 * 8 * w.doubles,
                                 .flops = 3 * w.flops};
         snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-        bench_table_row(&b->table, &row);
-        if (k == STEP) bench_table_traffic(&b->table, row.part, row.size, step, f, 2);
+        bench_row_write(&b->table, &row);
+        if (k == STEP) bench_row_traffic(&b->table, row.part, row.size, step, f, 2);
     }
 }
 
@@ -121,12 +121,12 @@ static void measure_halo(struct bench *b, struct flow *f, const int n[3]) {
                             .unit = "ghost value",
                             .bytes = 16};
     snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_table_row(&b->table, &row);
+    bench_row_write(&b->table, &row);
 }
 
 static void measure(struct bench *b, const int n[3], int channel, int by_part) {
     struct flow f = {.fluid = bench_fluid_new(n, channel)};
-    f.dt = 0.5 * fluid_stable_step(f.fluid).step;
+    f.dt = 0.5 * fluid_limits_stable_step(f.fluid).step;
     measure_step(b, &f, n, channel, by_part ? PARTS : 1);
     if (by_part && !channel) measure_halo(b, &f, n);
     fluid_free(f.fluid);
@@ -145,7 +145,7 @@ void bench_fluid(struct bench *b) {
     }
 }
 
-void bench_growth_fluid(struct bench *b) {
+void bench_fluid_growth(struct bench *b) {
     static const int n[][3] = {{32, 16, 16}, {64, 32, 32}, {128, 64, 64}, {256, 128, 128}};
     for (int k = 0; k < (b->quick ? 2 : 4); k++) measure(b, n[k], 0, 0);
 }

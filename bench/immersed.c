@@ -3,8 +3,8 @@
 #include "bench/parts.h"
 #include "bench/scene.h"
 #include "coupling/run.h"
-#include "solid/contact.h"
-#include "solid/family.h"
+#include "solid/contact/contact.h"
+#include "solid/bonds/family.h"
 
 #include <math.h>
 
@@ -14,11 +14,11 @@ enum {
 
 static struct run *run_of(const struct bench_scene *what) {
     struct run *r = run_new(bench_scene_new(what));
-    run_stage_begin(r);
-    while (r->stage_step < r->scene->stage[0].steps) run_step(r);
+    step_begin_stage(r);
+    while (r->stage_step < r->scene->stage[0].steps) step_advance(r);
     r->stage = 1;
     r->stage_step = 0;
-    run_stage_begin(r);
+    step_begin_stage(r);
     return r;
 }
 
@@ -48,7 +48,7 @@ static void break_up(struct solid *s) {
     }
 }
 
-static void coupled_step(void *with) { run_step(with); }
+static void coupled_step(void *with) { step_advance(with); }
 
 /* Markers that have all moved a little, there and back. */
 static void markers(void *with) {
@@ -56,18 +56,18 @@ static void markers(void *with) {
     struct run_markers *m = &r->markers;
     static double way = 1e-9;
     way = -way;
-    run_markers_update(r);
+    interface_markers_update(r);
     for (int i = 0; i < m->n; i++) m->x[0][i] += way * r->solid->in.spacing;
-    ibm_markers(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume);
+    ibm_markers_set(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume);
 }
 
 /* The three stages of a step. */
 static void forcing(void *with) {
     struct run *r = with;
-    for (int s = 0; s < 3; s++) ibm_force(r->ibm, s, r->dt);
+    for (int s = 0; s < 3; s++) ibm_forcing_stage(r->ibm, s, r->dt);
 }
 
-static void probe(void *with) { run_probe(with); }
+static void probe(void *with) { interface_probe(with); }
 
 static void interface(void *with) {
     struct run *r = with;
@@ -82,7 +82,7 @@ static void contact(void *with) {
 
 static void solid(void *with) {
     struct run *r = with;
-    solid_advance(r->solid, r->dt / r->substeps, r->substeps);
+    solid_integrate(r->solid, r->dt / r->substeps, r->substeps);
 }
 
 static void row_of(struct bench *b, const struct run *r, const char *part, struct bench_sample time,
@@ -91,7 +91,7 @@ static void row_of(struct bench *b, const struct run *r, const char *part, struc
     struct bench_row row = {
         .part = part, .time = time, .units = units, .unit = unit, .bytes = bytes, .flops = flops};
     snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_table_row(&b->table, &row);
+    bench_row_write(&b->table, &row);
 }
 
 static void measure(struct bench *b, const char *part, bench_call *call, struct run *r, double units,
@@ -125,7 +125,7 @@ static void steps(struct bench *b, struct run *const run[4]) {
         char size[32];
         const int *n = fluid_grid_of(run[k]->fluid)->n;
         snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
-        bench_table_traffic(&b->table, name[k], size, coupled_step, run[k], 2);
+        bench_row_traffic(&b->table, name[k], size, coupled_step, run[k], 2);
     }
 }
 
@@ -134,7 +134,7 @@ void bench_immersed(struct bench *b) {
     for (int k = 0; k < 4; k++)
         run[k] = run_of(&(struct bench_scene){.half = b->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2});
     break_up(run[3]->solid);
-    for (int k = 0; k < 3; k++) run_step(run[3]); /* lists of contact, the interface */
+    for (int k = 0; k < 3; k++) step_advance(run[3]); /* lists of contact, the interface */
     steps(b, run);
     struct run *intact = run[0], *broken = run[3];
     const double n = (double)intact->surface->total, m = (double)broken->surface->total;

@@ -2,7 +2,7 @@
 #include "base/libraries.h"
 #include "base/machine.h"
 #include "base/version.h"
-#include "fluid/transform.h"
+#include "fluid/poisson/transform.h"
 
 #include <ctype.h>
 #include <stdio.h>

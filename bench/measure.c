@@ -10,7 +10,7 @@ static int rising(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-double bench_median(int n, double *value) {
+double bench_measure_median(int n, double *value) {
     qsort(value, (size_t)n, sizeof *value, rising);
     return 0.5 * (value[(n - 1) / 2] + value[n / 2]);
 }
@@ -56,7 +56,7 @@ void bench_measure(const struct bench_effort *effort, bench_call *call, int n, v
     for (int k = 0; k < n; k++)
         for (int c = 0; c < BENCH_CHANNELS; c++) {
             double *s = seconds[k][c];
-            const double median = bench_median(effort->repeats, s);
+            const double median = bench_measure_median(effort->repeats, s);
             of[k][c] = (struct bench_sample){calls[k], effort->repeats, median, s[0], s[effort->repeats - 1]};
         }
 }

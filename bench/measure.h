@@ -27,4 +27,4 @@ enum { BENCH_THINGS = 8 };
 void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
                    struct bench_sample (*of)[BENCH_CHANNELS]);
 /* Sorts; the middle one, or the mean of the two. Not collective. */
-double bench_median(int n, double *value);
+double bench_measure_median(int n, double *value);

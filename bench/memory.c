@@ -4,7 +4,7 @@
 #include "bench/parts.h"
 #include "bench/scene.h"
 #include "coupling/run.h"
-#include "solid/family.h"
+#include "solid/bonds/family.h"
 
 static double held(enum memory_part part) { return par_sum((double)memory_bytes(part)); }
 
@@ -13,7 +13,7 @@ static void of_fluid(struct bench *b, const int n[3]) {
     const double before = held(MEMORY_FLUID);
     struct fluid *f = bench_fluid_new(n, 0);
     snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_table_memory(&b->table, "memory_fluid", size, held(MEMORY_FLUID) - before, (double)fluid_cells(f),
+    bench_row_memory(&b->table, "memory_fluid", size, held(MEMORY_FLUID) - before, (double)fluid_cells(f),
                        "cell");
     fluid_free(f);
 }
@@ -25,7 +25,7 @@ struct holding {
 
 static struct holding holding_of(const struct bench_block *block) {
     struct holding h = {.bytes = -held(MEMORY_SOLID)};
-    struct solid *s = bench_block_new(block);
+    struct solid *s = bench_solid_block_new(block);
     h.bytes += held(MEMORY_SOLID);
     h.bonds = (double)par_sum_long(solid_family_directed(s));
     h.particles = s->n_global;
@@ -43,8 +43,8 @@ static void of_block(struct bench *b, const char *of_bond, const char *of_partic
     const struct holding few = holding_of(&block);
     const double bond = (many.bytes - few.bytes) / (many.bonds - few.bonds);
     snprintf(size, sizeof size, "%ld", many.particles);
-    bench_table_memory(&b->table, of_bond, size, bond * many.bonds, many.bonds, "directed bond");
-    bench_table_memory(&b->table, of_particle, size, many.bytes - bond * many.bonds, (double)many.particles,
+    bench_row_memory(&b->table, of_bond, size, bond * many.bonds, many.bonds, "directed bond");
+    bench_row_memory(&b->table, of_particle, size, many.bytes - bond * many.bonds, (double)many.particles,
                        "particle");
 }
 
@@ -53,16 +53,16 @@ static void of_run(struct bench *b) {
     struct scene *scene = bench_scene_new(&(struct bench_scene){.half = b->quick});
     const double before = held(MEMORY_IBM) + held(MEMORY_COUPLING);
     struct run *r = run_new(scene);
-    run_stage_begin(r);
-    run_step(r);
+    step_begin_stage(r);
+    step_advance(r);
     r->stage = 1;
-    run_stage_begin(r);
-    run_step(r);
+    step_begin_stage(r);
+    step_advance(r);
     const int *n = fluid_grid_of(r->fluid)->n;
     snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_table_memory(&b->table, "memory_marker", size, held(MEMORY_IBM) + held(MEMORY_COUPLING) - before,
+    bench_row_memory(&b->table, "memory_marker", size, held(MEMORY_IBM) + held(MEMORY_COUPLING) - before,
                        (double)r->surface->total, "marker");
-    bench_table_memory(&b->table, "memory_run", size,
+    bench_row_memory(&b->table, "memory_run", size,
                        held(MEMORY_FLUID) + held(MEMORY_SOLID) + held(MEMORY_IBM) + held(MEMORY_COUPLING),
                        (double)fluid_cells(r->fluid), "cell");
     run_free(r);

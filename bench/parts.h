@@ -23,11 +23,11 @@ void bench_fluid(struct bench *b);    /* steps, and their parts */
 void bench_solid(struct bench *b);    /* force sweeps */
 void bench_plate(struct bench *b);    /* those over a plate */
 void bench_refine(struct bench *b);   /* looks and refinements of one */
-void bench_peer(struct bench *b);     /* the sweep that bench/lammps compares */
+void bench_solid_peer(struct bench *b);     /* the sweep that bench/lammps compares */
 void bench_immersed(struct bench *b); /* the main case: forcing, probe, interface, contact, whole steps */
 void bench_memory(struct bench *b);   /* bytes a cell, a bond, a marker */
-void bench_growth_fluid(struct bench *b);
-void bench_growth_solid(struct bench *b);
+void bench_fluid_growth(struct bench *b);
+void bench_solid_growth(struct bench *b);
 
 /* A channel with inflow, outflow, walls in y and a periodic span; or periodic along x with a bulk velocity held. */
 struct fluid *bench_fluid_new(const int cells[3], int channel);
@@ -39,9 +39,9 @@ struct bench_block {
     int list;     /* lists of bonds instead of the lattice store */
     double ratio; /* horizon / spacing, 0: 3 */
 };
-struct solid *bench_block_new(const struct bench_block *in);
+struct solid *bench_solid_block_new(const struct bench_block *in);
 
 /* Displacements with stretches of some 1e-4, of which none breaks a bond. */
-void bench_strain(struct solid *s);
+void bench_sweep_strain(struct solid *s);
 /* A force sweep with its exchange of ghosts, of a struct solid. */
 void bench_sweep(void *solid);

@@ -1,7 +1,7 @@
 /* Force sweeps over the bonds of a plate with holes. */
 #include "base/par.h"
 #include "bench/parts.h"
-#include "solid/family.h"
+#include "solid/bonds/family.h"
 
 #include <math.h>
 
@@ -34,7 +34,7 @@ static struct solid *plate_new(const int sites[2]) {
                                                       .materials = 1,
                                                       .material = &material,
                                                       .surface_correction = 1});
-    bench_strain(s);
+    bench_sweep_strain(s);
     return s;
 }
 
@@ -53,7 +53,7 @@ static void measure(struct bench *b, const char *part, struct solid *s, double d
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     row.flops = 15.5 + (damping > 0 ? 6 : 0);
     row.bytes = 20 + 8 * (damping > 0 ? 9 : 7) * (double)s->n_global / row.units;
-    bench_table_row(&b->table, &row);
+    bench_row_write(&b->table, &row);
 }
 
 void bench_plate(struct bench *b) {

@@ -2,8 +2,8 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "bench/parts.h"
-#include "solid/family.h"
-#include "solid/refine.h"
+#include "solid/bonds/family.h"
+#include "solid/refine/refine.h"
 
 #include <math.h>
 
@@ -28,7 +28,7 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
                                                       .refinement = refinement,
                                                       .surface_correction = 1});
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1};
-    bench_strain(s);
+    bench_sweep_strain(s);
     return s;
 }
 
@@ -73,14 +73,14 @@ void bench_refine(struct bench *b) {
     double seconds[EVENTS];
     bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = row_of("sweep_refined", s, of[0][BENCH_WALL]);
-    bench_table_row(&b->table, &row);
+    bench_row_write(&b->table, &row);
     bench_measure(&b->effort, look, 1, (void *[]){s}, of);
     row = row_of("refine_look", s, of[0][BENCH_WALL]);
-    bench_table_row(&b->table, &row);
+    bench_row_write(&b->table, &row);
     for (int k = 0; k < EVENTS; k++) seconds[k] = event(s, k);
-    const double median = bench_median(EVENTS, seconds);
+    const double median = bench_measure_median(EVENTS, seconds);
     row =
         row_of("refine_event", s, (struct bench_sample){1, EVENTS, median, seconds[0], seconds[EVENTS - 1]});
-    bench_table_row(&b->table, &row);
+    bench_row_write(&b->table, &row);
     solid_free(s);
 }

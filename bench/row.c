@@ -1,6 +1,6 @@
 #include "bench/row.h"
 #include "base/error.h"
-#include "base/folder.h"
+#include "files/folder.h"
 #include "base/par.h"
 #include "base/par_count.h"
 
@@ -16,7 +16,7 @@ static FILE *open_file(const struct bench_machine *m, const char *folder, const 
     return file;
 }
 
-void bench_table_begin(struct bench_table *t, const char *folder) {
+void bench_row_begin(struct bench_table *t, const char *folder) {
     t->machine = bench_machine_of();
     if (par_rank() != 0) return;
     printf("%-26s %-12s %10s %10s %10s %9s %-14s %7s %7s %6s\n", "part", "size", "median ms", "low", "high",
@@ -39,7 +39,7 @@ static void end(FILE *file) {
     if (fclose(file) || failed) die(EXIT_CODE_FILE, "the bench's table cannot be written");
 }
 
-void bench_table_end(struct bench_table *t) {
+void bench_row_end(struct bench_table *t) {
     end(t->file);
     end(t->traffic);
 }
@@ -70,7 +70,7 @@ static void row_file(const struct bench_table *t, const struct bench_row *r, dou
     fflush(file);
 }
 
-void bench_table_row(struct bench_table *t, const struct bench_row *r) {
+void bench_row_write(struct bench_table *t, const struct bench_row *r) {
     if (par_rank() != 0) return;
     const double seconds = r->time.median;
     const double ns = seconds > 0 ? 1e9 * seconds * par_size() / r->units : 0; /* of one core */
@@ -89,14 +89,14 @@ void bench_table_row(struct bench_table *t, const struct bench_row *r) {
     if (t->file) row_file(t, r, ns, rate, fraction);
 }
 
-void bench_table_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
+void bench_row_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
                         const char *unit) {
     struct bench_row row = {.part = part, .units = units, .unit = unit, .bytes = bytes / units};
     snprintf(row.size, sizeof row.size, "%s", size);
-    bench_table_row(t, &row);
+    bench_row_write(t, &row);
 }
 
-void bench_table_traffic(struct bench_table *t, const char *part, const char *size, bench_call *call,
+void bench_row_traffic(struct bench_table *t, const char *part, const char *size, bench_call *call,
                          void *with, int calls) {
     double sent[PAR_COUNT_KINDS][3];
     for (int k = 0; k < PAR_COUNT_KINDS; k++) {

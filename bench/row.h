@@ -24,12 +24,12 @@ struct bench_table {
 };
 
 /* folder NULL: on the screen only. Dies with exit code 4 where it cannot be written. Collective. */
-void bench_table_begin(struct bench_table *t, const char *folder);
-void bench_table_end(struct bench_table *t);
-void bench_table_row(struct bench_table *t, const struct bench_row *row); /* Not collective: rank 0 writes. */
+void bench_row_begin(struct bench_table *t, const char *folder);
+void bench_row_end(struct bench_table *t);
+void bench_row_write(struct bench_table *t, const struct bench_row *row); /* Not collective: rank 0 writes. */
 /* Bytes held a unit. bytes: of all ranks. */
-void bench_table_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
+void bench_row_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
                         const char *unit);
 /* What a call sends, by kind: messages, collectives, bytes of the rank that sends most. Collective. */
-void bench_table_traffic(struct bench_table *t, const char *part, const char *size, bench_call *call,
+void bench_row_traffic(struct bench_table *t, const char *part, const char *size, bench_call *call,
                          void *with, int calls);

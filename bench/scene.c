@@ -1,6 +1,6 @@
 #include "bench/scene.h"
 #include "base/error.h"
-#include "base/scene_read.h"
+#include "scene/read.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -44,6 +44,6 @@ struct scene *bench_scene_new(const struct bench_scene *b) {
              b->rk3 ? "rk3" : "verlet");
     struct scene *scene = scene_read("the bench's scene", filled, strlen(filled), 0, NULL, 0, &problems);
     ENSURE(scene, "%s", problems.n ? problems.text[0] : "no scene");
-    scene_problems_free(&problems);
+    scene_problem_free(&problems);
     return scene;
 }

@@ -1,7 +1,7 @@
 /* The porous block of the main case in its channel, put into words here so that the program needs no file.
  * (cases/porous_channel) */
 #pragma once
-#include "base/scene.h"
+#include "scene/scene.h"
 
 struct bench_scene {
     int half;     /* 1: half the size in each direction, on 64 x 32 x 32 cells */

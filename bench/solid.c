@@ -1,13 +1,13 @@
 /* Force sweeps over blocks of bonds. */
 #include "base/par.h"
 #include "bench/parts.h"
-#include "solid/family.h"
+#include "solid/bonds/family.h"
 
 #include <math.h>
 
 static const double SPACING = 1.5625e-3; /* m */
 
-struct solid *bench_block_new(const struct bench_block *in) {
+struct solid *bench_solid_block_new(const struct bench_block *in) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
     const struct solid_material material = {1e8, 3000, 0.05, in->ratio > 0 ? in->ratio : 3, SOLID_CONSTANT};
     struct solid_input input = {.spacing = SPACING,
@@ -31,7 +31,7 @@ struct solid *bench_block_new(const struct bench_block *in) {
         input.length[2] = width * SPACING;
     }
     struct solid *s = solid_new(&input);
-    bench_strain(s);
+    bench_sweep_strain(s);
     return s;
 }
 
@@ -47,7 +47,7 @@ static void count(struct bench_row *row, double particles, int list, int damped)
 
 static void measure(struct bench *b, const char *part, const struct bench_block *block, double damping) {
     struct bench_sample of[1][BENCH_CHANNELS];
-    struct solid *s = bench_block_new(block);
+    struct solid *s = bench_solid_block_new(block);
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
     bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = {.part = part,
@@ -56,8 +56,8 @@ static void measure(struct bench *b, const char *part, const struct bench_block 
                             .unit = "directed bond"};
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     count(&row, (double)s->n_global, block->list, damping > 0);
-    bench_table_row(&b->table, &row);
-    if (!block->list) bench_table_traffic(&b->table, part, row.size, bench_sweep, s, 4);
+    bench_row_write(&b->table, &row);
+    if (!block->list) bench_row_traffic(&b->table, part, row.size, bench_sweep, s, 4);
     solid_free(s);
 }
 
@@ -86,13 +86,13 @@ void bench_solid(struct bench *b) {
 
 /* A horizon of 2.5 spacings has a family of |xi| < 3 spacings and a little, 122 bonds: those of a code that bonds
  * particles by the distance of their centres alone. Then the family of the horizon of 3 spacings, 178 bonds. */
-void bench_peer(struct bench *b) {
+void bench_solid_peer(struct bench *b) {
     const int side = b->quick ? 12 : 38;
     measure(b, "sweep_122", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4}, 0);
     measure(b, "sweep_178", &(struct bench_block){.side = side}, 0);
 }
 
-void bench_growth_solid(struct bench *b) {
+void bench_solid_growth(struct bench *b) {
     static const int side[] = {22, 38, 47, 100};
     for (int k = 0; k < (b->quick ? 1 : 4); k++)
         measure(b, "sweep_full", &(struct bench_block){.side = side[k]}, 0);

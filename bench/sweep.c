@@ -1,9 +1,9 @@
 #include "bench/parts.h"
-#include "solid/family.h"
+#include "solid/bonds/family.h"
 
 #include <math.h>
 
-void bench_strain(struct solid *s) {
+void bench_sweep_strain(struct solid *s) {
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < s->dim; c++)
             s->d[c][h] = 2e-4 * s->in.spacing * sin(300 * s->x0[(c + 1) % s->dim][h] + c);

@@ -1,6 +1,6 @@
 #include "bench/whole.h"
 #include "base/error.h"
-#include "base/folder.h"
+#include "files/folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>

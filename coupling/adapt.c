@@ -1,8 +1,8 @@
 #include "coupling/adapt.h"
-#include "base/log.h"
+#include "files/log.h"
 #include "base/par.h"
 #include "coupling/run.h"
-#include "solid/contact.h"
+#include "solid/contact/contact.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -49,7 +49,7 @@ static void bounded_by(struct run *r, enum adapt_bound bound) {
 void adapt_time_step(struct run *r) {
     struct adapt *a = &r->adapt;
     const double before = r->stage_step > 0 ? GROWTH * r->dt : 0;
-    if (a->limits_of != r->step) a->limits = fluid_stable_step(r->fluid);
+    if (a->limits_of != r->step) a->limits = fluid_limits_stable_step(r->fluid);
     enum adapt_bound bound = a->limits.convective < a->limits.viscous ? ADAPT_CONVECTION : ADAPT_DIFFUSION;
     r->dt = stage_of(r)->cfl * a->limits.step;
     if (before > 0 && r->dt > before) r->dt = before, bound = ADAPT_GROWTH;
@@ -71,7 +71,7 @@ static int suffices(const void *run, double contact) {
 }
 
 static int wanted(struct run *r, solid_contact_enough *enough) {
-    const double contact = solid_contact_rate2(r->solid, enough, r);
+    const double contact = solid_contact_rate_bound(r->solid, enough, r);
     r->adapt.approach = 0;
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
     const double least = least_substeps(r, r->solid_stable);
@@ -87,7 +87,7 @@ int adapt_substeps_wanted(struct run *r) { return wanted(r, NULL); }
 static void set_substeps(struct run *r, int substeps) {
     if (r->substeps > 0 && !r->adapt.replays)
         log_line("step %ld: %d solid substeps, bound by %s (stable up to %.4g s)", r->step, substeps,
-                 solid_bound_name[r->solid_bound], r->solid_stable);
+                 solid_stable_bound_name[r->solid_bound], r->solid_stable);
     r->substeps = substeps;
 }
 
@@ -118,9 +118,9 @@ static double fastest_of(const struct solid *s) {
 
 void adapt_look(const struct run *r, int failed, double number[ADAPT_NUMBERS]) {
     number[ADAPT_FAILED] = failed;
-    number[ADAPT_RATE] = is_automatic(r) && !failed ? fluid_convection_rate(r->fluid, NULL) : 0;
+    number[ADAPT_RATE] = is_automatic(r) && !failed ? fluid_limits_convection_rate(r->fluid, NULL) : 0;
     number[ADAPT_FASTEST] =
-        has_substeps(r) && !failed && solid_contact_margin(r->solid) > 0 ? fastest_of(r->solid) : 0;
+        has_substeps(r) && !failed && solid_contact_rate_margin(r->solid) > 0 ? fastest_of(r->solid) : 0;
 }
 
 static void say_again(struct run *r, const char *how, const char *why) {
@@ -162,7 +162,7 @@ static enum adapt_verdict judge_convection(struct run *r, double rate, struct st
     a->limits_of = r->step;
     if (r->dt <= fmax(BEYOND * cfl, 1) * a->limits.convective) return ADAPT_HOLDS;
     *status = (struct step_status){.rank = par_rank(), .field = "convection"};
-    status->failed = fluid_convection_rate(r->fluid, status->x) == rate;
+    status->failed = fluid_limits_convection_rate(r->fluid, status->x) == rate;
     status->value = r->dt / a->limits.convective;
     step_status_agree(status);
     return shorter(r, fmin(fmax(cfl * a->limits.step, SHORTEST * r->dt), LONGEST * r->dt), status);
@@ -171,11 +171,11 @@ static enum adapt_verdict judge_convection(struct run *r, double rate, struct st
 /* The bound sees a pair before it touches; it is looked at again before two can have come nearer by as much. */
 static enum adapt_verdict judge_contact(struct run *r, double fastest, struct step_status *status) {
     r->adapt.approach += 2 * r->dt * fastest;
-    if (r->adapt.approach <= solid_contact_margin(r->solid)) return ADAPT_HOLDS;
+    if (r->adapt.approach <= solid_contact_rate_margin(r->solid)) return ADAPT_HOLDS;
     const int least = wanted(r, suffices);
     if (r->dt > r->solid_stable * r->substeps * (1 + 1e-12)) {
         char why[96];
-        snprintf(why, sizeof why, "bound by %s (stable up to %.4g s)", solid_bound_name[r->solid_bound],
+        snprintf(why, sizeof why, "bound by %s (stable up to %.4g s)", solid_stable_bound_name[r->solid_bound],
                  r->solid_stable);
         *status = (struct step_status){.failed = 1, .field = "substep", .value = r->dt / r->substeps};
         return finer(r, least, why);
@@ -195,7 +195,7 @@ enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS]
     enum adapt_verdict verdict = ADAPT_HOLDS;
     if (number[ADAPT_FAILED] > 0) return judge_failure(r, status);
     if (is_automatic(r)) verdict = judge_convection(r, number[ADAPT_RATE], status);
-    if (verdict == ADAPT_HOLDS && has_substeps(r) && solid_contact_margin(r->solid) > 0)
+    if (verdict == ADAPT_HOLDS && has_substeps(r) && solid_contact_rate_margin(r->solid) > 0)
         verdict = judge_contact(r, number[ADAPT_FASTEST], status);
     if (verdict == ADAPT_HOLDS) count(r);
     return verdict;
@@ -212,7 +212,7 @@ void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t si
     double most = 0, stable = INFINITY;
     int of_solid = 0;
     if (r->fluid) {
-        const struct fluid_limits l = fluid_stable_step(r->fluid);
+        const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
         name =
             l.convective < l.viscous ? adapt_bound_name[ADAPT_CONVECTION] : adapt_bound_name[ADAPT_DIFFUSION];
         stable = l.step;
@@ -222,7 +222,7 @@ void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t si
         adapt_substeps_wanted(r);
         of_solid = dt / substeps > most * r->solid_stable;
         if (of_solid) {
-            name = solid_bound_name[r->solid_bound];
+            name = solid_stable_bound_name[r->solid_bound];
             stable = r->solid_stable;
             most = dt / substeps / stable;
         }

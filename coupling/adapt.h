@@ -2,7 +2,7 @@
  * that has been taken holds. */
 #pragma once
 #include "fluid/fluid.h"
-#include "solid/stable.h"
+#include "solid/step/stable.h"
 
 struct run;
 
@@ -42,7 +42,7 @@ void adapt_substeps(struct run *r);
 /* The least number of substeps that is stable with what touches now, within the stage's safety. Collective. */
 int adapt_substeps_wanted(struct run *r);
 
-/* What this rank knows of a step that has been taken, for a reduction to the largest; failed: of run_check. Not collective. */
+/* What this rank knows of a step that has been taken, for a reduction to the largest; failed: of step_check. Not collective. */
 enum { ADAPT_FAILED, ADAPT_RATE, ADAPT_FASTEST, ADAPT_NUMBERS };
 void adapt_look(const struct run *r, int failed, double number[ADAPT_NUMBERS]);
 /* Whether it holds, by the largest numbers of all ranks; the next one's limits are then known. It does not where something is no number

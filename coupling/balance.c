@@ -9,7 +9,7 @@
  * back, body by body, just what the one before has taken, so that nothing is lost where normals turn or particles come off meanwhile. */
 #include "coupling/balance.h"
 #include "base/par.h"
-#include "solid/load.h"
+#include "solid/imposed/given.h"
 
 #include <string.h>
 
@@ -90,7 +90,7 @@ void balance_loads(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     double body[BODIES_MAX][COLUMNS] = {{0}};
     ENSURE(s->in.bodies <= BODIES_MAX, "%d bodies", s->in.bodies);
-    ibm_force_by_marker(r->ibm, r->dt, r->markers.force);
+    ibm_forcing_by_marker(r->ibm, r->dt, r->markers.force);
     sum_bodies(r, body);
     par_sum_array(body[0], s->in.bodies * COLUMNS);
     for (int b = 0; b < s->in.bodies && r->carried; b++)

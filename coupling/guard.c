@@ -1,10 +1,10 @@
-/* The last good state in memory.  (coupling/checkpoint.h) */
+/* The last good state in memory.  (program/checkpoint.h) */
 #include "base/clock.h"
 #include "base/memory.h"
-#include "coupling/checkpoint.h"
-#include "coupling/demand.h"
+#include "program/checkpoint.h"
+#include "coupling/forcing_guess.h"
 #include "solid/keep.h"
-#include "solid/refine.h"
+#include "solid/refine/refine.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ struct place {
     enum solid_bound solid_bound;
 };
 
-struct checkpoint_guard {
+struct guard {
     double *copy[ARRAYS];
     size_t count[ARRAYS];
     double (*demand)[3];      /* [n] of the implicit forcing; NULL: it has none */
@@ -45,14 +45,14 @@ static void arrays_of(const struct run *r, double *array[ARRAYS], size_t count[A
     if (r->carried) array[CARRIED] = r->carried[0], count[CARRIED] = 3 * (size_t)r->solid->in.bodies;
 }
 
-struct checkpoint_guard *checkpoint_guard_new(const struct run *r) {
-    struct checkpoint_guard *g = calloc(1, sizeof *g);
+struct guard *guard_new(const struct run *r) {
+    struct guard *g = calloc(1, sizeof *g);
     double *array[ARRAYS];
     ENSURE(g, "no memory for %zu bytes", sizeof *g);
     arrays_of(r, array, g->count);
     for (int k = 0; k < ARRAYS; k++)
         if (array[k]) g->copy[k] = memory_new(MEMORY_OUTPUT, g->count[k] + 1, sizeof(double));
-    if (demand_is_part_of(r))
+    if (forcing_guess_is_part_of(r))
         g->demand = memory_new(MEMORY_OUTPUT, (size_t)r->solid->n + 1, sizeof *g->demand);
     if (!r->needs.bonds) return g;
     g->refined = solid_refine_events(r->solid);
@@ -60,7 +60,7 @@ struct checkpoint_guard *checkpoint_guard_new(const struct run *r) {
     return g;
 }
 
-void checkpoint_guard_free(struct checkpoint_guard *g) {
+void guard_free(struct guard *g) {
     if (!g) return;
     for (int k = 0; k < ARRAYS; k++) memory_free(g->copy[k]);
     memory_free(g->demand);
@@ -68,11 +68,11 @@ void checkpoint_guard_free(struct checkpoint_guard *g) {
     free(g);
 }
 
-int checkpoint_guard_fits(const struct checkpoint_guard *g, const struct run *r) {
+int guard_fits(const struct guard *g, const struct run *r) {
     return !r->needs.bonds || g->refined == solid_refine_events(r->solid);
 }
 
-void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r) {
+void guard_keep(struct guard *g, struct run *r) {
     double *array[ARRAYS];
     size_t count[ARRAYS];
     clock_begin(CLOCK_OUTPUT);
@@ -80,7 +80,7 @@ void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r) {
     for (int k = 0; k < ARRAYS; k++)
         if (array[k]) memcpy(g->copy[k], array[k], count[k] * sizeof(double));
     if (g->solid) solid_keep_take(g->solid, r->solid, r->surface);
-    if (g->demand) demand_take(r, g->demand);
+    if (g->demand) forcing_guess_take(r, g->demand);
     g->at = (struct place){.t = r->t,
                            .dt = r->dt,
                            .driving = r->fluid ? fluid_state_of(r->fluid)->driving : 0,
@@ -97,17 +97,17 @@ void checkpoint_guard_keep(struct checkpoint_guard *g, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-long checkpoint_guard_restore(struct checkpoint_guard *g, struct run *r) {
+long guard_restore(struct guard *g, struct run *r) {
     const struct place *at = &g->at;
     double *array[ARRAYS];
     size_t count[ARRAYS];
-    if (!g->kept || !checkpoint_guard_fits(g, r)) return -1;
+    if (!g->kept || !guard_fits(g, r)) return -1;
     clock_begin(CLOCK_OUTPUT);
     arrays_of(r, array, count);
     for (int k = 0; k < ARRAYS; k++)
         if (array[k]) memcpy(array[k], g->copy[k], count[k] * sizeof(double));
     if (g->solid) solid_keep_restore(g->solid, r->solid, r->surface);
-    if (g->demand) demand_put(r, (const double(*)[3])g->demand);
+    if (g->demand) forcing_guess_put(r, (const double(*)[3])g->demand);
     if (r->fluid) fluid_state_of(r->fluid)->driving = at->driving;
     r->t = at->t;
     r->dt = at->dt;

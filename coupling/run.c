@@ -1,7 +1,7 @@
 #include "coupling/run.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "coupling/given.h"
+#include "coupling/setup/given.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ struct run *run_new(const struct scene *scene) {
     if (r->needs.solid) {
         struct solid_input *in = setup_solid(scene);
         given_add(scene, in);
-        if (r->fluid) in->speed = fluid_speed(r->fluid);
+        if (r->fluid) in->speed = fluid_limits_speed(r->fluid);
         r->solid = solid_new(in);
         given_free(in);
         setup_solid_free(in);
@@ -59,7 +59,7 @@ struct run *run_new(const struct scene *scene) {
     }
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
-        solid_surface_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
+        solid_surface_area_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
         if (!r->needs.bonds) solid_forget_bonds(r->solid);
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
@@ -86,7 +86,7 @@ void run_deposit(struct run *r) {
 
 void run_free(struct run *r) {
     if (!r) return;
-    run_markers_free(r);
+    interface_markers_free(r);
     strong_free(r->strong);
     for (int c = 0; c < 3; c++) {
         memory_free(r->v_last[c]);

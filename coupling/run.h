@@ -1,16 +1,16 @@
 /* A run: the parts a scene needs, where it stands, and the step that is put together from them. */
 #pragma once
-#include "base/scene.h"
+#include "scene/scene.h"
 #include "coupling/adapt.h"
-#include "coupling/medium.h"
-#include "coupling/setup.h"
+#include "coupling/medium/medium.h"
+#include "coupling/setup/setup.h"
 #include "coupling/strong.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
-#include "solid/added_mass.h"
+#include "solid/force/added_mass.h"
 #include "solid/solid.h"
-#include "solid/stable.h"
-#include "solid/surface.h"
+#include "solid/step/stable.h"
+#include "solid/surface/surface.h"
 
 struct run;
 typedef void run_part(struct run *r);
@@ -37,7 +37,7 @@ struct run_markers {
 /* What the rates of a refined plate were found from; part of a checkpoint. */
 struct run_refined {
     int level;    /* finest when they were, -1: not yet in this stage */
-    double rate2; /* solid_refine_rate2 then, 1/s2 */
+    double rate2; /* solid_refine_rate_bound then, 1/s2 */
 };
 
 struct run {
@@ -49,7 +49,7 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct run_markers markers;
-    double (*demand)[3]; /* [n] waits for markers (coupling/demand.h); NULL: none does */
+    double (*demand)[3]; /* [n] waits for markers (coupling/forcing_guess.h); NULL: none does */
     double *v_last[3]; /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
     double (*carried)[3];  /* [bodies] by their carried mass, N (coupling/balance.h); or NULL */
     double load[3];        /* force of the fluid on the solid at the last probe, whole solid, N */
@@ -88,21 +88,21 @@ run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only sh
 void run_free(struct run *r);
 
 /* Puts the step of the present stage together. Collective. */
-void run_stage_begin(struct run *r);
+void step_begin_stage(struct run *r);
 /* One step: every part in turn. Collective. */
-void run_step(struct run *r);
+void step_advance(struct run *r);
 /* Tractions at the interface and their sum, from the present fields (samples in stages whose step has no probe). Collective. */
-void run_probe(struct run *r);
+void interface_probe(struct run *r);
 /* The particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);
 /* Looks whether particles are to be refined, if it is due, and does it; the substeps follow. Collective. */
-void run_refine(struct run *r);
+void refinement_look(struct run *r);
 /* The rates of a plate that is, or may be, refined. Collective. */
-void run_refine_rates(struct run *r);
+void refinement_rates(struct run *r);
 /* NaN or beyond reason on this rank. Unless `whole`, of the fluid one plane of p is looked at only, for NaN: the Poisson
  * solve carries one to every cell, while a velocity beyond reason may hide. Not collective (agree with step_status_agree). */
-int run_check(const struct run *r, int whole, struct step_status *status);
+int step_check(const struct run *r, int whole, struct step_status *status);
 
 /* Markers and probes from the surface's present state. Not collective. */
-void run_markers_update(struct run *r);
-void run_markers_free(struct run *r);
+void interface_markers_update(struct run *r);
+void interface_markers_free(struct run *r);

@@ -1,18 +1,18 @@
 /* The time step, put together from the parts that the stage needs.  (001: sec. 4.3; SPEC 5) */
-#include "base/log.h"
+#include "files/log.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/balance.h"
-#include "coupling/demand.h"
+#include "coupling/forcing_guess.h"
 #include "coupling/run.h"
-#include "solid/contact.h"
-#include "solid/refine.h"
+#include "solid/contact/contact.h"
+#include "solid/refine/refine.h"
 
 #include <math.h>
 
 static void part_refine(struct run *r) {
     const long before = solid_refine_events(r->solid);
-    run_refine(r);
+    refinement_look(r);
     if (solid_refine_events(r->solid) == before || r->scene->stage[r->stage].substeps > 0) return;
     const int wanted = adapt_substeps_wanted(r);
     if (wanted <= r->substeps) return;
@@ -26,10 +26,10 @@ static void part_fluid(struct run *r) {
 }
 
 static void part_markers(struct run *r) {
-    run_markers_update(r);
-    ibm_markers(r->ibm, r->markers.n, (const double *const *)r->markers.x,
+    interface_markers_update(r);
+    ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x,
                 (const double *const *)r->markers.v, r->markers.volume);
-    demand_hand_on(r);
+    forcing_guess_hand_on(r);
 }
 
 /* Fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.65-3.69, 3.80-3.82) */
@@ -37,7 +37,7 @@ static void part_fluid_forced(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
         fluid_predict(r->fluid, s, r->dt);
-        ibm_force(r->ibm, s, r->dt);
+        ibm_forcing_stage(r->ibm, s, r->dt);
         fluid_project(r->fluid, s, r->dt);
     }
 }
@@ -47,9 +47,9 @@ static void part_fluid_implicit(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
         fluid_predict(r->fluid, s, r->dt);
-        ibm_force_again(r->ibm, s, r->dt);
-        fluid_diffuse(r->fluid, s, r->dt);
-        ibm_force_implicit(r->ibm, s, r->dt);
+        ibm_implicit_force_again(r->ibm, s, r->dt);
+        fluid_diffusion_stage(r->fluid, s, r->dt);
+        ibm_implicit_force(r->ibm, s, r->dt);
         fluid_project(r->fluid, s, r->dt);
     }
 }
@@ -60,7 +60,7 @@ static void part_solid(struct run *r) {
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h];
     s->t = r->t;
-    solid_advance(s, r->dt / r->substeps, r->substeps);
+    solid_integrate(s, r->dt / r->substeps, r->substeps);
     balance_keep(r);
     r->moved = r->step + 1;
 }
@@ -86,13 +86,13 @@ static void add(struct run *r, run_part *part, const char *name) {
 
 static void stable_step(struct run *r) {
     if (r->scene->solid->refinement)
-        run_refine_rates(r);
+        refinement_rates(r);
     else
         solid_rates_of(r->solid, &r->solid_rates);
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 
-void run_stage_begin(struct run *r) {
+void step_begin_stage(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
     const double dt =
@@ -139,7 +139,7 @@ void run_stage_begin(struct run *r) {
     else if (r->fluid)
         add(r, r->ibm ? part_fluid_forced : part_fluid, r->ibm ? "fluid with forcing" : "fluid");
     if (!elastic) return;
-    if (r->ibm) add(r, run_probe, "probe");
+    if (r->ibm) add(r, interface_probe, "probe");
     if (r->solid->refine) add(r, part_refine, "refinement");
     if (touches) add(r, part_contact, "contact");
     if (follows) add(r, adapt_substeps, "number of substeps");
@@ -147,7 +147,7 @@ void run_stage_begin(struct run *r) {
     if (r->surface) add(r, part_surface, "surface");
 }
 
-void run_step(struct run *r) {
+void step_advance(struct run *r) {
     for (int k = 0; k < r->parts; k++) r->part[k](r);
     r->t += r->dt;
     r->step++;
@@ -166,11 +166,11 @@ static int pressure_lost(const struct run *r) {
     return !(sum == 0); /* 0 times Inf, or NaN */
 }
 
-int run_check(const struct run *r, int whole, struct step_status *status) {
+int step_check(const struct run *r, int whole, struct step_status *status) {
     *status = (struct step_status){0};
-    if (r->fluid && (whole || pressure_lost(r))) *status = fluid_check(r->fluid);
+    if (r->fluid && (whole || pressure_lost(r))) *status = fluid_limits_check(r->fluid);
     const int may_differ = r->solid && (whole || r->moved == r->step); /* a solid at rest stays what it is */
-    if (may_differ && !status->failed) *status = solid_check(r->solid);
+    if (may_differ && !status->failed) *status = solid_integrate_check(r->solid);
     if (status->failed) status->rank = par_rank();
     return status->failed;
 }

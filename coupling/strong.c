@@ -1,8 +1,8 @@
 #include "coupling/strong.h"
-#include "base/log.h"
+#include "files/log.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "coupling/checkpoint.h"
+#include "program/checkpoint.h"
 #include "coupling/quasi_newton.h"
 #include "coupling/run.h"
 
@@ -18,7 +18,7 @@ static const double OF_LOAD = 1e-3;
 struct strong {
     run_part *markers, *fluid; /* borrowed */
     struct quasi_newton *relaxation;
-    struct checkpoint_guard *start; /* the state at t_n */
+    struct guard *start; /* the state at t_n */
     int n, capacity;                /* particles of the interface */
     int *h;                         /* [n] which they are */
     double *guess, *image; /* [3n] their velocity at t_{n+1}: given to the fluid, the solid's answer, m/s */
@@ -35,14 +35,14 @@ struct strong *strong_new(struct run *r) {
         .kind = scene->relaxation == SCENE_AITKEN ? QUASI_NEWTON_AITKEN : QUASI_NEWTON_LEAST_SQUARES,
         .relaxation = RELAXATION,
         .filter = FILTER});
-    k->start = checkpoint_guard_new(r);
+    k->start = guard_new(r);
     return k;
 }
 
 void strong_free(struct strong *k) {
     if (!k) return;
     quasi_newton_free(k->relaxation);
-    checkpoint_guard_free(k->start);
+    guard_free(k->start);
     memory_free(k->h);
     memory_free(k->guess);
     memory_free(k->image);
@@ -101,7 +101,7 @@ static void begin(struct run *r) {
             k->end[c * k->n + i] = s->d[c][k->h[i]] + 0.5 * r->dt * (v + guess);
         }
     for (int c = 0; c < 3; c++) memcpy(r->v_last[c], s->v[c], (size_t)s->n * sizeof(double));
-    checkpoint_guard_keep(k->start, r);
+    guard_keep(k->start, r);
 }
 
 static void swap(double *a, double *b) {
@@ -131,7 +131,7 @@ static void advance_solid(struct run *r) {
     const struct strong *k = r->strong;
     struct solid *s = r->solid;
     s->t = r->t;
-    solid_advance(s, r->dt / r->substeps, r->substeps);
+    solid_integrate(s, r->dt / r->substeps, r->substeps);
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < k->n; i++) k->image[c * k->n + i] = s->v[c][k->h[i]];
 }
@@ -186,14 +186,14 @@ void strong_step(struct run *r) {
     for (;; iterations++) {
         set_markers(r);
         k->fluid(r);
-        run_probe(r);
+        interface_probe(r);
         advance_solid(r);
         const int converged = is_converged(r);
         if (converged < 0) k->forget = 1;
         if (converged == 0 && iterations == r->scene->coupling->iterations) say_unconverged(r);
         if (converged != 0 || iterations == r->scene->coupling->iterations) break;
         quasi_newton_next(k->relaxation, k->guess, k->image);
-        checkpoint_guard_restore(k->start, r);
+        guard_restore(k->start, r);
     }
     r->moved = r->step + 1;
     add_up(r, iterations);

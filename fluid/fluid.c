@@ -1,11 +1,11 @@
 #include "base/memory.h"
 #include "base/par_halo.h"
-#include "fluid/correction.h"
+#include "fluid/momentum/correction.h"
 #include "fluid/internal.h"
-#include "fluid/momentum.h"
-#include "fluid/outflow.h"
-#include "fluid/reach.h"
-#include "fluid/wisdom.h"
+#include "fluid/momentum/momentum.h"
+#include "fluid/grid/outflow.h"
+#include "fluid/grid/reach.h"
+#include "fluid/poisson/wisdom.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -123,7 +123,7 @@ void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], con
 void fluid_step(struct fluid *f, double dt) {
     for (int r = 0; r < 3; r++) {
         fluid_predict(f, r, dt);
-        fluid_diffuse(f, r, dt);
+        fluid_diffusion_stage(f, r, dt);
         fluid_project(f, r, dt);
     }
     f->state.t += dt;

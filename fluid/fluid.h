@@ -1,7 +1,7 @@
 /* The fluid: what it is made from, its state, and the calls that a time step is put together from.  (001: ch. 3.4, 4.1) */
 #pragma once
 #include "base/error.h"
-#include "fluid/grid.h"
+#include "fluid/grid/grid.h"
 
 /* Conditions of one side. Each stands for a Dirichlet or Neumann condition on u, v, w and the pressure correction. */
 enum fluid_side_type {
@@ -41,7 +41,7 @@ struct fluid_vortices {
     int along[3];    /* 1: they vary in it */
 };
 
-extern const char *const fluid_side_name[3][2]; /* x_low ...: as a scene has them, [direction][low, high] */
+extern const char *const fluid_boundary_side_name[3][2]; /* x_low ...: as a scene has them, [direction][low, high] */
 
 struct fluid_input {
     int n[3];
@@ -60,7 +60,7 @@ struct fluid_input {
     int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
 };
 
-/* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid.h; ghosts are rebuilt. */
+/* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid/grid.h; ghosts are rebuilt. */
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
@@ -79,9 +79,9 @@ const struct fluid_input *fluid_input_of(const struct fluid *f);
 struct fluid_state *fluid_state_of(struct fluid *f);
 
 /* One low-storage RK3 step is, for r = 0, 1, 2:
- *     fluid_predict(f, r, dt); [ibm_force(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001: sec. 3.4.3)
+ *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001: sec. 3.4.3)
  * and with implicit diffusion
- *     fluid_predict(f, r, dt); [ibm_force_again(..)]; fluid_diffuse(f, r, dt); [ibm_force_implicit(..)];
+ *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt); [ibm_implicit_force(..)];
  *     fluid_project(f, r, dt); */
 extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 
@@ -90,14 +90,14 @@ extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 void fluid_predict(struct fluid *f, int r, double dt);
 /* Implicit diffusion: u* from what fluid_predict made without a viscous term, and what a force has added to it; nothing with explicit
  * diffusion. Collective. */
-void fluid_diffuse(struct fluid *f, int r, double dt);
+void fluid_diffusion_stage(struct fluid *f, int r, double dt);
 /* For a forcing that is implicit too: a field on the faces, which is cleared, filled by the forcing, solved for
  * (field <- (I - b_r dt nu lap)^-1 field, zero on the sides), and added to u* times a factor. [3] borrowed. */
 double *const *fluid_diffusion_field(struct fluid *f);
 void fluid_diffusion_clear(struct fluid *f);                   /* Not collective. */
 void fluid_diffusion_solve(struct fluid *f, int r, double dt); /* Collective. */
 void fluid_diffusion_add(struct fluid *f, double factor);      /* Not collective. */
-double fluid_explicit_step(const struct fluid *f);             /* viscous limit of explicit diffusion, s */
+double fluid_limits_explicit_step(const struct fluid *f);             /* viscous limit of explicit diffusion, s */
 /* The predicted velocity u*, to which a forcing adds in place (faces inside the domain only). [3] borrowed. */
 double *const *fluid_predicted(struct fluid *f);
 /* Ghosts of u*, v*, w* after somebody changed them: boundary values and `layers` exchanged layers. Collective. */
@@ -107,7 +107,7 @@ void fluid_predicted_refresh(struct fluid *f, int layers);
 struct fluid_mirror {
     double face, inner, constant;
 };
-struct fluid_mirror fluid_predicted_mirror(const struct fluid *f, int component, int direction, int side);
+struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
 /* Pressure solve, projection, new velocity and pressure; the velocity's ghosts (one layer) are set, the pressure's only as far
  * as the next stage reads them. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
@@ -124,36 +124,36 @@ void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], con
 struct fluid_limits {
     double convective, viscous, step;
 };
-struct fluid_limits fluid_stable_step(struct fluid *f);
+struct fluid_limits fluid_limits_stable_step(struct fluid *f);
 /* The same of what goes along with somebody's reduction: this rank's largest sum of |velocity|/d over its cells, from the faces of
  * each, 1/s (INFINITY where one is no number), and the middle of that cell, m (x may be NULL); the limits by the largest of all
  * ranks. Not collective. */
-double fluid_convection_rate(const struct fluid *f, double x[3]);
+double fluid_limits_convection_rate(const struct fluid *f, double x[3]);
 struct fluid_limits fluid_limits_of(const struct fluid *f, double rate);
 
 /* NaN or velocity beyond reason: where and which. Not collective (agree with step_status_agree). */
-struct step_status fluid_check(struct fluid *f);
+struct step_status fluid_limits_check(struct fluid *f);
 
 /* Measures. Collective. */
-double fluid_divergence_max(struct fluid *f); /* 1/s */
-double fluid_cfl(struct fluid *f, double dt);
+double fluid_measures_divergence_max(struct fluid *f); /* 1/s */
+double fluid_limits_cfl(struct fluid *f, double dt);
 /* The speeds that sides, start, driving and body force set up, or diffusion over a cell: the largest, m/s. Not collective. */
-double fluid_speed(const struct fluid *f);
-double fluid_bulk_velocity(struct fluid *f, int direction); /* m/s */
-double fluid_kinetic_energy(struct fluid *f);               /* J */
+double fluid_limits_speed(const struct fluid *f);
+double fluid_measures_bulk_velocity(struct fluid *f, int direction); /* m/s */
+double fluid_measures_kinetic_energy(struct fluid *f);               /* J */
 double fluid_dissipation(struct fluid *f);                  /* rho nu int |grad u|^2 dV, W */
 /* u, v, w, p at a place of the domain, linear in each direction; on the rank that holds the place, on others 0. Ghosts must be
  * there (fluid_state_refresh). Not collective. */
 void fluid_value_at(struct fluid *f, const double x[3], double value[4]);
-void fluid_mean_pressure(struct fluid *f, int direction,
+void fluid_measures_mean_pressure(struct fluid *f, int direction,
                          double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
-void fluid_box_force(struct fluid *f, double out[3]);
+void fluid_measures_box_force(struct fluid *f, double out[3]);
 /* The same as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
 void fluid_audit_begin(struct fluid *f);
 void fluid_audit_end(struct fluid *f, double out[3]);
-void fluid_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
+void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 
 size_t fluid_cells(const struct fluid *f); /* of the whole domain */

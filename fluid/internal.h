@@ -1,9 +1,9 @@
 /* What the fluid's files share. Not for other rooms. */
 #pragma once
-#include "fluid/boundary.h"
-#include "fluid/diffusion.h"
+#include "fluid/grid/boundary.h"
+#include "fluid/momentum/diffusion.h"
 #include "fluid/fluid.h"
-#include "fluid/poisson.h"
+#include "fluid/poisson/poisson.h"
 
 /* The box's force on its way through a step. */
 struct fluid_audit {
@@ -23,7 +23,7 @@ struct fluid {
     double *rate
         [3]; /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; at open faces, that
                    * face's own rate */
-    double *correction; /* p-hat, Pa: fluid/correction.h */
+    double *correction; /* p-hat, Pa: fluid/momentum/correction.h */
     double *flux;       /* scratch of the momentum equation */
     struct fluid_poisson *poisson;
     struct fluid_diffusion *diffusion; /* NULL: explicit */

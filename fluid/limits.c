@@ -23,7 +23,7 @@ static double row_rate(const struct fluid *f, int j, int k, int *where) {
     return most;
 }
 
-double fluid_convection_rate(const struct fluid *f, double x[3]) {
+double fluid_limits_convection_rate(const struct fluid *f, double x[3]) {
     const struct fluid_grid *g = f->grid;
     int cell[3] = {0};
     double most = 0;
@@ -42,7 +42,7 @@ double fluid_convection_rate(const struct fluid *f, double x[3]) {
 
 /* The rectangle -1.65 <= Re <= 0, |Im| <= sqrt(3) lies within the stability region of third-order Runge-Kutta, so that
  * either limit may be met alone or both together: sqrt(3) = dt sum |u|/d, 1.65 = dt 4 nu sum 1/d^2.  (Wesseling 2001) */
-double fluid_explicit_step(const struct fluid *f) {
+double fluid_limits_explicit_step(const struct fluid *f) {
     const double *d = f->grid->d;
     return 1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
 }
@@ -53,19 +53,19 @@ struct fluid_limits fluid_limits_of(const struct fluid *f, double rate) {
     if (f->diffusion)
         l.viscous = fluid_diffusion_step(f);
     else if (f->in.viscosity > 0)
-        l.viscous = fluid_explicit_step(f);
+        l.viscous = fluid_limits_explicit_step(f);
     l.step = fmin(l.convective, l.viscous);
     return l;
 }
 
-struct fluid_limits fluid_stable_step(struct fluid *f) {
-    return fluid_limits_of(f, par_max(fluid_convection_rate(f, NULL)));
+struct fluid_limits fluid_limits_stable_step(struct fluid *f) {
+    return fluid_limits_of(f, par_max(fluid_limits_convection_rate(f, NULL)));
 }
 
-double fluid_cfl(struct fluid *f, double dt) { return dt * par_max(fluid_convection_rate(f, NULL)); }
+double fluid_limits_cfl(struct fluid *f, double dt) { return dt * par_max(fluid_limits_convection_rate(f, NULL)); }
 
 /* Of the sides, the start, the driving, or diffusion over a cell. */
-double fluid_speed(const struct fluid *f) {
+double fluid_limits_speed(const struct fluid *f) {
     const struct fluid_input *in = &f->in;
     double most = 0, length = 0;
     for (int d = 0; d < 3; d++) {
@@ -89,9 +89,9 @@ double fluid_speed(const struct fluid *f) {
 
 static int bad(double value, double most) { return !(fabs(value) <= most); }
 
-struct step_status fluid_check(struct fluid *f) {
+struct step_status fluid_limits_check(struct fluid *f) {
     const struct fluid_grid *g = f->grid;
-    const double most = fmax(1e4 * fluid_speed(f), 100 * f->in.speed);
+    const double most = fmax(1e4 * fluid_limits_speed(f), 100 * f->in.speed);
     const double *field[4] = {f->state.u, f->state.v, f->state.w, f->state.p};
     struct step_status s = {.failed = 0};
     for (int k = 0; k < g->m[2]; k++)

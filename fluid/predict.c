@@ -1,8 +1,8 @@
 #include "base/clock.h"
 #include "base/par_halo.h"
 #include "fluid/internal.h"
-#include "fluid/momentum.h"
-#include "fluid/outflow.h"
+#include "fluid/momentum/momentum.h"
+#include "fluid/grid/outflow.h"
 
 #include <math.h>
 
@@ -52,7 +52,7 @@ void fluid_predict(struct fluid *f, int r, double dt) {
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
             if (b->here && b->normal == FLUID_NORMAL_FREE)
-                fluid_momentum_predict_open(&s, d, side, read, f->state.p, f->predicted, f->rate);
+                fluid_momentum_open_predict(&s, d, side, read, f->state.p, f->predicted, f->rate);
         }
     const struct par_halo_part whole = par_halo_whole(g->halos, 1);
     fluid_boundary_faces(f->boundary, g, f->predicted, &whole);

@@ -1,10 +1,10 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "base/par_halo.h"
-#include "fluid/correction.h"
+#include "fluid/momentum/correction.h"
 #include "fluid/internal.h"
-#include "fluid/momentum.h"
-#include "fluid/outflow.h"
+#include "fluid/momentum/momentum.h"
+#include "fluid/grid/outflow.h"
 
 #include <string.h>
 
@@ -60,7 +60,7 @@ static double forward(struct fluid *f, double c, double length2) {
         if (g->ranks[1] == 1) low_faces(f, 1, k, k + 1);
         if (f->in.driving.type == FLUID_DRIVING_BULK) bulk += bulk_of(f, k);
         double *divergence = fluid_poisson_plane(f->poisson, k);
-        fluid_momentum_divergence(g, k, 1 / c, predicted, divergence);
+        fluid_momentum_kernels_divergence(g, k, 1 / c, predicted, divergence);
         if (length2 > 0) add_to_pressure(f, k, -length2, divergence);
         fluid_poisson_plane_forward(f->poisson, k);
     }

@@ -33,7 +33,7 @@ void ibm_demand_out(struct ibm *b, int same) {
         memcpy(b->vector[IBM_DEMAND][h], served[b->arrival[h]], sizeof *served);
 }
 
-int ibm_has_markers(const struct ibm *b) { return b->route.plan != NULL; }
+int ibm_demand_is_set(const struct ibm *b) { return b->route.plan != NULL; }
 
 void ibm_demand(struct ibm *b, double *const demand[3]) {
     ibm_demand_home(b);

@@ -120,7 +120,7 @@ void ibm_edge_set(struct ibm *b, struct ibm_edge *e) {
     }
 }
 
-void ibm_edges_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece) {
+void ibm_edge_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece) {
     const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
     for (int p = first_piece; p < last_piece; p++) {
         const struct ibm_block *block = &b->piece[p].read;
@@ -131,7 +131,7 @@ void ibm_edges_sum(struct ibm *b, double *const u[3], int first_piece, int last_
     }
 }
 
-void ibm_edges_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
+void ibm_edge_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
     for (int e = first; e < last; e++) {
         const struct ibm_edge *edge = &b->edge[e];
         double *increment = b->increment[b->inner + e];
@@ -150,7 +150,7 @@ void ibm_edges_finish(struct ibm *b, int first, int last, enum ibm_keep keep, st
         for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
 }
 
-void ibm_edges_velocity(struct ibm *b, int with_sides, double (*velocity)[3]) {
+void ibm_edge_velocity(struct ibm *b, int with_sides, double (*velocity)[3]) {
     for (int e = 0; e < b->edges; e++) {
         const struct ibm_edge *edge = &b->edge[e];
         for (int c = 0; c < 3; c++) {
@@ -162,7 +162,7 @@ void ibm_edges_velocity(struct ibm *b, int with_sides, double (*velocity)[3]) {
         for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
 }
 
-void ibm_edges_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece) {
+void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece) {
     const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
     for (int p = first_piece; p < last_piece; p++) {
         const struct ibm_block *block = &b->piece[p].write;

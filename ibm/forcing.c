@@ -23,31 +23,31 @@ static void read_slab(const struct sweep *w, int slab, enum ibm_keep keep) {
     const int first = ibm_slab_first(b, IBM_NEAR, slab), last = ibm_slab_first(b, IBM_NEAR, slab + 1);
     ibm_sweep_gather(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1),
                      keep, w->tally);
-    ibm_edges_sum(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
+    ibm_edge_sum(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
                   ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
-    ibm_edges_finish(b, first, last, keep, w->tally);
+    ibm_edge_finish(b, first, last, keep, w->tally);
 }
 
 static void write_slab(const struct sweep *w, int slab) {
     const struct ibm *b = w->b;
     ibm_sweep_scatter(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1));
-    ibm_edges_scatter(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
+    ibm_edge_scatter(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
                       ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
 }
 
 static void read_far(const struct sweep *w, int first_slab, int last_slab) {
-    ibm_edges_sum(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
+    ibm_edge_sum(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
                   ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
 }
 
 static void write_far(const struct sweep *w, int first_slab, int last_slab) {
-    ibm_edges_scatter(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
+    ibm_edge_scatter(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
                       ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
 }
 
 static void finish_far(const struct sweep *w, enum ibm_keep keep) {
-    ibm_edges_share(w->b);
-    ibm_edges_finish(w->b, w->b->near_edges, w->b->edges, keep, w->tally);
+    ibm_share_sums(w->b);
+    ibm_edge_finish(w->b, w->b->near_edges, w->b->edges, keep, w->tally);
 }
 
 /* One iteration, or two of them in one sweep. */
@@ -72,7 +72,7 @@ static void iterate(const struct sweep *w, enum ibm_keep keep, int two) {
     write_far(w, 0, slabs);
 }
 
-void ibm_force(struct ibm *b, int r, double dt) {
+void ibm_forcing_stage(struct ibm *b, int r, double dt) {
     clock_begin(CLOCK_FORCING);
     const struct fluid_grid *g = b->grid;
     struct ibm_tally tally = {.squares = 0};
@@ -85,7 +85,7 @@ void ibm_force(struct ibm *b, int r, double dt) {
     clock_end(CLOCK_FORCING);
 }
 
-void ibm_force_by_marker(struct ibm *b, double dt, double *const force[3]) {
+void ibm_forcing_by_marker(struct ibm *b, double dt, double *const force[3]) {
     const struct fluid_grid *g = b->grid;
     const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     ibm_reserve(&b->by_marker, &b->by_marker_size, 3 * (size_t)(b->served + b->route.n) + 1);
@@ -99,12 +99,12 @@ void ibm_force_by_marker(struct ibm *b, double dt, double *const force[3]) {
         for (int c = 0; c < 3; c++) force[c][i] = mine[i][c];
 }
 
-void ibm_force_total(struct ibm *b, double force[3]) {
+void ibm_forcing_total(struct ibm *b, double force[3]) {
     for (int c = 0; c < 3; c++) force[c] = b->given[c];
     par_sum_array(force, 3);
 }
 
-double ibm_slip(struct ibm *b) {
+double ibm_forcing_slip(struct ibm *b) {
     struct ibm_tally tally = {.squares = 0};
     const struct sweep w = {b, fluid_predicted(b->fluid), &tally};
     read_far(&w, 0, b->slabs);

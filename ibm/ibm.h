@@ -18,26 +18,26 @@ void ibm_free(struct ibm *b);
 
 /* The markers of this time step, each rank its own: position (wrapped where periodic; one outside the domain is left out),
  * velocity, and volume A_h dx (m3). Weights are kept when no marker has moved since the last call. Collective. */
-void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3],
+void ibm_markers_set(struct ibm *b, int n, const double *const x[3], const double *const v[3],
                  const double *volume);
 
-/* With implicit diffusion, in the place of ibm_force: first what the markers forced at the last stage's end is given to the predicted
+/* With implicit diffusion, in the place of ibm_forcing_stage: first what the markers forced at the last stage's end is given to the predicted
  * velocity, to diffuse with it; then, once it has diffused, what that lacks (ibm/implicit.c). Collective. */
-void ibm_force_again(struct ibm *b, int r, double dt);
-void ibm_force_implicit(struct ibm *b, int r, double dt);
-/* What that goes on from, by marker in the order of ibm_markers, m/s2 (0 for what is no number); and set, from a checkpoint. [n] each. Collective. */
-int ibm_has_markers(const struct ibm *b); /* Some rank has had some. Not collective. */
+void ibm_implicit_force_again(struct ibm *b, int r, double dt);
+void ibm_implicit_force(struct ibm *b, int r, double dt);
+/* What that goes on from, by marker in the order of ibm_markers_set, m/s2 (0 for what is no number); and set, from a checkpoint. [n] each. Collective. */
+int ibm_demand_is_set(const struct ibm *b); /* Some rank has had some. Not collective. */
 void ibm_demand(struct ibm *b, double *const demand[3]);
 void ibm_demand_set(struct ibm *b, const double *const demand[3]);
 /* Multidirect forcing of the fluid's predicted velocity at RK stage r; dt_r = gamma_r dt. Collective. */
-void ibm_force(struct ibm *b, int r, double dt);
+void ibm_forcing_stage(struct ibm *b, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid, N. Collective. */
-void ibm_force_total(struct ibm *b, double force[3]);
-/* The same by marker, in the order of ibm_markers, N: [n] each, zero for a marker outside the domain. What falls beside the
+void ibm_forcing_total(struct ibm *b, double force[3]);
+/* The same by marker, in the order of ibm_markers_set, N: [n] each, zero for a marker outside the domain. What falls beside the
  * domain is counted. Collective. */
-void ibm_force_by_marker(struct ibm *b, double dt, double *const force[3]);
+void ibm_forcing_by_marker(struct ibm *b, double dt, double *const force[3]);
 double
-ibm_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
+ibm_forcing_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 
 /* The root's pressure gradient is rho (f - dV_h/dt).n, f the fluid's body force and driving; pressures and tractions include the
  * linear part of a driving pressure gradient, -G x (x as given, not wrapped), so that it pushes on a body as on the fluid.

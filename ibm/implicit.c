@@ -1,6 +1,6 @@
 /* Forcing where diffusion is implicit.
  *
- * A large step smears what a marker gives over sqrt(nu dt), so that giving what is missing, as ibm_force does, would leave a slip
+ * A large step smears what a marker gives over sqrt(nu dt), so that giving what is missing, as ibm_forcing_stage does, would leave a slip
  * that grows with the step. Here the force q is an unknown of the stage. With S the spreading of increments, J the reading, and
  * N_s iterations of the multidirect forcing
  *     x = B e:   x = 0;  N_s times  x += (A_h dx/cell) (e - J S x)                          (001: eqs 3.79-3.82)
@@ -24,17 +24,17 @@ enum { ITERATIONS = 40 };
 
 typedef double vector3[3];
 
-void ibm_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]) {
+void ibm_implicit_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]) {
     ibm_sweep_read(b, u, velocity);
-    ibm_edges_sum(b, u, 0, b->pieces);
-    ibm_edges_share(b);
-    ibm_edges_velocity(b, with_sides, velocity + b->inner);
+    ibm_edge_sum(b, u, 0, b->pieces);
+    ibm_share_sums(b);
+    ibm_edge_velocity(b, with_sides, velocity + b->inner);
 }
 
-void ibm_write(struct ibm *b, double *const u[3], const double (*strength)[3]) {
+void ibm_implicit_write(struct ibm *b, double *const u[3], const double (*strength)[3]) {
     memcpy(b->increment, strength, (size_t)b->served * sizeof *strength);
     ibm_sweep_scatter(b, u, 0, b->inner);
-    ibm_edges_scatter(b, u, 0, b->pieces);
+    ibm_edge_scatter(b, u, 0, b->pieces);
 }
 
 static double weight_of(const struct ibm *b, int h) {
@@ -74,13 +74,13 @@ static void multidirect(struct ibm *b, const vector3 *e, vector3 *x, vector3 *le
         for (int h = 0; h < b->served; h++)
             for (int c = 0; c < 3; c++) increment[h][c] = weight_of(b, h) * left[h][c];
         add(b, x, 1, (const vector3 *)increment);
-        ibm_write(b, u, (const vector3 *)increment);
-        ibm_read(b, u, 0, left);
+        ibm_implicit_write(b, u, (const vector3 *)increment);
+        ibm_implicit_read(b, u, 0, left);
         turn(b, left, -1, e);
     }
 }
 
-static double slip_time(const struct ibm *b) { return fluid_explicit_step(b->fluid) / 3; }
+static double slip_time(const struct ibm *b) { return fluid_limits_explicit_step(b->fluid) / 3; }
 
 /* Counts what q gives in a stage. */
 static void tally(struct ibm *b, int r, double dt) {
@@ -98,7 +98,7 @@ static void tally(struct ibm *b, int r, double dt) {
 }
 
 /* q = B y; in RESIDUAL what the slip law takes: -s (1 - J S B) y. */
-void ibm_force_again(struct ibm *b, int r, double dt) {
+void ibm_implicit_force_again(struct ibm *b, int r, double dt) {
     vector3 *residual = b->vector[IBM_RESIDUAL], *q = b->vector[IBM_FORCE];
     clock_begin(CLOCK_FORCING);
     multidirect(b, (const vector3 *)b->vector[IBM_DEMAND], q, residual);
@@ -107,14 +107,14 @@ void ibm_force_again(struct ibm *b, int r, double dt) {
     memcpy(b->vector[IBM_TARGET], q, (size_t)b->served * sizeof *q);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) b->vector[IBM_TARGET][h][c] *= fluid_gamma[r] * dt;
-    ibm_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
+    ibm_implicit_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
     clock_end(CLOCK_FORCING);
 }
 
 /* The residual once u* is there: += V - J u*. Collective. */
 static void begin(struct ibm *b) {
     vector3 *residual = b->vector[IBM_RESIDUAL], *velocity = b->vector[IBM_TARGET];
-    ibm_read(b, fluid_predicted(b->fluid), 1, velocity);
+    ibm_implicit_read(b, fluid_predicted(b->fluid), 1, velocity);
     for (int h = 0; h < b->served; h++) {
         const double *v = h < b->inner ? b->stencil[h].v : b->edge[h - b->inner].v;
         for (int c = 0; c < 3; c++) residual[h][c] += v[c] - velocity[h][c];
@@ -127,16 +127,16 @@ static void apply(struct ibm *b, int r, double dt) {
     vector3 *kd = b->vector[IBM_KD], *read = b->vector[IBM_TARGET];
     const double s = slip_time(b), stage = fluid_gamma[r] * dt;
     fluid_diffusion_clear(b->fluid);
-    ibm_write(b, u, (const vector3 *)b->vector[IBM_BD]);
-    ibm_read(b, u, 0, read);
+    ibm_implicit_write(b, u, (const vector3 *)b->vector[IBM_BD]);
+    ibm_implicit_read(b, u, 0, read);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) kd[h][c] = s * (b->vector[IBM_D][h][c] - read[h][c]);
     fluid_diffusion_solve(b->fluid, r, dt);
-    ibm_read(b, u, 0, read);
+    ibm_implicit_read(b, u, 0, read);
     add(b, kd, stage, (const vector3 *)read);
 }
 
-void ibm_force_implicit(struct ibm *b, int r, double dt) {
+void ibm_implicit_force(struct ibm *b, int r, double dt) {
     vector3 **v = b->vector, *residual = v[IBM_RESIDUAL], *z = v[IBM_Z], *d = v[IBM_D], *bd = v[IBM_BD];
     const double stage = fluid_gamma[r] * dt;
     double before = 0, start = 0;

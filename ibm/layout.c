@@ -7,13 +7,13 @@
 
 #include <string.h>
 
-int ibm_is_inner(const struct ibm *b, const int cell[3]) {
+int ibm_layout_is_inner(const struct ibm *b, const int cell[3]) {
     for (int d = 0; d < 3; d++)
         if (cell[d] < b->inner_low[d] || cell[d] >= b->inner_high[d]) return 0;
     return 1;
 }
 
-int ibm_slab_of(const struct ibm *b, int plane) {
+int ibm_layout_slab_of(const struct ibm *b, int plane) {
     const int slab = plane / IBM_SLAB;
     return plane < 0 ? 0 : slab < b->slabs ? slab : b->slabs - 1;
 }
@@ -22,11 +22,11 @@ enum { THICK = 2 * IBM_SLAB }; /* more than the planes of the last slab */
 
 /* Row after row, and the planes of the slab at each: a few rows of each plane are all that the inner loops hold on to. */
 static int row_of(const struct ibm *b, const int cell[3]) {
-    const int k = cell[2] - b->grid->lo[2], slab = ibm_slab_of(b, k);
+    const int k = cell[2] - b->grid->lo[2], slab = ibm_layout_slab_of(b, k);
     return (slab * b->grid->m[1] + cell[1] - b->grid->lo[1]) * THICK + k - slab * IBM_SLAB;
 }
 
-int ibm_bins(const struct ibm *b) { return b->slabs * b->grid->m[1] * THICK; }
+int ibm_layout_bins(const struct ibm *b) { return b->slabs * b->grid->m[1] * THICK; }
 
 /* What a marker is sorted by: the bins are rows of inner markers, then slabs of near edges, then all that is far, which
  * stays in order of arrival, the same on all ranks that share it. */
@@ -35,14 +35,14 @@ static void place_of(const struct ibm *b, const double *item, struct ibm_place *
     int plane[IBM_PIECES], rank[IBM_SHARERS];
     for (int d = 0; d < 3; d++) p->cell[d] = ibm_cell(g, d, item[d]);
     p->x = p->cell[0];
-    if (ibm_is_inner(b, p->cell)) {
+    if (ibm_layout_is_inner(b, p->cell)) {
         p->bin = row_of(b, p->cell);
         return;
     }
     const int pieces = ibm_edge_planes(b, p->cell, plane);
-    int far = ibm_sharers(b, p->cell, rank) > 1;
+    int far = ibm_share_ranks(b, p->cell, rank) > 1;
     for (int i = 1; i < pieces; i++) far |= plane[i] != plane[0];
-    p->bin = ibm_bins(b) + (far ? b->slabs : ibm_slab_of(b, plane[0]));
+    p->bin = ibm_layout_bins(b) + (far ? b->slabs : ibm_layout_slab_of(b, plane[0]));
     if (far) p->x = 0;
 }
 
@@ -95,7 +95,7 @@ static void sort(int n, const int *from, const struct ibm_place *place, int by_x
 static int *slab_list(struct ibm *b, enum ibm_list list) { return b->slab_at + (int)list * (b->slabs + 1); }
 
 static void order_markers(struct ibm *b) {
-    const int rows = ibm_bins(b);
+    const int rows = ibm_layout_bins(b);
     for (int a = 0; a < b->served; a++) place_of(b, b->route.served + (size_t)a * IBM_ITEM, &b->place[a]);
     sort(b->served, NULL, b->place, 1, b->grid->n[0], b->bin, b->by_x);
     sort(b->served, b->by_x, b->place, 0, rows + b->slabs + 1, b->bin, b->arrival);
@@ -122,7 +122,7 @@ static void number_pieces(struct ibm *b) {
             edge->mine &= edge->cell[d] >= g->lo[d] && edge->cell[d] < g->lo[d] + g->m[d];
         edge->pieces = ibm_edge_planes(b, edge->cell, plane);
         for (int p = 0; p < edge->pieces; p++) {
-            edge->piece[p] = ibm_slab_of(b, plane[p]);
+            edge->piece[p] = ibm_layout_slab_of(b, plane[p]);
             (e < b->near_edges ? near : far)[edge->piece[p] + 1]++;
         }
     }
@@ -146,7 +146,7 @@ static void plan_swaps(struct ibm *b) {
     for (int pass = 0; pass < 2; pass++) {
         for (int e = b->near_edges; e < b->edges; e++) {
             struct ibm_edge *edge = &b->edge[e];
-            edge->summands = ibm_sharers(b, edge->cell, rank);
+            edge->summands = ibm_share_ranks(b, edge->cell, rank);
             for (int k = 0; k < edge->summands; k++) {
                 if (rank[k] == me)
                     edge->summand[k] = e;

@@ -45,11 +45,11 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
         if (d > 0) b->touch[d] = touch_new(g, d), b->owner[d] = owner_new(g, d);
         for (int c = 0; c < 3; c++)
             for (int side = 0; side < 2; side++)
-                b->mirror[c][d][side] = fluid_predicted_mirror(f, c, d, side);
+                b->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
     }
     b->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
     b->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(b->slabs + 1), sizeof *b->slab_at);
-    const size_t bins = (size_t)ibm_bins(b) + 2 * (size_t)b->slabs + 2;
+    const size_t bins = (size_t)ibm_layout_bins(b) + 2 * (size_t)b->slabs + 2;
     b->bin = memory_new(MEMORY_IBM, bins > (size_t)g->n[0] + 2 ? bins : (size_t)g->n[0] + 2, sizeof *b->bin);
     b->peer = memory_new(MEMORY_IBM, 3 * (size_t)par_size(), sizeof *b->peer);
     b->swap = par_swap_new();
@@ -108,7 +108,7 @@ static void renew_plan(struct ibm *b) {
         int cell[3], rank[IBM_SHARERS];
         if (route->key[h] < 0) continue;
         for (int d = 0; d < 3; d++) cell[d] = ibm_cell(b->grid, d, item[d]);
-        const int sharers = ibm_sharers(b, cell, rank);
+        const int sharers = ibm_share_ranks(b, cell, rank);
         for (int k = 0; k < sharers; k++, copies++) route->item[copies] = h, route->dest[copies] = rank[k];
     }
     route->plan = par_exchange_renew(route->plan, copies, route->item, route->dest);
@@ -150,8 +150,8 @@ static int renew_weights(struct ibm *b, int fresh) {
         s->volume = item[IBM_VOLUME];
         const int other_cell = cell_number(b->grid, cell) != s->cell;
         if (!fresh && other_cell) {
-            const int slab = ibm_slab_of(b, cell[2] - b->grid->lo[2]);
-            if (!ibm_is_inner(b, cell) || h < ibm_slab_first(b, IBM_INNER, slab) ||
+            const int slab = ibm_layout_slab_of(b, cell[2] - b->grid->lo[2]);
+            if (!ibm_layout_is_inner(b, cell) || h < ibm_slab_first(b, IBM_INNER, slab) ||
                 h >= ibm_slab_first(b, IBM_INNER, slab + 1))
                 return 0;
             b->moved++;
@@ -175,7 +175,7 @@ static int renew_weights(struct ibm *b, int fresh) {
     return b->moved <= b->inner / 4;
 }
 
-void ibm_markers(struct ibm *b, int n, const double *const x[3], const double *const v[3],
+void ibm_markers_set(struct ibm *b, int n, const double *const x[3], const double *const v[3],
                  const double *volume) {
     clock_begin(CLOCK_FORCING);
     double differs[2];

@@ -75,7 +75,7 @@ static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, c
                                       .mu = fluid->density * fluid->viscosity,
                                       .length = in->velocity[0] ? length[0] : 0};
     /* in order of arrival: near particles have near numbers */
-    ibm_tips_measure(b->grid, fluid_state_of(b->fluid), &form, served, route->served, result);
+    ibm_tip_measure(b->grid, fluid_state_of(b->fluid), &form, served, route->served, result);
     par_exchange_backward(route->plan, result, back, RETURNED * sizeof(double));
     return back;
 }

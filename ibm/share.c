@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-int ibm_sharers(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]) {
+int ibm_share_ranks(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]) {
     const struct ibm_touch *y = &b->touch[1][cell[1]], *z = &b->touch[2][cell[2]];
     const int parts = b->grid->ranks[1];
     int n = 0;
@@ -19,7 +19,7 @@ int ibm_sharers(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]) {
     return n;
 }
 
-void ibm_edges_share(struct ibm *b) {
+void ibm_share_sums(struct ibm *b) {
     if (b->swapped == 0) return;
     for (int k = 0; k < b->swapped; k++) memcpy(b->sent[k], b->sum[b->swap_edge[k]], sizeof *b->sent);
     par_swap(b->swap, &b->sent[0][0], &b->sum[b->edges][0], 3);

@@ -165,17 +165,17 @@ struct ibm_tip_form {
     double length;      /* from the wall, m, where stresses are carried there; 0: the tip's own */
 };
 /* The served tips, from the state with its ghosts: item [tips][IBM_TIP_SENT] -> result [tips][IBM_TIP_RETURNED]. Not collective. */
-void ibm_tips_measure(const struct fluid_grid *g, const struct fluid_state *f,
+void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f,
                       const struct ibm_tip_form *form, size_t tips, const double *item, double *result);
 
 /* The ranks that serve a marker in a cell, by rising number; returns how many. */
-int ibm_sharers(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]);
+int ibm_share_ranks(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]);
 
 /* Sorts what has arrived into inner markers, edges and slabs, and sets the edges' pieces up. Not collective. */
 void ibm_layout(struct ibm *b);
-int ibm_bins(const struct ibm *b); /* what they are sorted into */
-int ibm_is_inner(const struct ibm *b, const int cell[3]);
-int ibm_slab_of(const struct ibm *b, int plane); /* plane of this rank, or beside it */
+int ibm_layout_bins(const struct ibm *b); /* what they are sorted into */
+int ibm_layout_is_inner(const struct ibm *b, const int cell[3]);
+int ibm_layout_slab_of(const struct ibm *b, int plane); /* plane of this rank, or beside it */
 /* The pieces of an edge: returns how many, and the plane of the marker as each of them sees it. */
 int ibm_edge_planes(const struct ibm *b, const int cell[3], int plane[IBM_PIECES]);
 /* Weights of an edge's pieces, its constant and share, from its place. */
@@ -195,17 +195,17 @@ void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, en
 void ibm_sweep_read(const struct ibm *b, double *const u[3], double (*velocity)[3]);
 void ibm_sweep_scatter(const struct ibm *b, double *const u[3], int first, int last);
 /* The same for edges: sums over pieces; the increments once the sums are complete; pieces. */
-void ibm_edges_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece);
-void ibm_edges_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
-void ibm_edges_velocity(struct ibm *b, int with_sides, double (*velocity)[3]);
-void ibm_edges_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece);
+void ibm_edge_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece);
+void ibm_edge_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
+void ibm_edge_velocity(struct ibm *b, int with_sides, double (*velocity)[3]);
+void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece);
 /* The demand, to those that sent the markers (kept in home), and back once they are sorted anew; unless they are the same, what
  * they had is forgotten. Collective. */
 void ibm_demand_home(struct ibm *b);
 void ibm_demand_out(struct ibm *b, int same);
 /* All markers' velocities, velocity [served]; with what the sides' conditions add to it, or without. Collective. */
-void ibm_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
+void ibm_implicit_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
 /* u += strength delta, of all markers, strength [served]. Not collective. */
-void ibm_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
+void ibm_implicit_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
-void ibm_edges_share(struct ibm *b);
+void ibm_share_sums(struct ibm *b);

@@ -195,7 +195,7 @@ static inline void tip_measure(const struct fluid_grid *g, const struct fluid_st
     }
 }
 
-void ibm_tips_measure(const struct fluid_grid *g, const struct fluid_state *f,
+void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f,
                       const struct ibm_tip_form *form, size_t tips, const double *item, double *result) {
     const struct frame frame = frame_of(g);
     struct tip e[GROUP];

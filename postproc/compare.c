@@ -1,11 +1,11 @@
 /* Several runs over one another: curves, PDFs at the end, a table of their numbers. */
 #include "base/error.h"
-#include "base/folder.h"
+#include "files/folder.h"
 #include "base/memory.h"
-#include "postproc/pdf.h"
+#include "postproc/data/pdf.h"
 #include "postproc/post.h"
 #include "postproc/report.h"
-#include "postproc/sections.h"
+#include "postproc/sections/sections.h"
 
 #include <errno.h>
 #include <math.h>
@@ -136,7 +136,7 @@ static int compare(int n, struct postproc_history *const *run, const char *const
     if (!report) return fault ? fault : errno;
     folder_path(plots, out, "plots");
     postproc_charts_draw(&charts, n, run, label, plots);
-    postproc_charts_draw_crack(&charts, n, run, label, plots);
+    postproc_charts_crack_draw(&charts, n, run, label, plots);
     for (int stress = 0; stress < 2; stress++) pdfs_draw(&charts, n, run, label, plots, stress);
     for (int r = 0; r < n; r++) {
         output[r] = calloc(1, sizeof *output[r]);

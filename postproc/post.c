@@ -1,8 +1,8 @@
 #include "postproc/post.h"
 #include "base/error.h"
-#include "base/folder.h"
+#include "files/folder.h"
 #include "postproc/report.h"
-#include "postproc/sections.h"
+#include "postproc/sections/sections.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -60,7 +60,7 @@ static const char *plots_missing(enum postproc_plot_status status) {
     }
 }
 
-int postproc_run(const char *rundir, const struct postproc_options *options) {
+int postproc_post(const char *rundir, const struct postproc_options *options) {
     static const struct {
         const char *heading;
         void (*add)(struct postproc_output *out, const struct postproc_history *h);
@@ -96,7 +96,7 @@ int postproc_run(const char *rundir, const struct postproc_options *options) {
     }
     folder_path(plots, post, "plots");
     postproc_charts_draw(&out->charts, 1, &h, &rundir, plots);
-    postproc_charts_draw_crack(&out->charts, 1, &h, &rundir, plots);
+    postproc_charts_crack_draw(&out->charts, 1, &h, &rundir, plots);
     for (int k = 0; k < SECTIONS; k++) {
         section[k].add(out, h);
         last[k] = out->facts.n;

@@ -1,5 +1,5 @@
 #include "postproc/report.h"
-#include "base/folder.h"
+#include "files/folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Parts of solid_new that a body whose particles have changed goes through again. Inside the room only. */
 #pragma once
-#include "solid/cloud.h"
-#include "solid/store.h"
+#include "solid/body/cloud.h"
+#include "solid/bonds/store.h"
 
 /* Ghosts of the stores as they are, and their links. sites: of the bodies, NULL where all have clouds. Collective. */
 void solid_build_ghosts(struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud);

@@ -1,6 +1,6 @@
 #include "solid/input.h"
 #include "base/memory.h"
-#include "solid/time.h"
+#include "solid/imposed/time.h"
 
 #include <math.h>
 #include <stdint.h>

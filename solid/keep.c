@@ -1,13 +1,13 @@
 #include "solid/keep.h"
 #include "base/memory.h"
-#include "solid/contact_keep.h"
-#include "solid/family.h"
-#include "solid/lattice.h"
-#include "solid/list.h"
-#include "solid/load.h"
-#include "solid/segments.h"
-#include "solid/surface_lost.h"
-#include "solid/surface_state.h"
+#include "solid/contact/keep.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+#include "solid/imposed/given.h"
+#include "solid/bonds/segments.h"
+#include "solid/bonds/lost.h"
+#include "solid/surface/state.h"
 
 #include <string.h>
 
@@ -85,7 +85,7 @@ struct solid_keep *solid_keep_new(const struct solid *s, const struct solid_surf
         for (int i = 0; i < PATHS; i++)
             k->path[b].copy[i] = memory_new(MEMORY_OUTPUT, (size_t)k->path[b].n + 1, k->path[b].size[i]);
     }
-    if (surface) k->surface = solid_surface_keep_new(s);
+    if (surface) k->surface = solid_surface_state_keep_new(s);
     if (!may_break) return k;
     k->lost = solid_lost_new(s);
     k->bits = memory_new(MEMORY_OUTPUT, n * (size_t)solid_family_bytes(s) + 1, 1);
@@ -100,7 +100,7 @@ void solid_keep_free(struct solid_keep *k) {
         for (int i = 0; i < PATHS; i++) memory_free(k->path[b].copy[i]);
     solid_lost_free(k->lost);
     solid_contact_keep_free(&k->contact);
-    solid_surface_keep_free(k->surface);
+    solid_surface_state_keep_free(k->surface);
     void *const own[] = {k->flag, k->factor, k->path, k->bits, k};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
@@ -165,7 +165,7 @@ void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_s
     k->stage_of_a = s->stage_of_a;
     if (k->lost) take_bonds(k, s);
     if (s->in.contact) solid_contact_keep_take(&k->contact, s);
-    if (surface) solid_surface_keep_take(k->surface, surface);
+    if (surface) solid_surface_state_keep_take(k->surface, surface);
     k->taken = 1;
 }
 
@@ -195,7 +195,7 @@ void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surf
     for (int b = 0; b < k->bodies; b++) {
         void *at[PATHS];
         struct path *p = &k->path[b];
-        if (s->family->lattice[b]) solid_lattice_refill(s, s->family->lattice[b]);
+        if (s->family->lattice[b]) solid_sweep_lattice_refill(s, s->family->lattice[b]);
         path_of(s, b, at, p->size);
         for (int i = 0; i < PATHS; i++) memcpy(at[i], p->copy[i], (size_t)p->n * p->size[i]);
     }
@@ -203,6 +203,6 @@ void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surf
     s->a_holds = k->a_holds;
     s->stage_of_a = k->stage_of_a;
     if (s->in.contact) solid_contact_keep_restore(&k->contact, s);
-    if (surface) solid_surface_keep_restore(k->surface, s, surface, same ? NULL : k->lost);
+    if (surface) solid_surface_state_keep_restore(k->surface, s, surface, same ? NULL : k->lost);
     s->broke = k->broke;
 }

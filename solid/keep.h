@@ -6,7 +6,7 @@
  * at a time; putting one back makes those kept after it useless until they are taken anew. A state is taken between steps, when
  * the surface has been looked at, and does not outlive a refinement. */
 #pragma once
-#include "solid/surface.h"
+#include "solid/surface/surface.h"
 
 struct solid_keep; /* opaque */
 

@@ -3,17 +3,17 @@
 #include "base/par.h"
 #include "base/par_exchange.h"
 #include "solid/build.h"
-#include "solid/constraint.h"
-#include "solid/contact.h"
-#include "solid/cut_bonds.h"
-#include "solid/family.h"
+#include "solid/imposed/constraint.h"
+#include "solid/contact/contact.h"
+#include "solid/bonds/cut_bonds.h"
+#include "solid/bonds/family.h"
 #include "solid/input.h"
-#include "solid/lattice.h"
-#include "solid/list.h"
-#include "solid/load.h"
-#include "solid/number.h"
-#include "solid/plane.h"
-#include "solid/refine.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+#include "solid/imposed/given.h"
+#include "solid/body/number.h"
+#include "solid/body/plane.h"
+#include "solid/refine/refine.h"
 
 #include <math.h>
 
@@ -57,7 +57,7 @@ static void points_check(const struct solid *s, struct solid_sites *const *sites
         for (int h = 0; h < s->n; h++) {
             double x[3] = {0};
             for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h];
-            if (s->body[h] != b && solid_cloud_holds(cloud[b], x))
+            if (s->body[h] != b && solid_cloud_near_holds(cloud[b], x))
                 die(EXIT_CODE_SCENE, "a particle of solid body %s and one of %s coincide",
                     s->in.body[s->body[h]].name, s->in.body[b].name);
         }
@@ -77,12 +77,12 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
         const struct solid_material *m = &in->material[body->material];
         if (!cloud[b]) {
             const struct solid_stencil *stencil = f->stencil[body->material];
-            const double s0 = solid_critical_stretch(m, in->spacing);
-            const struct solid_law law = {solid_micromodulus(m, in->spacing), m->density, s0 * (2 + s0)};
+            const double s0 = solid_material_critical_stretch(m, in->spacing);
+            const struct solid_law law = {solid_material_micromodulus(m, in->spacing), m->density, s0 * (2 + s0)};
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
-            f->list[b] = solid_list_new(cloud[b], from, to, f->first[b]);
+            f->list[b] = solid_list_find_new(cloud[b], from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->list[b]->n;
         }
     }
@@ -244,7 +244,7 @@ struct solid *solid_new(const struct solid_input *in) {
     f->stencils = in->materials;
     f->stencil = memory_new(MEMORY_SOLID, (size_t)in->materials, sizeof *f->stencil);
     for (int m = 0; s->dim == 3 && m < in->materials; m++)
-        f->stencil[m] = solid_stencil_new(in->spacing, in->material[m].horizon_ratio);
+        f->stencil[m] = solid_weight_stencil_new(in->spacing, in->material[m].horizon_ratio);
 
     struct solid_sites **sites = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *sites);
     for (int b = 0; b < in->bodies; b++) {
@@ -313,7 +313,7 @@ void solid_free(struct solid *s) {
     struct solid_family *f = s->family;
     solid_contact_free(s);
     solid_forget_bonds(s);
-    for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
+    for (int m = 0; m < f->stencils; m++) solid_weight_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};
     for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);
     for (int c = 0; c < 3; c++) {

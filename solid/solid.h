@@ -9,11 +9,11 @@
 #include <stdint.h>
 
 struct par_ghost;
-struct solid_family; /* opaque: the bonds, solid/family.h */
+struct solid_family; /* opaque: the bonds, solid/bonds/family.h */
 struct solid_contact;
 struct solid_added_mass;
-struct solid_given;  /* opaque: the loads of the input, solid/load.h */
-struct solid_refine; /* opaque: what refinement needs, solid/refine.h */
+struct solid_given;  /* opaque: the loads of the input, solid/imposed/given.h */
+struct solid_refine; /* opaque: what refinement needs, solid/refine/refine.h */
 
 /* What the bonds stand for: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane stress,
  * 1/4 in plane strain). A plate has two components of everything, and the third arrays are NULL. */
@@ -124,7 +124,7 @@ struct solid_region {
     double low[3], high[3];
 };
 
-/* Refinement of plates that are polygons: each level halves the spacing.  (000: ch. 2; solid/refine.h) */
+/* Refinement of plates that are polygons: each level halves the spacing.  (000: ch. 2; solid/refine/refine.h) */
 struct solid_refined { /* from the start, X0 */
     double low[3], high[3];
     int level;
@@ -173,7 +173,7 @@ struct solid_input {
     double contact_stiffness; /* k_c / c0, default 15 */
     double contact_exponent;  /* n_c, default 1 */
     double contact_radius;    /* r_c / spacing, default 1 */
-    int shape_surface; /* 1: the wetted surface is the shapes' own, not the lattice's (solid/shaped.h) */
+    int shape_surface; /* 1: the wetted surface is the shapes' own, not the lattice's (solid/surface/shaped.h) */
 };
 
 enum solid_integrator { SOLID_RK3, SOLID_VERLET };
@@ -219,13 +219,13 @@ struct solid {
     double *
         load[3]; /* external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
     struct solid_given *given;            /* NULL: none */
-    const struct solid_added_mass *added; /* borrowed, NULL: none (solid/added_mass.h) */
+    const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
     struct solid_family *family;
     struct solid_contact *contact; /* NULL until something can touch */
     struct solid_refine *refine;   /* NULL: nothing is refined */
     /* counters and energies, this rank's share */
     long bonds_total;  /* undirected, whole solid, of the families as made, or remade by a refinement */
-    long bonds_broken; /* undirected, whole solid; valid after solid_count_bonds */
+    long bonds_broken; /* undirected, whole solid; valid after solid_family_count */
     int broke;         /* 1: a bond of an owned particle broke since the flag was last cleared */
     double e_damped;   /* J taken out by damping so far */
     double e_fracture; /* J released by broken bonds so far: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
@@ -258,8 +258,8 @@ void solid_free(struct solid *s);
 void solid_forget_bonds(struct solid *s);
 
 /* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.28) */
-double solid_micromodulus(const struct solid_material *m, double spacing);
-double solid_critical_stretch(const struct solid_material *m, double spacing);
+double solid_material_micromodulus(const struct solid_material *m, double spacing);
+double solid_material_critical_stretch(const struct solid_material *m, double spacing);
 
 /* One force sweep at the present d, v: a = (bonds + load + contact + damping)/rho, constraints applied; breaks bonds when
  * asked to and the stage allows it. The integrators ask in the first stage of a substep only, so that a bond is judged on
@@ -272,20 +272,20 @@ void solid_ghosts_begin(struct solid *s);  /* The same, ended by the next force 
  * as functions of time, their means over the substep. The energies are integrated by the integrator's own quadrature, so
  * that kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order (contact stores energy that
  * is not counted; what it takes to change an imposed velocity is part of e_constraint). Collective. */
-void solid_advance(struct solid *s, double dt, int substeps);
+void solid_integrate(struct solid *s, double dt, int substeps);
 /* Goes on in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep, which saw
  * the velocity predicted then) and power_pairwise. Once the stage is set. Not collective. */
 void solid_verlet_resume(struct solid *s);
-/* The largest stable step of the assembled, intact solid with the stage's damping, by the rates of solid/stable.h: without damping
+/* The largest stable step of the assembled, intact solid with the stage's damping, by the rates of solid/step/stable.h: without damping
  * sqrt(3)/omega_max (RK3), 2/omega_max (Verlet). Once contact has lists, with a particle squeezed between two pairs of others on top.
  * Collective. */
-double solid_stable_step(struct solid *s, enum solid_integrator integrator);
+double solid_rates_stable_step(struct solid *s, enum solid_integrator integrator);
 /* Adaptive dynamic relaxation to static equilibrium under the present load: steps taken, or -1 if not converged to
  * |residual| <= tolerance * |load|. Breakage off. Collective. */
 int solid_relax(struct solid *s, double tolerance, int max_steps);
 
 /* NaN, or a speed of more than a hundred times sqrt(E/rho) and what is imposed. Not collective. */
-struct step_status solid_check(const struct solid *s);
+struct step_status solid_integrate_check(const struct solid *s);
 
 /* The current position X0 + d; z of a plate is 0. */
 static inline void solid_position(const struct solid *s, int h, double x[3]) {

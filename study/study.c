@@ -1,9 +1,9 @@
 #include "study/study.h"
 #include "base/error.h"
-#include "base/scene_node.h"
-#include "study/child.h"
-#include "study/report.h"
-#include "study/runs.h"
+#include "scene/text/node.h"
+#include "study/runs/child.h"
+#include "study/report/report.h"
+#include "study/runs/runs.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,9 +37,9 @@ static int count(const struct study_plan *p, enum study_state state) {
 static int report(const struct study_plan *p, const char *out) {
     struct study_result *r = study_result_new(p);
     const struct study_maker maker = study_report_maker();
-    const int plotted = study_report_plots(r, out);
-    study_report_csv(r, &maker, out);
-    study_report_page(r, &maker, out);
+    const int plotted = study_chart_draw(r, out);
+    study_csv_write(r, &maker, out);
+    study_page_write(r, &maker, out);
     study_result_free(r);
     const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);
     printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "",
@@ -58,7 +58,7 @@ int study_run(const struct study_options *o) {
         die_all(EXIT_CODE_SCENE, "frana study: starts the ranks of its runs itself: call it without mpiexec");
     program_of(program, sizeof program);
     struct study *s = study_file_new(o->file);
-    char *out = o->out ? scene_text("%s", o->out) : scene_text("%s/results", s->folder);
+    char *out = o->out ? scene_node_text("%s", o->out) : scene_node_text("%s/results", s->folder);
     struct study_plan *plan = study_plan_new(s, out);
     environment(s, program);
     study_child_begin();

@@ -1,5 +1,5 @@
 #include "study/text.h"
-#include "base/scene_yaml.h"
+#include "scene/text/yaml.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -28,7 +28,7 @@ struct scene_node *study_text_tree(const char *path) {
     struct scene_problems problems = {.file = path};
     char *text = study_text_of(path);
     struct scene_node *root = text ? scene_yaml_parse(text, strlen(text), &problems) : NULL;
-    scene_problems_free(&problems);
+    scene_problem_free(&problems);
     free(text);
     return root;
 }
@@ -43,7 +43,7 @@ double study_text_number(const char *text) {
 }
 
 char *study_text_slug(const char *text) {
-    char *slug = scene_text("%s", *text ? text : "-");
+    char *slug = scene_node_text("%s", *text ? text : "-");
     for (char *c = slug; *c; c++)
         if (!isalnum((unsigned char)*c) && *c != '.' && *c != '_') *c = '-';
     if (slug[0] == '.') slug[0] = '-';

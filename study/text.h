@@ -1,6 +1,6 @@
 /* Files and texts that a study reads back. */
 #pragma once
-#include "base/scene_node.h"
+#include "scene/text/node.h"
 
 char *study_text_of(const char *path); /* the whole file, malloc'ed; NULL: cannot be had */
 /* A file in YAML, of which JSON is a part, as a tree; NULL: missing or malformed. */

@@ -14,8 +14,8 @@
 
 static void medians(void **state) {
     (void)state;
-    assert_float_equal(bench_median(5, (double[]){9, 1, 5, 3, 7}), 5, 0);
-    assert_float_equal(bench_median(4, (double[]){4, 1, 3, 2}), 2.5, 0);
+    assert_float_equal(bench_measure_median(5, (double[]){9, 1, 5, 3, 7}), 5, 0);
+    assert_float_equal(bench_measure_median(4, (double[]){4, 1, 3, 2}), 2.5, 0);
 }
 
 struct nap {

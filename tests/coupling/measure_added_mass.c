@@ -17,7 +17,7 @@ int main(int argc, char **argv) {
     struct run *r = run_new(scene);
     struct solid *s = r->solid;
     double mass = 0;
-    run_stage_begin(r);
+    step_begin_stage(r);
     for (int h = 0; h < s->n; h++) {
         if (s->flag[h] & HELD) continue;
         mass += s->in.material[s->in.body[s->body[h]].material].density * s->volume[h];
@@ -28,15 +28,15 @@ int main(int argc, char **argv) {
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++)
                 r->v_last[c][h] = s->v[c][h]; /* the carried part is not looked at */
-        run_markers_update(r);
-        ibm_markers(r->ibm, r->markers.n, (const double *const *)r->markers.x,
+        interface_markers_update(r);
+        ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x,
                     (const double *const *)r->markers.v, r->markers.volume);
         for (int stage = 0; stage < 3; stage++) {
             fluid_predict(r->fluid, stage, r->dt);
-            ibm_force(r->ibm, stage, r->dt);
+            ibm_forcing_stage(r->ibm, stage, r->dt);
             fluid_project(r->fluid, stage, r->dt);
         }
-        run_probe(r);
+        interface_probe(r);
         printf("%d, %.4f\n", n, r->load[0] * r->dt / (mass * VELOCITY));
     }
     run_free(r);

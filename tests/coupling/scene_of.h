@@ -1,7 +1,7 @@
 /* A scene from two pieces of text, read as the program reads its file. */
 #pragma once
 #include "base/par.h"
-#include "base/scene.h"
+#include "scene/scene.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,10 +1,10 @@
 /* The state kept in memory: the same steps from it are the same to the bit, whatever has been in between. */
-#include "coupling/checkpoint.h"
-#include "coupling/demand.h"
+#include "program/checkpoint.h"
+#include "coupling/forcing_guess.h"
 #include "coupling/run.h"
-#include "solid/contact.h"
-#include "solid/family.h"
-#include "solid/refine.h"
+#include "solid/contact/contact.h"
+#include "solid/bonds/family.h"
+#include "solid/refine/refine.h"
 #include "scene_of.h"
 
 #include <math.h>
@@ -123,7 +123,7 @@ static void add_solid(struct snapshot *p, struct run *r) {
     add(p, s->e_fracture);
     add(p, s->e_constraint);
     add(p, s->work_load);
-    add(p, solid_contact_energy(s));
+    add(p, solid_contact_force_energy(s));
     for (int i = 0; r->surface && i < r->surface->n; i++) {
         add(p, r->surface->h[i]);
         add(p, r->surface->area[i]);
@@ -136,7 +136,7 @@ static void add_solid(struct snapshot *p, struct run *r) {
 static void add_demand(struct snapshot *p, struct run *r) {
     double(*demand)[3] = calloc((size_t)r->solid->n + 1, sizeof *demand);
     assert_non_null(demand);
-    demand_take(r, demand);
+    forcing_guess_take(r, demand);
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) add(p, demand[h][c]);
     free(demand);
@@ -150,7 +150,7 @@ static struct snapshot snapshot_of(struct run *r) {
     add(&p, r->substeps);
     if (r->fluid) add_fluid(&p, r);
     if (r->solid) add_solid(&p, r);
-    if (demand_is_part_of(r)) add_demand(&p, r);
+    if (forcing_guess_is_part_of(r)) add_demand(&p, r);
     return p;
 }
 
@@ -169,11 +169,11 @@ static void assert_same(const struct snapshot *a, const struct snapshot *b) {
 }
 
 static void steps(struct run *r, int n) {
-    for (int k = 0; k < n; k++) run_step(r);
+    for (int k = 0; k < n; k++) step_advance(r);
 }
 
 static long broken(struct run *r) {
-    solid_count_bonds(r->solid);
+    solid_family_count(r->solid);
     return r->solid->bonds_broken;
 }
 
@@ -204,34 +204,34 @@ struct course {
 static void go(const struct course *q) {
     struct scene *scene = scene_of(q->scene, "", q->settings, q->set);
     struct run *r = run_new(scene);
-    run_stage_begin(r);
+    step_begin_stage(r);
     steps(r, q->before);
-    struct checkpoint_guard *g = checkpoint_guard_new(r), *other = checkpoint_guard_new(r);
+    struct guard *g = guard_new(r), *other = guard_new(r);
     const long start = r->solid ? broken(r) : 0;
-    checkpoint_guard_keep(g, r);
+    guard_keep(g, r);
     const long from = r->step;
     steps(r, q->after / 2);
-    checkpoint_guard_keep(other, r);
+    guard_keep(other, r);
     steps(r, q->after - q->after / 2);
     struct snapshot first = snapshot_of(r);
     if (q->breaks) assert_true(broken(r) > start);
     if (q->meets) assert_non_null(r->solid->contact);
-    if (q->meets) assert_true(solid_contact_energy(r->solid) > 0);
+    if (q->meets) assert_true(solid_contact_force_energy(r->solid) > 0);
     steps(r, q->after);
     for (int round = 0; round < 4; round++) {
         if (round == 2) spoil(r);
-        assert_int_equal(checkpoint_guard_restore(g, r), from);
+        assert_int_equal(guard_restore(g, r), from);
         if (round == 3) steps(r, q->after / 2);
-        if (round == 3) checkpoint_guard_keep(other, r);
+        if (round == 3) guard_keep(other, r);
         if (round == 3) steps(r, q->after);
-        if (round == 3) checkpoint_guard_restore(other, r);
+        if (round == 3) guard_restore(other, r);
         steps(r, round == 3 ? q->after - q->after / 2 : q->after);
         struct snapshot again = snapshot_of(r);
         assert_same(&first, &again);
         free(again.value);
     }
-    checkpoint_guard_free(other);
-    checkpoint_guard_free(g);
+    guard_free(other);
+    guard_free(g);
     free(first.value);
     run_free(r);
     scene_free(scene);
@@ -297,30 +297,30 @@ static void test_refined(void **state) {
     const char *set[] = {"solid.refinement.from=0"};
     struct scene *scene = scene_of(plate, "", 1, set);
     struct run *r = run_new(scene);
-    run_stage_begin(r);
-    struct checkpoint_guard *g = checkpoint_guard_new(r);
-    assert_int_equal(checkpoint_guard_restore(g, r), -1); /* nothing kept */
-    checkpoint_guard_keep(g, r);
+    step_begin_stage(r);
+    struct guard *g = guard_new(r);
+    assert_int_equal(guard_restore(g, r), -1); /* nothing kept */
+    guard_keep(g, r);
     const long before = solid_refine_events(r->solid);
     while (solid_refine_events(r->solid) == before && r->step < 400) steps(r, 1);
     assert_true(solid_refine_events(r->solid) > before);
-    assert_false(checkpoint_guard_fits(g, r));
-    assert_int_equal(checkpoint_guard_restore(g, r), -1);
-    checkpoint_guard_free(g);
-    g = checkpoint_guard_new(r);
-    checkpoint_guard_keep(g, r);
+    assert_false(guard_fits(g, r));
+    assert_int_equal(guard_restore(g, r), -1);
+    guard_free(g);
+    g = guard_new(r);
+    guard_keep(g, r);
     const long events = solid_refine_events(r->solid);
     const int n = 4 - (int)(r->step % 5); /* up to the next look */
     steps(r, n);
     struct snapshot first = snapshot_of(r);
     assert_int_equal(solid_refine_events(r->solid), events);
-    checkpoint_guard_restore(g, r);
+    guard_restore(g, r);
     steps(r, n);
     struct snapshot again = snapshot_of(r);
     assert_same(&first, &again);
     free(first.value);
     free(again.value);
-    checkpoint_guard_free(g);
+    guard_free(g);
     run_free(r);
     scene_free(scene);
 }

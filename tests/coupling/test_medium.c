@@ -1,7 +1,7 @@
 /* Deposition, porosity and connected porosity, against serial brute force that every rank does for itself. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "coupling/medium.h"
+#include "coupling/medium/medium.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -100,7 +100,7 @@ static void test_volume_is_kept(void **state) {
         for (int h = 0; h < all.n; h++) volume += all.volume[h];
         const double ours = fraction_sum(g, m) * g->d[0] * g->d[1] * g->d[2];
         assert_true(fabs(ours - volume) < 1e-13 * volume);
-        assert_true(fabs(medium_porosity(m) - (1 - volume / (1.3 * 1.2 * 1.5))) < 1e-13 * volume);
+        assert_true(fabs(medium_measure_porosity(m) - (1 - volume / (1.3 * 1.2 * 1.5))) < 1e-13 * volume);
     }
     all.n = 0;
     deposit_shared(m);
@@ -175,14 +175,14 @@ static void test_cavity_lattice(void **state) {
                     fmax(worst, fabs(medium_fraction(m)[fluid_grid_at(g, i, lj, lk)] - solid_at(i, j, k)));
             }
     assert_true(par_max(worst) < 1e-12);
-    assert_true(fabs(medium_porosity(m) - (1 - (double)inside / 4096)) < 1e-13);
-    assert_true(fabs(medium_porosity_effective(m) - medium_porosity(m)) < 1e-12); /* every cavity is open */
+    assert_true(fabs(medium_measure_porosity(m) - (1 - (double)inside / 4096)) < 1e-13);
+    assert_true(fabs(medium_connect_porosity(m) - medium_measure_porosity(m)) < 1e-12); /* every cavity is open */
     medium_free(m);
 
     const double cut_low[3] = {6.5 * d, 0, 0}, cut_high[3] = {10 * d, 16 * d, 16 * d};
     m = medium_new(g, cut_low, cut_high);
     deposit_shared(m);
-    assert_true(fabs(medium_porosity(m) - (1 - 0.5 * (double)narrow / (3.5 * 256))) < 1e-13);
+    assert_true(fabs(medium_measure_porosity(m) - (1 - 0.5 * (double)narrow / (3.5 * 256))) < 1e-13);
     medium_free(m);
     fluid_grid_free(g);
 }
@@ -212,7 +212,7 @@ static struct medium *map_medium(struct fluid_grid *g) {
 }
 
 static void assert_effective(struct medium *m, double cells) {
-    const double ours = medium_porosity_effective(m) * M * M * M;
+    const double ours = medium_connect_porosity(m) * M * M * M;
     if (fabs(ours - cells) > 1e-9) print_error("connected cells: %.12g, expected %.12g\n", ours, cells);
     assert_true(fabs(ours - cells) <= 1e-9);
 }
@@ -229,7 +229,7 @@ static void test_closed_does_not_count(void **state) {
         for (int j = 5; j < 8; j++) map[k][j][5] = map[k][j][6] = 0;
     deposit_map(m);
     assert_effective(m, M);
-    assert_true(fabs(medium_porosity(m) * M * M * M - (M + 16 + 18)) < 1e-9);
+    assert_true(fabs(medium_measure_porosity(m) * M * M * M - (M + 16 + 18)) < 1e-9);
     map[2][2][6] = 1; /* plugged */
     deposit_map(m);
     assert_effective(m, 0);
@@ -377,7 +377,7 @@ static void test_half_full_cells(void **state) {
     particle_add(3.5, 6.5, 6.5, 0.2);
     deposit_shared(m);
     assert_effective(m, 0);
-    assert_true(fabs(medium_porosity(m) * M * M * M - (M - 0.6)) < 1e-9);
+    assert_true(fabs(medium_measure_porosity(m) * M * M * M - (M - 0.6)) < 1e-9);
     medium_free(m);
     fluid_grid_free(g);
 }

@@ -1,6 +1,6 @@
 /* Deposition of one box and flooding of one rank's cells, against hand-made answers. */
 #include "base/par.h"
-#include "coupling/medium_kernels.h"
+#include "coupling/medium/kernels.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -18,7 +18,7 @@ static void test_unit_cube_on_lattice(void **state) {
     (void)state;
     double f[N * N * N] = {0};
     const double low[3] = {1, 2, 0}, high[3] = {2, 3, 1};
-    medium_deposit_box(low, high, first, last, N, N * N, f);
+    medium_kernels_deposit(low, high, first, last, N, N * N, f);
     for (int k = 0; k < N; k++)
         for (int j = 0; j < N; j++)
             for (int i = 0; i < N; i++) assert_true(at(f, i, j, k) == (i == 1 && j == 2 && k == 0));
@@ -29,7 +29,7 @@ static void test_offset_cube(void **state) {
     (void)state;
     double f[N * N * N] = {0};
     const double low[3] = {1.25, 0.5, 3}, high[3] = {2.25, 1.5, 4};
-    medium_deposit_box(low, high, first, last, N, N * N, f);
+    medium_kernels_deposit(low, high, first, last, N, N * N, f);
     assert_true(at(f, 1, 0, 3) == 0.375 && at(f, 2, 0, 3) == 0.125);
     assert_true(at(f, 1, 1, 3) == 0.375 && at(f, 2, 1, 3) == 0.125);
     double sum = 0;
@@ -42,7 +42,7 @@ static void test_wide_box(void **state) {
     (void)state;
     double f[N * N * N] = {0};
     const double low[3] = {0.5, 0, 1}, high[3] = {3.5, 1, 2};
-    medium_deposit_box(low, high, first, last, N, N * N, f);
+    medium_kernels_deposit(low, high, first, last, N, N * N, f);
     assert_true(at(f, 0, 0, 1) == 0.5 && at(f, 1, 0, 1) == 1 && at(f, 2, 0, 1) == 1 && at(f, 3, 0, 1) == 0.5);
 }
 
@@ -50,7 +50,7 @@ static void test_outside_is_dropped(void **state) {
     (void)state;
     double f[N * N * N] = {0};
     const double low[3] = {-0.75, 3.5, 1}, high[3] = {0.25, 4.5, 2};
-    medium_deposit_box(low, high, first, last, N, N * N, f);
+    medium_kernels_deposit(low, high, first, last, N, N * N, f);
     double sum = 0;
     for (int n = 0; n < N * N * N; n++) sum += f[n];
     assert_true(sum == 0.125 && at(f, 0, 3, 1) == 0.125);
@@ -68,8 +68,8 @@ static void test_sums(void **state) {
     v[o - row] = 4, v[o] = 4;             /* 4 in the first */
     const double wx[2] = {0.5, 1}, one[1] = {1};
     const double *const weight[3] = {wx, one, one};
-    assert_true(medium_sum_solid(m, row, plane, weight, f + o) == 0.75);
-    const struct medium_sums s = medium_sum_flow(m, row, plane, weight, f + o, u + o, v + o, w + o);
+    assert_true(medium_kernels_sum_solid(m, row, plane, weight, f + o) == 0.75);
+    const struct medium_sums s = medium_kernels_sum_flow(m, row, plane, weight, f + o, u + o, v + o, w + o);
     assert_true(s.u == 0.5 * 3 + 5);
     assert_true(s.pore_u == 0.5 * 3);
     assert_true(s.pore_speed == 0.5 * 5);
@@ -92,7 +92,7 @@ static void test_flood(void **state) {
             if (map[j][i] != '#') cell[a] = MEDIUM_PORE;
             if (map[j][i] == 'S') cell[a] = MEDIUM_FRONT, stack[n++] = a;
         }
-    assert_int_equal(medium_flood(m, MEDIUM_FRONT, n, stack, cell), 6);
+    assert_int_equal(medium_kernels_flood(m, MEDIUM_FRONT, n, stack, cell), 6);
     for (int j = 0; j < 3; j++)
         for (int i = 0; i < 4; i++) {
             const uint8_t c = cell[(row * 5) + (j + 1) * row + i + 1];
@@ -103,7 +103,7 @@ static void test_flood(void **state) {
     /* the second level goes only where the first has been */
     stack[0] = (row * 5) + 3 * row + 3;
     cell[stack[0]] = MEDIUM_BOTH;
-    assert_int_equal(medium_flood(m, MEDIUM_BOTH, 1, stack, cell), 6);
+    assert_int_equal(medium_kernels_flood(m, MEDIUM_BOTH, 1, stack, cell), 6);
     assert_int_equal(cell[(row * 5) + row + 4], MEDIUM_PORE);
 }
 

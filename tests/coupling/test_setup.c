@@ -1,6 +1,6 @@
 /* A plate's scene as the solid's input, point files, and the plates that bound no body. */
 #include "base/par.h"
-#include "coupling/setup.h"
+#include "coupling/setup/setup.h"
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define SCENES FRANA_SOURCE_DIR "/tests/base/scenes/"
+#define SCENES FRANA_SOURCE_DIR "/tests/scene/scenes/"
 
 static void test_a_plate(void **state) {
     (void)state;

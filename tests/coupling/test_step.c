@@ -23,10 +23,10 @@ static void test_moves_with_flow(void **state) {
     struct run *r = run_new(scene);
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) r->solid->v[c][h] = velocity[c];
-    run_stage_begin(r);
+    step_begin_stage(r);
     for (int c = 0; c < 3 && r->v_last[0]; c++)
         for (int h = 0; h < r->solid->n; h++) r->v_last[c][h] = velocity[c];
-    while (r->stage_step < scene->stage[0].steps) run_step(r);
+    while (r->stage_step < scene->stage[0].steps) step_advance(r);
     double error = 0, load = 0;
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) {
@@ -38,7 +38,7 @@ static void test_moves_with_flow(void **state) {
     /* against rho U2/dx */
     assert_true(par_max(load) < 1e-8 * 1000 * 0.01 / 0.01);
     double force[3];
-    ibm_force_total(r->ibm, force);
+    ibm_forcing_total(r->ibm, force);
     for (int c = 0; c < 3; c++) assert_true(fabs(force[c]) < 1e-8 * 1000 * 0.01 * 0.08 * 0.08);
     assert_int_equal(r->solid->bonds_broken, 0);
     run_free(r);
@@ -49,7 +49,7 @@ static void test_parts(void **state) {
     (void)state;
     struct scene *scene = scene_of(box, rigid, 0, NULL);
     struct run *r = run_new(scene);
-    run_stage_begin(r);
+    step_begin_stage(r);
     assert_true(SCENE_RETRACTION == IBM_RETRACTION); /* a scene's default is the value that was measured */
     assert_int_equal(r->parts, 1);
     assert_string_equal(r->part_name[0], "fluid with forcing");
@@ -59,7 +59,7 @@ static void test_parts(void **state) {
     scene_free(scene);
     scene = scene_of(box, drift, 0, NULL);
     r = run_new(scene);
-    run_stage_begin(r);
+    step_begin_stage(r);
     assert_int_equal(r->parts, 7);
     /* the least number of substeps within the safety */
     const double safety = scene->stage[0].safety;
@@ -74,8 +74,8 @@ static double displacement_after(const char *substeps) {
     const char *set[] = {substeps, "stages.drift.steps=4", "stages.drift.damping_relative=6.0e10"};
     struct scene *scene = scene_of(box, drift, 3, set);
     struct run *r = run_new(scene);
-    run_stage_begin(r);
-    while (r->stage_step < 4) run_step(r);
+    step_begin_stage(r);
+    while (r->stage_step < 4) step_advance(r);
     double sum = 0;
     for (int h = 0; h < r->solid->n; h++) sum += r->solid->d[0][h];
     sum = par_sum(sum) / (double)r->solid->n_global;
@@ -105,12 +105,12 @@ static void test_set_free(void **state) {
     assert_int_equal(r->solid->n_global, 1);
     assert_int_equal(r->surface->set_free, 1);
     for (int h = 0; h < r->solid->n; h++) r->solid->v[0][h] = start;
-    run_stage_begin(r);
+    step_begin_stage(r);
     for (int n = 0; n < 10; n++) {
         const double before = velocity;
-        run_step(r);
+        step_advance(r);
         velocity = par_sum(r->solid->n ? r->solid->v[0][0] : 0);
-        fluid_momentum(r->fluid, momentum);
+        fluid_measures_momentum(r->fluid, momentum);
         assert_true(fabs(momentum[0] + mass * (velocity - start)) < 1e-12 * mass * start);
         if (n == 0) { /* the forcing's later passes see less of a difference: at most a tenth of it here */
             const double rate = (before - velocity) / r->dt / start,

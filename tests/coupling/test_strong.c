@@ -18,8 +18,8 @@ static const char *const text = BALL_IN_A_BOX("500") "coupling: {scheme: strong,
 static struct strong_count ball_after(int n, const char *const *set, double mean[3], double *shake) {
     struct scene *scene = scene_of(text, "", n, set);
     struct run *r = run_new(scene);
-    run_stage_begin(r);
-    while (r->stage_step < scene->stage[0].steps) run_step(r);
+    step_begin_stage(r);
+    while (r->stage_step < scene->stage[0].steps) step_advance(r);
     const struct strong_count count = r->strong ? strong_count_of(r->strong) : (struct strong_count){0};
     *shake = 0;
     for (int c = 0; c < 3; c++) {
@@ -67,10 +67,10 @@ static void test_with_the_flow(void **state) {
     const double velocity[3] = {0.1, 0.05, -0.02};
     struct scene *scene = scene_of(text, "", 0, NULL);
     struct run *r = run_new(scene);
-    run_stage_begin(r);
+    step_begin_stage(r);
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < r->solid->n; h++) r->solid->v[c][h] = r->v_last[c][h] = velocity[c];
-    while (r->stage_step < scene->stage[0].steps) run_step(r);
+    while (r->stage_step < scene->stage[0].steps) step_advance(r);
     double error = 0;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < r->solid->n; h++)

@@ -44,7 +44,7 @@ static void poiseuille_by_gradient(void **state) {
             in.driving.type = FLUID_DRIVING_GRADIENT;
             in.driving.value = 3;
             struct fluid *f = fluid_new(&in);
-            const double dt = 0.9 * fluid_stable_step(f).viscous;
+            const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
             for (double t = 0; t * 0.5 < 2.8; t += dt) fluid_step(f, dt);
             assert_below(off_parabola(f, stream, across, 3), 1e-10);
             fluid_free(f);
@@ -66,7 +66,7 @@ static void start_up(void **state) {
     double t = 0;
     for (int s = 0; s < 6; s++) {
         const double until = time[s] * 0.25 / in.viscosity;
-        const int steps = (int)ceil((until - t) / (0.9 * fluid_stable_step(f).viscous));
+        const int steps = (int)ceil((until - t) / (0.9 * fluid_limits_stable_step(f).viscous));
         for (int i = 0; i < steps; i++) fluid_step(f, (until - t) / steps);
         t = until;
         double line[33] = {0};
@@ -99,19 +99,19 @@ static void inflow_and_outflow(void **state) {
                 in.initial_poiseuille = !uniform;
                 in.initial_velocity[stream] = mean;
                 struct fluid *f = fluid_new(&in);
-                const double dt = 0.9 * fluid_stable_step(f).step, end = uniform ? 6 : 0.2;
+                const double dt = 0.9 * fluid_limits_stable_step(f).step, end = uniform ? 6 : 0.2;
                 for (double t = 0; t < end; t += dt) {
                     fluid_step(f, dt);
-                    if (uniform && t < 10 * dt) assert_below(fluid_divergence_max(f), 1e-12);
+                    if (uniform && t < 10 * dt) assert_below(fluid_measures_divergence_max(f), 1e-12);
                 }
                 /* mean of the discrete parabola: G/(2 mu) (1/6 + dy^2/12 + dy^2/4) */
                 const double dy = 1.0 / n, gradient = 2 * mu * mean / (1.0 / 6 + dy * dy / 3);
                 assert_below(off_parabola(f, stream, across, gradient), uniform ? 1e-9 : 1e-11);
                 double pressure[12];
-                fluid_mean_pressure(f, stream, pressure);
+                fluid_measures_mean_pressure(f, stream, pressure);
                 assert_near((pressure[3] - pressure[9]) / (6 * in.length[stream] / 12), gradient,
                             1e-8 * fabs(gradient));
-                assert_near(fluid_bulk_velocity(f, stream), mean, 1e-12);
+                assert_near(fluid_measures_bulk_velocity(f, stream), mean, 1e-12);
                 fluid_free(f);
             }
 }
@@ -128,12 +128,12 @@ static void between_pressures(void **state) {
             in.side[stream][reverse] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 7};
             in.side[stream][!reverse] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 1};
             struct fluid *f = fluid_new(&in);
-            const double dt = 0.5 * fluid_stable_step(f).viscous;
+            const double dt = 0.5 * fluid_limits_stable_step(f).viscous;
             for (double t = 0; t * 0.5 < 2.8; t += dt) fluid_step(f, dt);
             assert_below(off_parabola(f, stream, across, reverse ? -2 : 2), 1e-10);
-            assert_below(fluid_divergence_max(f), 1e-11);
+            assert_below(fluid_measures_divergence_max(f), 1e-11);
             double pressure[6];
-            fluid_mean_pressure(f, stream, pressure);
+            fluid_measures_mean_pressure(f, stream, pressure);
             assert_near(pressure[0], reverse ? 1.5 : 6.5, 1e-9);
             fluid_free(f);
         }
@@ -153,7 +153,7 @@ static void couette(void **state) {
                 .condition = {FLUID_NEUMANN, FLUID_DIRICHLET, FLUID_NEUMANN, FLUID_NEUMANN}};
         struct fluid *f = fluid_new(&in);
         const struct fluid_grid *g = fluid_grid_of(f);
-        const double dt = 0.9 * fluid_stable_step(f).viscous;
+        const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
         for (double t = 0; t * 0.5 < (general ? 11 : 2.8); t += dt) fluid_step(f, dt);
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++) {
@@ -176,9 +176,9 @@ static double duct(int stream, int cells) {
     in.initial_poiseuille = 1;
     in.initial_velocity[stream] = 0.035;
     struct fluid *f = fluid_new(&in);
-    const double dt = 0.9 * fluid_stable_step(f).viscous;
+    const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
     for (double t = 0; t < 1.5; t += dt) fluid_step(f, dt);
-    const double rate = fluid_bulk_velocity(f, stream);
+    const double rate = fluid_measures_bulk_velocity(f, stream);
     fluid_free(f);
     return rate;
 }
@@ -220,10 +220,10 @@ static void bulk_velocity_is_held(void **state) {
     in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 2, 0.8};
     in.initial_velocity[2] = 0.2;
     struct fluid *f = fluid_new(&in);
-    const double dt = 0.9 * fluid_stable_step(f).viscous;
+    const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
     for (int i = 0; i * dt * 0.5 < 2.8; i++) {
         fluid_step(f, dt);
-        if (i < 20) assert_near(fluid_bulk_velocity(f, 2), 0.8, 1e-14);
+        if (i < 20) assert_near(fluid_measures_bulk_velocity(f, 2), 0.8, 1e-14);
     }
     const double dy = 1.0 / 8, gradient = 2 * 0.8 / (1.0 / 6 + dy * dy / 3);
     assert_near(fluid_state_of(f)->driving, gradient, 1e-8 * gradient);
@@ -242,7 +242,7 @@ static void oscillating_gradient(void **state) {
     struct fluid *f = fluid_new(&in);
     for (int s = 1; s <= 20; s++) {
         fluid_step(f, dt);
-        assert_near(fluid_bulk_velocity(f, 0), 3 / in.density / w * sin(w * s * dt), 1e-14);
+        assert_near(fluid_measures_bulk_velocity(f, 0), 3 / in.density / w * sin(w * s * dt), 1e-14);
     }
     fluid_free(f);
 }

@@ -1,7 +1,7 @@
 /* Columns cut over ranks against LAPACK, for every pair of ends, also where r^k vanishes, where the
  * system is nearly singular, and where it is singular. */
 #include "base/par_pencil.h"
-#include "fluid/column.h"
+#include "fluid/poisson/column.h"
 #include "fluid_case.h"
 
 #include <lapacke.h>

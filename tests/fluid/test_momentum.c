@@ -38,8 +38,8 @@ static void box_force_changes_the_momentum(void **state) {
             double force[2][3], momentum[2][3];
             for (int i = 0; i < 30 << r; i++) fluid_step(f, dt);
             for (int i = 0; i < 2; i++) {
-                fluid_box_force(f, force[i]);
-                fluid_momentum(f, momentum[i]);
+                fluid_measures_box_force(f, force[i]);
+                fluid_measures_momentum(f, momentum[i]);
                 if (i == 0) fluid_step(f, dt);
             }
             for (int c = 0; c < 3; c++) {
@@ -62,9 +62,9 @@ static void box_force_vanishes_when_steady(void **state) {
         in.viscosity = 0.1;
         struct fluid *f = fluid_new(&in);
         double force[3];
-        const double dt = 0.8 * fluid_stable_step(f).step;
+        const double dt = 0.8 * fluid_limits_stable_step(f).step;
         for (double t = 0; t < 25; t += dt) fluid_step(f, dt);
-        fluid_box_force(f, force);
+        fluid_measures_box_force(f, force);
         for (int c = 0; c < 3; c++) assert_near(force[c], 0, 1e-10);
         fluid_free(f);
     }
@@ -80,11 +80,11 @@ static void limits(void **state) {
     for (int d = 0; d < 3; d++) all_sides(&in, d, FLUID_PERIODIC);
     for (int d = 0; d < 3; d++) in.n[d] /= 4;
     struct fluid *f = fluid_new(&in);
-    const struct fluid_limits l = fluid_stable_step(f);
+    const struct fluid_limits l = fluid_limits_stable_step(f);
     const double cell = 0.2 / 32;
     assert_near(l.viscous, 1.65 * cell * cell / (12 * 1e-3), 1e-15);
     assert_near(l.convective, sqrt(3) * cell / 0.1, 1e-12);
-    assert_near(fluid_cfl(f, l.convective), sqrt(3), 1e-12);
+    assert_near(fluid_limits_cfl(f, l.convective), sqrt(3), 1e-12);
     assert_near(l.step, fmin(l.viscous, l.convective), 0);
     fluid_free(f);
 }
@@ -96,13 +96,13 @@ static void check_finds_a_nan(void **state) {
     struct fluid *f = fluid_new(&in);
     const struct fluid_grid *g = fluid_grid_of(f);
     fluid_step(f, 1e-3);
-    assert_false(fluid_check(f).failed);
+    assert_false(fluid_limits_check(f).failed);
     for (int c = 0; c < 4; c++)
         for (int huge = 0; huge < 2; huge++) {
             if (c == 3 && huge) continue;
             double *q = component(f, c) + fluid_grid_at(g, 5, 1, 1), keep = *q;
             if (par_rank() == par_size() - 1) *q = huge ? 1e9 : NAN;
-            struct step_status s = fluid_check(f);
+            struct step_status s = fluid_limits_check(f);
             assert_int_equal(s.failed, par_rank() == par_size() - 1);
             assert_true(step_status_agree(&s));
             assert_int_equal(s.rank, par_size() - 1);

@@ -85,7 +85,7 @@ static void vortex_leaves(void **state) {
             for (int i = 0; i < 180; i++) {
                 fluid_step(f, 0.01);
                 if (i % 20 == 0) assert_below(imbalance(f), 1e-14);
-                if (i % 20 == 0) assert_below(fluid_divergence_max(f), 1e-11);
+                if (i % 20 == 0) assert_below(fluid_measures_divergence_max(f), 1e-11);
                 if (i == 60) at_exit = disturbance(f, d, mean);
             }
             assert_true(before > 0.05 && at_exit > 0.6 * before); /* it is still there shortly before */
@@ -110,9 +110,9 @@ static void all_directions_alike(void **state) {
             struct fluid *f = fluid_new(&in);
             for (int i = 0; i < 40; i++) fluid_step(f, 0.02);
             double pressure[64], force[3], seen[5];
-            fluid_mean_pressure(f, d, pressure);
-            fluid_box_force(f, force);
-            seen[0] = fluid_kinetic_energy(f);
+            fluid_measures_mean_pressure(f, d, pressure);
+            fluid_measures_box_force(f, force);
+            seen[0] = fluid_measures_kinetic_energy(f);
             seen[1] = fabs(force[d]);
             seen[2] = force[across];
             seen[3] = force[span];

@@ -93,7 +93,7 @@ static void same_on_any_number_of_ranks(void **state) {
                 if (!(worst < 1e-12 * most)) fail_msg("scene %d, component %d: %g of %g", w, c, worst, most);
             }
         }
-        assert_below(fluid_divergence_max(f[w]), 1e-11);
+        assert_below(fluid_measures_divergence_max(f[w]), 1e-11);
     }
     fclose(file);
     for (int w = 0; w < CASES; w++) fluid_free(f[w]);

@@ -37,7 +37,7 @@ static double error(int n, double nu, double dt, int steps, int a, int b, const 
                             *q = value;
                     }
         if (pass) {
-            *divergence = fluid_divergence_max(f) * h;
+            *divergence = fluid_measures_divergence_max(f) * h;
             fluid_free(f);
             return par_max(worst);
         }

@@ -1,6 +1,6 @@
 /* Wisdom kept in a cache folder: written after planning, read before it, on all ranks; without a folder nothing happens. */
-#include "fluid/transform.h"
-#include "fluid/wisdom.h"
+#include "fluid/poisson/transform.h"
+#include "fluid/poisson/wisdom.h"
 #include "fluid_case.h"
 
 #include <fftw3.h>

@@ -12,7 +12,7 @@
 
 _Noreturn void __wrap_die(enum exit_code code, const char *format, ...);
 _Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...);
-_Noreturn void __wrap_error_bug(const char *file, int line, const char *cond, const char *format, ...);
+_Noreturn void __wrap_ensure_failed(const char *file, int line, const char *cond, const char *format, ...);
 
 static jmp_buf *back;
 static char sentence[4096]; /* of the last refusal */
@@ -36,7 +36,7 @@ void __wrap_die_all(enum exit_code code, const char *format, ...) {
     leave(code, format, args);
 }
 
-void __wrap_error_bug(const char *file, int line, const char *cond, const char *format, ...) {
+void __wrap_ensure_failed(const char *file, int line, const char *cond, const char *format, ...) {
     va_list args;
     va_start(args, format);
     fprintf(stderr, "bug at %s:%d: %s: ", file, line, cond);

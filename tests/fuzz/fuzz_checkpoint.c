@@ -1,9 +1,9 @@
 /* A checkpoint that is not as it was written. The first byte chooses a scene and how the others are meant: as the file itself,
  * as the place where a good file ends, or as bits turned over in it, three bytes of place and one of bits each. Every change
  * must be told, and what is unchanged must be read. */
-#include "base/folder.h"
-#include "base/scene_read.h"
-#include "coupling/checkpoint.h"
+#include "files/folder.h"
+#include "scene/read.h"
+#include "program/checkpoint.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <stdio.h>
@@ -54,8 +54,8 @@ static void write_one(struct written *w, const char *scene, const char *folder) 
     w->scene = scene_read("scene.yaml", scene, strlen(scene), 0, NULL, 0, &problems);
     fuzz_expect(w->scene != NULL, problems.n ? problems.text[0] : "");
     w->run = run_new(w->scene);
-    run_stage_begin(w->run);
-    for (int k = 0; k < 2; k++) run_step(w->run);
+    step_begin_stage(w->run);
+    for (int k = 0; k < 2; k++) step_advance(w->run);
     checkpoint_write(w->run, folder);
     keep_file(w, folder_path(path, folder, "checkpoint/step_00000002.h5"));
     folder_clear(folder);

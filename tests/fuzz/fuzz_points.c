@@ -1,6 +1,6 @@
 /* A point file, of a plate and of a body in space. */
-#include "base/scene.h"
-#include "coupling/setup_parts.h"
+#include "scene/scene.h"
+#include "coupling/setup/parts.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* A scene's text, and after a byte 1 the values that are set in it (--set), each ended by a byte 1. What is accepted must be
  * accepted again as it was resolved: that is what the other ranks and a resumed run read. */
-#include "base/scene_read.h"
+#include "scene/read.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 enum { SETS = 8 };
 
-static const char path[] = FRANA_SOURCE_DIR "/tests/base/scenes/scene.yaml"; /* files it names are there */
+static const char path[] = FRANA_SOURCE_DIR "/tests/scene/scenes/scene.yaml"; /* files it names are there */
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
     char *text = malloc(bytes + 1), *set[SETS] = {0};
@@ -27,13 +27,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
     struct scene_problems problems = {0};
     struct scene *s = scene_read(path, text, length, n, (const char *const *)set, 1, &problems);
     fuzz_expect((s == NULL) == (problems.n > 0), "refused without a sentence, or accepted with one");
-    scene_problems_free(&problems);
+    scene_problem_free(&problems);
     if (s) {
         problems = (struct scene_problems){0};
         struct scene *again = scene_read(path, s->resolved, strlen(s->resolved), 0, NULL, 0, &problems);
         fuzz_expect(again != NULL, problems.n ? problems.text[0] : "the resolved scene is refused");
         fuzz_expect(!strcmp(again->resolved, s->resolved), "the resolved scene is resolved to another");
-        scene_problems_free(&problems);
+        scene_problem_free(&problems);
         scene_free(again);
     }
     scene_free(s);

@@ -1,5 +1,5 @@
 /* A study's text. */
-#include "study/file.h"
+#include "study/file/file.h"
 #include "tests/fuzz/fuzz.h"
 
 static const char path[] = FRANA_SOURCE_DIR "/cases/bar/study.yaml"; /* scene.yaml is there */
@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
         fuzz_expect(s->methods.n > 0 && s->levels.n > 0 && s->quantities > 0, "an empty study is accepted");
         fuzz_expect(s->ranks > 0 && s->repeats > 0, "a study of nothing is accepted");
     }
-    scene_problems_free(&problems);
+    scene_problem_free(&problems);
     study_file_free(s);
     return 0;
 }

@@ -41,7 +41,7 @@ static void forced_stages(struct run *r) {
     static const char *const stage_name[3] = {"force, stage 1", "force, stage 2", "force, stage 3"};
     for (int k = 0; k < 3; k++) {
         fluid_predict(r->fluid, k, r->dt);
-        TIME(stage_name[k], ibm_force(r->ibm, k, r->dt));
+        TIME(stage_name[k], ibm_forcing_stage(r->ibm, k, r->dt));
         fluid_project(r->fluid, k, r->dt);
     }
 }
@@ -53,23 +53,23 @@ static void iteration(struct run *r) {
     struct ibm_tally t = {.squares = 0};
     TIME("  read inner", ibm_sweep_gather(b, u, 0, b->inner, IBM_LOOK, &t));
     TIME("  read inner again", ibm_sweep_gather(b, u, 0, b->inner, IBM_LOOK, &t));
-    TIME("  read edges", ibm_edges_sum(b, u, 0, b->pieces));
-    TIME("  share sums", ibm_edges_share(b));
-    ibm_edges_finish(b, 0, b->edges, IBM_LOOK, &t);
+    TIME("  read edges", ibm_edge_sum(b, u, 0, b->pieces));
+    TIME("  share sums", ibm_share_sums(b));
+    ibm_edge_finish(b, 0, b->edges, IBM_LOOK, &t);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) b->increment[h][c] *= 1e-9;
     TIME("  write inner", ibm_sweep_scatter(b, u, 0, b->inner));
     TIME("  write inner again", ibm_sweep_scatter(b, u, 0, b->inner));
-    TIME("  write edges", ibm_edges_scatter(b, u, 0, b->pieces));
+    TIME("  write edges", ibm_edge_scatter(b, u, 0, b->pieces));
 }
 
 static void step(struct run *r) {
     const struct run_markers *m = &r->markers;
     parts = 0;
     shake(r->solid, repeat);
-    TIME("markers, coupling", run_markers_update(r));
+    TIME("markers, coupling", interface_markers_update(r));
     TIME("markers, weights",
-         ibm_markers(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume));
+         ibm_markers_set(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume));
     forced_stages(r);
     TIME("state refresh, whole", fluid_state_refresh(r->fluid));
     const struct ibm_probe_input in = {.n = m->probes,
@@ -77,11 +77,11 @@ static void step(struct run *r) {
                                        .normal = {m->normal[0], m->normal[1], m->normal[2]},
                                        .length = r->scene->coupling->probe_length};
     TIME("refresh and probe", ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active));
-    TIME("the same, and loads", run_probe(r));
+    TIME("the same, and loads", interface_probe(r));
     iteration(r);
     TIME("layout", ibm_layout(r->ibm));
     shake(r->solid, repeat + 1); /* weights of a fresh layout */
-    run_markers_update(r);
+    interface_markers_update(r);
 }
 
 int main(int argc, char **argv) {
@@ -90,7 +90,7 @@ int main(int argc, char **argv) {
     struct scene *scene = scene_new(argv[1], 0, NULL);
     struct run *r = run_new(scene);
     r->stage = argc > 2 ? atoi(argv[2]) : scene->stages - 1;
-    run_stage_begin(r);
+    step_begin_stage(r);
     for (repeat = 0; repeat < REPEATS; repeat++) step(r);
     const struct ibm *b = r->ibm;
     for (int rank = 0; rank < par_size(); rank++) {

@@ -107,5 +107,5 @@ static inline struct body body_sphere_even(const double centre[3], double radius
 }
 
 static inline void body_send(struct ibm *ibm, const struct body *b) {
-    ibm_markers(ibm, b->n, (const double *const *)b->x, (const double *const *)b->v, b->volume);
+    ibm_markers_set(ibm, b->n, (const double *const *)b->x, (const double *const *)b->v, b->volume);
 }

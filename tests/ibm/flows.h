@@ -32,18 +32,18 @@ static inline struct flow_result flow_march(struct fluid *f, const struct body *
         body_send(b, body);
         for (int r = 0; r < 3; r++) {
             fluid_predict(f, r, dt);
-            ibm_force(b, r, dt);
+            ibm_forcing_stage(b, r, dt);
             fluid_project(f, r, dt);
         }
         result.steps = step;
         if (step % every) continue;
-        ibm_force_total(b, force);
+        ibm_forcing_total(b, force);
         result.drag = -force[0];
         if (fabs(force[0] - last) < tolerance * fabs(force[0])) break;
         last = force[0];
     }
     result.seconds = par_seconds() - start;
-    result.slip = ibm_slip(b) / result.velocity;
+    result.slip = ibm_forcing_slip(b) / result.velocity;
     ibm_free(b);
     return result;
 }
@@ -149,7 +149,7 @@ static inline double walls_shift(double offset, double area, int iterations, dou
         body_send(b, &body);
         for (int r = 0; r < 3; r++) {
             fluid_predict(f, r, dt);
-            ibm_force(b, r, dt);
+            ibm_forcing_stage(b, r, dt);
             fluid_project(f, r, dt);
         }
     }

@@ -127,21 +127,21 @@ static struct couette turn(int cells, int iterations, double time) {
         body_send(ibm, &body);
         for (int r = 0; r < 3; r++) {
             fluid_predict(f, r, dt);
-            ibm_force(ibm, r, dt);
+            ibm_forcing_stage(ibm, r, dt);
             fluid_project(f, r, dt);
             if (r == 1) seam += 0.75 * across_seam(f);
         }
     }
     double *force[3];
     for (int d = 0; d < 3; d++) force[d] = calloc((size_t)body.n, sizeof(double));
-    ibm_force_by_marker(ibm, dt, force);
+    ibm_forcing_by_marker(ibm, dt, force);
     for (int i = 0; i < body.n; i++)
         c.torque[i >= body.n - (int)lrint(2 * 2 * M_PI * RADIUS / dx) * DEPTH] +=
             ((body.x[0][i] - centre()) * force[1][i] - (body.x[1][i] - centre()) * force[0][i]) /
             (DEPTH * dx) / unit;
     c.rate = (angular(f, &c.error) - before) / dt / unit;
     c.seam = seam / unit;
-    c.slip = ibm_slip(ibm) / (OMEGA * RADIUS);
+    c.slip = ibm_forcing_slip(ibm) / (OMEGA * RADIUS);
     for (int d = 0; d < 3; d++) free(force[d]);
     body_free(&body);
     ibm_free(ibm);

@@ -140,7 +140,7 @@ static void forcing_is_the_plain_sum(void **state) {
         }
         set_predicted(f);
         body_send(b, &mine);
-        ibm_force(b, turn % 3, 0.01);
+        ibm_forcing_stage(b, turn % 3, 0.01);
         for (int c = 0; c < 3; c++)
             for (int k = 0; k < NZ; k++)
                 for (int j = 0; j < NY; j++)
@@ -183,7 +183,7 @@ static void spreading_is_adjoint(void **state) {
     /* onto a fluid at rest one iteration leaves S V */
     for (int c = 0; c < 3; c++) memset(fluid_predicted(f)[c], 0, g->size * sizeof(double));
     body_send(b, &mine);
-    ibm_force(b, 0, 1);
+    ibm_forcing_stage(b, 0, 1);
     double grid = 0, *spread[3], *force[3];
     for (int c = 0; c < 3; c++) {
         force[c] = calloc(MARKERS, sizeof(double));
@@ -202,8 +202,8 @@ static void spreading_is_adjoint(void **state) {
     double markers = 0;
     const double unit = fluid_input_of(f)->density * dx * dx * dx;
     body_send(b, &still);
-    ibm_force(b, 0, 1);
-    ibm_force_by_marker(b, 1, force);
+    ibm_forcing_stage(b, 0, 1);
+    ibm_forcing_by_marker(b, 1, force);
     for (int h = 0; h < mine.n; h++)
         for (int c = 0; c < 3; c++) markers -= mine.v[c][h] * force[c][h] / unit;
     grid = par_sum(grid);
@@ -225,7 +225,7 @@ static void force_and_torque_are_kept(void **state) {
     struct body mine = cloud(0.2, 0.8, 0, 0);
     for (int c = 0; c < 3; c++) memset(fluid_predicted(f)[c], 0, fluid_grid_of(f)->size * sizeof(double));
     body_send(b, &mine);
-    ibm_force(b, 0, 1);
+    ibm_forcing_stage(b, 0, 1);
     double force[3] = {0, 0, 0}, torque[3] = {0, 0, 0};
     for (int h = 0; h < mine.n; h++)
         for (int c = 0; c < 3; c++) {
@@ -260,11 +260,11 @@ static void force_total_is_what_the_fluid_received(void **state) {
             set_predicted(f);
             double before[3];
             for (int c = 0; c < 3; c++) before[c] = grid_sum(f, c, -1);
-            ibm_force(b, r, dt);
+            ibm_forcing_stage(b, r, dt);
             /* rho int du dV = gamma_r dt F_r */
             for (int c = 0; c < 3; c++) received[c] += 3 * (grid_sum(f, c, -1) - before[c]) / dt;
         }
-        ibm_force_total(b, total);
+        ibm_forcing_total(b, total);
         for (int c = 0; c < 3; c++) {
             assert_true(fabs(total[c]) > 1e-3);
             close_to(total[c], received[c], 1e-12 * fabs(received[c]) + 1e-13 / dt);
@@ -295,12 +295,12 @@ static void walls_are_left_alone(void **state) {
     for (int c = 0; c < 3; c++) memset(fluid_predicted(f)[c], 0, g->size * sizeof(double));
     double total[3];
     body_send(b, &out);
-    ibm_force(b, 0, 1);
-    ibm_force_total(b, total);
+    ibm_forcing_stage(b, 0, 1);
+    ibm_forcing_total(b, total);
     assert_true(total[0] == 0 && total[1] == 0 && total[2] == 0);
     body_send(b, &near);
-    ibm_force(b, 0, 1);
-    ibm_force_total(b, total);
+    ibm_forcing_stage(b, 0, 1);
+    ibm_forcing_total(b, total);
     assert_true(total[1] > 0.01);
     double on_wall = 0;
     for (int k = 0; k < g->m[2]; k++)
@@ -330,8 +330,8 @@ static void slip_falls_with_iterations(void **state) {
         for (int c = 0; c < 3; c++)
             for (size_t i = 0; i < fluid_grid_of(f)->size; i++) fluid_predicted(f)[c][i] = c == 0;
         body_send(b, &sphere);
-        ibm_force(b, 0, 1);
-        const double slip = ibm_slip(b);
+        ibm_forcing_stage(b, 0, 1);
+        const double slip = ibm_forcing_slip(b);
         if (n == 0) close_to(slip, 1, 1e-14);
         assert_true(slip < last);
         last = slip;

@@ -16,11 +16,11 @@ static void march(struct fluid *f, struct ibm *b, double dt) {
     for (int r = 0; r < 3; r++) {
         fluid_predict(f, r, dt);
         if (fluid_input_of(f)->implicit) {
-            ibm_force_again(b, r, dt);
-            fluid_diffuse(f, r, dt);
-            ibm_force_implicit(b, r, dt);
+            ibm_implicit_force_again(b, r, dt);
+            fluid_diffusion_stage(f, r, dt);
+            ibm_implicit_force(b, r, dt);
         } else {
-            ibm_force(b, r, dt);
+            ibm_forcing_stage(b, r, dt);
         }
         fluid_project(f, r, dt);
     }
@@ -52,14 +52,14 @@ static double permeability(int implicit, double dt, int steps) {
     body_send(b, &body);
     double before[3], after[3], force[3];
     for (int s = 0; s < steps; s++) {
-        fluid_momentum(f, before);
+        fluid_measures_momentum(f, before);
         march(f, b, dt);
-        fluid_momentum(f, after);
-        ibm_force_total(b, force);
+        fluid_measures_momentum(f, after);
+        ibm_forcing_total(b, force);
         const double driven = 2e-6 * N * N * N, residual = (after[0] - before[0]) / dt - force[0] - driven;
         assert_true(fabs(residual) < 1e-12 * driven);
     }
-    const double k = in.density * in.viscosity * fluid_bulk_velocity(f, 0) / (2e-6 * N * N);
+    const double k = in.density * in.viscosity * fluid_measures_bulk_velocity(f, 0) / (2e-6 * N * N);
     ibm_free(b);
     fluid_free(f);
     body_free(&body);
@@ -97,9 +97,9 @@ static void markers_share_the_force(void **state) {
     for (int h = 0; h < body.n; h++) body.x[2][h] += 0.5 * N;
     body_send(b, &body);
     march(f, b, 50);
-    ibm_force_total(b, force);
+    ibm_forcing_total(b, force);
     for (int c = 0; c < 3; c++) each[c] = calloc((size_t)body.n + 1, sizeof(double));
-    ibm_force_by_marker(b, 50, each);
+    ibm_forcing_by_marker(b, 50, each);
     for (int c = 0; c < 3; c++) {
         for (int h = 0; h < body.n; h++) sum[c] += each[c][h];
         free(each[c]);
@@ -135,11 +135,11 @@ static void a_moving_body_between_walls(void **state) {
             body_send(b, &body);
             march(f, b, dt);
         }
-        struct step_status status = fluid_check(f);
+        struct step_status status = fluid_limits_check(f);
         assert_false(status.failed);
-        assert_true(fluid_divergence_max(f) < 1e-12 * speed * N);
-        assert_true(fluid_cfl(f, 1) < 20 * speed);
-        if (power > 0) assert_true(ibm_slip(b) < 0.3 * speed);
+        assert_true(fluid_measures_divergence_max(f) < 1e-12 * speed * N);
+        assert_true(fluid_limits_cfl(f, 1) < 20 * speed);
+        if (power > 0) assert_true(ibm_forcing_slip(b) < 0.3 * speed);
         ibm_free(b);
         fluid_free(f);
         body_free(&body);
@@ -167,7 +167,7 @@ static void demand_is_handed_on(void **state) {
     for (int k = 0; k < 2; k++) {
         fluid_state_refresh(f[k]);
         march(f[k], b[k], 20);
-        ibm_force_total(b[k], force[k]);
+        ibm_forcing_total(b[k], force[k]);
     }
     assert_true(fabs(force[1][0] / force[0][0] - 1) < 1e-12);
     for (int k = 0; k < 2; k++) {

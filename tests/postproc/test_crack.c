@@ -1,8 +1,8 @@
 /* Waves, grids, contours and the shapes of cracks that are known beforehand. */
 #include "base/par.h"
-#include "postproc/contour.h"
-#include "postproc/crack_shape.h"
-#include "postproc/waves.h"
+#include "postproc/data/contour.h"
+#include "postproc/data/crack_shape.h"
+#include "postproc/data/waves.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -205,10 +205,10 @@ static void level_of_the_initial_crack(void **state) {
     const struct segment cut = {{0, 0.02}, {0.05, 0.02}};
     struct postproc_grid *g = plate_of(h, 1, &cut);
     struct postproc_tip tip[2];
-    assert_int_equal(postproc_tips(g, 1, &notch, tip), 1); /* the other end is on the edge */
+    assert_int_equal(postproc_crack_shape_tips(g, 1, &notch, tip), 1); /* the other end is on the edge */
     assert_close(tip[0].x[0], 0.05, 1e-15);
     assert_close(tip[0].direction[0], 1, 1e-15);
-    const double level = postproc_level_choose(g, 1, &notch, 3 * h);
+    const double level = postproc_crack_shape_level(g, 1, &notch, 3 * h);
     assert_close(level, 0.98 * 0.42, 1e-9);
     struct postproc_contour *c = postproc_contour_new(g, level);
     assert_int_equal(c->lines, 1); /* open at the plate's edge */
@@ -221,7 +221,7 @@ static void level_of_the_initial_crack(void **state) {
     postproc_contour_free(c);
     postproc_grid_free(g);
     g = plate_of(h, 0, NULL);
-    assert_true(isnan(postproc_level_choose(g, 1, &notch, 3 * h)));
+    assert_true(isnan(postproc_crack_shape_level(g, 1, &notch, 3 * h)));
     postproc_grid_free(g);
 }
 
@@ -244,8 +244,8 @@ static void branches_of_a_fork(void **state) {
         const double h = spacing[k];
         struct segment s[5];
         struct postproc_grid *g = plate_of(h, forked(1, s), s);
-        struct postproc_grid *crack = postproc_connected(g, 0.35, (double[]){0.05, 0.02});
-        const struct postproc_branching b = postproc_branching_of(crack, fmax(10 * h, 5e-3));
+        struct postproc_grid *crack = postproc_crack_shape_connected(g, 0.35, (double[]){0.05, 0.02});
+        const struct postproc_branching b = postproc_crack_branch_of(crack, fmax(10 * h, 5e-3));
         assert_true(b.found);
         /* undamaged nodes part branches once these are some particles apart */
         assert_true(b.place[0] > 0.067 - h && b.place[0] < 0.067 + 6 * h);
@@ -262,8 +262,8 @@ static void branches_of_a_fork(void **state) {
     }
     struct segment s[5]; /* bent: the angle at the end is half of that at first */
     struct postproc_grid *g = plate_of(0.25e-3, forked(0.5, s), s);
-    struct postproc_grid *crack = postproc_connected(g, 0.35, (double[]){0.05, 0.02});
-    const struct postproc_branching b = postproc_branching_of(crack, 5e-3);
+    struct postproc_grid *crack = postproc_crack_shape_connected(g, 0.35, (double[]){0.05, 0.02});
+    const struct postproc_branching b = postproc_crack_branch_of(crack, 5e-3);
     assert_close(b.side[0].first.value, 28, 1);
     assert_close(b.side[0].last.value, 14, 1);
     assert_close(b.side[1].first.value, 12, 1);
@@ -279,12 +279,12 @@ static void no_branches(void **state) {
     const struct segment s[3] = {
         {{0, 0.02}, {0.08, 0.02}}, {{0, 0.03}, {0.08, 0.03}}, {{0.07, 0.005}, {0.09, 0.005}}};
     struct postproc_grid *g = plate_of(h, 3, s);
-    struct postproc_grid *one = postproc_connected(g, 0.35, (double[]){0.05, 0.02});
-    assert_false(postproc_branching_of(one, 5e-3).found);
-    assert_false(postproc_branching_of(g, 5e-3).found); /* all of the plate: no node is without a value */
+    struct postproc_grid *one = postproc_crack_shape_connected(g, 0.35, (double[]){0.05, 0.02});
+    assert_false(postproc_crack_branch_of(one, 5e-3).found);
+    assert_false(postproc_crack_branch_of(g, 5e-3).found); /* all of the plate: no node is without a value */
     for (int i = 0; i < g->n[0] * g->n[1]; i++)
         if (!(g->value[i] > 0.35)) g->value[i] = NAN;
-    assert_false(postproc_branching_of(g, 5e-3).found); /* two cracks, no stem */
+    assert_false(postproc_crack_branch_of(g, 5e-3).found); /* two cracks, no stem */
     postproc_grid_free(one);
     postproc_grid_free(g);
 }
@@ -296,10 +296,10 @@ static void chord_of_a_kinked_crack(void **state) {
     const struct segment s[2] = {{{0, 0.02}, {0.05, 0.02}},
                                  {{0.05, 0.02}, {0.05 + l * cos(a), 0.02 + l * sin(a)}}};
     struct postproc_grid *g = plate_of(h, 2, s);
-    struct postproc_grid *crack = postproc_connected(g, 0.35, (double[]){0.05, 0.02});
+    struct postproc_grid *crack = postproc_crack_shape_connected(g, 0.35, (double[]){0.05, 0.02});
     struct postproc_tip tip[2];
-    assert_int_equal(postproc_tips(g, 1, &notch, tip), 1);
-    const struct postproc_chord c = postproc_chord_of(crack, tip);
+    assert_int_equal(postproc_crack_shape_tips(g, 1, &notch, tip), 1);
+    const struct postproc_chord c = postproc_crack_shape_chord(crack, tip);
     assert_true(c.found);
     assert_close(c.length, l, 2 * h);
     assert_close(c.angle.value, 68, 1.5 * c.angle.error);

@@ -1,5 +1,5 @@
 #include "base/par.h"
-#include "postproc/pdf.h"
+#include "postproc/data/pdf.h"
 
 #include <math.h>
 #include <setjmp.h>

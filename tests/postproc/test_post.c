@@ -1,9 +1,9 @@
 /* frana post as a whole, on run folders made up for it. */
 #include "base/error.h"
 #include "base/par.h"
-#include "postproc/body.h"
+#include "postproc/data/body.h"
 #include "postproc/post.h"
-#include "postproc/profile.h"
+#include "postproc/data/profile.h"
 #include "tests/postproc/make_run.h"
 
 #include <setjmp.h>
@@ -79,7 +79,7 @@ static void whole_run(void **state) {
     const char *cells = getenv("FRANA_TEST_CELLS"); /* 64 to look at the pictures of the main case */
     make_run(&(struct make_run){
         .folder = named("whole"), .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS});
-    assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     for (int k = 0; k < FILES; k++)
         if (size_of(folder, files_of_whole_run[k]) < 100)
             fail_msg("%s is missing or empty", files_of_whole_run[k]);
@@ -135,7 +135,7 @@ static void run_on_its_way(void **state) {
     fputs("165,0.03", f); /* a row that is just being written */
     fclose(f);
     assert_int_equal(unlink(folder_path(path, folder, "run.json")), 0);
-    assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     assert_close(summary(folder, "start of the stage"), make_time(100), 1e-9);
     assert_close(summary(folder, "end of the data"), make_time(160), 1e-9);
     assert_close(summary(folder, "bonds broken"), 0, 0);
@@ -147,7 +147,7 @@ static void run_on_its_way(void **state) {
 static void fluid_alone(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("fluid"), .cells = 16, .stop = 300, .no_solid = 1});
-    assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     assert_true(size_of(folder, "post/plots/pressure_drop.png") > 1000);
     assert_true(size_of(folder, "post/pressure.csv") > 100);
     assert_int_equal(size_of(folder, "post/plots/porosity.png"), -1);
@@ -176,7 +176,7 @@ static void no_gnuplot(void **state) {
     char path[4096];
     snprintf(path, sizeof path, "%s", getenv("PATH"));
     setenv("PATH", "/nowhere", 1);
-    const int code = postproc_run(folder, NULL);
+    const int code = postproc_post(folder, NULL);
     setenv("PATH", path, 1);
     assert_int_equal(code, EXIT_CODE_DONE);
     assert_int_equal(size_of(folder, "post/plots/pressure_drop.png"), -1);
@@ -205,15 +205,15 @@ static void compared(void **state) {
 static void refused(void **state) {
     (void)state;
     char path[FOLDER_PATH];
-    assert_int_equal(postproc_run("/nowhere/at/all", NULL), EXIT_CODE_FILE);
+    assert_int_equal(postproc_post("/nowhere/at/all", NULL), EXIT_CODE_FILE);
     folder_make(named("empty"));
     folder_clear(folder);
-    assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_FILE);
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_FILE);
     assert_int_equal(size_of(folder, "post/report.md"), -1);
     /* a scene, but nothing has run */
     make_run(&(struct make_run){.folder = named("unrun"), .cells = 16, .stop = 0, .no_fields = 1});
     assert_int_equal(unlink(folder_path(path, folder, "series.csv")), 0);
-    assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_FILE);
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_FILE);
     /* series that is no series: a row with a word, then one too short in the middle */
     static const char *const bad[3] = {"#no names\n", "step,t\n#1,s\n1,0.1\n2,word\n",
                                        "step,t\n#1,s\n1\n2,0.2\n"};
@@ -221,13 +221,13 @@ static void refused(void **state) {
         FILE *f = fopen(folder_path(path, folder, "series.csv"), "w");
         fputs(bad[k], f);
         fclose(f);
-        assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_FILE);
+        assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_FILE);
     }
     /* good enough: one row, a value that is not a number */
     FILE *f = fopen(folder_path(path, folder, "series.csv"), "w");
     fputs("step,t,dp\n#1,s,Pa\n1,0.1,nan\n", f);
     fclose(f);
-    assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
 }
 
 /* A field file cut off by a crash is left out with a sentence, and the one before it is taken. */
@@ -236,7 +236,7 @@ static void broken_field(void **state) {
     make_run(&(struct make_run){.folder = named("broken"), .cells = 16, .stop = 300});
     char path[FOLDER_PATH];
     assert_int_equal(truncate(folder_path(path, folder, "fields/solid_00000300.hdf"), 1000), 0);
-    assert_int_equal(postproc_run(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     assert_true(size_of(folder, "post/pictures/damage_back.png") > 1000);
     assert_true(holds(folder, "post/pdf_strain.csv", "before,0.0374"));
     assert_true(holds(folder, "post/pdf_strain.csv", "after,0.0391"));

@@ -2,8 +2,8 @@
  * a few break in every step; and of detection from scratch.  [mpiexec -n N] bench_surface
  * Best and median of the repeats, the slowest rank's. */
 #include "base/par.h"
-#include "solid/family.h"
-#include "solid/surface.h"
+#include "solid/bonds/family.h"
+#include "solid/surface/surface.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -84,7 +84,7 @@ static void measure(const char *name, struct solid *s, struct solid_surface *f, 
         seconds[k] = par_max(par_seconds() - start);
     }
     qsort(seconds, REPEATS, sizeof *seconds, rising);
-    solid_count_bonds(s);
+    solid_family_count(s);
     if (par_rank() == 0)
         printf("%-34s %8.3f %8.3f ms, %6ld of interface, %5.2f %% broken\n", name, 1e3 * seconds[0],
                1e3 * seconds[REPEATS / 2], f->total, 100. * (double)s->bonds_broken / (double)s->bonds_total);

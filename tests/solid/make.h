@@ -1,7 +1,7 @@
 /* Solids for tests: a box of sites in the main case's material. */
 #pragma once
 #include "base/par.h"
-#include "solid/family.h"
+#include "solid/bonds/family.h"
 #include "solid/solid.h"
 
 #include <math.h>
@@ -82,7 +82,7 @@ static inline double step_of(double number) { return number * SPACING / sqrt(YOU
 static inline double energy_of(const struct solid *s, double *kinetic) {
     struct solid_family_view view;
     double sum[2] = {0};
-    const double c0 = solid_micromodulus(s->in.material, s->in.spacing);
+    const double c0 = solid_material_micromodulus(s->in.material, s->in.spacing);
     for (int h = 0; h < s->n; h++) {
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) {

@@ -1,8 +1,8 @@
 /* Plates for tests: a rectangle of cells, or of points moved about, in soda-lime glass with a little of everything. */
 #pragma once
 #include "base/par.h"
-#include "solid/family.h"
-#include "solid/measures.h"
+#include "solid/bonds/family.h"
+#include "solid/measure/measures.h"
 #include "solid/solid.h"
 
 #include <math.h>
@@ -138,7 +138,7 @@ static inline double step_of(double number) { return number * SPACING / sqrt(YOU
 
 /* Kinetic + strain energy, and what went out less what came in; J, whole solid. Collective. */
 static inline double balance_of(struct solid *s, double *size) {
-    const struct solid_energy e = solid_measure_energy(s);
+    const struct solid_energy e = solid_energy_measure(s);
     double sum[4] = {s->e_damped, s->e_fracture, s->work_load, s->e_constraint};
     par_sum_array(sum, 4);
     if (size)

@@ -1,6 +1,6 @@
 /* Plates for the tests of their geometry, and the formulae they are held against. */
 #pragma once
-#include "solid/outline.h"
+#include "solid/geometry/outline.h"
 
 #include <math.h>
 #include <stdlib.h>

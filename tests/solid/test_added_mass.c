@@ -1,6 +1,6 @@
 /* Added mass: one face, two opposite faces, and the energy that goes into it. */
 #include "base/par.h"
-#include "solid/added_mass.h"
+#include "solid/force/added_mass.h"
 #include "solid/solid.h"
 
 #include <math.h>
@@ -56,7 +56,7 @@ static void test_energy(void **state) {
         one->added = &added;
         one->stage.integrator = verlet ? SOLID_VERLET : SOLID_RK3;
         for (int c = 0; c < 3; c++) one->load[c][0] = 2e4 * (c + 1);
-        solid_advance(one, 1e-3, 50);
+        solid_integrate(one, 1e-3, 50);
         double kinetic = 0;
         for (int c = 0; c < 3; c++) kinetic += 0.5 * DENSITY * one->volume[0] * pow(one->v[c][0], 2);
         assert_true(fabs(one->v[0][0] - 0.05 * 2e4 / (DENSITY + density)) < 1e-12);

@@ -4,13 +4,13 @@
 /* Every bond stretched by the same s: below s0 none breaks, above it all do, and they release what they held. */
 static void dilate(struct make m, double of_s0, int expect_broken) {
     struct solid *s = make(m);
-    const double s0 = solid_critical_stretch(s->in.material, SPACING);
+    const double s0 = solid_material_critical_stretch(s->in.material, SPACING);
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) s->d[c][h] = of_s0 * s0 * s->x0[c][h];
     solid_ghosts_update(s);
     const double held = energy_of(s, NULL);
     solid_force(s, 1);
-    solid_count_bonds(s);
+    solid_family_count(s);
     assert_int_equal(s->bonds_broken, expect_broken ? s->bonds_total : 0);
     assert_int_equal(par_sum_long(s->broke), expect_broken ? par_size() : 0);
     if (expect_broken) {
@@ -67,7 +67,7 @@ static void test_symmetric(void **state) {
         for (int tough = 0; tough < 2; tough++) {
             struct solid *s = make(
                 (struct make){.sites = {12, 11, 13}, .list = list, .fracture_energy = tough ? 225. : 0.05});
-            const double s0 = solid_critical_stretch(s->in.material, SPACING);
+            const double s0 = solid_material_critical_stretch(s->in.material, SPACING);
             for (int h = 0; h < s->n; h++)
                 for (int c = 0; c < 3; c++) s->d[c][h] = 6 * s0 * SPACING * noise(s, h, c);
             solid_ghosts_update(s);
@@ -75,7 +75,7 @@ static void test_symmetric(void **state) {
             long directed;
             assert_int_equal(unpaired(s, &directed), 0);
             assert_true(directed > s->bonds_total / 4 && directed < 3 * s->bonds_total / 2);
-            solid_count_bonds(s);
+            solid_family_count(s);
             assert_int_equal(2 * s->bonds_broken, directed);
             solid_free(s);
         }
@@ -86,7 +86,7 @@ static void test_symmetric_at_the_limit(void **state) {
     (void)state;
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {12, 11, 13}, .list = list, .fracture_energy = 0.05});
-        const double s0 = solid_critical_stretch(s->in.material, SPACING);
+        const double s0 = solid_material_critical_stretch(s->in.material, SPACING);
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) s->d[c][h] = s0 * s->x0[c][h] * (1 + 1e-13 * noise(s, h, c)) + 0.1;
         solid_ghosts_update(s);
@@ -135,8 +135,8 @@ static void test_cleave(void **state) {
     for (int list = 0; list < 2; list++) {
         struct make m = {.sites = {14, 8, 8}, .periodic = {0, 1, 1}, .list = list, .fracture_energy = 0.05};
         struct solid *s = make(m), *again = make(m);
-        const double s0 = solid_critical_stretch(s->in.material, SPACING), plane = 7 * SPACING;
-        const double c0 = solid_micromodulus(s->in.material, SPACING);
+        const double s0 = solid_material_critical_stretch(s->in.material, SPACING), plane = 7 * SPACING;
+        const double c0 = solid_material_micromodulus(s->in.material, SPACING);
         double released = 0;
         long crossing = 0;
         for (int h = 0; h < s->n; h++) {
@@ -151,7 +151,7 @@ static void test_cleave(void **state) {
             }
         }
         assert_near(par_sum(released) / (64 * SPACING * SPACING) / 0.05, 1.01313, 1e-4);
-        solid_count_bonds(s);
+        solid_family_count(s);
         assert_int_equal(2 * s->bonds_broken, par_sum_long(crossing));
         uint8_t bits[64];
         assert_int_equal(solid_family_bytes(s), 23);
@@ -159,7 +159,7 @@ static void test_cleave(void **state) {
             solid_family_save(s, h, bits);
             solid_family_load(again, h, bits);
         }
-        solid_count_bonds(again);
+        solid_family_count(again);
         assert_int_equal(again->bonds_broken, s->bonds_broken);
         for (int h = 0; h < s->n; h++) {
             const int near = fabs(s->x0[0][h] - plane) < 3 * SPACING;

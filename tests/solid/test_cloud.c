@@ -1,10 +1,10 @@
 /* Bonds made of what stands at their ends: partial areas, constants of materials, sums over lattices, pairs of different horizons. */
 #include "make.h"
 
-#include "solid/material.h"
-#include "solid/pair.h"
-#include "solid/weight.h"
-#include "solid/weight_plane.h"
+#include "solid/law/material.h"
+#include "solid/law/pair.h"
+#include "solid/law/weight.h"
+#include "solid/law/weight_plane.h"
 
 #include <stdlib.h>
 
@@ -57,14 +57,14 @@ static void test_constants(void **state) {
     };
     for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
         const struct solid_material m = {of[k].young, DENSITY, of[k].energy, of[k].ratio, SOLID_CONSTANT};
-        const struct solid_constants is = solid_constants_of(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
+        const struct solid_constants is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
         assert_near(is.c / of[k].c, 1, of[k].within);
         assert_near(is.s0 / of[k].s0, 1, of[k].within);
     }
     const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-    const struct solid_constants space = solid_constants_of(SOLID_3D, 0, &m, 3 * SPACING);
-    assert_near(space.c / solid_micromodulus(&m, SPACING), 1, 1e-15);
-    assert_near(space.s0 / solid_critical_stretch(&m, SPACING), 1, 1e-15);
+    const struct solid_constants space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
+    assert_near(space.c / solid_material_micromodulus(&m, SPACING), 1, 1e-15);
+    assert_near(space.s0 / solid_material_critical_stretch(&m, SPACING), 1, 1e-15);
 }
 
 struct sums {
@@ -78,7 +78,7 @@ static struct sums sums_of(enum solid_model model, enum solid_partial partial,
                            enum solid_micromodulus_kind kind, double m) {
     const struct solid_material material = {YOUNG, DENSITY, 0.05, m, kind};
     const struct solid_input in = {.model = model, .thickness = 0.7, .spacing = 1, .partial = partial};
-    const struct solid_bond_law law = solid_bond_law_of(&in, &material);
+    const struct solid_bond_law law = solid_pair_law(&in, &material);
     const struct solid_end end = {1, m, 1};
     const int plate = model != SOLID_3D, reach = (int)m + 2;
     const double unit = plate ? 0.7 : 1;
@@ -156,9 +156,9 @@ static void test_pairs(void **state) {
                                  .thickness = 0.1,
                                  .spacing = 1e-3,
                                  .partial = trial & 4 ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT};
-        const struct solid_bond_law dual = solid_bond_law_of(&in, &m);
+        const struct solid_bond_law dual = solid_pair_law(&in, &m);
         in.horizons = SOLID_ONE_SIDED;
-        const struct solid_bond_law single = solid_bond_law_of(&in, &m);
+        const struct solid_bond_law single = solid_pair_law(&in, &m);
         const struct solid_end a = {uniform(0.2, 1), uniform(1, 3.5), uniform(0.1, 1)},
                                b = {uniform(0.2, 1), uniform(1, 3.5), uniform(0.1, 1)};
         const double xi[3] = {uniform(-4, 4), uniform(-4, 4), 0}, back[3] = {-xi[0], -xi[1], 0};
@@ -194,17 +194,17 @@ static void test_full_volume(void **state) {
     const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
     const struct solid_input plate = {.model = SOLID_PLANE_STRESS, .thickness = 1, .spacing = 1},
                              space = {.spacing = 1};
-    const struct solid_bond_law law = solid_bond_law_of(&plate, &m);
-    struct solid_bond_law solid = solid_bond_law_of(&space, &m);
+    const struct solid_bond_law law = solid_pair_law(&plate, &m);
+    struct solid_bond_law solid = solid_pair_law(&space, &m);
     solid.columns = 400;
     const double full = solid_pair_full_volume(&law, 3, 1);
     assert_near(full, M_PI * 9 - 1, 1e-13);
     assert_near(solid_pair_full_volume(&law, 1.5, 0.5) * 4 / full, 1, 1e-14);
     assert_near(solid_pair_full_volume(&law, 3, 0.97) / full, 1, 0);
     solid.table = solid_weight_table_new();
-    struct solid_stencil *stencil = solid_stencil_new(1, 3);
+    struct solid_stencil *stencil = solid_weight_stencil_new(1, 3);
     assert_near(solid_pair_full_volume(&solid, 3, 1) / stencil->full_volume, 1, 1e-13); /* rounded weights */
-    solid_stencil_free(stencil);
+    solid_weight_stencil_free(stencil);
     solid_weight_table_free(solid.table);
 }
 

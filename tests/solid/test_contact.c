@@ -1,7 +1,7 @@
 /* Repulsion of particles that no bond joins. */
-#include "solid/contact.h"
-#include "solid/measures.h"
-#include "solid/surface.h"
+#include "solid/contact/contact.h"
+#include "solid/measure/measures.h"
+#include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 
 enum { MOST = 2000 };
@@ -27,7 +27,7 @@ static void gather(const struct solid *s) {
 /* C_h/rho by brute force over all pairs at r < r_c; joined(h, l): whether an intact bond joins two ids. */
 static void brute_force(const struct solid *s, int h, int (*joined)(long, long), double a[3]) {
     const double rc = s->in.contact_radius * SPACING, volume = SPACING * SPACING * SPACING;
-    const double k = s->in.contact_stiffness * solid_micromodulus(&bodies_material, SPACING);
+    const double k = s->in.contact_stiffness * solid_material_micromodulus(&bodies_material, SPACING);
     const long i = bodies_id(s, h);
     a[0] = a[1] = a[2] = 0;
     for (long j = 0; j < s->n_global; j++) {
@@ -47,7 +47,7 @@ static void brute_force(const struct solid *s, int h, int (*joined)(long, long),
 
 /* k_c V_l/rho: the repulsion of a pair at half of r_c, m/s2. */
 static double scale(const struct solid *s) {
-    return s->in.contact_stiffness * solid_micromodulus(&bodies_material, SPACING) * SPACING * SPACING *
+    return s->in.contact_stiffness * solid_material_micromodulus(&bodies_material, SPACING) * SPACING * SPACING *
            SPACING / DENSITY;
 }
 
@@ -106,7 +106,7 @@ static void nothing_before_touch(void **state) {
     struct solid_surface *f = solid_surface_new(s);
     solid_contact_update(s);
     assert_null(s->contact);
-    assert_true(solid_contact_energy(s) == 0);
+    assert_true(solid_contact_force_energy(s) == 0);
     bodies_open(s, 0, 3, 0.3 * SPACING);
     solid_contact_update(s);
     assert_null(s->contact);
@@ -238,7 +238,7 @@ static void force_from_energy(void **state) {
         solid_contact_update(s);
         for (int side = 0; side < 2; side++) {
             push_second(s, (double[]){-4.3 * SPACING + (side ? step : -step), 0, 0});
-            energy[side] = solid_contact_energy(s);
+            energy[side] = solid_contact_force_energy(s);
         }
         push_second(s, (double[]){-4.3 * SPACING, 0, 0});
         clear(s);
@@ -263,15 +263,15 @@ static void bounce(void **state) {
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET};
     const double speed = 1, dt = 0.25 * SPACING / sqrt(YOUNG / DENSITY);
     for (int h = 0; h < s->n; h++) s->v[0][h] = s->body[h] == 1 ? -speed : speed;
-    const double start = solid_measure_energy(s).kinetic;
+    const double start = solid_energy_measure(s).kinetic;
     double worst = 0, touching = 0, velocity = 0, momentum = 0;
     for (int step = 0; step < 800; step++) {
         solid_contact_update(s);
-        solid_advance(s, dt, 1);
+        solid_integrate(s, dt, 1);
         if (step % 10) continue;
         solid_ghosts_update(s);
-        const struct solid_energy e = solid_measure_energy(s);
-        const double contact = solid_contact_energy(s);
+        const struct solid_energy e = solid_energy_measure(s);
+        const double contact = solid_contact_force_energy(s);
         touching = fmax(touching, contact);
         worst = fmax(worst, fabs(e.kinetic + e.strain + contact - start));
     }
@@ -285,7 +285,7 @@ static void bounce(void **state) {
         "bounce: energy out by %.2e, at most %.2f of it in contact, velocity after %.3f of that before\n",
         worst / start, touching / start, velocity / speed);
     assert_true(touching > 0.02 * start);
-    assert_true(solid_contact_energy(s) == 0);
+    assert_true(solid_contact_force_energy(s) == 0);
     assert_true(velocity > 0.3 * speed);
     assert_true(fabs(momentum) < 1e-10 * 432 * speed);
     assert_true(worst < 5e-3 * start);

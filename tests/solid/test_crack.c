@@ -1,7 +1,7 @@
 /* Tips, fronts, speed and length of cracks that are known beforehand. */
-#include "solid/crack.h"
+#include "solid/measure/crack.h"
 #include "base/memory.h"
-#include "solid/crack_track.h"
+#include "solid/measure/crack_track.h"
 #include "tests/solid/make.h"
 
 #include <stdlib.h>

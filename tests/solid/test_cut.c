@@ -2,7 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "outline_shapes.h"
-#include "solid/cut.h"
+#include "solid/geometry/cut.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* Connected components of intact bonds. */
-#include "solid/measures.h"
+#include "solid/measure/measures.h"
 #include "test_surface_bodies.h"
 
 static const double mass = DENSITY * SPACING * SPACING * SPACING;
@@ -18,7 +18,7 @@ static void bar_in_three(void **state) {
         struct solid *s = solid_new(&in);
         long *id = malloc(((size_t)s->n + 1) * sizeof *id);
         struct solid_fragment *list = NULL;
-        assert_int_equal(solid_measure_fragments(s, id, &list), 1);
+        assert_int_equal(solid_fragments_measure(s, id, &list), 1);
         assert_int_equal(list[0].particles, 900);
         assert_int_equal(list[0].id, 0);
         for (int h = 0; h < s->n; h++) assert_int_equal(id[h], 0);
@@ -34,7 +34,7 @@ static void bar_in_three(void **state) {
             s->d[0][h] = 0.01 * part;
             s->v[2][h] = part + 0.5;
         }
-        assert_int_equal(solid_measure_fragments(s, id, &list), 3);
+        assert_int_equal(solid_fragments_measure(s, id, &list), 3);
         for (int k = 0; k < 3; k++) {
             const int part = order[k], layers = from[part + 1] - from[part];
             const double centre[3] = {2.5 * SPACING + 0.01 * part, 3 * SPACING,
@@ -80,7 +80,7 @@ static void comb(void **state) {
                 if (crosses && view.intact[b] && (separate || x < 36 * SPACING)) solid_family_break(s, h, b);
             }
         }
-        assert_int_equal(solid_measure_fragments(s, NULL, NULL), separate ? 4 : 1);
+        assert_int_equal(solid_fragments_measure(s, NULL, NULL), separate ? 4 : 1);
     }
     solid_free(s);
 }
@@ -98,7 +98,7 @@ static void dust(void **state) {
         for (int b = 0; b < view.n; b++)
             if (view.intact[b]) solid_family_break(s, h, b);
     }
-    assert_int_equal(solid_measure_fragments(s, NULL, &list), 60);
+    assert_int_equal(solid_fragments_measure(s, NULL, &list), 60);
     for (int k = 0; k < 60; k++) {
         assert_int_equal(list[k].id, k);
         assert_int_equal(list[k].particles, 1);

@@ -7,7 +7,7 @@ static double ball(void) { return 4. / 3 * M_PI * pow(3 * SPACING, 3); }
 static void constants(int list) {
     struct solid *s = make((struct make){.sites = {8, 8, 8}, .periodic = {1, 1, 1}, .list = list});
     static struct solid_family_view view;
-    const double c0 = solid_micromodulus(s->in.material, SPACING);
+    const double c0 = solid_material_micromodulus(s->in.material, SPACING);
     assert_int_equal(s->n_global, 512);
     assert_int_equal(s->bonds_total, 512 * 178 / 2);
     for (int h = 0; h < s->n; h += 7) {
@@ -32,7 +32,7 @@ static void constants(int list) {
         assert_near(c44 / (c11 + c44), 0.24785, 1e-4);
         assert_near(isotropic / (3 * YOUNG), 1.01574, 1e-4);
         const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-        const double s0 = solid_critical_stretch(&brittle, SPACING);
+        const double s0 = solid_material_critical_stretch(&brittle, SPACING);
         assert_near(s0, 2.9814e-4, 1e-8);
         assert_near(cleaved * s0 * s0 / 0.05, 1.01313, 1e-4);
     }

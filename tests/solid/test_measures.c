@@ -1,6 +1,6 @@
 /* Energies, damage, stress, strain and their invariants. */
-#include "solid/measures.h"
-#include "solid/tensors.h"
+#include "solid/measure/measures.h"
+#include "solid/measure/tensors.h"
 #include "test_surface_bodies.h"
 
 static struct solid *cube_new(int n, int general, int correction) {
@@ -39,7 +39,7 @@ static void stress_of_uniform_strain(void **state) {
             const double size = 1e-7, weight = k < 3 ? 1 : 0.5;
             g[k % 3][k < 3 ? k : (k + 1) % 3] = size;
             strain_affine(s, g);
-            solid_measure_stress(s, stress);
+            solid_stress_measure(s, stress);
             for (int h = 0; h < s->n; h++) {
                 if (!is_within(s, h, 3, 4)) continue;
                 for (int j = 0; j < 6; j++) {
@@ -64,7 +64,7 @@ static void strain_of_affine_fields(void **state) {
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) g[i][j] = 1e-2 * (bodies_random(3 * i + j, 1) - 0.5);
         strain_affine(s, g);
-        solid_measure_strain(s, strain);
+        solid_stress_strain(s, strain);
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) {
                 const int k = (c + 1) % 3;
@@ -78,7 +78,7 @@ static void strain_of_affine_fields(void **state) {
             }
         bodies_turn(s, 1.1, 0.3);
         solid_ghosts_update(s);
-        solid_measure_strain(s, strain);
+        solid_stress_strain(s, strain);
         for (int h = 0; h < s->n; h++)
             for (int k = 0; k < 6; k++) assert_true(fabs(strain[h][k]) < 1e-12);
         bodies_cut(s, 1, 3);
@@ -104,8 +104,8 @@ static void strain_energy_of_the_bulk(void **state) {
             struct solid *s = cube_new(6 + n, n % 2, 0);
             double g[3][3] = {{size, 0, 0}, {0, k ? 0 : size, 0}, {0, 0, k ? 0 : size}};
             strain_affine(s, g);
-            energy[n] = solid_measure_energy(s).strain;
-            assert_true(solid_measure_energy(s).kinetic == 0);
+            energy[n] = solid_energy_measure(s).strain;
+            assert_true(solid_energy_measure(s).kinetic == 0);
             solid_free(s);
         }
         const double bulk = (energy[3] - 3 * energy[2] + 3 * energy[1] - energy[0]) / 6;
@@ -138,7 +138,7 @@ static void strain_energy_of_any_deformation(void **state) {
         const int general = trial % 2;
         struct solid *s = cube_uneven(general, trial < 2 ? 0.05 : 5e-4);
         struct solid_family_view view;
-        energy[general] = solid_measure_energy(s).strain; /* with fresh ghosts */
+        energy[general] = solid_energy_measure(s).strain; /* with fresh ghosts */
         sum = 0;
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
@@ -150,7 +150,7 @@ static void strain_energy_of_any_deformation(void **state) {
                     zeta += z * z;
                 }
                 const double stretch = sqrt(zeta / xi) - 1;
-                sum += view.intact[b] * 0.25 * solid_micromodulus(&bodies_material, SPACING) * view.alpha[b] *
+                sum += view.intact[b] * 0.25 * solid_material_micromodulus(&bodies_material, SPACING) * view.alpha[b] *
                        stretch * stretch * sqrt(xi) * view.weight[b] * s->volume[h];
             }
         }
@@ -172,10 +172,10 @@ static void tensors_of_both_stores(void **state) {
         (*strain)[6] = malloc(((size_t)s->n + 1) * sizeof *strain),
         *phi = malloc(((size_t)s->n + 1) * sizeof *phi),
         *largest = malloc(((size_t)s->n + 1) * sizeof *largest);
-        solid_measure_stress(s, stress);
-        solid_measure_strain(s, strain);
-        solid_measure_damage(s, phi);
-        solid_measure_largest(s->n, stress, largest);
+        solid_stress_measure(s, stress);
+        solid_stress_strain(s, strain);
+        solid_damage_measure(s, phi);
+        solid_tensors_largest(s->n, stress, largest);
         for (int h = 0; h < s->n; h++) {
             int p[3];
             double value[3];
@@ -184,7 +184,7 @@ static void tensors_of_both_stores(void **state) {
             memcpy(to, stress[h], sizeof *stress);
             memcpy(to + 6, strain[h], sizeof *strain);
             to[12] = phi[h];
-            solid_measure_principal(stress[h], value);
+            solid_tensors_principal(stress[h], value);
             assert_true(fabs(largest[h] - value[0]) <= 1e-13 * fabs(value[0]));
         }
         free(largest);
@@ -210,8 +210,8 @@ static void kinetic_energy(void **state) {
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) s->v[c][h] = c + 1;
     const double expected = 0.5 * DENSITY * 125 * SPACING * SPACING * SPACING * 14;
-    assert_true(fabs(solid_measure_energy(s).kinetic / expected - 1) < 1e-12);
-    assert_true(solid_measure_energy(s).strain == 0);
+    assert_true(fabs(solid_energy_measure(s).kinetic / expected - 1) < 1e-12);
+    assert_true(solid_energy_measure(s).strain == 0);
     solid_free(s);
 }
 
@@ -230,10 +230,10 @@ static void damage_beside_a_cut(void **state) {
         in.length[2] = 1;
         struct solid *s = solid_new(&in);
         double *phi = malloc(((size_t)s->n + 1) * sizeof *phi);
-        solid_measure_damage(s, phi);
+        solid_damage_measure(s, phi);
         for (int h = 0; h < s->n; h++) assert_true(phi[h] == 0);
         bodies_cut(s, 2, 6);
-        solid_measure_damage(s, phi);
+        solid_damage_measure(s, phi);
         const double left[3] = {.6142 / .98989, .8341 / .98989, .9704 / .98989};
         for (int h = 0; h < s->n; h++) {
             int p[3];
@@ -250,12 +250,12 @@ static void damage_beside_a_cut(void **state) {
 static void invariants(void **state) {
     (void)state;
     double value[3], vector[3][3];
-    solid_measure_principal((double[]){1, 5, -2, 0, 0, 0}, value);
+    solid_tensors_principal((double[]){1, 5, -2, 0, 0, 0}, value);
     assert_true(value[0] == 5 && value[1] == 1 && value[2] == -2);
-    assert_true(fabs(solid_measure_von_mises((double[]){7, 0, 0, 0, 0, 0}) - 7) < 1e-14);
-    assert_true(fabs(solid_measure_von_mises((double[]){0, 0, 0, 3, 0, 0}) - 3 * sqrt(3)) < 1e-14);
-    assert_true(fabs(solid_measure_von_mises((double[]){4, 4, 4, 0, 0, 0})) < 1e-14);
-    solid_measure_principal((double[]){0, 0, 0, 0, 0, 2}, value);
+    assert_true(fabs(solid_tensors_von_mises((double[]){7, 0, 0, 0, 0, 0}) - 7) < 1e-14);
+    assert_true(fabs(solid_tensors_von_mises((double[]){0, 0, 0, 3, 0, 0}) - 3 * sqrt(3)) < 1e-14);
+    assert_true(fabs(solid_tensors_von_mises((double[]){4, 4, 4, 0, 0, 0})) < 1e-14);
+    solid_tensors_principal((double[]){0, 0, 0, 0, 0, 2}, value);
     assert_true(fabs(value[0] - 2) < 1e-14 && fabs(value[1]) < 1e-14 && fabs(value[2] + 2) < 1e-14);
     for (int k = 0; k < 200; k++) {
         double t[6], trace = 0, norm = 0;

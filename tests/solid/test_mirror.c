@@ -1,6 +1,6 @@
 /* A mirror-symmetric plate stays mirror-symmetric to the bit while it is loaded and breaks, on one rank and wherever it lies. */
 #include "make_plate.h"
-#include "solid/contact.h"
+#include "solid/contact/contact.h"
 
 /* Of every particle the one that is its mirror image about the plate's middle line across c, by lattice indices; and by number. */
 static int *mirror_of(const struct solid *s, const struct make *m, int axis) {
@@ -89,14 +89,14 @@ static long tear(int axis, int sites_y, double shift, int verlet, int damped) {
     s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3,
                                     .breakage = 1,
                                     .damping_relative = damped ? 1e16 : 0};
-    solid_count_bonds(s);
+    solid_family_count(s);
     const long before = s->bonds_broken;
     for (int i = 0; i < 60; i++) {
         solid_contact_update(s);
-        solid_advance(s, step_of(0.3), 5);
+        solid_integrate(s, step_of(0.3), 5);
         if (i % 20 == 19) assert_mirrored(s, &m, axis);
     }
-    solid_count_bonds(s);
+    solid_family_count(s);
     const long broken = s->bonds_broken - before;
     solid_free(s);
     return broken;

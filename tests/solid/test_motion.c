@@ -55,7 +55,7 @@ static void test_momentum(void **state) {
             solid_ghosts_update(s);
             double before[6], after[6], size;
             totals(s, 0, before, &size);
-            solid_advance(s, step_of(0.5), 20);
+            solid_integrate(s, step_of(0.5), 20);
             totals(s, 0, after, &size);
             for (int c = 0; c < 3; c++) assert_near((after[c] - before[c]) / size, 0, 1e-14);
             /* Verlet keeps angular momentum to round-off, Runge-Kutta to its order, times the strain squared */
@@ -75,7 +75,7 @@ static double drift(int verlet, int steps) {
     const double e0 = energy_of(s, NULL);
     double most = 0;
     for (int i = 0; i < steps; i++) {
-        solid_advance(s, step_of(24.) / steps, 1);
+        solid_integrate(s, step_of(24.) / steps, 1);
         solid_ghosts_update(s);
         const double change = fabs(energy_of(s, NULL) / e0 - 1);
         most = verlet ? fmax(most, change) : change;
@@ -104,7 +104,7 @@ static void test_verlet_keeps(void **state) {
             s->stage.integrator = SOLID_VERLET;
             for (int h = 0; h < s->n; h++) s->load[1][h] = 1e3 * i * noise(s, h, 9);
             if (k == 1) s->a_holds = 0;
-            solid_advance(s, step_of(1), 3);
+            solid_integrate(s, step_of(1), 3);
         }
     }
     assert_int_equal(kept->sweeps, 1 + 4 * 3);
@@ -120,10 +120,10 @@ static void test_verlet_keeps(void **state) {
 static void test_check(void **state) {
     (void)state;
     struct solid *s = make((struct make){.sites = {9, 8, 7}});
-    assert_int_equal(solid_check(s).failed, 0);
+    assert_int_equal(solid_integrate_check(s).failed, 0);
     if (s->n > 3) {
         s->v[1][3] = NAN;
-        const struct step_status status = solid_check(s);
+        const struct step_status status = solid_integrate_check(s);
         assert_int_equal(status.failed, 1);
         assert_int_equal(status.rank, par_rank());
         assert_string_equal(status.field, "solid velocity");

@@ -72,7 +72,7 @@ static void random_shape(struct shape *s, int kind) {
 static int is_deep(const struct solid_outline_cells *cells, const struct solid_outline_cell *cell) {
     for (int dj = -2; dj <= 2; dj++)
         for (int di = -2; di <= 2; di++) {
-            const long k = solid_outline_cell_at(cells, cell->i + di, cell->j + dj);
+            const long k = solid_outline_cells_at(cells, cell->i + di, cell->j + dj);
             if (k < 0 || !cells->cell[k].is_inside) return 0;
         }
     return 1;
@@ -140,7 +140,7 @@ static void test_particles(void **state) {
         long particles = 0;
         for (int j = 0; j < BOX; j++)
             for (int i = 0; i < BOX; i++) {
-                const long k = solid_outline_cell_at(cells, i, j);
+                const long k = solid_outline_cells_at(cells, i, j);
                 particles += k >= 0;
                 assert_true(fabs((k < 0 ? 0 : cells->cell[k].area) - given[j][i]) < 2e-12);
                 assert_true(k < 0 || (cells->cell[k].i == i && cells->cell[k].j == j));
@@ -165,7 +165,7 @@ static void test_crumbs(void **state) {
     shape_box(&s, 0, 8.1, 1.1, 8.1000001, 1.1000001);
     struct solid_outline_cells *cells = solid_outline_cells(s.outline, s.n, origin, 1);
     assert_int_equal(cells->n, 10);
-    const long crumb = solid_outline_cell_at(cells, 6, 1);
+    const long crumb = solid_outline_cells_at(cells, 6, 1);
     assert_true(crumb >= 0 && !cells->cell[crumb].is_inside &&
                 fabs(cells->cell[crumb].area / 1e-10 - 1) < 1e-9);
     for (long k = 0; k < cells->n; k++) assert_true(k == crumb || cells->cell[k].area == 1);
@@ -385,7 +385,7 @@ static void test_aligned(void **state) {
         for (int j = -8; j < 22; j++)
             for (int i = -12; i < 18; i++) {
                 const double x[2] = {origin[0] + i + 0.5, origin[1] + j + 0.5};
-                const long k = solid_outline_cell_at(cells, i, j);
+                const long k = solid_outline_cells_at(cells, i, j);
                 assert_int_equal(k >= 0 && cells->cell[k].is_inside,
                                  solid_outline_contains(s.outline, 1, x, 1));
             }
@@ -472,7 +472,7 @@ static void test_turned_and_mirrored(void **state) {
         assert_int_equal(one->n, other->n);
         for (long k = 0; k < one->n; k++) {
             const int i = one->cell[k].i, j = one->cell[k].j;
-            const long image = solid_outline_cell_at(other, mirror ? -i - 1 : -j - 1, mirror ? j : i);
+            const long image = solid_outline_cells_at(other, mirror ? -i - 1 : -j - 1, mirror ? j : i);
             assert_true(image >= 0 && fabs(one->cell[k].area - other->cell[image].area) < 1e-12);
         }
         solid_outline_cells_free(one);
@@ -493,13 +493,13 @@ static void test_symmetrise(void **state) {
         shape_disc(&s, 1, x + 0.4 + off, y, r, -1);
         const double origin[2] = {x - 1, y - 1};
         struct solid_outline_cells *cells = solid_outline_cells(s.outline, s.n, origin, spacing);
-        solid_outline_symmetrise(cells);
+        solid_outline_symmetry_cells(cells);
         long double sum = 0;
         long unequal[2] = {0, 0};
         for (long k = 0; k < cells->n; k++) {
             const int i = cells->cell[k].i, j = cells->cell[k].j;
-            const long in_x = solid_outline_cell_at(cells, cells->low[0] + cells->high[0] - i, j),
-                       in_y = solid_outline_cell_at(cells, i, cells->low[1] + cells->high[1] - j);
+            const long in_x = solid_outline_cells_at(cells, cells->low[0] + cells->high[0] - i, j),
+                       in_y = solid_outline_cells_at(cells, i, cells->low[1] + cells->high[1] - j);
             sum += cells->cell[k].area;
             unequal[0] += in_x < 0 || cells->cell[in_x].area != cells->cell[k].area;
             unequal[1] += in_y < 0 || cells->cell[in_y].area != cells->cell[k].area;

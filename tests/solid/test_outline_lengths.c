@@ -24,7 +24,7 @@ static struct loaded load(const struct shape *s, double x0, double y0, double sp
                           const double to[2]) {
     const double origin[2] = {x0, y0};
     struct loaded l = {.cells = solid_outline_cells(s->outline, s->n, origin, spacing)};
-    l.lengths = solid_outline_edge_lengths(s->outline, s->n, origin, spacing, l.cells, from, to, l.text,
+    l.lengths = solid_outline_lengths(s->outline, s->n, origin, spacing, l.cells, from, to, l.text,
                                            sizeof l.text);
     return l;
 }
@@ -100,7 +100,7 @@ static void test_halves(void **state) {
     assert_int_equal(l.lengths->n, 3);
     assert_true(fabs(at(&l, 0, 1) - 0.4) < 1e-15 && fabs(at(&l, 1, 0) - 0.4) < 1e-15 &&
                 fabs(at(&l, 0, 2) - 1) < 1e-15);
-    const struct solid_outline_cell *arm = &l.cells->cell[solid_outline_cell_at(l.cells, 1, 0)];
+    const struct solid_outline_cell *arm = &l.cells->cell[solid_outline_cells_at(l.cells, 1, 0)];
     assert_true(fabs(arm->area - (1 + 0.18)) < 1e-15);
     loaded_free(&l);
 }
@@ -195,9 +195,9 @@ static void test_symmetrise(void **state) {
         struct solid_outline_lengths *l[4];
         char text[200];
         for (int k = 0; k < 4; k++)
-            l[k] = solid_outline_edge_lengths(s.outline, s.n, origin, spacing, cells, corner[k],
+            l[k] = solid_outline_lengths(s.outline, s.n, origin, spacing, cells, corner[k],
                                               corner[(k + 1) % 4], text, sizeof text);
-        solid_outline_symmetrise_lengths(cells, spacing, l, 4);
+        solid_outline_symmetry_lengths(cells, spacing, l, 4);
         for (int k = 0; k < 4; k++) {
             assert_true(fabs(total(l[k]) / (k % 2 ? 1.4 : 2) - 1) < 1e-12);
             assert_int_equal(l[k]->n, l[(k + 2) % 4]->n);

@@ -3,7 +3,7 @@
 
 /* Force density if every bond of a full family were stretched to twice its length. */
 static double force_scale(const struct solid *s) {
-    return solid_micromodulus(s->in.material, SPACING) * 4. / 3 * M_PI * pow(3 * SPACING, 3) / DENSITY;
+    return solid_material_micromodulus(s->in.material, SPACING) * 4. / 3 * M_PI * pow(3 * SPACING, 3) / DENSITY;
 }
 
 static int interior(const struct solid *s, int h, const int sites[3], int layers) {
@@ -82,7 +82,7 @@ static void test_rotation(void **state) {
     (void)state;
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {10, 9, 8}, .list = list, .fracture_energy = 1e-8});
-        const double s0 = solid_critical_stretch(s->in.material, SPACING);
+        const double s0 = solid_material_critical_stretch(s->in.material, SPACING);
         assert_true(s0 < 2e-7);
         for (double angle = 0.1; angle < 6.3; angle += 0.7) {
             for (int h = 0; h < s->n; h++) {
@@ -95,7 +95,7 @@ static void test_rotation(void **state) {
             for (int h = 0; h < s->n; h++)
                 for (int c = 0; c < 3; c++) assert_near(s->a[c][h] / force_scale(s), 0, 1e-13);
         }
-        solid_count_bonds(s);
+        solid_family_count(s);
         assert_int_equal(s->bonds_broken, 0);
         assert_int_equal(s->broke, 0);
         solid_free(s);

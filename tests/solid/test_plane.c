@@ -3,8 +3,8 @@
 
 #include "base/memory.h"
 #include "base/par_exchange.h"
-#include "solid/list.h"
-#include "solid/number.h"
+#include "solid/bonds/list.h"
+#include "solid/body/number.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -136,7 +136,7 @@ static void test_mirror(void **state) {
                 s->stage.damping_relative = damped ? 1e11 : 0;
                 shake(s, large ? 5e-2 : 8e-4, shifts[far]);
                 solid_force(s, 1);
-                solid_count_bonds(s);
+                solid_family_count(s);
                 assert_true(s->bonds_broken > 20 && s->bonds_broken < s->bonds_total / 2);
                 struct found *all = collect(s, shifts[far]);
                 assert_int_equal(s->n_global % 4, 0);
@@ -312,7 +312,7 @@ static struct solid_cloud *cloud_of(const struct cells *k, enum solid_horizons h
                                                        .size = k->size,
                                                        .volume = k->volume,
                                                        .horizon = k->horizon,
-                                                       .law = solid_bond_law_of(&in, &m)});
+                                                       .law = solid_pair_law(&in, &m)});
 }
 
 /* Whether the bond between two numbers of the lattice is broken; the same from both ends. */
@@ -333,12 +333,12 @@ static void test_renew(void **state) {
         const long *first[2] = {coarse.first, fine.first};
         const int r = par_rank();
         struct solid_list *old =
-            finished(solid_list_new(before, first[0][r], first[0][r + 1], 0), before, first[0]);
+            finished(solid_list_find_new(before, first[0][r], first[0][r + 1], 0), before, first[0]);
         for (int i = 0; i < old->n; i++)
             for (long j = old->start[i]; j < old->end[i]; j++)
                 if (is_cut(old->number + i, number_of(old, j))) solid_list_set(old, j, 0);
         struct solid_list *made =
-            finished(solid_list_new(after, first[1][r], first[1][r + 1], 0), after, first[1]);
+            finished(solid_list_find_new(after, first[1][r], first[1][r + 1], 0), after, first[1]);
         struct solid_list *begun =
             solid_list_renew(old, before, after, fine.was, first[1][r], first[1][r + 1], 0);
         long copied = 0, broken = 0;

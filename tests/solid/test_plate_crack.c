@@ -1,6 +1,6 @@
 /* Cracks of a plate: initial ones, what a straight one releases, contact of its lips, stress and strain on the way there. */
 #include "make_plate.h"
-#include "solid/contact.h"
+#include "solid/contact/contact.h"
 
 /* Sum of (1/2) c s0^2 |xi| Gamma V V of the bonds that a cut across a periodic plate has broken, over its area and G0: the lattice's
  * G(10)/G0 (m = 3: exact areas 1.02801, ramp 1.03424). A bond is broken from both ends, is damage, and has released nothing. */
@@ -20,7 +20,7 @@ static void test_straight_cut(void **state) {
         const double strain2 =
             (s->in.model == SOLID_PLANE_STRESS ? 4 * M_PI / 9 : 5 * M_PI / 12) * G0 / (YOUNG * 3 * SPACING);
         double sum = 0, *phi = malloc(((size_t)s->n + 1) * sizeof *phi);
-        solid_measure_damage(s, phi);
+        solid_damage_measure(s, phi);
         for (int h = 0; h < s->n; h++) {
             int lost = 0;
             solid_family_view(s, h, &view);
@@ -50,7 +50,7 @@ static void test_drawn_apart(void **state) {
         solid_ghosts_update(s);
         solid_force(s, 1);
     }
-    solid_count_bonds(s);
+    solid_family_count(s);
     const double ratio = par_sum(s->e_fracture) / (14 * SPACING * THICKNESS * G0);
     assert_true(s->bonds_broken > 100);
     assert_near(ratio, 1.028, 0.01);
@@ -70,9 +70,9 @@ static void test_lips(void **state) {
     const double start = balance_of(s, NULL);
     for (int i = 0; i < 60; i++) {
         solid_contact_update(s);
-        solid_advance(s, step_of(0.05), 16);
+        solid_integrate(s, step_of(0.05), 16);
         solid_ghosts_update(s);
-        const double held = solid_contact_energy(s);
+        const double held = solid_contact_force_energy(s);
         closed = fmax(closed, held);
         worst = fmax(worst, fabs(balance_of(s, NULL) + held - start));
     }
@@ -117,9 +117,9 @@ static void test_meeting(void **state) {
     double touched = 0;
     for (int i = 0; i < 1000; i++) {
         solid_contact_update(s);
-        solid_advance(s, step_of(0.25), 2);
+        solid_integrate(s, step_of(0.25), 2);
         solid_ghosts_update(s);
-        touched = fmax(touched, solid_contact_energy(s));
+        touched = fmax(touched, solid_contact_force_energy(s));
     }
     double speed[2] = {0};
     for (int h = 0; h < s->n; h++) speed[s->body[h]] += s->v[0][h] / 80;
@@ -146,7 +146,7 @@ static void test_tensors(void **state) {
             s->d[1][h] = g[2] * s->x0[0][h] + g[1] * s->x0[1][h];
         }
         solid_ghosts_update(s);
-        solid_measure_stress(s, t);
+        solid_stress_measure(s, t);
         for (int h = 0; h < s->n; h++) {
             int in = 1;
             for (int c = 0; c < 2; c++) in &= fabs(s->x0[c][h] - 8 * SPACING) < SPACING;
@@ -158,7 +158,7 @@ static void test_tensors(void **state) {
             assert_near(t[h][3], 2 * c12 * g[2], 1e-3 * xx);
             assert_true(t[h][4] == 0 && t[h][5] == 0);
         }
-        solid_measure_strain(s, t);
+        solid_stress_strain(s, t);
         for (int h = 0; h < s->n; h++) {
             const double expected[6] = {g[0], g[1], strain ? 0 : -0.5 * (g[0] + g[1]), g[2], 0, 0};
             for (int k = 0; k < 6; k++) assert_near(t[h][k], expected[k], 1e-12);
@@ -178,14 +178,14 @@ static void test_bonds(void **state) {
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 2; c++) s->d[c][h] = stretch * s->x0[c][h];
         solid_ghosts_update(s);
-        solid_measure_bonds(s, w, most);
+        solid_energy_bonds(s, w, most);
         sum = 0;
         for (int h = 0; h < s->n; h++) {
             assert_near(most[h], stretch, 1e-12);
             sum += w[h] * s->volume[h];
         }
         sum = par_sum(sum);
-        assert_near(sum / solid_measure_energy(s).strain, 1, 1e-12);
+        assert_near(sum / solid_energy_measure(s).strain, 1, 1e-12);
     }
     free(w);
     free(most);

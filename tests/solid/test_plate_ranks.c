@@ -1,7 +1,7 @@
 /* A plate that is driven, loaded, damped, torn and pressed together moves alike to the bit on any number of ranks. One rank leaves what it
  * found in a file; more ranks compare with it. */
 #include "make_plate.h"
-#include "solid/contact.h"
+#include "solid/contact/contact.h"
 
 #include <stdio.h>
 
@@ -32,9 +32,9 @@ static struct solid *run(int verlet) {
         .integrator = verlet ? SOLID_VERLET : SOLID_RK3, .breakage = 1, .damping_relative = 1e16};
     for (int i = 0; i < 100; i++) {
         solid_contact_update(s);
-        solid_advance(s, step_of(0.3), 2);
+        solid_integrate(s, step_of(0.3), 2);
     }
-    solid_count_bonds(s);
+    solid_family_count(s);
     return s;
 }
 

@@ -99,7 +99,7 @@ static void test_points_anywhere(void **state) {
         for (int c = 0; c < 3; c++) s->d[c][h] = 1e-3 * SPACING * noise(s, h, c);
     solid_ghosts_update(s);
     solid_force(s, 1);
-    solid_count_bonds(s);
+    solid_family_count(s);
     assert_true(s->bonds_broken > 0 && s->bonds_broken < s->bonds_total);
     double force[3] = {0}, size = 0;
     for (int h = 0; h < s->n; h++)
@@ -110,8 +110,8 @@ static void test_points_anywhere(void **state) {
     par_sum_array(force, 3);
     size = par_sum(size);
     for (int c = 0; c < 3; c++) assert_near(force[c] / size, 0, 1e-14);
-    assert_true(solid_stable_step(s, SOLID_VERLET) > step_of(1.4) &&
-                solid_stable_step(s, SOLID_VERLET) < step_of(2.2));
+    assert_true(solid_rates_stable_step(s, SOLID_VERLET) > step_of(1.4) &&
+                solid_rates_stable_step(s, SOLID_VERLET) < step_of(2.2));
     solid_free(s);
     cloud_free(&cloud);
 }
@@ -171,7 +171,7 @@ static void test_bodies(void **state) {
         assert_true(most[1] > 1 && most[0] == 0 && most[2] == 0);
         const double soft = step_of(1.569),
                      stiff = soft / sqrt(2 * 2); /* E/rho four times: half the step, at m = 2 less */
-        const double step = solid_stable_step(s, SOLID_RK3);
+        const double step = solid_rates_stable_step(s, SOLID_RK3);
         assert_true(step < 1.1 * stiff && step > 0.5 * stiff);
         solid_free(s);
     }

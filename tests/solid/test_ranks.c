@@ -27,8 +27,8 @@ static struct solid *run(int list, int verlet) {
                                     .damping_absolute = 100};
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) s->load[c][h] = 4e5 * noise(s, h, c);
-    solid_advance(s, step_of(0.9), 40);
-    solid_count_bonds(s);
+    solid_integrate(s, step_of(0.9), 40);
+    solid_family_count(s);
     return s;
 }
 

@@ -1,10 +1,10 @@
 /* Where refined particles stand, what area, load and motion they get, and what a refinement leaves as it was. */
 #include "make_plate.h"
-#include "solid/constraint.h"
-#include "solid/family.h"
-#include "solid/refine.h"
-#include "solid/store.h"
-#include "solid/cloud.h"
+#include "solid/imposed/constraint.h"
+#include "solid/bonds/family.h"
+#include "solid/refine/refine.h"
+#include "solid/bonds/store.h"
+#include "solid/body/cloud.h"
 
 static struct solid_refinement levels(int n) {
     return (struct solid_refinement){.levels = n, .low = {-1, -1}, .high = {1, 1}};
@@ -155,7 +155,7 @@ static void test_momentum(void **state) {
                 for (int c = 0; c < 2; c++) before[c] += s->volume[h] * s->v[c][h];
                 size[0] += s->volume[h] * (fabs(s->v[0][h]) + fabs(s->v[1][h]));
             }
-            solid_advance(s, step_of(0.1), 40);
+            solid_integrate(s, step_of(0.1), 40);
             for (int h = 0; h < s->n; h++)
                 for (int c = 0; c < 2; c++) after[c] += s->volume[h] * s->v[c][h];
             par_sum_array(before, 2);

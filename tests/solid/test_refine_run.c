@@ -1,9 +1,9 @@
 /* Plates that are refined while they move and break: symmetry, ranks, checkpoints, energies, the stable step. */
 #include "make_plate.h"
-#include "solid/cloud.h"
-#include "solid/refine.h"
-#include "solid/stable.h"
-#include "solid/store.h"
+#include "solid/body/cloud.h"
+#include "solid/refine/refine.h"
+#include "solid/step/stable.h"
+#include "solid/bonds/store.h"
 
 #include <stdio.h>
 
@@ -72,7 +72,7 @@ static struct solid *torn(const struct solid_refinement *refinement, int verlet,
 static void tear(struct solid *s, int from, int to) {
     for (int k = from; k < to; k++) {
         if (k % 2) solid_refine_look(s);
-        solid_advance(s, step_of(0.2), 8);
+        solid_integrate(s, step_of(0.2), 8);
     }
 }
 
@@ -83,7 +83,7 @@ static void test_symmetry(void **state) {
         const struct solid_refinement refinement = levels(1 + two);
         struct solid *s = torn(&refinement, 1, SOLID_DUAL_HORIZON);
         tear(s, 0, 16);
-        solid_count_bonds(s);
+        solid_family_count(s);
         assert_true(solid_refine_events(s) >= 2 && solid_refine_finest(s) == 1 + two &&
                     par_sum(s->e_fracture) > 0);
         struct particle *all = gather(s);
@@ -161,7 +161,7 @@ static struct kept keep(const struct solid *s) {
     for (int h = 0; h < s->n; h++) {
         double *row = flat + (s->first[par_rank()] + h) * width;
         uint8_t level, bits[SOLID_FAMILY_MAX];
-        solid_refine_save(s, h, &level, row);
+        solid_refine_restore_save(s, h, &level, row);
         solid_family_save(s, h, bits);
         for (int c = 0; c < 2; c++) {
             row[3 + c] = s->d[c][h];
@@ -244,12 +244,12 @@ static void test_jumps(void **state) {
                 for (int h = 0; h < s->n; h++)
                     s->d[c][h] = 1e-6 * SPACING *
                                  cos(2 * M_PI / 40 * (s->x0[0][h] + (2 * c - 1) * s->x0[1][h]) / SPACING);
-            before = solid_measure_energy(s).strain;
+            before = solid_energy_measure(s).strain;
             for (int h = 0; h < s->n; h++)
                 mark[h] = solid_refine_level(s, h) == level &&
                           hypot(s->x0[0][h] / SPACING - 20, s->x0[1][h] / SPACING - 20) < 3;
             assert_true(solid_refine_marked(s, mark) > 0);
-            const double after = solid_measure_energy(s).strain;
+            const double after = solid_energy_measure(s).strain;
             jump = fmax(jump, fabs(after / before - 1));
         }
         for (int c = 0; c < 2; c++)
@@ -279,7 +279,7 @@ static void test_stable(void **state) {
         const struct solid_refinement refinement = levels(2);
         struct solid *s = make((struct make){.sites = {20, 18}, .refinement = &refinement});
         s->stage.integrator = SOLID_VERLET;
-        const double coarse = solid_stable_step(s, SOLID_VERLET);
+        const double coarse = solid_rates_stable_step(s, SOLID_VERLET);
         uint8_t *mark = calloc(100000, 1);
         for (int level = 0; level < 2; level++) {
             for (int h = 0; h < s->n; h++)
@@ -290,21 +290,21 @@ static void test_stable(void **state) {
         free(mark);
         struct solid_rates rates;
         solid_rates_of(s, &rates);
-        const double bound = solid_refine_rate2(s);
+        const double bound = solid_refine_rate_bound(s);
         assert_true(bound >= rates.stiffness && bound < 2 * rates.stiffness);
         /* of a small region a little slower than an endless one, which is slower than the bound */
-        const double endless = solid_refine_lattice2(s, 2);
-        assert_near(endless / solid_refine_lattice2(s, 0), 16, 1e-9);
+        const double endless = solid_refine_rate_lattice(s, 2);
+        assert_near(endless / solid_refine_rate_lattice(s, 0), 16, 1e-9);
         struct solid *plain = make((struct make){.sites = {20, 18}, .uncorrected = 1});
-        const double alone = solid_stable_step(plain, SOLID_VERLET);
-        assert_near(4 / (alone * alone) / solid_refine_lattice2(s, 0), 1, 0.02);
+        const double alone = solid_rates_stable_step(plain, SOLID_VERLET);
+        assert_near(4 / (alone * alone) / solid_refine_rate_lattice(s, 0), 1, 0.02);
         solid_free(plain);
         assert_true(endless < bound && rates.stiffness > 0.8 * endless);
         const double fine = solid_stable_of(&rates, SOLID_VERLET, 0, NULL);
         if (!above) print_message("stable step: %.4f of the coarse one\n", fine / coarse);
         assert_near(fine / coarse, 0.26, 0.015);
         shake(s, 1e-9, 0);
-        solid_advance(s, fine * (above ? 1.02 : 0.98), 1500);
+        solid_integrate(s, fine * (above ? 1.02 : 0.98), 1500);
         double most = 0;
         for (int h = 0; h < s->n; h++) most += fabs(s->d[0][h]);
         most = par_sum(most) / (1e-9 * SPACING * (double)s->n_global);

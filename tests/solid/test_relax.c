@@ -46,7 +46,7 @@ static double bar_modulus(int width, int uncorrected) {
     static struct solid_family_view view;
     struct solid *s =
         make((struct make){.sites = {8, width, width}, .periodic = {1, 0, 0}, .uncorrected = uncorrected});
-    const double c0 = solid_micromodulus(s->in.material, SPACING);
+    const double c0 = solid_material_micromodulus(s->in.material, SPACING);
     double sum[3] = {0}; /* energy = sum0 - 2 nu sum1 + nu^2 sum2 */
     for (int h = 0; h < s->n; h++) {
         solid_family_view(s, h, &view);

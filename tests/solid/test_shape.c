@@ -1,5 +1,5 @@
 /* The surface of the shapes that bodies are cut from: places and normals of the interface particles. */
-#include "solid/surface.h"
+#include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 
 static struct solid *make(const struct solid_body *body, int periodic, int sites, struct solid_surface **f) {

@@ -1,7 +1,7 @@
 /* The stable step: of one oscillator, of a damped block, and with contact. */
-#include "solid/stable.h"
+#include "solid/step/stable.h"
 #include "make.h"
-#include "solid/contact.h"
+#include "solid/contact/contact.h"
 
 #include <stdlib.h>
 
@@ -105,10 +105,10 @@ static double growth(enum solid_integrator integrator, const double damping[2], 
             s->v[c][h] = 1e-9 * noise(s, h, c);
             before = fmax(before, fabs(s->v[c][h]));
         }
-    solid_advance(s, dt, 600);
+    solid_integrate(s, dt, 600);
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) after = fmax(after, fabs(s->v[c][h]));
-    if (step_status_agree(&(struct step_status){.failed = solid_check(s).failed})) after = INFINITY;
+    if (step_status_agree(&(struct step_status){.failed = solid_integrate_check(s).failed})) after = INFINITY;
     solid_free(s);
     return par_max(after) / par_max(before);
 }
@@ -216,10 +216,10 @@ static void test_contact_bound(void **state) {
         struct solid_rates rates;
         assert_non_null(s->contact);
         solid_rates_of(s, &rates);
-        const double contact = solid_contact_rate2(s, NULL, NULL), there = largest_rate(s);
+        const double contact = solid_contact_rate_bound(s, NULL, NULL), there = largest_rate(s);
         print_message("strain %.3f: bonds %.3g, contact %.3g, together %.3g 1/s2\n", strain[k],
                       rates.stiffness, contact, there);
-        assert_true(solid_contact_rate2(s, always, NULL) > contact); /* the first one */
+        assert_true(solid_contact_rate_bound(s, always, NULL) > contact); /* the first one */
         assert_true(there > 1.3 * rates.stiffness);
         assert_true(there < rates.stiffness + contact);
         assert_true(1.38 * there > rates.stiffness + contact);
@@ -244,18 +244,18 @@ static void test_one_pair(void **state) {
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) solid_family_break(s, h, b);
     }
-    assert_true(solid_contact_rate2(s, NULL, NULL) == 0);
+    assert_true(solid_contact_rate_bound(s, NULL, NULL) == 0);
     solid_contact_update(s);
     assert_non_null(s->contact);
     const double touch = solid_stable_touch(s);
     assert_near(touch /
-                    (2 * 2 * 15 * solid_micromodulus(s->in.material, SPACING) * SPACING * SPACING / DENSITY),
+                    (2 * 2 * 15 * solid_material_micromodulus(s->in.material, SPACING) * SPACING * SPACING / DENSITY),
                 1, 1e-12);
     const double gap[4] = {-1e-9, -0.1, 0.01, 0.021}, expected[4] = {1, pow(0.9, -3), 0.5 * pow(1.01, -3), 0};
     for (int k = 0; k < 4; k++) {
         for (int h = 0; h < s->n; h++) s->d[0][h] = s->x0[0][h] > SPACING ? gap[k] * SPACING : 0;
-        assert_near(solid_contact_rate2(s, NULL, NULL) / touch, expected[k], 0.03 * expected[k] + 1e-12);
-        assert_true(solid_contact_rate2(s, NULL, NULL) / touch >= expected[k] * (1 - 1e-6));
+        assert_near(solid_contact_rate_bound(s, NULL, NULL) / touch, expected[k], 0.03 * expected[k] + 1e-12);
+        assert_true(solid_contact_rate_bound(s, NULL, NULL) / touch >= expected[k] * (1 - 1e-6));
     }
     solid_contact_free(s);
     solid_free(s);

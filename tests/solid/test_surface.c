@@ -1,5 +1,5 @@
 /* The interface of unbroken bodies, its normals and areas. */
-#include "solid/surface.h"
+#include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 
 /* Whether a site is filled: the oracle, by hand for each body. */
@@ -297,7 +297,7 @@ static void held_layer(void **state) {
         assert_true(p[1] == -3 || p[1] == 5);
     }
     assert_int_equal(surface->total, 72);
-    solid_surface_restrict(s, surface, (double[]){0, 0, 0}, (double[]){1, 1, 1});
+    solid_surface_area_restrict(s, surface, (double[]){0, 0, 0}, (double[]){1, 1, 1});
     assert_true(fabs(surface->immersed_area / (36 * SPACING * SPACING) - 1) < 1e-12);
     assert_true(fabs(surface->initial_area / (SPACING * SPACING) - 1) < 1e-12);
     solid_surface_free(surface);

@@ -1,7 +1,7 @@
 /* Bodies for the tests of the surface, contact and measures, on a lattice of spacing 1e-3 m. */
 #pragma once
 #include "base/par.h"
-#include "solid/family.h"
+#include "solid/bonds/family.h"
 #include "solid/solid.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* The interface after bonds have broken and the solid has moved. */
-#include "solid/surface.h"
+#include "solid/surface/surface.h"
 #include "solid/keep.h"
 #include "test_surface_bodies.h"
 

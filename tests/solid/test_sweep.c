@@ -1,8 +1,8 @@
 /* A lattice's sweep against lists of bonds and against other numbers of ranks, on bodies of odd shapes, where a sweep begins with
  * kernels that turn out to be the wrong ones: the body is at rest, then far beyond what its bonds or the series stand. */
 #include "make.h"
-#include "solid/lattice.h"
-#include "solid/segments.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/segments.h"
 
 #include <stdio.h>
 

@@ -40,8 +40,8 @@ static void test_stable_step(void **state) {
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {10, 10, 10}, .periodic = {1, 1, 1}, .list = list});
         for (int h = 0; h < s->n; h++) s->d[0][h] = h;
-        assert_near(solid_stable_step(s, SOLID_RK3) / step_of(1.569), 1, 0.005);
-        assert_near(solid_stable_step(s, SOLID_VERLET) / step_of(1.812), 1, 0.005);
+        assert_near(solid_rates_stable_step(s, SOLID_RK3) / step_of(1.569), 1, 0.005);
+        assert_near(solid_rates_stable_step(s, SOLID_VERLET) / step_of(1.812), 1, 0.005);
         for (int h = 0; h < s->n; h++) assert_true(s->d[0][h] == h); /* the state is left alone */
         solid_free(s);
     }
@@ -52,7 +52,7 @@ static void test_stable_step_held(void **state) {
     (void)state;
     const struct solid_constraint all = {.low = {-1, -1, -1}, .high = {1, 1, 1}, .direction = {1, 1, 1}};
     struct solid *s = make((struct make){.sites = {8, 8, 8}, .constraints = 1, .constraint = &all});
-    assert_true(isinf(solid_stable_step(s, SOLID_RK3)));
+    assert_true(isinf(solid_rates_stable_step(s, SOLID_RK3)));
     solid_free(s);
 }
 
@@ -66,10 +66,10 @@ static double growth(enum solid_integrator integrator, double dt) {
             s->v[c][h] = 1e-9 * noise(s, h, c);
             before = fmax(before, fabs(s->v[c][h]));
         }
-    solid_advance(s, dt, 800);
+    solid_integrate(s, dt, 800);
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) after = fmax(after, fabs(s->v[c][h]));
-    if (step_status_agree(&(struct step_status){.failed = solid_check(s).failed})) after = INFINITY;
+    if (step_status_agree(&(struct step_status){.failed = solid_integrate_check(s).failed})) after = INFINITY;
     solid_free(s);
     return par_max(after) / par_max(before);
 }

@@ -1,5 +1,5 @@
 /* A study's file: what is read from a good one, and the one sentence that each mistake gets, with its line. */
-#include "study/file.h"
+#include "study/file/file.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -23,7 +23,7 @@ static struct study *good(const char *text) {
     struct scene_problems problems;
     struct study *s = parse(text, &problems);
     if (!s) fail_msg("%s", problems.text[0]);
-    scene_problems_free(&problems);
+    scene_problem_free(&problems);
     return s;
 }
 
@@ -199,7 +199,7 @@ static void broken(void **state) {
             fail_msg("says \"%s\", not \"%s\", of\n%s", says, mistake[k].says, mistake[k].text);
         const int also = strstr(mistake[k].text, "products") != NULL; /* which leaves product missing */
         if (problems.n != 1 + also) fail_msg("%d sentences, the second \"%s\"", problems.n, problems.text[1]);
-        scene_problems_free(&problems);
+        scene_problem_free(&problems);
     }
 }
 

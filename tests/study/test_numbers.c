@@ -1,8 +1,8 @@
 /* Statistics, orders, extrapolation and times at equal error, against numbers worked by hand or printed in the papers. */
-#include "study/iso.h"
-#include "study/order.h"
-#include "study/richardson.h"
-#include "study/statistic.h"
+#include "study/result/iso.h"
+#include "study/result/order.h"
+#include "study/result/richardson.h"
+#include "study/result/statistic.h"
 
 #include <math.h>
 #include <setjmp.h>

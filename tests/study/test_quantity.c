@@ -1,7 +1,7 @@
 /* The number that a study measures: windows of a series, tables, JSON, commands. */
-#include "study/child.h"
-#include "study/quantity.h"
-#include "study/window.h"
+#include "study/runs/child.h"
+#include "study/runs/quantity.h"
+#include "study/runs/window.h"
 
 #include <math.h>
 #include <setjmp.h>

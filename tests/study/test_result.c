@@ -1,6 +1,6 @@
 /* What the runs of a study say together, of runs that were made up: errors, orders, medians, the finest as reference. */
-#include "study/report.h"
-#include "study/result.h"
+#include "study/report/report.h"
+#include "study/result/result.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -109,7 +109,7 @@ static void value(void **state) {
 
 static void advises(struct made *x, const char *wanted) {
     struct study_result *r = study_result_new(&x->plan);
-    char *advice = study_report_advice(r, &r->table[0]);
+    char *advice = study_advice_write(r, &r->table[0]);
     assert_string_equal(advice, wanted);
     free(advice);
     study_result_free(r);

@@ -1,7 +1,0 @@
-/* Overrides: --set key.path=value. */
-#pragma once
-#include "base/scene_problem.h"
-
-/* Puts each setting into the tree. A path may go through a list by index (stages[0].steps, stages.0.steps) or by the name
- * of its entry (stages.flow.steps); sections on the way that are missing are made. */
-void scene_set(struct scene_node *root, int n, const char *const *set, struct scene_problems *problems);

@@ -1,0 +1,42 @@
+#include "coupling/forcing_guess.h"
+#include "base/memory.h"
+
+#include <string.h>
+
+int forcing_guess_is_part_of(const struct run *r) { return r->ibm && fluid_input_of(r->fluid)->implicit; }
+
+void forcing_guess_take(struct run *r, double (*all)[3]) {
+    const size_t bytes = (size_t)r->solid->n * sizeof *all;
+    if (r->demand) {
+        memcpy(all, r->demand, bytes);
+        return;
+    }
+    memset(all, 0, bytes);
+    if (!ibm_demand_is_set(r->ibm)) return;
+    ibm_demand(r->ibm, r->markers.force);
+    for (int i = 0; i < r->markers.n; i++)
+        for (int c = 0; c < 3; c++) all[r->surface->h[i]][c] = r->markers.force[c][i];
+}
+
+static void set(struct run *r, const double (*all)[3]) {
+    for (int i = 0; i < r->markers.n; i++)
+        for (int c = 0; c < 3; c++) r->markers.force[c][i] = all[r->surface->h[i]][c];
+    ibm_demand_set(r->ibm, (const double *const *)r->markers.force);
+}
+
+void forcing_guess_put(struct run *r, const double (*all)[3]) {
+    const int at_rest = r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID;
+    if (at_rest && ibm_demand_is_set(r->ibm)) {
+        set(r, all);
+        return;
+    }
+    if (!r->demand) r->demand = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof *r->demand);
+    memcpy(r->demand, all, (size_t)r->solid->n * sizeof *all);
+}
+
+void forcing_guess_hand_on(struct run *r) {
+    if (!r->demand) return;
+    set(r, (const double(*)[3])r->demand);
+    memory_free(r->demand);
+    r->demand = NULL;
+}

@@ -1,0 +1,115 @@
+/* Connected porosity, by flood fill: each rank floods its own cells, hands its outer cells to its neighbours, and goes on
+ * where the flood has come over from them, until it comes to nobody any more. */
+#include "base/par.h"
+#include "base/par_halo.h"
+#include "coupling/medium/parts.h"
+
+#include <string.h>
+
+/* 1: the pores of now are not the cells that are no walls; mend: they are made so, none reached by any flood. */
+static int compare_cells(struct medium *m, int mend) {
+    const struct fluid_grid *g = m->g;
+    int differ = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double zy = m->weight[2][k] * m->weight[1][j],
+                         *fraction = m->fraction + fluid_grid_at(g, 0, j, k);
+            uint8_t *cell = m->cell + medium_rimmed(g, 0, j, k);
+            for (int i = 0; i < g->m[0]; i++) {
+                const int pore = (zy * m->weight[0][i] > 0) & (fraction[i] < 0.5);
+                differ |= pore != (cell[i] != MEDIUM_WALL);
+                if (mend) cell[i] = pore ? MEDIUM_PORE : MEDIUM_WALL;
+            }
+        }
+    return differ;
+}
+
+/* Sets the cells at (i,j,k)'s section i that the level may enter; returns how many, on the stack. */
+static int start_at_section(struct medium *m, int i, uint8_t level) {
+    const struct fluid_grid *g = m->g;
+    int n = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const int at = medium_rimmed(g, i, j, k);
+            if (m->cell[at] != level - 1) continue;
+            m->cell[at] = level;
+            m->stack[n++] = at;
+        }
+    return n;
+}
+
+/* One side of this rank's piece, across y (c = 1) or z (c = 2): the outermost cells' states go to carry (give), or what has
+ * come into the ghosts beyond them enters them (take). Returns the cells entered, added to the stack's n. */
+static int side_give_or_take(struct medium *m, int c, int high, int take, uint8_t level, int n) {
+    const struct fluid_grid *g = m->g;
+    const int other = 3 - c, last = g->m[c] - 1;
+    const int own = high ? last : 0, ghost = high ? last + 1 : -1;
+    for (int t = 0; t < g->m[other]; t++)
+        for (int i = 0; i < g->m[0]; i++) {
+            const int at = c == 1 ? medium_rimmed(g, i, own, t) : medium_rimmed(g, i, t, own);
+            if (!take) {
+                m->carry[c == 1 ? fluid_grid_at(g, i, own, t) : fluid_grid_at(g, i, t, own)] = m->cell[at];
+            } else if (m->cell[at] == level - 1) {
+                const double come =
+                    m->carry[c == 1 ? fluid_grid_at(g, i, ghost, t) : fluid_grid_at(g, i, t, ghost)];
+                if (come != level) continue;
+                m->cell[at] = level;
+                m->stack[n++] = at;
+            }
+        }
+    return n;
+}
+
+/* Cells that have been reached at one end of x let it in at the other. */
+static int over_x(struct medium *m, uint8_t level, int n) {
+    const struct fluid_grid *g = m->g;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const int low = medium_rimmed(g, 0, j, k), high = medium_rimmed(g, g->m[0] - 1, j, k);
+            const int to = m->cell[low] == level ? high : low, from = to == high ? low : high;
+            if (m->cell[from] != level || m->cell[to] != level - 1) continue;
+            m->cell[to] = level;
+            m->stack[n++] = to;
+        }
+    return n;
+}
+
+void medium_connect_flood(struct medium *m, uint8_t level, int n, const int over[3]) {
+    const struct fluid_grid *g = m->g;
+    do {
+        medium_kernels_flood(g->m, level, n, m->stack, m->cell);
+        n = 0;
+        for (int c = 1; c < 3; c++)
+            for (int high = 0; high < 2; high++) side_give_or_take(m, c, high, 0, level, 0);
+        par_halo_fill(g->halos, 1, &m->carry, 1);
+        for (int c = 1; c < 3; c++)
+            for (int high = 0; high < 2; high++)
+                if (over[c] || !medium_at_end(g, c, high)) n = side_give_or_take(m, c, high, 1, level, n);
+        if (over[0]) n = over_x(m, level, n);
+    } while (par_sum_long(n) > 0);
+}
+
+double medium_connect_porosity(struct medium *m) {
+    const struct fluid_grid *g = m->g;
+    if (m->effective >= 0) return m->effective;
+    const int over[3] = {0, g->periodic[1], g->periodic[2]};
+    int front = 0, back = g->m[0] - 1; /* a rank holds all of x */
+    while (m->weight[0][front] == 0) front++;
+    while (m->weight[0][back] == 0) back--;
+
+    if (par_sum_long(compare_cells(m, 0)) > 0) { /* else the last flood stands */
+        compare_cells(m, 1);
+        medium_connect_flood(m, MEDIUM_FRONT, start_at_section(m, front, MEDIUM_FRONT), over);
+        medium_connect_flood(m, MEDIUM_BOTH, start_at_section(m, back, MEDIUM_BOTH), over);
+    }
+
+    double open = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double zy = m->weight[2][k] * m->weight[1][j];
+            for (int i = front; i <= back; i++)
+                if (m->cell[medium_rimmed(g, i, j, k)] == MEDIUM_BOTH)
+                    open += zy * m->weight[0][i] * (1 - m->fraction[fluid_grid_at(g, i, j, k)]);
+        }
+    return m->effective = par_sum(open) / m->total;
+}

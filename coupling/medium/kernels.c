@@ -1,0 +1,88 @@
+#include "coupling/medium/kernels.h"
+
+#include <math.h>
+
+/* Overlap of [low, high] with cell i, in cells. */
+static inline double overlap(double low, double high, int i) {
+    return (high < i + 1.0 ? high : i + 1.0) - (low > i ? low : i);
+}
+
+static inline int larger(int a, int b) { return a > b ? a : b; }
+static inline int smaller(int a, int b) { return a < b ? a : b; }
+
+/*      i   i+1
+ *    +---+---+
+ *    | ##|#  |   ## the cube's share of each
+ *    +---+---+     */
+void medium_kernels_deposit(const double low[3], const double high[3], const int first[3], const int last[3],
+                        ptrdiff_t row, ptrdiff_t plane, double *f) {
+    int from[3], to[3];
+    for (int c = 0; c < 3; c++) {
+        from[c] = larger((int)floor(low[c]), first[c]);
+        to[c] = smaller((int)ceil(high[c]), last[c]);
+    }
+    for (int k = from[2]; k < to[2]; k++) {
+        const double z = overlap(low[2], high[2], k);
+        for (int j = from[1]; j < to[1]; j++) {
+            const double zy = z * overlap(low[1], high[1], j);
+            double *at = f + k * plane + j * row;
+            for (int i = from[0]; i < to[0]; i++) at[i] += zy * overlap(low[0], high[0], i);
+        }
+    }
+}
+
+double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, const double *const weight[3],
+                        const double *fraction) {
+    double sum = 0;
+    for (int k = 0; k < m[2]; k++)
+        for (int j = 0; j < m[1]; j++) {
+            const double zy = weight[2][k] * weight[1][j];
+            if (zy == 0) continue;
+            const double *f = fraction + k * plane + j * row;
+            double solid = 0;
+            for (int i = 0; i < m[0]; i++) solid += weight[0][i] * f[i];
+            sum += zy * solid;
+        }
+    return sum;
+}
+
+struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdiff_t plane,
+                                   const double *const weight[3], const double *fraction, const double *u,
+                                   const double *v, const double *w) {
+    struct medium_sums s = {0};
+    for (int k = 0; k < m[2]; k++)
+        for (int j = 0; j < m[1]; j++) {
+            const double zy = weight[2][k] * weight[1][j];
+            if (zy == 0) continue;
+            const ptrdiff_t at = k * plane + j * row;
+            for (int i = 0; i < m[0]; i++) {
+                const ptrdiff_t a = at + i;
+                const double W = zy * weight[0][i];
+                const double uc = 0.5 * (u[a - 1] + u[a]);
+                const double vc = 0.5 * (v[a - row] + v[a]);
+                const double wc = 0.5 * (w[a - plane] + w[a]);
+                const double pore = fraction[a] < 0.5 ? W : 0;
+                s.u += W * uc;
+                s.pore_u += pore * uc;
+                s.pore_speed += pore * sqrt(uc * uc + vc * vc + wc * wc);
+            }
+        }
+    return s;
+}
+
+long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell) {
+    const int row = m[0] + 2, plane = row * (m[1] + 2);
+    const int neighbour[6] = {-1, 1, -row, row, -plane, plane};
+    long reached = 0;
+    while (n > 0) {
+        const int at = stack[--n];
+        for (int b = 0; b < 6; b++) {
+            const int to = at + neighbour[b];
+            if (cell[to] != level - 1) continue;
+            cell[to] = level;
+            stack[n++] = to;
+            reached++;
+        }
+    }
+    return reached;
+}

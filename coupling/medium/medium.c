@@ -1,0 +1,163 @@
+#include "coupling/medium/medium.h"
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "base/par_halo.h"
+#include "coupling/medium/parts.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A box's face that differs from a cell's by less is the same: input in decimals, cells in fractions. */
+static const double SNAP = 1e-9;
+
+/* Part of cell i (of width d) inside [low, high]. */
+static double part_inside(int i, double d, double low, double high) {
+    const double part = fmin(high / d, i + 1.0) - fmax(low / d, i);
+    return part < SNAP ? 0 : part > 1 - SNAP ? 1 : part;
+}
+
+struct medium *medium_new(const struct fluid_grid *g, const double low[3], const double high[3]) {
+    struct medium *m = memory_new(MEMORY_COUPLING, 1, sizeof *m);
+    m->g = g;
+    m->total = 1;
+    for (int c = 0; c < 3; c++) {
+        const double L = g->length[c];
+        m->low[c] = fmax(low[c], 0);
+        m->high[c] = fmin(high[c], L);
+        m->weight[c] = memory_new(MEMORY_COUPLING, (size_t)g->m[c], sizeof(double));
+        for (int i = 0; i < g->m[c]; i++)
+            m->weight[c][i] = part_inside(g->lo[c] + i, g->d[c], m->low[c], m->high[c]);
+        double along = 0;
+        for (int i = 0; i < g->n[c]; i++) along += part_inside(i, g->d[c], m->low[c], m->high[c]);
+        if (!(along > 0))
+            die_all(EXIT_CODE_SCENE,
+                    "coupling.medium: the box from %g to %g m along %c has nothing in the domain, 0 to %g m",
+                    low[c], high[c], "xyz"[c], L);
+        m->total *= along;
+        if (c == 0) m->whole_period = g->periodic[0] && along == g->n[0];
+    }
+    const size_t cells = (size_t)g->m[0] * (size_t)g->m[1] * (size_t)g->m[2];
+    const size_t rimmed = (size_t)(g->m[0] + 2) * (size_t)(g->m[1] + 2) * (size_t)(g->m[2] + 2);
+    m->fraction = memory_new(MEMORY_COUPLING, g->size, sizeof(double));
+    m->carry = memory_new(MEMORY_COUPLING, g->size, sizeof(double));
+    m->cell = memory_new(MEMORY_COUPLING, rimmed, sizeof(uint8_t));
+    memset(m->cell, MEDIUM_WALL, rimmed);
+    m->effective = -1;
+    m->stack = memory_new(MEMORY_COUPLING, cells, sizeof(int));
+    m->section = memory_new(MEMORY_COUPLING, (size_t)g->n[0], sizeof(double));
+    return m;
+}
+
+void medium_free(struct medium *m) {
+    if (!m) return;
+    par_exchange_free(m->exchange);
+    for (int c = 0; c < 3; c++) memory_free(m->weight[c]);
+    memory_free(m->fraction);
+    memory_free(m->carry);
+    memory_free(m->cell);
+    memory_free(m->stack);
+    memory_free(m->section);
+    memory_free(m->dest);
+    memory_free(m->mine);
+    memory_free(m->served);
+    memory_free(m);
+}
+
+/* The rank whose cells the cube is deposited from: that of the cell of its centre, or of the cell next to it where the
+ * centre stands out of the domain. -1: none of it is inside. */
+static inline int rank_of_cube(const struct fluid_grid *g, struct medium_cube *q) {
+    double x[3];
+    for (int c = 0; c < 3; c++) {
+        const double L = g->length[c], half = 0.5 * q->side;
+        if (!isfinite(q->x[c])) return -1;
+        if (g->periodic[c]) {
+            q->x[c] -= L * floor(q->x[c] / L);
+            if (q->x[c] >= L) q->x[c] = 0;
+            x[c] = q->x[c];
+        } else {
+            if (q->x[c] + half <= 0 || q->x[c] - half >= L) return -1;
+            const double low = 0.5 * g->d[c], high = L - 0.5 * g->d[c];
+            x[c] = q->x[c] < low ? low : q->x[c] > high ? high : q->x[c];
+        }
+    }
+    return fluid_grid_rank_of(g, x);
+}
+
+static void particles_reserve(struct medium *m, int n) {
+    if (n <= m->capacity && m->capacity > 0) return;
+    memory_free(m->dest);
+    memory_free(m->mine);
+    m->capacity = n + n / 8 + 1;
+    m->dest = memory_new(MEMORY_COUPLING, (size_t)m->capacity, sizeof *m->dest);
+    m->mine = memory_new(MEMORY_COUPLING, (size_t)m->capacity, sizeof *m->mine);
+    m->particles = -1;
+}
+
+/* Fills m->mine and m->dest; returns the layers of ghosts that the largest cube reaches. Collective. */
+static int particles_plan(struct medium *m, int n, const double *const x[3], const double *volume) {
+    const struct fluid_grid *g = m->g;
+    particles_reserve(m, n);
+    const double narrow = fmin(g->d[0], fmin(g->d[1], g->d[2]));
+    double found[2] = {m->exchange == NULL || m->particles != n,
+                       0};    /* the plan is stale; the largest half side in cells */
+    double of = -1, side = 0; /* most particles are alike */
+    for (int h = 0; h < n; h++) {
+        struct medium_cube *q = &m->mine[h];
+        for (int c = 0; c < 3; c++) q->x[c] = x[c][h];
+        if (volume[h] != of) {
+            of = volume[h];
+            side = cbrt(of);
+            found[1] = fmax(found[1], 0.5 * side / narrow);
+        }
+        q->side = side;
+        const int dest = rank_of_cube(g, q);
+        if (m->particles != n || dest != m->dest[h]) found[0] = 1;
+        m->dest[h] = dest;
+    }
+    m->particles = n;
+    par_max_array(found, 2);
+    if (found[0] > 0) {
+        par_exchange_free(m->exchange);
+        m->exchange = par_exchange_new(n, m->dest);
+        const int served = par_exchange_count(m->exchange);
+        if (served > m->served_capacity || !m->served) {
+            memory_free(m->served);
+            m->served_capacity = served + served / 8 + 1;
+            m->served = memory_new(MEMORY_COUPLING, (size_t)m->served_capacity, sizeof *m->served);
+        }
+    }
+    if (found[1] > g->halo)
+        die_all(EXIT_CODE_SCENE,
+                "solid: a particle is %g cells wide; its volume can be laid on the fluid's cells up to %d",
+                2 * found[1], 2 * g->halo);
+    return (int)fmax(1, ceil(found[1] - SNAP));
+}
+
+void medium_deposit(struct medium *m, int n, const double *const x[3], const double *volume) {
+    const struct fluid_grid *g = m->g;
+    clock_begin(CLOCK_OUTPUT);
+    const int layers = particles_plan(m, n, x, volume);
+    par_exchange_forward(m->exchange, m->mine, m->served, sizeof *m->mine);
+
+    int first[3], last[3];
+    for (int c = 0; c < 3; c++) first[c] = -layers, last[c] = g->m[c] + layers;
+    memset(m->fraction, 0, g->size * sizeof(double));
+    double *f = m->fraction + fluid_grid_at(g, 0, 0, 0);
+    const int served = par_exchange_count(m->exchange);
+    for (int q = 0; q < served; q++) {
+        double low[3], high[3];
+        for (int c = 0; c < 3; c++) {
+            const double s = m->served[q].x[c] / g->d[c] - g->lo[c], half = 0.5 * m->served[q].side / g->d[c];
+            low[c] = s - half, high[c] = s + half;
+        }
+        medium_kernels_deposit(low, high, first, last, g->row, g->plane, f);
+    }
+    par_halo_add(g->halos, 1, &m->fraction, layers);
+    par_halo_fill(g->halos, 1, &m->fraction, 1);
+    m->effective = -1;
+    clock_end(CLOCK_OUTPUT);
+}
+
+const double *medium_fraction(const struct medium *m) { return m->fraction; }

@@ -1,0 +1,54 @@
+/* Refinement within a run: when it is looked for, and what step the solid takes afterwards. */
+#include "base/clock.h"
+#include "files/log.h"
+#include "coupling/run.h"
+#include "solid/refine/refine.h"
+
+#include <math.h>
+
+/* What the fastest mode between levels may gain as a refined region grows: Lanczos need not run again. */
+static const double GROWTH = 1.03;
+
+/* A step given that is less than half as long as bonds as stiff as the bound would allow, so that contact may add some: 1, and
+ * the rates say so. One-sided horizons have no bound, damping has rates of its own. */
+static int is_ample(struct run *r, double bound) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const struct solid_stage *solid = &r->solid->stage;
+    const struct solid_rates of = {
+        .stiffness = bound, .sum = 1, .difference = 1, .absolute = solid->damping_absolute};
+    if (r->solid->in.horizons != SOLID_DUAL_HORIZON || solid->damping_relative > 0 || !(r->dt > 0)) return 0;
+    const double step = stage->safety * solid_stable_of(&of, solid->integrator, 0, NULL);
+    if (r->dt > 0.5 * step) return 0;
+    r->solid_rates = of;
+    return 1;
+}
+
+/* Lanczos's rates are right for the particles there were, and a small region is slower than an endless one of its level, which is
+ * therefore counted too. They hold for others of the same levels as long as the bound by families is no higher; a new level, or a
+ * higher bound, asks for them again. Never above the bound itself. */
+void refinement_rates(struct run *r) {
+    struct solid_rates *of = &r->solid_rates;
+    const double bound = solid_refine_rate_bound(r->solid);
+    const int level = solid_refine_finest(r->solid);
+    if (level <= r->refined.level && bound <= r->refined.rate2 * (1 + 1e-9)) return;
+    r->refined = (struct run_refined){level, bound};
+    if (is_ample(r, bound)) return;
+    solid_rates_of(r->solid, of);
+    if (level > 0) of->stiffness = fmax(GROWTH * of->stiffness, solid_refine_rate_lattice(r->solid, level));
+    if (r->solid->in.horizons == SOLID_DUAL_HORIZON) of->stiffness = fmin(of->stiffness, bound);
+}
+
+void refinement_look(struct run *r) {
+    const struct scene_refinement *in = r->scene->solid->refinement;
+    if (r->step % in->every != 0 || r->t < in->from) return;
+    clock_begin(CLOCK_SOLID);
+    r->solid->t = r->t;
+    solid_ghosts_update(r->solid);
+    const long refined = solid_refine_look(r->solid);
+    if (refined > 0) {
+        refinement_rates(r);
+        log_line("step %ld: %ld particles refined, %ld in all, finest level %d", r->step, refined,
+                 r->solid->n_global, solid_refine_finest(r->solid));
+    }
+    clock_end(CLOCK_SOLID);
+}

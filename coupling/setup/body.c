@@ -1,0 +1,77 @@
+/* Bodies and cracks. */
+#include "base/par.h"
+#include "coupling/setup/parts.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What the solid borrows as constant is owned here. */
+static void give_back(const void *array) { free((void *)(uintptr_t)array); }
+
+static void setup_outline(const struct scene_outline *from, struct solid_outline *to) {
+    double(*corner)[2] = calloc((size_t)from->corners, sizeof *corner);
+    double(*centre)[2] = calloc((size_t)from->corners, sizeof *centre);
+    signed char *turn = calloc((size_t)from->corners, sizeof *turn);
+    ENSURE(corner && centre && turn, "no memory for an outline of %d corners", from->corners);
+    for (int i = 0; i < from->corners; i++) {
+        memcpy(corner[i], from->corner[i].at, sizeof *corner);
+        memcpy(centre[i], from->corner[i].centre, sizeof *centre);
+        turn[i] = (signed char)from->corner[i].turn;
+    }
+    *to = (struct solid_outline){.is_hole = from->is_hole,
+                                 .corners = from->corners,
+                                 .corner = (const double(*)[2])corner,
+                                 .centre = (const double(*)[2])centre,
+                                 .turn = turn};
+}
+
+void setup_body_outlines(const struct scene_body *from, struct solid_body *to) {
+    struct solid_outline *outline = calloc((size_t)from->outlines + 1, sizeof *outline);
+    ENSURE(outline, "no memory for %d outlines", from->outlines);
+    for (int i = 0; i < from->outlines; i++) setup_outline(&from->outline[i], &outline[i]);
+    to->outline = outline;
+    to->outlines = from->outlines;
+    snprintf(to->name, sizeof to->name, "%s", from->name);
+}
+
+void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
+    static const enum solid_shape shape[] = {
+        [SCENE_BOX] = SOLID_BOX,        [SCENE_SPHERE] = SOLID_SPHERE,     [SCENE_CYLINDER] = SOLID_CYLINDER,
+        [SCENE_POINTS] = SOLID_POINTS,  [SCENE_RECTANGLE] = SOLID_POLYGON, [SCENE_DISC] = SOLID_POLYGON,
+        [SCENE_POLYGON] = SOLID_POLYGON};
+    *to = (struct solid_body){.shape = shape[from->shape],
+                              .radius = from->radius,
+                              .axis = from->axis,
+                              .length = from->length,
+                              .material = from->material_index};
+    setup_body_outlines(from, to);
+    memcpy(to->low, from->low, sizeof to->low);
+    memcpy(to->high, from->high, sizeof to->high);
+    memcpy(to->centre, from->centre, sizeof to->centre);
+    if (from->has_cavities) {
+        to->cavity_period = from->cavity_period;
+        to->cavity_radius = from->cavity_radius;
+        memcpy(to->cavity_centre, from->cavity_centre, sizeof to->cavity_centre);
+    }
+    if (to->shape == SOLID_POINTS) setup_points(from, dim, to);
+}
+
+void setup_body_free(struct solid_body *body) {
+    for (int i = 0; i < body->outlines; i++) {
+        give_back(body->outline[i].corner);
+        give_back(body->outline[i].centre);
+        give_back(body->outline[i].turn);
+    }
+    give_back(body->outline);
+    give_back(body->point[0]);
+}
+
+void setup_body_cut(const struct scene_crack *from, struct solid_cut *to) {
+    double(*point)[3] = calloc((size_t)from->points, sizeof *point);
+    ENSURE(point, "no memory for a crack of %d points", from->points);
+    memcpy(point, from->point, (size_t)from->points * sizeof *point);
+    *to = (struct solid_cut){from->points, (const double(*)[3])point};
+}
+
+void setup_body_cut_free(struct solid_cut *cut) { give_back(cut->point); }

@@ -1,0 +1,174 @@
+#include "coupling/setup/setup.h"
+#include "coupling/setup/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void copy3(double to[3], const double from[3]) { memcpy(to, from, 3 * sizeof(double)); }
+
+static void setup_side(const struct scene_side *from, struct fluid_side *to) {
+    static const enum fluid_side_type type[] = {
+        [SCENE_PERIODIC] = FLUID_PERIODIC, [SCENE_WALL] = FLUID_WALL,       [SCENE_SLIP] = FLUID_SLIP,
+        [SCENE_INFLOW] = FLUID_INFLOW,     [SCENE_OUTFLOW] = FLUID_OUTFLOW, [SCENE_PRESSURE] = FLUID_PRESSURE,
+        [SCENE_GENERAL] = FLUID_GENERAL};
+    static const enum fluid_profile profile[] = {[SCENE_UNIFORM] = FLUID_UNIFORM,
+                                                 [SCENE_POISEUILLE] = FLUID_POISEUILLE,
+                                                 [SCENE_PROFILE_FILE] = FLUID_PROFILE_FILE};
+    const enum scene_condition condition[4] = {from->u, from->v, from->w, from->p};
+    to->type = type[from->type];
+    copy3(to->velocity, from->velocity);
+    to->profile = profile[from->profile];
+    to->bulk_velocity = from->bulk_velocity;
+    snprintf(to->file, sizeof to->file, "%s", from->file);
+    to->pressure = from->pressure;
+    for (int q = 0; q < 4; q++)
+        to->condition[q] = condition[q] == SCENE_NEUMANN ? FLUID_NEUMANN : FLUID_DIRICHLET;
+}
+
+/* The fastest sqrt(E/rho) of an elastic solid, m/s. */
+static double wave_speed(const struct scene *scene) {
+    double most = 0;
+    for (int m = 0; setup_needs_of(scene).bonds && m < scene->solid->materials; m++)
+        most = fmax(most, sqrt(scene->solid->material[m].youngs_modulus / scene->solid->material[m].density));
+    return most;
+}
+
+void setup_fluid(const struct scene *scene, struct fluid_input *in) {
+    static const enum fluid_driving_type driving[] = {[SCENE_DRIVING_NONE] = FLUID_DRIVING_NONE,
+                                                      [SCENE_DRIVING_GRADIENT] = FLUID_DRIVING_GRADIENT,
+                                                      [SCENE_DRIVING_BULK] = FLUID_DRIVING_BULK};
+    static const int along[][3] = {
+        [SCENE_XY] = {1, 1, 0}, [SCENE_XZ] = {1, 0, 1}, [SCENE_YZ] = {0, 1, 1}, [SCENE_XYZ] = {1, 1, 1}};
+    const struct scene_fluid *f = scene->fluid;
+    *in = (struct fluid_input){.density = f->density,
+                               .viscosity = f->viscosity,
+                               .driving = {driving[f->driving], f->driving_direction, f->driving_value},
+                               .driving_frequency = f->driving_frequency,
+                               .initial_poiseuille = f->initial_poiseuille,
+                               .immersed = scene->solid != NULL,
+                               .speed = wave_speed(scene),
+                               .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT};
+    memcpy(in->n, scene->domain.cells, sizeof in->n);
+    copy3(in->length, scene->domain.size);
+    copy3(in->body_force, f->body_force);
+    copy3(in->initial_velocity, f->initial_velocity);
+    if (f->has_taylor_green) {
+        in->vortices.velocity = f->taylor_green_velocity;
+        memcpy(in->vortices.along, along[f->taylor_green_axes], sizeof in->vortices.along);
+    }
+    for (int c = 0; c < 3; c++)
+        for (int e = 0; e < 2; e++) setup_side(&f->side[c][e], &in->side[c][e]);
+}
+
+static void setup_constraint(const struct scene_constraint *from, struct solid_constraint *to) {
+    copy3(to->low, from->low);
+    copy3(to->high, from->high);
+    memcpy(to->direction, from->direction, sizeof to->direction);
+    copy3(to->velocity, from->velocity);
+}
+
+static void setup_material(const struct scene_material *from, struct solid_material *to) {
+    *to = (struct solid_material){.youngs_modulus = from->youngs_modulus,
+                                  .density = from->density,
+                                  .fracture_energy = from->fracture_energy,
+                                  .horizon_ratio = from->horizon_ratio,
+                                  .micromodulus =
+                                      from->micromodulus == SCENE_CONICAL ? SOLID_CONICAL : SOLID_CONSTANT};
+}
+
+/* n elements and one more, so that none is an array too. */
+static void *array_of(int n, size_t size) {
+    void *array = calloc((size_t)n + 1, size);
+    ENSURE(array, "no memory for the solid's input");
+    return array;
+}
+
+struct solid_input *setup_solid(const struct scene *scene) {
+    static const enum solid_model model[] = {[SCENE_3D] = SOLID_3D,
+                                             [SCENE_PLANE_STRESS] = SOLID_PLANE_STRESS,
+                                             [SCENE_PLANE_STRAIN] = SOLID_PLANE_STRAIN};
+    const struct scene_solid *s = scene->solid;
+    setup_check(scene);
+    struct solid_input *in = array_of(1, sizeof *in);
+    struct solid_body *body = array_of(s->bodies, sizeof *body);
+    struct solid_material *material = array_of(s->materials, sizeof *material);
+    struct solid_cut *cut = array_of(s->cracks, sizeof *cut);
+    struct solid_constraint *constraint = array_of(s->constraints, sizeof *constraint);
+    struct solid_region *unbreakable = array_of(s->unbreakables, sizeof *unbreakable);
+    for (int b = 0; b < s->bodies; b++) setup_body(&s->body[b], scene->dimension, &body[b]);
+    for (int m = 0; m < s->materials; m++) setup_material(&s->material[m], &material[m]);
+    for (int k = 0; k < s->cracks; k++) setup_body_cut(&s->crack[k], &cut[k]);
+    for (int k = 0; k < s->constraints; k++) setup_constraint(&s->constraint[k], &constraint[k]);
+    for (int k = 0; k < s->unbreakables; k++) {
+        copy3(unbreakable[k].low, s->unbreakable[k].low);
+        copy3(unbreakable[k].high, s->unbreakable[k].high);
+    }
+    *in = (struct solid_input){
+        .model = model[s->model],
+        .thickness = s->thickness,
+        .partial = s->partial_volume == SCENE_PARTIAL_RAMP ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
+        .horizons = s->horizons == SCENE_HORIZONS_ONE_SIDED ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON,
+        .cuts = s->cracks,
+        .cut = cut,
+        .spacing = s->spacing,
+        .bodies = s->bodies,
+        .body = body,
+        .materials = s->materials,
+        .material = material,
+        .constraints = s->constraints,
+        .constraint = constraint,
+        .unbreakables = s->unbreakables,
+        .unbreakable = unbreakable,
+        .surface_correction = s->surface_correction,
+        .contact = s->contact,
+        .contact_stiffness = s->contact_stiffness,
+        .contact_exponent = s->contact_exponent,
+        .contact_radius = s->contact_radius,
+        .shape_surface = scene->coupling && scene->coupling->surface == SCENE_SURFACE_SHAPE};
+    for (int d = 0; d < scene->dimension; d++) in->origin[d] = s->lattice_offset[d] * s->spacing;
+    copy3(in->body_force, s->body_force);
+    copy3(in->length, scene->domain.size);
+    memcpy(in->periodic, scene->domain.periodic, sizeof in->periodic);
+    return in;
+}
+
+static void give_back(const void *array) { free((void *)(uintptr_t)array); }
+
+void setup_solid_free(struct solid_input *in) {
+    for (int b = 0; b < in->bodies; b++) setup_body_free((struct solid_body *)(uintptr_t)&in->body[b]);
+    for (int k = 0; k < in->cuts; k++) setup_body_cut_free((struct solid_cut *)(uintptr_t)&in->cut[k]);
+    give_back(in->body);
+    give_back(in->material);
+    give_back(in->cut);
+    give_back(in->constraint);
+    give_back(in->unbreakable);
+    free(in);
+}
+
+void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
+    *to = (struct solid_stage){.integrator = from->integrator == SCENE_VERLET ? SOLID_VERLET : SOLID_RK3,
+                               .breakage = from->breakage,
+                               .damping_relative = from->damping_relative,
+                               .damping_absolute = from->damping_absolute};
+}
+
+/* Whether particles may be strangers from the start: of several bodies, across a crack, of points that may stand apart. */
+static int is_in_pieces(const struct scene_solid *s) {
+    return s->bodies > 1 || s->cracks > 0 || s->body[0].shape == SCENE_POINTS;
+}
+
+struct setup_needs setup_needs_of(const struct scene *scene) {
+    struct setup_needs needs = {.fluid = scene->fluid != NULL, .solid = scene->solid != NULL};
+    needs.immersed = needs.fluid && needs.solid;
+    for (int k = 0; needs.solid && k < scene->stages; k++) {
+        const int elastic = scene->stage[k].solid == SCENE_SOLID_ELASTIC;
+        needs.bonds |= elastic;
+        for (int m = 0; m < scene->solid->materials; m++)
+            needs.breakage |=
+                elastic && scene->stage[k].breakage && isfinite(scene->solid->material[m].fracture_energy);
+    }
+    needs.contact = needs.bonds && scene->solid->contact && (needs.breakage || is_in_pieces(scene->solid));
+    return needs;
+}

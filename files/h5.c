@@ -1,0 +1,260 @@
+#include "files/h5.h"
+#include "files/aside.h"
+#include "base/error.h"
+#include "base/par.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <mpi.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+__attribute__((format(printf, 2, 3))) static void because(struct h5 *f, const char *format, ...) {
+    va_list args;
+    if (f->why[0]) return;
+    va_start(args, format);
+    vsnprintf(f->why, sizeof f->why, format, args);
+    va_end(args);
+}
+
+/* A fault inside HDF5: in the system's own words if the file cannot be opened any more, because its folder or its disk is gone. */
+static void because_hdf5(struct h5 *f, const char *does_not) {
+    const int fd = open(f->part, O_RDWR | O_CLOEXEC);
+    because(f, "%s", fd < 0 ? strerror(errno) : does_not);
+    if (fd >= 0) close(fd);
+}
+
+/* A fault of any rank becomes everybody's, with the words of the lowest rank that has it. */
+static int agree(struct h5 *f, int fault) {
+    if (f->shared) {
+        const int first = (int)par_min(fault ? par_rank() : par_size());
+        fault = first < par_size();
+        if (fault) par_bcast(f->why, sizeof f->why, first);
+    }
+    if (fault) f->failed = 1;
+    return fault;
+}
+
+hid_t h5_access_list(const struct h5 *f) {
+    const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
+    if (f->shared) H5Pset_fapl_mpio(list, MPI_COMM_WORLD, MPI_INFO_NULL);
+    H5Pset_fclose_degree(list, H5F_CLOSE_STRONG);
+    H5Pset_file_locking(list, 0, 1); /* files appear whole, by renaming; some file systems have no locks */
+    return list;
+}
+
+hid_t h5_open_alone(const char *path) {
+    const hid_t list = h5_access_list(&(struct h5){.shared = 0});
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, list);
+    H5Pclose(list);
+    return file;
+}
+
+hid_t h5_transfer_list(const struct h5 *f) {
+    const hid_t list = H5Pcreate(H5P_DATASET_XFER);
+    if (f->shared) H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
+    return list;
+}
+
+/* A new handle; HDF5 says nothing by itself: its faults become our sentences. */
+static void clear(struct h5 *f, const char *path) {
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    memset(f, 0, sizeof *f);
+    f->file = -1;
+    f->shared = par_size() > 1;
+    if (strlen(path) >= sizeof f->path) die(EXIT_CODE_FILE, "%s: the name is too long", path);
+    snprintf(f->path, sizeof f->path, "%s", path);
+    snprintf(f->part, sizeof f->part, "%s.part", path);
+}
+
+enum { HEADERS = 1 << 16 }; /* bytes, more than all that HDF5 writes beside the arrays */
+
+/* Blocks of the disk for an array of so many bytes at the end of the file, and for the headers before and behind it. Asked
+ * for before HDF5 hears of the array: MPI-IO may let a short write pass unseen, and HDF5 cannot close a file that it has
+ * promised what the disk lacks. */
+static int reserve(struct h5 *f, hsize_t bytes) {
+    int code = 0;
+    if (par_rank() == 0) {
+        const int fd = open(f->part, O_RDWR | O_CLOEXEC);
+        const off_t end = f->end + (off_t)bytes + 2 * HEADERS;
+        if (fd < 0)
+            code = errno;
+        else if (end > f->reserved)
+            code = posix_fallocate(fd, f->reserved, end - f->reserved);
+        if (!code && end > f->reserved) f->reserved = end;
+        if (fd >= 0) close(fd);
+        if (code) because(f, "%s", strerror(code));
+    }
+    return agree(f, code != 0);
+}
+
+/* Whether the disk still takes what has been reserved, its last byte: a limit, or a disk that is gone, may come amid the file. HDF5
+ * is then left alone, because ranks that cannot write wait in it for each other for ever. */
+static int try_write(struct h5 *f) {
+    int code = 0;
+    if (par_rank() == 0 && f->reserved > 0) {
+        const int fd = open(f->part, O_WRONLY | O_CLOEXEC);
+        if (fd < 0 || pwrite(fd, "", 1, f->reserved - 1) != 1) code = errno;
+        if (fd >= 0) close(fd);
+        if (code) because(f, "%s", strerror(code));
+    }
+    f->stuck = agree(f, code != 0);
+    return f->stuck;
+}
+
+void h5_begin(struct h5 *f, const char *path) {
+    clear(f, path);
+    int fault = 0;
+    if (par_rank() == 0) { /* the system's own words, before MPI hides them */
+        const int fd = open(f->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        fault = fd < 0;
+        if (fault) because(f, "%s", strerror(errno));
+        if (fd >= 0) close(fd);
+    }
+    if (agree(f, fault) || reserve(f, 0)) return;
+    const hid_t list = h5_access_list(f);
+    f->file = H5Fcreate(f->part, H5F_ACC_TRUNC, H5P_DEFAULT, list);
+    H5Pclose(list);
+    f->reserved = 0; /* given back by H5F_ACC_TRUNC */
+    fault = f->file < 0;
+    if (fault) because_hdf5(f, "HDF5 cannot create it");
+    if (!agree(f, fault)) reserve(f, 0);
+}
+
+hsize_t h5_items(const struct h5_block *b, const hsize_t m[H5_DIMS]) {
+    hsize_t items = 1;
+    for (int k = 0; k < b->dims; k++) items *= m[k];
+    return items;
+}
+
+void h5_group(struct h5 *f, const char *name) {
+    if (f->failed) return;
+    const hid_t group = H5Gcreate2(f->file, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int fault = group < 0;
+    if (fault) because(f, "group %s cannot be made", name);
+    if (group >= 0) H5Gclose(group);
+    agree(f, fault);
+}
+
+void h5_select(const struct h5_block *b, hid_t in_file, hid_t *in_memory) {
+    *in_memory = H5Screate_simple(b->dims, b->m, NULL);
+    if (h5_items(b, b->m) == 0) {
+        H5Sselect_none(in_file);
+        H5Sselect_none(*in_memory);
+    } else {
+        H5Sselect_hyperslab(in_file, H5S_SELECT_SET, b->lo, NULL, b->m, NULL);
+    }
+}
+
+void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block *b, const void *value) {
+    static const char nothing = 0;
+    if (f->failed || reserve(f, h5_items(b, b->n) * H5Tget_size(type)) || try_write(f)) return;
+    const hid_t list = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(b->dims, b->n, NULL);
+    H5Pset_alloc_time(list, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(list, H5D_FILL_TIME_NEVER);
+    const hid_t set = H5Dcreate2(f->file, name, type, space, H5P_DEFAULT, list, H5P_DEFAULT);
+    int fault = set < 0;
+    if (fault) because(f, "array %s cannot be made", name);
+    const haddr_t at = fault ? HADDR_UNDEF : H5Dget_offset(set);
+    if (at != HADDR_UNDEF) {
+        f->at = (off_t)at;
+        f->end = f->at + (off_t)H5Dget_storage_size(set);
+    }
+    /* an array of nothing has no place in the file to write to */
+    if (!agree(f, fault) && h5_items(b, b->n) > 0) {
+        hid_t in_memory;
+        h5_select(b, space, &in_memory);
+        const hid_t transfer = h5_transfer_list(f);
+        fault = H5Dwrite(set, type, in_memory, space, transfer, value ? value : &nothing) < 0;
+        if (fault) because(f, "array %s cannot be written", name);
+        H5Pclose(transfer);
+        H5Sclose(in_memory);
+        f->stuck = agree(f, fault);
+    }
+    if (set >= 0 && !f->stuck) H5Dclose(set);
+    H5Sclose(space);
+    H5Pclose(list);
+}
+
+void h5_write_text(struct h5 *f, const char *name, const char *value) {
+    const struct h5_block b = {.dims = 1, .n = {1}, .m = {par_rank() == 0}};
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, strlen(value) + 1);
+    h5_write(f, name, type, &b, value);
+    H5Tclose(type);
+}
+
+static void attribute(struct h5 *f, const char *of, const char *name, hid_t type, hid_t space,
+                      const void *value) {
+    const hid_t object = H5Oopen(f->file, of, H5P_DEFAULT);
+    const hid_t a = object < 0 ? -1 : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    const int fault = a < 0 || H5Awrite(a, type, value) < 0;
+    if (fault) because(f, "attribute %s of %s cannot be written", name, of);
+    if (a >= 0) H5Aclose(a);
+    if (object >= 0) H5Oclose(object);
+    agree(f, fault);
+}
+
+void h5_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, const void *value) {
+    if (f->failed) return;
+    const hsize_t n = count < 0 ? 1 : (hsize_t)count;
+    const hid_t space = count < 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &n, NULL);
+    attribute(f, of, name, type, space, value);
+    H5Sclose(space);
+}
+
+/* As VTK demands: of fixed length, ASCII, without the ending zero where it is not empty. */
+void h5_attribute_text(struct h5 *f, const char *of, const char *name, const char *value) {
+    if (f->failed) return;
+    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+    H5Tset_size(type, strlen(value) > 0 ? strlen(value) : 1);
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    attribute(f, of, name, type, space, value);
+    H5Sclose(space);
+    H5Tclose(type);
+}
+
+/* Looks whether the closed file can be read, gives back what was reserved and not used, seals and publishes it. One rank. */
+static int publish(struct h5 *f) {
+    haddr_t end = 0;
+    const hid_t file = h5_open_alone(f->part);
+    if (file < 0 || H5Fget_eoa(file, &end) < 0) {
+        because_hdf5(f, "it cannot be read back");
+        return 1;
+    }
+    H5Fclose(file);
+    struct stat is;
+    int code = stat(f->part, &is) == 0 ? 0 : errno;
+    if (!code && f->seal)
+        code = seal_file_write(f->seal, f->part, end);
+    else if (!code && is.st_size > (off_t)end && truncate(f->part, (off_t)end) != 0)
+        code = errno;
+    if (!code) code = aside_publish(f->part, f->path, !f->unsynced);
+    if (code) because(f, "%s", strerror(code));
+    return code != 0;
+}
+
+static void finish(struct h5 *f) {
+    if (f->stuck || try_write(f)) return;
+    int fault = H5Fflush(f->file, H5F_SCOPE_GLOBAL) < 0;
+    if (fault) because_hdf5(f, "HDF5 cannot flush it");
+    agree(f, fault);
+    fault = H5Fclose(f->file) < 0;
+    if (fault) because_hdf5(f, "HDF5 cannot close it");
+    f->stuck = agree(f, fault);
+    agree(f, par_rank() == 0 && !f->failed && publish(f));
+}
+
+void h5_end(struct h5 *f) {
+    if (f->file >= 0) finish(f);
+    if (!f->failed) return;
+    if (par_rank() == 0) unlink(f->part);
+    par_barrier();
+    /* a file that HDF5 could not close would bring the library down at the program's regular end */
+    if (f->stuck && par_rank() == 0) die(EXIT_CODE_FILE, "%s: cannot be written: %s", f->path, f->why);
+    if (f->stuck) par_barrier(); /* until rank 0 takes this one with it */
+    die_all(EXIT_CODE_FILE, "%s: cannot be written: %s", f->path, f->why);
+}

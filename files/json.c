@@ -1,0 +1,103 @@
+#include "files/json.h"
+#include "files/aside.h"
+#include "base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { DEPTH = 16 };
+
+struct json {
+    struct aside aside;
+    int depth;
+    char closing[DEPTH]; /* of what is open */
+    int items[DEPTH];    /* written into it so far */
+};
+
+/* "..." with what JSON demands escaped. */
+static void quote(FILE *f, const char *text) {
+    fputc('"', f);
+    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
+        if (*c == '"' || *c == '\\')
+            fprintf(f, "\\%c", *c);
+        else if (*c == '\n')
+            fputs("\\n", f);
+        else if (*c == '\t')
+            fputs("\\t", f);
+        else if (*c < 0x20)
+            fprintf(f, "\\u%04x", *c);
+        else
+            fputc(*c, f);
+    }
+    fputc('"', f);
+}
+
+/* The comma, the new line and the key before a value. */
+static FILE *next(struct json *j, const char *key) {
+    FILE *f = j->aside.file;
+    const int in_array = j->closing[j->depth - 1] == ']';
+    ENSURE((key == NULL) == in_array,
+           "JSON: a key belongs to every item of an object and to none of an array");
+    fputs(j->items[j->depth - 1]++ ? ",\n" : "\n", f);
+    for (int k = 0; k < j->depth; k++) fputs("  ", f);
+    if (key) {
+        quote(f, key);
+        fputs(": ", f);
+    }
+    return f;
+}
+
+static void opened(struct json *j, char opening, char closing) {
+    ENSURE(j->depth < DEPTH, "JSON nests %d deep", j->depth);
+    fputc(opening, j->aside.file);
+    j->closing[j->depth] = closing;
+    j->items[j->depth++] = 0;
+}
+
+struct json *json_begin(const char *path) {
+    struct json *j = calloc(1, sizeof *j);
+    aside_begin(&j->aside, path);
+    opened(j, '{', '}');
+    return j;
+}
+
+void json_close(struct json *j) {
+    FILE *f = j->aside.file;
+    ENSURE(j->depth > 0, "JSON: nothing is open");
+    j->depth--;
+    if (j->items[j->depth]) {
+        fputc('\n', f);
+        for (int k = 0; k < j->depth; k++) fputs("  ", f);
+    }
+    fputc(j->closing[j->depth], f);
+}
+
+void json_end(struct json *j) {
+    while (j->depth > 0) json_close(j);
+    fputc('\n', j->aside.file);
+    aside_end(&j->aside);
+    free(j);
+}
+
+void json_object(struct json *j, const char *key) {
+    next(j, key);
+    opened(j, '{', '}');
+}
+
+void json_array(struct json *j, const char *key) {
+    next(j, key);
+    opened(j, '[', ']');
+}
+
+void json_text(struct json *j, const char *key, const char *value) { quote(next(j, key), value); }
+
+void json_number(struct json *j, const char *key, double value) {
+    if (isfinite(value))
+        fprintf(next(j, key), "%.15g", value);
+    else
+        fputs("null", next(j, key));
+}
+
+void json_long(struct json *j, const char *key, long value) { fprintf(next(j, key), "%ld", value); }
+
+void json_bool(struct json *j, const char *key, int value) { fputs(value ? "true" : "false", next(j, key)); }

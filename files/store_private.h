@@ -1,0 +1,26 @@
+/* What store.c and store_read.c share. */
+#pragma once
+#include "files/folder.h"
+#include "files/h5.h"
+#include "files/store.h"
+
+struct store {
+    struct h5 h5;
+    char folder[FOLDER_PATH], name[256]; /* writing */
+    int keep;
+    int damaged; /* reading: an array was not what was written */
+    struct seal seal;
+    double *scratch;
+    size_t scratch_items;
+};
+
+hid_t store_h5_type(enum store_type type);
+double *store_scratch(struct store *s, size_t items);
+int store_is_contiguous(const struct store_block *b);
+struct h5_block store_h5_block(const struct store_block *b);
+struct h5_block store_h5_range(int comps, long n, long first, long count);
+size_t store_row(enum store_type type, int comps); /* bytes of an item of a range */
+/* This rank's part of a block's sum; value: contiguous. */
+uint64_t store_sum_block(const struct store_block *b, const double *value);
+/* Names of the checkpoints in a folder, best first, malloc'ed; one rank's affair. */
+int store_candidates(const char *folder, char (**name)[256]);

@@ -1,0 +1,31 @@
+/* A table that grows by a row a sample: CSV with a row of names and a row of units behind '#'. Each row is on the disk's
+ * queue when table_row returns, so that a killed run loses none.
+ *
+ *     step,t,dt
+ *     #1,s,s
+ *     10,0.00335,0.000335                                                                          */
+#pragma once
+
+struct table; /* opaque, owned by the caller */
+
+/* resume_step < 0: a new table, replacing an old one. Otherwise the old one is cut back to rows whose step (the column of
+ * that name, or else the first) is at most resume_step, and goes on; a file that is missing is begun; one with other
+ * columns is refused. Dies with exit code 4. Collective. */
+struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
+                        long resume_step);
+/* value [columns], to 15 digits; NaN is written "nan". Rank 0 writes, others return at once. Not collective. */
+void table_row(struct table *t, const double *value);
+void table_free(struct table *t);
+
+/* A table read back. */
+struct table_data {
+    int columns;
+    long rows;
+    char **name, **unit; /* [columns], owned */
+    double *value;       /* [rows][columns], owned */
+};
+
+/* NULL when the file is missing or is no table; *error (may be NULL) then says why. Not collective. */
+struct table_data *table_read(const char *path, const char **error);
+int table_read_column(const struct table_data *d, const char *name); /* -1: none */
+void table_read_free(struct table_data *d);

@@ -1,0 +1,224 @@
+#include "fluid/grid/boundary.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_halo.h"
+#include "fluid/grid/profile.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+const char *const fluid_boundary_side_name[3][2] = {{"x_low", "x_high"}, {"y_low", "y_high"}, {"z_low", "z_high"}};
+
+/* The conditions that a type of side stands for. */
+static void conditions(const struct fluid_side *in, int d, struct fluid_boundary_side *s) {
+    const int general = in->type == FLUID_GENERAL;
+    const int held = in->type == FLUID_WALL || in->type == FLUID_INFLOW;
+    s->normal = in->type == FLUID_OUTFLOW    ? FLUID_NORMAL_CONVECTIVE
+                : in->type == FLUID_PRESSURE ? FLUID_NORMAL_FREE
+                                             : FLUID_NORMAL_GIVEN;
+    for (int c = 0; c < 3; c++) {
+        s->condition[c] = general ? in->condition[c] : held || c == d ? FLUID_DIRICHLET : FLUID_NEUMANN;
+        s->value[c] = general || (in->type == FLUID_WALL && c != d) ? in->velocity[c] : 0;
+    }
+    s->condition[3] = general                      ? in->condition[3]
+                      : in->type == FLUID_PRESSURE ? FLUID_DIRICHLET
+                                                   : FLUID_NEUMANN;
+    s->value[3] = s->condition[3] == FLUID_DIRICHLET ? in->pressure : 0;
+    if (s->condition[3] == FLUID_DIRICHLET) {
+        s->normal = FLUID_NORMAL_FREE;
+        s->condition[d] = FLUID_NEUMANN;
+    }
+}
+
+static void refuse_contradictions(const struct fluid_input *in) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            const struct fluid_side *s = &in->side[d][side];
+            if ((s->type == FLUID_PERIODIC) != (in->side[d][!side].type == FLUID_PERIODIC))
+                die_all(EXIT_CODE_SCENE, "fluid.sides.%s: periodic on one side and not on the other",
+                        fluid_boundary_side_name[d][side]);
+            if (s->type == FLUID_WALL && s->velocity[d] != 0)
+                die_all(EXIT_CODE_SCENE, "fluid.sides.%s.velocity: a wall moves in its own plane only",
+                        fluid_boundary_side_name[d][side]);
+            if (s->type == FLUID_GENERAL && s->condition[d] == s->condition[3])
+                die_all(EXIT_CODE_SCENE,
+                        "fluid.sides.%s: needs a Dirichlet condition on either the normal velocity or the "
+                        "pressure, and a "
+                        "Neumann condition on the other",
+                        fluid_boundary_side_name[d][side]);
+        }
+}
+
+/* The plane of values of a side, and its sum over the whole side of velocity into the domain times area, m3/s. */
+static double fill_plane(const struct fluid_grid *g, const struct fluid_input *in, int d, int side,
+                         struct fluid_boundary_side *s) {
+    int a, b;
+    fluid_boundary_others(d, &a, &b);
+    const double sign = side ? -1 : 1, area = g->d[a] * g->d[b];
+    const int na = g->n[a], nb = g->n[b];
+    double *profile = memory_new(MEMORY_FLUID, (size_t)na * (size_t)nb, sizeof *profile);
+    const enum fluid_side_type type = in->side[d][side].type;
+    if (type == FLUID_INFLOW) fluid_profile_inflow(in, d, side, profile);
+    double sum = 0;
+    for (int i = 0; i < na * nb; i++) {
+        if (type == FLUID_GENERAL) profile[i] = sign * in->side[d][side].velocity[d];
+        sum += profile[i];
+    }
+    if (s->here) {
+        s->plane = memory_new(MEMORY_FLUID, (size_t)g->m[a] * (size_t)g->m[b], sizeof *s->plane);
+        for (int l = 0; l < g->m[b]; l++)
+            for (int j = 0; j < g->m[a]; j++)
+                s->plane[l * g->m[a] + j] = sign * profile[(l + g->lo[b]) * na + j + g->lo[a]];
+    }
+    memory_free(profile);
+    return sum * area;
+}
+
+struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const struct fluid_input *in) {
+    struct fluid_boundary *boundary = calloc(1, sizeof *boundary);
+    double through = 0;
+    refuse_contradictions(in);
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            struct fluid_boundary_side *s = &boundary->side[d][side];
+            if (g->periodic[d]) continue;
+            s->here = par_halo_at_side(g->halos, d, side);
+            conditions(&in->side[d][side], d, s);
+            const double flux = s->normal == FLUID_NORMAL_FREE ? 0 : fill_plane(g, in, d, side, s);
+            if (s->normal == FLUID_NORMAL_FREE) boundary->open = 1;
+            if (s->normal != FLUID_NORMAL_GIVEN && side == 0) boundary->low_unowned = 1;
+            if (s->normal == FLUID_NORMAL_CONVECTIVE)
+                boundary->outlet += g->length[0] * g->length[1] * g->length[2] / g->length[d];
+            if (s->normal == FLUID_NORMAL_GIVEN) {
+                boundary->inflow += flux;
+                through += fabs(flux);
+            }
+        }
+    if (!boundary->open && boundary->outlet == 0 && fabs(boundary->inflow) > 1e-12 * through)
+        die_all(EXIT_CODE_SCENE,
+                "fluid.sides: %g m3/s flow in and none out; an outflow or pressure side is missing",
+                boundary->inflow);
+    return boundary;
+}
+
+void fluid_boundary_free(struct fluid_boundary *b) {
+    if (!b) return;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) memory_free(b->side[d][side].plane);
+    free(b);
+}
+
+/* How a field is extended at one side: about the cell centres' side face, or (on_face) about its own place on it. */
+struct extension {
+    int on_face;
+    enum fluid_condition condition;
+    double value;
+};
+
+/* Over the part's extent of the other two directions. */
+static void extend(const struct fluid_grid *g, double *q, int d, int side, const struct extension *e,
+                   const struct par_halo_part *part) {
+    int a, b;
+    fluid_boundary_others(d, &a, &b);
+    const ptrdiff_t sa = fluid_boundary_stride(g, a), sb = fluid_boundary_stride(g, b);
+    const ptrdiff_t out = side ? fluid_boundary_stride(g, d) : -fluid_boundary_stride(g, d);
+    const ptrdiff_t face = (ptrdiff_t)fluid_boundary_face(g, d, side, 0, 0);
+    /* first value mirrored into the first ghost: the cell at the side, or the one before the face's own */
+    const ptrdiff_t inner = e->on_face ? face - out : side ? face : face - out;
+    const int first_ghost = e->on_face ? 2 : 1, layers = part->layers;
+    const int count = e->on_face && !side ? layers - 1 : layers, first = part->low[a], last = part->high[a];
+    for (int l = 0; l < count; l++) {
+        const ptrdiff_t from = inner - l * out, to = inner + (first_ghost + l) * out;
+        const double step = (e->on_face ? 2 * (l + 1) : 2 * l + 1) * g->d[d] * e->value;
+        for (int kb = part->low[b]; kb < part->high[b]; kb++) {
+            double *restrict line = q + kb * sb;
+            if (e->condition == FLUID_NEUMANN)
+                for (int ka = first; ka < last; ka++) line[to + ka * sa] = line[from + ka * sa] + step;
+            else if (e->on_face)
+                for (int ka = first; ka < last; ka++)
+                    line[to + ka * sa] = 2 * line[face + ka * sa] - line[from + ka * sa];
+            else
+                for (int ka = first; ka < last; ka++)
+                    line[to + ka * sa] = 2 * e->value - line[from + ka * sa];
+        }
+    }
+}
+
+static int most(int a, int b) { return a > b ? a : b; }
+static int least(int a, int b) { return a < b ? a : b; }
+
+void fluid_boundary_faces(const struct fluid_boundary *boundary, const struct fluid_grid *g,
+                          double *const q[3], const struct par_halo_part *part) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            const struct fluid_boundary_side *s = &boundary->side[d][side];
+            const int face = side ? g->m[d] - 1 : -1;
+            int a, b;
+            fluid_boundary_others(d, &a, &b);
+            if (!s->here || s->normal == FLUID_NORMAL_FREE) continue;
+            if (face < part->low[d] || face >= part->high[d]) continue;
+            const int first = most(part->low[a], 0), last = least(part->high[a], g->m[a]);
+            for (int l = most(part->low[b], 0); l < least(part->high[b], g->m[b]); l++)
+                for (int j = first; j < last; j++)
+                    q[d][fluid_boundary_face(g, d, side, j, l)] = s->plane[l * g->m[a] + j];
+        }
+}
+
+void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                           int direction, const struct par_halo_part *part) {
+    par_halo_fill_part(g->halos, direction, 3, q, part);
+    for (int side = 0; side < 2; side++) {
+        const struct fluid_boundary_side *s = &b->side[direction][side];
+        if (!s->here || !part->wanted[direction][side]) continue;
+        for (int c = 0; c < 3; c++) {
+            /* an outflow's normal velocity is continued evenly, as the other components are */
+            const int normal = c == direction;
+            const enum fluid_condition k =
+                normal && s->normal == FLUID_NORMAL_CONVECTIVE ? FLUID_NEUMANN : s->condition[c];
+            const struct extension e = {normal, k, s->value[c]};
+            extend(g, q[c], direction, side, &e, part);
+        }
+    }
+}
+
+void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g,
+                                  double *const q[3], const struct par_halo_part *part) {
+    fluid_boundary_faces(b, g, q, part);
+    for (int d = 0; d < 3; d++) fluid_boundary_ghosts(b, g, q, d, part);
+}
+
+void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                             int layers) {
+    const struct par_halo_part whole = par_halo_whole(g->halos, layers);
+    fluid_boundary_velocity_part(b, g, q, &whole);
+}
+
+void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
+                             const struct par_halo_part *part) {
+    for (int d = 0; d < 3; d++) {
+        par_halo_fill_part(g->halos, d, 1, &p, part);
+        for (int side = 0; side < 2; side++) {
+            const struct fluid_boundary_side *s = &b->side[d][side];
+            const struct extension e = {0, s->condition[3], s->value[3]};
+            if (s->here && part->wanted[d][side]) extend(g, p, d, side, &e, part);
+        }
+    }
+}
+
+void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fluid_grid *g,
+                          double *const q[3]) {
+    for (int d = 0; d < 3; d++) {
+        const struct fluid_boundary_side *s = &boundary->side[d][0];
+        int a, b;
+        fluid_boundary_others(d, &a, &b);
+        const ptrdiff_t sd = fluid_boundary_stride(g, d), sa = fluid_boundary_stride(g, a),
+                        sb = fluid_boundary_stride(g, b);
+        if (!s->here || s->normal == FLUID_NORMAL_GIVEN) continue;
+        for (int l = 0; l < g->m[b]; l++)
+            for (int j = 0; j < g->m[a]; j++) {
+                const size_t f = fluid_boundary_face(g, d, 0, j, l), n = f + (size_t)sd;
+                q[d][f] = q[d][n] + g->d[d] * ((q[a][n] - q[a][n - (size_t)sa]) / g->d[a] +
+                                               (q[b][n] - q[b][n - (size_t)sb]) / g->d[b]);
+            }
+    }
+}

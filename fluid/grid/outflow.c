@@ -1,0 +1,95 @@
+#include "fluid/grid/outflow.h"
+#include "base/par.h"
+
+#include <math.h>
+
+typedef double face_rule(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q,
+                         double *rate, const double factor[3]);
+
+/* Sets every value of the convective sides' planes by a rule of the face and the value inside it. */
+static void set_planes(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
+                       double *const rate[3], const double factor[2], face_rule *rule) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            struct fluid_boundary_side *s = &boundary->side[d][side];
+            int a, b;
+            fluid_boundary_others(d, &a, &b);
+            if (!s->here || s->normal != FLUID_NORMAL_CONVECTIVE) continue;
+            const ptrdiff_t in = side ? -fluid_boundary_stride(g, d) : fluid_boundary_stride(g, d);
+            const double rule_factor[3] = {factor[0], factor[1], 1 / g->d[d]};
+            for (int l = 0; l < g->m[b]; l++)
+                for (int j = 0; j < g->m[a]; j++) {
+                    const size_t face = fluid_boundary_face(g, d, side, j, l);
+                    s->plane[l * g->m[a] + j] = rule(s, face, (size_t)((ptrdiff_t)face + in), q[d],
+                                                     rate ? rate[d] : NULL, rule_factor);
+                }
+        }
+}
+
+/* What the planes let out, m3/s, by side. Collective. */
+static void flux_out(const struct fluid_boundary *boundary, const struct fluid_grid *g, double out[6]) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            const struct fluid_boundary_side *s = &boundary->side[d][side];
+            int a, b;
+            fluid_boundary_others(d, &a, &b);
+            double sum = 0;
+            if (s->here && s->normal == FLUID_NORMAL_CONVECTIVE)
+                for (int i = 0; i < g->m[a] * g->m[b]; i++) sum += s->plane[i];
+            out[2 * d + side] = (side ? sum : -sum) * g->d[a] * g->d[b];
+        }
+    par_sum_array(out, 6);
+}
+
+static void conserve_mass(struct fluid_boundary *boundary, const struct fluid_grid *g) {
+    if (boundary->open) return; /* the free sides let out what is needed */
+    double out[6], total = 0;
+    flux_out(boundary, g, out);
+    for (int i = 0; i < 6; i++) total += out[i];
+    const double missing = (boundary->inflow - total) / boundary->outlet;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            struct fluid_boundary_side *s = &boundary->side[d][side];
+            int a, b;
+            fluid_boundary_others(d, &a, &b);
+            if (!s->here || s->normal != FLUID_NORMAL_CONVECTIVE) continue;
+            for (int i = 0; i < g->m[a] * g->m[b]; i++) s->plane[i] += side ? missing : -missing;
+        }
+}
+
+static double as_it_stands(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q,
+                           double *rate, const double factor[3]) {
+    (void)s, (void)inside, (void)rate, (void)factor;
+    return q[face];
+}
+
+static double convected(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q,
+                        double *rate, const double factor[3]) {
+    const double now = -s->speed * (q[face] - q[inside]) * factor[2], before = rate[face];
+    rate[face] = now;
+    return q[face] + factor[0] * now + (factor[1] != 0 ? factor[1] * before : 0);
+}
+
+void fluid_outflow_begin(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]) {
+    if (boundary->outlet == 0) return;
+    double out[6];
+    set_planes(boundary, g, q, NULL, (double[2]){0, 0}, as_it_stands);
+    flux_out(boundary, g, out);
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            int a, b;
+            fluid_boundary_others(d, &a, &b);
+            boundary->side[d][side].speed = fmax(0, out[2 * d + side] / (g->length[a] * g->length[b]));
+        }
+}
+
+void fluid_outflow_advance(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
+                           double *const rate[3], double a, double b) {
+    if (boundary->outlet == 0) return;
+    set_planes(boundary, g, q, rate, (double[2]){a, b}, convected);
+    conserve_mass(boundary, g);
+}
+
+void fluid_outflow_take(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]) {
+    set_planes(boundary, g, q, NULL, (double[2]){0, 0}, as_it_stands);
+}

@@ -1,0 +1,111 @@
+#include "fluid/momentum/correction.h"
+#include "base/memory.h"
+#include "base/par_halo.h"
+#include "fluid/momentum/momentum.h"
+
+static int cut(const struct fluid_grid *g) { return g->ranks[1] > 1; }
+
+static ptrdiff_t turn_size(const struct fluid_grid *g) { return g->row * (g->m[1] + 1); }
+
+double *fluid_correction_new(const struct fluid_grid *g) {
+    return memory_new(MEMORY_FLUID, cut(g) ? g->size : 2 * (size_t)turn_size(g), sizeof(double));
+}
+
+/* Cell (0,0) of plane k; rows are g->row apart. */
+static double *plane_of(const struct fluid *f, int k) {
+    return cut(f->grid) ? f->correction + fluid_grid_at(f->grid, 0, 0, k)
+                        : f->correction + (k % 2) * turn_size(f->grid);
+}
+
+/* All planes, with their rows from the next rank in y. */
+static void collect(struct fluid *f) {
+    const struct fluid_grid *g = f->grid;
+    const struct par_halo_part high = {.layers = 1,
+                                       .high = {g->m[0], g->m[1], g->m[2] + 1},
+                                       .wanted = {{0, 0}, {0, 1}, {0, 0}},
+                                       .asked = {{0, 0}, {1, 0}, {0, 0}}};
+    for (int k = g->m[2]; k >= 0; k--) fluid_poisson_plane_backward(f->poisson, k, plane_of(f, k));
+    par_halo_fill_part(g->halos, 1, 1, &f->correction, &high);
+}
+
+/* The sign of a ghost's value to the one that it is the image of; of the correction, whose value at the sides is 0. */
+static double image(const struct fluid *f, int d, int side) {
+    return !f->grid->periodic[d] && f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET ? -1 : 1;
+}
+
+/* Ghosts of a plane of phi on the high sides in x and y. */
+static void extend(const struct fluid *f, double *phi) {
+    const struct fluid_grid *g = f->grid;
+    const int mx = g->m[0], my = g->m[1];
+    const double in_x = image(f, 0, 1), in_y = image(f, 1, 1);
+    const int from_x = g->periodic[0] ? 0 : mx - 1, from_y = g->periodic[1] ? 0 : my - 1;
+    for (int j = 0; j < my; j++) phi[j * g->row + mx] = in_x * phi[j * g->row + from_x];
+    if (cut(g) && !f->boundary->side[1][1].here) return;
+    for (int i = 0; i < mx; i++) phi[my * g->row + i] = in_y * phi[from_y * g->row + i];
+}
+
+/* p in the ghosts on the high sides of plane k. */
+static void add_beside(const struct fluid *f, int k, const double *phi) {
+    const struct fluid_grid *g = f->grid;
+    double *p = f->state.p + fluid_grid_at(g, 0, 0, k);
+    for (int j = 0; j < g->m[1]; j++) p[j * g->row + g->m[0]] += phi[j * g->row + g->m[0]];
+    for (int i = 0; i < g->m[0]; i++) p[g->m[1] * g->row + i] += phi[g->m[1] * g->row + i];
+}
+
+static void add_above(const struct fluid *f, const double *phi) {
+    const struct fluid_grid *g = f->grid;
+    double *p = f->state.p + fluid_grid_at(g, 0, 0, g->m[2]);
+    for (int j = 0; j < g->m[1]; j++)
+        for (int i = 0; i < g->m[0]; i++) p[j * g->row + i] += phi[j * g->row + i];
+}
+
+/* Free faces on low sides, which no array owns, and the pressure beyond them; what of them lies at plane k. */
+static void correct_low(const struct fluid *f, double c, int k, const double *phi, double *const q[3]) {
+    const struct fluid_grid *g = f->grid;
+    for (int d = 0; d < 3; d++) {
+        const struct fluid_boundary_side *s = &f->boundary->side[d][0];
+        if (!s->here || s->normal != FLUID_NORMAL_FREE || (d == 2 && k > 0)) continue;
+        const double factor = c / g->d[d] * (1 - image(f, d, 0));
+        for (int j = 0; j < (d == 1 ? 1 : g->m[1]); j++)
+            for (int i = 0; i < (d == 0 ? 1 : g->m[0]); i++) {
+                const size_t n = fluid_grid_at(g, i, j, k) - (size_t)fluid_boundary_stride(g, d);
+                q[d][n] = f->predicted[d][n] - factor * phi[j * g->row + i] + f->shift[d];
+                f->state.p[n] += image(f, d, 0) * phi[j * g->row + i];
+            }
+    }
+}
+
+/* The sides' faces about plane k, and its ghosts as far as the plane has what they need; where y is cut, along x only. */
+static void ghosts_of_plane(const struct fluid *f, int k, double *const q[3]) {
+    const struct fluid_grid *g = f->grid;
+    struct par_halo_part part = par_halo_whole(g->halos, 1);
+    part.low[2] = k > 0 ? k : -1; /* with the face on a low side */
+    part.high[2] = k + 1;
+    fluid_boundary_faces(f->boundary, g, q, &part);
+    for (int d = 0; d < (cut(g) ? 1 : 2); d++) fluid_boundary_ghosts(f->boundary, g, q, d, &part);
+}
+
+/* The rest of them. */
+static void ghosts_between_planes(const struct fluid *f, double *const q[3]) {
+    const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
+    for (int d = cut(f->grid) ? 1 : 2; d < 3; d++) fluid_boundary_ghosts(f->boundary, f->grid, q, d, &whole);
+}
+
+void fluid_correction_apply(struct fluid *f, double c, double *const q[3]) {
+    const struct fluid_grid *g = f->grid;
+    if (cut(g)) collect(f);
+    for (int k = g->m[2]; k >= 0; k--) {
+        double *phi = plane_of(f, k);
+        if (!cut(g)) fluid_poisson_plane_backward(f->poisson, k, phi);
+        if (k == g->m[2]) {
+            add_above(f, phi);
+            continue;
+        }
+        extend(f, phi);
+        fluid_momentum_kernels_correct(g, k, c, f->shift, phi, plane_of(f, k + 1), f->predicted, q, f->state.p);
+        add_beside(f, k, phi);
+        correct_low(f, c, k, phi, q);
+        ghosts_of_plane(f, k, q);
+    }
+    ghosts_between_planes(f, q);
+}

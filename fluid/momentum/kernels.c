@@ -1,0 +1,44 @@
+#include "fluid/momentum/momentum.h"
+
+void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
+                               double *rhs) {
+    const double fx = scale / g->d[0], fy = scale / g->d[1], fz = scale / g->d[2];
+    const ptrdiff_t row = g->row, plane = g->plane;
+    for (int j = 0; j < g->m[1]; j++) {
+        const size_t n = fluid_grid_at(g, 0, j, k);
+        const double *restrict u = q[0] + n, *restrict v = q[1] + n, *restrict w = q[2] + n;
+        double *restrict out = rhs + (ptrdiff_t)j * g->m[0];
+        for (int i = 0; i < g->m[0]; i++)
+            out[i] = fx * (u[i] - u[i - 1]) + fy * (v[i] - v[i - row]) + fz * (w[i] - w[i - plane]);
+    }
+}
+
+static void correct_row(int count, double factor, double shift, const double *restrict phi,
+                        const double *restrict next, const double *restrict from, double *restrict to) {
+    for (int i = 0; i < count; i++) to[i] = from[i] - factor * (next[i] - phi[i]) + shift;
+}
+
+static void correct_row_in_place(int count, double factor, double shift, const double *restrict phi,
+                                 const double *restrict next, double *restrict q) {
+    for (int i = 0; i < count; i++) q[i] = q[i] - factor * (next[i] - phi[i]) + shift;
+}
+
+static void add_row(int count, const double *restrict phi, double *restrict p) {
+    for (int i = 0; i < count; i++) p[i] += phi[i];
+}
+
+void fluid_momentum_kernels_correct(const struct fluid_grid *g, int k, double c, const double shift[3],
+                            const double *phi, const double *above, double *const predicted[3],
+                            double *const q[3], double *p) {
+    for (int j = 0; j < g->m[1]; j++) {
+        const size_t n = fluid_grid_at(g, 0, j, k);
+        const double *here = phi + j * g->row, *next[3] = {here + 1, here + g->row, above + j * g->row};
+        for (int d = 0; d < 3; d++) {
+            if (q[d] == predicted[d])
+                correct_row_in_place(g->m[0], c / g->d[d], shift[d], here, next[d], q[d] + n);
+            else
+                correct_row(g->m[0], c / g->d[d], shift[d], here, next[d], predicted[d] + n, q[d] + n);
+        }
+        add_row(g->m[0], here, p + n);
+    }
+}

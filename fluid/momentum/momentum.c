@@ -1,0 +1,202 @@
+#include "fluid/momentum/momentum.h"
+#include "fluid/momentum/flux.h"
+
+enum {
+    BLOCK =
+        6144, /* cells of a plane whose fluxes along z wait for the next plane, in the second-level cache */
+    STREAM =
+        500000, /* cells of an array above which nothing of ten stays in a rank's share of the last cache */
+    AHEAD = 2,  /* rows from the one that is computed to the one that is asked for */
+    WAITING = 3 /* components, each eight cells of one after those of another */
+};
+
+struct pass {
+    const struct fluid_momentum_stage *stage;
+    const double *q[3], *p;
+    double *predicted[3], *rate[3];
+    struct flux_factors factors;
+    double pressure[3], constant[3]; /* c/(rho d), c source */
+    ptrdiff_t cells;                 /* of a row, in eights */
+    int rows;                        /* of a block */
+    double *z,
+        *y; /* fluxes that wait, m/s2: [rows][cells/8][3][8] of z; of y for each plane, [m_z] of rows */
+    double *nowhere[2]; /* [cells] where the faces go that this equation does not advance */
+};
+
+static ptrdiff_t row_cells(const struct fluid_grid *g) {
+    return (g->m[0] + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
+}
+
+static int block_rows(const struct fluid_grid *g) {
+    const int rows = (int)(BLOCK / row_cells(g)) > 4 ? (int)(BLOCK / row_cells(g)) : 4;
+    return rows < g->m[1] ? rows : g->m[1];
+}
+
+size_t fluid_momentum_work(const struct fluid_grid *g) {
+    return (size_t)row_cells(g) * (size_t)(WAITING * (block_rows(g) + g->m[2]) + 2);
+}
+
+/* The fluxes along y through the faces before a row that starts at n, and along z through those before it. */
+static void wait_y(const struct pass *s, ptrdiff_t n, double *y) {
+    const struct fluid_grid *g = s->stage->grid;
+    for (ptrdiff_t i = n - g->row, end = i + s->cells; i < end; i += VEC_LANES, y += WAITING * VEC_LANES) {
+        const struct flux f = flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
+        vec_store(y, f.uy);
+        vec_store(y + VEC_LANES, f.vy);
+        vec_store(y + 2 * VEC_LANES, f.wy);
+    }
+}
+
+static void wait_z(const struct pass *s, ptrdiff_t n, double *z) {
+    const struct fluid_grid *g = s->stage->grid;
+    for (ptrdiff_t i = n - g->plane, end = i + s->cells; i < end; i += VEC_LANES, z += WAITING * VEC_LANES) {
+        const struct flux f = flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
+        vec_store(z, f.uz);
+        vec_store(z + VEC_LANES, f.vz);
+        vec_store(z + 2 * VEC_LANES, f.wz);
+    }
+}
+
+/* A flux takes the place of the one that waited for it; the difference of the two. */
+static inline __attribute__((always_inline)) vec gain(vec flux, double *waiting) {
+    const vec before = vec_load(waiting);
+    vec_store(waiting, flux);
+    return flux - before;
+}
+
+/* What a stage does, known when its loop is compiled. */
+struct kind {
+    int with_old, keep;
+    int stream; /* what is written passes the caches by, unless it replaces what was read */
+    int in_place;
+};
+
+static inline __attribute__((always_inline)) void put(int stream, double *to, vec v) {
+    if (stream)
+        vec_stream(to, v);
+    else
+        vec_store(to, v);
+}
+
+/* The cache line of a later row that nothing has touched yet: of q and p a plane behind, of R. */
+static inline __attribute__((always_inline)) void
+ask_ahead(const struct pass *s, ptrdiff_t n, const struct kind kind, double *const rate[3], ptrdiff_t i) {
+    const ptrdiff_t row = AHEAD * s->stage->grid->row, behind = n + i + row + s->stage->grid->plane;
+    for (int c = 0; c < 3; c++) {
+        __builtin_prefetch(s->q[c] + behind);
+        if (kind.with_old) __builtin_prefetch(rate[c] + i + row);
+    }
+    __builtin_prefetch(s->p + behind);
+}
+
+/* Factors of a component's sum. */
+struct sum {
+    double a, b, pressure, constant;
+};
+
+static inline __attribute__((always_inline)) void finish(const struct sum s, const struct kind kind, vec now,
+                                                         vec q, vec gradient, double *predicted,
+                                                         double *rate) {
+    vec next = q + s.a * now + (s.constant - s.pressure * gradient);
+    if (kind.with_old) next += s.b * vec_load(rate);
+    put(kind.stream && !kind.in_place, predicted, next);
+    if (kind.keep) put(kind.stream && !kind.with_old, rate, now);
+}
+
+/* The row that starts at n; y, z: what waits for it; predicted, rate: where each component goes. */
+static inline __attribute__((always_inline)) void predict_row(const struct pass *s, const struct kind kind,
+                                                              ptrdiff_t n, double *y, double *z,
+                                                              double *const predicted[3],
+                                                              double *const rate[3]) {
+    const ptrdiff_t row = s->stage->grid->row, plane = s->stage->grid->plane, cells = s->cells;
+    const double *u = s->q[0] + n, *v = s->q[1] + n, *w = s->q[2] + n, *p = s->p + n;
+    double *const pu = predicted[0], *const pv = predicted[1], *const pw = predicted[2];
+    double *const ru = rate[0], *const rv = rate[1], *const rw = rate[2];
+    const struct flux_factors factors = s->factors;
+    struct sum sum[3];
+    for (int c = 0; c < 3; c++)
+        sum[c] = (struct sum){s->stage->a, s->stage->b, s->pressure[c], s->constant[c]};
+    struct flux f =
+        flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* the last one counts */
+    vec ux = f.ux, vx = f.vx, wx = f.wx;
+    for (ptrdiff_t i = 0; i < cells; i += VEC_LANES, y += WAITING * VEC_LANES, z += WAITING * VEC_LANES) {
+        ask_ahead(s, n, kind, rate, i);
+        f = flux_at(&factors, row, plane, u + i, v + i, w + i);
+        const vec p0 = vec_load(p + i);
+        const vec du = f.ux - vec_before(ux, f.ux) + gain(f.uy, y) + gain(f.uz, z);
+        const vec dv = f.vx - vec_before(vx, f.vx) + gain(f.vy, y + VEC_LANES) + gain(f.vz, z + VEC_LANES);
+        const vec dw =
+            f.wx - vec_before(wx, f.wx) + gain(f.wy, y + 2 * VEC_LANES) + gain(f.wz, z + 2 * VEC_LANES);
+        ux = f.ux;
+        vx = f.vx;
+        wx = f.wx;
+        finish(sum[0], kind, du, vec_load(u + i), vec_load(p + i + 1) - p0, pu + i, ru + i);
+        finish(sum[1], kind, dv, vec_load(v + i), vec_load(p + i + row) - p0, pv + i, rv + i);
+        finish(sum[2], kind, dw, vec_load(w + i), vec_load(p + i + plane) - p0, pw + i, rw + i);
+    }
+}
+
+/* Rows first .. last-1 of all planes. */
+static inline __attribute__((always_inline)) void predict_block(const struct pass *s, const struct kind kind,
+                                                                int first, int last) {
+    const struct fluid_grid *g = s->stage->grid;
+    const int *faces = s->stage->faces, end = g->m[0] - 1;
+    const ptrdiff_t waiting = WAITING * s->cells;
+    for (int j = first; j < last; j++)
+        wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, 0), s->z + (j - first) * waiting);
+    for (int k = 0; k < g->m[2]; k++) {
+        double *y = s->y + k * waiting;
+        if (first == 0) wait_y(s, (ptrdiff_t)fluid_grid_at(g, 0, 0, k), y);
+        for (int j = first; j < last; j++) {
+            const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, 0, j, k);
+            double *predicted[3], *rate[3];
+            for (int c = 0; c < 3; c++) {
+                const int advanced = c == 0 || (c == 1 ? j : k) < faces[c];
+                predicted[c] = advanced ? s->predicted[c] + n : s->nowhere[0];
+                rate[c] = advanced ? s->rate[c] + n : s->nowhere[1];
+            }
+            const double side = rate[0][end];
+            predict_row(s, kind, n, y, s->z + (j - first) * waiting, predicted, rate);
+            if (faces[0] <= end) rate[0][end] = side;
+        }
+    }
+}
+
+static inline __attribute__((always_inline)) void predict_stage(const struct pass *s, int stream,
+                                                                int in_place, int first, int last) {
+    if (s->stage->b == 0)
+        predict_block(s, (struct kind){0, 1, stream, in_place}, first, last);
+    else if (s->stage->keep)
+        predict_block(s, (struct kind){1, 1, stream, in_place}, first, last);
+    else
+        predict_block(s, (struct kind){1, 0, stream, in_place}, first, last);
+}
+
+void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
+                            double *const predicted[3], double *const rate[3]) {
+    const struct fluid_grid *g = s->grid;
+    struct pass pass = {.stage = s, .p = p, .cells = row_cells(g), .rows = block_rows(g)};
+    for (int c = 0; c < 3; c++) {
+        pass.q[c] = q[c];
+        pass.predicted[c] = predicted[c];
+        pass.rate[c] = rate[c];
+        pass.factors.convect[c] = 0.25 / g->d[c];
+        pass.factors.diffuse[c] = s->viscosity / (g->d[c] * g->d[c]);
+        pass.pressure[c] = s->c * s->inverse_density / g->d[c];
+        pass.constant[c] = s->c * s->source[c];
+    }
+    pass.z = s->work;
+    pass.y = pass.z + WAITING * pass.rows * pass.cells;
+    pass.nowhere[0] = pass.y + WAITING * g->m[2] * pass.cells;
+    pass.nowhere[1] = pass.nowhere[0] + pass.cells;
+    const int stream = g->size > STREAM, in_place = predicted[0] == q[0];
+    for (int j = 0; j < g->m[1]; j += pass.rows) {
+        const int last = j + pass.rows < g->m[1] ? j + pass.rows : g->m[1];
+        if (stream && in_place)
+            predict_stage(&pass, 1, 1, j, last);
+        else if (stream)
+            predict_stage(&pass, 1, 0, j, last);
+        else
+            predict_stage(&pass, 0, 0, j, last);
+    }
+}

@@ -1,0 +1,232 @@
+#include "fluid/poisson/column.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_column.h"
+#include "base/par_pencil.h"
+#include "fluid/poisson/column_ends.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Powers of r stop mattering below the first, and never become denormal for the second. */
+static const double negligible = 1e-25, smallest = 1e-290;
+
+struct fluid_column {
+    struct fluid_column_input in;
+    struct par_column *exchange;
+    int low, m;      /* this rank's planes */
+    int free_column; /* where the mean is free, or -1 */
+    /* [columns] */
+    double *r, *inverse;    /* r, 1/r */
+    double *power;          /* r^(k+1) on the way up */
+    double *sum;            /* sum over k of r^(k+1) y[k] */
+    double *reach, *end;    /* planes, from the first, that a y below can be felt in; r^reach */
+    double *from_below, *q; /* y below times r^(k+1); q of the plane last done */
+    const double *last;     /* y of the last plane */
+    /* of the own columns: [own], and [ranks][own] where by rank */
+    int own, own_low;
+    struct fluid_column_ends *ends;
+    double *decay, *feel, *place; /* by rank: r^m, r^2 + .. + r^2m, r^low */
+    double *share, *line;         /* [ranks][2][own]; [n] a whole column */
+};
+
+static double *array(size_t count) { return memory_new(MEMORY_FLUID, count + 1, sizeof(double)); }
+
+/* exp(-theta n), flushed to zero. */
+static double power_of(double theta, int n) {
+    const double p = exp(-theta * n);
+    return p < smallest ? 0 : p;
+}
+
+static void fill_columns(struct fluid_column *c, const double *lambda, double shift) {
+    for (int i = 0; i < c->in.columns; i++) {
+        const double theta = fluid_column_ends_theta(lambda[i] - shift, c->in.d);
+        int reach = c->m;
+        if (theta * reach > -log(negligible)) reach = (int)ceil(-log(negligible) / theta);
+        c->r[i] = exp(-theta);
+        c->inverse[i] = 1 / c->r[i];
+        c->reach[i] = reach;
+        c->end[i] = exp(-theta * reach);
+        if (theta == 0 && c->in.free_mean) c->free_column = i;
+    }
+}
+
+static void fill_own(struct fluid_column *c, const double *lambda, double shift) {
+    const int parts = c->in.ranks[2];
+    for (int i = 0; i < c->own; i++) {
+        const double theta = fluid_column_ends_theta(lambda[i] - shift, c->in.d), r = exp(-theta);
+        c->ends[i] = fluid_column_ends_close(c->in.n, theta, c->in.low, c->in.high);
+        for (int p = 0; p < parts; p++) {
+            const int low = par_piece_low(c->in.n, parts, p), m = par_piece_low(c->in.n, parts, p + 1) - low;
+            c->decay[p * c->own + i] = power_of(theta, m);
+            c->feel[p * c->own + i] = r * r * fluid_column_ends_ratio(2.0 * m, 2, theta);
+            c->place[p * c->own + i] = power_of(theta, low);
+        }
+    }
+}
+
+struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
+    struct fluid_column *c = calloc(1, sizeof *c);
+    const size_t columns = (size_t)in->columns, parts = (size_t)in->ranks[2];
+    c->in = *in;
+    c->in.lambda = NULL;
+    c->free_column = -1;
+    c->exchange = par_column_new(in->ranks, in->columns, 2);
+    const int at = par_column_place(c->exchange);
+    c->low = par_piece_low(in->n, in->ranks[2], at);
+    c->m = par_piece_low(in->n, in->ranks[2], at + 1) - c->low;
+    double **of_columns[] = {&c->r,     &c->inverse, &c->power,      &c->sum,
+                             &c->reach, &c->end,     &c->from_below, &c->q};
+    for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
+    par_column_own(c->exchange, &c->own_low, &c->own);
+    const size_t own = (size_t)c->own;
+    c->ends = memory_new(MEMORY_FLUID, own + 1, sizeof *c->ends);
+    c->decay = array(parts * own);
+    c->feel = array(parts * own);
+    c->place = array(parts * own);
+    c->share = array(2 * parts * own);
+    c->line = array((size_t)in->n);
+    fluid_column_set(c, in->lambda, in->shift);
+    return c;
+}
+
+void fluid_column_set(struct fluid_column *c, const double *lambda, double shift) {
+    fill_columns(c, lambda, shift);
+    fill_own(c, lambda + c->own_low, shift);
+}
+
+void fluid_column_free(struct fluid_column *c) {
+    if (!c) return;
+    double *arrays[] = {c->r, c->inverse, c->power, c->sum,   c->reach, c->end, c->from_below,
+                        c->q, c->decay,   c->feel,  c->place, c->share, c->line};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memory_free(arrays[i]);
+    memory_free(c->ends);
+    par_column_free(c->exchange);
+    free(c);
+}
+
+static void up_first(int columns, double scale, const double *restrict r, double *restrict power,
+                     double *restrict sum, double *restrict b) {
+    for (int i = 0; i < columns; i++) {
+        const double y = scale * b[i];
+        b[i] = y;
+        power[i] = r[i];
+        sum[i] = r[i] * y;
+    }
+}
+
+static void up(int columns, double scale, const double *restrict r, const double *restrict below,
+               double *restrict power, double *restrict sum, double *restrict b) {
+    for (int i = 0; i < columns; i++) {
+        const double y = scale * b[i] + r[i] * below[i], p = r[i] * power[i] + smallest;
+        b[i] = y;
+        power[i] = p;
+        sum[i] += p * y;
+    }
+}
+
+void fluid_column_up(struct fluid_column *c, int k, const double *below, double *b) {
+    const double scale = c->in.scale * c->in.d * c->in.d;
+    if (k == 0)
+        up_first(c->in.columns, scale, c->r, c->power, c->sum, b);
+    else
+        up(c->in.columns, scale, c->r, below, c->power, c->sum, b);
+    c->last = b;
+}
+
+/* From each rank's [Y, S] (its last y, its sum) to its [y below, q above]: up through the ranks, closed, and down again. */
+static void couple(int parts, int own, const struct fluid_column_ends *ends, const double *decay,
+                   const double *feel, const double *place, double *share) {
+    for (int i = 0; i < own; i++) {
+        double y = 0, q = 0;
+        for (int p = 0; p < parts; p++) { /* Y becomes y below, started from zero */
+            double *about = share + 2 * p * own + i;
+            const double top = about[0];
+            about[0] = y;
+            y = decay[p * own + i] * y + top;
+        }
+        for (int p = parts - 1; p >= 0; p--) {
+            const double *about = share + 2 * p * own + i;
+            q = decay[p * own + i] * q - about[own] - feel[p * own + i] * about[0];
+        }
+        const double start = ends[i].y_by_y * y - ends[i].y_by_s * q;
+        q = ends[i].q_by_y * y - ends[i].q_by_s * q;
+        for (int p = parts - 1; p >= 0; p--) {
+            double *about = share + 2 * p * own + i;
+            const double sum = about[own], below = about[0] + place[p * own + i] * start;
+            about[0] = below;
+            about[own] = q;
+            q = decay[p * own + i] * q - sum - feel[p * own + i] * below;
+        }
+    }
+}
+
+/* The column whose mean is free, r = 1: its differences q[k+1] - q[k] in line, whole on every rank that holds it; returns what
+ * q[n] is if the mean is zero. */
+static double free_line(struct fluid_column *c, const double *y, ptrdiff_t plane) {
+    const int n = c->in.n, at = c->free_column;
+    double *line = c->line, total = 0, slope = 0, sum = 0;
+    for (int k = 0; k < n; k++) line[k] = 0;
+    for (int k = 0; k < c->m && at >= 0; k++)
+        line[c->low + k] = y[k * plane + at] - (k > 0 ? y[(k - 1) * plane + at] : 0);
+    par_sum_array(line, n);
+    if (at < 0) return 0;
+    for (int k = 0; k < n; k++) total += line[k];
+    for (int k = 0; k < n; k++) { /* b without its mean, summed up: q[k+1] - q[k], but for a constant */
+        line[k] += (k > 0 ? line[k - 1] : 0) - total / n;
+        slope += line[k] / n;
+    }
+    for (int k = 0; k < n; k++) {
+        if (c->in.low == FLUID_END_PERIODIC) line[k] -= slope;
+        sum += (k + 1) * line[k]; /* the sum of q is n q[n] less this */
+    }
+    return sum / n;
+}
+
+double fluid_column_free_end(struct fluid_column *c, const double *y, ptrdiff_t plane, int side) {
+    double q = free_line(c, y, plane);
+    for (int k = c->in.n - 1; k >= (side ? c->in.n - 1 : 0) && c->free_column >= 0; k--) q -= c->line[k];
+    return q;
+}
+
+/* The whole column by every rank that holds it; its differences take the place of y. */
+static void solve_free(struct fluid_column *c, double *y, ptrdiff_t plane, double mean, double *q_above) {
+    const int at = c->free_column;
+    double *line = c->line, q = mean + free_line(c, y, plane);
+    for (int k = c->in.n - 1; k >= c->low && at >= 0; k--) {
+        if (k == c->low + c->m - 1) *q_above = q;
+        if (k < c->low + c->m) y[(k - c->low) * plane + at] = line[k];
+        q -= line[k];
+    }
+}
+
+void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, double mean) {
+    double q_above = 0;
+    const double *const known[2] = {c->last, c->sum};
+    double *const found[2] = {c->from_below, c->q};
+    par_column_share(c->exchange, known, c->share);
+    couple(c->in.ranks[2], c->own, c->ends, c->decay, c->feel, c->place, c->share);
+    par_column_return(c->exchange, c->share, found);
+    for (int i = 0; i < c->in.columns; i++) c->from_below[i] *= c->end[i];
+    if (!c->in.free_mean) return;
+    solve_free(c, y, plane, mean, &q_above);
+    if (c->free_column < 0) return;
+    c->from_below[c->free_column] = 0;
+    c->q[c->free_column] = q_above;
+}
+
+static void down(int columns, double k, const double *restrict r, const double *restrict inverse,
+                 const double *restrict reach, const double *restrict y, double *restrict from_below,
+                 double *restrict q) {
+    for (int i = 0; i < columns; i++) {
+        const double below = from_below[i];
+        const int felt = k < reach[i];
+        q[i] = r[i] * (q[i] - (y[i] + (felt ? below : 0)));
+        from_below[i] = felt ? below * inverse[i] : below;
+    }
+}
+
+const double *fluid_column_down(struct fluid_column *c, int k, const double *y) {
+    if (k < c->m) down(c->in.columns, k, c->r, c->inverse, c->reach, y, c->from_below, c->q);
+    return c->q;
+}

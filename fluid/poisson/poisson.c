@@ -1,0 +1,225 @@
+#include "fluid/poisson/poisson.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/par_pencil.h"
+#include "fluid/poisson/column.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct fluid_poisson {
+    struct fluid_poisson_input in;
+    struct par_pencil *pencil;
+    int x[3], y[3];               /* shapes of the pencils */
+    struct fluid_transform *t[2]; /* of a plane of the x pencil, of a plane of the y pencil */
+    struct fluid_column *column;  /* the one in use */
+    struct {
+        double shift;
+        struct fluid_column *column;
+    } shifted[FLUID_POISSON_SHIFTS];
+    double *lambda; /* [columns] of the Laplacian along x and y; NULL where nothing is shifted */
+    double *home,
+        *y_array;  /* one array where no transpose stands between them; a plane more than the rank has */
+    double *plane; /* [m_y][n_x] a plane on its way back */
+    double *sum
+        [2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x and z,
+                     * transformed in y, on the ranks that hold it */
+    double inverse_scale; /* one over what the transforms multiply by */
+    int whole;            /* y_array has been filled and is up its columns: with a transpose */
+};
+
+static double *eigenvalues(const struct fluid_poisson_input *in, int d) {
+    double *lambda = memory_new(MEMORY_FLUID, (size_t)in->n[d], sizeof *lambda);
+    fluid_transform_eigenvalues(in->n[d], in->d[d], in->end[d][0], in->end[d][1], lambda);
+    return lambda;
+}
+
+static int free_mean(const struct fluid_poisson_input *in) {
+    if (in->shifts > 0) return 0;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+            if (in->end[d][side] == FLUID_END_DIRICHLET) return 0;
+    return 1;
+}
+
+static size_t area(const int shape[3]) { return (size_t)shape[0] * (size_t)shape[1]; }
+
+static void plan(struct fluid_poisson *p) {
+    const struct fluid_poisson_input *in = &p->in;
+    const int *x = p->x, *y = p->y;
+    const struct fluid_transform_input of[2] = {
+        {.n = x[0],
+         .lines = x[1],
+         .stride = 1,
+         .distance = x[0],
+         .out_stride = 1,
+         .out_distance = (int)in->row},
+        {.n = y[1], .lines = y[0], .stride = y[0], .distance = 1, .out_stride = y[0], .out_distance = 1}};
+    p->inverse_scale = 1;
+    for (int d = 0; d < 2; d++) {
+        struct fluid_transform_input t = of[d];
+        t.low = in->end[d][0];
+        t.high = in->end[d][1];
+        p->t[d] = fluid_transform_new(&t);
+        p->inverse_scale /= fluid_transform_scale(t.n, t.low, t.high);
+    }
+}
+
+/* [columns] of this rank. */
+static double *new_lambda(const struct fluid_poisson *p) {
+    const int *m = p->y, low = par_pencil_low(p->pencil);
+    double *x = eigenvalues(&p->in, 0), *y = eigenvalues(&p->in, 1);
+    double *lambda = memory_new(MEMORY_FLUID, area(m), sizeof *lambda);
+    for (int j = 0; j < m[1]; j++)
+        for (int i = 0; i < m[0]; i++) lambda[j * m[0] + i] = x[low + i] + y[j];
+    memory_free(x);
+    memory_free(y);
+    return lambda;
+}
+
+static struct fluid_column *new_columns(const struct fluid_poisson *p, const double *lambda, double shift) {
+    const int *m = p->y;
+    const struct fluid_column_input in = {.n = p->in.n[2],
+                                          .ranks = {1, p->in.ranks[1], p->in.ranks[2]},
+                                          .d = p->in.d[2],
+                                          .scale = p->inverse_scale,
+                                          .low = p->in.end[2][0],
+                                          .high = p->in.end[2][1],
+                                          .columns = m[0] * m[1],
+                                          .lambda = lambda,
+                                          .shift = shift,
+                                          .free_mean = free_mean(&p->in)};
+    return fluid_column_new(&in);
+}
+
+/* The Laplacian's own columns, or as many as there are shifts, for some shift. */
+static void add_columns(struct fluid_poisson *p) {
+    const double some = 1 / (p->in.d[2] * p->in.d[2]);
+    double *lambda = new_lambda(p);
+    ENSURE(p->in.shifts <= FLUID_POISSON_SHIFTS, "%d shifts of one solver", p->in.shifts);
+    for (int s = 0; s < p->in.shifts; s++) {
+        p->shifted[s].shift = some;
+        p->shifted[s].column = new_columns(p, lambda, some);
+    }
+    if (p->in.shifts > 0) {
+        p->lambda = lambda;
+        p->column = p->shifted[0].column;
+        return;
+    }
+    p->column = new_columns(p, lambda, 0);
+    memory_free(lambda);
+}
+
+void fluid_poisson_shift(struct fluid_poisson *p, int which, double shift) {
+    ENSURE(which < p->in.shifts && shift > 0, "shift %d of %d, %g 1/m2", which, p->in.shifts, shift);
+    p->column = p->shifted[which].column;
+    if (p->shifted[which].shift != shift) fluid_column_set(p->column, p->lambda, shift);
+    p->shifted[which].shift = shift;
+}
+
+struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
+    struct fluid_poisson *p = calloc(1, sizeof *p);
+    const struct par_pencil_input grid = {
+        .n = {in->n[0], in->n[1], in->n[2]}, .ranks = {1, in->ranks[1], in->ranks[2]}, .extra = 1};
+    p->in = *in;
+    p->pencil = par_pencil_new(&grid);
+    par_pencil_shape(p->pencil, p->x, p->y);
+    const size_t planes = (size_t)p->x[2] + 1;
+    p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
+    p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
+    p->plane = memory_new(MEMORY_FLUID, area(p->x), sizeof(double)); /* rows of a side's faces stay zero */
+    for (int d = 0; d < 2 && free_mean(in); d++)
+        p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
+    plan(p);
+    add_columns(p);
+    return p;
+}
+
+void fluid_poisson_free(struct fluid_poisson *p) {
+    if (!p) return;
+    for (int d = 0; d < 2; d++) {
+        fluid_transform_free(p->t[d]);
+        memory_free(p->sum[d]);
+    }
+    if (p->in.shifts == 0) fluid_column_free(p->column);
+    for (int s = 0; s < p->in.shifts; s++) fluid_column_free(p->shifted[s].column);
+    memory_free(p->lambda);
+    if (p->y_array != p->home) memory_free(p->y_array);
+    memory_free(p->home);
+    memory_free(p->plane);
+    par_pencil_free(p->pencil);
+    free(p);
+}
+
+static double *y_plane(const struct fluid_poisson *p, int k) { return p->y_array + (size_t)k * area(p->y); }
+
+/* The modes of plane k without variation in y, and those without variation in x. */
+static void add_up(struct fluid_poisson *p, int k, const double *b) {
+    for (int d = 0; d < 2; d++) {
+        const int stride = d == 0 ? 1 : p->y[0];
+        for (int i = 0; p->sum[d] && i < p->y[d]; i++)
+            p->sum[d][i] = (k > 0 ? p->sum[d][i] : 0) + b[i * stride];
+    }
+}
+
+/* The transform in y of plane k, and its step up the columns. */
+static void y_forward(struct fluid_poisson *p, int k) {
+    double *b = y_plane(p, k);
+    fluid_transform_forward(p->t[1], b);
+    add_up(p, k, b);
+    fluid_column_up(p->column, k, k > 0 ? y_plane(p, k - 1) : NULL, b);
+}
+
+double *fluid_poisson_plane(struct fluid_poisson *p, int k) { return p->home + (size_t)k * area(p->x); }
+
+void fluid_poisson_plane_forward(struct fluid_poisson *p, int k) {
+    fluid_transform_forward(p->t[0], fluid_poisson_plane(p, k));
+    if (p->y_array == p->home) y_forward(p, k);
+}
+
+/* What the planes' own forwards could not do before the transpose. */
+static void rest_forward(struct fluid_poisson *p) {
+    if (p->y_array == p->home || p->whole) return;
+    p->whole = 1;
+    par_pencil_forward(p->pencil, p->x[2], p->home, p->y_array);
+    for (int k = 0; k < p->x[2]; k++) y_forward(p, k);
+}
+
+void fluid_poisson_solve(struct fluid_poisson *p, double mean) {
+    const int planes = p->x[2];
+    rest_forward(p);
+    fluid_column_couple(p->column, p->y_array, (ptrdiff_t)area(p->y), mean);
+    p->whole = 0;
+    if (p->y_array == p->home) return;
+    for (int k = planes; k >= 0; k--)
+        fluid_transform_backward(p->t[1], fluid_column_down(p->column, k, y_plane(p, k)), y_plane(p, k));
+    par_pencil_backward(p->pencil, planes + 1, p->y_array, p->home);
+}
+
+void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q) {
+    const double *plane = fluid_poisson_plane(p, k);
+    if (p->y_array == p->home) {
+        fluid_transform_backward(p->t[1], fluid_column_down(p->column, k, plane), p->plane);
+        plane = p->plane;
+    }
+    fluid_transform_backward(p->t[0], plane, q);
+}
+
+/* Summed over the other two directions, the equation of a mode cos(pi k (i+1/2)/n) is lambda times its sum = the right-hand
+ * side's; along z the sums are a column. */
+double fluid_poisson_section_mean(struct fluid_poisson *p, int direction, int side) {
+    const int n = p->in.n[direction], i = side ? n - 1 : 0, x_low = par_pencil_low(p->pencil);
+    const int low = direction == 0 ? x_low : 0;
+    double mean = 0;
+    ENSURE(p->sum[0] && p->in.end[direction][side] == FLUID_END_NEUMANN, "no free level at %c side %d",
+           "xyz"[direction], side);
+    rest_forward(p);
+    if (direction == 2)
+        return fluid_column_free_end(p->column, p->y_array, (ptrdiff_t)area(p->y), side) / p->in.ranks[2];
+    if (direction == 1 && x_low > 0) return 0;
+    for (int k = low == 0 ? 1 : 0; k < p->y[direction]; k++) {
+        const double half = 0.5 * M_PI * (low + k) / n, s = 2 * sin(half) / p->in.d[direction];
+        mean -= 2 * cos(half * (2 * i + 1)) * p->sum[direction][k] / (s * s);
+    }
+    return mean * p->inverse_scale / p->in.n[2];
+}

@@ -1,0 +1,20 @@
+/* Periodic, Neumann-Neumann and Dirichlet-Dirichlet transforms of two real lines at once, as one complex one: FFTW's complex
+ * transforms use the vector unit, its real-to-real ones do not.
+ *
+ * Lines a and b give Z = FFT(v_a + i v_b), where v is the line itself (periodic), or (Makhoul 1980) its even places forwards
+ * and then its odd places backwards, these with the opposite sign for Dirichlet ends. With theta = pi k/2n and
+ *     S = Z_k + Z_{n-k} ,  D = -i (Z_k - Z_{n-k}) ,   k = 1 .. n/2 ,
+ * the pair's coefficients k and n-k (a in the real, b in the imaginary part) are
+ *     cos S + sin D ,  sin S - cos D         (Neumann: REDFT10; Dirichlet: RODFT10 from its end)
+ *     S/2 ,  D/2                             (periodic: R2HC)
+ * in FFTW's own order, sign and scale: another rank may have an odd number of lines, and use FFTW's for them. */
+#pragma once
+#include "fluid/poisson/transform.h"
+
+struct fluid_transform_pair; /* opaque: plans, twiddles, scratch */
+
+/* NULL where lines do not come in pairs or the ends are of unlike kinds. Not collective. */
+struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transform_input *in);
+void fluid_transform_pair_free(struct fluid_transform_pair *t);
+void fluid_transform_pair_forward(const struct fluid_transform_pair *t, double *in_place);
+void fluid_transform_pair_backward(const struct fluid_transform_pair *t, const double *from, double *to);

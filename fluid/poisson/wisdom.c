@@ -1,0 +1,80 @@
+#include "fluid/poisson/wisdom.h"
+#include "base/par.h"
+
+#include <errno.h>
+#include <fftw3.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { PATH_MOST = 4096, FILE_MOST = 4 << 20 };
+
+static char *known; /* as text, once loaded: what FFTW knew then */
+
+static int make_folder(const char *path) { return mkdir(path, 0777) == 0 || errno == EEXIST; }
+
+/* The folder is made if it is wanted for writing. 0: there is none. */
+static int file_path(char path[PATH_MOST], int make) {
+    const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
+    int length = -1;
+    if (cache && cache[0] == '/')
+        length = snprintf(path, PATH_MOST - 64, "%s", cache);
+    else if (home && home[0] == '/')
+        length = snprintf(path, PATH_MOST - 64, "%s/.cache", home);
+    if (length < 0 || length >= PATH_MOST - 64) return 0;
+    if (make && !make_folder(path)) return 0;
+    strcat(path, "/frana");
+    if (make && !make_folder(path)) return 0;
+    strcat(path, "/fftw.wisdom");
+    return 1;
+}
+
+static char *read_text(const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (!file) return NULL;
+    char *text = malloc(FILE_MOST + 1);
+    const size_t length = fread(text, 1, FILE_MOST + 1, file);
+    fclose(file);
+    if (length > 0 && length <= FILE_MOST) {
+        text[length] = '\0';
+        return text;
+    }
+    free(text);
+    return NULL;
+}
+
+void fluid_wisdom_load(void) {
+    char path[PATH_MOST], *text = NULL;
+    long length = 0;
+    if (par_rank() == 0 && file_path(path, 0)) text = read_text(path);
+    if (text) length = (long)strlen(text) + 1;
+    par_bcast(&length, sizeof length, 0);
+    if (length > 0 && !text) text = malloc((size_t)length);
+    par_bcast(text, (size_t)length, 0);
+    if (text)
+        fftw_import_wisdom_from_string(
+            text); /* of another version or torn: refused whole, and plans are measured */
+    free(text);
+    free(known);
+    known = fftw_export_wisdom_to_string();
+}
+
+static int write_text(const char *path, const char *text) {
+    FILE *file = fopen(path, "wb");
+    if (!file) return 0;
+    const int written = fputs(text, file) >= 0;
+    return fclose(file) == 0 && written;
+}
+
+void fluid_wisdom_store(void) {
+    char path[PATH_MOST], fresh[PATH_MOST + 32];
+    if (par_rank() != 0) return;
+    char *text = fftw_export_wisdom_to_string();
+    if (text && !(known && strcmp(text, known) == 0) && file_path(path, 1)) {
+        snprintf(fresh, sizeof fresh, "%s.%ld", path, (long)getpid());
+        if (!write_text(fresh, text) || rename(fresh, path) != 0) unlink(fresh);
+    }
+    free(text);
+}

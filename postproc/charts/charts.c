@@ -1,0 +1,137 @@
+#include "postproc/charts/charts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { LINES = 5, RUNS_MAX = 16 };
+enum scale { AS_IS, BY_PRESSURE }; /* BY_PRESSURE: over rho_f U_b^2 where all runs have one */
+
+static const struct chart {
+    const char *name, *title, *ylabel;
+    enum scale scale;
+    int whole; /* 1: the whole run, not only the last stage and as much before it */
+    struct {
+        const char *column, *title;
+    } line[LINES];
+} all_charts[] = {
+    {"pressure_drop",
+     "Pressure drop across the medium",
+     "{/Symbol D}p / ({/Symbol r}_f U_b^2)",
+     BY_PRESSURE,
+     0,
+     {{"dp", "dp"}}},
+    {"pressure_drop_whole",
+     "Pressure drop across the medium, all stages",
+     "{/Symbol D}p / ({/Symbol r}_f U_b^2)",
+     BY_PRESSURE,
+     1,
+     {{"dp", "dp"}}},
+    {"porosity",
+     "Porosity of the medium",
+     "porosity",
+     AS_IS,
+     0,
+     {{"porosity", "all void"}, {"porosity_effective", "connected void"}}},
+    {"permeability", "Permeability of the medium", "k  [m^2]", AS_IS, 0, {{"permeability", "k"}}},
+    {"tortuosity", "Hydraulic tortuosity", "<|u|> / <u_x>", AS_IS, 0, {{"tortuosity", "tortuosity"}}},
+    {"bonds_broken", "Broken bonds", "bonds broken", AS_IS, 0, {{"bonds_broken", "bonds broken"}}},
+    {"fragments", "Fragments", "fragments", AS_IS, 0, {{"fragments", "fragments"}}},
+    {"damage", "Damage", "damage", AS_IS, 0, {{"damage_mean", "mean"}, {"damage_max", "largest"}}},
+    {"energy",
+     "Energies of the solid",
+     "energy  [J]",
+     AS_IS,
+     0,
+     {{"e_strain", "strain"},
+      {"e_kinetic_solid", "kinetic"},
+      {"e_fracture", "released by bonds"},
+      {"e_damped", "damped"},
+      {"work_fluid", "work of the fluid"}}},
+    {"load",
+     "Force along the stream: on the solid, and by the forcing on the fluid",
+     "force  [N]",
+     AS_IS,
+     0,
+     {{"load_x", "load on the solid"}, {"forcing_x", "forcing on the fluid"}}},
+};
+enum { CHARTS = sizeof all_charts / sizeof *all_charts };
+
+void postproc_charts_add(struct postproc_charts *charts, const struct postproc_plot *plot) {
+    if (plot->curves == 0 || charts->n == POSTPROC_CHARTS) return;
+    const enum postproc_plot_status status = postproc_plot_draw(plot);
+    if (status != POSTPROC_PLOT_DONE) {
+        charts->worst = status;
+        return;
+    }
+    charts->name[charts->n] = plot->name;
+    charts->title[charts->n++] = plot->title;
+}
+
+/* The curve of a column, its arrays malloc'ed; 0 when it has not two points. */
+static int curve_new(struct postproc_curve *curve, const struct postproc_history *h, const char *column,
+                     double scale) {
+    double *x = postproc_history_column(h, "t"), *y = postproc_history_column(h, column);
+    long n = 0, finite = 0;
+    for (long i = 0; x && y && i < h->series->rows; i++, n++) {
+        x[i] = postproc_history_when(h, x[i]);
+        y[i] /= scale;
+        finite += isfinite(y[i]) != 0;
+    }
+    curve->n = n;
+    curve->x = x;
+    curve->y = y;
+    if (finite >= 2) return 1;
+    free(x);
+    free(y);
+    return 0;
+}
+
+static void chart_draw(struct postproc_charts *charts, const struct chart *chart, int runs,
+                       struct postproc_history *const *run, const char *const *label, const char *folder) {
+    struct postproc_curve curve[LINES * RUNS_MAX];
+    static const struct postproc_mark origin = {0, ""};
+    char title[LINES * RUNS_MAX][96];
+    int curves = 0, scaled = 1, staged = 0;
+    double first = INFINITY, last = -INFINITY;
+    for (int r = 0; r < runs; r++) {
+        scaled = scaled && run[r]->pressure > 0;
+        staged = staged || run[r]->origin > 0;
+    }
+    if (chart->whole && !staged) return;
+    const int by_pressure = chart->scale == BY_PRESSURE && scaled;
+    for (int r = 0; r < runs && r < RUNS_MAX; r++)
+        for (int l = 0; l < LINES && chart->line[l].column && (runs == 1 || l == 0); l++) {
+            struct postproc_curve *c = &curve[curves];
+            *c = (struct postproc_curve){.title = title[curves]};
+            if (!curve_new(c, run[r], chart->line[l].column, by_pressure ? run[r]->pressure : 1)) continue;
+            snprintf(title[curves++], sizeof *title, "%s", runs > 1 ? label[r] : chart->line[l].title);
+            const double span =
+                c->x[c->n - 1] > 0 ? c->x[c->n - 1] : INFINITY; /* before 0: as much as after */
+            first = fmin(first, chart->whole ? c->x[0] : fmax(c->x[0], -0.25 * span));
+            last = fmax(last, c->x[c->n - 1]);
+        }
+    postproc_charts_add(
+        charts, &(struct postproc_plot){
+                    .folder = folder,
+                    .name = chart->name,
+                    .title = chart->title,
+                    .xlabel = postproc_history_when_name(run[0]),
+                    .ylabel = chart->scale == BY_PRESSURE && !scaled ? "{/Symbol D}p  [Pa]" : chart->ylabel,
+                    .curves = curves,
+                    .curve = curve,
+                    .marks = staged,
+                    .mark = &origin,
+                    .x_low = first,
+                    .x_high = last,
+                });
+    for (int k = 0; k < curves; k++) {
+        free((void *)(size_t)curve[k].x);
+        free((void *)(size_t)curve[k].y);
+    }
+}
+
+void postproc_charts_draw(struct postproc_charts *charts, int runs, struct postproc_history *const *run,
+                          const char *const *label, const char *folder) {
+    for (int k = 0; k < CHARTS; k++) chart_draw(charts, &all_charts[k], runs, run, label, folder);
+}

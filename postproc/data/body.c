@@ -1,0 +1,96 @@
+#include "postproc/data/body.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct postproc_body *postproc_body_new(const struct postproc_history *h, double t) {
+    struct vtkhdf_source *source = postproc_history_open(h, &h->solid, t);
+    if (!source) return NULL;
+    struct postproc_body *b = calloc(1, sizeof *b);
+    b->n = source->points;
+    b->time = source->time;
+    b->step = source->step;
+    b->x = vtkhdf_read_points(source);
+    b->displacement = vtkhdf_read_double(source, "displacement");
+    b->damage = vtkhdf_read_double(source, "damage");
+    b->held = vtkhdf_read_double(source, "held");
+    b->strain = vtkhdf_read_double(source, "strain_max");
+    b->stress = vtkhdf_read_double(source, "stress_max");
+    vtkhdf_read_close(source);
+    return b;
+}
+
+void postproc_body_free(struct postproc_body *b) {
+    if (!b) return;
+    free(b->x);
+    free(b->displacement);
+    free(b->damage);
+    free(b->held);
+    free(b->strain);
+    free(b->stress);
+    free(b);
+}
+
+double *postproc_body_sample(const struct postproc_body *b, const double *value, long *m) {
+    double *sample = memory_new(MEMORY_OUTPUT, (size_t)b->n + 1, sizeof *sample);
+    *m = 0;
+    for (long i = 0; i < b->n; i++) {
+        if ((b->held && b->held[i] != 0) || (b->damage && b->damage[i] > 1 - 1e-6)) continue;
+        sample[(*m)++] = value[i];
+    }
+    return sample;
+}
+
+void postproc_body_box(const struct postproc_history *h, const struct postproc_body *b, double low[3],
+                       double high[3]) {
+    const struct scene_coupling *c = h->scene->coupling;
+    for (int k = 0; k < 3; k++) {
+        if (c && c->box_high[k] > c->box_low[k]) {
+            low[k] = c->box_low[k];
+            high[k] = c->box_high[k];
+            continue;
+        }
+        low[k] = INFINITY;
+        high[k] = -INFINITY;
+        for (long i = 0; i < b->n; i++) {
+            const double x0 = b->x[i][k] - (b->displacement ? b->displacement[3 * i + k] : 0);
+            low[k] = fmin(low[k], x0 - 0.5 * h->spacing);
+            high[k] = fmax(high[k], x0 + 0.5 * h->spacing);
+        }
+        low[k] = fmax(low[k], 0);
+        high[k] = fmin(high[k], h->scene->domain.size[k]);
+    }
+}
+
+struct postproc_onset postproc_body_onset(const struct postproc_history *h) {
+    struct postproc_onset onset = {0};
+    for (int f = 0; f < h->solid.n && !onset.found; f++) {
+        struct postproc_body *b = postproc_body_new(h, h->solid.entry[f].time);
+        if (!b) continue;
+        double sum = 0;
+        for (long i = 0; b->damage && i < b->n; i++) {
+            if (!(b->damage[i] > 1e-9)) continue;
+            sum += b->damage[i];
+            onset.particles++;
+            for (int k = 0; k < 3; k++)
+                onset.x[k] +=
+                    b->damage[i] * (b->x[i][k] - (b->displacement ? b->displacement[3 * i + k] : 0));
+        }
+        if (sum > 0) {
+            double low[3], high[3];
+            postproc_body_box(h, b, low, high);
+            onset.found = 1;
+            onset.time = b->time;
+            for (int k = 0; k < 3; k++) {
+                onset.x[k] /= sum;
+                onset.fraction[k] = (onset.x[k] - low[k]) / (high[k] - low[k]);
+            }
+            onset.where = onset.fraction[0] < 1 / 3.   ? "front"
+                          : onset.fraction[0] > 2 / 3. ? "back"
+                                                       : "middle";
+        }
+        postproc_body_free(b);
+    }
+    return onset;
+}

@@ -1,0 +1,220 @@
+#include "postproc/data/history.h"
+#include "files/folder.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static int by_time(const void *a, const void *b) {
+    const double s = ((const struct vtkhdf_series_entry *)a)->time,
+                 t = ((const struct vtkhdf_series_entry *)b)->time;
+    return (s > t) - (s < t);
+}
+
+static struct vtkhdf_source *open_file(const char *folder, const char *file) {
+    char path[FOLDER_PATH], inside[FOLDER_PATH];
+    const char *why = NULL;
+    snprintf(inside, sizeof inside, "fields/%s", file);
+    struct vtkhdf_source *source = vtkhdf_read_open(folder_path(path, folder, inside), &why);
+    if (!source) fprintf(stderr, "frana: %s: %s; left out\n", path, why ? why : "cannot be read");
+    return source;
+}
+
+/* The files that a .hdf.series names and that can be read. */
+static struct postproc_fields fields_new(const char *folder, const char *series) {
+    struct postproc_fields f = {0};
+    char path[FOLDER_PATH];
+    const int named = vtkhdf_series_read(folder_path(path, folder, series), &f.entry);
+    for (int i = 0; i < named; i++) {
+        struct vtkhdf_source *source = open_file(folder, f.entry[i].file);
+        if (!source) continue;
+        vtkhdf_read_close(source);
+        f.entry[f.n++] = f.entry[i];
+    }
+    if (f.n > 0) qsort(f.entry, (size_t)f.n, sizeof *f.entry, by_time);
+    return f;
+}
+
+/* The inflow's bulk velocity, or the driven one, or the initial one. */
+static double bulk_velocity(const struct scene_fluid *f) {
+    for (int c = 0; c < 3; c++)
+        for (int side = 0; side < 2; side++)
+            if (f->side[c][side].type == SCENE_INFLOW && f->side[c][side].bulk_velocity != 0)
+                return fabs(f->side[c][side].bulk_velocity);
+    if (f->driving == SCENE_DRIVING_BULK && f->driving_value != 0) return fabs(f->driving_value);
+    const double *u = f->initial_velocity, size = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    return size > 0 ? size : NAN;
+}
+
+/* E delta s0^2 / G0.  (001: eq. 3.28; of a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
+ * 48 E/(5 pi delta^3) in plane strain; conical: c1 = 4 c0, G0 = c1 s0^2 delta^4/20) */
+static double factor(const struct scene *s, const struct scene_material *m) {
+    if (s->dimension != 2) return 5 / 6.;
+    const double constant = s->solid->model == SCENE_PLANE_STRAIN ? 5 * M_PI / 12 : 4 * M_PI / 9;
+    return m->micromodulus == SCENE_CONICAL ? 1.25 * constant : constant;
+}
+
+static void scales(struct postproc_history *h) {
+    const struct scene *s = h->scene;
+    h->length = s->domain.size[1];
+    h->density = h->velocity = h->spacing = h->s0 = h->sigma0 = NAN;
+    if (s->fluid) {
+        h->density = s->fluid->density;
+        h->velocity = bulk_velocity(s->fluid);
+    }
+    h->t0 = h->length / h->velocity;
+    h->pressure = h->density * h->velocity * h->velocity;
+    if (!s->solid) return;
+    h->spacing = s->solid->spacing > 0    ? s->solid->spacing
+                 : s->domain.cells[0] > 0 ? s->domain.size[0] / s->domain.cells[0]
+                                          : NAN;
+    for (int m = 0; m < s->solid->materials; m++) {
+        const struct scene_material *a = &s->solid->material[m];
+        const double s0 =
+            sqrt(factor(s, a) * a->fracture_energy / (a->youngs_modulus * a->horizon_ratio * h->spacing));
+        if (!isfinite(s0) || s0 >= h->s0) continue;
+        h->s0 = s0;
+        h->sigma0 = a->youngs_modulus * s0;
+    }
+}
+
+/* The time at a step: from the nearest row, and its time step. */
+static double time_of_step(const struct table_data *d, long step) {
+    const int cs = table_read_column(d, "step"), ct = table_read_column(d, "t"), cdt = table_read_column(d, "dt");
+    double best = INFINITY, t = NAN;
+    for (long i = 0; cs >= 0 && ct >= 0 && i < d->rows; i++) {
+        const double *row = d->value + i * d->columns, off = (double)step - row[cs];
+        if (fabs(off) >= best) continue;
+        best = fabs(off);
+        t = row[ct] + (off == 0 || cdt < 0 ? 0 : off * row[cdt]);
+    }
+    return t;
+}
+
+static void find_origin(struct postproc_history *h) {
+    const struct scene *s = h->scene;
+    const struct table_data *d = h->series;
+    const double *last = d && d->rows ? d->value + (d->rows - 1) * d->columns : NULL;
+    double last_step = last && table_read_column(d, "step") >= 0 ? last[table_read_column(d, "step")] : -1;
+    h->end = last && table_read_column(d, "t") >= 0 ? last[table_read_column(d, "t")] : NAN;
+    for (int f = 0; f < 2; f++) {
+        const struct postproc_fields *fields = f ? &h->fluid : &h->solid;
+        if (fields->n) h->end = fmax(isnan(h->end) ? 0 : h->end, fields->entry[fields->n - 1].time);
+    }
+    if (last_step < 0) last_step = postproc_tree_number(h->record, "steps");
+    long step = 0;
+    double t = 0; /* from the stages' own steps, while these are given */
+    h->stage = s->stages > 0 ? s->stage[0].name : "";
+    for (int k = 0; k + 1 < s->stages; k++) {
+        step += s->stage[k].steps;
+        t = s->stage[k].time_step > 0 ? t + (double)s->stage[k].steps * s->stage[k].time_step : NAN;
+        if (last_step <= (double)step) break; /* the next stage has not begun */
+        h->stage = s->stage[k + 1].name;
+        h->origin_step = step;
+        h->origin = d ? time_of_step(d, step) : t;
+        if (isnan(h->origin)) h->origin = isnan(t) ? 0 : t;
+    }
+}
+
+struct postproc_history *postproc_history_new(const char *folder, char *error, int size) {
+    char path[FOLDER_PATH];
+    if (access(folder_path(path, folder, "scene.resolved.yaml"), R_OK) != 0) {
+        snprintf(error, (size_t)size, "%s: %s: it is no run folder of frana's", path, strerror(errno));
+        return NULL;
+    }
+    struct postproc_history *h = calloc(1, sizeof *h);
+    h->folder = folder;
+    h->solid = fields_new(folder, "fields/solid.hdf.series");
+    h->fluid = fields_new(folder, "fields/fluid.hdf.series");
+    const char *why = NULL;
+    const int written = access(folder_path(path, folder, "series.csv"), F_OK) == 0;
+    h->series = written ? table_read(path, &why) : NULL;
+    if (written && !h->series) {
+        snprintf(error, (size_t)size, "%s: %s", path, why);
+        postproc_history_free(h);
+        return NULL;
+    }
+    if (!written && h->solid.n + h->fluid.n == 0) {
+        snprintf(error, (size_t)size, "%s: it has neither a series.csv nor fields: nothing has run in it yet",
+                 folder);
+        postproc_history_free(h);
+        return NULL;
+    }
+    h->crack = table_read(folder_path(path, folder, "crack.csv"), NULL);
+    h->record = postproc_tree_new(folder_path(path, folder, "run.json"));
+    h->scene = scene_new(folder_path(path, folder, "scene.resolved.yaml"), 0, NULL);
+    scales(h);
+    find_origin(h);
+    return h;
+}
+
+void postproc_history_free(struct postproc_history *h) {
+    if (!h) return;
+    if (h->scene) scene_free(h->scene);
+    postproc_tree_free(h->record);
+    table_read_free(h->series);
+    table_read_free(h->crack);
+    free(h->solid.entry);
+    free(h->fluid.entry);
+    free(h);
+}
+
+struct postproc_waves postproc_history_waves(const struct postproc_history *h) {
+    const struct scene_solid *s = h->scene->solid;
+    if (!s) return (struct postproc_waves){NAN, NAN, NAN};
+    const struct scene_material *m = &s->material[s->bodies > 0 ? s->body[0].material_index : 0];
+    return postproc_waves_of(m->youngs_modulus, m->poisson_ratio, m->density,
+                             h->scene->dimension == 2 && s->model == SCENE_PLANE_STRESS);
+}
+
+double postproc_history_when(const struct postproc_history *h, double t) {
+    return (t - h->origin) / (h->t0 > 0 ? h->t0 : 1);
+}
+
+const char *postproc_history_when_name(const struct postproc_history *h) {
+    return h->t0 > 0 ? "t/t_0" : "t [s]";
+}
+
+double *postproc_history_column(const struct postproc_history *h, const char *name) {
+    return postproc_history_values(h->series, name);
+}
+
+double *postproc_history_values(const struct table_data *d, const char *name) {
+    const int c = d ? table_read_column(d, name) : -1;
+    if (c < 0) return NULL;
+    double *value = malloc((size_t)(d->rows + 1) * sizeof *value);
+    for (long i = 0; i < d->rows; i++) value[i] = d->value[i * d->columns + c];
+    return value;
+}
+
+double postproc_history_value(const struct postproc_history *h, const char *name, double t) {
+    double *time = postproc_history_column(h, "t"), *value = postproc_history_column(h, name), at = NAN;
+    for (long i = 0; time && value && i < h->series->rows && time[i] <= t * (1 + 1e-9); i++) at = value[i];
+    free(time);
+    free(value);
+    return at;
+}
+
+double postproc_history_mean(const struct postproc_history *h, const char *name, double from, double to) {
+    double *time = postproc_history_column(h, "t"), *value = postproc_history_column(h, name), sum = 0;
+    long n = 0;
+    for (long i = 0; time && value && i < h->series->rows; i++) {
+        if (!(time[i] > from && time[i] <= to * (1 + 1e-9)) || isnan(value[i])) continue;
+        sum += value[i];
+        n++;
+    }
+    free(time);
+    free(value);
+    return n ? sum / (double)n : NAN;
+}
+
+struct vtkhdf_source *postproc_history_open(const struct postproc_history *h,
+                                            const struct postproc_fields *fields, double t) {
+    if (fields->n == 0) return NULL;
+    int k = 0;
+    while (k + 1 < fields->n && fields->entry[k + 1].time <= t * (1 + 1e-9)) k++;
+    return open_file(h->folder, fields->entry[k].file);
+}

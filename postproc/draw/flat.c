@@ -1,0 +1,108 @@
+#include "postproc/draw/flat.h"
+#include "base/memory.h"
+#include "postproc/draw/bar.h"
+#include "postproc/draw/canvas.h"
+#include "postproc/draw/font.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const unsigned ink = 0x23282e, faint = 0x7c858f, line = 0x0a7d78, paper_top = 0xffffff,
+                      paper_bottom = 0xeef0f2;
+enum { FINE = 2 };
+
+/* From the plane to the pixels of a canvas. */
+struct window {
+    double x, y, scale; /* pixel = x + scale X, y - scale Y */
+};
+
+static struct window window_of(const struct postproc_flat *p, double fine) {
+    const double box[4] = {0.04 * p->width, 0.055 * p->width, 0.87 * p->width, 0.96 * p->height};
+    const struct postproc_plate *plate = p->plate;
+    double size[2], middle[2];
+    for (int c = 0; c < 2; c++) { /* some room for what moves */
+        size[c] = 1.06 * (plate->high[c] - plate->low[c]);
+        middle[c] = 0.5 * (plate->high[c] + plate->low[c]);
+    }
+    const double scale = fine * fmin((box[2] - box[0]) / size[0], (box[3] - box[1]) / size[1]);
+    return (struct window){fine * 0.5 * (box[0] + box[2]) - scale * middle[0],
+                           fine * 0.5 * (box[1] + box[3]) + scale * middle[1], scale};
+}
+
+static void squares_draw(struct postproc_canvas *c, const struct postproc_flat *p, const struct window *w) {
+    const struct postproc_plate *plate = p->plate;
+    for (long i = 0; i < plate->n; i++) {
+        double srgb[3];
+        const double x = plate->x[i][0] + p->magnify * plate->u[i][0],
+                     y = plate->x[i][1] + p->magnify * plate->u[i][1], half = 0.5 * plate->size[i];
+        const double left = w->x + w->scale * (x - half), right = w->x + w->scale * (x + half);
+        const double top = w->y - w->scale * (y + half), bottom = w->y - w->scale * (y - half);
+        if (!(right > 0 && bottom > 0 && left < c->width && top < c->height)) continue;
+        postproc_colour_map(
+            p->map, (p->value[(size_t)i * (size_t)p->stride] - p->value_low) / (p->value_high - p->value_low),
+            srgb);
+        postproc_canvas_fill(c, (int)floor(left), (int)floor(top), (int)ceil(right), (int)ceil(bottom), srgb);
+    }
+}
+
+static void contour_draw(struct postproc_canvas *c, const struct postproc_flat *p, const struct window *w) {
+    const struct postproc_contour *contour = p->contour;
+    const struct postproc_pen pen = {.colour = line, .alpha = 1, .width = 1.7, .hidden = 1};
+    for (int k = 0; contour && k < contour->lines; k++) {
+        double before[3] = {NAN, NAN, 0};
+        for (long i = contour->first[k]; i < contour->first[k + 1]; i++) {
+            double pixel[3] = {0, 0, 0};
+            for (int a = 0; a < 2; a++) {
+                const double u = p->displacement[a] ? postproc_grid_at(p->displacement[a], contour->x[i]) : 0;
+                const double x = contour->x[i][a] + p->magnify * u;
+                pixel[a] = a ? w->y - w->scale * x : w->x + w->scale * x;
+            }
+            if (isfinite(before[0] + before[1] + pixel[0] + pixel[1]))
+                postproc_canvas_line(c, before, pixel, pen);
+            for (int a = 0; a < 2; a++) before[a] = pixel[a];
+        }
+    }
+}
+
+int postproc_flat_draw(const struct postproc_flat *p) {
+    const int w = p->width, h = p->height;
+    struct postproc_canvas *fine = postproc_canvas_new(FINE * w, FINE * h);
+    postproc_canvas_clear(fine, paper_top, paper_bottom);
+    const struct window in = window_of(p, FINE), out = window_of(p, 1);
+    squares_draw(fine, p, &in);
+    struct postproc_canvas *c = postproc_canvas_halve(fine);
+    postproc_canvas_free(fine);
+    contour_draw(c, p, &out);
+    postproc_bar_draw(c, &(struct postproc_bar){.map = p->map,
+                                                .low = p->value_low / p->unit,
+                                                .high = p->value_high / p->unit,
+                                                .label = p->label,
+                                                .x = (int)(0.9 * w),
+                                                .y0 = (int)(0.22 * h),
+                                                .y1 = (int)(0.86 * h),
+                                                .width = (int)(0.018 * w),
+                                                .text = 0.008 * w,
+                                                .left = 0.5 * w});
+    postproc_font_draw(c, 0.03 * w, 0.025 * w, 0.011 * w, ink, p->title);
+    postproc_font_draw(c, 0.03 * w, 0.043 * w, 0.008 * w, faint, p->subtitle);
+    const int status = postproc_canvas_write(c, p->path);
+    postproc_canvas_free(c);
+    return status;
+}
+
+static int ascending(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double postproc_flat_magnify(const struct postproc_plate *plate) {
+    double *size = memory_new(MEMORY_OUTPUT, (size_t)plate->n + 1, sizeof *size);
+    for (long i = 0; i < plate->n; i++) size[i] = hypot(plate->u[i][0], plate->u[i][1]);
+    qsort(size, (size_t)plate->n, sizeof *size, ascending);
+    const double most = size[(long)(0.99 * (double)(plate->n - 1))];
+    const double side = fmax(plate->high[0] - plate->low[0], plate->high[1] - plate->low[1]);
+    memory_free(size);
+    if (!(most > 0)) return 1;
+    const double raw = fmin(0.03 * side / most, 1e6), power = pow(10, floor(log10(raw))), m = raw / power;
+    return fmax(1, power * (m < 2 ? 1 : m < 5 ? 2 : 5));
+}

@@ -1,0 +1,28 @@
+/* A picture of a plate: its particles as squares of their own size where they are now, contours over them. */
+#pragma once
+#include "postproc/draw/colour.h"
+#include "postproc/data/contour.h"
+#include "postproc/data/plate.h"
+
+struct postproc_flat {
+    const char *path;
+    const char *title, *subtitle;
+    const char *label; /* of the colour bar */
+    const struct postproc_plate *plate;
+    const double *value; /* value[i * stride] is particle i's */
+    int stride;
+    double unit;                  /* values and bounds are shown over this */
+    double value_low, value_high; /* of the colours */
+    enum postproc_map map;
+    double magnify; /* displacements are drawn so many times */
+    /* NULL: none; with the displacement on a grid, by which the contour moves along */
+    const struct postproc_contour *contour;
+    const struct postproc_grid *displacement[2];
+    int width, height; /* pixels */
+};
+
+/* Returns 0, or -1 when the file could not be written (errno). */
+int postproc_flat_draw(const struct postproc_flat *p);
+/* A round factor that shows displacements as up to 3 % of the plate's larger side: of 1, 2, 5, 10 ..., at least 1. The largest
+ * hundredth of the displacements is not looked at. */
+double postproc_flat_magnify(const struct postproc_plate *plate);

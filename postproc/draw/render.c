@@ -1,0 +1,133 @@
+#include "postproc/draw/render.h"
+#include "postproc/draw/light.h"
+#include "postproc/draw/voxels.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+/* One of the three orientations that the eye sees: n along +-axis, and its face as a parallelogram on the canvas. */
+struct facing {
+    int axis, sign;
+    double corner[3];           /* from the cube's centre: pixels and depth of the face's corner */
+    double inverse[2][2];       /* pixels from that corner -> (s, t) in the unit square */
+    double slope[2], extent[4]; /* depth per s, t; bounds of the parallelogram from the corner, pixels */
+};
+
+/* Draws nothing of a face seen edge on. */
+static int facing_new(struct facing *f, const struct postproc_camera *camera, int axis, double size) {
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    if (fabs(camera->toward[axis]) < 1e-9) return 0;
+    f->axis = axis;
+    f->sign = camera->toward[axis] > 0 ? 1 : -1;
+    double from[3] = {0, 0, 0}, edge[2][3] = {{0}};
+    from[axis] = 0.5 * size * f->sign;
+    from[b] = from[c] = -0.5 * size;
+    edge[0][b] = edge[1][c] = size;
+    double origin[3], p[3], e[2][3];
+    const double zero[3] = {0, 0, 0};
+    struct postproc_camera centred = *camera;
+    for (int k = 0; k < 3; k++) centred.centre[k] = 0;
+    postproc_camera_see(&centred, zero, origin);
+    postproc_camera_see(&centred, from, p);
+    for (int k = 0; k < 3; k++) f->corner[k] = p[k] - origin[k];
+    for (int m = 0; m < 2; m++) {
+        postproc_camera_see(&centred, edge[m], e[m]);
+        for (int k = 0; k < 3; k++) e[m][k] -= origin[k];
+        f->slope[m] = e[m][2];
+    }
+    const double det = e[0][0] * e[1][1] - e[1][0] * e[0][1];
+    f->inverse[0][0] = e[1][1] / det;
+    f->inverse[0][1] = -e[1][0] / det;
+    f->inverse[1][0] = -e[0][1] / det;
+    f->inverse[1][1] = e[0][0] / det;
+    for (int k = 0; k < 2; k++) {
+        f->extent[k] = fmin(0, e[0][k]) + fmin(0, e[1][k]);
+        f->extent[2 + k] = fmax(0, e[0][k]) + fmax(0, e[1][k]);
+    }
+    return 1;
+}
+
+/* The face's pixels where it is nearest. rim: width of a darker line along its edges, over: by how much the face reaches
+ * over its edges, so that no light falls through the joints of neighbours a little apart; both as parts of the edge. */
+static void face_draw(struct postproc_canvas *canvas, const struct facing *f, const double p[3],
+                      const float colour[3], double rim, double over) {
+    const int i0 = (int)fmax(0, ceil(p[0] + f->extent[0] - 1)),
+              j0 = (int)fmax(0, ceil(p[1] + f->extent[1] - 1));
+    const int i1 = (int)fmin(canvas->width - 1, floor(p[0] + f->extent[2]));
+    const int j1 = (int)fmin(canvas->height - 1, floor(p[1] + f->extent[3]));
+    for (int j = j0; j <= j1; j++)
+        for (int i = i0; i <= i1; i++) {
+            const double x = i + 0.5 - p[0], y = j + 0.5 - p[1];
+            const double s = f->inverse[0][0] * x + f->inverse[0][1] * y,
+                         t = f->inverse[1][0] * x + f->inverse[1][1] * y;
+            if (!(s >= -over && s < 1 + over && t >= -over && t < 1 + over)) continue;
+            const size_t at = (size_t)j * (size_t)canvas->width + (size_t)i;
+            const float z = (float)(p[2] + s * f->slope[0] + t * f->slope[1]);
+            if (z <= canvas->depth[at]) continue;
+            canvas->depth[at] = z;
+            const double edge = fmin(fmin(s, 1 - s), fmin(t, 1 - t));
+            const float shade = edge < rim ? 0.8f : 1;
+            for (size_t k = 0; k < 3; k++) canvas->rgb[3 * at + k] = shade * colour[k];
+        }
+}
+
+/* Whether particle i's face is stuck to a neighbour's. */
+static int face_covered(const struct postproc_voxels *v, const double (*x)[3], long i, const int cell[3],
+                        const struct facing *f) {
+    int q[3] = {cell[0], cell[1], cell[2]};
+    q[f->axis] += f->sign;
+    const int l = postproc_voxels_at(v, q[0], q[1], q[2]);
+    if (l < 0) return 0;
+    for (int c = 0; c < 3; c++) {
+        const double lattice = c == f->axis ? f->sign * v->size : 0;
+        if (fabs(x[l][c] - x[i][c] - lattice) > 0.1 * v->size) return 0;
+    }
+    return 1;
+}
+
+long postproc_render_cubes(struct postproc_canvas *canvas, const struct postproc_camera *camera,
+                           const struct postproc_cubes *cubes, int flat) {
+    struct postproc_voxels *v = postproc_voxels_new(cubes->n, cubes->x, cubes->size, cubes->low, cubes->high);
+    if (!v) return 0;
+    struct postproc_light *light = postproc_light_new(camera);
+    /* about one pixel of rim, none where cubes are small */
+    const double pixels = camera->scale * cubes->size, rim = flat || pixels < 9 ? 0 : 1.1 / pixels;
+    const double over = flat ? 0 : 0.35 / pixels;
+    long drawn = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        struct facing f;
+        if (!facing_new(&f, camera, axis, cubes->size)) continue;
+        for (long i = 0; i < cubes->n; i++) {
+            int cell[3];
+            if (!postproc_voxels_cell(v, cubes->x[i], cell) || face_covered(v, cubes->x, i, cell, &f))
+                continue;
+            double p[3];
+            postproc_camera_see(camera, cubes->x[i], p);
+            for (int k = 0; k < 3; k++) p[k] += f.corner[k];
+            float lit[3] = {1, 1, 1}, sheen = 0;
+            if (!flat) postproc_light_face(light, v, cell, f.axis, f.sign, lit, &sheen);
+            for (int k = 0; k < 3; k++) lit[k] = lit[k] * cubes->colour[i][k] + sheen;
+            face_draw(canvas, &f, p, lit, rim, over);
+            drawn++;
+        }
+    }
+    postproc_light_free(light);
+    postproc_voxels_free(v);
+    return drawn;
+}
+
+void postproc_render_box(struct postproc_canvas *canvas, const struct postproc_camera *camera,
+                         const double low[3], const double high[3], struct postproc_pen pen) {
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = 0; k < 4; k++) {
+            double x[2][3], p[2][3];
+            for (int end = 0; end < 2; end++) {
+                x[end][axis] = end ? high[axis] : low[axis];
+                x[end][(axis + 1) % 3] = k & 1 ? high[(axis + 1) % 3] : low[(axis + 1) % 3];
+                x[end][(axis + 2) % 3] = k & 2 ? high[(axis + 2) % 3] : low[(axis + 2) % 3];
+                postproc_camera_see(camera, x[end], p[end]);
+            }
+            postproc_canvas_line(canvas, p[0], p[1], pen);
+        }
+}

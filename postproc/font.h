@@ -1,8 +1,0 @@
-/* A small stroke font of our own, so that pictures need no font on the machine. Printable ASCII. */
-#pragma once
-#include "postproc/canvas.h"
-
-/* Text with its baseline's left end at (x, y), capitals `height` pixels tall; drawn over everything. */
-void postproc_font_draw(struct postproc_canvas *c, double x, double y, double height, unsigned colour,
-                        const char *text);
-double postproc_font_width(double height, const char *text); /* pixels */

@@ -1,0 +1,105 @@
+#include "files/folder.h"
+#include "base/memory.h"
+#include "postproc/data/pdf.h"
+#include "postproc/sections/sections.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void pdf_table(FILE *file, const char *when, double time, const struct postproc_pdf *p) {
+    for (int i = 0; i < p->bins; i++)
+        fprintf(file, "%s,%.10g,%.10g,%.10g,%.10g\n", when, time, p->low + i * p->width,
+                p->low + (i + 1) * p->width, p->density[i]);
+}
+
+static const struct {
+    const char *name, *field, *unit, *title, *xlabel, *mark;
+} pdf_kind[2] = {
+    {"pdf_strain", "strain_max", "1", "Largest principal strain", "largest principal strain", "s0"},
+    {"pdf_stress", "stress_max", "Pa", "Largest principal stress", "largest principal stress  [Pa]",
+     "sigma0"},
+};
+
+/* body[2]: at the end of settling, at the end; the same file twice counts once. */
+static void pdf_draw(struct postproc_output *out, const struct postproc_history *h, int kind,
+                     struct postproc_body *const body[2]) {
+    struct postproc_pdf pdf[2] = {{0}};
+    struct postproc_curve curve[2];
+    double *middle[2] = {NULL, NULL};
+    char path[FOLDER_PATH], file_name[64], quantity[96], title[2][64];
+    int curves = 0, filled = 0;
+    const double threshold = kind == 0 ? h->s0 : h->sigma0;
+    static const char *const when[2] = {"before", "after"};
+    snprintf(file_name, sizeof file_name, "%s.csv", pdf_kind[kind].name);
+    FILE *file = fopen(folder_path(path, out->folder, file_name), "w");
+    if (!file) {
+        postproc_sections_fail(out, path);
+        return;
+    }
+    fprintf(file, "field,t,low,high,density\n#,s,%s,%s,1/(%s)\n", pdf_kind[kind].unit, pdf_kind[kind].unit,
+            pdf_kind[kind].unit);
+    for (int b = 0; b < 2; b++) {
+        const double *value = !body[b] ? NULL : kind == 0 ? body[b]->strain : body[b]->stress;
+        if (!value) continue;
+        long m;
+        double *sample = postproc_body_sample(body[b], value, &m);
+        pdf[b] = postproc_pdf_new(m, sample);
+        if (pdf[b].n > 0) {
+            filled = 1;
+            pdf_table(file, when[b], body[b]->time, &pdf[b]);
+            if (pdf[b].bins > 1) { /* values all alike, as before any load, make no curve */
+                const double t = postproc_history_when(h, body[b]->time);
+                middle[b] = malloc((size_t)pdf[b].bins * sizeof(double));
+                for (int i = 0; i < pdf[b].bins; i++) middle[b][i] = pdf[b].low + (i + 0.5) * pdf[b].width;
+                snprintf(title[b], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]",
+                         fabs(t) < 1e-9 ? 0 : t);
+                curve[curves++] = (struct postproc_curve){
+                    .title = title[b], .n = pdf[b].bins, .x = middle[b], .y = pdf[b].density, .bars = 1};
+            }
+            snprintf(quantity, sizeof quantity, "%s, mean, %s", pdf_kind[kind].title, when[b]);
+            postproc_facts_number(&out->facts, quantity, pdf_kind[kind].unit, pdf[b].mean);
+            snprintf(quantity, sizeof quantity, "%s, largest, %s", pdf_kind[kind].title, when[b]);
+            postproc_facts_number(&out->facts, quantity, pdf_kind[kind].unit, pdf[b].largest);
+            snprintf(quantity, sizeof quantity, "%s, share above %s, %s", pdf_kind[kind].title,
+                     pdf_kind[kind].mark, when[b]);
+            if (threshold > 0)
+                postproc_facts_number(&out->facts, quantity, "1", postproc_pdf_above(m, sample, threshold));
+        }
+        memory_free(sample);
+    }
+    const int bad = ferror(file);
+    if (fclose(file) || bad) postproc_sections_fail(out, path);
+    char folder[FOLDER_PATH];
+    const struct postproc_mark mark = {threshold, kind == 0 ? "s_0" : "{/Symbol s}_0"};
+    postproc_charts_add(&out->charts, &(struct postproc_plot){
+                                          .folder = folder_path(folder, out->folder, "plots"),
+                                          .name = pdf_kind[kind].name,
+                                          .title = pdf_kind[kind].title,
+                                          .xlabel = pdf_kind[kind].xlabel,
+                                          .ylabel = "probability density",
+                                          .curves = curves,
+                                          .curve = curve,
+                                          .marks = threshold > 0,
+                                          .mark = &mark,
+                                          .log_y = 1,
+                                          .x_low = NAN,
+                                          .x_high = NAN,
+                                      });
+    for (int b = 0; b < 2; b++) {
+        postproc_pdf_free(&pdf[b]);
+        free(middle[b]);
+    }
+    if (!filled) remove(path);
+}
+
+void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h) {
+    struct postproc_body *body[2] = {postproc_body_new(h, h->origin), postproc_body_new(h, h->end)};
+    if (body[0] && body[1] && body[0]->step == body[1]->step) {
+        postproc_body_free(body[0]);
+        body[0] = NULL;
+    }
+    for (int kind = 0; kind < 2; kind++) pdf_draw(out, h, kind, body);
+    postproc_body_free(body[0]);
+    postproc_body_free(body[1]);
+}

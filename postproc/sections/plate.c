@@ -1,0 +1,164 @@
+#include "files/folder.h"
+#include "base/memory.h"
+#include "postproc/draw/flat.h"
+#include "postproc/sections/sections.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* What a quantity's pictures look like. spread: the share of the values that the colours reach over. */
+static const struct look {
+    const char *title, *symbol;
+    enum postproc_map map;
+    double spread;
+    const char *unit; /* NULL: 1 */
+} looks[POSTPROC_QUANTITIES] = {
+    [POSTPROC_DAMAGE] = {"Damage", "damage", POSTPROC_MAGMA_REVERSED, 0, NULL},
+    [POSTPROC_STRETCH] = {"Largest stretch of a bond", "stretch", POSTPROC_MAGMA_REVERSED, 0.995, NULL},
+    [POSTPROC_ENERGY] = {"Energy density", "W", POSTPROC_MAGMA_REVERSED, 0.995, "J/m3"},
+    [POSTPROC_DISPLACEMENT_X] = {"Displacement along x", "u_x", POSTPROC_VIRIDIS, 0.98, "m"},
+    [POSTPROC_DISPLACEMENT_Y] = {"Displacement along y", "u_y", POSTPROC_VIRIDIS, 0.98, "m"},
+};
+
+/* The values of a quantity, *stride apart, or NULL. */
+static const double *values_of(const struct postproc_plate *p, enum postproc_quantity q, int *stride) {
+    *stride = q == POSTPROC_DISPLACEMENT_X || q == POSTPROC_DISPLACEMENT_Y ? 2 : 1;
+    switch (q) {
+    case POSTPROC_DAMAGE:
+        return p->damage;
+    case POSTPROC_STRETCH:
+        return p->stretch;
+    case POSTPROC_ENERGY:
+        return p->energy;
+    case POSTPROC_DISPLACEMENT_X:
+        return &p->u[0][0];
+    default:
+        return &p->u[0][1];
+    }
+}
+
+static int ascending(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Bounds of the colours: 0 ... 1 for damage; from 0, or from the lower quantile where there are negative values, to the upper one. */
+static void range_of(const struct postproc_plate *p, enum postproc_quantity q, double range[2]) {
+    int stride;
+    const double *value = values_of(p, q, &stride), spread = looks[q].spread;
+    range[0] = 0;
+    range[1] = 1;
+    if (spread <= 0 || !value) return;
+    double *sorted = memory_new(MEMORY_OUTPUT, (size_t)p->n + 1, sizeof *sorted);
+    for (long i = 0; i < p->n; i++) sorted[i] = value[(size_t)i * (size_t)stride];
+    qsort(sorted, (size_t)p->n, sizeof *sorted, ascending);
+    const double low = sorted[(long)((1 - spread) * (double)(p->n - 1))],
+                 high = sorted[(long)(spread * (double)(p->n - 1))];
+    memory_free(sorted);
+    range[0] = q >= POSTPROC_DISPLACEMENT_X ? fmin(low, 0) : 0;
+    range[1] = fmax(high, 0);
+    if (!(range[1] > range[0])) range[1] = range[0] + 1;
+}
+
+/* Unit and label by the size of the values: "u_y  [um]". */
+static double label_of(enum postproc_quantity q, const double range[2], char *label, size_t size) {
+    static const struct {
+        double value;
+        const char *prefix;
+    } unit[] = {{1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
+    const double most = fmax(fabs(range[0]), fabs(range[1]));
+    int k = 2;
+    if (!looks[q].unit) {
+        snprintf(label, size, "%s", looks[q].symbol);
+        return 1;
+    }
+    for (k = 0; k < 5 && most < 2 * unit[k].value; k++) continue;
+    snprintf(label, size, "%s  [%s%s]", looks[q].symbol, unit[k].prefix, looks[q].unit);
+    return unit[k].value;
+}
+
+/* A plate with its damage contour, as all its pictures show it. */
+struct scene_of_plate {
+    struct postproc_plate *plate;
+    struct postproc_contour *contour;
+    struct postproc_grid *u[2];
+};
+
+static struct scene_of_plate prepare(struct postproc_output *out, const struct postproc_history *h,
+                                     int file) {
+    struct scene_of_plate s = {.plate = postproc_plate_new(h, file)};
+    if (!s.plate || !s.plate->damage) return s;
+    struct postproc_grid *damage = postproc_plate_grid(s.plate, h, s.plate->damage, 1);
+    s.contour = postproc_contour_new(damage, postproc_sections_crack_level(out, h));
+    postproc_grid_free(damage);
+    for (int c = 0; c < 2; c++) s.u[c] = postproc_plate_grid(s.plate, h, &s.plate->u[0][c], 2);
+    return s;
+}
+
+static void release(struct scene_of_plate *s) {
+    postproc_plate_free(s->plate);
+    postproc_contour_free(s->contour);
+    for (int c = 0; c < 2; c++) postproc_grid_free(s->u[c]);
+}
+
+/* Pictures as wide as 1400 pixels and as high as the plate asks for. */
+static void draw(struct postproc_output *out, const struct postproc_history *h,
+                 const struct scene_of_plate *s, enum postproc_quantity q, const double range[2],
+                 double magnify, const char *path) {
+    char subtitle[256], label[64];
+    const struct postproc_plate *p = s->plate;
+    struct postproc_flat f = {
+        .path = path, .title = h->scene->title, .subtitle = subtitle, .label = label, .plate = p};
+    f.value = values_of(p, q, &f.stride);
+    f.unit = label_of(q, range, label, sizeof label);
+    f.value_low = range[0];
+    f.value_high = range[1];
+    f.map = looks[q].map;
+    f.magnify = magnify;
+    f.contour = s->contour;
+    for (int c = 0; c < 2; c++) f.displacement[c] = s->u[c];
+    f.width = 1400;
+    const double shape = (p->high[1] - p->low[1]) / (p->high[0] - p->low[0]);
+    f.height = (int)(fmin(fmax(shape * 0.83 / 0.82, 0.4), 1) * f.width) / 2 * 2;
+    snprintf(subtitle, sizeof subtitle,
+             "t = %.4g us, step %ld; %s; displacements times %.4g; line: damage %.3f", 1e6 * p->time, p->step,
+             looks[q].title, magnify, out->level);
+    if (postproc_flat_draw(&f)) postproc_sections_fail(out, path);
+}
+
+/* One picture a field file; film/NAME_0001.png, 0002 ... Colours and magnification are those of the last one. */
+static void film(struct postproc_output *out, const struct postproc_history *h, const double range[2],
+                 double magnify) {
+    char path[FOLDER_PATH], inside[96];
+    const enum postproc_quantity q = out->options.film_quantity;
+    for (int k = 0; k < h->solid.n; k++) {
+        struct scene_of_plate s = prepare(out, h, k);
+        int stride;
+        if (s.plate && values_of(s.plate, q, &stride)) {
+            snprintf(inside, sizeof inside, "film/%s_%04d.png", postproc_options_name(q), k + 1);
+            draw(out, h, &s, q, range, magnify, folder_path(path, out->folder, inside));
+        }
+        release(&s);
+    }
+}
+
+void postproc_sections_plate(struct postproc_output *out, const struct postproc_history *h) {
+    if (h->scene->dimension != 2 || h->solid.n == 0 || !(h->spacing > 0)) return;
+    struct scene_of_plate s = prepare(out, h, h->solid.n - 1);
+    if (!s.plate) return;
+    const double magnify = out->options.magnify > 0 ? out->options.magnify : postproc_flat_magnify(s.plate);
+    for (int q = 0; q < POSTPROC_QUANTITIES; q++) {
+        char path[FOLDER_PATH], inside[96];
+        double range[2];
+        int stride;
+        if (!values_of(s.plate, q, &stride)) continue;
+        range_of(s.plate, q, range);
+        snprintf(inside, sizeof inside, "pictures/%s.png", postproc_options_name(q));
+        draw(out, h, &s, q, range, magnify, folder_path(path, out->folder, inside));
+        postproc_sections_picture(out, postproc_options_name(q), looks[q].title);
+        if (out->options.film && out->options.film_quantity == (enum postproc_quantity)q)
+            film(out, h, range, magnify);
+    }
+    release(&s);
+}

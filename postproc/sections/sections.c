@@ -1,0 +1,140 @@
+#include "postproc/sections/sections.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void postproc_sections_fail(struct postproc_output *out, const char *path) {
+    if (out->failed) return;
+    out->failed = errno ? errno : EIO;
+    snprintf(out->failed_path, sizeof out->failed_path, "%s", path);
+}
+
+void postproc_sections_picture(struct postproc_output *out, const char *name, const char *title) {
+    if (out->pictures == POSTPROC_PICTURES) return;
+    snprintf(out->picture[out->pictures].name, sizeof out->picture->name, "%s", name);
+    snprintf(out->picture[out->pictures++].title, sizeof out->picture->title, "%s", title);
+}
+
+void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h) {
+    struct postproc_facts *f = &out->facts;
+    postproc_facts_text(f, "title", h->scene->title);
+    postproc_facts_text(f, "status", postproc_tree_text(h->record, "status"));
+    postproc_facts_text(f, "stage", h->stage);
+    postproc_facts_number(f, "start of the stage", "s", h->origin);
+    postproc_facts_number(f, "end of the data", "s", h->end);
+    postproc_facts_number(f, "t0 = L_ref/U_b", "s", h->t0);
+    postproc_facts_number(f, "end of the data, after the start of the stage", "t0",
+                          h->t0 > 0 ? (h->end - h->origin) / h->t0 : NAN);
+    postproc_facts_number(f, "p0 = rho_f U_b^2", "Pa", h->pressure);
+    postproc_facts_number(f, "critical stretch s0", "1", h->s0);
+    postproc_facts_number(f, "sigma0 = E s0", "Pa", h->sigma0);
+}
+
+/* A quantity when the stage starts, at the end, and its mean over the stage's last tenth. */
+static void before_after(struct postproc_output *out, const struct postproc_history *h, const char *column,
+                         const char *name, const char *unit, double scale) {
+    char quantity[96];
+    double before = postproc_history_value(h, column, h->origin);
+    if (isnan(before)) { /* the series begins after the start of the stage */
+        double *all = postproc_history_column(h, column);
+        for (long i = 0; all && i < h->series->rows && isnan(before); i++) before = all[i];
+        free(all);
+    }
+    snprintf(quantity, sizeof quantity, "%s, before", name);
+    postproc_facts_number(&out->facts, quantity, unit, before / scale);
+    snprintf(quantity, sizeof quantity, "%s, after", name);
+    postproc_facts_number(&out->facts, quantity, unit, postproc_history_value(h, column, h->end) / scale);
+    snprintf(quantity, sizeof quantity, "%s, mean over the last tenth", name);
+    const double from = h->end - 0.1 * (h->end - h->origin);
+    postproc_facts_number(&out->facts, quantity, unit,
+                          postproc_history_mean(h, column, from, h->end) / scale);
+}
+
+void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h) {
+    if (h->pressure > 0) before_after(out, h, "dp", "dp/(rho_f U_b^2)", "1", h->pressure);
+    before_after(out, h, "dp", "dp", "Pa", 1);
+    before_after(out, h, "porosity", "porosity", "1", 1);
+    before_after(out, h, "porosity_effective", "effective porosity", "1", 1);
+    before_after(out, h, "permeability", "permeability", "m2", 1);
+    before_after(out, h, "tortuosity", "tortuosity", "1", 1);
+    before_after(out, h, "load_x", "load on the solid, x", "N", 1);
+}
+
+/* The column's value in the first row, 0 where there is none. */
+static double first_of(const struct postproc_history *h, const char *column) {
+    double *y = postproc_history_column(h, column);
+    const double first = y && h->series->rows > 0 ? y[0] : 0;
+    free(y);
+    return first;
+}
+
+static double first_time_above(const struct postproc_history *h, const char *column, double threshold) {
+    double *t = postproc_history_column(h, "t"), *y = postproc_history_column(h, column), first = NAN;
+    for (long i = 0; t && y && i < h->series->rows && isnan(first); i++)
+        if (y[i] > threshold) first = t[i];
+    free(t);
+    free(y);
+    return first;
+}
+
+void postproc_sections_fracture(struct postproc_output *out, const struct postproc_history *h) {
+    struct postproc_facts *f = &out->facts;
+    const double broken = postproc_history_value(h, "bonds_broken", h->end);
+    const double intact = postproc_history_value(h, "bonds_intact", h->end);
+    postproc_facts_number(f, "bonds broken", "1", broken);
+    postproc_facts_number(f, "bonds broken, share", "1", broken / (broken + intact));
+    postproc_facts_number(f, "fragments", "1", postproc_history_value(h, "fragments", h->end));
+    postproc_facts_number(f, "largest fragment", "particles",
+                          postproc_history_value(h, "largest_fragment", h->end));
+    postproc_facts_number(f, "damage, mean", "1", postproc_history_value(h, "damage_mean", h->end));
+    postproc_facts_number(f, "damage, largest", "1", postproc_history_value(h, "damage_max", h->end));
+    postproc_facts_number(f, "energy released by bonds", "J",
+                          postproc_history_value(h, "e_fracture", h->end));
+    const int cut = h->scene->solid && h->scene->solid->cracks > 0; /* what is broken from the start */
+    const double at_start = cut ? first_of(h, "bonds_broken") : 0;
+    const double first = first_time_above(h, "bonds_broken", at_start);
+    if (!isnan(first)) {
+        postproc_facts_number(f, "first bond broken, t", "s", first);
+        if (h->t0 > 0)
+            postproc_facts_number(f, "first bond broken, after the start of the stage", "t0",
+                                  (first - h->origin) / h->t0);
+    }
+    if (cut) return;
+    const struct postproc_onset onset = postproc_body_onset(h);
+    if (!onset.found) return;
+    char text[160];
+    if (h->scene->dimension == 2)
+        snprintf(text, sizeof text, "x = %.4g m, y = %.4g m", onset.x[0], onset.x[1]);
+    else
+        snprintf(text, sizeof text, "x = %.4g m: %s (x/L = %.2f, y/h = %.2f, z/w = %.2f of the medium's box)",
+                 onset.x[0], onset.where, onset.fraction[0], onset.fraction[1], onset.fraction[2]);
+    postproc_facts_text(f, "where it broke first", text);
+    postproc_facts_number(f, "first field with damage, t", "s", onset.time);
+    postproc_facts_number(f, "first field with damage, damaged particles", "1", (double)onset.particles);
+    postproc_facts_number(f, "first field with damage, x/L", "1", onset.fraction[0]);
+}
+
+void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h) {
+    struct postproc_facts *f = &out->facts;
+    postproc_facts_number(f, "ranks", "1", postproc_tree_number(h->record, "ranks"));
+    postproc_facts_number(f, "steps", "1", postproc_tree_number(h->record, "steps"));
+    postproc_facts_number(f, "wall time", "s", postproc_tree_number(h->record, "wall_seconds"));
+    const char *key;
+    double rest = postproc_tree_number(h->record, "wall_seconds");
+    for (int k = 0; (key = postproc_tree_key(h->record, "wall_seconds_by_part", k)); k++) {
+        char path[128], name[96];
+        snprintf(path, sizeof path, "wall_seconds_by_part.%s", key);
+        snprintf(name, sizeof name, "wall time, %s", key);
+        postproc_facts_number(f, name, "s", postproc_tree_number(h->record, path));
+        rest -= postproc_tree_number(h->record, path);
+    }
+    postproc_facts_number(f, "wall time, the rest", "s", rest);
+    postproc_facts_number(f, "time per cell and step", "ns",
+                          postproc_tree_number(h->record, "ns_per_cell_step"));
+    postproc_facts_number(f, "time per directed bond and force sweep", "ns",
+                          postproc_tree_number(h->record, "ns_per_directed_bond_sweep"));
+    postproc_facts_text(f, "host", postproc_tree_text(h->record, "host"));
+}

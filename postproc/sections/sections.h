@@ -1,0 +1,49 @@
+/* The parts of a report, each of which adds its numbers, files and plots. A part that the run lacks adds nothing. */
+#pragma once
+#include "postproc/data/body.h"
+#include "postproc/charts/charts.h"
+#include "postproc/facts.h"
+#include "postproc/options.h"
+
+enum { POSTPROC_PICTURES = 16 };
+struct postproc_output {
+    const char *folder; /* RUNDIR/post */
+    struct postproc_options options;
+    double level; /* of the damage contour of a plate, 0: not chosen yet */
+    struct postproc_facts facts;
+    struct postproc_charts charts;
+    int pictures;
+    struct {
+        char name[64], title[64]; /* pictures/NAME.png */
+    } picture[POSTPROC_PICTURES];
+    int failed; /* errno of a file that could not be written, 0 */
+    char failed_path[256];
+};
+
+void postproc_sections_run(struct postproc_output *out,
+                           const struct postproc_history *h); /* scene and scales */
+void postproc_sections_medium(struct postproc_output *out,
+                              const struct postproc_history *h); /* dp, porosity, k */
+void postproc_sections_fracture(struct postproc_output *out,
+                                const struct postproc_history *h); /* bonds, fragments, onset */
+void postproc_sections_wall(struct postproc_output *out,
+                            const struct postproc_history *h); /* seconds by part */
+void postproc_sections_pdf(struct postproc_output *out,
+                           const struct postproc_history *h); /* strain and stress */
+void postproc_sections_profile(struct postproc_output *out,
+                               const struct postproc_history *h); /* pressure along x */
+void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
+void postproc_sections_crack(struct postproc_output *out,
+                             const struct postproc_history *h); /* tips, branches, contour of a plate */
+/* Of these the numbers alone: no file is written. */
+void postproc_sections_crack_numbers(struct postproc_output *out, const struct postproc_history *h);
+/* The level of the damage contour: as the options ask, or by the first field file and the initial cracks, or 0.41. */
+double postproc_sections_crack_level(struct postproc_output *out, const struct postproc_history *h);
+void postproc_sections_plate(struct postproc_output *out,
+                             const struct postproc_history *h); /* pictures and film of a plate */
+
+/* Notes a picture that has been written: pictures/NAME.png. */
+void postproc_sections_picture(struct postproc_output *out, const char *name, const char *title);
+
+/* Notes that a file could not be written, with errno; the first one stays. */
+void postproc_sections_fail(struct postproc_output *out, const char *path);

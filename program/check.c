@@ -1,0 +1,199 @@
+/* frana check: what a run will hold, what it leaves out and why, its stable steps, memory and groups. Steps nothing. */
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/blocked.h"
+#include "program/program.h"
+#include "program/record.h"
+#include "coupling/run.h"
+#include "solid/contact/contact.h"
+#include "solid/bonds/family.h"
+#include "solid/law/material.h"
+#include "solid/refine/refine.h"
+#include "solid/law/waves.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+/* Rank 0 prints. */
+static void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void say(const char *format, ...) {
+    if (par_rank() != 0) return;
+    va_list args;
+    va_start(args, format);
+    vprintf(format, args);
+    va_end(args);
+}
+
+static void say_holdings(struct run *r) {
+    char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
+    say("%s\n\nholds\n", r->scene->title);
+    if (r->fluid) {
+        const struct fluid_grid *g = fluid_grid_of(r->fluid);
+        say("  fluid      %d x %d x %d cells of %.6g x %.6g x %.6g m on %d x %d ranks\n", g->n[0], g->n[1],
+            g->n[2], g->d[0], g->d[1], g->d[2], g->ranks[1], g->ranks[2]);
+    }
+    if (r->solid) {
+        const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
+        say("  solid      %ld particles %.6g m apart, %ld bonds\n", r->solid->n_global, r->solid->in.spacing,
+            directed / 2);
+        if (r->solid->dim == 2)
+            say("  plate      %s, %.6g m thick\n",
+                r->solid->in.model == SOLID_PLANE_STRESS ? "plane stress" : "plane strain",
+                r->solid->in.thickness);
+        if (r->solid->in.cuts > 0 && r->needs.bonds) {
+            solid_family_count(r->solid);
+            say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
+        }
+    }
+    if (r->surface)
+        say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
+            r->surface->immersed_area, r->surface->initial_area);
+    if (r->medium) {
+        run_deposit(r);
+        say("  medium     porosity %.5f, connected %.5f\n", medium_measure_porosity(r->medium),
+            medium_connect_porosity(r->medium));
+    }
+    for (int k = 0, n = blocked_of(r, blocked); k < n; k++) say("  warning: %s\n", blocked[k]);
+    say("\nleaves out\n");
+    const int n = record_left_out(r->scene, sentence);
+    for (int k = 0; k < n; k++) say("  %s\n", sentence[k]);
+    if (n == 0) say("  nothing\n");
+}
+
+/* What a contact would ask for, where there is none yet. */
+static void say_touch(struct run *r, const struct scene_stage *stage) {
+    if (!(r->substeps > 0) || !r->needs.contact || !solid_contact_is_possible(r->solid)) return;
+    const double limit =
+        solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_stable_touch(r->solid), NULL);
+    const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
+    if (stage->substeps == 0 && least > r->substeps)
+        say("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n",
+            stage->name, least);
+    else if (r->dt / r->substeps > limit)
+        say("  warning: %s's substep is above the limit of %.6g s for contact\n", stage->name, limit);
+}
+
+/* Of the levels that there may be: inside a body of one level alone. */
+static void say_levels(struct run *r) {
+    const int finest = solid_refine_finest(r->solid);
+    struct solid_rates rates;
+    solid_rates_of(r->solid, &rates);
+    for (int level = finest + 1; level <= r->scene->solid->refinement->levels; level++) {
+        struct solid_rates finer = rates;
+        char name[64];
+        finer.stiffness = fmax(rates.stiffness, solid_refine_rate_lattice(r->solid, level));
+        for (int k = 0; k < 2; k++) {
+            snprintf(name, sizeof name, "solid, bonds of level %d, %s", level, k ? "velocity Verlet" : "RK3");
+            say("  %-42s %.6g\n", name, solid_stable_of(&finer, k ? SOLID_VERLET : SOLID_RK3, 0, NULL));
+        }
+    }
+}
+
+static void say_limits(struct run *r) {
+    say("\nstable steps, s\n");
+    if (r->fluid) {
+        const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
+        if (fluid_input_of(r->fluid)->implicit) {
+            say("  %-42s %s\n", "fluid, viscous", "none: implicit diffusion");
+            say("  %-42s %.6g\n", "fluid, an automatic step at most", l.viscous);
+        } else {
+            say("  %-42s %.6g\n", "fluid, viscous", l.viscous);
+        }
+        say("  %-42s %.6g\n", "fluid, convective (initial velocity)", l.convective);
+    }
+    if (r->needs.bonds) {
+        const int touches = r->needs.contact;
+        const char *const name[2][2] = {
+            {"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
+            {"solid, a broken bond closed, RK3", "solid, a broken bond closed, Verlet"}};
+        struct solid_rates rates;
+        r->solid->stage = (struct solid_stage){0};
+        solid_rates_of(r->solid, &rates);
+        for (int k = 0; k < 2 + 2 * touches; k++)
+            say("  %-42s %.6g\n", name[k / 2][k % 2],
+                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3,
+                                k / 2 ? solid_stable_touch(r->solid) : 0, NULL));
+    }
+    if (r->needs.bonds && r->solid->refine) say_levels(r);
+    say("\nstages\n");
+    for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
+        const struct scene_stage *stage = &r->scene->stage[r->stage];
+        step_begin_stage(r);
+        say("  %-10s %ld steps", stage->name, stage->steps);
+        if (r->dt > 0)
+            say(" of %.6g s", r->dt);
+        else
+            say(", automatic");
+        if (r->substeps > 0)
+            say(", %d substep%s of %.6g s, stable up to %.6g s (%s)", r->substeps, r->substeps > 1 ? "s" : "",
+                r->dt / r->substeps, r->solid_stable, solid_stable_bound_name[r->solid_bound]);
+        say(":");
+        for (int k = 0; k < r->parts; k++) say("%s %s", k ? "," : "", r->part_name[k]);
+        say("\n");
+        if (r->fluid && r->dt > 0) {
+            const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
+            const double limit = fluid_input_of(r->fluid)->implicit ? l.convective : l.step;
+            if (r->dt > limit)
+                say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, limit);
+        }
+        if (r->substeps > 0 && r->dt / r->substeps > r->solid_stable)
+            say("  warning: %s's substep is above the limit of %.6g s for %s\n", stage->name, r->solid_stable,
+                solid_stable_bound_name[r->solid_bound]);
+        say_touch(r, stage);
+    }
+}
+
+static void say_memory(void) {
+    double most[MEMORY_PARTS + 1], sum = 0;
+    for (int p = 0; p < MEMORY_PARTS; p++) sum += most[p] = (double)memory_bytes((enum memory_part)p);
+    most[MEMORY_PARTS] = sum;
+    par_max_array(most, MEMORY_PARTS + 1);
+    say("\nmemory per rank, MB (largest of %d)\n", par_size());
+    for (int p = 0; p < MEMORY_PARTS; p++)
+        say("  %-10s %.1f\n", memory_name((enum memory_part)p), most[p] * 1e-6);
+    say("  %-10s %.1f, and the libraries' own\n", "in all", most[MEMORY_PARTS] * 1e-6);
+}
+
+/* The largest inflow or driven velocity of the scene, m/s. */
+static double velocity_of(const struct scene_fluid *f) {
+    double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
+    if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);
+    for (int c = 0; c < 3; c++) {
+        u = fmax(u, fabs(f->initial_velocity[c]));
+        for (int e = 0; e < 2; e++)
+            u = fmax(u, fmax(fabs(f->side[c][e].bulk_velocity), fabs(f->side[c][e].velocity[c])));
+    }
+    return u;
+}
+
+static void say_groups(const struct run *r) {
+    const struct scene *scene = r->scene;
+    const struct scene_fluid *f = scene->fluid;
+    const double u = f ? velocity_of(f) : 0, h = scene->domain.size[1];
+    say("\ngroups\n");
+    if (u > 0) say("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
+    for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
+        const struct scene_material *s = &scene->solid->material[m];
+        const struct solid_material *material = &r->solid->in.material[m];
+        const struct solid_input *in = &r->solid->in;
+        const struct solid_waves c = solid_waves_of(in->model, s->youngs_modulus, s->density);
+        const double s0 =
+            solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
+        if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
+        if (u > 0) say("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
+        say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
+        say("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n",
+            s->name, sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);
+    }
+}
+
+int check_scene(const struct scene *scene) {
+    struct run *r = run_new(scene);
+    say_holdings(r);
+    say_limits(r);
+    say_memory();
+    say_groups(r);
+    run_free(r);
+    return EXIT_CODE_DONE;
+}

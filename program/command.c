@@ -1,0 +1,202 @@
+#include "program/command.h"
+#include "base/error.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *command_usage(void) {
+    return "usage:\n"
+           "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE]] [--max-wall "
+           "HH:MM:SS] [--quiet]\n"
+           "  frana check SCENE.yaml [--set key.path=value]...\n"
+           "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--level DAMAGE] [--magnify FACTOR]\n"
+           "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
+           "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
+           "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
+           "  frana --version\n"
+           "run, check and bench under mpiexec -n N where they should run in parallel.\n";
+}
+
+/* HH:MM:SS, MM:SS or seconds. */
+static double seconds_of(const char *text) {
+    double total = 0;
+    const char *at = text;
+    for (int field = 0; field < 3; field++) {
+        char *end;
+        const double value = strtod(at, &end);
+        if (end == at || value < 0 || (field > 0 && value >= 60)) break;
+        total = 60 * total + value;
+        if (*end == '\0' && total > 0) return total;
+        if (*end != ':') break;
+        at = end + 1;
+    }
+    die_all(EXIT_CODE_SCENE, "--max-wall %s: must be HH:MM:SS and more than nothing", text);
+}
+
+static enum command_verb verb_of(const char *word) {
+    static const struct {
+        const char *word;
+        enum command_verb verb;
+    } verb[] = {{"run", COMMAND_RUN},     {"check", COMMAND_CHECK}, {"post", COMMAND_POST},
+                {"bench", COMMAND_BENCH}, {"study", COMMAND_STUDY}, {"--version", COMMAND_VERSION},
+                {"--help", COMMAND_HELP}, {"-h", COMMAND_HELP},     {"help", COMMAND_HELP}};
+    for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
+        if (!strcmp(word, verb[k].word)) return verb[k].verb;
+    die_all(EXIT_CODE_SCENE,
+            "%s: unknown command; there are run, check, post, bench, study, --version and --help", word);
+}
+
+/* runs/NAME, NAME being the scene's file without its ending. */
+static void default_out(struct command *c) {
+    const char *slash = strrchr(c->file[0], '/'), *name = slash ? slash + 1 : c->file[0],
+               *dot = strrchr(name, '.');
+    const int length = dot ? (int)(dot - name) : (int)strlen(name);
+    snprintf(c->out, sizeof c->out, "runs/%.*s", length, name);
+}
+
+static int whole(const char *text, const char *name, int least) {
+    char *end;
+    const long value = strtol(text, &end, 10);
+    if (end == text || *end || value < least || value > 1000000)
+        die_all(EXIT_CODE_SCENE, "%s %s: must be a whole number, at least %d", name, text, least);
+    return (int)value;
+}
+
+static int table_of(const char *word) {
+    if (!strcmp(word, "performance")) return COMMAND_TABLE_PERFORMANCE;
+    if (!strcmp(word, "growth")) return COMMAND_TABLE_GROWTH;
+    die_all(EXIT_CODE_SCENE, "--table=%s: must be performance or growth", word);
+}
+
+static double number(const char *text, const char *name, double below) {
+    char *end;
+    const double value = strtod(text, &end);
+    if (end == text || *end || !(value > 0) || !(value < below))
+        die_all(EXIT_CODE_SCENE, "%s %s: must be a number above 0 and below %g", name, text, below);
+    return value;
+}
+
+/* Which option goes with which commands. */
+static void check_option(int o, const char *word, enum command_verb verb) {
+    if (strchr("rwq", o) && verb != COMMAND_RUN)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
+    if (o == 's' && verb != COMMAND_RUN && verb != COMMAND_CHECK)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run and check only", word);
+    if (strchr("ilm", o) && verb != COMMAND_POST)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
+    if (o == 'f' && verb != COMMAND_STUDY) die_all(EXIT_CODE_SCENE, "%s: goes with frana study only", word);
+    if (strchr("knzpt", o) && verb != COMMAND_BENCH)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
+}
+
+static void options(struct command *c, int argc, char **argv) {
+    static const struct option option[] = {{"out", required_argument, NULL, 'o'},
+                                           {"set", required_argument, NULL, 's'},
+                                           {"resume", optional_argument, NULL, 'r'},
+                                           {"max-wall", required_argument, NULL, 'w'},
+                                           {"quiet", no_argument, NULL, 'q'},
+                                           {"fresh", no_argument, NULL, 'f'},
+                                           {"quick", no_argument, NULL, 'k'},
+                                           {"only", required_argument, NULL, 'n'},
+                                           {"sizes", required_argument, NULL, 'z'},
+                                           {"repeats", required_argument, NULL, 'p'},
+                                           {"table", required_argument, NULL, 't'},
+                                           {"film", optional_argument, NULL, 'i'},
+                                           {"level", required_argument, NULL, 'l'},
+                                           {"magnify", required_argument, NULL, 'm'},
+                                           {NULL, 0, NULL, 0}};
+    opterr = 0;
+    for (int o; (o = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
+        const char *word = argv[optind - 1];
+        if (o == ':') die_all(EXIT_CODE_SCENE, "%s: needs a value", word);
+        if (o == '?') die_all(EXIT_CODE_SCENE, "%s: unknown option; frana --help lists them", word);
+        check_option(o, word, c->verb);
+        switch (o) {
+        case 'o':
+            snprintf(c->out, sizeof c->out, "%s", optarg);
+            break;
+        case 's':
+            c->set[c->sets++] = optarg;
+            break;
+        case 'r':
+            c->resume = 1, c->resume_file = optarg;
+            break;
+        case 'w':
+            c->max_wall = seconds_of(optarg);
+            break;
+        case 'q':
+            c->quiet = 1;
+            break;
+        case 'f':
+            c->fresh = 1;
+            break;
+        case 'i':
+            c->film = 1, c->film_quantity = optarg;
+            break;
+        case 'l':
+            c->level = number(optarg, "--level", 1);
+            break;
+        case 'm':
+            c->magnify = number(optarg, "--magnify", 1e9);
+            break;
+        case 'k':
+            c->quick = 1;
+            break;
+        case 'n':
+            c->only = optarg;
+            break;
+        case 'z':
+            c->sizes = optarg;
+            break;
+        case 'p':
+            c->repeats = whole(optarg, "--repeats", 5);
+            break;
+        default:
+            c->table = table_of(optarg);
+        }
+    }
+}
+
+/* What stands behind the options. */
+static void check_files(const struct command *c, const char *word) {
+    if (c->verb == COMMAND_BENCH) {
+        if (c->table && c->files == 0)
+            die_all(EXIT_CODE_SCENE, "frana bench --table: of which measured tables?");
+        if (!c->table && c->files > 0)
+            die_all(EXIT_CODE_SCENE, "frana bench %s: takes files with --table only", c->file[0]);
+        return;
+    }
+    if (c->files == 0)
+        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word,
+                c->verb == COMMAND_POST    ? "run folder"
+                : c->verb == COMMAND_STUDY ? "study"
+                                           : "scene");
+    if (c->files > 1 && c->verb != COMMAND_POST)
+        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", word, c->file[0], c->file[1],
+                c->verb == COMMAND_STUDY ? "study" : "scene");
+}
+
+struct command *command_new(int argc, char **argv) {
+    struct command *c = calloc(1, sizeof *c);
+    c->repeats = 7;
+    if (argc < 2) {
+        c->verb = COMMAND_HELP;
+        return c;
+    }
+    c->verb = verb_of(argv[1]);
+    c->set = calloc((size_t)argc, sizeof *c->set);
+    if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
+    options(c, argc - 1, argv + 1);
+    c->file = (const char *const *)(argv + 1 + optind);
+    c->files = argc - 1 - optind;
+    check_files(c, argv[1]);
+    if (c->verb == COMMAND_RUN && !c->out[0]) default_out(c);
+    return c;
+}
+
+void command_free(struct command *c) {
+    free(c->set);
+    free(c);
+}

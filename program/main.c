@@ -1,0 +1,56 @@
+#include "base/error.h"
+#include "base/par.h"
+#include "scene/scene.h"
+#include "bench/bench.h"
+#include "program/command.h"
+#include "program/program.h"
+#include "program/record.h"
+#include "coupling/setup/setup.h"
+#include "postproc/post.h"
+#include "study/study.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static int post(const struct command *c) {
+    if (par_rank() != 0) return EXIT_CODE_DONE;
+    const int quantity = c->film_quantity ? postproc_options_quantity(c->film_quantity) : POSTPROC_DAMAGE;
+    if (quantity < 0)
+        die(EXIT_CODE_SCENE, "--film=%s: must be damage, stretch, energy, displacement_x or displacement_y",
+            c->film_quantity);
+    const struct postproc_options options = {.film = c->film,
+                                             .film_quantity = (enum postproc_quantity)quantity,
+                                             .level = c->level,
+                                             .magnify = c->magnify};
+    int code = EXIT_CODE_DONE;
+    for (int k = 0; k < c->files && code == EXIT_CODE_DONE; k++) code = postproc_post(c->file[k], &options);
+    if (c->files > 1 && code == EXIT_CODE_DONE)
+        code = postproc_compare(c->files, c->file, c->out[0] ? c->out : "runs/compared");
+    return code;
+}
+
+int main(int argc, char **argv) {
+    /* a study starts mpiexec, which a process that is a rank itself cannot */
+    if (argc < 2 || strcmp(argv[1], "study")) par_begin(&argc, &argv);
+    struct command *c = command_new(argc, argv);
+    int code = EXIT_CODE_DONE;
+    if (c->verb == COMMAND_RUN || c->verb == COMMAND_CHECK) {
+        struct scene *scene = scene_new(c->file[0], c->sets, c->set);
+        setup_check(scene);
+        code = c->verb == COMMAND_RUN ? program_run(c, scene) : check_scene(scene);
+        scene_free(scene);
+    } else if (c->verb == COMMAND_POST) {
+        code = post(c);
+    } else if (c->verb == COMMAND_BENCH) {
+        code = bench_run(c);
+    } else if (c->verb == COMMAND_STUDY) {
+        code = study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
+    } else if (par_rank() == 0) {
+        char text[2048];
+        record_version(text, sizeof text);
+        fputs(c->verb == COMMAND_VERSION ? text : command_usage(), stdout);
+    }
+    command_free(c);
+    par_end();
+    return code;
+}

@@ -1,0 +1,276 @@
+/* frana run: stages, samples, fields, checkpoints, and every way in which a run may end. */
+#include "program/program.h"
+#include "files/aside.h"
+#include "files/folder.h"
+#include "files/log.h"
+#include "base/par.h"
+#include "base/signals.h"
+#include "coupling/blocked.h"
+#include "program/checkpoint.h"
+#include "program/crack_series.h"
+#include "program/fields.h"
+#include "program/fluid_probes.h"
+#include "program/probes.h"
+#include "program/record.h"
+#include "coupling/run.h"
+#include "program/series.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Steps between looks at the whole fluid for what is beyond reason, and between states kept for a run that goes unstable. */
+enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
+
+struct program {
+    const struct command *command;
+    const struct scene *scene;
+    struct run *run;
+    struct series *series;
+    struct crack *crack;               /* NULL: none is followed */
+    struct probes *probes;             /* NULL: none */
+    struct fluid_probes *fluid_probes; /* NULL: none */
+    struct guard *guard;
+    long checked; /* last step at which a checkpoint was written, -1: none */
+    double slowest_step, checkpoint_seconds;
+};
+
+static int due(long every, long step) { return every > 0 && step % every == 0; }
+
+static void write_resolved(const struct program *p) {
+    char path[FOLDER_PATH];
+    struct aside a;
+    if (par_rank() != 0) return;
+    aside_begin(&a, folder_path(path, p->command->out, "scene.resolved.yaml"));
+    fputs(p->scene->resolved, a.file);
+    aside_end(&a);
+}
+
+static void checkpoint(struct program *p) {
+    if (p->checked == p->run->step) return;
+    const double start = par_seconds();
+    checkpoint_write(p->run, p->command->out);
+    record_write(p->run, p->command->out, "running", 0);
+    p->checked = p->run->step;
+    p->checkpoint_seconds = par_max(par_seconds() - start);
+}
+
+static void progress(struct program *p) {
+    const struct scene_stage *stage = &p->scene->stage[p->run->stage];
+    const struct series_sample *s = series_last(p->series);
+    const long every = p->scene->output.log_every;
+    if (p->run->needs.immersed && p->run->needs.bonds)
+        log_progress(stage->name, p->run->stage_step, stage->steps, every,
+                     "t %.4g s  dp %.4g Pa  broken %.0f", p->run->t, s->dp, s->bonds_broken);
+    else if (p->run->needs.immersed)
+        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", p->run->t,
+                     s->dp);
+    else if (p->run->needs.fluid)
+        log_progress(stage->name, p->run->stage_step, stage->steps, every,
+                     "t %.4g s  u %.4g m/s  div %.1e 1/s", p->run->t, s->u_bulk, s->div_max);
+    else
+        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  broken %.0f", p->run->t,
+                     s->bonds_broken);
+}
+
+/* A fault of the numbers: what and where, what step would have been stable, the last good state on disk, exit code 3. status: this
+ * rank's. */
+static int unstable(struct program *p, struct step_status *status) {
+    struct run *r = p->run;
+    const double dt = r->dt;
+    const int substeps = r->substeps;
+    char what[256], why[256] = "the solid has been refined since a state was kept";
+    step_status_agree(status);
+    adapt_made(r);
+    snprintf(what, sizeof what, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step,
+             status->field, status->value, status->x[0], status->x[1], status->x[2], status->rank);
+    const long step = guard_restore(p->guard, r);
+    if (step >= 0) adapt_explain(r, dt, substeps, why, sizeof why);
+    if (step >= 0 && step != p->checked) checkpoint_write(r, p->command->out);
+    log_line("%s; %s", what, why);
+    if (par_rank() == 0) fprintf(stderr, "frana: %s; %s\n", what, why);
+    if (step >= 0) log_line("the last good state is that of step %ld: its checkpoint can be resumed", step);
+    record_write(p->run, p->command->out, "unstable", EXIT_CODE_UNSTABLE);
+    return EXIT_CODE_UNSTABLE;
+}
+
+static int stopped(struct program *p, enum signals_reason reason) {
+    struct step_status status;
+    double failed = step_check(p->run, 1, &status);
+    signals_stop_also(0, &failed, 1);
+    if (failed > 0) return unstable(p, &status);
+    checkpoint(p);
+    log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(reason),
+             p->run->step);
+    record_write(p->run, p->command->out, "stopped", EXIT_CODE_REQUEUE);
+    return EXIT_CODE_REQUEUE;
+}
+
+/* Back to the state before the step just taken: the last one kept, and the same steps from there. Returns whether it can be had. */
+static int go_back(struct program *p) {
+    struct run *r = p->run;
+    struct adapt *a = &r->adapt;
+    const long before = r->step - 1, kept = guard_restore(p->guard, r);
+    const double most = a->most;
+    const int least = a->least, tries = a->tries;
+    if (kept < 0) return 0;
+    strong_forget(r->strong);
+    a->most = INFINITY;
+    a->least = 0;
+    for (a->replays = 1; r->step < before;) {
+        struct step_status status = {0};
+        double number[ADAPT_NUMBERS];
+        step_advance(r);
+        adapt_look(r, 0, number);
+        par_max_array(number, ADAPT_NUMBERS);
+        adapt_judge(r, number, &status);
+    }
+    a->replays = 0;
+    if (r->step > kept) guard_keep(p->guard, r);
+    a->most = most;
+    a->least = least;
+    a->tries = tries;
+    return 1;
+}
+
+/* A step, made again as long as it does not hold and something else can be tried. Returns 1 where it is lost. */
+static int advance(struct program *p, int sampled, int whole, enum signals_reason *reason,
+                   struct step_status *status) {
+    struct run *r = p->run;
+    for (;;) {
+        double number[ADAPT_NUMBERS];
+        if (sampled) series_prepare(p->series, r);
+        step_advance(r);
+        adapt_look(r, step_check(r, whole, status), number);
+        *reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, ADAPT_NUMBERS);
+        const enum adapt_verdict verdict = adapt_judge(r, number, status);
+        if (verdict != ADAPT_MAKE_AGAIN) return verdict == ADAPT_LOST;
+        if (!go_back(p)) return 1;
+    }
+}
+
+/* One step and whatever is due after it; what is kept or written has been looked at as a whole. Returns an exit code to
+ * leave with, or -1. */
+static int step(struct program *p) {
+    struct run *r = p->run;
+    const struct scene_output *out = &p->scene->output;
+    const long now = r->step + 1;
+    const int last = r->stage_step + 1 == p->scene->stage[r->stage].steps;
+    const int sampled = due(out->series_every, now) || (last && out->series_every > 0);
+    const int drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
+    const int saved = due(out->checkpoint_every, now);
+    const int whole = sampled || drawn || saved || last || due(LOOK_EVERY, now) || due(KEEP_EVERY, now);
+    const double start = par_seconds();
+    struct step_status status;
+    enum signals_reason reason;
+    if (advance(p, sampled, whole, &reason, &status)) return unstable(p, &status);
+    if (sampled) series_sample(p->series, r);
+    if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
+    if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
+    if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
+    const int fits = guard_fits(p->guard, r);
+    if (!fits) {
+        guard_free(p->guard);
+        p->guard = guard_new(r);
+    }
+    if (due(KEEP_EVERY, now) || !fits || r->adapt.tries > 0) {
+        guard_keep(p->guard, r);
+        strong_forget(r->strong);
+    }
+    adapt_made(r);
+    p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
+    progress(p);
+    if (drawn) fields_write(r, p->command->out);
+    if (r->stage_step == p->scene->stage[r->stage].steps)
+        checkpoint_write_stage(r, p->command->out); /* before the other, from which a run goes on behind it */
+    if (saved) checkpoint(p);
+    return reason != SIGNALS_NONE ? stopped(p, reason) : -1;
+}
+
+static int stages(struct program *p) {
+    struct run *r = p->run;
+    for (;; r->stage++, r->stage_step = 0) {
+        const struct scene_stage *stage = &p->scene->stage[r->stage];
+        step_begin_stage(r);
+        if (r->setup_seconds == 0) r->setup_seconds = par_seconds() - r->wall_start;
+        if (r->stage_step < stage->steps)
+            log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
+                     r->fluid && stage->time_step <= 0 ? " (automatic)" : "");
+        if (r->substeps > 0)
+            log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
+                     r->dt / r->substeps, r->solid_stable);
+        guard_keep(p->guard, r);
+        while (r->stage_step < stage->steps) {
+            const int code = step(p);
+            if (code >= 0) return code;
+        }
+        if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;
+    }
+}
+
+static void refuse_to_overwrite(const struct command *c, int here) {
+    if (!here && folder_has_run(c->out))
+        die_all(EXIT_CODE_FILE,
+                "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
+}
+
+/* Dies (exit 2) on steps that the solid cannot take, which only its bonds tell. */
+static void check_stages(struct run *r) {
+    for (r->stage = 0; r->stage < r->scene->stages; r->stage++)
+        if (r->solid && r->scene->stage[r->stage].solid == SCENE_SOLID_ELASTIC) step_begin_stage(r);
+    r->stage = 0;
+}
+
+static void begin(struct program *p) {
+    const struct command *c = p->command;
+    const int here = c->resume && !c->resume_file;
+    if (here) folder_hold(c->out);
+    refuse_to_overwrite(c, here);
+    signals_begin(c->max_wall);
+    p->run = run_new(
+        p->scene); /* what the scene gets wrong shows here at the latest: before anything is written */
+    p->crack = crack_series_new(p->run);
+    p->probes = probes_new(p->run);
+    p->fluid_probes = fluid_probes_new(p->run);
+    if (!here) check_stages(p->run);
+    folder_make(c->out);
+    folder_hold(c->out);
+    refuse_to_overwrite(c, here); /* nobody else can write there from now on */
+    log_begin(c->out, c->quiet, here);
+    log_line("frana: %s", p->scene->title);
+    if (c->resume) {
+        checkpoint_read(p->run, c->out, c->resume_file);
+        p->checked = p->run->resumed = p->run->step;
+        log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
+        if (here) fields_cut(p->run, c->out);
+    }
+    write_resolved(p);
+    p->series = series_new(p->run, c->out, here ? p->run->step : -1);
+    if (p->crack) crack_series_open(p->crack, p->run, c->out, here ? p->run->step : -1);
+    if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
+    if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
+    p->guard = guard_new(p->run);
+    char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
+    for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++)
+        log_line("left out: %s", sentence[k]);
+    char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
+    for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
+}
+
+int program_run(const struct command *c, const struct scene *scene) {
+    struct program p = {.command = c, .scene = scene, .checked = -1};
+    begin(&p);
+    const int code = stages(&p);
+    if (code == EXIT_CODE_DONE) {
+        if (scene->output.checkpoint_every > 0) checkpoint(&p);
+        record_write(p.run, c->out, "done", code);
+        log_line("done: %ld steps in %.1f s", p.run->step, par_seconds() - p.run->wall_start);
+    }
+    guard_free(p.guard);
+    series_free(p.series);
+    crack_series_free(p.crack);
+    probes_free(p.probes);
+    fluid_probes_free(p.fluid_probes);
+    run_free(p.run);
+    log_end();
+    return code;
+}

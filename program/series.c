@@ -1,0 +1,220 @@
+#include "program/series.h"
+#include "base/clock.h"
+#include "files/folder.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "files/table.h"
+#include "solid/bonds/family.h"
+#include "solid/measure/measures.h"
+#include "solid/refine/refine.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { NEED_FLUID = 1, NEED_IMMERSED = 2, NEED_BONDS = 4, NEED_ALONE = 8, NEED_REFINED = 16 };
+
+static const struct column {
+    const char *name, *unit;
+    int needs;
+    size_t at; /* in struct series_sample */
+} all_columns[] = {
+#define COLUMN(name, unit, needs, field)                                                                     \
+    { name, unit, needs, offsetof(struct series_sample, field) }
+    COLUMN("step", "1", 0, step),
+    COLUMN("t", "s", 0, t),
+    COLUMN("dt", "s", 0, dt),
+    COLUMN("div_max", "1/s", NEED_FLUID, div_max),
+    COLUMN("cfl", "1", NEED_FLUID, cfl),
+    COLUMN("u_bulk", "m/s", NEED_FLUID, u_bulk),
+    COLUMN("dp", "Pa", NEED_IMMERSED, dp),
+    COLUMN("porosity", "1", NEED_IMMERSED, porosity),
+    COLUMN("porosity_effective", "1", NEED_IMMERSED, porosity_effective),
+    COLUMN("permeability", "m2", NEED_IMMERSED, permeability),
+    COLUMN("tortuosity", "1", NEED_IMMERSED, tortuosity),
+    COLUMN("load_x", "N", NEED_IMMERSED, load[0]),
+    COLUMN("load_y", "N", NEED_IMMERSED, load[1]),
+    COLUMN("load_z", "N", NEED_IMMERSED, load[2]),
+    COLUMN("forcing_x", "N", NEED_IMMERSED, forcing[0]),
+    COLUMN("forcing_y", "N", NEED_IMMERSED, forcing[1]),
+    COLUMN("forcing_z", "N", NEED_IMMERSED, forcing[2]),
+    COLUMN("momentum_residual", "1", NEED_IMMERSED, momentum_residual),
+    COLUMN("e_kinetic_fluid", "J", NEED_FLUID, e_kinetic_fluid),
+    COLUMN("dissipation", "W", NEED_FLUID, dissipation),
+    COLUMN("e_kinetic_solid", "J", NEED_BONDS, e_kinetic_solid),
+    COLUMN("e_strain", "J", NEED_BONDS, e_strain),
+    COLUMN("e_damped", "J", NEED_BONDS, e_damped),
+    COLUMN("e_fracture", "J", NEED_BONDS, e_fracture),
+    COLUMN("work_fluid", "J", NEED_BONDS | NEED_IMMERSED, work_fluid),
+    COLUMN("work_load", "J", NEED_BONDS | NEED_ALONE, work_load),
+    COLUMN("e_constraint", "J", NEED_BONDS | NEED_ALONE, e_constraint),
+    COLUMN("particles", "1", NEED_BONDS | NEED_REFINED, particles),
+    COLUMN("damage_mean", "1", NEED_BONDS, damage_mean),
+    COLUMN("damage_max", "1", NEED_BONDS, damage_max),
+    COLUMN("bonds_intact", "1", NEED_BONDS, bonds_intact),
+    COLUMN("bonds_broken", "1", NEED_BONDS, bonds_broken),
+    COLUMN("fragments", "1", NEED_BONDS, fragments),
+    COLUMN("largest_fragment", "1", NEED_BONDS, largest_fragment),
+    COLUMN("interface_particles", "1", NEED_IMMERSED, interface_particles),
+    COLUMN("particles_outside", "1", NEED_IMMERSED, particles_outside),
+#undef COLUMN
+};
+enum { ALL_COLUMNS = sizeof all_columns / sizeof *all_columns };
+
+struct series {
+    struct table *table;
+    int columns;
+    int column[ALL_COLUMNS];
+    struct series_sample now;
+    double momentum[3]; /* before the step, N s */
+    int prepared;
+    long counted; /* broken bonds when damage and fragments were last looked at, -1: never */
+    long moved;   /* r->moved when the bonds were last looked at, -1: never */
+    long refined; /* refinements there had been then */
+    int room;
+    double *damage; /* [room], work */
+};
+
+struct series *series_new(struct run *r, const char *folder, long resume_step) {
+    struct series *s = calloc(1, sizeof *s);
+    const int have = (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
+                     (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
+                     (r->solid && r->solid->refine ? NEED_REFINED : 0);
+    const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
+    for (int k = 0; k < ALL_COLUMNS; k++) {
+        if ((all_columns[k].needs & have) != all_columns[k].needs) continue;
+        name[s->columns] = all_columns[k].name;
+        unit[s->columns] = all_columns[k].unit;
+        s->column[s->columns++] = k;
+    }
+    char path[FOLDER_PATH];
+    s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
+    s->counted = s->moved = -1;
+    return s;
+}
+
+void series_free(struct series *s) {
+    if (!s) return;
+    table_free(s->table);
+    memory_free(s->damage);
+    free(s);
+}
+
+const struct series_sample *series_last(const struct series *s) { return &s->now; }
+
+void series_prepare(struct series *s, struct run *r) {
+    if (!r->needs.immersed) return;
+    fluid_measures_momentum(r->fluid, s->momentum);
+    fluid_audit_begin(r->fluid);
+    s->prepared = 1;
+}
+
+/* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
+static double momentum_residual(struct series *s, struct run *r) {
+    double momentum[3], box[3], residual = 0, scale = 0;
+    if (!s->prepared) return NAN;
+    s->prepared = 0;
+    fluid_measures_momentum(r->fluid, momentum);
+    fluid_audit_end(r->fluid, box);
+    for (int c = 0; c < 3; c++) {
+        const double rate = (momentum[c] - s->momentum[c]) / r->dt;
+        residual += pow(rate - box[c] - s->now.forcing[c], 2);
+        scale += pow(s->now.forcing[c], 2);
+    }
+    return scale > 0 ? sqrt(residual / scale) : NAN;
+}
+
+static void sample_fluid(struct series *s, struct run *r) {
+    s->now.div_max = fluid_measures_divergence_max(r->fluid);
+    s->now.cfl = fluid_limits_cfl(r->fluid, r->dt);
+    s->now.u_bulk = fluid_measures_bulk_velocity(r->fluid, 0);
+    s->now.e_kinetic_fluid = fluid_measures_kinetic_energy(r->fluid);
+    s->now.dissipation = fluid_dissipation(r->fluid);
+}
+
+/* Where run_deposit has put them. */
+static double particles_outside(const struct run *r) {
+    const struct scene_domain *domain = &r->scene->domain;
+    long outside = 0;
+    for (int h = 0; h < r->solid->n; h++) {
+        int is_in = 1;
+        for (int c = 0; c < 3; c++)
+            is_in &= domain->periodic[c] || (r->position[c][h] >= 0 && r->position[c][h] <= domain->size[c]);
+        outside += !is_in;
+    }
+    return (double)par_sum_long(outside);
+}
+
+static void sample_immersed(struct series *s, struct run *r) {
+    if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) interface_probe(r);
+    run_deposit(r);
+    const struct medium_values v = medium_measure(r->medium, r->fluid, r->surface->immersed_area);
+    s->now.dp = v.pressure_drop;
+    s->now.porosity = v.porosity;
+    s->now.porosity_effective = v.porosity_effective;
+    s->now.permeability = v.permeability;
+    s->now.tortuosity = v.tortuosity;
+    for (int c = 0; c < 3; c++) s->now.load[c] = r->load[c];
+    ibm_forcing_total(r->ibm, s->now.forcing);
+    s->now.momentum_residual = momentum_residual(s, r);
+    s->now.interface_particles = (double)r->surface->total;
+    s->now.particles_outside = particles_outside(r);
+}
+
+/* Damage and fragments are looked at again only once more bonds have broken. */
+static void sample_damage(struct series *s, struct run *r) {
+    struct solid *solid = r->solid;
+    solid_family_count(solid);
+    s->now.bonds_broken = (double)solid->bonds_broken;
+    s->now.bonds_intact = (double)(solid->bonds_total - solid->bonds_broken);
+    s->now.particles = (double)solid->n_global;
+    if (solid->bonds_broken == s->counted && solid_refine_events(solid) == s->refined) return;
+    s->counted = solid->bonds_broken;
+    s->refined = solid_refine_events(solid);
+    if (solid->n >= s->room) {
+        memory_free(s->damage);
+        s->room = solid->n + solid->n / 4 + 1;
+        s->damage = memory_new(MEMORY_OUTPUT, (size_t)s->room, sizeof *s->damage);
+    }
+    double sum = 0, largest = 0;
+    solid_damage_measure(solid, s->damage);
+    for (int h = 0; h < solid->n; h++) {
+        sum += s->damage[h];
+        largest = fmax(largest, s->damage[h]);
+    }
+    s->now.damage_mean = par_sum(sum) / (double)solid->n_global;
+    s->now.damage_max = par_max(largest);
+    struct solid_fragment *list;
+    s->now.fragments = solid_fragments_measure(solid, NULL, &list);
+    s->now.largest_fragment = s->now.fragments > 0 ? (double)list[0].particles : 0;
+    free(list);
+}
+
+static void sample_bonds(struct series *s, struct run *r) {
+    if (s->moved == r->moved) return;
+    s->moved = r->moved;
+    const struct solid_energy e = solid_energy_measure(r->solid);
+    double share[] = {r->solid->e_damped, r->solid->e_fracture, r->solid->work_load, r->solid->e_constraint};
+    par_sum_array(share, 4);
+    s->now.e_kinetic_solid = e.kinetic;
+    s->now.e_strain = e.strain;
+    s->now.e_damped = share[0];
+    s->now.e_fracture = share[1];
+    s->now.work_fluid = s->now.work_load = share[2];
+    s->now.e_constraint = share[3];
+    sample_damage(s, r);
+}
+
+void series_sample(struct series *s, struct run *r) {
+    clock_begin(CLOCK_OUTPUT);
+    s->now.step = (double)r->step;
+    s->now.t = r->t;
+    s->now.dt = r->dt;
+    if (r->needs.fluid) sample_fluid(s, r);
+    if (r->needs.immersed) sample_immersed(s, r);
+    if (r->needs.bonds) sample_bonds(s, r);
+    double row[ALL_COLUMNS];
+    for (int k = 0; k < s->columns; k++)
+        row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);
+    table_row(s->table, row);
+    clock_end(CLOCK_OUTPUT);
+}

@@ -1,0 +1,143 @@
+/* Bodies: materials and names that are there and their own, curves that enclose something, a place in the domain. */
+#include "scene/check/check.h"
+#include "scene/outline.h"
+
+#include <math.h>
+#include <string.h>
+
+int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
+    const int is_box = body->shape == SCENE_BOX;
+    for (int d = 0; d < 3; d++) {
+        const double half =
+            body->shape == SCENE_CYLINDER && d == body->axis ? body->length / 2 : body->radius;
+        low[d] = is_box ? body->low[d] : body->centre[d] - half;
+        high[d] = is_box ? body->high[d] : body->centre[d] + half;
+    }
+    for (int i = 0; i < body->outlines; i++) {
+        double its_low[2], its_high[2];
+        scene_outline_bounds(&body->outline[i], its_low, its_high);
+        for (int d = 0; d < 2 && !body->outline[i].is_hole; d++) {
+            low[d] = i == 0 ? its_low[d] : fmin(low[d], its_low[d]);
+            high[d] = i == 0 ? its_high[d] : fmax(high[d], its_high[d]);
+        }
+    }
+    if (body->outlines > 0) low[2] = high[2] = 0;
+    return body->shape != SCENE_POINTS;
+}
+
+int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
+                    const double high[3]) {
+    for (int d = 0; d < c->scene->dimension; d++)
+        if (low[d] >= high[d]) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.low", path.text).text,
+                             "must be below high in every direction, %c is not", "xyz"[d]);
+            return 0;
+        }
+    return 1;
+}
+
+static void check_body_material(const struct scene_check *c, int b) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].material", b);
+    if (!scene_check_parts_clean(c, path) || !scene_check_parts_clean(c, scene_check_parts_path("solid.materials"))) return;
+    const char *name[255];
+    for (int m = 0; m < s->materials; m++) {
+        name[m] = s->material[m].name;
+        if (!strcmp(name[m], s->body[b].material)) return;
+    }
+    const char *nearest = scene_problem_nearest(s->body[b].material, s->materials, name);
+    scene_problem_at(c->problems, c->root, path.text, "is no name in solid.materials%s%s%s",
+                     nearest ? "; did you mean " : "", nearest ? nearest : "", nearest ? "?" : "");
+}
+
+/* A body that is partly in the domain, and in periodic directions wholly: its particles would stand there twice. */
+static void check_body_place(const struct scene_check *c, int b, const double low[3], const double high[3]) {
+    const struct scene_domain *domain = &c->scene->domain;
+    for (int d = 0; d < c->scene->dimension; d++) {
+        const double slack = 1e-9 * domain->size[d];
+        if (high[d] <= 0 || low[d] >= domain->size[d]) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
+                             "lies outside the domain: %g to %g m in %c, the domain has 0 to %g", low[d],
+                             high[d], "xyz"[d], domain -> size[d]);
+            return;
+        }
+        if (domain->periodic[d] && (low[d] < -slack || high[d] > domain->size[d] + slack)) {
+            scene_problem_at(
+                c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
+                "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g",
+                "xyz"[d], low[d], high[d], domain -> size[d]);
+            return;
+        }
+    }
+}
+
+/* Corners that differ, arcs whose ends are as far from the centre as each other. */
+static int check_corners(const struct scene_check *c, struct scene_path outline, int corners,
+                         const struct scene_corner *corner) {
+    int arcs = 0;
+    for (int i = 0; i < corners; i++) {
+        const struct scene_corner *p = &corner[i], *q = &corner[(i + 1) % corners];
+        arcs += p->turn != 0;
+        if (corners > 1 && p->at[0] == q->at[0] && p->at[1] == q->at[1]) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s[%d].at", outline.text, i).text,
+                             "the next corner is the same");
+            return 0;
+        }
+        const double from = hypot(p->at[0] - p->centre[0], p->at[1] - p->centre[1]),
+                     to = hypot(q->at[0] - p->centre[0], q->at[1] - p->centre[1]);
+        if (p->turn != 0 && (from == 0 || fabs(from - to) > 1e-6 * from)) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s[%d].centre", outline.text, i).text,
+                             "must be as far from this corner as from the next: %g and %g m", from, to);
+            return 0;
+        }
+    }
+    if (corners < 2 || (corners < 3 && arcs == 0)) {
+        scene_problem_at(c->problems, c->root, outline.text,
+                         "encloses nothing: needs three corners, or two and an arc");
+        return 0;
+    }
+    return 1;
+}
+
+static int check_part(const struct scene_check *c, const char *list, int b, int i,
+                      const struct scene_part *part) {
+    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].%s[%d]", b, list, i);
+    if (part->shape == SCENE_RECTANGLE) return scene_check_body_box(c, path, part->low, part->high);
+    return part->shape != SCENE_POLYGON ||
+           check_corners(c, scene_check_parts_path("%s.outline", path.text), part->corners, part->corner);
+}
+
+/* Whether a plate's outlines are curves. */
+static int check_curves(const struct scene_check *c, int b) {
+    const struct scene_body *body = &c->scene->solid->body[b];
+    int good = 1;
+    if (body->shape == SCENE_RECTANGLE)
+        good &= scene_check_body_box(c, scene_check_parts_path("solid.bodies[%d]", b), body->low, body->high);
+    if (body->shape == SCENE_POLYGON)
+        good &= check_corners(c, scene_check_parts_path("solid.bodies[%d].outline", b), body->corners, body->corner);
+    for (int i = 0; i < body->pieces; i++) good &= check_part(c, "pieces", b, i, &body->piece[i]);
+    for (int i = 0; i < body->holes; i++) good &= check_part(c, "holes", b, i, &body->hole[i]);
+    return good;
+}
+
+void scene_check_body(const struct scene_check *c, int b) {
+    const struct scene_body *body = &c->scene->solid->body[b];
+    double low[3], high[3];
+    check_body_material(c, b);
+    for (int k = 0; k < b; k++)
+        if (!strcmp(c->scene->solid->body[k].name, body->name)) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].name", b).text,
+                             "is the name of solid.bodies[%d] too", k);
+            break;
+        }
+    if (!scene_check_parts_clean(c, scene_check_parts_path("solid.bodies[%d]", b)) ||
+        !scene_node_is_clean(c->root, "domain.size"))
+        return;
+    if (body->has_cavities && body->cavity_radius >= sqrt(0.75) * body->cavity_period)
+        scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].cavities.radius", b).text,
+                         "leaves nothing of the body: must be less than %.4g m, sqrt(3)/2 periods",
+                         sqrt(0.75) * body->cavity_period);
+    if (!check_curves(c, b) || !scene_check_body_bounds(body, low, high)) return;
+    if (body->shape == SCENE_BOX && !scene_check_body_box(c, scene_check_parts_path("solid.bodies[%d]", b), low, high)) return;
+    check_body_place(c, b, low, high);
+}

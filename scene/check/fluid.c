@@ -1,0 +1,188 @@
+/* Sides, driving and initial flow that fit together. */
+#include "scene/check/check.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const type_name[] = {"periodic", "wall",     "slip",   "inflow",
+                                        "outflow",  "pressure", "general"};
+
+static struct scene_path side_path(int d, int end, const char *key) {
+    return scene_check_parts_path("fluid.sides.%s%s%s", scene_check_parts_side[d][end], *key ? "." : "", key);
+}
+
+static int sides_clean(const struct scene_check *c, int d) {
+    return scene_check_parts_clean(c, side_path(d, 0, "")) && scene_check_parts_clean(c, side_path(d, 1, ""));
+}
+
+static enum scene_condition condition_of(const struct scene_side *s, int component) {
+    return component == 0 ? s->u : component == 1 ? s->v : s->w;
+}
+
+/* Whether both sides of direction d hold the velocity component. */
+static int has_walls(const struct scene_fluid *f, int d, int component) {
+    int walls = 0;
+    for (int end = 0; end < 2; end++) {
+        const struct scene_side *s = &f->side[d][end];
+        walls += s->type == SCENE_WALL ||
+                 (s->type == SCENE_GENERAL && condition_of(s, component) == SCENE_DIRICHLET);
+    }
+    return walls == 2;
+}
+
+static void check_pair(const struct scene_check *c, int d) {
+    const struct scene_side *side = c->scene->fluid->side[d];
+    const int low = side[0].type == SCENE_PERIODIC, high = side[1].type == SCENE_PERIODIC;
+    if (low != high)
+        scene_problem_at(c->problems, c->root, side_path(d, low ? 0 : 1, "type").text,
+                         "periodic sides come in pairs, but %s is %s", scene_check_parts_side[d][low ? 1 : 0],
+                         type_name[side[low ? 1 : 0].type]);
+}
+
+/* What the velocity of the side itself may be. */
+static void check_side(const struct scene_check *c, int d, int end) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const struct scene_side *side = &f->side[d][end];
+    const int a = (d + 1) % 3, b = (d + 2) % 3;
+    if (side->type == SCENE_WALL && side->velocity[d] != 0)
+        scene_problem_at(c->problems, c->root, side_path(d, end, "velocity").text,
+                         "a wall moves in its own plane: the %c component must be 0", "xyz"[d]);
+    if (side->type == SCENE_INFLOW && side->profile == SCENE_POISEUILLE && sides_clean(c, a) &&
+        sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
+        scene_problem_at(c->problems, c->root, side_path(d, end, "profile").text,
+                         "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
+    if (side->type == SCENE_GENERAL) {
+        const enum scene_condition normal = condition_of(side, d);
+        if (normal == side->p)
+            scene_problem_at(c->problems, c->root, side_path(d, end, "p").text,
+                             "must be %s where the normal velocity %c is %s",
+                             normal == SCENE_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
+                             normal == SCENE_NEUMANN ? "neumann" : "dirichlet");
+    }
+}
+
+/* What is given to flow in must be able to leave, and an outflow needs something to let out. */
+static void check_flux(const struct scene_check *c) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const double *size = c->scene->domain.size;
+    double net = 0, scale = 0;
+    int from_file = 0, open = 0, source = 0;
+    for (int d = 0; d < 3; d++)
+        for (int end = 0; end < 2; end++) {
+            const struct scene_side *s = &f->side[d][end];
+            const double area = size[0] * size[1] * size[2] / size[d],
+                         normal = end ? -s->velocity[d] : s->velocity[d];
+            const int given = s->type == SCENE_GENERAL && condition_of(s, d) == SCENE_DIRICHLET;
+            const double in = s->type == SCENE_INFLOW ? s->bulk_velocity * area : given ? normal * area : 0;
+            net += in;
+            scale += fabs(in);
+            from_file |= s->type == SCENE_INFLOW && s->profile == SCENE_PROFILE_FILE;
+            open |=
+                s->type == SCENE_OUTFLOW || s->type == SCENE_PRESSURE || (s->type == SCENE_GENERAL && !given);
+            source |= s->type == SCENE_INFLOW || s->type == SCENE_PRESSURE || s->type == SCENE_GENERAL;
+        }
+    if (!open && (from_file || fabs(net) > 1e-12 * scale))
+        scene_problem_at(c->problems, c->root, "fluid.sides",
+                         "the velocities given at the sides do not balance, and no side is an outflow or of "
+                         "given pressure");
+    for (int d = 0; d < 3; d++)
+        for (int end = 0; end < 2; end++)
+            if (f->side[d][end].type == SCENE_OUTFLOW && !source)
+                scene_problem_at(
+                    c->problems, c->root, side_path(d, end, "type").text,
+                    "an outflow needs a side where something comes in (inflow, pressure or general)");
+}
+
+static void check_driving(const struct scene_check *c) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const int d = f->driving_direction;
+    if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving") ||
+        !sides_clean(c, d))
+        return;
+    if (f->side[d][0].type != SCENE_PERIODIC || f->side[d][1].type != SCENE_PERIODIC)
+        scene_problem_at(c->problems, c->root, "fluid.driving.direction",
+                         "must be a periodic direction: %s is %s, %s is %s", scene_check_parts_side[d][0],
+                         type_name[f->side[d][0].type], scene_check_parts_side[d][1],
+                         type_name[f->side[d][1].type]);
+}
+
+/* Each direction in which the vortices vary holds one wave, sin or cos, which must fit its sides. */
+static void check_taylor_green(const struct scene_check *c) {
+    static const int along[][3] = {
+        [SCENE_XY] = {1, 1, 0}, [SCENE_XZ] = {1, 0, 1}, [SCENE_YZ] = {0, 1, 1}, [SCENE_XYZ] = {1, 1, 1}};
+    const struct scene_fluid *f = c->scene->fluid;
+    if (!f->has_taylor_green || !scene_node_is_clean(c->root, "fluid.initial")) return;
+    for (int d = 0; d < 3; d++) {
+        if (!along[f->taylor_green_axes][d]) continue;
+        for (int end = 0; end < 2; end++)
+            if (sides_clean(c, d) && f->side[d][end].type != SCENE_PERIODIC &&
+                f->side[d][end].type != SCENE_SLIP)
+                scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
+                                 "%s must be periodic or slip, it is %s", scene_check_parts_side[d][end],
+                                 type_name[f->side[d][end].type]);
+        if (scene_node_is_clean(c->root, "domain.cells") && c->scene->domain.cells[d] < 4)
+            scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
+                             "needs at least 4 cells in %c, there are %d", "xyz"[d],
+                             c -> scene -> domain.cells[d]);
+    }
+}
+
+static void check_initial(const struct scene_check *c) {
+    const struct scene_fluid *f = c->scene->fluid;
+    const double *u = f->initial_velocity;
+    if (!f->initial_poiseuille || !scene_node_is_clean(c->root, "fluid.initial")) return;
+    const int along = (u[0] != 0) + (u[1] != 0) + (u[2] != 0), d = u[0] != 0 ? 0 : u[1] != 0 ? 1 : 2;
+    const int a = (d + 1) % 3, b = (d + 2) % 3;
+    if (along != 1)
+        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
+                         "needs initial.velocity, its mean, along one of the axes");
+    else if (sides_clean(c, a) && sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
+        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
+                         "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
+}
+
+/* Implicit diffusion solves for every velocity with a condition of its own, and keeps the force on every marker. */
+static void check_diffusion(const struct scene_check *c) {
+    const struct scene *s = c->scene;
+    const struct scene_fluid *f = s->fluid;
+    int breaks = 0;
+    if (f->diffusion != SCENE_DIFFUSION_IMPLICIT) return;
+    for (int d = 0; d < 3; d++)
+        for (int end = 0; end < 2; end++) {
+            const struct scene_side *side = &f->side[d][end];
+            const int clean = scene_check_parts_clean(c, side_path(d, end, ""));
+            const int free =
+                side->type == SCENE_PRESSURE || (side->type == SCENE_GENERAL && side->p == SCENE_DIRICHLET);
+            if (clean && free)
+                scene_problem_at(c->problems, c->root, "fluid.diffusion",
+                                 "needs a normal velocity on every side, and %s has a pressure",
+                                 scene_check_parts_side[d][end]);
+        }
+    if (s->coupling && s->coupling->scheme == SCENE_STRONG)
+        scene_problem_at(c->problems, c->root, "fluid.diffusion", "does not go with coupling.scheme: strong");
+    for (int k = 0; s->solid && k < s->stages; k++)
+        breaks |= s->stage[k].solid == SCENE_SOLID_ELASTIC && s->stage[k].breakage;
+    for (int m = 0; breaks && m < s->solid->materials; m++)
+        if (isfinite(s->solid->material[m].fracture_energy)) {
+            scene_problem_at(c->problems, c->root, "fluid.diffusion",
+                             "needs a solid that does not break: material %s has a fracture energy, and "
+                             "a stage breakage",
+                             s->solid->material[m].name);
+            return;
+        }
+}
+
+void scene_check_fluid(const struct scene_check *c) {
+    if (!c->scene->fluid) return;
+    for (int d = 0; d < 3; d++) {
+        if (sides_clean(c, d)) check_pair(c, d);
+        for (int end = 0; end < 2; end++)
+            if (scene_check_parts_clean(c, side_path(d, end, ""))) check_side(c, d, end);
+    }
+    if (scene_node_is_clean(c->root, "fluid.sides") && scene_node_is_clean(c->root, "domain.size"))
+        check_flux(c);
+    check_driving(c);
+    check_initial(c);
+    check_diffusion(c);
+    check_taylor_green(c);
+}

@@ -1,0 +1,69 @@
+/* Materials that the model can have, a lattice that goes on across periodic sides. */
+#include "scene/check/check.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The bond-based model has one Poisson's ratio; 1/3 cannot be written out, so a few digits of it do. */
+static void check_poisson(const struct scene_check *c, int m) {
+    static const struct {
+        const char *is, *ratio, *in;
+        double low, high;
+    } of[] = {[SCENE_3D] = {"0.25", "1/4", "3D", 0.25 - 1e-9, 0.25 + 1e-9},
+              [SCENE_PLANE_STRESS] = {"0.333 to 0.3334", "1/3", "plane stress", 0.333, 0.3334},
+              [SCENE_PLANE_STRAIN] = {"0.25", "1/4", "plane strain", 0.25 - 1e-9, 0.25 + 1e-9}};
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_path path = scene_check_parts_path("solid.materials[%d].poisson_ratio", m);
+    if (!scene_check_parts_clean(c, path) || !scene_node_is_clean(c->root, "domain.size") ||
+        (c->scene->dimension == 2 && !scene_node_is_clean(c->root, "solid.model")))
+        return;
+    if (s->material[m].poisson_ratio < of[s->model].low || s->material[m].poisson_ratio > of[s->model].high)
+        scene_problem_at(c->problems, c->root, path.text,
+                         "must be %s: the bond-based model in %s has Poisson's ratio %s", of[s->model].is,
+                         of[s->model].in, of[s->model].ratio);
+}
+
+static void check_material(const struct scene_check *c, int m) {
+    const struct scene_material *material = c->scene->solid->material;
+    check_poisson(c, m);
+    for (int k = 0; k < m; k++)
+        if (!strcmp(material[k].name, material[m].name) &&
+            scene_check_parts_clean(c, scene_check_parts_path("solid.materials[%d].name", m)) &&
+            scene_check_parts_clean(c, scene_check_parts_path("solid.materials[%d].name", k))) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.materials[%d].name", m).text,
+                             "is the name of solid.materials[%d] too", k);
+            return;
+        }
+}
+
+/* Across a periodic direction the lattice must go on, and no family may meet itself. */
+static void check_period(const struct scene_check *c, int d) {
+    const struct scene_solid *s = c->scene->solid;
+    const double size = c->scene->domain.size[d], n = size / s->spacing;
+    double widest = 0;
+    for (int m = 0; m < s->materials; m++)
+        widest = fmax(widest, 2 * (s->material[m].horizon_ratio + 0.5) * s->spacing);
+    if (fabs(n - round(n)) > 1e-6) {
+        scene_problem_at(c->problems, c->root, "solid.spacing",
+                         "the periodic direction %c (%g m) must hold a whole number of particles, not %.6g",
+                         "xyz"[d], size, n);
+    } else if (size < widest * (1 + 1e-9)) {
+        scene_problem_at(c->problems, c->root, "domain.size",
+                         "a particle's family would meet itself across the periodic direction %c: more than "
+                         "%g m are needed",
+                         "xyz"[d], widest);
+    }
+}
+
+void scene_check_solid(const struct scene_check *c) {
+    const struct scene_solid *s = c->scene->solid;
+    if (!s) return;
+    for (int m = 0; m < s->materials; m++) check_material(c, m);
+    for (int b = 0; b < s->bodies; b++) scene_check_body(c, b);
+    scene_check_region(c);
+    const int known = scene_node_is_clean(c->root, "domain.size") &&
+                      scene_node_is_clean(c->root, "solid.spacing") &&
+                      scene_node_is_clean(c->root, "solid.materials");
+    for (int d = 0; d < 3; d++)
+        if (known && c->scene->domain.periodic[d]) check_period(c, d);
+}

@@ -1,0 +1,144 @@
+#include "scene/default.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The shortest text that reads back as the same number. */
+static char *number_text(double value) {
+    for (int digits = 15; digits < 17; digits++) {
+        char *text = scene_node_text("%.*g", digits, value);
+        if (strtod(text, NULL) == value) return text;
+        free(text);
+    }
+    return scene_node_text("%.17g", value);
+}
+
+static struct scene_node *scalar(const struct scene_node *parent, const char *key, const char *value) {
+    struct scene_node *node = scene_node_new(SCENE_NODE_SCALAR, key, value);
+    node->line = parent->line;
+    return node;
+}
+
+static struct scene_node *number(const struct scene_node *parent, const char *key, double value) {
+    char *text = number_text(value);
+    struct scene_node *node = scalar(parent, key, text);
+    free(text);
+    return node;
+}
+
+static struct scene_node *vector(const struct scene_node *parent, const char *key, const double value[3]) {
+    struct scene_node *list = scene_node_new(SCENE_NODE_LIST, key, NULL);
+    list->line = parent->line;
+    for (int c = 0; c < 3; c++) scene_node_append(list, number(list, NULL, value[c]));
+    return list;
+}
+
+/* The cell, where it is the same in all directions; else 0. */
+static double cell_of(const struct scene_domain *d) {
+    double cell = 0;
+    for (int c = 0; c < 3; c++) {
+        if (d->cells[c] == 0) return 0;
+        const double mine = d->size[c] / d->cells[c];
+        if (c == 0) cell = mine;
+        if (fabs(mine - cell) > 1e-9 * cell) return 0;
+    }
+    return cell;
+}
+
+/* What the model has, and no other. */
+static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
+    char *path = scene_node_text("solid.materials[%d]", m);
+    struct scene_node *node = scene_node_find(root, path);
+    free(path);
+    if (scene_node_child(node, "poisson_ratio")) return;
+    int at = 0;
+    while (at < node->n && strcmp(node->child[at]->key, "density") != 0) at++;
+    s->solid->material[m].poisson_ratio = s->solid->model == SCENE_PLANE_STRESS ? 1.0 / 3 : 0.25;
+    scene_node_insert(node, at + 1, number(node, "poisson_ratio", s->solid->material[m].poisson_ratio));
+}
+
+static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
+    struct scene_node *solid = scene_node_find(root, "solid");
+    if (scene_node_child(solid, "spacing")) return;
+    s->solid->spacing = cell_of(&s->domain);
+    if (s->solid->spacing > 0) {
+        scene_node_insert(solid, 0, number(solid, "spacing", s->solid->spacing));
+    } else if (s->dimension == 2 && scene_node_is_clean(root, "domain")) {
+        scene_problem_at(problems, root, "solid.spacing", "missing (m)");
+    } else if (scene_node_is_clean(root, "domain") &&
+               !s->fluid) { /* unequal cells of a fluid are said elsewhere */
+        scene_problem_at(
+            problems, root, "solid.spacing",
+            "missing (m); without domain.cells, the same in all directions, there is no default");
+    }
+}
+
+static void fill_body(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
+    struct scene_body *body = &s->solid->body[b];
+    char *path = scene_node_text("solid.bodies[%d]", b);
+    struct scene_node *node = scene_node_find(root, path);
+    if (!scene_node_child(node, "name")) {
+        snprintf(body->name, sizeof body->name, "body%d", b + 1);
+        scene_node_insert(node, 0, scalar(node, "name", body->name));
+    }
+    if (!scene_node_child(node, "material")) {
+        if (s->solid->materials == 1) {
+            memcpy(body->material, s->solid->material[0].name, sizeof body->material);
+            scene_node_insert(node, 1, scalar(node, "material", body->material));
+        } else {
+            char *missing = scene_node_text("%s.material", path);
+            scene_problem_at(problems, root, missing, "missing: solid.materials has %d to choose from",
+                             s->solid->materials);
+            free(missing);
+        }
+    }
+    free(path);
+}
+
+static void fill_retraction(struct scene *s, struct scene_node *root) {
+    struct scene_node *coupling = scene_node_find(root, "coupling");
+    if (scene_node_child(coupling, "retraction")) return;
+    s->coupling->retraction =
+        s->coupling->surface == SCENE_SURFACE_SHAPE ? SCENE_RETRACTION_SHAPE : SCENE_RETRACTION;
+    int at = 0;
+    while (at < coupling->n && strcmp(coupling->child[at]->key, "surface") != 0) at++;
+    scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));
+}
+
+/* The bounds of all bodies, within the domain. */
+static void fill_medium(struct scene *s, struct scene_node *root) {
+    struct scene_coupling *c = s->coupling;
+    struct scene_node *coupling = scene_node_find(root, "coupling");
+    c->has_box = scene_node_child(coupling, "medium") != NULL;
+    if (c->has_box || !scene_node_is_clean(root, "domain.size") || !scene_node_is_clean(root, "solid.bodies"))
+        return;
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (int b = 0; b < s->solid->bodies; b++) {
+        double body_low[3], body_high[3];
+        if (!scene_check_body_bounds(&s->solid->body[b], body_low, body_high)) return;
+        for (int d = 0; d < 3; d++) {
+            low[d] = fmin(low[d], fmax(body_low[d], 0));
+            high[d] = fmax(high[d], fmin(body_high[d], s->domain.size[d]));
+        }
+    }
+    memcpy(c->box_low, low, sizeof low);
+    memcpy(c->box_high, high, sizeof high);
+    c->has_box = 1;
+    struct scene_node *medium = scene_node_new(SCENE_NODE_MAPPING, "medium", NULL);
+    medium->line = coupling->line;
+    scene_node_append(medium, vector(medium, "low", low));
+    scene_node_append(medium, vector(medium, "high", high));
+    scene_node_append(coupling, medium);
+}
+
+void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
+    if (s->solid) {
+        fill_spacing(s, root, problems);
+        for (int m = 0; m < s->solid->materials; m++) fill_poisson(s, root, m);
+        for (int b = 0; b < s->solid->bodies; b++) fill_body(s, root, problems, b);
+    }
+    if (s->coupling) fill_retraction(s, root);
+    if (s->coupling && s->solid) fill_medium(s, root);
+}

@@ -1,0 +1,81 @@
+#include "scene/derive.h"
+#include "base/error.h"
+#include "scene/check/check.h"
+#include "scene/outline.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int is_given(const struct scene_node *root, struct scene_path path) {
+    return scene_node_find(root, path.text) != NULL;
+}
+
+static void derive_body(const struct scene_solid *s, const struct scene_node *root, int b) {
+    struct scene_body *body = &s->body[b];
+    body->has_cavities = is_given(root, scene_check_parts_path("solid.bodies[%d].cavities", b));
+    for (int m = s->materials - 1; m >= 0; m--)
+        if (!strcmp(body->material, s->material[m].name)) body->material_index = m;
+    scene_outline_make(body);
+}
+
+/* Columns of the pairs that the file has. */
+static void derive_time(struct scene_time *time) {
+    if (time->n == 0) return;
+    time->t = malloc((size_t)time->n * sizeof(double));
+    time->factor = malloc((size_t)time->n * sizeof(double));
+    if (!time->t || !time->factor) die(EXIT_CODE_FILE, "no memory left for the scene");
+    for (int i = 0; i < time->n; i++) {
+        time->t[i] = time->point[i][0];
+        time->factor[i] = time->point[i][1];
+    }
+}
+
+static void time_free(struct scene_time *time) {
+    free(time->t);
+    free(time->factor);
+    time->t = time->factor = NULL;
+}
+
+static void derive_refinement(struct scene_refinement *r, const struct scene_node *root) {
+    if (!r || is_given(root, scene_check_parts_path("solid.refinement.low"))) return;
+    for (int d = 0; d < 3; d++) {
+        r->low[d] = -INFINITY;
+        r->high[d] = INFINITY;
+    }
+}
+
+static void derive_solid(struct scene_solid *s, const struct scene_node *root) {
+    for (int b = 0; b < s->bodies; b++) derive_body(s, root, b);
+    for (int i = 0; i < s->constraints; i++) {
+        struct scene_constraint *k = &s->constraint[i];
+        for (int d = 0; d < 3; d++) k->direction[d] = strchr(k->directions, "xyz"[d]) != NULL;
+        k->has_displacement = is_given(root, scene_check_parts_path("solid.constraints[%d].displacement", i));
+        derive_time(&k->time);
+    }
+    for (int i = 0; i < s->loads; i++) {
+        struct scene_load *load = &s->load[i];
+        load->kind =
+            is_given(root, scene_check_parts_path("solid.loads[%d].edge", i)) ? SCENE_LOAD_EDGE : SCENE_LOAD_REGION;
+        derive_time(&load->time);
+    }
+    derive_refinement(s->refinement, root);
+}
+
+void scene_derive_domain(struct scene *s, const struct scene_node *root) {
+    const struct scene_node *size = scene_node_find(root, "domain.size");
+    s->dimension = size && size->n == 3 && !size->bad ? 3 : 2;
+}
+
+void scene_derive(struct scene *s, const struct scene_node *root) {
+    for (int d = 0; d < 3 && s->fluid; d++)
+        s->domain.periodic[d] = s->fluid->side[d][0].type == SCENE_PERIODIC;
+    if (s->fluid) s->fluid->has_taylor_green = is_given(root, scene_check_parts_path("fluid.initial.taylor_green"));
+    if (s->solid) derive_solid(s->solid, root);
+}
+
+void scene_derive_free(struct scene *s) {
+    for (int b = 0; s->solid && b < s->solid->bodies; b++) scene_outline_free(&s->solid->body[b]);
+    for (int i = 0; s->solid && i < s->solid->constraints; i++) time_free(&s->solid->constraint[i].time);
+    for (int i = 0; s->solid && i < s->solid->loads; i++) time_free(&s->solid->load[i].time);
+}

@@ -1,0 +1,77 @@
+#include "scene/outline.h"
+#include "base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct scene_outline curve_new(int corners, const struct scene_corner *corner, int is_hole) {
+    struct scene_outline o = {corners, malloc((size_t)(corners + 1) * sizeof *corner), is_hole};
+    if (!o.corner) die(EXIT_CODE_FILE, "no memory left for the scene");
+    if (corners > 0) memcpy(o.corner, corner, (size_t)corners * sizeof *corner);
+    return o;
+}
+
+static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
+    const double *low = p->low, *high = p->high, *c = p->centre, r = p->radius;
+    const struct scene_corner rectangle[4] = {{.at = {low[0], low[1]}},
+                                              {.at = {high[0], low[1]}},
+                                              {.at = {high[0], high[1]}},
+                                              {.at = {low[0], high[1]}}};
+    const struct scene_corner disc[2] = {{{c[0] - r, c[1]}, {c[0], c[1]}, 1},
+                                         {{c[0] + r, c[1]}, {c[0], c[1]}, 1}};
+    if (p->shape == SCENE_RECTANGLE) return curve_new(4, rectangle, is_hole);
+    if (p->shape == SCENE_DISC) return curve_new(2, disc, is_hole);
+    return curve_new(p->corners, p->corner, is_hole);
+}
+
+void scene_outline_make(struct scene_body *body) {
+    if (body->shape != SCENE_RECTANGLE && body->shape != SCENE_DISC && body->shape != SCENE_POLYGON) return;
+    struct scene_part own = {
+        .shape = body->shape, .radius = body->radius, .corners = body->corners, .corner = body->corner};
+    memcpy(own.low, body->low, sizeof own.low);
+    memcpy(own.high, body->high, sizeof own.high);
+    memcpy(own.centre, body->centre, sizeof own.centre);
+    body->outline = calloc((size_t)(1 + body->pieces + body->holes), sizeof *body->outline);
+    if (!body->outline) die(EXIT_CODE_FILE, "no memory left for the scene");
+    body->outline[body->outlines++] = curve_of(&own, 0);
+    for (int i = 0; i < body->pieces; i++) body->outline[body->outlines++] = curve_of(&body->piece[i], 0);
+    for (int i = 0; i < body->holes; i++) body->outline[body->outlines++] = curve_of(&body->hole[i], 1);
+}
+
+void scene_outline_free(struct scene_body *body) {
+    for (int i = 0; i < body->outlines; i++) free(body->outline[i].corner);
+    free(body->outline);
+    body->outline = NULL;
+    body->outlines = 0;
+}
+
+/* Whether an arc that begins at angle a and ends at b passes the angle e, all in quarters of a turn. */
+static int passes(double a, double b, int turn, double e) {
+    const double sweep = fmod(turn * (b - a) + 8, 4), to = fmod(turn * (e - a) + 8, 4);
+    return to <= (sweep > 0 ? sweep : 4);
+}
+
+void scene_outline_bounds(const struct scene_outline *o, double low[2], double high[2]) {
+    low[0] = low[1] = INFINITY;
+    high[0] = high[1] = -INFINITY;
+    for (int i = 0; i < o->corners; i++) {
+        const struct scene_corner *p = &o->corner[i], *q = &o->corner[(i + 1) % o->corners];
+        for (int d = 0; d < 2; d++) {
+            low[d] = fmin(low[d], p->at[d]);
+            high[d] = fmax(high[d], p->at[d]);
+        }
+        if (p->turn == 0) continue;
+        const double x = p->at[0] - p->centre[0], y = p->at[1] - p->centre[1], r = hypot(x, y);
+        const double a = atan2(y, x) / M_PI_2,
+                     b = atan2(q->at[1] - p->centre[1], q->at[0] - p->centre[0]) / M_PI_2;
+        for (int e = 0; e < 4; e++) {
+            const int d = e % 2;
+            if (!passes(a, b, p->turn, e)) continue;
+            if (e < 2)
+                high[d] = fmax(high[d], p->centre[d] + r);
+            else
+                low[d] = fmin(low[d], p->centre[d] - r);
+        }
+    }
+}

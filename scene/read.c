@@ -1,0 +1,108 @@
+#include "scene/read.h"
+#include "scene/check/check.h"
+#include "scene/default.h"
+#include "scene/derive.h"
+#include "scene/rules/schema.h"
+#include "scene/set.h"
+#include "scene/text/yaml.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* The folder that holds the file, absolute; malloc'ed. */
+static char *folder_of(const char *path) {
+    const char *slash = strrchr(path, '/');
+    char *folder = !slash          ? scene_node_text(".")
+                   : slash == path ? scene_node_text("/")
+                                   : scene_node_text("%.*s", (int)(slash - path), path);
+    char *absolute = realpath(folder, NULL);
+    if (!absolute) return folder;
+    free(folder);
+    return absolute;
+}
+
+/* Makes the name of a file absolute, if the key is there, and sees whether it can be read. */
+static void resolve_file(struct scene_node *root, struct scene_path path, const char *folder,
+                         struct scene_problems *problems) {
+    struct scene_node *node = scene_node_find(root, path.text);
+    struct stat info;
+    if (!node || !scene_node_is_clean(root, path.text)) return;
+    char *absolute =
+        node->value[0] == '/' ? scene_node_text("%s", node->value) : scene_node_text("%s/%s", folder, node->value);
+    if (strlen(absolute) >= SCENE_PATH)
+        scene_problem_value(problems, node, path.text,
+                            "with its folder is %zu characters long, at most %d are possible",
+                            strlen(absolute), SCENE_PATH - 1);
+    else if (stat(absolute, &info) != 0)
+        scene_problem_value(problems, node, path.text, "there is no such file (looked for %s)", absolute);
+    else if (!S_ISREG(info.st_mode))
+        scene_problem_value(problems, node, path.text, "is not a file (looked for %s)", absolute);
+    else if (access(absolute, R_OK) != 0)
+        scene_problem_value(problems, node, path.text, "cannot be read (looked for %s)", absolute);
+    if (strlen(absolute) < SCENE_PATH) {
+        free(node->value);
+        node->value = absolute;
+    } else {
+        node->bad = 1;
+        free(absolute);
+    }
+}
+
+static void resolve_files(struct scene_node *root, const char *path, struct scene_problems *problems) {
+    char *folder = folder_of(path);
+    const struct scene_node *bodies = scene_node_find(root, "solid.bodies");
+    for (int d = 0; d < 3; d++)
+        for (int end = 0; end < 2; end++)
+            resolve_file(root, scene_check_parts_path("fluid.sides.%s.file", scene_check_parts_side[d][end]), folder, problems);
+    for (int b = 0; bodies && b < bodies->n; b++)
+        resolve_file(root, scene_check_parts_path("solid.bodies[%d].file", b), folder, problems);
+    free(folder);
+}
+
+/* From a tree whose keys were looked at to the struct. */
+static struct scene *load(const char *path, struct scene_node *root, struct scene_problems *problems) {
+    char *text = scene_yaml_emit(root, 1), *why;
+    struct scene *s = scene_schema_load(text, &why);
+    free(text);
+    if (!s) {
+        scene_problem_line(problems, 0, "%s", why);
+        free(why);
+        return NULL;
+    }
+    snprintf(s->path, sizeof s->path, "%s", path);
+    scene_derive_domain(s, root);
+    scene_default_fill(s, root, problems);
+    scene_derive(s, root);
+    const struct scene_check c = {s, root, problems};
+    scene_check_parts(&c);
+    scene_check_fluid(&c);
+    scene_check_solid(&c);
+    scene_check_stages(&c);
+    s->resolved = scene_yaml_emit(root, 0);
+    return s;
+}
+
+struct scene *scene_read(const char *path, const char *text, size_t bytes, int n, const char *const *set,
+                         int look_for_files, struct scene_problems *problems) {
+    problems->file = path;
+    if (strlen(path) >= SCENE_PATH) {
+        scene_problem_line(problems, 0, "the scene's path is longer than %d characters", SCENE_PATH - 1);
+        return NULL;
+    }
+    struct scene_node *root = scene_yaml_parse(text, bytes, problems);
+    if (!root) return NULL;
+    scene_set(root, n, set, problems);
+    scene_check_keys(root, problems);
+    if (look_for_files) resolve_files(root, path, problems);
+    struct scene *s = load(path, root, problems);
+    scene_node_free(root);
+    if (problems->n > 0) {
+        scene_problem_sort(problems);
+        scene_free(s);
+        s = NULL;
+    }
+    return s;
+}

@@ -1,0 +1,262 @@
+#include "scene/rules/rule.h"
+#include "scene/text/node.h"
+
+#include <math.h>
+#include <string.h>
+
+#define ABOVE(x) .low = (x), .high = INFINITY, .open = 1
+#define FROM(x) .low = (x), .high = INFINITY
+#define WITHIN(a, b) .low = (a), .high = (b)
+#define WHERE(key, list) .sibling = (key), .values = (list)
+#define WITH(key) .with = (key)
+#define NOT_WITH(key) .not_with = (key)
+#define CHOICES(plate, space) .choices = {(plate), (space)}
+
+enum {
+    FLUID = SCENE_WITH_FLUID,
+    SOLID = SCENE_WITH_SOLID,
+    NO_FLUID = SCENE_WITHOUT_FLUID,
+    SPACE = SCENE_IN_3D,
+    PLATE = SCENE_IN_PLATE,
+    ALWAYS = SCENE_ALWAYS
+};
+#define BOTH (FLUID | SOLID)
+#define CELLS_MAX 1e6
+#define LEVELS_MAX 4
+#define PROBES_MAX 10000
+
+#define RULE(its_path, its_unit, ...)                                                                        \
+    { .path = its_path, .unit = its_unit, ##__VA_ARGS__ }
+
+/* clang-format off */
+const struct scene_rule scene_rule_table[] = {
+    RULE("title", "text"),
+    RULE("domain", "section"),
+    RULE("domain.size", "m", ABOVE(0)),
+    RULE("domain.cells", "1", WITHIN(1, CELLS_MAX), .needed = FLUID, .only = SPACE),
+    RULE("domain.periodic", "bool", "[false, false, false]", .only = NO_FLUID),
+
+    RULE("fluid", "section"),
+    RULE("fluid.density", "kg/m3", ABOVE(0)),
+    RULE("fluid.viscosity", "m2/s", ABOVE(0)),
+    RULE("fluid.diffusion", "choice", "explicit"),
+    RULE("fluid.initial", "section", "{}"),
+    RULE("fluid.initial.velocity", "m/s", "[0, 0, 0]"),
+    RULE("fluid.initial.poiseuille", "bool", "false", NOT_WITH("taylor_green")),
+    RULE("fluid.initial.taylor_green", "section"),
+    RULE("fluid.initial.taylor_green.velocity", "m/s"),
+    RULE("fluid.initial.taylor_green.axes", "choice", "xy"),
+    RULE("fluid.sides", "section"),
+    RULE("fluid.sides.SIDE", "section"),
+    RULE("fluid.sides.SIDE.type", "choice"),
+    RULE("fluid.sides.SIDE.velocity", "m/s", "[0, 0, 0]", WHERE("type", "wall general")),
+    RULE("fluid.sides.SIDE.profile", "choice", "uniform", WHERE("type", "inflow")),
+    RULE("fluid.sides.SIDE.bulk_velocity", "m/s", ABOVE(0), .needed = ALWAYS, WHERE("profile", "uniform poiseuille")),
+    RULE("fluid.sides.SIDE.file", "file", .needed = ALWAYS, WHERE("profile", "file")),
+    RULE("fluid.sides.SIDE.pressure", "Pa", "0", WHERE("type", "pressure")),
+    RULE("fluid.sides.SIDE.u", "choice", .needed = ALWAYS, WHERE("type", "general")),
+    RULE("fluid.sides.SIDE.v", "choice", .needed = ALWAYS, WHERE("type", "general")),
+    RULE("fluid.sides.SIDE.w", "choice", .needed = ALWAYS, WHERE("type", "general")),
+    RULE("fluid.sides.SIDE.p", "choice", .needed = ALWAYS, WHERE("type", "general")),
+    RULE("fluid.driving", "section", "{type: none}"),
+    RULE("fluid.driving.type", "choice"),
+    RULE("fluid.driving.direction", "choice", "x", WHERE("type", "pressure_gradient bulk_velocity")),
+    RULE("fluid.driving.value", "Pa/m or m/s", .needed = ALWAYS, WHERE("type", "pressure_gradient bulk_velocity")),
+    RULE("fluid.driving.frequency", "Hz", "0", FROM(0), WHERE("type", "pressure_gradient")),
+    RULE("fluid.body_force", "m/s2", "[0, 0, 0]"),
+
+    RULE("solid", "section"),
+    RULE("solid.spacing", "m", ABOVE(0)),
+    RULE("solid.model", "choice", .only = PLATE, .needed = PLATE),
+    RULE("solid.thickness", "m", "1", ABOVE(0), .only = PLATE),
+    RULE("solid.lattice_offset", "spacings", "[0, 0, 0]", WITHIN(-1, 1)),
+    RULE("solid.partial_volume", "choice", "exact", CHOICES("exact ramp", "exact")),
+    RULE("solid.horizons", "choice", "dual"),
+    RULE("solid.materials", "list"),
+    RULE("solid.materials[].name", "text"),
+    RULE("solid.materials[].youngs_modulus", "Pa", ABOVE(0)),
+    RULE("solid.materials[].density", "kg/m3", ABOVE(0)),
+    RULE("solid.materials[].poisson_ratio", "1"),
+    RULE("solid.materials[].fracture_energy", "J/m2", ".inf", ABOVE(0), .word = ".inf", .load = "inf"),
+    RULE("solid.materials[].horizon_ratio", "1", "3", WITHIN(1, SCENE_HORIZON_MAX), .open = 2, .plate_high = SCENE_HORIZON_MAX_PLATE),
+    RULE("solid.materials[].micromodulus", "choice", "constant"),
+    RULE("solid.bodies", "list"),
+    RULE("solid.bodies[].name", "text"),
+    RULE("solid.bodies[].material", "text"),
+    RULE("solid.bodies[].shape", "choice", CHOICES("rectangle disc polygon points", "box sphere cylinder points")),
+    RULE("solid.bodies[].low", "m", .needed = ALWAYS, WHERE("shape", "box rectangle")),
+    RULE("solid.bodies[].high", "m", .needed = ALWAYS, WHERE("shape", "box rectangle")),
+    RULE("solid.bodies[].centre", "m", .needed = ALWAYS, WHERE("shape", "sphere cylinder disc")),
+    RULE("solid.bodies[].radius", "m", ABOVE(0), .needed = ALWAYS, WHERE("shape", "sphere cylinder disc")),
+    RULE("solid.bodies[].length", "m", ABOVE(0), .needed = ALWAYS, WHERE("shape", "cylinder")),
+    RULE("solid.bodies[].axis", "choice", "z", WHERE("shape", "cylinder")),
+    RULE("solid.bodies[].outline", "list", .needed = ALWAYS, WHERE("shape", "polygon"), .bare = "at"),
+    RULE("solid.bodies[].outline[].at", "m"),
+    RULE("solid.bodies[].outline[].turn", "choice", "straight"),
+    RULE("solid.bodies[].outline[].centre", "m", .needed = ALWAYS, WHERE("turn", "left right")),
+    RULE("solid.bodies[].pieces", "list", WHERE("shape", "rectangle disc polygon")),
+    RULE("solid.bodies[].pieces[].shape", "choice"),
+    RULE("solid.bodies[].pieces[].low", "m", .needed = ALWAYS, WHERE("shape", "rectangle")),
+    RULE("solid.bodies[].pieces[].high", "m", .needed = ALWAYS, WHERE("shape", "rectangle")),
+    RULE("solid.bodies[].pieces[].centre", "m", .needed = ALWAYS, WHERE("shape", "disc")),
+    RULE("solid.bodies[].pieces[].radius", "m", ABOVE(0), .needed = ALWAYS, WHERE("shape", "disc")),
+    RULE("solid.bodies[].pieces[].outline", "list", .needed = ALWAYS, WHERE("shape", "polygon"), .bare = "at"),
+    RULE("solid.bodies[].pieces[].outline[].at", "m"),
+    RULE("solid.bodies[].pieces[].outline[].turn", "choice", "straight"),
+    RULE("solid.bodies[].pieces[].outline[].centre", "m", .needed = ALWAYS, WHERE("turn", "left right")),
+    RULE("solid.bodies[].holes", "list", WHERE("shape", "rectangle disc polygon")),
+    RULE("solid.bodies[].holes[].shape", "choice"),
+    RULE("solid.bodies[].holes[].low", "m", .needed = ALWAYS, WHERE("shape", "rectangle")),
+    RULE("solid.bodies[].holes[].high", "m", .needed = ALWAYS, WHERE("shape", "rectangle")),
+    RULE("solid.bodies[].holes[].centre", "m", .needed = ALWAYS, WHERE("shape", "disc")),
+    RULE("solid.bodies[].holes[].radius", "m", ABOVE(0), .needed = ALWAYS, WHERE("shape", "disc")),
+    RULE("solid.bodies[].holes[].outline", "list", .needed = ALWAYS, WHERE("shape", "polygon"), .bare = "at"),
+    RULE("solid.bodies[].holes[].outline[].at", "m"),
+    RULE("solid.bodies[].holes[].outline[].turn", "choice", "straight"),
+    RULE("solid.bodies[].holes[].outline[].centre", "m", .needed = ALWAYS, WHERE("turn", "left right")),
+    RULE("solid.bodies[].file", "file", .needed = ALWAYS, WHERE("shape", "points")),
+    RULE("solid.bodies[].cavities", "section", WHERE("shape", "box sphere cylinder")),
+    RULE("solid.bodies[].cavities.period", "m", ABOVE(0)),
+    RULE("solid.bodies[].cavities.radius", "m", ABOVE(0)),
+    RULE("solid.bodies[].cavities.centre", "m"),
+    RULE("solid.cracks", "list"),
+    RULE("solid.cracks[].name", "text"),
+    RULE("solid.cracks[].points", "m"),
+    RULE("solid.constraints", "list"),
+    RULE("solid.constraints[].low", "m"),
+    RULE("solid.constraints[].high", "m"),
+    RULE("solid.constraints[].directions", "text", "xyz", .in_plate = "xy"),
+    RULE("solid.constraints[].velocity", "m/s", "[0, 0, 0]", NOT_WITH("displacement")),
+    RULE("solid.constraints[].displacement", "m"),
+    RULE("solid.constraints[].time", "s, 1"),
+    RULE("solid.unbreakable", "list"),
+    RULE("solid.unbreakable[].low", "m"),
+    RULE("solid.unbreakable[].high", "m"),
+    RULE("solid.loads", "list"),
+    RULE("solid.loads[].low", "m", .needed = ALWAYS, NOT_WITH("edge")),
+    RULE("solid.loads[].high", "m", .needed = ALWAYS, NOT_WITH("edge")),
+    RULE("solid.loads[].force", "N/m3", .needed = ALWAYS, NOT_WITH("edge")),
+    RULE("solid.loads[].edge", "section", .only = PLATE),
+    RULE("solid.loads[].edge.from", "m"),
+    RULE("solid.loads[].edge.to", "m"),
+    RULE("solid.loads[].traction", "Pa", .needed = ALWAYS, WITH("edge")),
+    RULE("solid.loads[].depth", "choice", "layer", WITH("edge")),
+    RULE("solid.loads[].time", "s, 1"),
+    RULE("solid.initial", "list"),
+    RULE("solid.initial[].shape", "choice"),
+    RULE("solid.initial[].along", "choice", CHOICES("x y", "x y z")),
+    RULE("solid.initial[].centre", "m"),
+    RULE("solid.initial[].width", "m", ABOVE(0)),
+    RULE("solid.initial[].displacement", "m"),
+    RULE("solid.refinement", "section", .only = PLATE),
+    RULE("solid.refinement.levels", "1", "1", WITHIN(1, LEVELS_MAX)),
+    RULE("solid.refinement.energy", "1", "0.4", WITHIN(0, 1), .open = 1, .word = "off", .load = "0"),
+    RULE("solid.refinement.damage", "1", "off", WITHIN(0, 1), .open = 3, .word = "off", .load = "0"),
+    RULE("solid.refinement.from", "s", "0", FROM(0)),
+    RULE("solid.refinement.low", "m", WITH("high")),
+    RULE("solid.refinement.high", "m", WITH("low")),
+    RULE("solid.refinement.every", "steps", "10", FROM(1)),
+    RULE("solid.refinement.horizon", "choice", "scaled"),
+    RULE("solid.refinement.interface", "choice", "plain"),
+    RULE("solid.refinement.held", "choice", "keep"),
+    RULE("solid.refinement.start", "list"),
+    RULE("solid.refinement.start[].low", "m"),
+    RULE("solid.refinement.start[].high", "m"),
+    RULE("solid.refinement.start[].level", "1", WITHIN(1, LEVELS_MAX)),
+    RULE("solid.surface_correction", "bool", "true"),
+    RULE("solid.body_force", "m/s2", "[0, 0, 0]"),
+    RULE("solid.contact", "section", "{}"),
+    RULE("solid.contact.enabled", "bool", "true"),
+    RULE("solid.contact.stiffness", "1", "15", ABOVE(0)), /* k_c/c0: 15 is from the EMU Theory Manual */
+    RULE("solid.contact.exponent", "1", "1", ABOVE(0)),
+    RULE("solid.contact.radius", "1", "1", ABOVE(0)),
+
+    RULE("coupling", "section", "{}", .only = BOTH),
+    RULE("coupling.forcing_iterations", "1", "2", WITHIN(1, 100)),
+    RULE("coupling.surface", "choice", "lattice"),
+    RULE("coupling.retraction", "cells", WITHIN(-1, 1)),
+    RULE("coupling.probe_length", "cells", "2", WITHIN(0, 10), .open = 1),
+    RULE("coupling.load", "choice", "probe"),
+    RULE("coupling.scheme", "choice", "explicit"),
+    RULE("coupling.relaxation", "choice", "quasi_newton", WHERE("scheme", "strong")),
+    RULE("coupling.tolerance", "1", "1.0e-3", WITHIN(0, 1), .open = 1, WHERE("scheme", "strong")),
+    RULE("coupling.iterations", "1", "50", WITHIN(1, 1000), WHERE("scheme", "strong")),
+    RULE("coupling.medium", "section"),
+    RULE("coupling.medium.low", "m"),
+    RULE("coupling.medium.high", "m"),
+
+    RULE("stages", "list"),
+    RULE("stages[].name", "text"),
+    RULE("stages[].steps", "1", FROM(0)),
+    RULE("stages[].time_step", "s", "auto", ABOVE(0), .word = "auto", .load = "0"),
+    RULE("stages[].cfl", "1", "0.9", WITHIN(0, 1), .open = 1),
+    RULE("stages[].solid", "choice", "elastic", .only = SOLID),
+    RULE("stages[].relax", "bool", "false", .only = SOLID | NO_FLUID),
+    RULE("stages[].integrator", "choice", "rk3", .only = SOLID),
+    RULE("stages[].substeps", "1", "auto", WITHIN(1, 1e6), .word = "auto", .load = "0", .only = SOLID),
+    RULE("stages[].safety", "1", "0.95", WITHIN(0, 1), .open = 1, .only = SOLID),
+    RULE("stages[].breakage", "bool", "true", .only = SOLID),
+    RULE("stages[].damping_relative", "N s/m7", "0", FROM(0), .only = SOLID),
+    RULE("stages[].damping_absolute", "1/s", "0", FROM(0), .only = SOLID),
+
+    RULE("output", "section", "{}"),
+    RULE("output.series_every", "steps", "10", FROM(0)),
+    RULE("output.fields_every", "steps", "0", FROM(0)),
+    RULE("output.checkpoint_every", "steps", "1000", FROM(0)),
+    RULE("output.log_every", "steps", "100", FROM(0)),
+    RULE("output.stress", "bool", "true"),
+    RULE("output.crack", "section", .only = SOLID),
+    RULE("output.crack.damage", "1", "0.35", WITHIN(0, 1), .open = 3),
+    RULE("output.crack.direction", "1", "[1, 0, 0]"),
+    RULE("output.crack.window", "s", "2e-6", ABOVE(0)),
+    RULE("output.crack.every", "steps", "10", FROM(1)),
+    RULE("output.probes", "section", .only = SOLID),
+    RULE("output.probes.at", "m"),
+    RULE("output.probes.every", "steps", "10", FROM(1)),
+    RULE("output.fluid_probes", "section", .only = FLUID),
+    RULE("output.fluid_probes.at", "m"),
+    RULE("output.fluid_probes.lines", "list"),
+    RULE("output.fluid_probes.lines[].from", "m"),
+    RULE("output.fluid_probes.lines[].to", "m"),
+    RULE("output.fluid_probes.lines[].points", "1", WITHIN(2, PROBES_MAX)),
+    RULE("output.fluid_probes.every", "steps", "10", FROM(1)),
+    {.path = NULL}};
+/* clang-format on */
+
+/* Whether the path is one that the pattern stands for: [] for [3], SIDE for a word. */
+static int matches(const char *pattern, const char *path) {
+    while (*pattern) {
+        if (*pattern == 'S' && !strncmp(pattern, "SIDE", 4)) {
+            pattern += 4;
+            path += strcspn(path, ".[");
+        } else if (*pattern == '[') {
+            if (*path != '[') return 0;
+            pattern += 2;
+            path += strcspn(path, "]") + 1;
+        } else if (*pattern++ != *path++) {
+            return 0;
+        }
+    }
+    return !*path;
+}
+
+const struct scene_rule *scene_rule_find(const char *path) {
+    for (const struct scene_rule *rule = scene_rule_table; rule->path; rule++)
+        if (matches(rule->path, path)) return rule;
+    return NULL;
+}
+
+char *scene_rule_range(const struct scene_rule *rule) {
+    if (rule->low == rule->high) return NULL;
+    const char *below = rule->open & 2 ? "less than" : "at most",
+               *above = rule->open & 1 ? "greater than" : "at least";
+    if (isinf(rule->high)) return scene_node_text("%s %.15g", above, rule->low);
+    if (!rule->open) return scene_node_text("between %.15g and %.15g", rule->low, rule->high);
+    return scene_node_text("%s %.15g and %s %.15g", above, rule->low, below, rule->high);
+}
+
+int scene_rule_admits(const struct scene_rule *rule, double value) {
+    if (rule->low == rule->high) return 1;
+    if (value < rule->low || (rule->open & 1 && value == rule->low)) return 0;
+    return value <= rule->high && !(rule->open & 2 && value == rule->high);
+}

@@ -1,0 +1,163 @@
+/* The section solid. */
+#include "scene/rules/schema_parts.h"
+
+static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS},
+                                        {"plane_strain", SCENE_PLANE_STRAIN}};
+static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}};
+static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL},
+                                          {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
+static const cyaml_strval_t micromoduli[] = {{"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}};
+static const cyaml_strval_t shapes[] = {{"box", SCENE_BOX},           {"sphere", SCENE_SPHERE},
+                                        {"cylinder", SCENE_CYLINDER}, {"rectangle", SCENE_RECTANGLE},
+                                        {"disc", SCENE_DISC},         {"polygon", SCENE_POLYGON},
+                                        {"points", SCENE_POINTS}};
+static const cyaml_strval_t part_shapes[] = {
+    {"rectangle", SCENE_RECTANGLE}, {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}};
+static const cyaml_strval_t turns[] = {{"straight", 0}, {"left", 1}, {"right", -1}};
+static const cyaml_strval_t depths[] = {{"layer", 0}, {"horizon", 1}};
+static const cyaml_strval_t initial_shapes[] = {{"gaussian", SCENE_GAUSSIAN}, {"sine", SCENE_SINE}};
+static const cyaml_strval_t refined_horizons[] = {{"scaled", 0}, {"kept", 1}};
+static const cyaml_strval_t refined_interfaces[] = {{"plain", 0}, {"corrected", 1}};
+static const cyaml_strval_t refined_held[] = {{"keep", 0}, {"refine", 1}};
+
+static const cyaml_schema_field_t material_fields[] = {
+    TEXT("name", NEEDED, scene_material, name),
+    NUMBER("youngs_modulus", NEEDED, scene_material, youngs_modulus),
+    NUMBER("density", NEEDED, scene_material, density),
+    NUMBER("poisson_ratio", OPTIONAL, scene_material, poisson_ratio),
+    NUMBER("fracture_energy", OPTIONAL, scene_material, fracture_energy),
+    NUMBER("horizon_ratio", OPTIONAL, scene_material, horizon_ratio),
+    CHOICE("micromodulus", OPTIONAL, scene_material, micromodulus, micromoduli),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t material = {
+    CYAML_VALUE_MAPPING(NEEDED, struct scene_material, material_fields)};
+
+static const cyaml_schema_field_t cavity_fields[] = {
+    NUMBER("period", NEEDED, scene_body, cavity_period), NUMBER("radius", NEEDED, scene_body, cavity_radius),
+    VECTOR("centre", NEEDED, scene_body, cavity_centre), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t corner_fields[] = {
+    PAIR("at", NEEDED, scene_corner, at), CHOICE("turn", OPTIONAL, scene_corner, turn, turns),
+    PAIR("centre", OPTIONAL, scene_corner, centre), CYAML_FIELD_END};
+static const cyaml_schema_value_t corner = {CYAML_VALUE_MAPPING(NEEDED, struct scene_corner, corner_fields)};
+
+static const cyaml_schema_field_t part_fields[] = {
+    CHOICE("shape", NEEDED, scene_part, shape, part_shapes),
+    VECTOR("low", OPTIONAL, scene_part, low),
+    VECTOR("high", OPTIONAL, scene_part, high),
+    VECTOR("centre", OPTIONAL, scene_part, centre),
+    NUMBER("radius", OPTIONAL, scene_part, radius),
+    ENTRIES("outline", LIST, scene_part, corner, corners, &corner, 1, LIST_MAX),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t part = {CYAML_VALUE_MAPPING(NEEDED, struct scene_part, part_fields)};
+
+static const cyaml_schema_field_t body_fields[] = {
+    TEXT("name", OPTIONAL, scene_body, name),
+    TEXT("material", OPTIONAL, scene_body, material),
+    CHOICE("shape", NEEDED, scene_body, shape, shapes),
+    VECTOR("low", OPTIONAL, scene_body, low),
+    VECTOR("high", OPTIONAL, scene_body, high),
+    VECTOR("centre", OPTIONAL, scene_body, centre),
+    NUMBER("radius", OPTIONAL, scene_body, radius),
+    NUMBER("length", OPTIONAL, scene_body, length),
+    CHOICE("axis", OPTIONAL, scene_body, axis, scene_schema_axes),
+    ENTRIES("outline", LIST, scene_body, corner, corners, &corner, 1, LIST_MAX),
+    ENTRIES("pieces", LIST, scene_body, piece, pieces, &part, 1, LIST_MAX),
+    ENTRIES("holes", LIST, scene_body, hole, holes, &part, 1, LIST_MAX),
+    TEXT("file", OPTIONAL, scene_body, file),
+    PART("cavities", OPTIONAL, scene_body, cavity_fields),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
+
+static const cyaml_schema_value_t triple = {
+    CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
+static const cyaml_schema_value_t pair = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 2)};
+
+static const cyaml_schema_field_t crack_fields[] = {
+    TEXT("name", OPTIONAL, scene_crack, name),
+    ENTRIES("points", NEEDED, scene_crack, point, points, &triple, 2, LIST_MAX), CYAML_FIELD_END};
+static const cyaml_schema_value_t crack = {CYAML_VALUE_MAPPING(NEEDED, struct scene_crack, crack_fields)};
+
+#define TIME(type) ENTRIES("time", LIST, type, time.point, time.n, &pair, 1, LIST_MAX)
+static const cyaml_schema_field_t constraint_fields[] = {
+    VECTOR("low", NEEDED, scene_constraint, low),
+    VECTOR("high", NEEDED, scene_constraint, high),
+    TEXT("directions", OPTIONAL, scene_constraint, directions),
+    VECTOR("velocity", OPTIONAL, scene_constraint, velocity),
+    VECTOR("displacement", OPTIONAL, scene_constraint, displacement),
+    TIME(scene_constraint),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t constraint = {
+    CYAML_VALUE_MAPPING(NEEDED, struct scene_constraint, constraint_fields)};
+
+static const cyaml_schema_field_t region_fields[] = {
+    VECTOR("low", NEEDED, scene_region, low), VECTOR("high", NEEDED, scene_region, high), CYAML_FIELD_END};
+static const cyaml_schema_value_t region = {CYAML_VALUE_MAPPING(NEEDED, struct scene_region, region_fields)};
+
+static const cyaml_schema_field_t edge_fields[] = {PAIR("from", NEEDED, scene_load, edge[0]),
+                                                   PAIR("to", NEEDED, scene_load, edge[1]), CYAML_FIELD_END};
+static const cyaml_schema_field_t load_fields[] = {
+    VECTOR("low", OPTIONAL, scene_load, low),
+    VECTOR("high", OPTIONAL, scene_load, high),
+    VECTOR("force", OPTIONAL, scene_load, force),
+    PART("edge", OPTIONAL, scene_load, edge_fields),
+    VECTOR("traction", OPTIONAL, scene_load, traction),
+    CHOICE("depth", OPTIONAL, scene_load, over_horizon, depths),
+    TIME(scene_load),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t load = {CYAML_VALUE_MAPPING(NEEDED, struct scene_load, load_fields)};
+
+static const cyaml_schema_field_t initial_fields[] = {
+    CHOICE("shape", NEEDED, scene_initial, shape, initial_shapes),
+    CHOICE("along", NEEDED, scene_initial, along, scene_schema_axes),
+    NUMBER("centre", NEEDED, scene_initial, centre),
+    NUMBER("width", NEEDED, scene_initial, width),
+    VECTOR("displacement", NEEDED, scene_initial, displacement),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t initial = {
+    CYAML_VALUE_MAPPING(NEEDED, struct scene_initial, initial_fields)};
+
+static const cyaml_schema_field_t start_fields[] = {
+    VECTOR("low", NEEDED, scene_refined, low), VECTOR("high", NEEDED, scene_refined, high),
+    WHOLE("level", NEEDED, scene_refined, level), CYAML_FIELD_END};
+static const cyaml_schema_value_t start = {CYAML_VALUE_MAPPING(NEEDED, struct scene_refined, start_fields)};
+
+static const cyaml_schema_field_t refinement_fields[] = {
+    WHOLE("levels", OPTIONAL, scene_refinement, levels),
+    NUMBER("energy", OPTIONAL, scene_refinement, energy),
+    NUMBER("damage", OPTIONAL, scene_refinement, damage),
+    NUMBER("from", OPTIONAL, scene_refinement, from),
+    VECTOR("low", OPTIONAL, scene_refinement, low),
+    VECTOR("high", OPTIONAL, scene_refinement, high),
+    WHOLE("every", OPTIONAL, scene_refinement, every),
+    CHOICE("horizon", OPTIONAL, scene_refinement, horizon_kept, refined_horizons),
+    CHOICE("interface", OPTIONAL, scene_refinement, interface_corrected, refined_interfaces),
+    CHOICE("held", OPTIONAL, scene_refinement, held_refine, refined_held),
+    ENTRIES("start", LIST, scene_refinement, start, starts, &start, 1, LIST_MAX),
+    CYAML_FIELD_END};
+
+static const cyaml_schema_field_t contact_fields[] = {
+    BOOLEAN("enabled", OPTIONAL, scene_solid, contact),
+    NUMBER("stiffness", OPTIONAL, scene_solid, contact_stiffness),
+    NUMBER("exponent", OPTIONAL, scene_solid, contact_exponent),
+    NUMBER("radius", OPTIONAL, scene_solid, contact_radius), CYAML_FIELD_END};
+
+const cyaml_schema_field_t scene_schema_solid[] = {
+    NUMBER("spacing", OPTIONAL, scene_solid, spacing),
+    CHOICE("model", OPTIONAL, scene_solid, model, models),
+    NUMBER("thickness", OPTIONAL, scene_solid, thickness),
+    VECTOR("lattice_offset", OPTIONAL, scene_solid, lattice_offset),
+    CHOICE("partial_volume", OPTIONAL, scene_solid, partial_volume, partials),
+    CHOICE("horizons", OPTIONAL, scene_solid, horizons, horizons),
+    ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, BODIES_MAX),
+    ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, BODIES_MAX),
+    ENTRIES("cracks", LIST, scene_solid, crack, cracks, &crack, 0, LIST_MAX),
+    ENTRIES("constraints", LIST, scene_solid, constraint, constraints, &constraint, 0, LIST_MAX),
+    ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),
+    ENTRIES("loads", LIST, scene_solid, load, loads, &load, 0, LIST_MAX),
+    ENTRIES("initial", LIST, scene_solid, initial, initials, &initial, 0, LIST_MAX),
+    CYAML_FIELD_MAPPING_PTR("refinement", OPTIONAL, struct scene_solid, refinement, refinement_fields),
+    BOOLEAN("surface_correction", OPTIONAL, scene_solid, surface_correction),
+    VECTOR("body_force", OPTIONAL, scene_solid, body_force),
+    PART("contact", OPTIONAL, scene_solid, contact_fields),
+    CYAML_FIELD_END};

@@ -1,0 +1,127 @@
+#include "scene/rules/walk.h"
+#include "base/error.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int is_whole(const char *s) {
+    if (*s == '+' || *s == '-') s++;
+    const size_t n = strspn(s, "0123456789");
+    return n > 0 && !s[n] && (n == 1 || s[0] != '0');
+}
+
+static int is_number(const char *s) {
+    if (*s == '+' || *s == '-') s++;
+    const size_t before = strspn(s, "0123456789");
+    s += before;
+    size_t after = 0;
+    if (*s == '.') {
+        after = strspn(++s, "0123456789");
+        s += after;
+    }
+    if (before + after == 0) return 0;
+    if (*s != 'e' && *s != 'E') return !*s;
+    if (*++s == '+' || *s == '-') s++;
+    const size_t power = strspn(s, "0123456789");
+    return power > 0 && !s[power];
+}
+
+char *scene_walk_in_units(const struct scene_rule *rule) {
+    static const char *const none[] = {"1", "text", "bool", "choice", "section", "list", "file"};
+    for (size_t i = 0; rule && i < sizeof none / sizeof *none; i++)
+        if (!strcmp(rule->unit, none[i])) rule = NULL;
+    return rule ? scene_node_text(" (%s)", rule->unit) : scene_node_text("%s", "");
+}
+
+/* ", or auto" where a word may stand for the number. */
+static char *or_word(const struct scene_rule *rule) {
+    return rule && rule->word ? scene_node_text(", or %s", rule->word) : scene_node_text("%s", "");
+}
+
+int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+                      const struct scene_rule *rule, const char *path) {
+    if (rule && rule->word && node->kind == SCENE_NODE_SCALAR && !node->quoted &&
+        !strcmp(node->value, rule->word)) {
+        node->load = rule->load;
+        return 1;
+    }
+    struct scene_rule in_plate;
+    if (rule && rule->plate_high > 0 && w->dimension != 3) {
+        in_plate = *rule;
+        in_plate.high = rule->plate_high;
+        in_plate.open &= ~2;
+        rule = &in_plate;
+    }
+    const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
+    const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
+    const double value = form ? strtod(node->value, NULL) : 0;
+    const double largest = !whole                        ? DBL_MAX
+                           : v->data_size == sizeof(int) ? INT_MAX
+                                                         : 9e15; /* exact in a double */
+    const int admitted = !rule || scene_rule_admits(rule, value);
+    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL,
+         *unit = scene_walk_in_units(rule);
+    if (!form)
+        SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
+                       range ? ", " : "", range ? range : "", unit, word);
+    else if (!admitted)
+        SCENE_WALK_SAY(value, w, node, path, "must be %s%s", range, word);
+    else if (fabs(value) > largest)
+        SCENE_WALK_SAY(value, w, node, path, "is too large");
+    free(word);
+    free(range);
+    free(unit);
+    return form && admitted && fabs(value) <= largest;
+}
+
+char *scene_walk_joined(int n, const char *const *word) {
+    char *text = scene_node_text("%s", "");
+    for (int i = 0; i < n; i++) {
+        char *longer = scene_node_text("%s%s%s", text, i ? ", " : "", word[i]);
+        free(text);
+        text = longer;
+    }
+    return text;
+}
+
+int scene_walk_choice(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+                      const struct scene_rule *rule, const char *path) {
+    const char *word[SCENE_WALK_KEYS];
+    const char *among = rule && w->dimension ? rule->choices[w->dimension == 3] : NULL;
+    const int plain = node->kind == SCENE_NODE_SCALAR;
+    int n = 0, elsewhere = 0;
+    ENSURE(v->enumeration.count <= SCENE_WALK_KEYS, "%s has %u choices", path, v->enumeration.count);
+    for (uint32_t i = 0; i < v->enumeration.count; i++) {
+        const char *its = v->enumeration.strings[i].str;
+        const int here = !among || scene_walk_place_is_among(its, among), is = plain && !strcmp(node->value, its);
+        if (here && is) return 1;
+        if (here) word[n++] = its;
+        elsewhere |= is;
+    }
+    const char *nearest = plain && !elsewhere ? scene_problem_nearest(node->value, n, word) : NULL;
+    char *allowed = scene_walk_joined(n, word);
+    SCENE_WALK_SAY(value, w, node, path, "must be %s%s%s%s%s", n > 1 ? "one of " : "", allowed,
+                   elsewhere ? w->dimension == 2 ? " in a plate" : " in 3D"
+                   : nearest ? "; did you mean "
+                             : "",
+                   nearest ? nearest : "", nearest ? "?" : "");
+    free(allowed);
+    return 0;
+}
+
+int scene_walk_text(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
+                    const char *path) {
+    const size_t length = node->kind == SCENE_NODE_SCALAR ? strlen(node->value) : 0;
+    if (node->kind != SCENE_NODE_SCALAR || length < v->string.min)
+        SCENE_WALK_SAY(value, w, node, path, "must be a text%s",
+                       length < v->string.min && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
+    else if (length > v->string.max)
+        SCENE_WALK_SAY(value, w, node, path, "is too long: %zu characters, at most %u", length,
+                       v->string.max);
+    else
+        return 1;
+    return 0;
+}

@@ -1,0 +1,117 @@
+/* Where a key makes sense: beside which others, in which scenes, in a plate or in 3D. */
+#include "scene/rules/walk.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int scene_walk_place_is_among(const char *word, const char *list) {
+    const size_t n = strlen(word);
+    for (const char *at = list; *at; at += strcspn(at, " "), at += *at == ' ')
+        if (strcspn(at, " ") == n && !strncmp(at, word, n)) return 1;
+    return 0;
+}
+
+/* "a b c" as "a, b or c": malloc'ed. */
+static char *alternatives(const char *list) {
+    char *text = scene_node_text("%s", "");
+    for (const char *at = list; *at; at += strcspn(at, " "), at += *at == ' ') {
+        const int n = (int)strcspn(at, " ");
+        char *longer = scene_node_text("%s%s%.*s", text, at == list ? "" : at[n] ? ", " : " or ", n, at);
+        free(text);
+        text = longer;
+    }
+    return text;
+}
+
+static int has_bad_child(const struct scene_node *mapping) {
+    for (int i = 0; i < mapping->n; i++)
+        if (mapping->child[i]->bad) return 1;
+    return 0;
+}
+
+/* By the parts that the scene has. */
+static char *lacks(const struct scene_walk *w, int only, int *unsure) {
+    const int both = SCENE_WITH_FLUID | SCENE_WITH_SOLID, lacking = only & ~w->parts;
+    if (lacking & (SCENE_IN_3D | SCENE_IN_PLATE)) {
+        *unsure = w->dimension == 0;
+        if (*unsure) return NULL;
+        return scene_node_text("%s", lacking & SCENE_IN_3D ? "not in a plate, which has no fluid yet"
+                                                      : "only in a plate, where domain.size has two numbers");
+    }
+    if (lacking & SCENE_WITHOUT_FLUID) return scene_node_text("only in a scene without fluid");
+    if (lacking && (only & both) == both) return scene_node_text("only in a scene with both fluid and solid");
+    if (lacking)
+        return scene_node_text("only in a scene with a %s", lacking & SCENE_WITH_SOLID ? "solid" : "fluid");
+    return NULL;
+}
+
+char *scene_walk_place_why_not(const struct scene_walk *w, const struct scene_node *mapping,
+                         const struct scene_rule *rule, int *unsure) {
+    *unsure = 0;
+    if (!rule) return NULL;
+    char *reason = lacks(w, rule->only, unsure);
+    if (reason || *unsure) return reason;
+    if (rule->not_with && scene_node_child(mapping, rule->not_with))
+        return scene_node_text("not together with %s", rule->not_with);
+    if (rule->with && !scene_node_child(mapping, rule->with)) {
+        *unsure = has_bad_child(mapping);
+        return *unsure ? NULL : scene_node_text("only together with %s", rule->with);
+    }
+    if (!rule->sibling) return NULL;
+    const struct scene_node *s = scene_node_child(mapping, rule->sibling);
+    *unsure = s ? s->bad : has_bad_child(mapping);
+    if (*unsure || (s && s->kind == SCENE_NODE_SCALAR && scene_walk_place_is_among(s->value, rule->values)))
+        return NULL;
+    char *list = alternatives(rule->values);
+    reason = s ? scene_node_text("only with %s %s, here it is %s", rule->sibling, list, s->value)
+               : scene_node_text("only with %s %s", rule->sibling, list);
+    free(list);
+    return reason;
+}
+
+int scene_walk_place_dimension(const struct scene_node *root) {
+    static const char *const key[] = {"size", "cells", "periodic"};
+    if (scene_node_child(root, "fluid")) return 3;
+    const struct scene_node *domain = scene_node_child(root, "domain"), *size = NULL;
+    for (int i = 0; domain && domain->kind == SCENE_NODE_MAPPING && i < domain->n; i++) {
+        const char *nearest = scene_problem_nearest(domain->child[i]->key, 3, key);
+        if (nearest == key[0]) size = domain->child[i];
+    }
+    return size && size->kind == SCENE_NODE_LIST && (size->n == 2 || size->n == 3) ? size->n : 0;
+}
+
+const char *scene_walk_place_entry_name(const cyaml_schema_value_t *entry) {
+    switch (entry->type) {
+    case CYAML_INT:
+        return "whole numbers";
+    case CYAML_FLOAT:
+        return "numbers";
+    case CYAML_BOOL:
+        return "true or false";
+    case CYAML_SEQUENCE_FIXED:
+        return "lists of numbers";
+    default:
+        return "mappings";
+    }
+}
+
+int scene_walk_place_entries(const struct scene_walk *w, const cyaml_schema_value_t *v, const char *path) {
+    const int most = (int)v->sequence.max, is_size = !strcmp(path, "domain.size");
+    if (most < 3 || (is_size && w->parts & SCENE_WITH_FLUID)) return most;
+    return w->dimension;
+}
+
+void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node *node,
+                            const cyaml_schema_value_t *v, const struct scene_rule *rule, const char *path) {
+    const int is_size = !strcmp(path, "domain.size"), is_vector = v->sequence.max == 3;
+    const char *more = is_size && w->dimension == 0 ? ", or of 2 for a plate"
+                       : is_size && node->kind == SCENE_NODE_LIST && node->n == 2
+                           ? ": a plate, of 2, has no fluid yet"
+                       : is_vector && w->dimension == 2 ? " in a plate"
+                                                        : "";
+    char *unit = scene_walk_in_units(rule);
+    SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s",
+                   is_vector && w->dimension == 2 ? 2 : (int)v->sequence.max,
+                   scene_walk_place_entry_name(v->sequence.entry), unit, more);
+    free(unit);
+}

@@ -1,0 +1,76 @@
+#include "scene/scene.h"
+#include "base/error.h"
+#include "base/par.h"
+#include "scene/derive.h"
+#include "scene/read.h"
+#include "scene/rules/schema.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BYTES_MAX = 16 << 20, LINES_MAX = 100 };
+
+/* The whole file, malloc'ed; NULL and a problem where it cannot be had. */
+static char *text_of(const char *path, size_t *bytes, struct scene_problems *problems) {
+    problems->file = path;
+    FILE *in = fopen(path, "rb");
+    char *text = in ? malloc(BYTES_MAX + 1) : NULL;
+    *bytes = 0;
+    errno = in ? 0 : errno;
+    if (text) *bytes = fread(text, 1, BYTES_MAX + 1, in);
+    if (errno != 0 || !text)
+        scene_problem_line(problems, 0, "the scene cannot be read: %s", strerror(errno));
+    else if (*bytes > BYTES_MAX)
+        scene_problem_line(problems, 0, "the scene is larger than %d MB", BYTES_MAX >> 20);
+    if (in) fclose(in);
+    if (problems->n == 0) return text;
+    free(text);
+    return NULL;
+}
+
+static void say(const struct scene_problems *problems) {
+    for (int i = 0; i < problems->n && i < LINES_MAX; i++) fprintf(stderr, "frana: %s\n", problems->text[i]);
+    if (problems->n > LINES_MAX) fprintf(stderr, "frana: and %d mistakes more\n", problems->n - LINES_MAX);
+    fflush(stderr);
+}
+
+/* Rank 0 reads the file; the others read what it has made of it, in which every default and path stands. */
+struct scene *scene_new(const char *path, int n, const char *const *set) {
+    struct scene_problems problems = {0};
+    struct scene *s = NULL;
+    long bytes = -1; /* of the resolved text; -1: mistakes */
+    if (par_rank() == 0) {
+        size_t file_bytes;
+        char *text = text_of(path, &file_bytes, &problems);
+        if (text) s = scene_read(path, text, file_bytes, n, set, 1, &problems);
+        free(text);
+        say(&problems);
+        if (s) bytes = (long)strlen(s->resolved);
+    }
+    par_bcast(&bytes, sizeof bytes, 0);
+    if (bytes < 0) {
+        scene_problem_free(&problems);
+        par_end();
+        exit(EXIT_CODE_SCENE);
+    }
+    char *resolved = s ? s->resolved : malloc((size_t)bytes + 1);
+    if (!resolved) die(EXIT_CODE_FILE, "no memory left for the scene");
+    par_bcast(resolved, (size_t)bytes + 1, 0);
+    if (!s) {
+        s = scene_read(path, resolved, (size_t)bytes, 0, NULL, 0, &problems);
+        ENSURE(s, "the resolved scene is refused: %s", problems.n ? problems.text[0] : "");
+        free(resolved);
+    }
+    scene_problem_free(&problems);
+    return s;
+}
+
+void scene_free(struct scene *s) {
+    if (!s) return;
+    free(s->resolved);
+    s->resolved = NULL;
+    scene_derive_free(s);
+    scene_schema_free(s);
+}

@@ -1,0 +1,177 @@
+#include "scene/text/problem.h"
+#include "base/error.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SHOWN = 60, WORD = 48 };
+
+void scene_problem_free(struct scene_problems *p) {
+    for (int i = 0; i < p->n; i++) free(p->text[i]);
+    free(p->text);
+    free(p->line);
+    p->text = NULL;
+    p->line = NULL;
+    p->n = p->capacity = 0;
+}
+
+void scene_problem_sort(struct scene_problems *p) {
+    for (int i = 1; i < p->n; i++)
+        for (int j = i; j > 0 && p->line[j - 1] > p->line[j]; j--) {
+            const int line = p->line[j];
+            char *const text = p->text[j];
+            p->line[j] = p->line[j - 1];
+            p->text[j] = p->text[j - 1];
+            p->line[j - 1] = line;
+            p->text[j - 1] = text;
+        }
+}
+
+/* Takes the text. */
+static void add(struct scene_problems *p, int line, char *text) {
+    if (p->n == p->capacity) {
+        p->capacity = p->capacity ? 2 * p->capacity : 8;
+        p->line = realloc(p->line, (size_t)p->capacity * sizeof *p->line);
+        p->text = realloc(p->text, (size_t)p->capacity * sizeof *p->text);
+        if (!p->line || !p->text) die(EXIT_CODE_FILE, "no memory left for the scene's mistakes");
+    }
+    p->line[p->n] = line;
+    p->text[p->n++] = text;
+}
+
+static char *message_of(const char *format, va_list args) {
+    char *message = NULL;
+    if (vasprintf(&message, format, args) < 0) die(EXIT_CODE_FILE, "no memory left for the scene's mistakes");
+    return message;
+}
+
+static int can_show(const struct scene_node *node) {
+    if (node->kind == SCENE_NODE_SCALAR) return *node->value != '\0';
+    if (node->kind == SCENE_NODE_MAPPING) return 0;
+    for (int i = 0; i < node->n; i++)
+        if (node->child[i]->kind != SCENE_NODE_SCALAR) return 0;
+    return 1;
+}
+
+/* A scalar, or a list of scalars, as it would be written, cut where it is long. */
+static char *shown(const struct scene_node *node) {
+    char *text;
+    if (node->kind == SCENE_NODE_SCALAR) {
+        text = node->quoted ? scene_node_text("\"%s\"", node->value) : scene_node_text("%s", node->value);
+    } else {
+        text = scene_node_text("[");
+        for (int i = 0; i < node->n && strlen(text) <= SHOWN; i++) {
+            char *longer = scene_node_text("%s%s%s", text, i ? ", " : "", node->child[i]->value);
+            free(text);
+            text = longer;
+        }
+        char *closed = scene_node_text("%s]", text);
+        free(text);
+        text = closed;
+    }
+    for (char *c = text; *c; c++)
+        if ((unsigned char)*c < ' ') *c = ' ';
+    if (strlen(text) > SHOWN) {
+        int end = SHOWN - 3;
+        while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not amid a character */
+        char *cut = scene_node_text("%.*s...", end, text);
+        free(text);
+        text = cut;
+    }
+    return text;
+}
+
+/* Takes the message. */
+static void say(struct scene_problems *p, const struct scene_node *node, const char *path, int with_value,
+                char *message) {
+    const int has_value = with_value && can_show(node);
+    char *const value = has_value ? shown(node) : scene_node_text("%s", "");
+    char *where, *name;
+    if (node->set) {
+        where = scene_node_text("--set ");
+        name = node->set_inner ? scene_node_text("%s: %s", node->set, path) : scene_node_text("%s", node->set);
+    } else {
+        where = node->line ? scene_node_text("%s:%d: ", p->file, node->line) : scene_node_text("%s: ", p->file);
+        name = scene_node_text("%s", path);
+    }
+    add(p, node->set ? 0 : node->line,
+        scene_node_text("%s%s%s%s: %s", where, name, has_value ? " = " : "", value, message));
+    free(where);
+    free(name);
+    free(value);
+    free(message);
+}
+
+void scene_problem_line(struct scene_problems *p, int line, const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    char *message = message_of(format, args);
+    va_end(args);
+    add(p, line,
+        line ? scene_node_text("%s:%d: %s", p->file, line, message) : scene_node_text("%s: %s", p->file, message));
+    free(message);
+}
+
+void scene_problem_key(struct scene_problems *p, const struct scene_node *node, const char *path,
+                       const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    say(p, node, path, 0, message_of(format, args));
+    va_end(args);
+}
+
+void scene_problem_value(struct scene_problems *p, const struct scene_node *node, const char *path,
+                         const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    say(p, node, path, 1, message_of(format, args));
+    va_end(args);
+}
+
+void scene_problem_at(struct scene_problems *p, const struct scene_node *root, const char *path,
+                      const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    const struct scene_node *node = scene_node_find(root, path), *near = scene_node_near(root, path);
+    /* a key that is missing stands on the line of what it is missing from */
+    const struct scene_node above = {
+        .kind = SCENE_NODE_MAPPING, .line = near->line, .set = near->set, .set_inner = 1};
+    say(p, node ? node : &above, path, 1, message_of(format, args));
+    va_end(args);
+}
+
+/* Edits between two words: insertions, deletions, changes and swaps of neighbours (optimal string alignment). */
+static int edits(const char *a, const char *b) {
+    const int n = (int)strlen(a), m = (int)strlen(b);
+    if (n >= WORD || m >= WORD) return WORD;
+    int d[WORD + 1][WORD + 1];
+    for (int i = 0; i <= n; i++) d[i][0] = i;
+    for (int j = 0; j <= m; j++) d[0][j] = j;
+    for (int i = 1; i <= n; i++)
+        for (int j = 1; j <= m; j++) {
+            int least = d[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
+            if (d[i - 1][j] + 1 < least) least = d[i - 1][j] + 1;
+            if (d[i][j - 1] + 1 < least) least = d[i][j - 1] + 1;
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && d[i - 2][j - 2] + 1 < least)
+                least = d[i - 2][j - 2] + 1;
+            d[i][j] = least;
+        }
+    return d[n][m];
+}
+
+const char *scene_problem_nearest(const char *word, int n, const char *const *candidate) {
+    const char *nearest = NULL;
+    int least = 0;
+    for (int i = 0; i < n; i++) {
+        const int e = edits(word, candidate[i]),
+                  longest = (int)(strlen(word) > strlen(candidate[i]) ? strlen(word) : strlen(candidate[i]));
+        const int allowed = longest < 4 ? 1 : (longest + 2) / 3;
+        if (e <= allowed && e < (int)strlen(candidate[i]) && (!nearest || e < least)) {
+            nearest = candidate[i];
+            least = e;
+        }
+    }
+    return nearest;
+}

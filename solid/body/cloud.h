@@ -1,0 +1,99 @@
+/* The particles of a body that is not on the fast lattice of solid/bonds/lattice.h: plates, points, refined bodies. Every rank knows all of
+ * them. Lengths are in spacings of the lattice from an origin of the body's own, and every place is a multiple of 2^-20
+ * spacing: differences are exact, and what is mirror-symmetric is so to the bit wherever the coordinates' origin lies.
+ * Numbers follow a space-filling curve; number i has the global id first + i. */
+#pragma once
+#include "solid/law/pair.h"
+
+struct solid_sites;
+
+/* Particles sorted into cells. */
+struct solid_cloud_cells {
+    double low[3], width; /* spacings */
+    int cells[3];
+    long *start; /* [cells + 2] */
+    long *item;  /* [n] numbers by cell, ascending within one */
+};
+
+struct solid_cloud {
+    int dim;
+    long n, first;
+    double spacing;       /* m */
+    double origin[3];     /* m */
+    double period[3];     /* spacings, 0: not periodic */
+    double unit;          /* m3 in spacings^dim: spacing^3, or spacing^2 thickness */
+    double *place[3];     /* [n], third NULL in a plate */
+    double *size;         /* [n] side of the particle's cell: 1, 1/2, 1/4 ..., or volume^(1/dim) */
+    double *volume;       /* [n] spacings^dim */
+    double *horizon;      /* [n] delta */
+    double longest_reach; /* no bond is longer */
+    struct solid_bond_law law;
+    struct solid_cloud_cells cells;
+    char name[64]; /* the body's */
+};
+
+struct solid_cloud_input {
+    const char *name;
+    long n, first;
+    double spacing, thickness; /* m; thickness of a plate */
+    double origin[3];          /* m */
+    double period[3];          /* m, 0: not periodic */
+    const double *place[3];    /* [n] spacings from origin, in the order of the numbering; rounded to 2^-20 */
+    const double *size;        /* [n], or NULL: volume^(1/dim) */
+    const double *volume;      /* [n] spacings^dim */
+    const double *horizon;     /* [n] spacings, or NULL: the law's */
+    struct solid_bond_law law; /* dim is the law's */
+};
+
+/* Copies all it is given. Dies (exit 2) on a particle without volume. Collective (all ranks alike). */
+struct solid_cloud *solid_cloud_new(const struct solid_cloud_input *in);
+/* A body of points, and one of lattice sites, numbered as the sites say. Collective (all ranks alike). */
+struct solid_cloud *solid_cloud_points(const struct solid_input *in, const struct solid_body *body,
+                                       const struct solid_sites *sites);
+struct solid_cloud *solid_cloud_lattice(const struct solid_input *in, const struct solid_body *body,
+                                        const struct solid_sites *sites);
+void solid_cloud_free(struct solid_cloud *cloud);
+
+/* X0 of a particle in direction c, m. */
+static inline double solid_cloud_x(const struct solid_cloud *t, int c, long i) {
+    return t->origin[c] + t->place[c][i] * t->spacing;
+}
+
+/* Its volume, m3. */
+static inline double solid_cloud_volume(const struct solid_cloud *t, long i) {
+    return t->volume[i] * t->unit;
+}
+
+static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long i) {
+    return (struct solid_end){t->size[i], t->horizon[i], t->volume[i]};
+}
+
+/* The family of a particle: all it has bonds with, ordered by xi: z, then y, then x. */
+enum { SOLID_NEAR_MAX = 512 };
+struct solid_cloud_near {
+    int n;
+    long number[SOLID_NEAR_MAX];
+    int image[SOLID_NEAR_MAX];    /* see solid_image_of */
+    double xi[SOLID_NEAR_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
+};
+
+/* 1: a particle, or its image, stands at x, m, as far as places are told apart. Not collective. */
+int solid_cloud_near_holds(const struct solid_cloud *t, const double x[3]);
+/* Dies (exit 2) when there are more than SOLID_NEAR_MAX or two particles coincide. Not collective. */
+void solid_cloud_near_find(const struct solid_cloud *cloud, long i, struct solid_cloud_near *near);
+/* How many there are, cheaper. */
+int solid_cloud_near_count(const struct solid_cloud *cloud, long i);
+/* Every particle within reach of a place, given by spacings from the origin: xi is the way to it. Not collective. */
+typedef void solid_cloud_visitor(void *with, long number, int image, const double xi[3]);
+void solid_cloud_near_visit(const struct solid_cloud *cloud, const double place[3], double reach,
+                       solid_cloud_visitor *visit, void *with);
+
+/* Periodic images: -1, 0 or 1 periods in each direction. */
+enum { SOLID_IMAGES = 27, SOLID_NO_IMAGE = 13 };
+static inline int solid_image_code(const int image[3]) {
+    return SOLID_NO_IMAGE + image[0] + 3 * image[1] + 9 * image[2];
+}
+static inline int solid_image_of(int code, int c) {
+    static const int power[3] = {1, 3, 9};
+    return code / power[c] % 3 - 1;
+}

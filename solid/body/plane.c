@@ -1,0 +1,61 @@
+#include "solid/body/plane.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/geometry/outline.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct solid_cloud *solid_plane_cloud(const struct solid_input *in, const struct solid_body *body,
+                                      const struct solid_sites *t) {
+    struct solid_cloud_input cloud = {.name = body->name,
+                                      .n = t->count,
+                                      .first = t->first,
+                                      .spacing = in->spacing,
+                                      .thickness = in->thickness,
+                                      .volume = t->area,
+                                      .law = solid_pair_law(in, &in->material[body->material])};
+    const size_t n = (size_t)t->count + 1;
+    double *place[2] = {memory_new(MEMORY_SOLID, n, sizeof(double)),
+                        memory_new(MEMORY_SOLID, n, sizeof(double))};
+    double *size = memory_new(MEMORY_SOLID, n, sizeof *size);
+    for (int c = 0; c < 2; c++) {
+        cloud.origin[c] = in->origin[c] + t->base[c] * in->spacing;
+        cloud.period[c] = in->periodic[c] ? in->length[c] : 0;
+        for (long i = 0; i < t->count; i++) place[c][i] = t->cell[i][c] - t->base[c] + 0.5;
+        cloud.place[c] = place[c];
+    }
+    for (long i = 0; i < t->count; i++) size[i] = 1;
+    cloud.size = size;
+    struct solid_cloud *made = solid_cloud_new(&cloud);
+    memory_free(place[0]);
+    memory_free(place[1]);
+    memory_free(size);
+    return made;
+}
+
+struct owner {
+    int i, j, body;
+};
+
+static int by_cell(const void *a, const void *b) {
+    const struct owner *x = a, *y = b;
+    return x->j != y->j ? (x->j > y->j) - (x->j < y->j) : (x->i > y->i) - (x->i < y->i);
+}
+
+void solid_plane_overlap_check(const struct solid_input *in, struct solid_sites *const *sites) {
+    size_t n = 0, all = 0;
+    for (int b = 0; b < in->bodies; b++) all += sites[b]->cell ? (size_t)sites[b]->count : 0;
+    struct owner *owner = memory_new(MEMORY_SOLID, all + 1, sizeof *owner);
+    for (int b = 0; b < in->bodies; b++)
+        for (long i = 0; sites[b]->cell && i < sites[b]->count; i++)
+            owner[n++] = (struct owner){sites[b]->cell[i][0], sites[b]->cell[i][1], b};
+    qsort(owner, n, sizeof *owner, by_cell);
+    for (size_t k = 1; k < n; k++)
+        if (by_cell(&owner[k - 1], &owner[k]) == 0)
+            die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap at (%g, %g) m",
+                    in->body[owner[k - 1].body].name, in->body[owner[k].body].name,
+                    in->origin[0] + (owner[k].i + 0.5) * in->spacing,
+                    in->origin[1] + (owner[k].j + 0.5) * in->spacing);
+    memory_free(owner);
+}

@@ -1,0 +1,32 @@
+/* Which particles a body has and in what order they are numbered. Every rank holds this for the whole body while the solid
+ * is set up: a bit per lattice site and one number per row of eight sites. */
+#pragma once
+#include "solid/solid.h"
+
+struct solid_sites {
+    int is_lattice;
+    long first, count; /* global ids first .. first+count-1 */
+    /* lattice: rows of eight sites along x */
+    int low[3];    /* lattice index of the corner */
+    int rows[3];   /* rows along x (eight sites each), sites along y and z */
+    int base[3];   /* the body's lowest lattice index */
+    int wrap[3];   /* sites in a period, 0: not periodic; of a polygon's cells too */
+    uint8_t *bits; /* [rows] which of the eight belong to the body */
+    long *start;   /* [rows] global id of the row's first particle */
+    int filled;    /* rows with a particle */
+    int *order;    /* [filled] rows in the order of the numbering */
+    /* points, and the cells of a polygon */
+    long *
+        point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
+    int (*cell)[2]; /* polygon: [count] lattice indices, by number */
+    double *area;   /* polygon: [count] of the body in the particle's cell and in what goes to it, in cells */
+};
+
+/* First is the id of the body's first particle. Dies (exit 2) on an empty body. Collective (all ranks alike). */
+struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *body, long first,
+                                    int reach);
+void solid_sites_free(struct solid_sites *sites);
+/* The global id of a lattice site, across periodic sides, or -1. Not collective. */
+long solid_sites_id(const struct solid_sites *sites, const int site[3]);
+/* Whether a point belongs to the body's shape. Not collective. */
+int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing);

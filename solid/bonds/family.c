@@ -1,0 +1,192 @@
+#include "solid/bonds/family.h"
+#include "base/par.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+
+#include <string.h>
+
+enum { ROW = 8 };
+
+/* The offset of the b-th bond of lattice particle h. */
+static int offset_of(const struct solid_lattice *t, int h, int b) {
+    const int cell = t->cell[h - t->first];
+    for (int o = 0; o < t->stencil->n; o++)
+        if (t->local[cell + t->offset[o].shift] >= 0 && b-- == 0) return o;
+    ENSURE(0, "particle %d has no bond %d", h, b);
+}
+
+static uint8_t *lambda_of(const struct solid_lattice *t, int h) {
+    return t->lambda + (size_t)t->row_of[t->cell[h - t->first] / ROW] * (size_t)t->stencil->n;
+}
+
+static void view_lattice(const struct solid_lattice *t, int h, struct solid_family_view *view) {
+    const int cell = t->cell[h - t->first];
+    const uint8_t *lambda = lambda_of(t, h);
+    int n = 0;
+    for (int o = 0; o < t->stencil->n; o++) {
+        const long other = cell + t->offset[o].shift;
+        if (t->local[other] < 0) continue;
+        const struct solid_offset *bond = &t->stencil->offset[o];
+        view->l[n] = t->local[other];
+        for (int c = 0; c < 3; c++) view->xi[n][c] = bond->xi[c];
+        view->weight[n] = bond->weight;
+        view->alpha[n] = 2 / (*solid_lattice_w(t, cell) + *solid_lattice_w(t, other));
+        view->micro[n] = t->law.c0;
+        view->intact[n] = lambda[o] >> cell % ROW & 1;
+        n++;
+    }
+    view->n = n;
+}
+
+static void view_list(const struct solid_list *t, int h, struct solid_family_view *view) {
+    const long start = t->start[h - t->first];
+    view->n = (int)(t->end[h - t->first] - start);
+    for (int b = 0; b < view->n; b++) {
+        const long j = start + b;
+        view->l[b] = solid_list_other(t, j);
+        solid_list_xi(t, j, view->xi[b]);
+        view->alpha[b] = solid_list_alpha(t, h, j);
+        view->micro[b] = solid_list_micromodulus(t, h, j);
+        view->weight[b] = solid_list_weight(t, h, j, view->micro[b]);
+        view->intact[b] = (uint8_t)solid_list_is_intact(t, j);
+    }
+}
+
+void solid_family_view(const struct solid *s, int h, struct solid_family_view *view) {
+    const struct solid_family *f = s->family;
+    const int b = s->body[h];
+    ENSURE(h >= 0 && h < s->n, "particle %d of %d owned", h, s->n);
+    if (f->lattice[b])
+        view_lattice(f->lattice[b], h, view);
+    else
+        view_list(f->list[b], h, view);
+}
+
+int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
+    const struct solid_list *t = s->family->list[s->body[h]];
+    int n = 0;
+    if (!t) {
+        struct solid_family_view view;
+        solid_family_view(s, h, &view);
+        for (int b = 0; b < view.n; b++) {
+            place[n] = b;
+            other[n] = view.l[b];
+            n += !view.intact[b];
+        }
+        return n;
+    }
+    const long start = t->start[h - t->first], end = t->end[h - t->first];
+    for (long from = start; from < end; from += SOLID_LIST_BLOCK)
+        for (unsigned left = ~solid_list_block_intact(t, from) & 0xffu; left; left &= left - 1) {
+            const long j = from + __builtin_ctz(left);
+            if (j >= end) break;
+            place[n] = (int)(j - start);
+            other[n++] = solid_list_other(t, j);
+        }
+    return n;
+}
+
+void solid_family_break(struct solid *s, int h, int b) {
+    const struct solid_family *f = s->family;
+    int l;
+    if (f->lattice[s->body[h]]) {
+        struct solid_lattice *t = f->lattice[s->body[h]];
+        const int o = offset_of(t, h, b);
+        l = t->local[t->cell[h - t->first] + t->offset[o].shift];
+        solid_lattice_cut(t, h, o);
+        if (l < s->n) solid_lattice_cut(t, l, t->stencil->n - 1 - o);
+    } else {
+        struct solid_list *t = f->list[s->body[h]];
+        const long j = t->start[h - t->first] + b, reverse = solid_list_reverse(t, h, j);
+        l = solid_list_other(t, j);
+        solid_list_set(t, j, 0);
+        if (reverse >= 0) solid_list_set(t, reverse, 0);
+    }
+    s->flag[h] |= SOLID_BROKEN;
+    if (l < s->n) s->flag[l] |= SOLID_BROKEN;
+    s->broke = 1;
+    s->a_holds = 0;
+}
+
+int solid_family_bytes(const struct solid *s) { return s->family->bytes; }
+
+void solid_family_save(const struct solid *s, int h, uint8_t *bits) {
+    const struct solid_family *f = s->family;
+    memset(bits, 0, (size_t)f->bytes);
+    int b = 0;
+    if (f->lattice[s->body[h]]) {
+        const struct solid_lattice *t = f->lattice[s->body[h]];
+        const int cell = t->cell[h - t->first];
+        const uint8_t *lambda = lambda_of(t, h);
+        for (int o = 0; o < t->stencil->n; o++) {
+            if (t->local[cell + t->offset[o].shift] < 0) continue;
+            bits[b / 8] |= (uint8_t)((lambda[o] >> cell % ROW & 1) << b % 8);
+            b++;
+        }
+    } else {
+        const struct solid_list *t = f->list[s->body[h]];
+        for (long j = t->start[h - t->first]; j < t->end[h - t->first]; j++, b++)
+            bits[b / 8] |= (uint8_t)(solid_list_is_intact(t, j) << b % 8);
+    }
+}
+
+void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
+    const struct solid_family *f = s->family;
+    int b = 0, lost = 0;
+    if (f->lattice[s->body[h]]) {
+        struct solid_lattice *t = f->lattice[s->body[h]];
+        const int cell = t->cell[h - t->first];
+        uint8_t *lambda = lambda_of(t, h);
+        solid_lattice_changed(t, h);
+        for (int o = 0; o < t->stencil->n; o++) {
+            if (t->local[cell + t->offset[o].shift] < 0) continue;
+            const unsigned intact = bits[b / 8] >> b % 8 & 1u;
+            lambda[o] = (uint8_t)((lambda[o] & ~(1u << cell % ROW)) | intact << cell % ROW);
+            lost += !intact;
+            b++;
+        }
+    } else {
+        struct solid_list *t = f->list[s->body[h]];
+        for (long j = t->start[h - t->first]; j < t->end[h - t->first]; j++, b++) {
+            const int intact = bits[b / 8] >> b % 8 & 1;
+            solid_list_set(t, j, intact);
+            lost += !intact;
+        }
+    }
+    if (lost)
+        s->flag[h] |= SOLID_BROKEN;
+    else
+        s->flag[h] &= (uint8_t)~SOLID_BROKEN;
+    s->a_holds = 0;
+}
+
+static long count_bits(const uint8_t *bits, size_t n) {
+    long count = 0;
+    for (size_t i = 0; i < n; i++) count += __builtin_popcount(bits[i]);
+    return count;
+}
+
+long solid_family_directed(const struct solid *s) {
+    const struct solid_family *f = s->family;
+    long count = 0;
+    uint8_t made[SOLID_FAMILY_MAX];
+    for (int b = 0; b < f->bodies; b++) {
+        if (f->list[b]) count += f->list[b]->bonds;
+        for (int r = 0; f->lattice[b] && r < f->lattice[b]->rows; r++) {
+            solid_lattice_made(f->lattice[b], r, made);
+            count += count_bits(made, (size_t)f->lattice[b]->stencil->n);
+        }
+    }
+    return count;
+}
+
+void solid_family_count(struct solid *s) {
+    const struct solid_family *f = s->family;
+    long intact = 0;
+    for (int b = 0; b < f->bodies; b++) {
+        const struct solid_lattice *t = f->lattice[b];
+        intact += t ? count_bits(t->lambda, (size_t)t->rows * (size_t)t->stencil->n)
+                    : solid_list_intact(f->list[b]);
+    }
+    s->bonds_broken = s->bonds_total - par_sum_long(intact) / 2;
+}

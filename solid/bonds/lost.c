@@ -1,0 +1,113 @@
+#include "solid/bonds/lost.h"
+
+#include "base/memory.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+
+#include <string.h>
+
+enum { ROW = 8 };
+
+int solid_lost_take(struct solid *s, enum solid_broke reader) {
+    const int news = s->broke & (SOLID_BROKE_NEW | (int)reader);
+    if (!news) return 0;
+    if (s->broke & SOLID_BROKE_NEW)
+        s->broke = SOLID_BROKE_SURFACE | (s->in.contact ? SOLID_BROKE_CONTACT : 0);
+    s->broke &= ~(int)reader;
+    return 1;
+}
+
+static int count_row(const uint8_t *lambda, int n) {
+    int bits = 0, i = 0;
+    for (; i + 8 <= n; i += 8) {
+        uint64_t word;
+        memcpy(&word, lambda + i, sizeof word);
+        bits += __builtin_popcountll(word);
+    }
+    for (; i < n; i++) bits += __builtin_popcount(lambda[i]);
+    return bits;
+}
+
+static void compare(struct solid_lost *lost, int h, int intact) {
+    if (intact == lost->intact[h]) return;
+    lost->intact[h] = (uint16_t)intact;
+    lost->h[lost->found++] = h;
+}
+
+static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice *t, int *row_intact) {
+    const int n = t->stencil->n;
+    for (int r = 0; r < t->rows; r++) {
+        const uint8_t *lambda = t->lambda + (size_t)r * (size_t)n;
+        const int row = count_row(lambda, n);
+        if (row == row_intact[r]) continue;
+        row_intact[r] = row;
+        int h = t->row_first[r];
+        for (int k = 0; k < ROW; k++) {
+            if (!(t->row_owned[r] >> k & 1)) continue;
+            int intact = 0;
+            for (int o = 0; o < n; o++) intact += lambda[o] >> k & 1;
+            compare(lost, h++, intact);
+        }
+    }
+}
+
+/* Who has lost a bond is flagged. */
+static void find_in_list(struct solid_lost *lost, const struct solid_list *t, const uint8_t *flag) {
+    for (int i = 0; i < t->n; i++) {
+        if (!(flag[t->first + i] & SOLID_BROKEN)) continue;
+        int intact = 0;
+        for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK)
+            intact += __builtin_popcount(solid_list_block_intact(t, j));
+        compare(lost, t->first + i, intact);
+    }
+}
+
+int solid_lost_find(struct solid_lost *lost, const struct solid *s) {
+    int *row_intact = lost->row_intact;
+    lost->found = 0;
+    for (int b = 0; b < s->family->bodies; b++) {
+        const struct solid_lattice *t = s->family->lattice[b];
+        if (t) {
+            find_in_lattice(lost, t, row_intact);
+            row_intact += t->rows;
+        } else {
+            find_in_list(lost, s->family->list[b], s->flag);
+        }
+    }
+    return lost->found;
+}
+
+static size_t rows_of(const struct solid *s) {
+    size_t rows = 0;
+    for (int b = 0; b < s->family->bodies; b++)
+        if (s->family->lattice[b]) rows += (size_t)s->family->lattice[b]->rows;
+    return rows;
+}
+
+void solid_lost_forget(struct solid_lost *lost, const struct solid *s) {
+    memset(lost->intact, 0xff, (size_t)s->n * sizeof *lost->intact); /* more than there can be */
+    memset(lost->row_intact, 0xff, rows_of(s) * sizeof *lost->row_intact);
+}
+
+struct solid_lost *solid_lost_new(const struct solid *s) {
+    struct solid_lost *lost = memory_new(MEMORY_SOLID, 1, sizeof *lost);
+    lost->intact = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->intact);
+    lost->h = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->h);
+    lost->row_intact = memory_new(MEMORY_SOLID, rows_of(s) + 1, sizeof *lost->row_intact);
+    solid_lost_forget(lost, s);
+    solid_lost_find(lost, s);
+    return lost;
+}
+
+void solid_lost_copy(struct solid_lost *to, const struct solid_lost *from, const struct solid *s) {
+    memcpy(to->intact, from->intact, (size_t)s->n * sizeof *to->intact);
+    memcpy(to->row_intact, from->row_intact, rows_of(s) * sizeof *to->row_intact);
+}
+
+void solid_lost_free(struct solid_lost *lost) {
+    if (!lost) return;
+    memory_free(lost->intact);
+    memory_free(lost->h);
+    memory_free(lost->row_intact);
+    memory_free(lost);
+}

@@ -1,0 +1,149 @@
+#include "solid/contact/contact.h"
+
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "solid/contact/keep.h"
+#include "solid/bonds/family.h"
+#include "solid/law/material.h"
+#include "solid/bonds/lost.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double skin = 0.5, rebuild = 0.2; /* spacings */
+
+double solid_contact_c0(const struct solid *s, const struct solid_material *m) {
+    struct solid_material constant = *m;
+    constant.micromodulus = SOLID_CONSTANT;
+    return solid_material_constants(s->in.model, s->in.thickness, &constant, m->horizon_ratio * s->in.spacing).c;
+}
+
+/* 2^-46 of the acceleration by a neighbour at half of r_c: sums of up to some thirty of these are exact. */
+static double quantum_of(const struct solid *s, const struct solid_contact *c) {
+    double most = 0, volume = 0;
+    for (int h = 0; h < s->n; h++) volume = fmax(volume, s->volume[h]);
+    for (int b = 0; b < s->in.bodies; b++)
+        most = fmax(most, s->in.contact_stiffness * c->c0[b] / c->density[b]);
+    most *= par_max(volume);
+    return most > 0 ? ldexp(1, ilogb(most) - 46) : 1;
+}
+
+static struct solid_contact *contact_new(struct solid *s) {
+    struct solid_contact *c = memory_new(MEMORY_SOLID, 1, sizeof *c);
+    const size_t n = (size_t)s->n + 1;
+    c->radius = s->in.contact_radius * s->in.spacing;
+    c->skin = skin * s->in.spacing;
+    for (int b = 0; b < s->in.bodies; b++) {
+        const struct solid_material *m = &s->in.material[s->in.body[b].material];
+        c->c0[b] = solid_contact_c0(s, m);
+        c->density[b] = m->density;
+    }
+    for (int k = 0; k < s->dim; k++) {
+        c->built[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
+        c->push[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
+    }
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].dim = s->dim;
+    c->quantum = quantum_of(s, c);
+    c->bounds = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *c->bounds);
+    c->lost = solid_lost_new(s);
+    c->record = ++s->versions;
+    c->known = memory_new(MEMORY_SOLID, n * (size_t)solid_family_bytes(s), 1);
+    c->springs = solid_contact_rate_springs_new(s);
+    c->strangers = solid_contact_strangers_new(s);
+    return c;
+}
+
+void solid_contact_free(struct solid *s) {
+    struct solid_contact *c = s->contact;
+    s->contact = NULL;
+    if (!c) return;
+    for (int k = 0; k < 3; k++) {
+        memory_free(c->built[k]);
+        memory_free(c->push[k]);
+    }
+    solid_contact_keep_put_away_free(c);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_torn_free(&c->pairs[kind]);
+    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
+    for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
+    solid_lost_free(c->lost);
+    solid_contact_strangers_free(c->strangers);
+    solid_contact_rate_springs_free(c->springs);
+    solid_contact_crossing_free(&c->crossing);
+    memory_free(c);
+}
+
+/* The square of the furthest way of a particle since the lists were made, m2. */
+static double moved2(const struct solid *s, const struct solid_contact *c) {
+    const int plane = s->dim == 2; /* its third arrays: the second, times 0 */
+    const double *restrict x = s->d[0], *restrict y = s->d[1], *restrict z = s->d[s->dim - 1];
+    const double *restrict x0 = c->built[0], *restrict y0 = c->built[1], *restrict z0 = c->built[s->dim - 1];
+    const double third = !plane;
+    double most = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double dx = x[h] - x0[h], dy = y[h] - y0[h], dz = third * (z[h] - z0[h]);
+        const double r2 = dx * dx + dy * dy + dz * dz;
+        most = r2 > most ? r2 : most;
+    }
+    return most;
+}
+
+/* Both lists from scratch. Collective. */
+static void list(struct solid *s, struct solid_contact *c) {
+    solid_contact_keep_put_away(c);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
+    for (int k = 0; k < s->dim; k++) memcpy(c->built[k], s->d[k], (size_t)s->n * sizeof(double));
+    solid_contact_bounds_of(s, c->bounds);
+    solid_contact_torn_list(s, c);
+    solid_contact_strangers_list(s, c);
+}
+
+static int listed(const struct solid_contact *c) {
+    int n = 0;
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) n += c->pairs[kind].n;
+    return n;
+}
+
+/* The first lists, if anything can touch. Collective. */
+static void begin(struct solid *s) {
+    solid_contact_bounds of[SOLID_CONTACT_BODIES];
+    solid_contact_bounds_of(s, of);
+    if (!solid_contact_bounds_touch(s, of, (s->in.contact_radius + skin) * s->in.spacing)) return;
+    struct solid_contact *c = s->contact = contact_new(s);
+    solid_ghosts_update(s);
+    solid_contact_torn_scan(s, c);
+    list(s, c);
+    c->any = par_sum_long(listed(c)) > 0;
+}
+
+/* The lists as the state asks for. A bond that has broken since the lists were made may have moved by the rebuilding's limit
+ * from where it was then, either way: it is listed from that much further off. Collective. */
+static void keep(struct solid *s, struct solid_contact *c, int broke) {
+    double now[2] = {moved2(s, c), broke}; /* the same decision on every rank */
+    par_max_array(now, 2);
+    const int is_stale = now[0] > rebuild * rebuild * s->in.spacing * s->in.spacing, is_news = now[1] > 0;
+    if (!is_stale && !is_news) return;
+    solid_ghosts_update(s);
+    if (is_news) solid_contact_torn_news(s, c, c->radius + c->skin + 2 * rebuild * s->in.spacing);
+    if (is_stale) list(s, c);
+    c->any = par_sum_long(listed(c)) > 0;
+}
+
+void solid_contact_update(struct solid *s) {
+    if (!s->in.contact) return;
+    clock_begin(CLOCK_CONTACT);
+    const int broke = solid_lost_take(s, SOLID_BROKE_CONTACT);
+    if (s->contact)
+        keep(s, s->contact, broke);
+    else
+        begin(s);
+    clock_end(CLOCK_CONTACT);
+}
+
+int solid_contact_is_possible(const struct solid *s) {
+    if (!s->in.contact) return 0;
+    unsigned flags = 0;
+    for (int h = 0; h < s->n; h++) flags |= s->flag[h];
+    return s->stage.breakage || s->in.bodies > 1 || par_max(flags & SOLID_BROKEN ? 1 : 0) > 0;
+}

@@ -1,0 +1,66 @@
+#include "solid/contact/crossing.h"
+
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "solid/contact/room.h"
+
+#include <string.h>
+
+void solid_contact_crossing_send(struct solid_crossing *x, int h, int rank, const struct solid_other *it) {
+    const int n = x->sent + 1;
+    x->h = solid_contact_room(x->h, &x->room_sent[0], n, sizeof *x->h);
+    x->dest = solid_contact_room(x->dest, &x->room_sent[1], n, sizeof *x->dest);
+    x->mine = solid_contact_room(x->mine, &x->room_sent[2], n, sizeof *x->mine);
+    x->h[x->sent] = h;
+    x->dest[x->sent] = rank;
+    x->mine[x->sent++] = *it;
+}
+
+void solid_contact_crossing_begin(struct solid_crossing *x) {
+    x->exchange = par_exchange_renew(x->exchange, x->sent, NULL, x->dest);
+    x->served = par_exchange_count(x->exchange);
+    x->sent_d = solid_contact_room(x->sent_d, &x->room_sent[3], x->sent, sizeof *x->sent_d);
+    x->wanted = solid_contact_room(x->wanted, &x->sent_capacity, x->sent, 1);
+    x->mine = solid_contact_room(x->mine, &x->room_sent[2], x->sent, sizeof *x->mine);
+    const int n = x->served;
+    x->other = solid_contact_room(x->other, &x->room_served[0], n, sizeof *x->other);
+    x->arrived = solid_contact_room(x->arrived, &x->room_served[1], n, sizeof *x->arrived);
+    x->used = solid_contact_room(x->used, &x->room_served[2], n, 1);
+    x->at = solid_contact_room(x->at, &x->room_served[3], n, sizeof *x->at);
+    for (int c = 0; c < 3; c++)
+        x->d[c] = solid_contact_room(x->d[c], &x->room_served[4 + c], n, sizeof *x->d[c]);
+    memset(x->used, 0, (size_t)n);
+    par_exchange_forward(x->exchange, x->mine, x->other, sizeof *x->mine);
+    x->active = par_sum_long(n) > 0;
+}
+
+void solid_contact_crossing_keep(struct solid_crossing *x) {
+    int kept = 0, place = 0;
+    par_exchange_backward(x->exchange, x->used, x->wanted, 1);
+    for (int k = 0; k < x->sent; k++)
+        if (x->wanted[k]) {
+            x->h[kept] = x->h[k];
+            x->mine[kept] = x->mine[k];
+            x->dest[kept++] = x->dest[k];
+        }
+    x->sent = kept;
+    for (int k = 0; k < x->served; k++) x->at[k] = x->used[k] ? place++ : -1;
+    solid_contact_crossing_begin(x);
+}
+
+void solid_contact_crossing_update(const struct solid *s, struct solid_crossing *x) {
+    for (int k = 0; k < x->sent; k++)
+        for (int c = 0; c < s->dim; c++) x->sent_d[k][c] = s->d[c][x->h[k]];
+    par_exchange_forward(x->exchange, x->sent_d, x->arrived, sizeof *x->sent_d);
+    for (int k = 0; k < x->served; k++)
+        for (int c = 0; c < s->dim; c++) x->d[c][k] = x->arrived[k][c];
+}
+
+void solid_contact_crossing_free(struct solid_crossing *x) {
+    void *const list[] = {x->h,    x->dest, x->mine, x->sent_d, x->other,  x->arrived,
+                          x->d[0], x->d[1], x->d[2], x->used,   x->wanted, x->at};
+    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
+    par_exchange_free(x->exchange);
+    *x = (struct solid_crossing){0};
+}

@@ -1,0 +1,81 @@
+#include "base/clock.h"
+#include "base/par.h"
+#include "solid/contact/contact.h"
+#include "solid/contact/pairs.h"
+
+/* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40) */
+static double repulsion(double r, double rc, double exponent) {
+    return (exponent == 1 ? rc / r : pow(rc / r, exponent)) - 1;
+}
+
+static double potential(double r, double rc, double exponent) {
+    if (exponent == 1) return rc * log(rc / r) - (rc - r);
+    return rc / (exponent - 1) * (pow(rc / r, exponent - 1) - 1) - (rc - r);
+}
+
+/* To a multiple of q, by the last digit of a number that large. */
+static inline double rounded(double x, double q) {
+    const double magic = 0x1.8p52 * q;
+    return (x + magic) - magic;
+}
+
+static void push(struct solid *s, const struct solid_contact *c, int kind) {
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    double *const *d_other = solid_contact_other_d(s, c, kind);
+    int found[SOLID_CONTACT_BLOCK];
+    for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
+        const int n = solid_contact_pairs_touching(p, s->d, d_other, from, c->radius, found);
+        for (int k = 0; k < n; k++) {
+            const struct solid_contact_touch t = solid_contact_touch_of(s, c, kind, found[k]);
+            if (t.r >= t.radius) continue;
+            const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
+            const double on_h = f * t.volume / c->density[s->body[t.h]];
+            for (int i = 0; i < s->dim; i++) c->push[i][t.h] += rounded(on_h * t.x[i], c->quantum);
+            if (kind != SOLID_CONTACT_OWNED) continue;
+            const double on_l = f * s->volume[t.h] / t.density;
+            for (int i = 0; i < s->dim; i++) c->push[i][t.l] -= rounded(on_l * t.x[i], c->quantum);
+        }
+    }
+}
+
+/* A pair's potential, half of it where the other half is counted on another rank. */
+static double energy(const struct solid *s, const struct solid_contact *c, int kind) {
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    int found[SOLID_CONTACT_BLOCK];
+    double sum = 0;
+    for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
+        const int n =
+            solid_contact_pairs_touching(p, s->d, solid_contact_other_d(s, c, kind), from, c->radius, found);
+        for (int k = 0; k < n; k++) {
+            const struct solid_contact_touch t = solid_contact_touch_of(s, c, kind, found[k]);
+            if (t.r >= t.radius) continue;
+            sum += t.k * potential(t.r, t.radius, s->in.contact_exponent) * t.volume * s->volume[t.h];
+        }
+    }
+    return kind == SOLID_CONTACT_OWNED ? sum : 0.5 * sum;
+}
+
+void solid_contact_force(struct solid *s) {
+    struct solid_contact *c = s->contact;
+    if (!c->any) return;
+    clock_begin(CLOCK_CONTACT);
+    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) push(s, c, kind);
+    for (int i = 0; i < s->dim; i++) {
+        double *restrict a = s->a[i], *restrict of = c->push[i];
+        for (int h = 0; h < s->n; h++) {
+            a[h] += of[h];
+            of[h] = 0;
+        }
+    }
+    clock_end(CLOCK_CONTACT);
+}
+
+double solid_contact_force_energy(struct solid *s) {
+    struct solid_contact *c = s->contact;
+    double sum = 0;
+    if (!c || !c->any) return 0;
+    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) sum += energy(s, c, kind);
+    return par_sum(sum);
+}

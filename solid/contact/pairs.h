@@ -1,0 +1,81 @@
+/* The loop over listed pairs: which of them touch now. Inside the room only. */
+#pragma once
+#include "solid/contact/list.h"
+
+#include <math.h>
+
+enum { SOLID_CONTACT_BLOCK = 256 };
+
+/* Where the displacements of one kind of pair's second ends are. */
+static inline double *const *solid_contact_other_d(const struct solid *s, const struct solid_contact *c,
+                                                   int kind) {
+    return kind == SOLID_CONTACT_SERVED ? c->crossing.d : s->d;
+}
+
+/* X_h - X_l of pair k now, m. */
+static inline void solid_contact_pair_x(const struct solid_contact_pairs *p, double *const d[3],
+                                        double *const d_other[3], int k, double x[3]) {
+    x[2] = 0;
+    for (int c = 0; c < p->dim; c++) x[c] = p->xi[c][k] + (d[c][p->h[k]] - d_other[c][p->l[k]]);
+}
+
+/* The pairs from .. from + SOLID_CONTACT_BLOCK - 1 nearer than reach, into found; returns how many. First all distances, which
+ * is what most pairs cost, then the few. */
+static inline int solid_contact_pairs_touching(const struct solid_contact_pairs *p, double *const d[3],
+                                               double *const d_other[3], int from, double reach,
+                                               int found[SOLID_CONTACT_BLOCK]) {
+    const int n = p->n - from < SOLID_CONTACT_BLOCK ? p->n - from : SOLID_CONTACT_BLOCK;
+    const int *restrict h = p->h + from, *restrict l = p->l + from;
+    double r2[SOLID_CONTACT_BLOCK];
+    for (int k = 0; k < n; k++) r2[k] = 0;
+    for (int c = 0; c < p->dim; c++) {
+        const double *restrict xi = p->xi[c] + from, *restrict dh = d[c], *restrict dl = d_other[c];
+        for (int k = 0; k < n; k++) {
+            const double x = xi[k] + (dh[h[k]] - dl[l[k]]);
+            r2[k] += x * x;
+        }
+    }
+    int touching = 0;
+    for (int k = 0; k < n; k++) {
+        found[touching] = from + k;
+        touching += r2[k] < reach * reach;
+    }
+    return touching;
+}
+
+/* The other end's body and volume. */
+static inline int solid_contact_other_body(const struct solid *s, const struct solid_contact *c, int kind,
+                                           int l) {
+    return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].body : s->body[l];
+}
+
+static inline double solid_contact_other_volume(const struct solid *s, const struct solid_contact *c,
+                                                int kind, int l) {
+    return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].volume : s->volume[l];
+}
+
+/* A pair that touches. */
+struct solid_contact_touch {
+    int h, l;
+    double x[3], r;         /* X_h - X_l m; its length, at least 1e-6 r_c so that nothing divides by 0 */
+    double radius;          /* r_c of the pair, m */
+    double k;               /* k_c, N/m6 */
+    double volume, density; /* of the other, m3, kg/m3 */
+};
+
+static inline struct solid_contact_touch
+solid_contact_touch_of(const struct solid *s, const struct solid_contact *c, int kind, int k) {
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    struct solid_contact_touch t = {.h = p->h[k], .l = p->l[k]};
+    const int body = solid_contact_other_body(s, c, kind, t.l);
+    solid_contact_pair_x(p, s->d, solid_contact_other_d(s, c, kind), k, t.x);
+    t.r = fmax(sqrt(t.x[0] * t.x[0] + t.x[1] * t.x[1] + t.x[2] * t.x[2]), 1e-6 * c->radius);
+    t.k = s->in.contact_stiffness * 0.5 * (c->c0[s->body[t.h]] + c->c0[body]);
+    t.volume = solid_contact_other_volume(s, c, kind, t.l);
+    t.density = c->density[body];
+    t.radius = c->radius;
+    if (s->refine) /* of the smaller one's cell */
+        t.radius *=
+            fmin(sqrt(fmin(t.volume, s->volume[t.h]) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
+    return t;
+}

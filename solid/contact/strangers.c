@@ -1,0 +1,244 @@
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "solid/contact/cells.h"
+#include "solid/contact/list.h"
+#include "solid/contact/room.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/store.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Whom a body's particles may meet. */
+struct meeting {
+    double still[3]; /* displacement of what has not moved, m */
+    double way2;     /* from there on a particle has moved, m2 */
+    int bodies;      /* other bodies within reach */
+    uint8_t body[SOLID_CONTACT_BODIES];
+};
+
+/* Lowest and negated highest position, m. */
+struct box {
+    double at[6];
+};
+
+struct solid_strangers {
+    double *id;              /* [n + n_ghost] global ids */
+    struct meeting *meeting; /* [bodies] */
+    double (*mean)[4];       /* [bodies] displacement m; particles */
+    struct box (*boxes)[2];  /* [ranks] of its candidates, and of those of them that seek */
+    uint8_t *seeks;          /* [s->n] */
+    struct solid_cells cells;
+    /* points: candidates near those that seek; owned ones, then served ones */
+    int points, room[3];
+    int *point;     /* [points] particle, or s->n + k: the k-th served */
+    double (*x)[3]; /* [points] m */
+    int *found;     /* [points] work */
+};
+
+struct solid_strangers *solid_contact_strangers_new(const struct solid *s) {
+    struct solid_strangers *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
+    const size_t bodies = (size_t)s->in.bodies;
+    t->id = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *t->id);
+    t->meeting = memory_new(MEMORY_SOLID, bodies, sizeof *t->meeting);
+    t->mean = memory_new(MEMORY_SOLID, bodies, sizeof *t->mean);
+    t->boxes = memory_new(MEMORY_SOLID, (size_t)par_size(), sizeof *t->boxes);
+    t->seeks = memory_new(MEMORY_SOLID, (size_t)s->n + 1, 1);
+    for (int h = 0; h < s->n; h++) t->id[h] = (double)(s->first[par_rank()] + h);
+    par_ghost_update(s->ghost, 1, &t->id, s->n);
+    return t;
+}
+
+void solid_contact_strangers_free(struct solid_strangers *t) {
+    if (!t) return;
+    void *const list[] = {t->id, t->meeting, t->mean, t->boxes, t->seeks, t->point, t->x, t->found};
+    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
+    solid_contact_cells_free(&t->cells);
+    memory_free(t);
+}
+
+/* Collective. */
+static void meet(const struct solid *s, const struct solid_contact *c, struct solid_strangers *t) {
+    const double near = c->radius + c->skin;
+    memset(t->mean, 0, (size_t)s->in.bodies * sizeof *t->mean);
+    for (int h = 0; h < s->n; h++) {
+        double *mean = t->mean[s->body[h]];
+        for (int k = 0; k < s->dim; k++) mean[k] += s->d[k][h];
+        mean[3]++;
+    }
+    par_sum_array(&t->mean[0][0], 4 * s->in.bodies);
+    for (int b = 0; b < s->in.bodies; b++) {
+        struct meeting *m = &t->meeting[b];
+        const double way = fmax(0.5 * (solid_contact_bounds_apart(s, b) - near), 0);
+        const int is_held = c->bounds[b][13] == 0;
+        for (int k = 0; k < 3; k++) m->still[k] = is_held ? 0 : t->mean[b][k] / fmax(t->mean[b][3], 1);
+        m->way2 = way * way;
+        m->bodies = 0;
+        for (int other = 0; other < s->in.bodies; other++)
+            if (other != b && solid_contact_bounds_near(s, c->bounds[b], c->bounds[other], near))
+                m->body[m->bodies++] = (uint8_t)other;
+    }
+}
+
+/* Whether x, or an image of it, lies within reach of the box. */
+static int is_near_box(const struct solid *s, const double x[3], const double box[6], double reach) {
+    for (int c = 0; c < 3; c++) {
+        const double half = 0.5 * (-box[3 + c] - box[c]);
+        if (!(half >= 0)) return 0; /* nobody there */
+        if (fabs(solid_contact_shortest(s, c, x[c] - (box[c] + half))) > half + reach &&
+            !(s->in.periodic[c] && 2 * half + 2 * reach > s->in.length[c]))
+            return 0;
+    }
+    return 1;
+}
+
+static void box_add(struct box *box, const double x[3]) {
+    for (int k = 0; k < 3; k++) {
+        box->at[k] = fmin(box->at[k], x[k]);
+        box->at[3 + k] = fmin(box->at[3 + k], -x[k]);
+    }
+}
+
+static int does_seek(const struct solid *s, const struct solid_contact *c, const struct meeting *m, int h,
+                     const double x[3]) {
+    double way2 = 0;
+    for (int k = 0; k < s->dim; k++) way2 += (s->d[k][h] - m->still[k]) * (s->d[k][h] - m->still[k]);
+    if (way2 >= m->way2) return 1;
+    for (int k = 0; k < m->bodies; k++)
+        if (is_near_box(s, x, c->bounds[m->body[k]], c->radius + c->skin)) return 1;
+    return 0;
+}
+
+static int is_candidate(const struct solid *s, int h) {
+    return (s->flag[h] & (SOLID_INTERFACE | SOLID_BROKEN)) != 0;
+}
+
+/* Who seeks, and all ranks' boxes. Returns whether anybody does. Collective. */
+static int seek(const struct solid *s, const struct solid_contact *c, struct solid_strangers *t) {
+    struct box mine[2];
+    for (int k = 0; k < 6; k++) mine[0].at[k] = mine[1].at[k] = INFINITY;
+    for (int h = 0; h < s->n; h++) {
+        double x[3];
+        t->seeks[h] = 0;
+        if (!is_candidate(s, h)) continue;
+        solid_position(s, h, x);
+        box_add(&mine[0], x);
+        if (!does_seek(s, c, &t->meeting[s->body[h]], h, x)) continue;
+        t->seeks[h] = 1;
+        box_add(&mine[1], x);
+    }
+    par_all_gather(mine, sizeof mine, t->boxes);
+    for (int r = 0; r < par_size(); r++)
+        if (isfinite(t->boxes[r][1].at[0])) return 1;
+    return 0;
+}
+
+static void point_add(struct solid_strangers *t, int point, const double x[3]) {
+    const int n = t->points + 1;
+    t->point = solid_contact_room(t->point, &t->room[0], n, sizeof *t->point);
+    t->x = solid_contact_room(t->x, &t->room[1], n, sizeof *t->x);
+    t->point[t->points] = point;
+    memcpy(t->x[t->points++], x, sizeof *t->x);
+}
+
+/* The candidates near some rank's seekers: here, and those that another rank needs. */
+static void gather(const struct solid *s, struct solid_contact *c, struct solid_strangers *t) {
+    const double near = c->radius + c->skin;
+    t->points = 0;
+    c->crossing.sent = 0;
+    for (int h = 0; h < s->n; h++) {
+        double x[3];
+        int is_point = t->seeks[h];
+        if (!is_candidate(s, h)) continue;
+        solid_position(s, h, x);
+        for (int r = 0; r < par_size(); r++) {
+            const int near_seekers = is_near_box(s, x, t->boxes[r][1].at, near);
+            is_point |= near_seekers;
+            if (r == par_rank() ||
+                !(near_seekers || (t->seeks[h] && is_near_box(s, x, t->boxes[r][0].at, near))))
+                continue;
+            const struct solid_other it = {.x0 = {s->x0[0][h], s->x0[1][h], s->dim > 2 ? s->x0[2][h] : 0},
+                                           .x = {x[0], x[1], x[2]},
+                                           .volume = s->volume[h],
+                                           .id = (long)t->id[h],
+                                           .body = s->body[h],
+                                           .seeks = t->seeks[h]};
+            solid_contact_crossing_send(&c->crossing, h, r, &it);
+        }
+        if (is_point) point_add(t, h, x);
+    }
+    solid_contact_crossing_begin(&c->crossing);
+    for (int k = 0; k < c->crossing.served; k++) point_add(t, s->n + k, c->crossing.other[k].x);
+    t->found = solid_contact_room(t->found, &t->room[2], t->points, sizeof *t->found);
+}
+
+/* Whether particle h and another, of a body at x0 with a global id, are of one family, broken or not. */
+static int is_family(const struct solid *s, const struct solid_strangers *t, int h, int body,
+                     const double x0[3], long id) {
+    if (body != s->body[h]) return 0;
+    if (s->family->lattice[body]) {
+        const double reach = solid_contact_bounds_apart(s, body);
+        double r2 = 0;
+        for (int c = 0; c < 3; c++) {
+            const double x = solid_contact_shortest(s, c, s->x0[c][h] - x0[c]);
+            r2 += x * x;
+        }
+        return r2 < reach * reach * (1 - 1e-9);
+    }
+    struct solid_family_view view;
+    solid_family_view(s, h, &view);
+    for (int b = 0; b < view.n; b++)
+        if ((long)t->id[view.l[b]] == id) return 1;
+    return 0;
+}
+
+/* Points i and j, at least one of them owned, onto the list if near and strangers. */
+static void pair_add(const struct solid *s, struct solid_contact *c, const struct solid_strangers *t, int i,
+                     int j) {
+    const double near = c->radius + c->skin;
+    const int h = t->point[i], l = t->point[j], is_served = l >= s->n;
+    double x0[3], xi[3], r2 = 0;
+    for (int k = 0; k < s->dim; k++) {
+        x0[k] = is_served ? c->crossing.other[l - s->n].x0[k] : s->x0[k][l];
+        const double between = solid_contact_between(s, s->x0[k][h], x0[k]);
+        const double x = t->x[i][k] - t->x[j][k], nearest = solid_contact_shortest(s, k, x);
+        xi[k] = between - (x - nearest);
+        r2 += nearest * nearest;
+    }
+    if (!(r2 < near * near)) return;
+    const int body = is_served ? c->crossing.other[l - s->n].body : s->body[l];
+    const long id = is_served ? c->crossing.other[l - s->n].id : (long)t->id[l];
+    if (is_family(s, t, h, body, x0, id)) return;
+    solid_contact_torn_add(&c->pairs[is_served ? SOLID_CONTACT_SERVED : SOLID_CONTACT_OWNED], h,
+                            is_served ? l - s->n : l, xi);
+    if (is_served) c->crossing.used[l - s->n] = 1;
+}
+
+static int seeks(const struct solid *s, const struct solid_contact *c, const struct solid_strangers *t,
+                 int point) {
+    return point < s->n ? t->seeks[point] : c->crossing.other[point - s->n].seeks;
+}
+
+void solid_contact_strangers_list(struct solid *s, struct solid_contact *c) {
+    struct solid_strangers *t = c->strangers;
+    struct solid_contact_pairs *served = &c->pairs[SOLID_CONTACT_SERVED];
+    meet(s, c, t);
+    c->crossing.active = 0;
+    if (!seek(s, c, t)) return;
+    gather(s, c, t);
+    solid_contact_cells_fill(&t->cells, t->points, (const double(*)[3])t->x, c->radius + c->skin, s->in.periodic,
+                     s->in.length);
+    for (int i = 0; i < t->points; i++) {
+        if (!seeks(s, c, t, t->point[i])) continue;
+        const int number = solid_contact_cells_near(&t->cells, t->x[i], t->found);
+        for (int k = 0; k < number; k++) {
+            const int j = t->found[k], first = i < j ? i : j, second = i < j ? j : i;
+            /* two that seek find each other twice; of two served ones others think */
+            if (j == i || (j < i && seeks(s, c, t, t->point[j])) || t->point[first] >= s->n) continue;
+            pair_add(s, c, t, first, second);
+        }
+    }
+    solid_contact_crossing_keep(&c->crossing);
+    for (int k = 0; k < served->n; k++) served->l[k] = c->crossing.at[served->l[k]];
+}

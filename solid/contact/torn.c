@@ -1,0 +1,77 @@
+#include "base/memory.h"
+#include "solid/contact/list.h"
+#include "solid/contact/room.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/lost.h"
+
+#include <string.h>
+
+void solid_contact_torn_free(struct solid_contact_pairs *p) {
+    void *const list[] = {p->h, p->l, p->xi[0], p->xi[1], p->xi[2]};
+    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
+}
+
+void solid_contact_torn_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
+    if (p->n == p->capacity) {
+        int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
+        p->h = solid_contact_room(p->h, &p->capacity, p->n + 1, sizeof *p->h);
+        p->l = solid_contact_room(p->l, &capacity[0], p->n + 1, sizeof *p->l);
+        for (int c = 0; c < p->dim; c++)
+            p->xi[c] = solid_contact_room(p->xi[c], &capacity[1 + c], p->n + 1, sizeof *p->xi[c]);
+    }
+    p->h[p->n] = h;
+    p->l[p->n] = l;
+    for (int c = 0; c < p->dim; c++) p->xi[c][p->n] = xi[c];
+    p->n++;
+}
+
+/* Onto the list if h and l are nearer than reach. */
+static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
+    double xi[3], r2 = 0;
+    for (int k = 0; k < s->dim; k++) {
+        const double x0 = solid_contact_between(s, s->x0[k][h], s->x0[k][l]);
+        const double x = x0 + (s->d[k][h] - s->d[k][l]), nearest = solid_contact_shortest(s, k, x);
+        xi[k] = x0 - (x - nearest);
+        r2 += nearest * nearest;
+    }
+    if (r2 < reach2)
+        solid_contact_torn_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
+}
+
+/* Bonds of h that are broken and were not when last looked at. */
+static void record(struct solid *s, struct solid_contact *c, int h) {
+    int place[SOLID_FAMILY_MAX], other[SOLID_FAMILY_MAX];
+    const int bytes = solid_family_bytes(s), broken = solid_family_broken(s, h, place, other);
+    uint8_t *known = c->known + (size_t)h * (size_t)bytes;
+    for (int k = 0; k < broken; k++) {
+        const int b = place[k], l = other[k];
+        if (known[b / 8] >> b % 8 & 1) continue;
+        known[b / 8] |= (uint8_t)(1u << b % 8);
+        c->record = ++s->versions;
+        if (l <= h) continue; /* owned: its other end has it */
+        if (c->torn == c->torn_capacity) {
+            int capacity = c->torn_capacity;
+            c->torn_h = solid_contact_room(c->torn_h, &capacity, c->torn + 1, sizeof *c->torn_h);
+            c->torn_l = solid_contact_room(c->torn_l, &c->torn_capacity, c->torn + 1, sizeof *c->torn_l);
+        }
+        c->torn_h[c->torn] = h;
+        c->torn_l[c->torn++] = l;
+    }
+}
+
+void solid_contact_torn_scan(struct solid *s, struct solid_contact *c) {
+    for (int h = 0; h < s->n; h++)
+        if (s->flag[h] & SOLID_BROKEN) record(s, c, h);
+    solid_lost_find(c->lost, s);
+}
+
+void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double reach) {
+    const int before = c->torn, found = solid_lost_find(c->lost, s);
+    for (int k = 0; k < found; k++) record(s, c, c->lost->h[k]);
+    for (int k = before; k < c->torn; k++) list_if_near(s, c, c->torn_h[k], c->torn_l[k], reach * reach);
+}
+
+void solid_contact_torn_list(const struct solid *s, struct solid_contact *c) {
+    const double near = c->radius + c->skin;
+    for (int k = 0; k < c->torn; k++) list_if_near(s, c, c->torn_h[k], c->torn_l[k], near * near);
+}

@@ -1,0 +1,21 @@
+#include "solid/force/added_mass.h"
+#include "solid/solid.h"
+
+void solid_added_mass_apply(struct solid *s) {
+    const struct solid_added_mass *m = s->added;
+    for (int i = 0; i < m->n; i++) {
+        const int h = m->h[i];
+        const double density = s->in.material[s->in.body[s->body[h]].material].density;
+        double before = 0, v = 0;
+        /* faces of one particle stand behind one another: each sees the mass that those before it have added */
+        double carried = density;
+        for (int k = i - 1; k >= 0 && m->h[k] == h; k--) carried += m->density[k];
+        for (int c = 0; c < s->dim; c++) {
+            before += s->a[c][h] * m->normal[c][i];
+            v += s->v[c][h] * m->normal[c][i];
+        }
+        const double after = before * carried / (carried + m->density[i]);
+        for (int c = 0; c < s->dim; c++) s->a[c][h] += (after - before) * m->normal[c][i];
+        s->power_load -= s->volume[h] * density * (before - after) * v;
+    }
+}

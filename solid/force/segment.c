@@ -1,0 +1,85 @@
+#include "solid/force/segment.h"
+#include "base/vec.h"
+#include "solid/force/series.h"
+
+#define REAL vec
+#define OF(op) vec_##op
+#define NAME(name) wide_##name
+#define PLACES 8
+#define LANES VEC_LANES
+#include "solid/force/strip.h"
+#undef REAL
+#undef OF
+#undef NAME
+#undef PLACES
+#undef LANES
+
+#define REAL vec4
+#define OF(op) vec4_##op
+#define NAME(name) narrow_##name
+#define PLACES 4
+#define LANES VEC4_LANES
+#include "solid/force/strip.h"
+
+static inline __attribute__((always_inline)) struct solid_range segment(const struct solid_boxes *in,
+                                                                        const struct solid_segments *t, int g,
+                                                                        const enum solid_kernel kernel,
+                                                                        double *power) {
+    const uint32_t *entry = t->entry + t->first[g];
+    const uint16_t *count = t->count[g];
+    const int *far = t->far + t->first[g];
+    const long at = t->at[g];
+    struct wide_result wide = {vec_set(0), vec_set(0), vec_set(0)};
+    struct narrow_result narrow = {vec4_set(0), vec4_set(0), vec4_set(0)};
+    struct solid_range range = {0, 0};
+    if (VEC_IS_NATIVE) {
+        wide_strip(in, at, entry, far, count[0], &wide, kernel, 1);
+        entry += count[0];
+        far += count[0];
+        if (count[1]) wide_strip(in, at, entry, far, count[1], &wide, kernel, 0);
+        entry += count[1];
+        far += count[1];
+        range = (struct solid_range){vec_highest(wide.high), vec_lowest(wide.low)};
+        if (kernel & KERNEL_DAMPED) *power += vec_sum(wide.power);
+    }
+    for (int strip = 2; strip < SOLID_STRIPS; strip += 2) {
+        const long from = at + solid_strip_site(strip);
+        if (count[strip]) narrow_strip(in, from, entry, far, count[strip], &narrow, kernel, 1);
+        entry += count[strip];
+        far += count[strip];
+        if (count[strip + 1]) narrow_strip(in, from, entry, far, count[strip + 1], &narrow, kernel, 0);
+        entry += count[strip + 1];
+        far += count[strip + 1];
+    }
+    if (kernel & KERNEL_DAMPED) *power += vec4_sum(narrow.power);
+    const double high = vec4_highest(narrow.high), low = vec4_lowest(narrow.low);
+    if (high > range.high) range.high = high;
+    if (low < range.low) range.low = low;
+    return range;
+}
+
+typedef struct solid_range segment_kernel(const struct solid_boxes *, const struct solid_segments *, int,
+                                          double *);
+
+#define SEGMENT_KERNEL(kind)                                                                                 \
+    static struct solid_range segment_##kind(const struct solid_boxes *in, const struct solid_segments *t,   \
+                                             int g, double *power) {                                         \
+        return segment(in, t, g, (enum solid_kernel)(kind), power);                                          \
+    }
+SEGMENT_KERNEL(0)
+SEGMENT_KERNEL(1)
+SEGMENT_KERNEL(2)
+SEGMENT_KERNEL(3)
+SEGMENT_KERNEL(4)
+SEGMENT_KERNEL(5)
+SEGMENT_KERNEL(6)
+SEGMENT_KERNEL(7)
+SEGMENT_KERNEL(8)
+
+static segment_kernel *const kernels[] = {segment_0, segment_1, segment_2, segment_3, segment_4,
+                                          segment_5, segment_6, segment_7, segment_8};
+
+struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *t, int g,
+                                       enum solid_kernel kernel, double *power) {
+    return kernels[kernel & KERNEL_JUDGE ? KERNEL_JUDGE : kernel](in, t, g, power);
+}

@@ -1,0 +1,88 @@
+/* Bonds of one strip (solid/bonds/segments.h): the same text for both widths. Whoever includes this says what they are:
+ *     REAL, OF(op)   vec or vec4, and its functions      PLACES   sites of the strip
+ *     NAME(name)     what things are called here         LANES    of them at a time */
+
+struct NAME(result) {
+    REAL high, low; /* of eps over the bonds */
+    REAL power;     /* sum of viscous bond forces times closing speeds, of directed bonds, m2/s3 */
+};
+
+/* Both short in steps that wait for one another rather than in number: a bond waits for its own alone.
+ * g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), times c; where |eps| is small a Chebyshev fit of degree four to g/eps. */
+static inline REAL NAME(g_times)(REAL e, REAL c, const int exact) {
+    const REAL root = exact ? OF(sqrt)(1 + e) : e, e2 = e * e;
+    if (exact) return e * c / ((1 + root) * root);
+    return (e * c) * ((G0 + e * G1) + e2 * ((G2 + e * G3) + e2 * G4));
+}
+
+/* 1/(1 + eps); where |eps| is small (1 - eps)(1 + eps^2)(1 + eps^4), which is it but for a factor 1 - eps^8. */
+static inline REAL NAME(inverse)(REAL e, const int exact) {
+    if (exact) return 1 / (1 + e);
+    const REAL e2 = e * e, two = (1 - e) + (1 - e) * e2;
+    return two + two * (e2 * e2);
+}
+
+/* Adds to a  (SPEC 2; 001: eqs 3.20, 3.41), each bond once if it is paired, from one end if not,
+ *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2 = (1 + s)^2 - 1
+ *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
+ *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
+ *     a_l -= the same                                   the paired ones' reaction
+ * d, v, w, a  boxes  m, m/s, -, m/s2    entry, other [n]  of the strip that stands at `at`: what bonds, and where to */
+static inline __attribute__((always_inline)) void
+NAME(strip)(const struct solid_boxes *in, long at, const uint32_t *entry, const int *other, int n,
+            struct NAME(result) * out, const enum solid_kernel kernel, const int paired) {
+    const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
+              damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0;
+    const struct solid_boxes box = *in; /* a copy: no store to a box can change it */
+    for (int place = 0; place < PLACES; place += LANES, at += LANES) {
+        const REAL dx = OF(load)(box.d[0] + at), dy = OF(load)(box.d[1] + at), dz = OF(load)(box.d[2] + at);
+        REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
+        REAL high = out->high, low = out->low;
+        if (!bulk) w = OF(load)(box.w + at);
+        if (damped) {
+            vx = OF(load)(box.v[0] + at);
+            vy = OF(load)(box.v[1] + at);
+            vz = OF(load)(box.v[2] + at);
+        }
+        for (int i = 0; i < n; i++) {
+            const struct solid_lattice_offset *t = &box.offset[entry[i] >> 8];
+            const unsigned lambda = (entry[i] & 0xffu) >> place;
+            const long far = other[i] + place;
+            const REAL ex = OF(load)(box.d[0] + far) - dx;
+            const REAL ey = OF(load)(box.d[1] + far) - dy;
+            const REAL ez = OF(load)(box.d[2] + far) - dz;
+            const REAL zx = t->xi[0] + ex, zy = t->xi[1] + ey, zz = t->xi[2] + ez;
+            const REAL q = ex * (t->xi2[0] + ex) + ey * (t->xi2[1] + ey) + ez * (t->xi2[2] + ez);
+            const REAL eps = OF(where)(lambda, q * t->inv_length2);
+            high = OF(max)(high, eps);
+            low = OF(min)(low, eps);
+            if (judge) continue;
+            REAL stiff = OF(set)(t->elastic);
+            if (!bulk) stiff = t->elastic_twice / (w + OF(load)(box.w + far));
+            REAL f = NAME(g_times)(eps, stiff, exact);
+            if (damped) {
+                const REAL closing = (OF(load)(box.v[0] + far) - vx) * zx +
+                                     (OF(load)(box.v[1] + far) - vy) * zy +
+                                     (OF(load)(box.v[2] + far) - vz) * zz;
+                const REAL fd = OF(where)(lambda, closing * t->viscous) * NAME(inverse)(eps, exact);
+                power += fd * closing;
+                f += fd;
+            }
+            const REAL fx = f * zx, fy = f * zy, fz = f * zz;
+            ax += fx;
+            ay += fy;
+            az += fz;
+            if (!paired) continue;
+            OF(store)(box.a[0] + far, OF(load)(box.a[0] + far) - fx);
+            OF(store)(box.a[1] + far, OF(load)(box.a[1] + far) - fy);
+            OF(store)(box.a[2] + far, OF(load)(box.a[2] + far) - fz);
+        }
+        out->high = high;
+        out->low = low;
+        if (judge) continue;
+        out->power += paired ? 2 * power : power;
+        OF(store)(box.a[0] + at, OF(load)(box.a[0] + at) + ax);
+        OF(store)(box.a[1] + at, OF(load)(box.a[1] + at) + ay);
+        OF(store)(box.a[2] + at, OF(load)(box.a[2] + at) + az);
+    }
+}

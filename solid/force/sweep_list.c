@@ -1,0 +1,166 @@
+#include "solid/force/sweep_family.h"
+
+#include <math.h>
+
+/* Looked at closer a little below the limit: the kernels' eps may differ from bond_eps in its last digit. */
+static const double NEAR_LIMIT = 1 - 1e-9;
+
+static inline __attribute__((always_inline)) void fill_places(const struct solid *s,
+                                                              const struct solid_list *b, const int dim) {
+    const int width = dim == 2 ? 2 : 4;
+    const double inv_spacing = 1 / b->spacing, *d[3];
+    for (int c = 0; c < dim; c++) d[c] = s->d[c];
+    for (long r = 0; r < b->n; r++)
+        for (int c = 0; c < dim; c++) b->record[width * r + c] = d[c][b->first + r] * inv_spacing;
+    for (long r = 0; r < b->others; r++)
+        for (int c = 0; c < dim; c++)
+            b->record[width * (b->n + r) + c] = d[c][b->other_local[r]] * inv_spacing;
+}
+
+void solid_sweep_list_fill(const struct solid *s, const struct solid_list *b) {
+    if (b->dim == 2)
+        fill_places(s, b, 2);
+    else
+        fill_places(s, b, 3);
+}
+
+static void fill(const struct solid *s, const struct solid_list *b, int damped) {
+    solid_sweep_list_fill(s, b);
+    for (int r = 0; damped && r < b->n + b->others; r++)
+        for (int c = 0; c < b->dim; c++)
+            b->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(b, r)];
+}
+
+/* The families, compiled for a plate and for space, with and without damping, with square roots where the series does not
+ * hold (exact) and without. */
+typedef struct force_family kernel(const struct solid_list *, int i, double viscous);
+#define KERNEL(name, dim, exact, damped)                                                                     \
+    static __attribute__((noinline)) struct force_family name(const struct solid_list *b, int i,             \
+                                                              double viscous) {                              \
+        return force_family_of(b, i, viscous, dim, exact, damped);                                           \
+    }
+KERNEL(plane_series, 2, 0, 0)
+KERNEL(plane_exact, 2, 1, 0)
+KERNEL(plane_damped_series, 2, 0, 1)
+KERNEL(plane_damped_exact, 2, 1, 1)
+KERNEL(space_series, 3, 0, 0)
+KERNEL(space_exact, 3, 1, 0)
+KERNEL(space_damped_series, 3, 0, 1)
+KERNEL(space_damped_exact, 3, 1, 1)
+
+static kernel *const kernels[2][2][2] = {
+    {{plane_series, plane_exact}, {plane_damped_series, plane_damped_exact}},
+    {{space_series, space_exact}, {space_damped_series, space_damped_exact}}};
+
+/* The number that decides on a bond; both ends get the same to the bit: all signs turn, nothing else. */
+static __attribute__((noinline)) double bond_eps(const double *xi, const double *eta, int dim) {
+    double q = 0, xi2 = 0;
+    for (int c = 0; c < dim; c++) {
+        q += eta[c] * (xi[c] + (xi[c] + eta[c]));
+        xi2 += xi[c] * xi[c];
+    }
+    return q / xi2;
+}
+
+/* Breaks the bonds of the particle that are beyond their limits, on its side. Returns how many. */
+static int break_bonds(struct solid *s, struct solid_list *b, int i) {
+    const int h = b->first + i;
+    const double *here = b->record + (long)b->width * i;
+    int broken = 0;
+    for (long j = b->start[i]; j < b->end[i]; j++) {
+        const double *there = b->record + b->at[j];
+        double xi[3], eta[3] = {0};
+        if (!solid_list_is_intact(b, j) ||
+            ((s->flag[h] | s->flag[solid_list_other(b, j)]) & SOLID_UNBREAKABLE))
+            continue;
+        const double length = solid_list_steps(b, j, xi);
+        for (int c = 0; c < b->dim; c++) eta[c] = there[c] - here[c];
+        const double eps = bond_eps(xi, eta, b->dim);
+        if (!(eps > b->limit[i]) || !(eps > solid_list_limit(b, h, j))) continue;
+        const double stretch = eps / (1 + sqrt(1 + eps));
+        s->e_fracture += 0.25 * b->law.density * b->stiffness[j] * length * stretch * stretch *
+                         (length * b->spacing) * s->volume[h];
+        solid_list_set(b, j, 0);
+        broken++;
+    }
+    if (broken) {
+        s->flag[h] |= SOLID_BROKEN;
+        s->broke = 1;
+    }
+    return broken;
+}
+
+/* Whether it is the power of two at or below the largest of a. */
+static inline int is_power_below(double power, vec a) {
+    const double before = power * (1 - 0x1p-53);
+    return !vec_any_above(a, 2 * before) && (power == 0 || vec_any_above(a, before));
+}
+
+struct sweep {
+    struct solid *s;
+    struct solid_list *b;
+    kernel *const *kernels; /* series, exact */
+    double viscous;
+    int may_break, damped;
+};
+
+/* What decides on a sum's last digit. */
+static inline vec decides(const struct sweep *k, const struct force_family *of) {
+    return k->damped ? of->largest : of->far;
+}
+
+/* Sums in the right digits. */
+static struct force_family in_digits(const struct sweep *k, int i, int exact) {
+    struct solid_list *b = k->b;
+    struct force_family of = k->kernels[exact](b, i, k->viscous);
+    const vec a = decides(k, &of);
+    if (b->dim == 3 || is_power_below(b->power[i], a)) return of;
+    b->power[i] = power_below(vec_highest(a));
+    return k->kernels[exact](b, i, k->viscous);
+}
+
+static inline int may_break_here(const struct sweep *k, int i, const struct force_family *of) {
+    return k->may_break && vec_any_above(of->high, k->b->limit[i] * NEAR_LIMIT);
+}
+
+/* A family that is not as it mostly is. Where bonds break or the series does not hold it is computed again; one with large eps
+ * starts with square roots. */
+static __attribute__((noinline)) struct force_family judged(const struct sweep *k, int i) {
+    struct solid_list *b = k->b;
+    const int exact = b->large[i];
+    const struct force_family of = in_digits(k, i, exact);
+    const int too_large = vec_any_above(of.far, (exact ? 0.5 : 1) * SOLID_SERIES_LIMIT);
+    const int broken = may_break_here(k, i, &of) && break_bonds(k->s, b, i);
+    b->large[i] = (uint8_t)too_large;
+    return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
+}
+
+static inline __attribute__((always_inline)) double sweep_all(const struct sweep *k, const int dim,
+                                                              const int damped) {
+    struct solid *s = k->s;
+    struct solid_list *b = k->b;
+    double power = 0;
+    for (int i = 0; i < b->n; i++) {
+        const int h = b->first + i;
+        struct force_family of = force_family_of(b, i, k->viscous, dim, 0, damped);
+        if (b->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
+            (dim == 2 && !is_power_below(b->power[i], damped ? of.largest : of.far)))
+            of = judged(k, i);
+        for (int c = 0; c < dim; c++) s->a[c][h] = vec_total(of.sum[c]);
+        if (damped) power += vec_sum(of.power) * s->volume[h];
+    }
+    return power;
+}
+
+double solid_sweep_list(struct solid *s, struct solid_list *b, const struct solid_sweep *asked) {
+    const int damped = asked->damping > 0;
+    const struct sweep k = {
+        s, b, kernels[b->dim - 2][damped], asked->damping / (2 * b->law.c), asked->may_break, damped};
+    fill(s, b, damped);
+    double power;
+    if (b->dim == 2)
+        power = damped ? sweep_all(&k, 2, 1) : sweep_all(&k, 2, 0);
+    else
+        power = damped ? sweep_all(&k, 3, 1) : sweep_all(&k, 3, 0);
+    return 0.5 * b->law.density * power;
+}

@@ -1,0 +1,115 @@
+#include "solid/imposed/constraint.h"
+#include "base/par.h"
+#include "solid/imposed/time.h"
+
+int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3]) {
+    const double tiny = 1e-9 * s->in.spacing;
+    for (int c = 0; c < s->dim; c++)
+        if (s->x0[c][h] < low[c] - tiny || s->x0[c][h] > high[c] + tiny) return 0;
+    return 1;
+}
+
+double solid_constraint_density(const struct solid *s, int h) {
+    return s->in.material[s->in.body[s->body[h]].material].density;
+}
+
+/* Asked first: most particles are free. */
+static int is_held(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
+
+/* The velocity of a constraint from t to t + dt; where a displacement is given, what leads there. */
+static double velocity_of(const struct solid_constraint *k, int c, double t, double dt) {
+    if (!k->has_displacement) return k->velocity[c] * solid_time_mean(&k->time, t, t + dt);
+    if (!(dt > 0)) return 0;
+    return k->displacement[c] * ((solid_time_factor(&k->time, t + dt) - solid_time_factor(&k->time, t)) / dt);
+}
+
+void solid_constraint_velocity(struct solid *s, double t, double dt) {
+    for (int q = 0; q < s->in.constraints; q++) {
+        const struct solid_constraint *k = &s->in.constraint[q];
+        for (int c = 0; c < s->dim; c++) {
+            const double velocity = velocity_of(k, c, t, dt);
+            double *v = s->v[c];
+            for (int h = 0; k->direction[c] && h < s->n; h++) {
+                if (!is_held(s, h, c) || !solid_constraint_inside(s, h, k->low, k->high)) continue;
+                const double mass = solid_constraint_density(s, h) * s->volume[h];
+                s->e_constraint += 0.5 * mass * (velocity + v[h]) * (velocity - v[h]);
+                v[h] = velocity;
+            }
+        }
+    }
+}
+
+int solid_constraint_varies(const struct solid *s) {
+    int n = 0;
+    for (int q = 0; q < s->in.constraints; q++) n += s->in.constraint[q].time.n;
+    return n > 0;
+}
+
+void solid_constraint_displacement(struct solid *s, double t) {
+    for (int q = 0; q < s->in.constraints; q++) {
+        const struct solid_constraint *k = &s->in.constraint[q];
+        const double factor = solid_time_factor(&k->time, t);
+        for (int c = 0; c < s->dim; c++)
+            for (int h = 0; k->has_displacement && k->direction[c] && h < s->n; h++)
+                if (is_held(s, h, c) && solid_constraint_inside(s, h, k->low, k->high))
+                    s->d[c][h] = k->displacement[c] * factor;
+    }
+}
+
+void solid_constraint_flags(struct solid *s) {
+    for (int q = 0; q < s->in.constraints; q++) {
+        const struct solid_constraint *k = &s->in.constraint[q];
+        for (int h = 0; h < s->n; h++)
+            if (solid_constraint_inside(s, h, k->low, k->high))
+                for (int c = 0; c < s->dim; c++)
+                    if (k->direction[c]) s->flag[h] |= (uint8_t)(SOLID_HELD_X << c);
+    }
+    for (int q = 0; q < s->in.unbreakables; q++)
+        for (int h = 0; h < s->n; h++)
+            if (solid_constraint_inside(s, h, s->in.unbreakable[q].low, s->in.unbreakable[q].high))
+                s->flag[h] |= SOLID_UNBREAKABLE;
+}
+
+/* Dies where no particle of any rank stands in the region of the scene's key. */
+static void region_check(const struct solid *s, const char *key, int k, const double low[3],
+                         const double high[3]) {
+    long inside = 0;
+    for (int h = 0; h < s->n; h++) inside += solid_constraint_inside(s, h, low, high);
+    if (par_sum_long(inside) == 0)
+        die_all(EXIT_CODE_SCENE, "solid.%s[%d]: no particle stands between low and high; they are %g m apart",
+                key, k, s->in.spacing);
+}
+
+void solid_constraint_check(const struct solid *s) {
+    for (int k = 0; k < s->in.constraints; k++)
+        region_check(s, "constraints", k, s->in.constraint[k].low, s->in.constraint[k].high);
+    for (int k = 0; k < s->in.unbreakables; k++)
+        region_check(s, "unbreakable", k, s->in.unbreakable[k].low, s->in.unbreakable[k].high);
+    for (int k = 0; k < s->in.loads; k++)
+        if (s->in.load[k].kind == SOLID_LOAD_REGION)
+            region_check(s, "loads", k, s->in.load[k].low, s->in.load[k].high);
+}
+
+void solid_constraint_mark(struct solid *s) {
+    solid_constraint_flags(s);
+    solid_constraint_displacement(s, s->t);
+    solid_constraint_velocity(s, s->t, 0);
+    s->e_constraint = 0; /* what moves at the start moves */
+}
+
+double solid_constraint_apply(struct solid *s) {
+    double power = 0, reaction2 = 0;
+    for (int h = 0; h < s->n; h++) {
+        if (!(s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z))) continue;
+        const double mass = solid_constraint_density(s, h) * s->volume[h];
+        for (int c = 0; c < s->dim; c++) {
+            if (!(s->flag[h] & SOLID_HELD_X << c)) continue;
+            const double reaction = -mass * s->a[c][h];
+            power += reaction * s->v[c][h];
+            reaction2 += reaction * reaction;
+            s->a[c][h] = 0;
+        }
+    }
+    s->power_constraint = power;
+    return reaction2;
+}

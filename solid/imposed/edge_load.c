@@ -1,0 +1,141 @@
+#include "solid/imposed/edge_load.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/body/cloud.h"
+#include "solid/geometry/outline.h"
+#include "solid/refine/parts.h"
+#include "solid/bonds/store.h"
+
+#include <math.h>
+
+struct solid_edges {
+    int loads;
+    int *body;                              /* [loads] whose edge it is */
+    struct solid_outline_lengths **lengths; /* [loads] NULL: no load on an edge */
+};
+
+/* Of a body's cells, the boundary under each load that is along it. */
+static void find_in_body(struct solid_edges *e, const struct solid_input *in, int b, char *text,
+                         size_t size) {
+    const struct solid_body *body = &in->body[b];
+    struct solid_outline_cells *cells =
+        solid_outline_cells(body->outline, body->outlines, in->origin, in->spacing);
+    struct solid_outline_lengths **here =
+        memory_new(MEMORY_SOLID, (size_t)e->loads + 1, sizeof(struct solid_outline_lengths *));
+    int found = 0;
+    for (int k = 0; k < e->loads; k++) {
+        const struct solid_load *load = &in->load[k];
+        if (load->kind != SOLID_LOAD_EDGE || e->lengths[k]) continue;
+        e->lengths[k] = solid_outline_lengths(body->outline, body->outlines, in->origin, in->spacing,
+                                                   cells, load->edge[0], load->edge[1], text, size);
+        e->body[k] = b;
+        if (e->lengths[k]) here[found++] = e->lengths[k];
+    }
+    solid_outline_symmetry_lengths(cells, in->spacing, here, found);
+    memory_free(here);
+    solid_outline_cells_free(cells);
+}
+
+struct solid_edges *solid_edge_load_new(const struct solid_input *in) {
+    struct solid_edges *e = memory_new(MEMORY_SOLID, 1, sizeof *e);
+    char text[256] = "no body is a polygon";
+    e->loads = in->loads;
+    e->body = memory_new(MEMORY_SOLID, (size_t)in->loads + 1, sizeof *e->body);
+    e->lengths = memory_new(MEMORY_SOLID, (size_t)in->loads + 1, sizeof(struct solid_outline_lengths *));
+    int wanted = 0;
+    for (int k = 0; k < in->loads; k++) wanted += in->load[k].kind == SOLID_LOAD_EDGE;
+    for (int b = 0; wanted && b < in->bodies; b++)
+        if (in->body[b].shape == SOLID_POLYGON) find_in_body(e, in, b, text, sizeof text);
+    for (int k = 0; k < in->loads; k++) {
+        const struct solid_load *load = &in->load[k];
+        if (load->kind == SOLID_LOAD_EDGE && !e->lengths[k])
+            die_all(EXIT_CODE_SCENE, "solid.loads[%d].edge from (%g, %g) to (%g, %g) m: %s", k,
+                    load->edge[0][0], load->edge[0][1], load->edge[1][0], load->edge[1][1], text);
+    }
+    return e;
+}
+
+void solid_edge_load_free(struct solid_edges *e) {
+    for (int k = 0; k < e->loads; k++) solid_outline_lengths_free(e->lengths[k]);
+    memory_free(e->lengths);
+    memory_free(e->body);
+    memory_free(e);
+}
+
+/* Over the particles of a body that the edge's length falls to, by their number in it, from id first on: traction length
+ * thickness/volume, N/m3. */
+static void over_layer(const struct solid *s, int body, long first, const struct solid_load *load,
+                       const double *length, double *const force[2]) {
+    const long from = s->first[par_rank()];
+    for (int h = 0; h < s->n; h++) {
+        if (s->body[h] != body) continue;
+        const double per_volume = length[from + h - first] * s->in.thickness / s->volume[h];
+        for (int c = 0; c < 2; c++) force[c][h] += load->traction[c] * per_volume;
+    }
+}
+
+/* How deep behind the straight edge a particle of the body is, in spacings; negative where it is beside it. To 2^-20: mirror images
+ * agree. */
+static double depth_of(const struct solid *s, const struct solid_load *load, const double x[2]) {
+    const double along[2] = {load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]};
+    const double at[2] = {x[0] - load->edge[0][0], x[1] - load->edge[0][1]};
+    const double length = hypot(along[0], along[1]), tiny = 1e-9 * s->in.spacing;
+    const double way = (at[0] * along[0] + at[1] * along[1]) / length;
+    if (way < -tiny || way > length + tiny) return -1;
+    return 0x1p-20 * rint(0x1p20 * fabs(at[0] * along[1] - at[1] * along[0]) / (length * s->in.spacing));
+}
+
+/* Evenly over the volume within the horizon behind the edge. Collective. */
+static void over_horizon(const struct solid *s, int body, const struct solid_load *load,
+                         double *const force[2]) {
+    const double horizon = s->in.material[s->in.body[body].material].horizon_ratio;
+    const double length = hypot(load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]);
+    const double unit = s->in.spacing * s->in.spacing * s->in.thickness;
+    long cells = 0; /* in 2^-40: the same in any order */
+    double sum = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        if (pass) sum = unit * (0x1p-40 * (double)par_sum_long(cells));
+        for (int h = 0; h < s->n; h++) {
+            const double x[2] = {s->x0[0][h], s->x0[1][h]};
+            if (s->body[h] != body) continue;
+            const double depth = depth_of(s, load, x);
+            if (depth < 0 || depth > horizon) continue;
+            if (!pass) cells += lrint(0x1p40 * (s->volume[h] / unit));
+            for (int c = 0; pass && c < 2; c++)
+                force[c][h] += load->traction[c] * (length * s->in.thickness / sum);
+        }
+    }
+}
+
+void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *e,
+                       int k, double *const force[2]) {
+    const struct solid_load *load = &s->in.load[k];
+    const struct solid_sites *t = sites[e->body[k]];
+    const struct solid_outline_lengths *lengths = e->lengths[k];
+    if (load->over_horizon) {
+        over_horizon(s, e->body[k], load, force);
+        return;
+    }
+    double *by_cell = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *by_cell);
+    double *length = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *length);
+    for (long i = 0; i < lengths->n; i++) by_cell[lengths->share[i].cell] = lengths->share[i].length;
+    for (long i = 0; i < t->count; i++) length[i] = by_cell[t->point[i]];
+    over_layer(s, e->body[k], t->first, load, length, force);
+    memory_free(by_cell);
+    memory_free(length);
+}
+
+void solid_edge_load_force_refined(const struct solid *s, int k, double *const force[2]) {
+    const struct solid_load *load = &s->in.load[k];
+    int found = 0;
+    for (int b = 0; b < s->in.bodies && !found; b++) {
+        const struct solid_cloud *cloud = s->family->cloud[b];
+        double *length = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, sizeof *length);
+        found = solid_refine_lengths(s, b, load->edge[0], load->edge[1], length);
+        if (found && load->over_horizon)
+            over_horizon(s, b, load, force);
+        else if (found)
+            over_layer(s, b, cloud->first, load, length, force);
+        memory_free(length);
+    }
+}

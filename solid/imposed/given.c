@@ -1,0 +1,153 @@
+#include "solid/imposed/given.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/imposed/constraint.h"
+#include "solid/imposed/edge_load.h"
+#include "solid/imposed/time.h"
+
+#include <string.h>
+
+/* A load's particles, and the force on each where the factor is 1. */
+struct share {
+    int n;
+    int *h;
+    double *force[3]; /* [n] N/m3 */
+    double factor;    /* that s->load has */
+};
+
+struct solid_given {
+    int loads;
+    struct share *share; /* [loads] */
+    int touched;
+    int *touch;     /* [touched] particles under some load */
+    double *sum[3]; /* [s->n] what s->load holds of the loads, N/m3 */
+};
+
+static void *array(int n, size_t size) { return memory_new(MEMORY_SOLID, (size_t)n + 1, size); }
+
+/* force [n] N/m3 by owned particle, of which those that are not 0 are kept. */
+static void share_new(const struct solid *s, struct share *p, double *const force[3]) {
+    p->h = array(s->n, sizeof *p->h);
+    for (int h = 0; h < s->n; h++) {
+        int any = 0;
+        for (int c = 0; c < s->dim; c++) any |= force[c][h] != 0;
+        if (any) p->h[p->n++] = h;
+    }
+    for (int c = 0; c < s->dim; c++) {
+        p->force[c] = array(p->n, sizeof **p->force);
+        for (int i = 0; i < p->n; i++) p->force[c][i] = force[c][p->h[i]];
+    }
+}
+
+static void of_region(const struct solid *s, const struct solid_load *load, double *const force[3]) {
+    for (int h = 0; h < s->n; h++)
+        if (solid_constraint_inside(s, h, load->low, load->high))
+            for (int c = 0; c < s->dim; c++) force[c][h] = load->force[c];
+}
+
+void solid_given_new(struct solid *s, struct solid_sites *const *sites) {
+    if (s->in.loads == 0) return;
+    struct solid_given *g = memory_new(MEMORY_SOLID, 1, sizeof *g);
+    double *force[3] = {NULL};
+    g->loads = s->in.loads;
+    g->share = array(g->loads, sizeof *g->share);
+    g->touch = array(s->n, sizeof *g->touch);
+    for (int c = 0; c < s->dim; c++) {
+        g->sum[c] = array(s->n, sizeof **g->sum);
+        force[c] = array(s->n, sizeof **force);
+    }
+    uint8_t *touched = array(s->n, 1);
+    struct solid_edges *edges = sites ? solid_edge_load_new(&s->in) : NULL;
+    for (int k = 0; k < g->loads; k++) {
+        for (int c = 0; c < s->dim; c++) memset(force[c], 0, (size_t)s->n * sizeof **force);
+        if (s->in.load[k].kind == SOLID_LOAD_EDGE && !sites)
+            solid_edge_load_force_refined(s, k, force);
+        else if (s->in.load[k].kind == SOLID_LOAD_EDGE)
+            solid_edge_load_force(s, sites, edges, k, force);
+        else
+            of_region(s, &s->in.load[k], force);
+        share_new(s, &g->share[k], force);
+        if (par_sum_long(g->share[k].n) == 0)
+            die_all(EXIT_CODE_SCENE, "solid.loads[%d]: no particle takes it up", k);
+        for (int i = 0; i < g->share[k].n; i++) touched[g->share[k].h[i]] = 1;
+    }
+    for (int h = 0; h < s->n; h++)
+        if (touched[h]) g->touch[g->touched++] = h;
+    memory_free(touched);
+    if (edges) solid_edge_load_free(edges);
+    for (int c = 0; c < s->dim; c++) memory_free(force[c]);
+    s->given = g;
+    solid_given_set(s, s->t, 0);
+}
+
+void solid_given_free(struct solid_given *g) {
+    if (!g) return;
+    for (int k = 0; k < g->loads; k++) {
+        memory_free(g->share[k].h);
+        for (int c = 0; c < 3; c++) memory_free(g->share[k].force[c]);
+    }
+    for (int c = 0; c < 3; c++) memory_free(g->sum[c]);
+    memory_free(g->share);
+    memory_free(g->touch);
+    memory_free(g);
+}
+
+void solid_given_forget(struct solid *s) {
+    struct solid_given *g = s->given;
+    if (!g) return;
+    for (int k = 0; k < g->loads; k++) g->share[k].factor = 0;
+    for (int c = 0; c < s->dim; c++) memset(g->sum[c], 0, (size_t)s->n * sizeof **g->sum);
+}
+
+void solid_given_mark(const struct solid *s, uint8_t *mark) {
+    for (int i = 0; s->given && i < s->given->touched; i++) mark[s->given->touch[i]] = 1;
+}
+
+double solid_given_of(const struct solid *s, int h, int c) { return s->given ? s->given->sum[c][h] : 0; }
+
+/* sum, by the factors of now, of particles for which it is 0. */
+static void sum_up(struct solid_given *g, int c) {
+    for (int k = 0; k < g->loads; k++) {
+        const struct share *p = &g->share[k];
+        for (int i = 0; i < p->n; i++) g->sum[c][p->h[i]] += p->factor * p->force[c][i];
+    }
+}
+
+void solid_given_keep(const struct solid *s, double *factor) {
+    for (int k = 0; s->given && k < s->given->loads; k++) factor[k] = s->given->share[k].factor;
+}
+
+void solid_given_restore(struct solid *s, const double *factor) {
+    struct solid_given *g = s->given;
+    int differs = 0;
+    for (int k = 0; g && k < g->loads; k++) {
+        differs |= factor[k] != g->share[k].factor;
+        g->share[k].factor = factor[k];
+    }
+    for (int c = 0; differs && c < s->dim; c++) {
+        for (int i = 0; i < g->touched; i++) g->sum[c][g->touch[i]] = 0;
+        sum_up(g, c);
+    }
+}
+
+int solid_given_set(struct solid *s, double t, double dt) {
+    struct solid_given *g = s->given;
+    int differs = 0;
+    for (int k = 0; g && k < g->loads; k++) {
+        const double factor = solid_time_mean(&s->in.load[k].time, t, t + dt);
+        differs |= factor != g->share[k].factor;
+        g->share[k].factor = factor;
+    }
+    if (!differs) return 0;
+    for (int c = 0; c < s->dim; c++) {
+        double *load = s->load[c], *sum = g->sum[c];
+        for (int i = 0; i < g->touched;
+             i++) { /* load - sum is 0, and not nearly 0, where nobody else adds to it */
+            load[g->touch[i]] -= sum[g->touch[i]];
+            sum[g->touch[i]] = 0;
+        }
+        sum_up(g, c);
+        for (int i = 0; i < g->touched; i++) load[g->touch[i]] += sum[g->touch[i]];
+    }
+    return 1;
+}

@@ -1,0 +1,47 @@
+#include "solid/imposed/time.h"
+#include "base/memory.h"
+
+#include <stdint.h>
+#include <string.h>
+
+double solid_time_factor(const struct solid_time *f, double t) {
+    if (f->n == 0) return 1;
+    if (t <= f->t[0]) return f->factor[0];
+    int k = 1;
+    while (k < f->n && f->t[k] <= t) k++;
+    if (k == f->n) return f->factor[k - 1];
+    const double part = (t - f->t[k - 1]) / (f->t[k] - f->t[k - 1]);
+    return f->factor[k - 1] + part * (f->factor[k] - f->factor[k - 1]);
+}
+
+/* Trapezia between from, the points within, and to. */
+double solid_time_mean(const struct solid_time *f, double from, double to) {
+    const double first = solid_time_factor(f, from);
+    if (f->n < 2 || !(to > from) || from >= f->t[f->n - 1] || to <= f->t[0]) return first;
+    double sum = 0, t = from, value = first;
+    for (int k = 0; k <= f->n; k++) {
+        if (k < f->n && (f->t[k] <= from || f->t[k] >= to)) continue;
+        const double next = k < f->n ? f->t[k] : to, there = solid_time_factor(f, next);
+        sum += 0.5 * (value + there) * ((next - t) / (to - from));
+        t = next;
+        value = there;
+    }
+    return sum;
+}
+
+static const double *copy(const double *from, int n) {
+    double *to = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *to);
+    if (n) memcpy(to, from, (size_t)n * sizeof *to);
+    return to;
+}
+
+void solid_time_copy(struct solid_time *f) {
+    f->t = copy(f->t, f->n);
+    f->factor = copy(f->factor, f->n);
+}
+
+void solid_time_free(struct solid_time *f) {
+    memory_free((void *)(uintptr_t)f->t);
+    memory_free((void *)(uintptr_t)f->factor);
+    *f = (struct solid_time){0};
+}

@@ -1,0 +1,215 @@
+#include "solid/measure/crack.h"
+#include "base/memory.h"
+#include "base/par.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Neighbours along a lattice's axes and diagonals, in particles; those across a gap of two particles. */
+static const double TOUCH = 1.6, NEAR = 3.1;
+/* What a front stands out by at least, in particles. */
+static const double STANDS_OUT = 3;
+/* Places less than this apart are the same, in particles. */
+static const double SAME = 1e-6;
+
+struct entry {
+    double far, aside, x[2], size;
+};
+
+static double along(const double x[2], const double d[2]) { return d[0] * x[0] + d[1] * x[1]; }
+static double aside(const double x[2], const double d[2]) { return d[0] * x[1] - d[1] * x[0]; }
+
+static int by_distance(const void *a, const void *b) {
+    const struct entry *p = a, *q = b;
+    if (p->far != q->far) return p->far < q->far ? 1 : -1;
+    return (p->aside > q->aside) - (p->aside < q->aside);
+}
+
+static struct solid_crack_particles particles_new(long n) {
+    const size_t room = (size_t)n + 1;
+    return (struct solid_crack_particles){.n = n,
+                                          .x = memory_new(MEMORY_OUTPUT, room, sizeof(double[2])),
+                                          .size = memory_new(MEMORY_OUTPUT, room, sizeof(double))};
+}
+
+void solid_crack_particles_free(struct solid_crack_particles *p) {
+    memory_free(p->x);
+    memory_free(p->size);
+    *p = (struct solid_crack_particles){0};
+}
+
+/* The list's particles in their order, into p. */
+static void take(struct solid_crack_particles *p, struct entry *list, const double direction[2]) {
+    for (long i = 0; i < p->n; i++) {
+        list[i].far = along(list[i].x, direction);
+        list[i].aside = aside(list[i].x, direction);
+    }
+    qsort(list, (size_t)p->n, sizeof *list, by_distance);
+    for (long i = 0; i < p->n; i++) {
+        memcpy(p->x[i], list[i].x, sizeof p->x[i]);
+        p->size[i] = list[i].size;
+    }
+}
+
+void solid_crack_sort(struct solid_crack_particles *p, const double direction[2]) {
+    struct entry *list = memory_new(MEMORY_OUTPUT, (size_t)p->n + 1, sizeof *list);
+    for (long i = 0; i < p->n; i++)
+        list[i] = (struct entry){.x = {p->x[i][0], p->x[i][1]}, .size = p->size[i]};
+    take(p, list, direction);
+    memory_free(list);
+}
+
+struct solid_crack_particles solid_crack_gather(const struct solid *s, const double *damage, double level,
+                                                const double direction[2]) {
+    int mine = 0;
+    for (int h = 0; h < s->n; h++) mine += damage[h] > level;
+    struct entry *list = memory_new(MEMORY_OUTPUT, (size_t)mine + 1, sizeof *list);
+    mine = 0;
+    for (int h = 0; h < s->n; h++) {
+        if (!(damage[h] > level)) continue;
+        list[mine++] = (struct entry){.x = {s->x0[0][h], s->x0[1][h]},
+                                      .size = s->dim == 2 ? sqrt(s->volume[h] / solid_depth(&s->in))
+                                                          : cbrt(s->volume[h])};
+    }
+    size_t bytes;
+    struct entry *all = par_all_gather_any(list, (size_t)mine * sizeof *list, &bytes);
+    memory_free(list);
+    struct solid_crack_particles p = particles_new((long)(bytes / sizeof *all));
+    take(&p, all, direction);
+    free(all);
+    return p;
+}
+
+/* A forest of particles in the order of a list; the root of a tree is its farthest particle, the lowest index. */
+static long find(long *parent, long i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+static double largest(const struct solid_crack_particles *p) {
+    double size = 0;
+    for (long i = 0; i < p->n; i++) size = fmax(size, p->size[i]);
+    return size;
+}
+
+/* The first from `from` on that is not farther than i by more than reach, the most that any pair may have. */
+static long first_within(const struct solid_crack_particles *p, const double d[2], long from, long i,
+                         double reach) {
+    while (along(p->x[from], d) - along(p->x[i], d) > reach) from++;
+    return from;
+}
+
+static int near(const struct solid_crack_particles *p, long i, long j) {
+    return hypot(p->x[i][0] - p->x[j][0], p->x[i][1] - p->x[j][1]) <= NEAR * fmax(p->size[i], p->size[j]);
+}
+
+/* Where a particle stands in a list that holds it, not before `from`. */
+static long place_in(const struct solid_crack_particles *all, const double x[2], long from) {
+    while (memcmp(all->x[from], x, sizeof *all->x) != 0) from++;
+    return from;
+}
+
+/* The damaged particles that hang together with an initial one. */
+static struct solid_crack_particles connected(const struct solid_crack_particles *damaged,
+                                              const struct solid_crack_particles *initial,
+                                              const double d[2]) {
+    const long n = damaged->n + initial->n;
+    struct solid_crack_particles all = particles_new(n), kept = particles_new(damaged->n);
+    long *parent = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *parent);
+    char *has_initial = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1);
+    memcpy(all.x, damaged->x, (size_t)damaged->n * sizeof *all.x);
+    memcpy(all.x + damaged->n, initial->x, (size_t)initial->n * sizeof *all.x);
+    memcpy(all.size, damaged->size, (size_t)damaged->n * sizeof *all.size);
+    memcpy(all.size + damaged->n, initial->size, (size_t)initial->n * sizeof *all.size);
+    solid_crack_sort(&all, d);
+    const double reach = NEAR * largest(&all);
+    for (long i = 0, from = 0; i < n; i++) {
+        parent[i] = i;
+        from = first_within(&all, d, from, i, reach);
+        for (long j = from; j < i; j++) {
+            if (!near(&all, i, j)) continue;
+            const long a = find(parent, i), b = find(parent, j);
+            parent[a > b ? a : b] = a > b ? b : a;
+        }
+    }
+    for (long k = 0, i = 0; k < initial->n; k++, i++) {
+        i = place_in(&all, initial->x[k], i);
+        has_initial[find(parent, i)] = 1;
+    }
+    kept.n = 0;
+    for (long k = 0, i = 0; k < damaged->n; k++, i++) {
+        i = place_in(&all, damaged->x[k], i);
+        if (!has_initial[find(parent, i)]) continue;
+        memcpy(kept.x[kept.n], damaged->x[k], sizeof *kept.x);
+        kept.size[kept.n++] = damaged->size[k];
+    }
+    memory_free(has_initial);
+    memory_free(parent);
+    solid_crack_particles_free(&all);
+    return kept;
+}
+
+/* Whether i goes on behind j, the farther one: a gap of two particles along the direction does not end a crack. */
+static int follows(const struct solid_crack_particles *p, const double d[2], long i, long j) {
+    const double size = fmax(p->size[i], p->size[j]);
+    return along(p->x[j], d) - along(p->x[i], d) <= NEAR * size &&
+           fabs(aside(p->x[j], d) - aside(p->x[i], d)) <= TOUCH * size;
+}
+
+/* Particles join those before them in the list's order, the farthest first. A tree is born at a peak and ends where it meets one
+ * that was born farther; it is a front if it was long enough by then. */
+static int count_fronts(const struct solid_crack_particles *p, const double d[2]) {
+    long *parent = memory_new(MEMORY_OUTPUT, 2 * (size_t)p->n + 1, sizeof *parent), *last = parent + p->n;
+    const double reach = NEAR * largest(p);
+    int fronts = 0;
+    for (long i = 0, from = 0; i < p->n; i++) {
+        parent[i] = last[i] = i;
+        from = first_within(p, d, from, i, reach);
+        for (long j = from; j < i; j++) {
+            if (!follows(p, d, i, j)) continue;
+            const long a = find(parent, i), b = find(parent, j), young = a > b ? a : b, old = a > b ? b : a;
+            last[old] = i;
+            if (young == old) continue;
+            fronts += along(p->x[young], d) - along(p->x[i], d) > STANDS_OUT * p->size[i];
+            parent[young] = old;
+        }
+    }
+    for (long i = 0; i < p->n; i++)
+        if (parent[i] == i)
+            fronts += i == 0 || along(p->x[i], d) - along(p->x[last[i]], d) > STANDS_OUT * p->size[i];
+    memory_free(parent);
+    return fronts;
+}
+
+/* The farthest particle on a side of the axis (sign 0: anywhere), the mean of those equally far. 0: none. */
+static int farthest(const struct solid_crack_particles *p, const double d[2], double axis, int sign,
+                    double x[2]) {
+    double sum[2] = {0, 0}, first = NAN;
+    int n = 0;
+    for (long i = 0; i < p->n; i++) {
+        const double same = SAME * p->size[i];
+        if (sign * (aside(p->x[i], d) - axis) < -same) continue;
+        if (n > 0 && first - along(p->x[i], d) > same) break;
+        if (n++ == 0) first = along(p->x[i], d);
+        for (int c = 0; c < 2; c++) sum[c] += p->x[i][c];
+    }
+    for (int c = 0; c < 2; c++) x[c] = n ? sum[c] / n : NAN;
+    return n > 0;
+}
+
+struct solid_crack_tips solid_crack_tips_of(const struct solid_crack_particles *damaged,
+                                            const struct solid_crack_particles *initial,
+                                            const double direction[2], const double *axis) {
+    struct solid_crack_particles some = {0};
+    if (initial->n > 0) some = connected(damaged, initial, direction);
+    const struct solid_crack_particles *p = initial->n > 0 ? &some : damaged;
+    struct solid_crack_tips t;
+    t.found = farthest(p, direction, 0, 0, t.tip);
+    const double middle = aside(axis ? axis : t.tip, direction);
+    farthest(p, direction, middle, 1, t.side[SOLID_CRACK_LEFT]);
+    farthest(p, direction, middle, -1, t.side[SOLID_CRACK_RIGHT]);
+    t.fronts = count_fronts(p, direction);
+    solid_crack_particles_free(&some);
+    return t;
+}

@@ -1,0 +1,35 @@
+#include "solid/bonds/list.h"
+#include "solid/measure/measures.h"
+#include "solid/bonds/rows.h"
+
+/* sum(Gamma V) of a row's intact bonds. */
+static vec intact_of(const struct solid_row *row) {
+    vec sum = vec_set(0);
+    for (const uint16_t *bond = row->bond; bond < row->end; bond++)
+        sum += vec_where(row->lambda[*bond], vec_set(row->t->stencil->offset[*bond].weight));
+    return sum;
+}
+
+/* The row's owned particles are the n from h on; phi is 0 where nothing broke. */
+static void of_row(const struct solid *s, const struct solid_lattice *t, int r, double *phi) {
+    const int h = t->row_first[r], n = __builtin_popcount(t->row_owned[r]);
+    int broken = 0;
+    for (int i = h; i < h + n; i++) {
+        broken |= s->flag[i] & SOLID_BROKEN;
+        phi[i] = 0;
+    }
+    if (!broken) return;
+    const struct solid_row row = solid_row_of(t, r);
+    solid_row_put(t, r, intact_of(&row), phi + h, 1);
+    for (int i = h; i < h + n; i++)
+        phi[i] = s->flag[i] & SOLID_BROKEN && s->family_volume[i] > 0 ? 1 - phi[i] / s->family_volume[i] : 0;
+}
+
+void solid_damage_measure(const struct solid *s, double *phi) {
+    for (int b = 0; b < s->family->bodies; b++) {
+        const struct solid_lattice *t = s->family->lattice[b];
+        for (int r = 0; t && r < t->rows; r++) of_row(s, t, r, phi);
+        for (int h = s->family->first[b]; !t && h < s->family->first[b + 1]; h++)
+            phi[h] = s->flag[h] & SOLID_BROKEN ? solid_list_damage(s->family->list[b], h) : 0;
+    }
+}

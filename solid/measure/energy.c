@@ -1,0 +1,199 @@
+#include "base/par.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/list.h"
+#include "solid/measure/measures.h"
+#include "solid/bonds/rows.h"
+#include "solid/bonds/segments.h"
+
+#include <math.h>
+
+/* Stretch of the b-th bond of h:  s = eps/(1 + sqrt(1 + eps)),  eps = (2 xi.eta + eta.eta)/|xi|^2 */
+static double stretch_of(const struct solid *s, int h, const struct solid_family_view *view, int b,
+                         double *length) {
+    double xi2 = 0, q = 0;
+    for (int c = 0; c < s->dim; c++) {
+        const double xi = view->xi[b][c], eta = s->d[c][view->l[b]] - s->d[c][h];
+        xi2 += xi * xi;
+        q += eta * (xi + (xi + eta));
+    }
+    const double eps = q / xi2;
+    *length = sqrt(xi2);
+    return eps / (1 + sqrt(1 + eps));
+}
+
+/* Half of the energy in each of h's bonds, (1/2) alpha c s^2 |xi| Gamma V_l V_h, over V_h, J/m3.  (001: eq. 3.23) */
+static double of_view(const struct solid *s, int h, const struct solid_family_view *view) {
+    double sum = 0;
+    for (int b = 0; b < view->n; b++) {
+        if (!view->intact[b]) continue;
+        double length;
+        const double stretch = stretch_of(s, h, view, b, &length);
+        sum += view->alpha[b] * view->micro[b] * stretch * stretch * length * view->weight[b];
+    }
+    return 0.25 * sum;
+}
+
+/* The same of the i-th particle of a list, whose stiffness is alpha c Gamma V_l/(rho |xi|) with |xi| in spacings; *most: the largest
+ * stretch, -1 where no bond is left. */
+static double of_bonds(const struct solid *s, const struct solid_list *t, int i, double *most) {
+    const double scale = 1 / t->spacing;
+    double sum = 0;
+    *most = -1;
+    for (long j = t->start[i]; j < t->end[i]; j++) {
+        if (!solid_list_is_intact(t, j)) continue;
+        const int h = t->first + i, l = solid_list_other(t, j);
+        double xi[3], q = 0;
+        const double length = solid_list_steps(t, j, xi), xi2 = length * length;
+        for (int c = 0; c < t->dim; c++) {
+            const double eta = scale * (s->d[c][l] - s->d[c][h]);
+            q += eta * (xi[c] + (xi[c] + eta));
+        }
+        const double eps = q / xi2, stretch = eps / (1 + sqrt(1 + eps));
+        *most = fmax(*most, stretch);
+        sum += t->stiffness[j] * xi2 * stretch * stretch;
+    }
+    return 0.25 * t->law.density * t->spacing * sum;
+}
+
+static const double small_eps = 1. / 256; /* below it the series for s^2 is exact to 1e-15 */
+
+/* s^2 = 2 + eps - 2 sqrt(1 + eps) = eps^2/4 (1 - eps/2 + 5/16 eps^2 - ...) where eps is small. */
+static inline vec square_of_stretch(vec e, int small) {
+    if (!small) {
+        const vec s = e / (1 + vec_sqrt(1 + e));
+        return s * s;
+    }
+    vec series = 21. / 128 - e * (33. / 256);
+    series = 5. / 16 - e * (7. / 32 - e * series);
+    series = 1 - e * (0.5 - e * series);
+    return 0.25 * (e * e) * series;
+}
+
+/* The energy density of the i-th particle of a list, eight bonds at a time, by its records. *largest: of |eps|. */
+static inline __attribute__((always_inline)) double of_family(const struct solid_list *t, int i, int dim,
+                                                              int small, vec *largest) {
+    const double *here = t->record + (long)t->width * i;
+    vec sum = vec_set(0);
+    for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK) {
+        vec there[4], q = vec_set(0), xi2 = vec_set(0);
+        const vec stiffness = vec_load(t->stiffness + j);
+        const unsigned intact = ~vec_signs(stiffness) & 0xffu;
+        if (dim == 2)
+            vec_gather2(t->record, t->at + j, there);
+        else
+            vec_gather4(t->record, 1, t->at + j, there);
+        for (int c = 0; c < dim; c++) {
+            const vec xi = vec_load_floats(solid_list_step(t, j, c)), eta = there[c] - here[c];
+            q += eta * (xi + (xi + eta));
+            xi2 += xi * xi;
+        }
+        const vec eps = vec_where(intact, q / xi2);
+        *largest = vec_max(*largest, vec_max(eps, -eps));
+        sum += vec_where(intact, stiffness * xi2) * square_of_stretch(eps, small);
+    }
+    return 0.25 * t->law.density * t->spacing * vec_sum(sum);
+}
+
+static double of_list(const struct solid_list *t, int i) {
+    vec largest = vec_set(0);
+    const double small = t->dim == 2 ? of_family(t, i, 2, 1, &largest) : of_family(t, i, 3, 1, &largest);
+    if (vec_highest(largest) < small_eps) return small;
+    return t->dim == 2 ? of_family(t, i, 2, 0, &largest) : of_family(t, i, 3, 0, &largest);
+}
+
+/* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), whose displacements stand in its dense
+ * box. *largest: of |eps|. */
+static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *t, long cell, int n,
+                                                          const uint32_t *entry, int bulk, int small,
+                                                          vec *largest) {
+    const long at = solid_lattice_place(t, cell);
+    const vec x = vec_load(t->d[0] + at), y = vec_load(t->d[1] + at), z = vec_load(t->d[2] + at);
+    const vec w = vec_load(t->w + at);
+    vec sum = vec_set(0);
+    for (int i = 0; i < n; i++) {
+        const struct solid_lattice_offset *bond = &t->offset[entry[i] >> 8];
+        const struct solid_offset *from = &t->stencil->offset[entry[i] >> 8];
+        const long far = solid_lattice_place(t, cell + bond->shift);
+        const vec ex = vec_load(t->d[0] + far) - x, ey = vec_load(t->d[1] + far) - y,
+                  ez = vec_load(t->d[2] + far) - z;
+        const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
+        const vec eps = vec_where(entry[i] & 0xffu, q * bond->inv_length2);
+        const vec e = square_of_stretch(eps, small) * (from->length * from->weight);
+        *largest = vec_max(*largest, vec_max(eps, -eps));
+        sum += bulk ? e : vec_where(entry[i] & 0xffu, 2 * e * vec_reciprocal(w + vec_load(t->w + far)));
+    }
+    return sum;
+}
+
+/* Of a segment: bonds between particles owned here in full, the others' half. */
+static double of_segment(const struct solid_lattice *t, int g, int small, vec *largest) {
+    const struct solid_segments *all = t->segments;
+    const uint32_t *entry = all->entry + all->first[g];
+    vec sum[2] = {vec_set(0), vec_set(0)};
+    for (int strip = 0; strip < SOLID_STRIPS; strip++) {
+        const int n = all->count[g][strip];
+        const long cell = all->cell[g] + solid_strip_site(strip);
+        if (n == 0) continue;
+        if (small && all->bulk[g])
+            sum[strip % 2] += of_strip(t, cell, n, entry, 1, 1, largest);
+        else if (small)
+            sum[strip % 2] += of_strip(t, cell, n, entry, 0, 1, largest);
+        else
+            sum[strip % 2] += of_strip(t, cell, n, entry, 0, 0, largest);
+        entry += n;
+    }
+    return vec_sum(sum[0] + 0.5 * sum[1]);
+}
+
+/* J */
+static double of_lattice(const struct solid *s, const struct solid_lattice *t) {
+    const double spacing = t->stencil->spacing;
+    double sum = 0;
+    solid_rows_begin(s, t);
+    for (int g = 0; g < t->segments->n; g++) {
+        vec largest = vec_set(0);
+        if (t->segments->stale[g]) solid_segments_pack(t, g);
+        const double small = of_segment(t, g, 1, &largest);
+        sum += vec_highest(largest) < small_eps ? small : of_segment(t, g, 0, &largest);
+    }
+    return 0.5 * t->law.c0 * spacing * spacing * spacing * sum;
+}
+
+struct solid_energy solid_energy_measure(struct solid *s) {
+    double sum[2] = {0, 0};
+    solid_ghosts_update(s);
+    for (int b = 0; b < s->family->bodies; b++) {
+        const struct solid_material *material = &s->in.material[s->in.body[b].material];
+        const struct solid_list *list = s->family->list[b];
+        if (s->family->lattice[b]) sum[1] += of_lattice(s, s->family->lattice[b]);
+        if (list) solid_sweep_list_fill(s, list);
+        for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++) {
+            double v2 = 0;
+            for (int c = 0; c < s->dim; c++) v2 += s->v[c][h] * s->v[c][h];
+            sum[0] += 0.5 * material->density * s->volume[h] * v2;
+            if (!list) continue;
+            sum[1] += s->volume[h] * of_list(list, h - list->first);
+        }
+    }
+    par_sum_array(sum, 2);
+    return (struct solid_energy){sum[0], sum[1]};
+}
+
+void solid_energy_bonds_of(const struct solid *s, int h, double *energy, double *stretch) {
+    struct solid_family_view view;
+    double length;
+    const struct solid_list *list = s->family->list[s->body[h]];
+    if (list) {
+        *energy = of_bonds(s, list, h - list->first, stretch);
+        return;
+    }
+    solid_family_view(s, h, &view);
+    *energy = of_view(s, h, &view);
+    *stretch = -1;
+    for (int b = 0; b < view.n; b++)
+        if (view.intact[b]) *stretch = fmax(*stretch, stretch_of(s, h, &view, b, &length));
+}
+
+void solid_energy_bonds(const struct solid *s, double *energy, double *stretch) {
+    for (int h = 0; h < s->n; h++) solid_energy_bonds_of(s, h, &energy[h], &stretch[h]);
+}

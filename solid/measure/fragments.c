@@ -1,0 +1,193 @@
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "base/vec.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+#include "solid/measure/measures.h"
+#include "solid/bonds/segments.h"
+
+#include <stdlib.h>
+
+enum { ROW = VEC_LANES };
+
+/* Pieces of particles that intact bonds join, of those known here, owned or ghost. parent: a tree each, roots the smallest. */
+static int find(int *parent, int h) {
+    while (parent[h] != h) h = parent[h] = parent[parent[h]];
+    return h;
+}
+
+static int join(int *parent, int a, int b) {
+    a = find(parent, a);
+    b = find(parent, b);
+    const int root = a < b ? a : b;
+    return parent[a] = parent[b] = root;
+}
+
+/* Joins a row's particles with their neighbours at offset o. piece [sites]: of the site's particle, perhaps of late: those
+ * that seem to be of two pieces are looked at. */
+static inline void join_at(const struct solid_lattice *t, int cell, int o, unsigned intact, int *piece,
+                           int *parent) {
+    const long at = cell + t->offset[o].shift;
+    for (unsigned lanes = intact & vec_differ(piece + cell, piece + at); lanes; lanes &= lanes - 1) {
+        const int k = __builtin_ctz(lanes);
+        piece[cell + k] = piece[at + k] = join(parent, t->local[cell + k], t->local[at + k]);
+    }
+}
+
+/* All bonds of a segment (solid/bonds/segments.h): those between particles owned here from one end, those to others from here. */
+static void join_segment(const struct solid_lattice *t, int g, int *piece, int *parent) {
+    const struct solid_segments *all = t->segments;
+    if (all->stale[g]) solid_segments_pack(t, g);
+    const uint32_t *entry = all->entry + all->first[g];
+    for (int strip = 0; strip < SOLID_STRIPS; strip++)
+        for (int i = 0; i < all->count[g][strip]; i++, entry++)
+            join_at(t, all->cell[g] + solid_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece,
+                    parent);
+}
+
+/* Nearest neighbours first: most of a body is then one piece, and further bonds have nothing to join. */
+static void join_lattice(const struct solid_lattice *t, int *parent) {
+    int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * ROW, sizeof *piece);
+    const int offsets = t->stencil->n;
+    for (long i = 0; i < t->sites; i++) piece[i] = t->local[i];
+    for (int o = 0; o < offsets; o++) {
+        if (t->stencil->offset[o].length > 1.1 * t->stencil->spacing) continue;
+        for (int r = 0; r < t->rows; r++)
+            join_at(t, t->row_cell[r], o, t->lambda[(size_t)r * (size_t)offsets + (size_t)o], piece, parent);
+    }
+    for (long i = 0; i < t->sites; i++) piece[i] = t->local[i] < 0 ? -1 : find(parent, t->local[i]);
+    for (int g = 0; g < t->segments->n; g++) join_segment(t, g, piece, parent);
+    memory_free(piece);
+}
+
+static void join_list(const struct solid_list *t, int *parent) {
+    for (int i = 0; i < t->n; i++)
+        for (long j = t->start[i]; j < t->end[i]; j++) {
+            const int l = solid_list_other(t, j);
+            if (solid_list_is_intact(t, j) && parent[t->first + i] != parent[l])
+                join(parent, t->first + i, l);
+        }
+}
+
+/* parent [n + n_ghost], pressed flat. */
+static void pieces(const struct solid *s, int *parent) {
+    const int n = s->n + s->n_ghost;
+    for (int h = 0; h < n; h++) parent[h] = h;
+    for (int b = 0; b < s->family->bodies; b++) {
+        if (s->family->lattice[b])
+            join_lattice(s->family->lattice[b], parent);
+        else
+            join_list(s->family->list[b], parent);
+    }
+    for (int h = 0; h < n; h++) parent[h] = find(parent, h);
+}
+
+/* The smallest global id of each fragment, in label[n + n_ghost]: a piece takes the smallest label that one of its ghosts has
+ * where it is owned, until no rank finds a smaller one. A piece without an owned particle says nothing to anybody. */
+static void spread(struct solid *s, const int *parent, double *label) {
+    const long from = s->first[par_rank()];
+    const int n = s->n + s->n_ghost;
+    for (int h = 0; h < s->n; h++)
+        label[h] = (double)(from + parent[h]); /* of its root, which is owned too */
+    for (long changed = 1; changed;) {
+        changed = 0;
+        par_ghost_update(s->ghost, 1, &label, s->n);
+        for (int g = s->n; g < n; g++) {
+            const int root = parent[g];
+            if (root >= s->n || !(label[g] < label[root])) continue;
+            label[root] = label[g];
+            changed = 1;
+        }
+        for (int h = 0; h < s->n; h++) label[h] = label[parent[h]];
+        changed = par_sum_long(changed);
+    }
+}
+
+static int by_id(const void *a, const void *b) {
+    const struct solid_fragment *p = a, *q = b;
+    return (p->id > q->id) - (p->id < q->id);
+}
+
+static int by_size(const void *a, const void *b) {
+    const struct solid_fragment *p = a, *q = b;
+    return p->particles != q->particles ? (p->particles < q->particles ? 1 : -1) : by_id(a, b);
+}
+
+/* Adds up neighbours with the same id in a sorted list; returns how many are left. Sums are kept in x and v. */
+static int merge(struct solid_fragment *list, int n) {
+    int m = 0;
+    for (int i = 0; i < n; i++) {
+        if (m > 0 && list[m - 1].id == list[i].id) {
+            struct solid_fragment *to = &list[m - 1];
+            to->particles += list[i].particles;
+            to->mass += list[i].mass;
+            to->held |= list[i].held;
+            for (int c = 0; c < 3; c++) {
+                to->x[c] += list[i].x[c];
+                to->v[c] += list[i].v[c];
+            }
+        } else {
+            list[m++] = list[i];
+        }
+    }
+    return m;
+}
+
+/* This rank's parts of fragments, sums of mass, m x, m v, sorted by id; x = X0 + d, not wrapped into the periods. */
+static struct solid_fragment *parts(const struct solid *s, const double *label, int *n) {
+    struct solid_fragment *list = calloc((size_t)s->n + 1, sizeof *list);
+    ENSURE(list, "no memory for %d fragments", s->n);
+    int m = 0;
+    long last = -1;
+    for (int h = 0; h < s->n; h++) {
+        const long id = (long)label[h];
+        if (m == 0 || id != last) list[m++].id = id;
+        last = id;
+        struct solid_fragment *f = &list[m - 1];
+        const double mass = s->in.material[s->in.body[s->body[h]].material].density * s->volume[h];
+        f->particles++;
+        f->mass += mass;
+        f->held |= (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) != 0;
+        for (int c = 0; c < s->dim; c++) {
+            f->x[c] += mass * (s->x0[c][h] + s->d[c][h]);
+            f->v[c] += mass * s->v[c][h];
+        }
+    }
+    qsort(list, (size_t)m, sizeof *list, by_id);
+    *n = merge(list, m);
+    return list;
+}
+
+int solid_fragments_measure(struct solid *s, long *id, struct solid_fragment **out) {
+    const size_t all = (size_t)(s->n + s->n_ghost) + 1;
+    int *parent = memory_new(MEMORY_SOLID, all, sizeof *parent);
+    double *label = memory_new(MEMORY_SOLID, all, sizeof *label);
+    pieces(s, parent);
+    spread(s, parent, label);
+    memory_free(parent);
+    if (id)
+        for (int h = 0; h < s->n; h++) id[h] = (long)label[h];
+
+    int mine = 0;
+    struct solid_fragment *part = parts(s, label, &mine);
+    memory_free(label);
+    size_t bytes = 0;
+    struct solid_fragment *list = par_all_gather_any(part, (size_t)mine * sizeof *part, &bytes);
+    free(part);
+    int n = (int)(bytes / sizeof *list);
+    qsort(list, (size_t)n, sizeof *list, by_id);
+    n = merge(list, n);
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 3; c++) {
+            list[i].x[c] /= list[i].mass;
+            list[i].v[c] /= list[i].mass;
+        }
+    qsort(list, (size_t)n, sizeof *list, by_size);
+    if (out)
+        *out = list;
+    else
+        free(list);
+    return n;
+}

@@ -1,0 +1,171 @@
+#include "solid/bonds/family.h"
+#include "solid/measure/measures.h"
+#include "solid/bonds/rows.h"
+#include "solid/measure/tensors.h"
+
+#include <math.h>
+#include <string.h>
+
+static void add(double t[6], const double x[3], const double y[3], double w) {
+    for (int c = 0; c < 3; c++) {
+        const int k = (c + 1) % 3;
+        t[c] += w * x[c] * y[c];
+        t[3 + c] += 0.5 * w * (x[c] * y[k] + x[k] * y[c]);
+    }
+}
+
+/* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any deformation,
+ * in the frame of space.  (Lehoucq & Silling 2008, for forces along the bonds) */
+static void stress_of_view(const struct solid *s, int h, const struct solid_family_view *view, double t[6]) {
+    for (int k = 0; k < 6; k++) t[k] = 0;
+    for (int b = 0; b < view->n; b++) {
+        if (!view->intact[b]) continue;
+        double zeta[3] = {0}, xi2 = 0, zeta2 = 0, q = 0;
+        for (int c = 0; c < s->dim; c++) {
+            const double xi = view->xi[b][c], eta = s->d[c][view->l[b]] - s->d[c][h];
+            zeta[c] = xi + eta;
+            xi2 += xi * xi;
+            zeta2 += zeta[c] * zeta[c];
+            q += eta * (xi + zeta[c]);
+        }
+        const double length = sqrt(xi2), now = sqrt(zeta2), stretch = q / (length * (now + length));
+        if (now > 0)
+            add(t, zeta, zeta, 0.5 * view->alpha[b] * view->micro[b] * stretch / now * view->weight[b]);
+    }
+    if (s->in.model == SOLID_PLANE_STRAIN) t[2] = 0.25 * (t[0] + t[1]);
+}
+
+/* The same for a row of a lattice: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r (1 + r)), and nothing where r = 0. */
+static void stress_of_row(const struct solid_row *row, vec t[6]) {
+    for (int k = 0; k < 6; k++) t[k] = vec_set(0);
+    for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
+        const int o = *bond;
+        const struct solid_offset *from = &row->t->stencil->offset[o];
+        const double factor = 0.5 * row->t->law.c0 * from->weight / from->length;
+        vec z[3];
+        solid_row_eta(row, o, z);
+        const vec eps = solid_row_eps(row, o, z), r = vec_sqrt(vec_max(1 + eps, vec_set(1e-300)));
+        const vec f = vec_where(row->lambda[o], factor * solid_row_alpha(row, o) * eps / (r * (1 + r)));
+        for (int c = 0; c < 3; c++) z[c] += from->xi[c];
+        for (int c = 0; c < 3; c++) {
+            const vec along = f * z[c];
+            t[c] += along * z[c];
+            t[3 + c] += along * z[(c + 1) % 3];
+        }
+    }
+}
+
+void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
+    struct solid_family_view view;
+    for (int b = 0; b < s->family->bodies; b++) {
+        const struct solid_lattice *t = s->family->lattice[b];
+        if (t) solid_rows_begin(s, t);
+        for (int r = 0; t && r < t->rows; r++) {
+            const struct solid_row row = solid_row_of(t, r);
+            vec sum[6];
+            stress_of_row(&row, sum);
+            for (int k = 0; k < 6; k++) solid_row_put(t, r, sum[k], &stress[t->row_first[r]][k], 6);
+        }
+        for (int h = s->family->first[b]; !t && h < s->family->first[b + 1]; h++) {
+            solid_family_view(s, h, &view);
+            stress_of_view(s, h, &view, stress[h]);
+        }
+    }
+}
+
+/* G = (sum w eta xi^T)(sum w xi xi^T)^-1 over intact bonds, w = Gamma V/|xi|^2: exact where the displacement is affine,
+ * whatever is broken. The two sums, of eight particles; mixed[i][j]: eta_i xi_j. */
+struct moments {
+    vec shape[6], mixed[3][3];
+};
+
+static void moments_of_view(const struct solid *s, int h, const struct solid_family_view *view,
+                            struct moments *m, int lane) {
+    double shape[6] = {0}, mixed[3][3] = {{0}};
+    for (int b = 0; b < view->n; b++) {
+        if (!view->intact[b]) continue;
+        const double *xi = view->xi[b];
+        const double w = view->weight[b] / (xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]);
+        add(shape, xi, xi, w);
+        for (int i = 0; i < s->dim; i++) {
+            const double eta = w * (s->d[i][view->l[b]] - s->d[i][h]);
+            for (int j = 0; j < 3; j++) mixed[i][j] += eta * xi[j];
+        }
+    }
+    for (int k = 0; k < 6; k++) m->shape[k][lane] = shape[k];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) m->mixed[i][j][lane] = mixed[i][j];
+}
+
+static void moments_of_row(const struct solid_row *row, struct moments *m) {
+    memset(m, 0, sizeof *m);
+    for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
+        const struct solid_offset *from = &row->t->stencil->offset[*bond];
+        const double w = from->weight * from->inv_length2, *xi = from->xi;
+        const unsigned intact = row->lambda[*bond];
+        vec eta[3];
+        solid_row_eta(row, *bond, eta);
+        for (int i = 0; i < 3; i++) {
+            m->shape[i] += vec_where(intact, vec_set(w * xi[i] * xi[i]));
+            m->shape[3 + i] += vec_where(intact, vec_set(w * xi[i] * xi[(i + 1) % 3]));
+            const vec weighted = vec_where(intact, w * eta[i]);
+            for (int j = 0; j < 3; j++) m->mixed[i][j] += weighted * xi[j];
+        }
+    }
+}
+
+/* Green's strain (G + G^T + G^T G)/2 in the undeformed frame: nothing under rigid rotation, however large, and the small
+ * strain where displacements are small. A family that leaves a direction without bonds has no strain in it. */
+static void strain_of(const struct moments *m, vec strain[6]) {
+    vec inverse[6], g[3][3];
+    solid_tensors_inverse(m->shape, 1e-6, inverse);
+    const vec k[3][3] = {{inverse[0], inverse[3], inverse[5]},
+                         {inverse[3], inverse[1], inverse[4]},
+                         {inverse[5], inverse[4], inverse[2]}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            g[i][j] = m->mixed[i][0] * k[0][j] + m->mixed[i][1] * k[1][j] + m->mixed[i][2] * k[2][j];
+    for (int c = 0; c < 3; c++) {
+        const int e = (c + 1) % 3;
+        strain[c] = g[c][c];
+        strain[3 + c] = 0.5 * (g[c][e] + g[e][c]);
+        for (int i = 0; i < 3; i++) {
+            strain[c] += 0.5 * g[i][c] * g[i][c];
+            strain[3 + c] += 0.5 * g[i][c] * g[i][e];
+        }
+    }
+}
+
+/* Particles h .. h+n-1 of a body on no lattice. */
+static void strain_of_eight(const struct solid *s, int h, int n, double (*strain)[6]) {
+    struct solid_family_view view;
+    struct moments m;
+    vec of[6];
+    memset(&m, 0, sizeof m);
+    for (int i = 0; i < n; i++) {
+        solid_family_view(s, h + i, &view);
+        moments_of_view(s, h + i, &view, &m, i);
+    }
+    strain_of(&m, of);
+    if (s->in.model == SOLID_PLANE_STRESS) of[2] = -0.5 * (of[0] + of[1]);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < 6; k++) strain[h + i][k] = of[k][i];
+}
+
+void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
+    struct moments m;
+    vec of[6];
+    for (int b = 0; b < s->family->bodies; b++) {
+        const struct solid_lattice *t = s->family->lattice[b];
+        const int end = s->family->first[b + 1];
+        if (t) solid_rows_begin(s, t);
+        for (int r = 0; t && r < t->rows; r++) {
+            const struct solid_row row = solid_row_of(t, r);
+            moments_of_row(&row, &m);
+            strain_of(&m, of);
+            for (int k = 0; k < 6; k++) solid_row_put(t, r, of[k], &strain[t->row_first[r]][k], 6);
+        }
+        for (int h = s->family->first[b]; !t && h < end; h += VEC_LANES)
+            strain_of_eight(s, h, end - h < VEC_LANES ? end - h : VEC_LANES, strain);
+    }
+}

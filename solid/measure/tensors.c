@@ -1,0 +1,109 @@
+#include "solid/measure/tensors.h"
+
+#include "solid/measure/measures.h"
+
+#include <math.h>
+
+static const double nothing = 1e-18; /* beside the diagonal: a turn would change no digit */
+
+static inline vec choose(vec_mask m, vec a, vec b) { return (vec)((m & (vec_mask)a) | (~m & (vec_mask)b)); }
+
+static inline vec size_of(vec a) { return vec_max(a, -a); }
+
+/* Turns the plane (p, q) so that a[p][q] = 0; v holds the turns so far, by columns. Returns the lanes that had to turn. */
+static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
+    const int r = 3 - p - q;
+    const vec apq = a[p][q], apr = a[p][r], aqr = a[q][r], one = vec_set(1);
+    const vec_mask turns = size_of(apq) > nothing * (size_of(a[p][p]) + size_of(a[q][q]));
+    const vec theta = (a[q][q] - a[p][p]) / (2 * choose(turns, apq, one));
+    const vec tangent = choose(theta < 0, -one, one) / (size_of(theta) + vec_sqrt(theta * theta + 1));
+    const vec t = choose(turns, tangent, vec_set(0));
+    const vec c = 1 / vec_sqrt(t * t + 1), s = t * c;
+    a[p][p] -= t * apq;
+    a[q][q] += t * apq;
+    a[p][q] = a[q][p] = choose(turns, vec_set(0), apq);
+    a[p][r] = a[r][p] = c * apr - s * aqr;
+    a[q][r] = a[r][q] = s * apr + c * aqr;
+    for (int k = 0; k < 3; k++) {
+        const vec vp = v[k][p], vq = v[k][q];
+        v[k][p] = c * vp - s * vq;
+        v[k][q] = s * vp + c * vq;
+    }
+    return turns;
+}
+
+static int any(vec_mask m) {
+    int64_t all = 0;
+    for (int k = 0; k < VEC_LANES; k++) all |= m[k];
+    return all != 0;
+}
+
+void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]) {
+    const vec zero = vec_set(0), one = vec_set(1);
+    vec a[3][3] = {{t[0], t[3], t[5]}, {t[3], t[1], t[4]}, {t[5], t[4], t[2]}};
+    vec v[3][3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+    for (int sweep = 0; sweep < 12; sweep++) { /* converges quadratically: five or six do */
+        const vec_mask turns = rotate(a, v, 0, 1) | rotate(a, v, 0, 2) | rotate(a, v, 1, 2);
+        if (!any(turns)) break;
+    }
+    for (int k = 0; k < 3; k++) {
+        value[k] = a[k][k];
+        for (int c = 0; c < 3; c++) vector[k][c] = v[c][k];
+    }
+}
+
+void solid_tensors_eigen(const double t[6], double value[3], double vector[3][3]) {
+    vec all[6], values[3], vectors[3][3];
+    for (int k = 0; k < 6; k++) all[k] = vec_set(t[k]);
+    solid_tensors_turn(all, values, vectors);
+    int order[3] = {0, 1, 2};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2 - i; j++)
+            if (values[order[j]][0] < values[order[j + 1]][0]) {
+                const int k = order[j];
+                order[j] = order[j + 1];
+                order[j + 1] = k;
+            }
+    for (int k = 0; k < 3; k++) {
+        value[k] = values[order[k]][0];
+        for (int c = 0; c < 3; c++) vector[k][c] = vectors[order[k]][c][0];
+    }
+}
+
+void solid_tensors_inverse(const vec t[6], double small, vec inverse[6]) {
+    vec value[3], v[3][3];
+    solid_tensors_turn(t, value, v);
+    const vec least = small * vec_max(value[0], vec_max(value[1], value[2]));
+    for (int i = 0; i < 6; i++) inverse[i] = vec_set(0);
+    for (int k = 0; k < 3; k++) {
+        const vec_mask counts = value[k] > least;
+        const vec w = choose(counts, 1 / choose(counts, value[k], vec_set(1)), vec_set(0));
+        for (int c = 0; c < 3; c++) {
+            inverse[c] += w * v[k][c] * v[k][c];
+            inverse[3 + c] += w * v[k][c] * v[k][(c + 1) % 3];
+        }
+    }
+}
+
+void solid_tensors_principal(const double t[6], double value[3]) {
+    double vector[3][3];
+    solid_tensors_eigen(t, value, vector);
+}
+
+void solid_tensors_largest(int n, double (*t)[6], double *largest) {
+    for (int h = 0; h < n; h += VEC_LANES) {
+        const int lanes = n - h < VEC_LANES ? n - h : VEC_LANES;
+        vec all[6], value[3], vector[3][3];
+        for (int k = 0; k < 6; k++) all[k] = vec_set(0);
+        for (int i = 0; i < lanes; i++)
+            for (int k = 0; k < 6; k++) all[k][i] = t[h + i][k];
+        solid_tensors_turn(all, value, vector);
+        const vec most = vec_max(value[0], vec_max(value[1], value[2]));
+        for (int i = 0; i < lanes; i++) largest[h + i] = most[i];
+    }
+}
+
+double solid_tensors_von_mises(const double t[6]) {
+    const double xy = t[0] - t[1], yz = t[1] - t[2], zx = t[2] - t[0];
+    return sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5]));
+}

@@ -1,8 +1,0 @@
-/* Global ids: who owns which, and which copies a rank needs. Inside the room only. */
-#pragma once
-#include "solid/store.h"
-
-/* first [size+1]: ids divided so that ranks have equal work; rows of eight sites are never cut. Collective. */
-void solid_number_divide(struct solid_sites *const *sites, int bodies, int general_bonds, long *first);
-/* Sorts and makes unique; returns how many are left. Not collective. */
-int solid_number_unique(long *id, long n);

@@ -1,0 +1,139 @@
+/* What is to be refined.  (000: sec. 2.1.1) */
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/imposed/constraint.h"
+#include "solid/force/sweep_family.h"
+#include "solid/measure/measures.h"
+#include "solid/refine/parts.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A sum of numbers not below 0 that is the same in any order: of multiples of a digit that leaves room for 2^9 of the largest, rounded
+ * by the last digit of a number that large. */
+static double sum_of(const double *term, int n) {
+    double most = 0, sum = 0;
+    for (int k = 0; k < n; k++) most = term[k] > most ? term[k] : most;
+    if (!(most > 0)) return 0;
+    const double shift = ldexp(1.5, ilogb(most) + 11);
+    for (int k = 0; k < n; k++) sum += (term[k] + shift) - shift;
+    return sum;
+}
+
+/* sum_of, eight terms at a time, 0 behind the last; most: the largest. */
+static inline double sum_of_blocks(const double *term, long n, double most) {
+    const vec shift = vec_set(power_below(most) * 0x1.8p11);
+    vec sum = vec_set(0);
+    for (long k = 0; k < n; k += VEC_LANES) sum += (vec_load(term + k) + shift) - shift;
+    return vec_total(sum);
+}
+
+/* 1/4 sum of alpha c s^2 |xi| Gamma V_l, with k = alpha c Gamma V_l/(rho |xi|), negative where broken. By the records.
+ * (001: eq. 3.23) */
+static double energy_of(const struct solid_list *t, int i) {
+    double term[SOLID_FAMILY_MAX + VEC_LANES];
+    const double *here = t->record + (long)t->width * i;
+    const long n = t->end[i] - t->start[i];
+    vec most = vec_set(0);
+    for (long k = 0; k < n; k += VEC_LANES) {
+        const long j = t->start[i] + k;
+        const vec x = vec_load_floats(solid_list_step(t, j, 0)),
+                  y = vec_load_floats(solid_list_step(t, j, 1));
+        const vec stiffness = vec_load(t->stiffness + j), length2 = x * x + y * y;
+        vec there[2];
+        vec_gather2(t->record, t->at + j, there);
+        const vec dx = there[0] - here[0], dy = there[1] - here[1];
+        const vec one = dx * (x + (x + dx)), two = dy * (y + (y + dy));
+        const vec eps = (one + two) * vec_reciprocal(length2), stretch = eps / (1 + vec_sqrt(1 + eps));
+        const vec of = vec_where(solid_list_block_intact(t, j), stiffness * length2 * (stretch * stretch));
+        most = vec_max(most, of);
+        vec_store(term + k, of);
+    }
+    const double largest = vec_highest(most);
+    return largest > 0 ? 0.25 * t->law.density * t->spacing * sum_of_blocks(term, n, largest) : 0;
+}
+
+/* No less than energy_of says where a list's last sweep, without damping, was at the present displacements: of its largest |eps| it
+ * knows the power of two, of k |xi| the family's digit. INFINITY: nothing is known. */
+static double energy_bound(const struct solid_list *t, int i) {
+    const double eps = 2 * t->power[i];
+    if (!(eps > 0) || eps > 0.03) return INFINITY;
+    const double force = t->digit[i] / force_family_room(t, i), reach = t->law.horizon + 1;
+    return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach *
+           (0.26 * eps * eps);
+}
+
+void solid_refine_look_energy(const struct solid *s, double *energy) {
+    for (int b = 0; b < s->in.bodies; b++) {
+        const struct solid_list *t = s->family->list[b];
+        solid_sweep_list_fill(s, t);
+        for (int i = 0; i < t->n; i++) energy[t->first + i] = energy_of(t, i);
+    }
+}
+
+/* The part of the family's volume that is behind broken bonds, the same for mirror images. */
+static double damage_of(const struct solid *s, int h) {
+    struct solid_family_view view;
+    double weight[SOLID_FAMILY_MAX], lost[SOLID_FAMILY_MAX];
+    if (!(s->flag[h] & SOLID_BROKEN)) return 0;
+    solid_family_view(s, h, &view);
+    int broken = 0;
+    for (int b = 0; b < view.n; b++) {
+        weight[b] = view.weight[b];
+        if (!view.intact[b]) lost[broken++] = view.weight[b];
+    }
+    const double all = sum_of(weight, view.n);
+    return all > 0 ? sum_of(lost, broken) / all : 0;
+}
+
+/* Of the particles that mark says, and the largest of them; where less than part of that is certain, 0 and not looked at. */
+static double energy_where(const struct solid *s, const uint8_t *mark, double part, double *energy) {
+    const int is_bound = s->a_holds && s->stage_of_a.damping_relative == 0;
+    double most = 0;
+    for (int b = 0; b < s->in.bodies; b++) {
+        const struct solid_list *t = s->family->list[b];
+        int first = -1; /* where eps is largest: most others are then known to have less */
+        double power = 0;
+        for (int i = 0; is_bound && i < t->n; i++) {
+            if (!mark[t->first + i] || t->power[i] <= power) continue;
+            power = t->power[i];
+            first = i;
+        }
+        solid_sweep_list_fill(s, t);
+        if (first >= 0) most = fmax(most, energy_of(t, first));
+        for (int i = 0; i < t->n; i++) {
+            const int h = t->first + i;
+            energy[h] = 0;
+            if (!mark[h] || (is_bound && energy_bound(t, i) < part * most)) continue;
+            energy[h] = energy_of(t, i);
+            most = energy[h] > most ? energy[h] : most;
+        }
+    }
+    return par_max(most);
+}
+
+static void look_make_room(const struct solid *s) {
+    struct solid_refine *r = s->refine;
+    if (s->n < r->looked) return;
+    memory_free(r->mark);
+    memory_free(r->energy);
+    r->looked = s->n + s->n / 8 + 256;
+    r->mark = memory_new(MEMORY_SOLID, (size_t)r->looked, 1);
+    r->energy = memory_new(MEMORY_SOLID, (size_t)r->looked, sizeof *r->energy);
+}
+
+long solid_refine_look(struct solid *s) {
+    const struct solid_refinement *in = &s->refine->in;
+    look_make_room(s);
+    uint8_t *mark = s->refine->mark;
+    double *energy = s->refine->energy, most = 0;
+    for (int h = 0; h < s->n; h++) mark[h] = (uint8_t)solid_constraint_inside(s, h, in->low, in->high);
+    if (in->energy > 0) most = energy_where(s, mark, in->energy, energy);
+    for (int h = 0; h < s->n; h++) {
+        if (!mark[h]) continue;
+        mark[h] = ((most > 0 && energy[h] >= in->energy * most) ||
+                   (in->damage > 0 && damage_of(s, h) > in->damage)) &&
+                  solid_refine_level(s, h) < in->levels;
+    }
+    return solid_refine_marked(s, mark);
+}

@@ -1,0 +1,209 @@
+#include "solid/refine/plan.h"
+#include "base/memory.h"
+#include "solid/geometry/outline.h"
+
+#include <math.h>
+#include <string.h>
+
+int solid_refine_plan_level(double size) { return size < 1 ? -ilogb(size) : 0; }
+
+/* Within the period. */
+static int wrapped(int x, int period) {
+    const int r = period ? x % period : x;
+    return r < 0 && period ? r + period : r;
+}
+
+static unsigned long hash_of(int x, int y) {
+    unsigned long z = (unsigned long)(uint32_t)x << 32 | (uint32_t)y;
+    z = (z ^ z >> 33) * 0xff51afd7ed558ccdu;
+    return z ^ z >> 29;
+}
+
+long solid_refine_plan_at(const struct solid_refine_plan *p, int x, int y) {
+    x = wrapped(x, p->period[0]);
+    y = wrapped(y, p->period[1]);
+    for (unsigned long k = hash_of(x, y);; k++) {
+        const long i = p->slot[(long)k & p->mask] - 1;
+        if (i < 0 || (p->at[i][0] == x && p->at[i][1] == y)) return i;
+    }
+}
+
+static void enter(struct solid_refine_plan *p, long i) {
+    unsigned long k = hash_of(p->at[i][0], p->at[i][1]);
+    while (p->slot[(long)k & p->mask]) k++;
+    p->slot[(long)k & p->mask] = i + 1;
+}
+
+static void *larger(void *old, long n, long room, size_t size) {
+    char *more = memory_new(MEMORY_SOLID, (size_t)room, size);
+    if (old) memcpy(more, old, (size_t)n * size);
+    memory_free(old);
+    return more;
+}
+
+static void make_room(struct solid_refine_plan *p, long n) {
+    if (n <= p->room) return;
+    p->room = n + n / 2 + 64;
+    p->at = larger(p->at, p->n, p->room, sizeof *p->at);
+    p->level = larger(p->level, p->n, p->room, 1);
+    p->kept = larger(p->kept, p->n, p->room, 1);
+    p->born = larger(p->born, p->n > p->before ? p->n - p->before : 0, p->room - p->before, sizeof *p->born);
+    for (p->mask = 64; p->mask < 3 * p->room; p->mask *= 2) {
+    }
+    memory_free(p->slot);
+    p->slot = memory_new(MEMORY_SOLID, (size_t)p->mask, sizeof *p->slot);
+    p->mask--;
+    for (long i = 0; i < p->n; i++) enter(p, i);
+}
+
+struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud,
+                                                const struct solid_body *body,
+                                                const struct solid_refinement *in, double ratio,
+                                                const uint8_t *kept) {
+    struct solid_refine_plan *p = memory_new(MEMORY_SOLID, 1, sizeof *p);
+    *p = (struct solid_refine_plan){
+        .cloud = cloud, .body = body, .in = in, .ratio = ratio, .before = cloud->n};
+    for (int c = 0; c < 2; c++) p->period[c] = (int)lrint(cloud->period[c] * SOLID_REFINE_UNIT);
+    make_room(p, cloud->n);
+    for (; p->n < cloud->n; p->n++) {
+        for (int c = 0; c < 2; c++)
+            p->at[p->n][c] = wrapped((int)lrint(cloud->place[c][p->n] * SOLID_REFINE_UNIT), p->period[c]);
+        p->level[p->n] = (uint8_t)solid_refine_plan_level(cloud->size[p->n]);
+        p->kept[p->n] = kept ? kept[p->n] : 0;
+        enter(p, p->n);
+    }
+    return p;
+}
+
+void solid_refine_plan_free(struct solid_refine_plan *p) {
+    if (!p) return;
+    memory_free(p->at);
+    memory_free(p->level);
+    memory_free(p->kept);
+    memory_free(p->born);
+    memory_free(p->slot);
+    memory_free(p);
+}
+
+/* m h, of which no correction is part. */
+static double reach_of(const struct solid_refine_plan *p, int level) {
+    return p->in->horizon_kept ? p->ratio : ldexp(p->ratio, -level);
+}
+
+/* 000: eq. 40. */
+double solid_refine_plan_horizon(const struct solid_refine_plan *p, long i) {
+    const int level = p->level[i], h = solid_refine_spacing(level);
+    const double reach = reach_of(p, level);
+    if (!p->in->interface_corrected || level == 0) return reach;
+    for (int k = 0; k < 9; k++) {
+        const long near =
+            solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
+        if (near >= 0 && p->level[near] < level) return M_SQRT2 * reach;
+    }
+    return reach;
+}
+
+static int is_inside(const struct solid_refine_plan *p, const int at[2]) {
+    double x[2];
+    for (int c = 0; c < 2; c++)
+        x[c] = p->cloud->origin[c] + (double)at[c] / SOLID_REFINE_UNIT * p->cloud->spacing;
+    return solid_outline_contains(p->body->outline, p->body->outlines, x, p->cloud->spacing);
+}
+
+static void refine(struct solid_refine_plan *p, long i) {
+    const int level = ++p->level[i], h = solid_refine_spacing(level);
+    p->refined++;
+    for (int k = 0; k < 9; k++) {
+        const int at[2] = {wrapped(p->at[i][0] + (k % 3 - 1) * h, p->period[0]),
+                           wrapped(p->at[i][1] + (k / 3 - 1) * h, p->period[1])};
+        if (solid_refine_plan_at(p, at[0], at[1]) >= 0 || !is_inside(p, at)) continue;
+        const struct solid_refine_born born = solid_refine_born_at(p, at, level);
+        make_room(p, p->n + 1);
+        memcpy(p->at[p->n], at, sizeof at);
+        p->level[p->n] = (uint8_t)level;
+        for (int q = 0; q < born.parents; q++) p->kept[p->n] |= p->kept[born.parent[q]];
+        p->born[p->n - p->before] = born;
+        enter(p, p->n++);
+    }
+}
+
+/* What is about a particle, on its own level's lattice. */
+typedef int visitor(struct solid_refine_plan *p, uint8_t *wanted, long i, long near);
+
+static int about(struct solid_refine_plan *p, uint8_t *wanted, long i, visitor *visit) {
+    const int level = p->level[i], h = solid_refine_spacing(level);
+    const double reach = fmax(reach_of(p, level) * SOLID_REFINE_UNIT, 1.5 * h);
+    const int steps = (int)(reach / h);
+    int met = 0;
+    for (int k = -steps; k <= steps; k++)
+        for (int j = -steps; j <= steps; j++) {
+            const double dx = (double)j * h, dy = (double)k * h;
+            if (dx * dx + dy * dy > reach * reach * (1 + 1e-12)) continue;
+            const long near = solid_refine_plan_at(p, p->at[i][0] + j * h, p->at[i][1] + k * h);
+            if (near >= 0 && near != i) met += visit(p, wanted, i, near);
+        }
+    return met;
+}
+
+static int want_alike(struct solid_refine_plan *p, uint8_t *wanted, long i, long near) {
+    wanted[near] |= p->level[near] == p->level[i];
+    return 0;
+}
+
+static int want_coarser(struct solid_refine_plan *p, uint8_t *wanted, long i, long near) {
+    const int coarser = p->level[near] < p->level[i];
+    wanted[near] |= (uint8_t)coarser;
+    return coarser;
+}
+
+/* More than five of the eight places at half its spacing are taken. */
+static int is_enclosed(const struct solid_refine_plan *p, long i) {
+    const int h = solid_refine_spacing(p->level[i] + 1);
+    int n = -1; /* itself */
+    for (int k = 0; k < 9; k++)
+        n += solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h) >= 0;
+    return n > 5;
+}
+
+/* Particles next to new ones that these enclose. */
+static void want_enclosed(const struct solid_refine_plan *p, uint8_t *wanted) {
+    for (long i = p->before; i < p->n; i++) {
+        const int h = solid_refine_spacing(p->level[i]);
+        for (int k = 0; k < 9; k++) {
+            const long near =
+                solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
+            if (near >= 0 && p->level[near] < p->level[i] && is_enclosed(p, near)) wanted[near] = 1;
+        }
+    }
+}
+
+/* Refines those wanted that have no coarser ones within their horizon; coarser ones are wanted first. Returns how many. */
+static long refine_wanted(struct solid_refine_plan *p, uint8_t *wanted) {
+    const long before = p->refined, n = p->n;
+    for (int level = p->in->levels - 1; level >= 0; level--)
+        for (long i = 0; i < n; i++) {
+            if (!wanted[i] || p->level[i] != level) continue;
+            wanted[i] = !p->kept[i];
+            if (wanted[i] && about(p, wanted, i, want_coarser) > 0) wanted[i] = 0;
+        }
+    for (long i = 0; i < n; i++)
+        if (wanted[i] && p->level[i] < p->in->levels) refine(p, i);
+    return p->refined - before;
+}
+
+void solid_refine_plan_close(struct solid_refine_plan *p, const long *marked, long n, int families) {
+    uint8_t *from = memory_new(MEMORY_SOLID, (size_t)n + 1, 1);
+    for (long k = 0; k < n; k++) from[k] = p->level[marked[k]];
+    for (long refined = 1; refined > 0;) {
+        uint8_t *wanted = memory_new(MEMORY_SOLID, (size_t)p->n + 1, 1);
+        for (long k = 0; k < n; k++) {
+            if (p->kept[marked[k]] || p->level[marked[k]] != from[k] || from[k] >= p->in->levels) continue;
+            wanted[marked[k]] = 1;
+            if (families) about(p, wanted, marked[k], want_alike);
+        }
+        want_enclosed(p, wanted);
+        refined = refine_wanted(p, wanted);
+        memory_free(wanted);
+    }
+    memory_free(from);
+}

@@ -1,0 +1,215 @@
+#include "solid/refine/parts.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/imposed/constraint.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/list.h"
+#include "solid/imposed/given.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *copied(const void *from, size_t n, size_t size) {
+    void *to = memory_new(MEMORY_SOLID, n + 1, size);
+    if (n > 0) memcpy(to, from, n * size);
+    return to;
+}
+
+/* The caller's outlines and cracks are looked at again while the solid lives. */
+static void own_outlines(struct solid_body *b) {
+    struct solid_outline *outline = copied(b->outline, (size_t)b->outlines, sizeof *outline);
+    for (int l = 0; l < b->outlines; l++) {
+        const size_t n = (size_t)outline[l].corners;
+        outline[l].corner = copied(outline[l].corner, n, sizeof *outline[l].corner);
+        if (outline[l].centre) outline[l].centre = copied(outline[l].centre, n, sizeof *outline[l].centre);
+        outline[l].turn = copied(outline[l].turn, n, 1);
+    }
+    b->outline = outline;
+}
+
+static void own_cuts(struct solid_input *in) {
+    struct solid_cut *cut = copied(in->cut, (size_t)in->cuts, sizeof *cut);
+    for (int q = 0; q < in->cuts; q++)
+        cut[q].point = copied(cut[q].point, (size_t)cut[q].points, sizeof *cut[q].point);
+    in->cut = cut;
+}
+
+struct solid_refine *solid_refine_new(struct solid_input *in) {
+    if (!in->refinement || in->model == SOLID_3D) return NULL;
+    struct solid_refine *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
+    r->in = *in->refinement;
+    ENSURE(r->in.levels <= SOLID_REFINE_LEVELS, "%d levels", r->in.levels);
+    r->in.start = copied(r->in.start, (size_t)r->in.starts, sizeof *r->in.start);
+    r->bodies = in->bodies;
+    r->cells = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *r->cells);
+    for (int b = 0; b < in->bodies; b++) own_outlines((struct solid_body *)(uintptr_t)&in->body[b]);
+    own_cuts(in);
+    r->body = in->body;
+    r->cut = in->cut;
+    r->cuts = in->cuts;
+    in->refinement = &r->in;
+    return r;
+}
+
+static void give_back(const void *own) { memory_free((void *)(uintptr_t)own); }
+
+void solid_refine_free(struct solid_refine *r) {
+    if (!r) return;
+    for (int b = 0; b < r->bodies; b++) {
+        const struct solid_body *body = &r->body[b];
+        for (int l = 0; l < body->outlines; l++) {
+            give_back(body->outline[l].corner);
+            give_back(body->outline[l].centre);
+            give_back(body->outline[l].turn);
+        }
+        give_back(body->outline);
+        solid_refine_area_free(&r->cells[b]);
+    }
+    for (int q = 0; q < r->cuts; q++) give_back(r->cut[q].point);
+    give_back(r->cut);
+    give_back(r->in.start);
+    memory_free(r->cells);
+    memory_free(r->mark);
+    memory_free(r->energy);
+    memory_free(r);
+}
+
+int solid_refine_is_possible(const struct solid *s, int b) { return s->in.body[b].shape == SOLID_POLYGON; }
+
+struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *kept) {
+    const struct solid_body *body = &s->in.body[b];
+    return solid_refine_plan_new(s->family->cloud[b], body, &s->refine->in,
+                                 s->in.material[body->material].horizon_ratio, kept);
+}
+
+int solid_refine_level(const struct solid *s, int h) {
+    const struct solid_cloud *t = s->family->cloud[s->body[h]];
+    return s->refine ? solid_refine_plan_level(t->size[s->first[par_rank()] + h - t->first]) : 0;
+}
+
+int solid_refine_finest(const struct solid *s) {
+    int finest = 0;
+    for (int b = 0; s->refine && b < s->in.bodies; b++) {
+        const struct solid_cloud *t = s->family->cloud[b];
+        for (long i = 0; solid_refine_is_possible(s, b) && i < t->n; i++) {
+            const int level = solid_refine_plan_level(t->size[i]);
+            finest = level > finest ? level : finest;
+        }
+    }
+    return finest;
+}
+
+long solid_refine_events(const struct solid *s) { return s->refine ? s->refine->events : 0; }
+
+int solid_refine_lengths(const struct solid *s, int b, const double from[2], const double to[2],
+                         double *length) {
+    char text[256];
+    if (!solid_refine_is_possible(s, b)) return 0;
+    struct solid_refine_plan *plan = solid_refine_plan_of(s, b, NULL);
+    const int found = solid_refine_area_length(plan, from, to, length, text, sizeof text);
+    solid_refine_plan_free(plan);
+    return found;
+}
+
+/* Of the body's cloud, those that a constraint or a load takes hold of, on every rank alike. Collective. */
+static uint8_t *kept_of(const struct solid *s, int b) {
+    const struct solid_cloud *t = s->family->cloud[b];
+    const long from = s->first[par_rank()];
+    uint8_t *here = memory_new(MEMORY_SOLID, (size_t)s->n + 1, 1);
+    uint8_t *kept = memory_new(MEMORY_SOLID, (size_t)t->n + 1, 1);
+    long *id = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *id), n = 0;
+    size_t bytes;
+    solid_given_mark(s, here);
+    for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++)
+        if (here[h] || (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)))
+            id[n++] = from + h - t->first;
+    long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);
+    for (size_t k = 0; k < bytes / sizeof *id; k++) kept[all[k]] = 1;
+    free(all);
+    memory_free(id);
+    memory_free(here);
+    return kept;
+}
+
+static struct solid_refine_plan *plan_new(const struct solid *s, int b) {
+    uint8_t *kept = s->refine->in.held_refine ? NULL : kept_of(s, b);
+    struct solid_refine_plan *plan = solid_refine_plan_of(s, b, kept);
+    memory_free(kept);
+    return plan;
+}
+
+/* Makes what the plans say, if that is anything, and frees them. Returns how many particles were refined. */
+static long carry_out(struct solid *s, struct solid_refine_plan **plan) {
+    long refined = 0;
+    for (int b = 0; b < s->in.bodies; b++) refined += plan[b]->refined;
+    if (refined > 0) solid_refine_apply(s, plan);
+    for (int b = 0; b < s->in.bodies; b++) solid_refine_plan_free(plan[b]);
+    memory_free(plan);
+    return refined;
+}
+
+static struct solid_refine_plan **plans(const struct solid *s) {
+    struct solid_refine_plan **plan =
+        memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof(struct solid_refine_plan *));
+    for (int b = 0; b < s->in.bodies; b++) plan[b] = plan_new(s, b);
+    return plan;
+}
+
+long solid_refine_marked(struct solid *s, const uint8_t *mark) {
+    const long from = s->first[par_rank()];
+    long n = 0, refined = 0;
+    size_t bytes;
+    for (int h = 0; h < s->n; h++) n += mark[h] != 0;
+    if (par_sum_long(n) == 0) return 0;
+    long *id = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *id);
+    n = 0;
+    for (int h = 0; h < s->n; h++)
+        if (mark[h]) id[n++] = from + h;
+    long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);
+    n = (long)(bytes / sizeof *all);
+    if (n > 0) {
+        struct solid_refine_plan **plan = plans(s);
+        for (int b = 0; b < s->in.bodies; b++) {
+            const struct solid_cloud *t = s->family->cloud[b];
+            long of_body = 0, *number = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *number);
+            for (long k = 0; k < n; k++)
+                if (all[k] >= t->first && all[k] < t->first + t->n) number[of_body++] = all[k] - t->first;
+            if (solid_refine_is_possible(s, b)) solid_refine_plan_close(plan[b], number, of_body, 1);
+            memory_free(number);
+        }
+        refined = carry_out(s, plan);
+    }
+    free(all);
+    memory_free(id);
+    return refined;
+}
+
+/* Those of a region that have not reached its level yet. */
+static void start_region(struct solid_refine_plan *p, const struct solid_refined *region) {
+    const struct solid_cloud *t = p->cloud;
+    for (int level = 0; level < region->level; level++) {
+        long n = 0, *marked = memory_new(MEMORY_SOLID, (size_t)p->n + 1, sizeof *marked);
+        for (long i = 0; i < p->n; i++) {
+            int inside = p->level[i] == level;
+            for (int c = 0; c < 2; c++) {
+                const double x = t->origin[c] + (double)p->at[i][c] / SOLID_REFINE_UNIT * t->spacing;
+                inside &= x >= region->low[c] - 1e-9 * t->spacing && x <= region->high[c] + 1e-9 * t->spacing;
+            }
+            if (inside) marked[n++] = i;
+        }
+        solid_refine_plan_close(p, marked, n, 0);
+        memory_free(marked);
+    }
+}
+
+void solid_refine_start(struct solid *s) {
+    if (!s->refine || s->refine->in.starts == 0) return;
+    solid_constraint_flags(s);
+    struct solid_refine_plan **plan = plans(s);
+    for (int b = 0; b < s->in.bodies; b++)
+        for (int k = 0; solid_refine_is_possible(s, b) && k < s->refine->in.starts; k++)
+            start_region(plan[b], &s->refine->in.start[k]);
+    if (carry_out(s, plan) == 0) die_all(EXIT_CODE_SCENE, "solid.refinement.start refines no particle");
+    s->refine->events = 0;
+}

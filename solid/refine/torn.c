@@ -1,0 +1,122 @@
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/bonds/list_find.h"
+#include "solid/refine/parts.h"
+
+#include <stdlib.h>
+
+enum { ANCESTORS = 64 };
+
+struct pair {
+    long one, two; /* one < two */
+};
+
+struct solid_refine_torn {
+    const struct solid_refine_plan *plan; /* borrowed */
+    long pairs;
+    struct pair *pair; /* ascending, malloc'ed */
+    uint8_t *is_end;   /* [before] of one of them */
+};
+
+/* The particles before from which one of the plan comes. */
+static int ancestors_of(const struct solid_refine_plan *p, long i, long of[ANCESTORS], int n) {
+    if (i < p->before) {
+        for (int k = 0; k < n; k++)
+            if (of[k] == i) return n;
+        ENSURE(n < ANCESTORS, "a particle of more than %d", ANCESTORS);
+        of[n] = i;
+        return n + 1;
+    }
+    const struct solid_refine_born *born = &p->born[i - p->before];
+    for (int k = 0; k < born->parents; k++) n = ancestors_of(p, born->parent[k], of, n);
+    return n;
+}
+
+static int by_pair(const void *a, const void *b) {
+    const struct pair *x = a, *y = b;
+    return x->one != y->one ? (x->one > y->one) - (x->one < y->one) : (x->two > y->two) - (x->two < y->two);
+}
+
+static struct pair pair_of(long a, long b) { return a < b ? (struct pair){a, b} : (struct pair){b, a}; }
+
+/* Number of a record's particle. */
+static long number_of(const struct solid_list *t, int record) {
+    return record < t->n ? t->number + record : solid_key_id(t->other_key[record - t->n]) - t->first_id;
+}
+
+/* The owned ones, into pair where not NULL. */
+static long find(const struct solid *s, const struct solid_list *t, const uint8_t *is_ancestor,
+                 struct pair *pair) {
+    long n = 0;
+    for (int i = 0; i < t->n; i++) {
+        if (!(s->flag[t->first + i] & SOLID_BROKEN)) continue;
+        for (long j = t->start[i]; j < t->end[i]; j++) {
+            if (solid_list_is_intact(t, j)) continue;
+            const long here = t->number + i, there = number_of(t, solid_list_record(t, j));
+            if (!is_ancestor[here] && !is_ancestor[there]) continue;
+            if (pair) pair[n] = pair_of(here, there);
+            n++;
+        }
+    }
+    return n;
+}
+
+struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body,
+                                                const struct solid_refine_plan *p) {
+    const struct solid_list *list = s->family->list[body];
+    struct solid_refine_torn *torn = memory_new(MEMORY_SOLID, 1, sizeof *torn);
+    uint8_t *is_ancestor = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
+    for (long i = p->before; i < p->n; i++) {
+        long of[ANCESTORS];
+        for (int n = ancestors_of(p, i, of, 0); n > 0; n--) is_ancestor[of[n - 1]] = 1;
+    }
+    const long mine = find(s, list, is_ancestor, NULL);
+    struct pair *pair = memory_new(MEMORY_SOLID, (size_t)mine + 1, sizeof *pair);
+    find(s, list, is_ancestor, pair);
+    size_t bytes;
+    torn->plan = p;
+    torn->pair = par_all_gather_any(pair, (size_t)mine * sizeof *pair, &bytes);
+    torn->pairs = (long)(bytes / sizeof *pair);
+    qsort(torn->pair, (size_t)torn->pairs, sizeof *pair, by_pair);
+    torn->is_end = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
+    for (long k = 0; k < torn->pairs; k++)
+        torn->is_end[torn->pair[k].one] = torn->is_end[torn->pair[k].two] = 1;
+    memory_free(pair);
+    memory_free(is_ancestor);
+    return torn;
+}
+
+void solid_refine_torn_free(struct solid_refine_torn *torn) {
+    free(torn->pair);
+    memory_free(torn->is_end);
+    memory_free(torn);
+}
+
+static int was_torn(const struct solid_refine_torn *torn, const long *a, int as, const long *b, int bs) {
+    for (int k = 0; k < as; k++)
+        for (int l = 0; torn->is_end[a[k]] && l < bs; l++) {
+            if (!torn->is_end[b[l]]) continue;
+            const struct pair pair = pair_of(a[k], b[l]);
+            if (bsearch(&pair, torn->pair, (size_t)torn->pairs, sizeof pair, by_pair)) return 1;
+        }
+    return 0;
+}
+
+void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct solid_list *t,
+                               const struct solid_cloud *cloud, const long *was) {
+    const struct solid_refine_plan *p = torn->plan;
+    for (int i = 0; torn->pairs > 0 && i < t->n; i++) {
+        if (t->scaled[i]) continue; /* it is as it was */
+        long here[ANCESTORS], there[ANCESTORS];
+        const long one = was[t->number + i];
+        const int heres = ancestors_of(p, one, here, 0);
+        int any = 0;
+        for (int k = 0; k < heres; k++) any |= torn->is_end[here[k]];
+        if (!any) continue;
+        for (long j = t->start[i]; j < t->end[i]; j++) {
+            const long two = was[solid_key_id(t->key[j]) - cloud->first];
+            if (one < p->before && two < p->before) continue;
+            if (was_torn(torn, here, heres, there, ancestors_of(p, two, there, 0))) solid_list_set(t, j, 0);
+        }
+    }
+}

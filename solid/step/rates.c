@@ -1,0 +1,179 @@
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "solid/imposed/constraint.h"
+#include "solid/bonds/family.h"
+#include "solid/force/force.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+#include "solid/step/stable.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+/* The largest frequency by Lanczos's iteration: power iteration that keeps what it has learnt; each costs one sweep. */
+enum { ITERATIONS = 60 };
+static const double ENOUGH = 1e-4; /* relative change of omega^2 at which to stop */
+
+struct krylov {
+    double *u[3], *before[3]; /* [n] unit vectors of the mass-weighted product */
+};
+
+/* Bonds of the unbroken body instead of the present ones; called again with the same arrays it puts them back. */
+static void swap_whole(struct solid *s, uint8_t **other) {
+    struct solid_family *f = s->family;
+    for (int b = 0; b < f->bodies; b++) {
+        if (f->list[b]) {
+            solid_list_swap(f->list[b], other[b]);
+            continue;
+        }
+        uint8_t **bonds = &f->lattice[b]->lambda, *t = *bonds;
+        *bonds = other[b];
+        other[b] = t;
+        solid_lattice_changed_all(f->lattice[b]);
+    }
+}
+
+static uint8_t *whole_new(const struct solid_family *f, int b) {
+    const struct solid_list *list = f->list[b];
+    if (list) {
+        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)list->room + SOLID_LIST_BLOCK, 1);
+        for (int i = 0; i < list->n; i++)
+            memset(intact + list->start[i], 1, (size_t)(list->end[i] - list->start[i]));
+        return intact;
+    }
+    const struct solid_lattice *t = f->lattice[b];
+    uint8_t *lambda = memory_new(MEMORY_SOLID, (size_t)t->rows * (size_t)t->stencil->n + 1, 1);
+    for (int r = 0; r < t->rows; r++) solid_lattice_made(t, r, lambda + (size_t)r * (size_t)t->stencil->n);
+    return lambda;
+}
+
+static double product(const struct solid *s, double *const x[3], double *const y[3]) {
+    double sum = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double mass = solid_constraint_density(s, h) * s->volume[h];
+        for (int c = 0; c < s->dim; c++) sum += mass * x[c][h] * y[c][h];
+    }
+    return par_sum(sum);
+}
+
+/* A matrix over the mass: stiffness K + damping D, each number 0 or what it is multiplied by. */
+struct operator{
+    double stiffness, damping; /* 1, s */
+};
+
+/* a = (stiffness K + damping D) u/m by one sweep turned about, at displacements so small (1e-7 spacings) that bonds are linear. */
+static void apply(struct solid *s, double *const u[3], struct operator of) {
+    double most = 0;
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) most = fmax(most, fabs(u[c][h]));
+    const double scale = 1e-7 * s->in.spacing / par_max(most);
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) {
+            s->d[c][h] = of.stiffness * scale * u[c][h];
+            s->v[c][h] = of.damping * scale * u[c][h];
+        }
+    par_ghost_update(s->ghost, s->dim, s->d, s->n);
+    if (of.damping != 0) par_ghost_update(s->ghost, s->dim, s->v, s->n);
+    solid_force_bonds(s, 0, of.damping != 0 ? s->stage.damping_relative : 0);
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
+}
+
+static double largest_eigenvalue(int n, const double *diagonal, const double *beside) {
+    double value[ITERATIONS], off[ITERATIONS];
+    memcpy(value, diagonal, (size_t)n * sizeof *value);
+    memcpy(off, beside, (size_t)(n - 1) * sizeof *off);
+    for (int i = 0; i < n; i++)
+        if (!isfinite(value[i]) || (i < n - 1 && !isfinite(off[i])))
+            die_all(EXIT_CODE_SCENE, "solid.materials: the bonds' frequencies are no numbers that a computer "
+                                     "holds; look at youngs_modulus, density and spacing");
+    ENSURE(LAPACKE_dsterf(n, value, off) == 0, "the eigenvalues of %d rows", n);
+    return fmax(value[n - 1], 0);
+}
+
+static double start_value(long id, int c) { /* the same on any number of ranks */
+    uint64_t z = (uint64_t)(3 * id + c) * 0x9e3779b97f4a7c15u + 0x632be59bd9b4e019u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return (double)(z >> 11) * 0x1p-53 - 0.5;
+}
+
+/* The largest eigenvalue, at least 0. */
+static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
+    double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0, norm;
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++)
+            k->u[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : start_value(s->first[par_rank()] + h, c);
+    norm = sqrt(product(s, k->u, k->u));
+    if (!(norm > 0)) return 0; /* all held */
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
+    for (int i = 0; i < ITERATIONS; i++) {
+        apply(s, k->u, of);
+        diagonal[i] = product(s, k->u, s->a);
+        for (int c = 0; c < s->dim; c++)
+            for (int h = 0; h < s->n; h++)
+                s->a[c][h] -= diagonal[i] * k->u[c][h] + (i ? beside[i - 1] * k->before[c][h] : 0);
+        beside[i] = sqrt(product(s, s->a, s->a));
+        const double last = eigenvalue;
+        eigenvalue = largest_eigenvalue(i + 1, diagonal, beside);
+        if (i >= 10 && fabs(eigenvalue - last) < ENOUGH * eigenvalue) break;
+        if (!(beside[i] > 1e-10 * eigenvalue)) break; /* the whole space has been seen */
+        for (int c = 0; c < s->dim; c++)
+            for (int h = 0; h < s->n; h++) {
+                k->before[c][h] = k->u[c][h];
+                k->u[c][h] = s->a[c][h] / beside[i];
+            }
+    }
+    return eigenvalue;
+}
+
+void solid_rates_of(struct solid *s, struct solid_rates *rates) {
+    struct solid_family *f = s->family;
+    struct krylov k;
+    double *d[3], *v[3];
+    uint8_t **whole = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *whole);
+    for (int b = 0; b < f->bodies; b++) whole[b] = whole_new(f, b);
+    for (int c = 0; c < s->dim; c++) {
+        k.u[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        k.before[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        d[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        v[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        memcpy(d[c], s->d[c], (size_t)s->n * sizeof(double));
+        memcpy(v[c], s->v[c], (size_t)s->n * sizeof(double));
+    }
+    const long sweeps = s->sweeps;
+    swap_whole(s, whole);
+    *rates = (struct solid_rates){.sum = 1, .difference = 1, .absolute = s->stage.damping_absolute};
+    rates->stiffness = lanczos(s, &k, (struct operator){1, 0});
+    if (s->stage.damping_relative > 0 && rates->stiffness > 0) {
+        rates->damping = lanczos(s, &k, (struct operator){0, 1});
+        const double ratio = rates->stiffness / rates->damping;
+        rates->sum = lanczos(s, &k, (struct operator){1, ratio}) / rates->stiffness;
+        rates->difference = lanczos(s, &k, (struct operator){1, -ratio}) / rates->stiffness;
+    }
+    swap_whole(s, whole);
+    s->sweeps = sweeps;
+    s->a_holds = 0;
+    for (int b = 0; b < f->bodies; b++) memory_free(whole[b]);
+    memory_free(whole);
+    for (int c = 0; c < s->dim; c++) {
+        memcpy(s->d[c], d[c], (size_t)s->n * sizeof(double));
+        memcpy(s->v[c], v[c], (size_t)s->n * sizeof(double));
+        memset(s->a[c], 0, (size_t)s->n * sizeof(double));
+        memory_free(k.u[c]);
+        memory_free(k.before[c]);
+        memory_free(d[c]);
+        memory_free(v[c]);
+    }
+    par_ghost_update(s->ghost, s->dim, s->d, s->n);
+    par_ghost_update(s->ghost, s->dim, s->v, s->n);
+}
+
+double solid_rates_stable_step(struct solid *s, enum solid_integrator integrator) {
+    struct solid_rates rates;
+    solid_rates_of(s, &rates);
+    return solid_stable_of(&rates, integrator, s->contact ? 4 * solid_stable_touch(s) : 0, NULL);
+}

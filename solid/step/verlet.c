@@ -1,0 +1,98 @@
+#include "base/par.h"
+#include "base/vec.h"
+#include "solid/imposed/constraint.h"
+#include "solid/force/force.h"
+#include "solid/step/integrate.h"
+#include "solid/bonds/store.h"
+
+#include <string.h>
+
+static void swap(double *x[3], double *y[3]) {
+    for (int c = 0; c < 3; c++) {
+        double *const t = x[c];
+        x[c] = y[c];
+        y[c] = t;
+    }
+}
+
+void solid_verlet_keep(struct solid *s) {
+    swap(s->a, s->v_old);
+    s->power_pairwise = s->power_damped;
+}
+
+/* d += dt v + dt^2/2 a, v += theta dt a; returns the sum of (load + weight) volume times the step of d, J. [n] */
+static double predict(int n, double dt, double theta, double weight, const double *restrict volume,
+                      const double *restrict load, const double *restrict a, double *restrict d,
+                      double *restrict v) {
+    vec work = vec_set(0);
+    int h = 0;
+    for (; h + VEC_LANES <= n; h += VEC_LANES) {
+        const vec rate = vec_load(v + h), dv = dt * vec_load(a + h), step = dt * (rate + 0.5 * dv);
+        work += vec_load(volume + h) * (vec_load(load + h) + weight) * step;
+        vec_store(d + h, vec_load(d + h) + step);
+        vec_store(v + h, rate + theta * dv);
+    }
+    double sum = vec_sum(work);
+    for (; h < n; h++) {
+        const double dv = dt * a[h], step = dt * (v[h] + 0.5 * dv);
+        sum += volume[h] * (load[h] + weight) * step;
+        d[h] += step;
+        v[h] += theta * dv;
+    }
+    return sum;
+}
+
+void solid_verlet_again(struct solid *s) {
+    s->power_damped = s->power_pairwise;
+    solid_force_rest(s);
+}
+
+void solid_verlet_begin(struct solid *s) {
+    const int same = s->a_holds && memcmp(&s->stage, &s->stage_of_a, sizeof s->stage) == 0;
+    if (par_min(same) > 0) { /* on no rank anything but the load has changed */
+        solid_verlet_again(s);
+    } else {
+        solid_ghosts_begin(s);
+        solid_force(s, 1);
+    }
+}
+
+/* Velocity Verlet with one sweep a step. Pairwise damping sees the velocity at theta = SOLID_VERLET_PAIRWISE of the step, what else
+ * depends on velocity the one predicted for its end:
+ *     v^ = v + theta dt a      v* = v + dt a      d += dt v + dt^2/2 a      a' = a(d, v^, v*)      v = v* + dt/2 (a' - a)
+ * Work of the load over the displacement, the other energies by the trapezoidal rule. */
+void solid_verlet_step(struct solid *s, double dt) {
+    const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
+    const int *first = s->family->first;
+    const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
+    for (int b = 0; b < s->in.bodies; b++) {
+        const int from = first[b], n = first[b + 1] - from;
+        const double density = s->in.material[s->in.body[b].material].density;
+        for (int c = 0; c < s->dim; c++)
+            s->work_load += predict(n, dt, theta, density * s->in.body_force[c], s->volume + from,
+                                    s->load[c] + from, s->a[c] + from, s->d[c] + from, s->v[c] + from);
+    }
+    solid_constraint_displacement(s, s->t + dt);
+    swap(s->a, s->a_old);
+    solid_ghosts_begin(s);
+    solid_force_pairs(s, 1);
+    for (int c = 0; c < s->dim && theta < 1; c++)
+        for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - theta) * dt * s->a_old[c][h];
+    solid_force_rest(s);
+    for (int c = 0; c < s->dim; c++) {
+        double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
+        for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);
+    }
+    s->e_damped += 0.5 * dt * (damped + s->power_damped);
+    s->work_load += 0.5 * dt * (added + s->power_added);
+    s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
+}
+
+void solid_verlet_resume(struct solid *s) {
+    if (s->stage.integrator == SOLID_VERLET) solid_verlet_end(s);
+}
+
+void solid_verlet_end(struct solid *s) {
+    s->a_holds = 1;
+    s->stage_of_a = s->stage;
+}

@@ -1,0 +1,82 @@
+#include "solid/surface/shaped.h"
+#include "base/memory.h"
+#include "solid/surface/normal.h"
+#include "solid/geometry/piece.h"
+
+#include <math.h>
+
+static void find(struct solid_shaped *shaped, const struct solid *s, const struct solid_surface *f, int h) {
+    const struct solid_body *body = &s->in.body[s->body[h]];
+    const double x[3] = {s->x0[0][h], s->x0[1][h], s->x0[2][h]};
+    struct solid_family_view view;
+    struct solid_facing start;
+    struct solid_piece piece;
+    double normal[3];
+    if (!solid_piece_of(body, x, f->bare[h], s->in.spacing, &piece)) return;
+    solid_family_view(s, h, &view);
+    solid_normal_look_start(s, h, &view, f->bare[h], &start);
+    if (start.two_sided != SOLID_ONE_FACE) return;
+    shaped->on[h] = 1;
+    shaped->depth[h] = solid_piece_depth(&piece, x, normal);
+    for (int c = 0; c < 3; c++) {
+        shaped->normal[c][h] = normal[c];
+        shaped->lattice[c][h] = start.n[c];
+    }
+}
+
+struct solid_shaped *solid_shaped_new(const struct solid *s, const struct solid_surface *surface) {
+    const size_t n = (size_t)s->n + 1;
+    struct solid_shaped *shaped = memory_new(MEMORY_SOLID, 1, sizeof *shaped);
+    shaped->on = memory_new(MEMORY_SOLID, n, 1);
+    shaped->depth = memory_new(MEMORY_SOLID, n, sizeof *shaped->depth);
+    for (int c = 0; c < 3; c++) {
+        shaped->normal[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
+        shaped->lattice[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
+    }
+    for (int h = 0; h < s->n; h++)
+        if (s->flag[h] & SOLID_FIRST) find(shaped, s, surface, h);
+    return shaped;
+}
+
+void solid_shaped_free(struct solid_shaped *shaped) {
+    if (!shaped) return;
+    for (int c = 0; c < 3; c++) {
+        memory_free(shaped->normal[c]);
+        memory_free(shaped->lattice[c]);
+    }
+    memory_free(shaped->depth);
+    memory_free(shaped->on);
+    memory_free(shaped);
+}
+
+static void cross(const double a[3], const double b[3], double c[3]) {
+    for (int d = 0; d < 3; d++) c[d] = a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3];
+}
+
+/* x turned by the shortest way from a to b, unit vectors: x + w x + w (w x)/(1 + a.b), w = a x b. */
+static void turn(const double a[3], const double b[3], double x[3]) {
+    double w[3], wx[3], wwx[3], along = 1;
+    cross(a, b, w);
+    cross(w, x, wx);
+    cross(w, wx, wwx);
+    for (int c = 0; c < 3; c++) along += a[c] * b[c];
+    for (int c = 0; c < 3; c++) x[c] += wx[c] + wwx[c] / along;
+}
+
+int solid_shaped_at(const struct solid_surface *f, int h, double normal[3], double *depth) {
+    const struct solid_shaped *shaped = f->shaped;
+    const struct solid_facing *now = &f->facing[h];
+    if (!shaped || !shaped->on[h] || now->two_sided || now->open != f->bare[h]) return 0;
+    double then[3], cosine = 0;
+    int has_turned = 0;
+    for (int c = 0; c < 3; c++) {
+        then[c] = shaped->lattice[c][h];
+        normal[c] = shaped->normal[c][h];
+        cosine += then[c] * now->n[c];
+        has_turned |= then[c] != now->n[c];
+    }
+    if (cosine < -0.99) return 0; /* turned about: no shortest way */
+    if (has_turned) turn(then, now->n, normal);
+    *depth = shaped->depth[h];
+    return 1;
+}

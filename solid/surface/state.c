@@ -1,0 +1,105 @@
+#include "solid/surface/state.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/bonds/family.h"
+#include "solid/surface/normal.h"
+#include "solid/surface/lists.h"
+#include "solid/bonds/lost.h"
+#include "solid/surface/sector.h"
+
+#include <string.h>
+
+/* n (3), what the two feelers had moved (6), their places in the family (2), two-sided, open cones */
+enum { STATE = 13 };
+
+int solid_surface_state_size(void) { return STATE; }
+
+static double place_of(const struct solid_family_view *view, int l) {
+    for (int b = 0; b < view->n; b++)
+        if (view->l[b] == l) return b;
+    return -1;
+}
+
+void solid_surface_state_save(const struct solid *s, const struct solid_surface *f, double *state) {
+    struct solid_family_view view;
+    memset(state, 0, (size_t)s->n * STATE * sizeof *state);
+    for (int i = 0; i < f->n; i++) {
+        const int h = f->h[i];
+        const struct solid_facing *facing = &f->facing[h];
+        double *to = state + (size_t)h * STATE;
+        solid_family_view(s, h, &view);
+        memcpy(to, facing->n, sizeof facing->n);
+        memcpy(to + 3, facing->moved, sizeof facing->moved);
+        for (int k = 0; k < 2; k++) to[9 + k] = place_of(&view, facing->l[k]);
+        to[11] = facing->two_sided;
+        to[12] = facing->open;
+    }
+}
+
+/* Watched particles and lists, from the bonds, the flags and the normals as they are now. What is lost is known. */
+static void resume(struct solid *s, struct solid_surface *f) {
+    for (int k = 0; k < f->watched; k++) f->watch_of[f->watch[k].h] = -1;
+    f->watched = 0;
+    for (int h = 0; h < s->n; h++) {
+        struct solid_watch w;
+        if (s->flag[h] & SOLID_BROKEN) solid_surface_look(s, f, h, &w);
+    }
+    solid_surface_gather(s, f);
+}
+
+void solid_surface_state_load(struct solid *s, struct solid_surface *f, const double *state) {
+    struct solid_family_view view;
+    for (int h = 0; h < s->n; h++) {
+        const double *from = state + (size_t)h * STATE;
+        if (!(s->flag[h] & SOLID_INTERFACE)) continue;
+        solid_family_view(s, h, &view);
+        struct solid_facing *facing = &f->facing[h];
+        memcpy(facing->n, from, sizeof facing->n);
+        memcpy(facing->moved, from + 3, sizeof facing->moved);
+        for (int k = 0; k < 2; k++) facing->l[k] = from[9 + k] < 0 ? -1 : view.l[(int)from[9 + k]];
+        facing->two_sided = (uint8_t)from[11];
+        facing->open = (uint8_t)from[12];
+    }
+    solid_lost_find(f->lost, s);
+    resume(s, f);
+    s->broke = SOLID_BROKE_CONTACT; /* its lists are to be made */
+    solid_surface_count(f, 0);
+}
+
+struct solid_surface_keep {
+    long total, set_free;
+    struct solid_facing *facing; /* [interface particles, room for s->n] by rising index */
+};
+
+struct solid_surface_keep *solid_surface_state_keep_new(const struct solid *s) {
+    struct solid_surface_keep *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
+    k->facing = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *k->facing);
+    return k;
+}
+
+void solid_surface_state_keep_free(struct solid_surface_keep *k) {
+    if (!k) return;
+    memory_free(k->facing);
+    memory_free(k);
+}
+
+void solid_surface_state_keep_take(struct solid_surface_keep *k, const struct solid_surface *f) {
+    for (int i = 0; i < f->n; i++) k->facing[i] = f->facing[f->h[i]];
+    k->total = f->total;
+    k->set_free = f->set_free;
+}
+
+void solid_surface_state_keep_restore(const struct solid_surface_keep *k, struct solid *s, struct solid_surface *f,
+                                const struct solid_lost *lost) {
+    const struct solid_facing *kept = k->facing;
+    for (int h = 0; h < s->n; h++)
+        if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *kept++;
+    if (lost) {
+        solid_lost_copy(f->lost, lost, s);
+        resume(s, f);
+    } else {
+        solid_surface_renew(s, f);
+    }
+    f->total = k->total;
+    f->set_free = k->set_free;
+}

@@ -1,0 +1,220 @@
+#include "solid/surface/surface.h"
+
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/bonds/lattice.h"
+#include "solid/surface/normal.h"
+#include "solid/surface/shaped.h"
+#include "solid/surface/area.h"
+#include "solid/surface/lists.h"
+#include "solid/bonds/lost.h"
+#include "solid/surface/sector.h"
+
+#include <math.h>
+#include <string.h>
+
+static int is_on(const struct solid_watch *w, unsigned open) { return open || w->set_free; }
+
+void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
+    if (f->watch_of[w->h] < 0) {
+        if (f->watched == f->watch_capacity) {
+            f->watch_capacity = 2 * f->watch_capacity + 64;
+            struct solid_watch *more = memory_new(MEMORY_SOLID, (size_t)f->watch_capacity, sizeof *more);
+            if (f->watched) memcpy(more, f->watch, (size_t)f->watched * sizeof *more);
+            memory_free(f->watch);
+            f->watch = more;
+        }
+        f->watch_of[w->h] = f->watched++;
+    }
+    f->watch[f->watch_of[w->h]] = *w;
+}
+
+/* Entry i as it is now. */
+static void renew(const struct solid *s, struct solid_surface *f, int i) {
+    const struct solid_facing *facing = &f->facing[f->h[i]];
+    double shape[3];
+    const int is_shaped = solid_shaped_at(f, f->h[i], shape, &f->depth[i]);
+    if (!is_shaped) f->depth[i] = 0.5 * s->in.spacing;
+    for (int c = 0; c < 3; c++) f->normal[c][i] = is_shaped ? shape[c] : facing->n[c];
+    f->two_sided[i] = facing->two_sided;
+}
+
+void solid_surface_gather(struct solid *s, struct solid_surface *f) {
+    f->n = 0;
+    for (int h = 0; h < s->n; h++) {
+        if (!(s->flag[h] & SOLID_INTERFACE)) continue;
+        const int i = f->n++;
+        f->h[i] = h;
+        renew(s, f, i);
+        f->area[i] = s->flag[h] & SOLID_FIRST ? f->initial_area : solid_surface_area_fresh(s, h);
+    }
+}
+
+static struct solid_surface *allocate(const struct solid *s) {
+    const size_t n = (size_t)s->n + 1;
+    struct solid_surface *f = memory_new(MEMORY_SOLID, 1, sizeof *f);
+    f->capacity = s->n;
+    f->h = memory_new(MEMORY_SOLID, n, sizeof *f->h);
+    for (int c = 0; c < 3; c++) f->normal[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
+    f->two_sided = memory_new(MEMORY_SOLID, n, 1);
+    f->depth = memory_new(MEMORY_SOLID, n, sizeof(double));
+    f->area = memory_new(MEMORY_SOLID, n, sizeof(double));
+    f->facing = memory_new(MEMORY_SOLID, n, sizeof *f->facing);
+    f->bare = memory_new(MEMORY_SOLID, n, 1);
+    f->share = memory_new(MEMORY_SOLID, n, sizeof(double));
+    f->faces = memory_new(MEMORY_SOLID, n, 1);
+    f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
+    f->lost = solid_lost_new(s);
+    f->near = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *f->near);
+    for (int b = 0; b < s->in.bodies; b++)
+        if (s->family->lattice[b]) solid_sector_near(s->family->lattice[b]->stencil, f->near[b]);
+    return f;
+}
+
+long solid_surface_count(struct solid_surface *f, long also) {
+    long all[3] = {f->n, 0, also};
+    for (int i = 0; i < f->n; i++) all[1] += f->two_sided[i] == SOLID_SET_FREE;
+    par_sum_long_array(all, 3);
+    f->total = all[0];
+    f->set_free = all[1];
+    return all[2];
+}
+
+struct solid_surface *solid_surface_new(struct solid *s) {
+    clock_begin(CLOCK_INTERFACE);
+    solid_ghosts_update(s);
+    struct solid_surface *f = allocate(s);
+    struct solid_family_view view;
+    for (int h = 0; h < s->n; h++) {
+        struct solid_watch w;
+        solid_family_view(s, h, &view);
+        solid_sector_look(s, h, &view, &w);
+        s->flag[h] &= (uint8_t) ~(SOLID_INTERFACE | SOLID_FIRST);
+        f->watch_of[h] = -1;
+        f->bare[h] = w.bare;
+        if (w.bare || view.n == 0) {
+            struct solid_facing start;
+            solid_normal_look_start(s, h, &view, w.bare, &start);
+            s->flag[h] |= SOLID_FIRST;
+            f->share[h] = solid_surface_area_share(s, h, &view, &start);
+            f->faces[h] = start.two_sided ? 2 : 1;
+        }
+        if (w.broken || w.set_free) solid_surface_watch(f, &w);
+        const unsigned open = solid_sector_void(s, &w);
+        if (!is_on(&w, open)) continue;
+        s->flag[h] |= SOLID_INTERFACE;
+        solid_normal_look(s, h, &view, open, &f->facing[h]);
+    }
+    solid_lost_take(s, SOLID_BROKE_SURFACE);
+    if (s->in.shape_surface) f->shaped = solid_shaped_new(s, f);
+    solid_surface_gather(s, f);
+    solid_surface_area_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
+                           (double[]){INFINITY, INFINITY, INFINITY});
+    solid_surface_count(f, 0);
+    clock_end(CLOCK_INTERFACE);
+    return f;
+}
+
+void solid_surface_free(struct solid_surface *f) {
+    if (!f) return;
+    memory_free(f->h);
+    for (int c = 0; c < 3; c++) memory_free(f->normal[c]);
+    memory_free(f->two_sided);
+    memory_free(f->depth);
+    memory_free(f->area);
+    memory_free(f->facing);
+    memory_free(f->bare);
+    memory_free(f->share);
+    memory_free(f->faces);
+    memory_free(f->watch);
+    memory_free(f->watch_of);
+    solid_lost_free(f->lost);
+    memory_free(f->near);
+    solid_shaped_free(f->shaped);
+    memory_free(f);
+}
+
+/* What the interface test of a particle that has lost bonds needs, once solid_lost_find has counted them. */
+void solid_surface_look(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w) {
+    struct solid_family_view view;
+    if (s->family->lattice[s->body[h]]) {
+        solid_sector_look_near(s, h, f->near[s->body[h]], f->lost->intact[h], w);
+    } else {
+        solid_family_view(s, h, &view);
+        solid_sector_look(s, h, &view, w);
+    }
+    if (w->broken || w->set_free) solid_surface_watch(f, w);
+}
+
+/* Particles that have lost bonds since the last look. Returns the number of normals looked at. */
+static int look_where_broken(struct solid *s, struct solid_surface *f) {
+    struct solid_family_view view;
+    const int found = solid_lost_find(f->lost, s);
+    int normals = 0;
+    for (int k = 0; k < found; k++) {
+        const int h = f->lost->h[k];
+        struct solid_watch w;
+        solid_surface_look(s, f, h, &w);
+        if (!(s->flag[h] & SOLID_INTERFACE)) continue;
+        solid_family_view(s, h, &view);
+        solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
+        normals++;
+    }
+    return normals;
+}
+
+/* The watched particles: those whose cracks have opened or closed. Returns the number that came or went, and adds to that of
+ * normals looked at. */
+static int look_where_open(struct solid *s, struct solid_surface *f, int *normals) {
+    struct solid_family_view view;
+    int changes = 0;
+    for (int k = 0; k < f->watched; k++) {
+        const struct solid_watch *w = &f->watch[k];
+        const int h = w->h;
+        const unsigned open = solid_sector_void(s, w);
+        const int was = (s->flag[h] & SOLID_INTERFACE) != 0, is = is_on(w, open);
+        if (is && (!was || open != f->facing[h].open)) {
+            solid_family_view(s, h, &view);
+            solid_normal_look(s, h, &view, open, &f->facing[h]);
+            ++*normals;
+        }
+        if (is == was) continue;
+        s->flag[h] ^= SOLID_INTERFACE;
+        changes++;
+    }
+    return changes;
+}
+
+void solid_surface_renew(const struct solid *s, struct solid_surface *f) {
+    for (int i = 0; i < f->n; i++) renew(s, f, i);
+}
+
+/* Normals of particles whose family has turned. */
+static void look_where_turned(struct solid *s, struct solid_surface *f) {
+    struct solid_family_view view;
+    for (int i = 0; i < f->n; i++) {
+        const int h = f->h[i];
+        if (!solid_normal_has_turned(s, h, &f->facing[h])) continue;
+        solid_family_view(s, h, &view);
+        solid_normal_look(s, h, &view, f->facing[h].open, &f->facing[h]);
+        renew(s, f, i);
+    }
+}
+
+int solid_surface_update(struct solid *s, struct solid_surface *f) {
+    clock_begin(CLOCK_SOLID); /* the ranks wait here for the one that was last with its bonds */
+    solid_ghosts_update(s);
+    clock_end(CLOCK_SOLID);
+    clock_begin(CLOCK_INTERFACE);
+    int normals = solid_lost_take(s, SOLID_BROKE_SURFACE) ? look_where_broken(s, f) : 0;
+    const int changes = look_where_open(s, f, &normals);
+    if (changes)
+        solid_surface_gather(s, f);
+    else if (normals)
+        solid_surface_renew(s, f); /* new where the set is not */
+    look_where_turned(s, f);
+    const long changed = solid_surface_count(f, changes);
+    clock_end(CLOCK_INTERFACE);
+    return changed > 0;
+}

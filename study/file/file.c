@@ -1,0 +1,116 @@
+#include "study/file/file.h"
+#include "base/error.h"
+#include "scene/text/yaml.h"
+#include "study/file/parts.h"
+#include "study/file/key.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000, RANKS_MAX = 1000000 };
+
+static void read_names(struct study *s, const char *path) {
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    s->path = scene_node_text("%s", path);
+    s->folder = !slash ? scene_node_text(".") : scene_node_text("%.*s", slash == path ? 1 : (int)(slash - path), path);
+    s->name = dot && dot > name ? scene_node_text("%.*s", (int)(dot - name), name) : scene_node_text("%s", name);
+}
+
+static void read_scene(struct study *s, const struct study_key *k) {
+    study_key_missing(k, "scene", "the scene's file, as seen from the study's folder");
+    char *scene = study_key_text(k, "scene", "");
+    s->scene = scene[0] == '/' ? scene_node_text("%s", scene) : scene_node_text("%s/%s", s->folder, scene);
+    if (*scene && access(s->scene, R_OK) != 0)
+        scene_problem_value(k->problems, scene_node_child(k->mapping, "scene"), "scene",
+                            "cannot be read: %s (looked for %s)", strerror(errno), s->scene);
+    free(scene);
+}
+
+static void read_launcher(struct study *s, const struct study_key *k) {
+    s->launcher = study_key_text(k, "launcher", "mpiexec -n {ranks}");
+    if (!strstr(s->launcher, "{ranks}"))
+        scene_problem_value(k->problems, scene_node_child(k->mapping, "launcher"), "launcher",
+                            "must say where {ranks} go");
+}
+
+/* A reference to a method that is none. */
+static void check_methods(const struct study *s, struct scene_problems *problems) {
+    for (int i = 0; i < s->quantities; i++) {
+        const char *method = s->quantity[i].reference.method;
+        const struct scene_node place = {.kind = SCENE_NODE_MAPPING, .line = s->quantity[i].line};
+        int found = !method;
+        for (int m = 0; m < s->methods.n && !found; m++) found = !strcmp(s->methods.variant[m].name, method);
+        if (!found) scene_problem_key(problems, &place, "reference.method", "there is no method %s", method);
+    }
+}
+
+static void read_study(struct study *s, const struct study_key *k) {
+    static const char *const word[] = {"title",   "scene",    "ranks",      "repeats",   "launcher", "set",
+                                       "methods", "quantity", "quantities", "reference", "levels"};
+    if (!study_key_known(k, (int)(sizeof word / sizeof *word), word)) return;
+    s->title = study_key_text(k, "title", s->name);
+    s->ranks = study_key_whole(k, "ranks", 1, RANKS_MAX, 1);
+    s->repeats = study_key_whole(k, "repeats", 1, REPEATS_MAX, 5);
+    read_scene(s, k);
+    read_launcher(s, k);
+    const struct scene_node *set = scene_node_child(k->mapping, "set"),
+                            *methods = scene_node_child(k->mapping, "methods"),
+                            *levels = scene_node_child(k->mapping, "levels");
+    if (set) study_sets_read(&s->sets, set, "set", k->problems);
+    study_key_missing(k, "methods", "a list, one curve each");
+    study_key_missing(k, "levels", "a list, the points of a curve from coarse to fine");
+    if (methods) study_variants_read(&s->methods, methods, "methods", 0, k->problems);
+    if (levels) study_variants_read(&s->levels, levels, "levels", 1, k->problems);
+    study_quantities_read(s, k->mapping, k->problems);
+    check_methods(s, k->problems);
+}
+
+struct study *study_file_parse(const char *path, const char *text, size_t bytes,
+                               struct scene_problems *problems) {
+    static const struct scene_yaml_what what = {"study", "scene: ..., methods: ..., levels: ..."};
+    problems->file = path;
+    struct scene_node *root = scene_yaml_parse_as(&what, text, bytes, problems);
+    if (!root) return NULL;
+    struct study *s = calloc(1, sizeof *s);
+    const struct study_key k = {root, "", problems};
+    read_names(s, path);
+    read_study(s, &k);
+    scene_node_free(root);
+    scene_problem_sort(problems);
+    if (problems->n == 0) return s;
+    study_file_free(s);
+    return NULL;
+}
+
+struct study *study_file_new(const char *path) {
+    struct scene_problems problems = {.file = path};
+    FILE *in = fopen(path, "rb");
+    if (!in) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
+    char *text = malloc(BYTES_MAX + 1);
+    errno = 0;
+    const size_t bytes = fread(text, 1, BYTES_MAX + 1, in);
+    if (ferror(in)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
+    if (bytes > BYTES_MAX)
+        die_all(EXIT_CODE_SCENE, "%s: the study is larger than %d MB", path, BYTES_MAX >> 20);
+    fclose(in);
+    struct study *s = study_file_parse(path, text, bytes, &problems);
+    free(text);
+    for (int i = 0; i < problems.n; i++) fprintf(stderr, "frana: %s\n", problems.text[i]);
+    scene_problem_free(&problems);
+    if (!s) exit(EXIT_CODE_SCENE);
+    return s;
+}
+
+void study_file_free(struct study *s) {
+    if (!s) return;
+    study_quantities_free(s);
+    study_variants_free(&s->methods);
+    study_variants_free(&s->levels);
+    study_sets_free(&s->sets);
+    char *const owned[] = {s->path, s->folder, s->name, s->title, s->scene, s->launcher};
+    for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
+    free(s);
+}

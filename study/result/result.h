@@ -1,0 +1,54 @@
+/* What the runs of a study say together: errors, orders and times, quantity by quantity. */
+#pragma once
+#include "study/runs/plan.h"
+#include "study/result/richardson.h"
+
+/* A quantity by a method at a level. NAN where there is no such number. */
+struct study_point {
+    enum study_state state;                 /* of the repeats: done if one was */
+    int exit_code;                          /* of a repeat that failed */
+    int repeats;                            /* that gave a value */
+    double value, spread;                   /* median; largest less smallest */
+    double error, relative;                 /* |value - reference|; over the scale */
+    int resolved;                           /* 1: the error is larger than the reference's uncertainty */
+    double order;                           /* between this level and the one before */
+    double wall, wall_min, wall_iqr, setup; /* s: median, smallest, between the quartiles; median */
+    double cell_step, bond_sweep;           /* ns of one core, medians */
+    double memory;                          /* bytes, all ranks, largest */
+    long steps;
+    int ranks;
+};
+
+/* A curve of a quantity. */
+struct study_curve {
+    double order;                       /* fitted: slope of the error over the size */
+    double gain;                        /* fitted: slope of the error over the wall time */
+    int finest;                         /* level of the finest run that is done, -1: none */
+    struct study_richardson richardson; /* of its finest levels */
+};
+
+struct study_table {
+    const struct study_quantity *quantity; /* borrowed */
+    double reference, uncertainty, scale;  /* reference NAN: there is none, as the run it needs is not done */
+    int has_scale;                         /* 0: errors are absolute, scale is 1 */
+    int method;                            /* finest: whose; -1: the reference is a given value */
+    int extrapolated;                      /* finest: 1: the reference is Richardson's value */
+    struct study_curve *curve;             /* [methods] */
+    struct study_point *point;             /* [methods][levels] */
+    int plotted;                           /* 1: its plot is there */
+};
+
+struct study_result {
+    const struct study_plan *plan; /* borrowed */
+    int tables;
+    struct study_table *table;
+};
+
+struct study_result *study_result_new(const struct study_plan *plan);
+void study_result_free(struct study_result *r);
+/* Of a table: the point of a method at a level. */
+const struct study_point *study_result_point(const struct study_result *r, const struct study_table *t,
+                                             int method, int level);
+/* A method's error (relative, in units of the scale) and wall time, level by level; NAN where there is none. */
+void study_result_curve(const struct study_result *r, const struct study_table *t, int method, double *error,
+                        double *time);

@@ -1,0 +1,103 @@
+/* The run folder itself, and run.json's writer. */
+#include "files/json.h"
+#include "tests/files/files.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <string.h>
+
+static const char *folder;
+
+static void touch(const char *name) {
+    char path[FOLDER_PATH];
+    if (par_rank() == 0) fclose(fopen(folder_path(path, folder, name), "w"));
+    par_barrier();
+}
+
+static void a_run_is_seen_and_cleared(void **state) {
+    (void)state;
+    char path[FOLDER_PATH];
+    const char *const name[] = {"series.csv", "run.json", "fields/fluid_1.hdf", "checkpoint/step_1.h5"};
+    touch("scene.yaml"); /* the user's own */
+    touch("fields/notes.txt");
+    for (int k = 0; k < 4; k++) {
+        touch(name[k]);
+        assert_int_equal(folder_has_run(folder), 1);
+        par_barrier();
+        folder_clear(folder);
+        assert_false(files_exists(folder_path(path, folder, name[k])));
+        par_barrier();
+    }
+    assert_true(files_exists(folder_path(path, folder, "scene.yaml")));
+    assert_true(files_exists(folder_path(path, folder, "fields/notes.txt")));
+    par_barrier(); /* all have seen them */
+    if (par_rank() == 0) {
+        remove(path);
+        remove(folder_path(path, folder, "scene.yaml"));
+    }
+    par_barrier();
+    assert_int_equal(folder_has_run(folder), 0);
+}
+
+static void folders_are_made_on_the_way(void **state) {
+    (void)state;
+    char path[FOLDER_PATH], below[FOLDER_PATH];
+    folder_make(folder_path(path, folder, "a/b//c/"));
+    assert_true(files_exists(folder_path(below, folder, "a/b/c/checkpoint")));
+    assert_true(files_exists(folder_path(below, folder, "a/b/c/fields")));
+    folder_make(path); /* once more is no fault */
+}
+
+static void json_is_as_its_grammar_wants(void **state) {
+    (void)state;
+    char path[FOLDER_PATH], text[1024];
+    folder_path(path, folder, "run.json");
+    if (par_rank() == 0) {
+        struct json *j = json_begin(path);
+        json_text(j, "status", "a \"b\" \\ \n\x01 \xc3\xa9");
+        json_long(j, "steps", 1L << 40);
+        json_number(j, "wall", 0.1);
+        json_number(j, "nothing", NAN);
+        json_bool(j, "resumed", 1);
+        json_array(j, "left_out");
+        json_text(j, NULL, "contact");
+        json_number(j, NULL, -1e-300);
+        json_close(j);
+        json_object(j, "empty");
+        json_close(j);
+        json_object(j, "seconds");
+        json_number(j, "momentum", 2);
+        json_end(j); /* closes what is open */
+        FILE *f = fopen(path, "r");
+        text[fread(text, 1, sizeof text - 1, f)] = '\0';
+        fclose(f);
+        assert_string_equal(text, "{\n"
+                                  "  \"status\": \"a \\\"b\\\" \\\\ \\n\\u0001 \xc3\xa9\",\n"
+                                  "  \"steps\": 1099511627776,\n"
+                                  "  \"wall\": 0.1,\n"
+                                  "  \"nothing\": null,\n"
+                                  "  \"resumed\": true,\n"
+                                  "  \"left_out\": [\n    \"contact\",\n    -1e-300\n  ],\n"
+                                  "  \"empty\": {},\n"
+                                  "  \"seconds\": {\n    \"momentum\": 2\n  }\n"
+                                  "}\n");
+        strcat(path, ".part");
+        assert_false(files_exists(path));
+    }
+    par_barrier();
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    folder = files_folder("folder");
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_run_is_seen_and_cleared),
+                                       cmocka_unit_test(folders_are_made_on_the_way),
+                                       cmocka_unit_test(json_is_as_its_grammar_wants)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

@@ -1,0 +1,124 @@
+/* Reads every finished file of a run folder from end to end: whatever happened to the run, none may be damaged. Says which are.
+ * usage: look RUNDIR */
+#include "files/folder.h"
+#include "base/par.h"
+#include "files/seal.h"
+#include "files/table.h"
+#include "files/vtkhdf.h"
+
+#include <dirent.h>
+#include <hdf5.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static int damaged, files;
+
+static void say(const char *path, const char *why) {
+    printf("%s: %s\n", path, why);
+    damaged++;
+}
+
+static int ends_with(const char *name, const char *end) {
+    const size_t n = strlen(name), e = strlen(end);
+    return n > e && !strcmp(name + n - e, end);
+}
+
+static void look_checkpoint(const char *path) {
+    char why[256];
+    if (seal_file_check(path, why, sizeof why)) say(path, why);
+}
+
+/* All fields, all values; and the file is as long as HDF5 thinks. */
+static void look_field(const char *path) {
+    const char *error = NULL;
+    struct stat is;
+    haddr_t end = 0;
+    struct vtkhdf_source *s = vtkhdf_read_open(path, &error);
+    if (!s) {
+        say(path, error ? error : "cannot be opened");
+        return;
+    }
+    if (s->fields == 0) say(path, "has no field");
+    for (int k = 0; k < s->fields; k++) {
+        void *value = s->field[k].integer ? (void *)vtkhdf_read_long(s, s->field[k].name)
+                                          : (void *)vtkhdf_read_double(s, s->field[k].name);
+        if (!value) say(path, s->field[k].name);
+        free(value);
+    }
+    vtkhdf_read_close(s);
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file < 0 || H5Fget_eoa(file, &end) < 0 || stat(path, &is) != 0 || (haddr_t)is.st_size != end)
+        say(path, "is of another length than HDF5 wrote");
+    if (file >= 0) H5Fclose(file);
+}
+
+/* Each file that it lists is there. */
+static void look_series(const char *path, const char *folder) {
+    struct vtkhdf_series_entry *list = NULL;
+    char file[FOLDER_PATH];
+    struct stat is;
+    const int n = vtkhdf_series_read(path, &list);
+    if (n < 0) say(path, "cannot be read");
+    for (int k = 0; k < n; k++)
+        if (stat(folder_path(file, folder, list[k].file), &is) != 0) say(path, list[k].file);
+    free(list);
+}
+
+static void look_folder(const char *run, const char *part) {
+    char folder[FOLDER_PATH], path[FOLDER_PATH];
+    DIR *dir = opendir(folder_path(folder, run, part));
+    for (struct dirent *entry; dir && (entry = readdir(dir));) {
+        folder_path(path, folder, entry->d_name);
+        if (ends_with(path, ".h5"))
+            look_checkpoint(path);
+        else if (ends_with(path, ".hdf"))
+            look_field(path);
+        else if (ends_with(path, ".hdf.series"))
+            look_series(path, folder);
+        else
+            continue;
+        files++;
+    }
+    if (dir) closedir(dir);
+}
+
+/* The name in it is that of a checkpoint. */
+static void look_latest(const char *run) {
+    char path[FOLDER_PATH], name[256] = "", other[FOLDER_PATH], file[FOLDER_PATH];
+    struct stat is;
+    FILE *f = fopen(folder_path(path, run, "checkpoint/latest"), "r");
+    if (!f) return;
+    if (fscanf(f, "%255[^\n]", name) != 1 ||
+        stat(folder_path(file, folder_path(other, run, "checkpoint"), name), &is) != 0)
+        say(path, "names no checkpoint");
+    fclose(f);
+    files++;
+}
+
+/* All rows but one that was being written are whole. */
+static void look_table(const char *run, const char *name) {
+    char path[FOLDER_PATH];
+    const char *error = NULL;
+    struct stat is;
+    if (stat(folder_path(path, run, name), &is) != 0 || is.st_size == 0) return;
+    struct table_data *d = table_read(path, &error);
+    if (!d) say(path, error);
+    table_read_free(d);
+    files++;
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    if (argc != 2) return 2;
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    look_folder(argv[1], "checkpoint");
+    look_folder(argv[1], "fields");
+    look_latest(argv[1]);
+    look_table(argv[1], "series.csv");
+    look_table(argv[1], "probes.csv");
+    printf("%d files, %d damaged\n", files, damaged);
+    par_end();
+    return damaged > 0;
+}

@@ -1,0 +1,75 @@
+/* The sample scenes of tests/scene/scenes, as texts, with one piece of them exchanged for another. */
+#pragma once
+#include "scene/read.h"
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SCENES FRANA_SOURCE_DIR "/tests/scene/scenes/"
+
+static inline char *sample_text(const char *path) {
+    FILE *in = fopen(path, "rb");
+    assert_non_null(in);
+    char *text = calloc(1, 1 << 16);
+    assert_true(fread(text, 1, (1 << 16) - 1, in) > 0);
+    fclose(in);
+    return text;
+}
+
+/* The text with the first `find` (which must be there) replaced. */
+static inline char *sample_with(const char *text, const char *find, const char *replace) {
+    const char *at = strstr(text, find);
+    if (!at) fail_msg("the sample has no \"%s\"", find);
+    return scene_node_text("%.*s%s%s", (int)(at - text), text, replace, at + strlen(find));
+}
+
+/* Reads the text as if it stood in the folder of samples. */
+static inline struct scene *sample_read(const char *text, int n, const char *const *set,
+                                        struct scene_problems *problems) {
+    *problems = (struct scene_problems){0};
+    return scene_read(SCENES "it.yaml", text, strlen(text), n, set, 1, problems);
+}
+
+/* A problem's line with the samples' folder as @/, and without it in front: "it.yaml:3: ..."; malloc'ed. */
+static inline char *sample_problem(const struct scene_problems *problems, int i) {
+    const char *text = problems->text[i];
+    if (!strncmp(text, SCENES, strlen(SCENES))) text += strlen(SCENES);
+    return strstr(text, SCENES) ? sample_with(text, SCENES, "@/") : scene_node_text("%s", text);
+}
+
+/* A sample with one piece exchanged, and the one line that is said of it. */
+struct sample_broken {
+    const char *sample, *find, *replace, *line;
+};
+
+/* How many of them do not say exactly their line; those are told. */
+static inline int sample_check_broken(size_t n, const struct sample_broken *table) {
+    int wrong = 0;
+    for (const struct sample_broken *b = table; b < table + n; b++) {
+        char *path = scene_node_text("%s%s.yaml", SCENES, b->sample), *sample = sample_text(path);
+        char *text = sample_with(sample, b->find, b->replace);
+        struct scene_problems problems;
+        struct scene *s = sample_read(text, 0, NULL, &problems);
+        char *said = problems.n ? sample_problem(&problems, 0) : scene_node_text("nothing");
+        if (problems.n != 1 || strcmp(said, b->line) != 0) {
+            fprintf(stderr, "%s: \"%s\" -> \"%s\": %d mistakes:\n", b->sample, b->find, b->replace,
+                    problems.n);
+            for (int k = 0; k < problems.n; k++) fprintf(stderr, "    %s\n", problems.text[k]);
+            fprintf(stderr, "  should be exactly:\n    %s\n", b->line);
+            wrong++;
+        }
+        free(said);
+        assert_null(s);
+        scene_problem_free(&problems);
+        free(text);
+        free(sample);
+        free(path);
+    }
+    return wrong;
+}

@@ -1,0 +1,380 @@
+/* Each mistake gives its own one line; a scene full of them gives all of them. */
+#include "base/par.h"
+#include "scene_sample.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* clang-format off */
+static const struct sample_broken table[] = {
+    /* the text as YAML */
+    {"fluid", "  density: 1\n", "\tdensity: 1\n", "it.yaml:3: not valid YAML: while scanning for the next token: found character that cannot start any token (the line is indented by a tab: use spaces)"},
+    {"fluid", "[1, 2, 0.5]", "[1, 2, 0.5", "it.yaml:1: not valid YAML: while parsing a flow sequence: did not find expected ',' or ']'"},
+    {"fluid", "density: 1", "density: *one", "it.yaml:3: an alias (*one) is not read in a scene: write the value out"},
+    {"fluid", "density: 1", "density: 1\n  density: 2", "it.yaml:4: fluid.density: is given twice, first on line 3"},
+    {"fluid", "steps: 10}", "steps: 10}\n---\ndomain: 1", "it.yaml:14: a second document begins: a scene is one"},
+    {"fluid", "density: 1", "[a, b]: 1", "it.yaml:3: a key must be a word"},
+    {"fluid", "density: 1", "density: [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]", "it.yaml:3: lists and mappings are nested more than 32 deep"},
+    {"fluid", "density: 1", "density: \"1\\0\"", "it.yaml:3: a text holds a zero byte"},
+    /* keys */
+    {"coupled", "viscosity", "viscosty", "it.yaml:7: fluid.viscosty: unknown key; did you mean viscosity?"},
+    {"coupled", "stages:", "stagse:", "it.yaml:41: stagse: unknown key; did you mean stages?"},
+    {"coupled", "damping_absolute", "dampng_absolute", "it.yaml:43: stages[1].dampng_absolute: unknown key; did you mean damping_absolute?"},
+    {"coupled", "title: A", "weather: A", "it.yaml:1: weather: unknown key; known here: title, domain, fluid, solid, coupling, stages, output"},
+    {"coupled", "  density: 1000\n", "", "it.yaml:5: fluid.density: missing (kg/m3)"},
+    {"coupled", "    x_high: {type: outflow}\n", "", "it.yaml:9: fluid.sides.x_high: missing"},
+    {"coupled", "  cells: [40, 20, 20]\n", "", "it.yaml:2: domain.cells: missing; a scene with a fluid needs it"},
+    {"coupled", "name: ceramic, ", "", "it.yaml:20: solid.materials[0].name: missing"},
+    {"coupled", ", steps: 100, time_step: auto", "", "it.yaml:42: stages[0].steps: missing"},
+    {"fluid", "stages:\n  - {name: start-up, steps: 10}\n", "", "it.yaml:1: stages: missing"},
+    /* types */
+    {"coupled", "density: 1000", "density: heavy", "it.yaml:6: fluid.density = heavy: must be a number, greater than 0 (kg/m3)"},
+    {"coupled", "density: 1000", "density: \"1000\"", "it.yaml:6: fluid.density = \"1000\": must be a number, greater than 0 (kg/m3)"},
+    {"coupled", "density: 1000", "density: 0x10", "it.yaml:6: fluid.density = 0x10: must be a number, greater than 0 (kg/m3)"},
+    {"coupled", "density: 1000", "density: .nan", "it.yaml:6: fluid.density = .nan: must be a number, greater than 0 (kg/m3)"},
+    {"coupled", "density: 1000", "density: 1e999", "it.yaml:6: fluid.density = 1e999: is too large"},
+    {"coupled", "density: 1000", "density:", "it.yaml:6: fluid.density: must be a number, greater than 0 (kg/m3)"},
+    {"coupled", "size: [0.04, 0.02, 0.02]", "size: [0.04, 0.02]", "it.yaml:3: domain.size = [0.04, 0.02]: must be a list of 3 numbers (m): a plate, of 2, has no fluid yet"},
+    {"coupled", "size: [0.04, 0.02, 0.02]", "size: 0.04", "it.yaml:3: domain.size = 0.04: must be a list of 3 numbers (m)"},
+    {"coupled", "cells: [40, 20, 20]", "cells: [40, 20.5, 20]", "it.yaml:4: domain.cells[1] = 20.5: must be a whole number, between 1 and 1000000"},
+    {"coupled", "steps: 100, time_step: auto", "steps: 1e3", "it.yaml:42: stages[0].steps = 1e3: must be a whole number, at least 0"},
+    {"coupled", "breakage: false", "breakage: 0", "it.yaml:43: stages[1].breakage = 0: must be true or false"},
+    {"coupled", "x_high: {type: outflow}", "x_high: {type: outflw}", "it.yaml:11: fluid.sides.x_high.type = outflw: must be one of periodic, wall, slip, inflow, outflow, pressure, general; did you mean outflow?"},
+    {"coupled", "x_high: {type: outflow}", "x_high: outflow", "it.yaml:11: fluid.sides.x_high = outflow: must be a mapping of keys to values"},
+    {"coupled", "name: flow", "name: \"\"", "it.yaml:42: stages[0].name: must be a text, is empty"},
+    {"coupled", "name: flow", "name: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "it.yaml:42: stages[0].name = aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...: is too long: 72 characters, at most 63"},
+    {"coupled", "contact: {enabled: true, stiffness: 15}", "contact: true", "it.yaml:37: solid.contact = true: must be a mapping of keys to values"},
+    {"coupled", "time_step: auto", "time_step: soon", "it.yaml:42: stages[0].time_step = soon: must be a number, greater than 0 (s), or auto"},
+    {"fluid", "stages:\n  - {name: start-up, steps: 10}", "stages: []", "it.yaml:12: stages: is empty: needs at least one entry"},
+    {"fluid", "stages:\n  - {name: start-up, steps: 10}", "stages: {name: start-up, steps: 10}", "it.yaml:12: stages: must be a list of mappings"},
+    /* ranges */
+    {"fluid", "steps: 10", "steps: 99999999999999999999", "it.yaml:13: stages[0].steps = 99999999999999999999: is too large"},
+    {"fluid", "cells: [8, 16, 4]", "cells: [8, 16, 40000000]", "it.yaml:1: domain.cells[2] = 40000000: must be between 1 and 1000000"},
+    {"coupled", "density: 1000", "density: -1000", "it.yaml:6: fluid.density = -1000: must be greater than 0"},
+    {"coupled", "viscosity: 1.0e-3", "viscosity: 0", "it.yaml:7: fluid.viscosity = 0: must be greater than 0"},
+    {"coupled", "cells: [40, 20, 20]", "cells: [40, 0, 20]", "it.yaml:4: domain.cells[1] = 0: must be between 1 and 1000000"},
+    {"coupled", "size: [0.04, 0.02, 0.02]", "size: [0.04, -0.02, 0.02]", "it.yaml:3: domain.size[1] = -0.02: must be greater than 0"},
+    {"coupled", "bulk_velocity: 0.1", "bulk_velocity: -0.1", "it.yaml:10: fluid.sides.x_low.bulk_velocity = -0.1: must be greater than 0"},
+    {"coupled", "youngs_modulus: 1.0e8", "youngs_modulus: 0", "it.yaml:20: solid.materials[0].youngs_modulus = 0: must be greater than 0"},
+    {"coupled", "fracture_energy: 0.05", "fracture_energy: 0", "it.yaml:20: solid.materials[0].fracture_energy = 0: must be greater than 0, or .inf"},
+    {"coupled", "horizon_ratio: 2", "horizon_ratio: 0.5", "it.yaml:21: solid.materials[1].horizon_ratio = 0.5: must be at least 1 and less than 4.5"},
+    {"coupled", "horizon_ratio: 2", "horizon_ratio: 4.5", "it.yaml:21: solid.materials[1].horizon_ratio = 4.5: must be at least 1 and less than 4.5"},
+    {"coupled", "radius: 0.004", "radius: 0", "it.yaml:29: solid.bodies[1].radius = 0: must be greater than 0"},
+    {"coupled", "forcing_iterations: 2", "forcing_iterations: 0", "it.yaml:39: coupling.forcing_iterations = 0: must be between 1 and 100"},
+    {"coupled", "forcing_iterations: 2", "retraction: 1.5", "it.yaml:39: coupling.retraction = 1.5: must be between -1 and 1"},
+    {"coupled", "forcing_iterations: 2", "relaxation: aitken", "it.yaml:39: coupling.relaxation = aitken: only with scheme strong, here it is explicit"},
+    {"coupled", "forcing_iterations: 2", "load: wal", "it.yaml:39: coupling.load = wal: must be one of probe, wall, balanced; did you mean wall?"},
+    {"coupled", "forcing_iterations: 2", "scheme: strongly", "it.yaml:39: coupling.scheme = strongly: must be one of explicit, strong; did you mean strong?"},
+    {"coupled", "steps: 100, time_step: auto", "steps: -1", "it.yaml:42: stages[0].steps = -1: must be at least 0"},
+    {"coupled", "time_step: auto", "time_step: 0", "it.yaml:42: stages[0].time_step = 0: must be greater than 0, or auto"},
+    {"coupled", "cfl: 0.5", "cfl: 1.01", "it.yaml:42: stages[0].cfl = 1.01: must be greater than 0 and at most 1"},
+    {"coupled", "cfl: 0.5", "safety: 0", "it.yaml:42: stages[0].safety = 0: must be greater than 0 and at most 1"},
+    {"coupled", "substeps: 4", "substeps: 0", "it.yaml:44: stages[2].substeps = 0: must be between 1 and 1000000, or auto"},
+    {"coupled", "damping_absolute: 2000", "damping_absolute: -1", "it.yaml:43: stages[1].damping_absolute = -1: must be at least 0"},
+    {"coupled", "series_every: 10", "log_every: -1", "it.yaml:46: output.log_every = -1: must be at least 0"},
+    /* keys that something else rules out or asks for */
+    {"coupled", "y_low: {type: wall}", "y_low: {type: wall, pressure: 1}", "it.yaml:12: fluid.sides.y_low.pressure = 1: only with type pressure, here it is wall"},
+    {"coupled", ", bulk_velocity: 0.1", "", "it.yaml:10: fluid.sides.x_low.bulk_velocity: missing; profile poiseuille needs it (m/s)"},
+    {"coupled", "x_low: {type: inflow, profile: poiseuille, bulk_velocity: 0.1}", "x_low: {type: inflow, profile: file}", "it.yaml:10: fluid.sides.x_low.file: missing; profile file needs it"},
+    {"coupled", "shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.004", "shape: sphere, centre: [0.03, 0.01, 0.01]", "it.yaml:29: solid.bodies[1].radius: missing; shape sphere needs it (m)"},
+    {"coupled", "  cells: [40, 20, 20]", "  cells: [40, 20, 20]\n  periodic: [false, false, true]", "it.yaml:5: domain.periodic = [false, false, true]: only in a scene without fluid"},
+    {"coupled", "solid: rigid", "relax: true", "it.yaml:42: stages[0].relax = true: only in a scene without fluid"},
+    {"fluid", "steps: 10", "steps: 10, solid: elastic", "it.yaml:13: stages[0].solid = elastic: only in a scene with a solid"},
+    {"fluid", "stages:", "coupling: {retraction: 0.3}\nstages:", "it.yaml:12: coupling: only in a scene with both fluid and solid"},
+    {"solid", "stages:", "coupling: {retraction: 0.3}\nstages:", "it.yaml:12: coupling: only in a scene with both fluid and solid"},
+    {"solid", "relax: true", "solid: rigid", "it.yaml:13: stages[0].solid = rigid: a rigid solid without a fluid does nothing: must be elastic"},
+    /* combinations: fluid */
+    {"coupled", "cells: [40, 20, 20]", "cells: [40, 20, 21]", "it.yaml:4: domain.cells = [40, 20, 21]: a solid in a fluid needs cells of the same size in all directions, these are 0.001 x 0.001 x 0.000952381 m"},
+    {"fluid", "z_low: {type: periodic}", "z_low: {type: slip}", "it.yaml:11: fluid.sides.z_high.type = periodic: periodic sides come in pairs, but z_low is slip"},
+    {"coupled", "velocity: [0.01, 0, 0]}", "velocity: [0, 0.01, 0]}", "it.yaml:13: fluid.sides.y_high.velocity = [0, 0.01, 0]: a wall moves in its own plane: the y component must be 0"},
+    {"fluid", "profile: file, file: profile.txt", "profile: poiseuille, bulk_velocity: 1", "it.yaml:6: fluid.sides.x_low.profile = poiseuille: needs walls on both sides in y or z"},
+    {"coupled", "x_high: {type: outflow}", "x_high: {type: inflow, bulk_velocity: 0.1}", "it.yaml:9: fluid.sides: the velocities given at the sides do not balance, and no side is an outflow or of given pressure"},
+    {"coupled", "x_low: {type: inflow, profile: poiseuille, bulk_velocity: 0.1}", "x_low: {type: slip}", "it.yaml:11: fluid.sides.x_high.type = outflow: an outflow needs a side where something comes in (inflow, pressure or general)"},
+    {"coupled", "direction: z", "direction: x", "it.yaml:16: fluid.driving.direction = x: must be a periodic direction: x_low is inflow, x_high is outflow"},
+    {"coupled", "initial: {velocity: [0.1, 0, 0]", "initial: {velocity: [0, 0, 0]", "it.yaml:8: fluid.initial.poiseuille = true: needs initial.velocity, its mean, along one of the axes"},
+    {"coupled", "initial: {velocity: [0.1, 0, 0]", "initial: {velocity: [0, 0.1, 0]", "it.yaml:8: fluid.initial.poiseuille = true: needs walls on both sides in x or z"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  initial: {taylor_green: {velocity: 1, axes: yz}}", "it.yaml:5: fluid.initial.taylor_green.axes = yz: y_low must be periodic or slip, it is general"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  diffusion: implicit", "it.yaml:5: fluid.diffusion = implicit: needs a normal velocity on every side, and x_high has a pressure"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  diffusion: half", "it.yaml:5: fluid.diffusion = half: must be one of explicit, implicit"},
+    {"coupled", "viscosity: 1.0e-3", "viscosity: 1.0e-3\n  diffusion: implicit", "it.yaml:8: fluid.diffusion = implicit: needs a solid that does not break: material ceramic has a fracture energy, and a stage breakage"},
+    {"coupled", "direction: z, value: 0", "direction: z, value: 0, frequency: -1", "it.yaml:16: fluid.driving.frequency = -1: must be at least 0"},
+    {"coupled", "type: pressure_gradient, direction: z, value: 0", "type: bulk_velocity, direction: z, value: 0, frequency: 1", "it.yaml:16: fluid.driving.frequency = 1: only with type pressure_gradient, here it is bulk_velocity"},
+    {"coupled", "series_every: 10", "fluid_probes: {}", "it.yaml:46: output.fluid_probes: needs at, lines or both"},
+    {"coupled", "series_every: 10", "fluid_probes: {at: [[0.01, 0.021, 0]]}", "it.yaml:46: output.fluid_probes.at[0] = [0.01, 0.021, 0]: must be within the domain, 0 to 0.02 m in y"},
+    {"coupled", "series_every: 10", "fluid_probes: {lines: [{from: [0, 0, -0.001], to: [0, 0, 0], points: 2}]}", "it.yaml:46: output.fluid_probes.lines[0].from = [0, 0, -0.001]: must be within the domain, 0 to 0.02 m in z"},
+    {"coupled", "series_every: 10", "fluid_probes: {lines: [{from: [0, 0, 0], to: [0, 0, 0.01], points: 1}]}", "it.yaml:46: output.fluid_probes.lines[0].points = 1: must be between 2 and 10000"},
+    {"solid", "stages:", "output: {fluid_probes: {at: [[0, 0, 0]]}}\nstages:", "it.yaml:12: output.fluid_probes: only in a scene with a fluid"},
+    {"fluid", "p: neumann", "p: dirichlet", "it.yaml:8: fluid.sides.y_low.p = dirichlet: must be neumann where the normal velocity v is dirichlet"},
+    {"fluid", "x_high: {type: pressure, pressure: 0}", "x_high: {type: slip}", "it.yaml:5: fluid.sides: the velocities given at the sides do not balance, and no side is an outflow or of given pressure"},
+    {"fluid", "file: profile.txt", "file: profil.txt", "it.yaml:6: fluid.sides.x_low.file = profil.txt: there is no such file (looked for @/profil.txt)"},
+    {"fluid", "file: profile.txt", "file: ../scenes", "it.yaml:6: fluid.sides.x_low.file = ../scenes: is not a file (looked for @/../scenes)"},
+    /* combinations: solid */
+    {"coupled", "glass, shape: sphere", "glas, shape: sphere", "it.yaml:29: solid.bodies[1].material = glas: is no name in solid.materials; did you mean glass?"},
+    {"coupled", "ratio: 2}", "ratio: 2}\n    - {name: glass, youngs_modulus: 1, density: 1}", "it.yaml:22: solid.materials[2].name = glass: is the name of solid.materials[1] too"},
+    {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.3", "it.yaml:21: solid.materials[1].poisson_ratio = 0.3: must be 0.25: the bond-based model in 3D has Poisson's ratio 1/4"},
+    {"coupled", "name: ball", "name: block", "it.yaml:29: solid.bodies[1].name = block: is the name of solid.bodies[0] too"},
+    {"coupled", "material: glass, shape: sphere", "shape: sphere", "it.yaml:29: solid.bodies[1].material: missing: solid.materials has 2 to choose from"},
+    {"coupled", "centre: [0.03, 0.01, 0.01]", "centre: [0.05, 0.01, 0.01]", "it.yaml:29: solid.bodies[1]: lies outside the domain: 0.046 to 0.054 m in x, the domain has 0 to 0.04"},
+    {"coupled", "centre: [0.03, 0.01, 0.01]", "centre: [0.03, 0.01, 0.017]", "it.yaml:29: solid.bodies[1]: leaves the domain in the periodic direction z: 0.013 to 0.021 m, the domain has 0 to 0.02"},
+    {"coupled", "low: [0.01, -0.003, 0]", "low: [0.01, 0.01, 0]", "it.yaml:26: solid.bodies[0].low = [0.01, 0.01, 0]: must be below high in every direction, y is not"},
+    {"coupled", "period: 0.005, radius: 0.002", "period: 0.005, radius: 0.0045", "it.yaml:28: solid.bodies[0].cavities.radius = 0.0045: leaves nothing of the body: must be less than 0.00433 m, sqrt(3)/2 periods"},
+    {"coupled", "directions: xyz", "directions: xyx", "it.yaml:32: solid.constraints[0].directions = xyx: must be a word of the letters x, y and z, each at most once"},
+    {"coupled", "directions: xyz", "directions: xz, velocity: [0, 1, 0]", "it.yaml:32: solid.constraints[0].velocity = [0, 1, 0]: has a part in y, which is not in directions (xz)"},
+    {"coupled", "high: [0.04, 0, 0.02]", "high: [0.04, -0.02, 0.02]", "it.yaml:32: solid.constraints[0].low = [0, -0.01, 0]: must be below high in every direction, y is not"},
+    {"coupled", "- {low: [0, -0.01, 0], high: [0.04, 0.001, 0.02]}", "- {low: [0, 0.012, 0], high: [0.001, 0.013, 0.02]}", "it.yaml:34: solid.unbreakable[0]: no body reaches into this region"},
+    {"coupled", "medium: {low: [0.01, 0, 0]", "medium: {low: [-0.01, 0, 0]", "it.yaml:40: coupling.medium.low = [-0.01, 0, 0]: must be within the domain, 0 to 0.04 m in x"},
+    {"coupled", "medium: {low: [0.01, 0, 0]", "medium: {low: [0.01, 0.01, 0]", "it.yaml:40: coupling.medium.low = [0.01, 0.01, 0]: must be below high in every direction, y is not"},
+    {"solid", "  spacing: 0.001\n", "", "it.yaml:4: solid.spacing: missing (m); without domain.cells, the same in all directions, there is no default"},
+    {"solid", "spacing: 0.001", "spacing: 0.0011", "it.yaml:5: solid.spacing = 0.0011: the periodic direction z (0.02 m) must hold a whole number of particles, not 18.1818"},
+    {"solid", "spacing: 0.001", "spacing: 0.004", "it.yaml:2: domain.size = [0.01, 0.01, 0.02]: a particle's family would meet itself across the periodic direction z: more than 0.028 m are needed"},
+    {"solid", "file: points.txt", "file: nowhere/points.txt", "it.yaml:9: solid.bodies[0].file = nowhere/points.txt: there is no such file (looked for @/nowhere/points.txt)"},
+    {"solid", "file: points.txt", "file: points.txt, cavities: {period: 1, radius: 0.1, centre: [0, 0, 0]}", "it.yaml:9: solid.bodies[0].cavities: only with shape box, sphere or cylinder, here it is points"},
+    /* a plate: what it has and what not */
+    {"plate", "size: [0.1, 0.04]", "size: [0.1]", "it.yaml:3: domain.size = [0.1]: must be a list of 3 numbers (m), or of 2 for a plate"},
+    {"plate", "size: [0.1, 0.04]", "size: [0.1, -0.04]", "it.yaml:3: domain.size[1] = -0.04: must be greater than 0"},
+    {"plate", "size: [0.1, 0.04]", "siz: [0.1, 0.04]", "it.yaml:3: domain.siz: unknown key; did you mean size?"},
+    {"plate", "  periodic: [false, false]", "  cells: [100, 40]", "it.yaml:4: domain.cells = [100, 40]: not in a plate, which has no fluid yet"},
+    {"plate", "periodic: [false, false]", "periodic: [false, false, false]", "it.yaml:4: domain.periodic = [false, false, false]: must be a list of 2 true or false in a plate"},
+    {"plate", "stages:", "coupling: {retraction: 0.3}\nstages:", "it.yaml:59: coupling: only in a scene with both fluid and solid"},
+    {"plate", "  model: plane_stress\n", "", "it.yaml:5: solid.model: missing"},
+    {"plate", "plane_stress", "plane_stres", "it.yaml:7: solid.model = plane_stres: must be one of plane_stress, plane_strain; did you mean plane_stress?"},
+    {"plate", "plane_stress", "plane_strain", "it.yaml:14: solid.materials[1].poisson_ratio = 0.3333: must be 0.25: the bond-based model in plane strain has Poisson's ratio 1/4"},
+    {"plate", "poisson_ratio: 0.3333", "poisson_ratio: 0.25", "it.yaml:14: solid.materials[1].poisson_ratio = 0.25: must be 0.333 to 0.3334: the bond-based model in plane stress has Poisson's ratio 1/3"},
+    {"plate", "thickness: 0.002", "thickness: 0", "it.yaml:8: solid.thickness = 0: must be greater than 0"},
+    {"plate", "lattice_offset: [0.25, -0.5]", "lattice_offset: [0.25, -0.5, 0]", "it.yaml:9: solid.lattice_offset = [0.25, -0.5, 0]: must be a list of 2 numbers (spacings) in a plate"},
+    {"plate", "lattice_offset: [0.25, -0.5]", "lattice_offset: [0.25, -1.5]", "it.yaml:9: solid.lattice_offset[1] = -1.5: must be between -1 and 1"},
+    {"plate", "horizons: one_sided", "horizons: double", "it.yaml:11: solid.horizons = double: must be one of dual, one_sided"},
+    {"plate", "horizon_ratio: 5", "horizon_ratio: 12.5", "it.yaml:14: solid.materials[1].horizon_ratio = 12.5: must be between 1 and 12"},
+    {"plate", "horizon_ratio: 5", "horizon_ratio: 0.5", "it.yaml:14: solid.materials[1].horizon_ratio = 0.5: must be between 1 and 12"},
+    {"plate", "conical", "cubic", "it.yaml:13: solid.materials[0].micromodulus = cubic: must be one of constant, conical"},
+    {"plate", "body_force: [0, -9.81]", "body_force: [0, -9.81, 0]", "it.yaml:58: solid.body_force = [0, -9.81, 0]: must be a list of 2 numbers (m/s2) in a plate"},
+    {"solid", "spacing: 0.001", "spacing: 0.001\n  model: plane_stress", "it.yaml:6: solid.model = plane_stress: only in a plate, where domain.size has two numbers"},
+    {"solid", "spacing: 0.001", "spacing: 0.001\n  partial_volume: ramp", "it.yaml:6: solid.partial_volume = ramp: must be exact in 3D"},
+    {"solid", "spacing: 0.001", "spacing: 0.001\n  refinement: {levels: 2}", "it.yaml:6: solid.refinement: only in a plate, where domain.size has two numbers"},
+    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, points in 3D"},
+    {"solid", "low: [0.002, 0.002, 0]", "low: [0.002, 0.002]", "it.yaml:10: solid.bodies[1].low = [0.002, 0.002]: must be a list of 3 numbers (m)"},
+    /* a plate: bodies */
+    {"plate", "name: pad, material: steel, shape: rectangle", "name: pad, material: steel, shape: box", "it.yaml:32: solid.bodies[2].shape = box: must be one of rectangle, disc, polygon, points in a plate"},
+    {"plate", "low: [0.07, 0.034]", "low: [0.07, 0.034, 0]", "it.yaml:32: solid.bodies[2].low = [0.07, 0.034, 0]: must be a list of 2 numbers (m) in a plate"},
+    {"plate", "low: [0.07, 0.034]", "low: [0.07, 0.04]", "it.yaml:32: solid.bodies[2].low = [0.07, 0.04]: must be below high in every direction, y is not"},
+    {"plate", "low: [0.085, 0], high", "low: [0.096, 0], high", "it.yaml:27: solid.bodies[0].pieces[0].low = [0.096, 0]: must be below high in every direction, x is not"},
+    {"plate", "radius: 0.004", "radius: -0.004", "it.yaml:29: solid.bodies[0].holes[0].radius = -0.004: must be greater than 0"},
+    {"plate", "{shape: disc, centre: [0.02, 0.03], radius: 0.004}", "{shape: disc, centre: [0.02, 0.03]}", "it.yaml:29: solid.bodies[0].holes[0].radius: missing; shape disc needs it (m)"},
+    {"plate", "{shape: disc, centre: [0.02, 0.03], radius: 0.004}", "{shape: sphere, centre: [0.02, 0.03], radius: 0.004}", "it.yaml:29: solid.bodies[0].holes[0].shape = sphere: must be one of rectangle, disc, polygon"},
+    {"plate", "shape: disc, centre: [0.09, 0.03], radius: 0.008", "shape: disc, centre: [0.19, 0.03], radius: 0.008", "it.yaml:31: solid.bodies[1]: lies outside the domain: 0.182 to 0.198 m in x, the domain has 0 to 0.1"},
+    {"plate", "        - [0, 0]\n", "        - [0, 0, 0]\n", "it.yaml:20: solid.bodies[0].outline[0].at = [0, 0, 0]: must be a list of 2 numbers (m)"},
+    {"plate", "        - [0, 0]\n", "        - corner\n", "it.yaml:20: solid.bodies[0].outline[0] = corner: must be a mapping of keys to values"},
+    {"plate", "        - [0, 0]\n", "        - [0, 0]\n        - [0, 0]\n", "it.yaml:20: solid.bodies[0].outline[0].at = [0, 0]: the next corner is the same"},
+    {"plate", "turn: left, centre: [0.07, 0.02]", "turn: left", "it.yaml:22: solid.bodies[0].outline[2].centre: missing; turn left needs it (m)"},
+    {"plate", "turn: left, centre: [0.07, 0.02]", "centre: [0.07, 0.02]", "it.yaml:22: solid.bodies[0].outline[2].centre = [0.07, 0.02]: only with turn left or right, here it is straight"},
+    {"plate", "turn: left, centre: [0.07, 0.02]", "turn: left, centre: [0.071, 0.02]", "it.yaml:22: solid.bodies[0].outline[2].centre = [0.071, 0.02]: must be as far from this corner as from the next: 0.009 and 0.011 m"},
+    {"plate", "turn: left", "turn: lefft", "it.yaml:22: solid.bodies[0].outline[2].turn = lefft: must be one of straight, left, right; did you mean left?"},
+    {"plate", "{at: [0.05, 0.03], turn: right, centre: [0.04, 0.03]}", "[0.05, 0.03]", "it.yaml:30: solid.bodies[0].holes[1].outline: encloses nothing: needs three corners, or two and an arc"},
+    {"plate", "outline: [[0.03, 0.03], {at: [0.05, 0.03], turn: right, centre: [0.04, 0.03]}]", "outline: []", "it.yaml:30: solid.bodies[0].holes[1].outline: is empty: needs at least one entry"},
+    {"plate", "shape: points, file: areas.txt", "shape: points, file: areas.txt, holes: [{shape: disc, centre: [0, 0], radius: 1}]", "it.yaml:33: solid.bodies[3].holes: only with shape rectangle, disc or polygon, here it is points"},
+    {"plate", "shape: points, file: areas.txt", "shape: rectangle, low: [0, 0], high: [1, 1], outline: [[0, 0]]", "it.yaml:33: solid.bodies[3].outline: only with shape polygon, here it is rectangle"},
+    /* a plate: what is imposed. Without the points, whose bounds are not known, regions can be outside of all bodies. */
+    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02]]", "it.yaml:35: solid.cracks[0].points: has 1 entry, needs at least 2"},
+    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02], [0.01, 0.02, 0]]", "it.yaml:35: solid.cracks[0].points[1] = [0.01, 0.02, 0]: must be a list of 2 numbers (m) in a plate"},
+    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02], [0.01, 0.02], [0.01, 0.02]]", "it.yaml:35: solid.cracks[0].points[2] = [0.01, 0.02]: is the same point as the one before"},
+    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: 0.02", "it.yaml:35: solid.cracks[0].points = 0.02: must be a list of lists of numbers"},
+    {"plate", "directions: y", "directions: yz", "it.yaml:37: solid.constraints[0].directions = yz: must be a word of the letters x and y, each at most once"},
+    {"plate", "directions: y", "directions: y, velocity: [1, 0]", "it.yaml:37: solid.constraints[0].velocity = [1, 0]: has a part in x, which is not in directions (y)"},
+    {"plate", "directions: y", "directions: y, displacement: [1, 0]", "it.yaml:37: solid.constraints[0].displacement = [1, 0]: has a part in x, which is not in directions (y)"},
+    {"plate", "displacement: [0, 1.0e-5]", "displacement: [0, 1.0e-5], velocity: [0, 1]", "it.yaml:38: solid.constraints[1].velocity = [0, 1]: not together with displacement"},
+    {"plate", "time: [[0, 0], [1.0e-6, 1]]", "time: [[0, 0], [0, 1]]", "it.yaml:38: solid.constraints[1].time[1] = [0, 1]: must be later than the entry before, at 0 s"},
+    {"plate", "time: [[0, 0], [1.0e-6, 1]]", "time: [[0, 0], 1]", "it.yaml:38: solid.constraints[1].time[1] = 1: must be a list of 2 numbers (s, 1)"},
+    {"plate", "time: [[0, 0], [1.0e-6, 1]]", "time: []", "it.yaml:38: solid.constraints[1].time: is empty: needs at least one entry"},
+    {"plate", "force: [0, 1.0e9], ", "", "it.yaml:42: solid.loads[0].force: missing (N/m3)"},
+    {"plate", "force: [0, 1.0e9], ", "force: [0, 1.0e9], traction: [0, 1], ", "it.yaml:42: solid.loads[0].traction = [0, 1]: only together with edge"},
+    {"plate", "traction: [0, 1.2e7], ", "", "it.yaml:43: solid.loads[1].traction: missing (Pa)"},
+    {"plate", "traction: [0, 1.2e7], ", "traction: [0, 1.2e7], force: [0, 1], ", "it.yaml:43: solid.loads[1].force = [0, 1]: not together with edge"},
+    {"plate", "depth: horizon", "depth: horizn", "it.yaml:43: solid.loads[1].depth = horizn: must be one of layer, horizon; did you mean horizon?"},
+    {"plate", "from: [0, 0.04], to: [0.06, 0.04]", "from: [0, 0.04], to: [0, 0.04]", "it.yaml:43: solid.loads[1].edge: from and to are the same point"},
+    {"plate", "from: [0, 0.04], to: [0.06, 0.04]", "from: [0, 0.04]", "it.yaml:43: solid.loads[1].edge.to: missing (m)"},
+    {"plate", "time: [[0, 1], [2.0e-6, 1], [3.0e-6, 0]]", "time: [[0, 1], [2.0e-6, 1], [1.0e-6, 0]]", "it.yaml:42: solid.loads[0].time[2] = [1.0e-6, 0]: must be later than the entry before, at 2e-06 s"},
+    {"plate", "shape: gaussian", "shape: linear", "it.yaml:46: solid.initial[0].shape = linear: must be one of gaussian, sine"},
+    {"plate", "along: y", "along: z", "it.yaml:46: solid.initial[0].along = z: must be one of x, y in a plate"},
+    {"plate", "width: 0.005", "width: 0", "it.yaml:46: solid.initial[0].width = 0: must be greater than 0"},
+    {"plate", "displacement: [0, 1.0e-6]", "displacement: [0, 0]", "it.yaml:46: solid.initial[0].displacement = [0, 0]: displaces nothing: must not be 0 in every direction"},
+    {"plate", "levels: 2", "levels: 5", "it.yaml:48: solid.refinement.levels = 5: must be between 1 and 4"},
+    {"plate", "levels: 2", "levels: 1", "it.yaml:57: solid.refinement.start[0].level = 2: must be at most solid.refinement.levels, 1"},
+    {"plate", "horizon_ratio: 5", "horizon_ratio: 7", "it.yaml:48: solid.refinement.levels = 2: a family of steel would have more than 512 bonds: its horizon_ratio can be 6 at most where the horizon is scaled"},
+    {"plate", "held: refine", "horizon: kept", "it.yaml:48: solid.refinement.levels = 2: a family of steel would have more than 512 bonds: its horizon_ratio can be 3 at most where the horizon is kept"},
+    {"plate", "energy: off", "energy: 1.5", "it.yaml:49: solid.refinement.energy = 1.5: must be greater than 0 and at most 1, or off"},
+    {"plate", "damage: 0.1", "damage: 1", "it.yaml:50: solid.refinement.damage = 1: must be greater than 0 and less than 1, or off"},
+    {"plate", "    low: [0, 0.01]\n", "", "it.yaml:52: solid.refinement.high = [0.08, 0.03]: only together with low"},
+    {"plate", "    low: [0, 0.01]\n", "    low: [0, 0.03]\n", "it.yaml:52: solid.refinement.low = [0, 0.03]: must be below high in every direction, y is not"},
+    {"plate", "every: 5", "every: 0", "it.yaml:54: solid.refinement.every = 0: must be at least 1"},
+    {"plate", "held: refine", "held: refined", "it.yaml:55: solid.refinement.held = refined: must be one of keep, refine; did you mean refine?"},
+    {"plate", "    damage: 0.1\n    from: 1.0e-6\n    low: [0, 0.01]\n    high: [0.08, 0.03]\n    every: 5\n    held: refine\n    start:\n      - {low: [0.01, 0.015], high: [0.03, 0.025], level: 2}\n", "", "it.yaml:47: solid.refinement: refines nothing: energy and damage are off, and nothing is refined from the start"},
+    {"pulled", "high: [0.04, 0.002]", "high: [0.04, -0.002]", "it.yaml:9: solid.constraints[0]: no body reaches into this region"},
+    {"pulled", "force: [0, 1], low: [0.06, 0]", "force: [0, 1], low: [0.07, 0]", "it.yaml:10: solid.loads[0]: no body reaches into this region"},
+    {"pulled", "from: [0.02, 0.04], to: [0.06, 0.04]", "from: [0.02, 0.05], to: [0.06, 0.05]", "it.yaml:11: solid.loads[1].edge: no body reaches to this edge"},
+    {"pulled", "points: [[0.02, 0.02], [0.03, 0.02]]", "points: [[0.01, 0.02], [0.015, 0.02]]", "it.yaml:8: solid.cracks[0].points: no body reaches to this crack"},
+    {"pulled", "refinement: {", "refinement: {low: [0, 0], high: [0.01, 0.04], ", "it.yaml:12: solid.refinement: no body reaches into this region"},
+    {"pulled", "start: [{low: [0.02, 0], ", "start: [{low: [0.061, 0], ", "it.yaml:12: solid.refinement.start[0]: no body reaches into this region"},
+    {"pulled", "  spacing: 0.001\n", "", "it.yaml:2: solid.spacing: missing (m)"},
+    {"pulled", "crack: {", "crack: {direction: [0, 0], ", "it.yaml:14: output.crack.direction = [0, 0]: must not be 0 in every direction"},
+    {"pulled", "crack: {", "crack: {damage: 0, ", "it.yaml:14: output.crack.damage = 0: must be greater than 0 and less than 1"},
+    {"pulled", "crack: {", "crack: {window: 0, ", "it.yaml:14: output.crack.window = 0: must be greater than 0"},
+    {"pulled", "crack: {", "crack: {evry: 1, ", "it.yaml:14: output.crack.evry: unknown key; did you mean every?"},
+    {"pulled", "crack: {", "probes: {}, crack: {", "it.yaml:14: output.probes.at: missing (m)"},
+    {"pulled", "crack: {", "probes: {at: []}, crack: {", "it.yaml:14: output.probes.at: is empty: needs at least one entry"},
+    {"pulled", "crack: {", "probes: {at: [[0, 0, 0]]}, crack: {", "it.yaml:14: output.probes.at[0] = [0, 0, 0]: must be a list of 2 numbers (m) in a plate"},
+    {"pulled", "crack: {", "probes: {at: [[0, 0]], every: 0}, crack: {", "it.yaml:14: output.probes.every = 0: must be at least 1"},
+    {"fluid", "stages:", "output: {crack: {}}\nstages:", "it.yaml:12: output.crack: only in a scene with a solid"},
+    {"block", "[0.01, 0.005, 0.01], ", "", "it.yaml:11: solid.cracks[0].points: must be the four corners of a plane quadrilateral in 3D"},
+    {"block", "[0.01, 0.005, 0.01], ", "[0.01, 0.005, 0.011], ", "it.yaml:11: solid.cracks[0].points: must be the four corners of a plane quadrilateral, these lie in no plane"},
+    {"block", "[0, 0.005, 0.01]]", "[0, 0, 0.01]]", "it.yaml:11: solid.cracks[0].points[0] = [0, 0, 0.01]: is the same point as the one at the end"},
+    /* combinations: stages */
+    {"coupled", "name: settle", "name: flow", "it.yaml:43: stages[1].name = flow: is the name of stages[0] too"},
+};
+/* clang-format on */
+
+static void test_each_mistake_has_its_line(void **state) {
+    (void)state;
+    assert_int_equal(sample_check_broken(sizeof table / sizeof *table, table), 0);
+}
+
+static void test_all_mistakes_at_once(void **state) {
+    (void)state;
+    char *sample = sample_text(SCENES "coupled.yaml"), *text = sample;
+    const char *const edit[][2] = {{"viscosity", "viscosty"},
+                                   {"density: 1000", "density: none"},
+                                   {"z_high: {type: periodic}", "z_high: {type: wall}"},
+                                   {"youngs_modulus: 7.0e10", "youngs_modulus: -7"},
+                                   {"shape: sphere", "shape: ball"},
+                                   {"name: settle", "name: fracture"},
+                                   {"directions: xyz", "directions: xyzz"},
+                                   {"forcing_iterations: 2", "retraction: 7"}};
+    const char *const said[] = {
+        "--set stages.flow.stepz: unknown key; did you mean steps?",
+        "it.yaml:6: fluid.density = none: must be a number, greater than 0 (kg/m3)",
+        "it.yaml:7: fluid.viscosty: unknown key; did you mean viscosity?",
+        "it.yaml:14: fluid.sides.z_low.type = periodic: periodic sides come in pairs, but z_high is wall",
+        ("it.yaml:16: fluid.driving.direction = z: must be a periodic direction: z_low is periodic, "
+         "z_high is wall"),
+        "it.yaml:21: solid.materials[1].youngs_modulus = -7: must be greater than 0",
+        "it.yaml:29: solid.bodies[1].shape = ball: must be one of box, sphere, cylinder, points",
+        "it.yaml:32: solid.constraints[0].directions = xyzz: is too long: 4 characters, at most 3",
+        "it.yaml:39: coupling.retraction = 7: must be between -1 and 1",
+        "it.yaml:44: stages[2].name = fracture: is the name of stages[1] too"};
+    const int n_edits = (int)(sizeof edit / sizeof *edit), n_said = (int)(sizeof said / sizeof *said);
+    for (int i = 0; i < n_edits; i++) {
+        char *edited = sample_with(text, edit[i][0], edit[i][1]);
+        free(text);
+        text = edited;
+    }
+    const char *const set[] = {"stages.flow.stepz=3"};
+    struct scene_problems problems;
+    assert_null(sample_read(text, 1, set, &problems));
+    for (int i = 0; i < problems.n && i < n_said; i++) {
+        char *line = sample_problem(&problems, i);
+        assert_string_equal(line, said[i]);
+        free(line);
+    }
+    assert_int_equal(problems.n, n_said);
+    scene_problem_free(&problems);
+    free(text);
+}
+
+static void test_nothing_to_run_and_no_text(void **state) {
+    (void)state;
+    const char *const text[][2] = {
+        {"", "it.yaml: the scene is empty"},
+        {"# a remark\n", "it.yaml: the scene is empty"},
+        {"~", "it.yaml:1: a scene must be a mapping (domain: ..., fluid: ..., stages: ...)"},
+        {"- 1\n- 2\n", "it.yaml:1: a scene must be a mapping (domain: ..., fluid: ..., stages: ...)"},
+        {"domain: {size: [1, 1, 1]}\nstages: [{name: a, steps: 1}]\n",
+         "it.yaml: there is nothing to run: give a section fluid, solid or both"}};
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
+        struct scene_problems problems;
+        assert_null(sample_read(text[i][0], 0, NULL, &problems));
+        assert_int_equal(problems.n, 1);
+        char *said = sample_problem(&problems, 0);
+        assert_string_equal(said, text[i][1]);
+        free(said);
+        scene_problem_free(&problems);
+    }
+}
+
+/* Whatever is cut off or garbled, there is a scene or a mistake, and neither a crash nor a leak. */
+static void garble(const char *path) {
+    static const char garbage[] = "\0[]{}:,-*&!'\"#\t\n\xff\x01"
+                                  "9";
+    char *sample = sample_text(path);
+    const size_t length = strlen(sample);
+    for (size_t n = 0; n < length; n++) {
+        const char was = sample[n];
+        struct scene_problems problems = {0};
+        struct scene *s = n % 3 ? NULL : scene_read(SCENES "it.yaml", sample, n, 0, NULL, 1, &problems);
+        assert_true(n % 3 || (s != NULL) != (problems.n > 0));
+        scene_problem_free(&problems);
+        scene_free(s);
+        sample[n] = garbage[n % (sizeof garbage - 1)];
+        s = n % 2 ? NULL : scene_read(SCENES "it.yaml", sample, length, 0, NULL, 1, &problems);
+        assert_true(n % 2 || (s != NULL) != (problems.n > 0));
+        scene_problem_free(&problems);
+        scene_free(s);
+        sample[n] = was;
+    }
+    free(sample);
+}
+
+static void test_garbled_scenes_do_not_crash(void **state) {
+    (void)state;
+    garble(SCENES "coupled.yaml");
+    garble(SCENES "plate.yaml");
+}
+
+/* What a process says on stderr and leaves with when it asks for the scene. */
+static int leaves_with(const char *path, int n, const char *const *set, char *said, size_t size) {
+    int pipes[2], status;
+    assert_int_equal(pipe(pipes), 0);
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(pipes[1], STDERR_FILENO);
+        scene_new(path, n, set);
+        _exit(0);
+    }
+    close(pipes[1]);
+    size_t got = 0;
+    for (ssize_t k; got < size - 1 && (k = read(pipes[0], said + got, size - 1 - got)) > 0;) got += (size_t)k;
+    said[got] = '\0';
+    close(pipes[0]);
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void test_leaves_with_code_2(void **state) {
+    (void)state;
+    char said[4096];
+    const char *const bad[] = {"fluid.viscosity=-1", "stages.flow.stepz=1"}, *const good[] = {
+                                                                                 "fluid.viscosity=1"};
+    assert_int_equal(leaves_with(SCENES "coupled.yaml", 2, bad, said, sizeof said), 2);
+    assert_string_equal(said, "frana: --set fluid.viscosity = -1: must be greater than 0\n"
+                              "frana: --set stages.flow.stepz: unknown key; did you mean steps?\n");
+    assert_int_equal(leaves_with(SCENES "none.yaml", 0, NULL, said, sizeof said), 2);
+    assert_string_equal(said,
+                        "frana: " SCENES "none.yaml: the scene cannot be read: No such file or directory\n");
+    assert_int_equal(leaves_with(SCENES, 0, NULL, said, sizeof said), 2);
+    assert_string_equal(said, "frana: " SCENES ": the scene cannot be read: Is a directory\n");
+    assert_int_equal(leaves_with(SCENES "coupled.yaml", 1, good, said, sizeof said), 0);
+    assert_string_equal(said, "");
+}
+
+int main(int argc, char **argv) {
+    /* forks: before MPI has begun */
+    const struct CMUnitTest leaving[] = {cmocka_unit_test(test_leaves_with_code_2)};
+    int failed = cmocka_run_group_tests(leaving, NULL, NULL);
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_mistake_has_its_line),
+                                       cmocka_unit_test(test_all_mistakes_at_once),
+                                       cmocka_unit_test(test_nothing_to_run_and_no_text),
+                                       cmocka_unit_test(test_garbled_scenes_do_not_crash)};
+    failed += cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

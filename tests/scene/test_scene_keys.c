@@ -1,0 +1,146 @@
+/* Schema, rules and the reference in docs/scene.md name the same keys, units, defaults and ranges. */
+#include "base/par.h"
+#include "scene/rules/rule.h"
+#include "scene/rules/schema.h"
+#include "scene_sample.h"
+
+struct keys {
+    int n;
+    char *path[256];
+    int optional[256];
+};
+
+static void collect(struct keys *keys, const cyaml_schema_value_t *v, const char *path) {
+    if (v->type == CYAML_SEQUENCE) {
+        char *inner = scene_node_text("%s[]", path);
+        collect(keys, v->sequence.entry, inner);
+        free(inner);
+    }
+    if (v->type != CYAML_MAPPING) return;
+    for (const cyaml_schema_field_t *f = v->mapping.fields; f->key; f++) {
+        const int is_side = !strcmp(path, "fluid.sides");
+        char *inner =
+            is_side ? scene_node_text("fluid.sides.SIDE") : scene_node_text("%s%s%s", path, *path ? "." : "", f->key);
+        if (!is_side || !strcmp(f->key, "x_low")) {
+            assert_true(keys->n < 256);
+            keys->path[keys->n] = scene_node_text("%s", inner);
+            keys->optional[keys->n++] = (f->value.flags & CYAML_FLAG_OPTIONAL) != 0;
+            collect(keys, &f->value, inner);
+        }
+        free(inner);
+    }
+}
+
+static void free_keys(struct keys *keys) {
+    for (int i = 0; i < keys->n; i++) free(keys->path[i]);
+}
+
+static void test_every_key_has_a_rule(void **state) {
+    (void)state;
+    struct keys keys = {0};
+    collect(&keys, &scene_schema, "");
+    assert_true(keys.n > 160);
+    int rules = 0;
+    while (scene_rule_table[rules].path) rules++;
+    assert_int_equal(keys.n, rules);
+    for (int i = 0; i < keys.n; i++)
+        assert_string_equal(keys.path[i], scene_rule_table[i].path); /* and in the same order */
+    free_keys(&keys);
+}
+
+static void test_paths_find_their_rule(void **state) {
+    (void)state;
+    assert_string_equal(scene_rule_find("solid.bodies[12].cavities.radius")->path,
+                        "solid.bodies[].cavities.radius");
+    assert_string_equal(scene_rule_find("fluid.sides.z_high")->path, "fluid.sides.SIDE");
+    assert_string_equal(scene_rule_find("fluid.sides.y_low.u")->path, "fluid.sides.SIDE.u");
+    assert_null(scene_rule_find("fluid.sides.y_low.q"));
+    assert_null(scene_rule_find("fluid.densit"));
+    assert_null(scene_rule_find("fluid.density2"));
+    assert_null(scene_rule_find("solid.bodies.radius"));
+}
+
+/* | `path` | unit | default | range | ...: default is none where a key may stay out, needed where it may not, or text in
+ * brackets where it rests on other keys. */
+static void test_the_reference_has_every_key(void **state) {
+    (void)state;
+    struct keys keys = {0};
+    char *text = sample_text(FRANA_SOURCE_DIR "/docs/scene.md");
+    collect(&keys, &scene_schema, "");
+    for (int i = 0; i < keys.n; i++) {
+        const struct scene_rule *rule = &scene_rule_table[i];
+        char *row = scene_node_text("| `%s` | %s | ", rule->path, rule->unit);
+        const char *at = strstr(text, row);
+        if (!at) fail_msg("docs/scene.md lacks \"%s\"", row);
+        at += strlen(row);
+        const char *given = rule->fallback                      ? rule->fallback
+                            : !keys.optional[i] || rule->needed ? "needed"
+                                                                : "";
+        if (strncmp(at, given, strlen(given)) != 0 || (*given && strncmp(at + strlen(given), " |", 2) != 0))
+            fail_msg("docs/scene.md: the default of %s is %s", rule->path, given);
+        char *range = scene_rule_range(rule),
+             *cell = scene_node_text(" | %s%s%s |", range ? range : "", rule->word ? ", or " : "",
+                                rule->word ? rule->word : "");
+        const size_t end = strcspn(at, "\n"), found = range ? (size_t)(strstr(at, cell) - at) : 0;
+        if (range && (!strstr(at, cell) || found > end))
+            fail_msg("docs/scene.md: the range of %s is%s", rule->path, cell);
+        free(cell);
+        free(range);
+        free(row);
+    }
+    free_keys(&keys);
+    free(text);
+}
+
+static void test_nearest_word(void **state) {
+    (void)state;
+    const char *const word[] = {"steps", "solid", "safety", "cfl"};
+    assert_string_equal(scene_problem_nearest("stepz", 4, word), "steps");
+    assert_string_equal(scene_problem_nearest("setps", 4, word), "steps"); /* a swap is one edit */
+    assert_string_equal(scene_problem_nearest("clf", 4, word), "cfl");
+    assert_string_equal(scene_problem_nearest("safty", 4, word), "safety");
+    assert_null(scene_problem_nearest("temperature", 4, word));
+    assert_null(scene_problem_nearest("abc", 4, word));
+    assert_null(scene_problem_nearest("", 4, word));
+}
+
+/* The largest horizon ratio is where a family on the cubic lattice, |xi| < m + 1/2 spacings, would pass 512 bonds. */
+static void test_largest_horizon_fits_a_family(void **state) {
+    (void)state;
+    const double r2 = (SCENE_HORIZON_MAX + 0.5) * (SCENE_HORIZON_MAX + 0.5);
+    int within = -1, on = 0; /* not its own neighbour */
+    for (int i = -9; i <= 9; i++)
+        for (int j = -9; j <= 9; j++)
+            for (int k = -9; k <= 9; k++) {
+                within += i * i + j * j + k * k < r2;
+                on += i * i + j * j + k * k == r2;
+            }
+    assert_int_equal(within, 484);
+    assert_int_equal(within + on, 514);
+}
+
+/* In a plate the largest is the last whole number with which a family, |xi| < m + 1/2 spacings, has at most 512 bonds. */
+static void test_largest_horizon_of_a_plate(void **state) {
+    (void)state;
+    int bonds[2] = {-1, -1};
+    for (int more = 0; more < 2; more++) {
+        const double r = SCENE_HORIZON_MAX_PLATE + more + 0.5;
+        for (int i = -14; i <= 14; i++)
+            for (int j = -14; j <= 14; j++) bonds[more] += i * i + j * j < r * r;
+    }
+    assert_int_equal(bonds[0], 488);
+    assert_true(bonds[1] > 512);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_key_has_a_rule),
+                                       cmocka_unit_test(test_paths_find_their_rule),
+                                       cmocka_unit_test(test_the_reference_has_every_key),
+                                       cmocka_unit_test(test_nearest_word),
+                                       cmocka_unit_test(test_largest_horizon_fits_a_family),
+                                       cmocka_unit_test(test_largest_horizon_of_a_plate)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

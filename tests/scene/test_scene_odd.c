@@ -1,0 +1,268 @@
+/* Odd scenes: numbers that look like numbers, texts that are no YAML, keys of other parts, kinds of values that are not meant. Each
+ * mistake gives its own one line. Files as other systems write them are read. */
+#include "base/par.h"
+#include "scene_sample.h"
+
+/* clang-format off */
+static const struct sample_broken table[] = {
+    /* numbers that are none, or none that can be */
+    {"fluid", "domain:", "\303\277\303\276domain:", "it.yaml:1: \303\277\303\276domain: unknown key; did you mean domain?"},
+    {"fluid", "density: 1\n", "density: -0\n", "it.yaml:3: fluid.density = -0: must be greater than 0"},
+    {"fluid", "density: 1\n", "density: +0\n", "it.yaml:3: fluid.density = +0: must be greater than 0"},
+    {"fluid", "density: 1\n", "density: -1e-300\n", "it.yaml:3: fluid.density = -1e-300: must be greater than 0"},
+    {"fluid", "density: 1\n", "density: 1e-999\n", "it.yaml:3: fluid.density = 1e-999: must be greater than 0"},
+    {"fluid", "density: 1\n", "density: .inf\n", "it.yaml:3: fluid.density = .inf: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: -.inf\n", "it.yaml:3: fluid.density = -.inf: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: inf\n", "it.yaml:3: fluid.density = inf: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: NaN\n", "it.yaml:3: fluid.density = NaN: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1_000\n", "it.yaml:3: fluid.density = 1_000: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1,5\n", "it.yaml:3: fluid.density = 1,5: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1.0.0\n", "it.yaml:3: fluid.density = 1.0.0: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1e\n", "it.yaml:3: fluid.density = 1e: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1e+\n", "it.yaml:3: fluid.density = 1e+: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 0o17\n", "it.yaml:3: fluid.density = 0o17: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1 000\n", "it.yaml:3: fluid.density = 1 000: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: \331\241\n", "it.yaml:3: fluid.density = \331\241: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1:30\n", "it.yaml:3: fluid.density = 1:30: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1e400\n", "it.yaml:3: fluid.density = 1e400: is too large"},
+    {"fluid", "density: 1\n", "density: --1\n", "it.yaml:3: fluid.density = --1: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: '1'\n", "it.yaml:3: fluid.density = \"1\": must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1d3\n", "it.yaml:3: fluid.density = 1d3: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 0b1\n", "it.yaml:3: fluid.density = 0b1: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1.e\n", "it.yaml:3: fluid.density = 1.e: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: e5\n", "it.yaml:3: fluid.density = e5: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: .\n", "it.yaml:3: fluid.density = .: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: ${RHO}\n", "it.yaml:3: fluid.density = ${RHO}: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: 1;\n", "it.yaml:3: fluid.density = 1;: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: ~\n", "it.yaml:3: fluid.density = ~: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: null\n", "it.yaml:3: fluid.density = null: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: \n", "it.yaml:3: fluid.density: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: |\n    1\n", "it.yaml:3: fluid.density = \"1 \": must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: [1]\n", "it.yaml:3: fluid.density = [1]: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: {a: 1}\n", "it.yaml:3: fluid.density: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: !!str one\n", "it.yaml:3: fluid.density = one: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: yes\n", "it.yaml:3: fluid.density = yes: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1\n", "density: \"\"\n", "it.yaml:3: fluid.density: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "steps: 10", "steps: 010", "it.yaml:13: stages[0].steps = 010: must be a whole number, at least 0"},
+    {"fluid", "steps: 10", "steps: 10.0", "it.yaml:13: stages[0].steps = 10.0: must be a whole number, at least 0"},
+    {"fluid", "steps: 10", "steps: 1e1", "it.yaml:13: stages[0].steps = 1e1: must be a whole number, at least 0"},
+    {"fluid", "steps: 10", "steps: 9007199254740993", "it.yaml:13: stages[0].steps = 9007199254740993: is too large"},
+    {"fluid", "steps: 10", "steps: -0x1", "it.yaml:13: stages[0].steps = -0x1: must be a whole number, at least 0"},
+    /* keys and the text as YAML */
+    {"fluid", "steps: 10", "steps: ten", "it.yaml:13: stages[0].steps = ten: must be a whole number, at least 0"},
+    {"fluid", "steps: 10}", "steps: 10, steps: 20}", "it.yaml:13: stages[0].steps: is given twice, first on line 13"},
+    {"fluid", "stages:\n", "fluid: {density: 1}\nstages:\n", "it.yaml:12: fluid: is given twice, first on line 2"},
+    {"fluid", "density: 1", "density: 1\n  ? viscosity\n  : 3", "it.yaml:6: fluid.viscosity: is given twice, first on line 4"},
+    {"fluid", "density: 1", "density: &rho", "it.yaml:3: fluid.density: must be a number, greater than 0 (kg/m3)"},
+    {"fluid", "density: 1", "density 1", "it.yaml:4: not valid YAML: mapping values are not allowed in this context"},
+    {"fluid", "density: 1", "density: 1: 2", "it.yaml:3: not valid YAML: mapping values are not allowed in this context"},
+    {"fluid", "density: 1", "density: 'one", "it.yaml:14: not valid YAML: while scanning a quoted scalar: found unexpected end of stream"},
+    {"fluid", "density: 1", "density: \"\\q\"", "it.yaml:3: not valid YAML: while parsing a quoted scalar: found unknown escape character"},
+    {"fluid", "density: 1", "density: @1", "it.yaml:3: not valid YAML: while scanning for the next token: found character that cannot start any token"},
+    {"fluid", "density: 1", "density: `1`", "it.yaml:3: not valid YAML: while scanning for the next token: found character that cannot start any token"},
+    {"fluid", "density: 1", "density: %1", "it.yaml:3: not valid YAML: while scanning for the next token: found character that cannot start any token"},
+    {"fluid", "density: 1", " density: 1", "it.yaml:4: not valid YAML: while parsing a block mapping: did not find expected key"},
+    {"fluid", "  viscosity: 0.1", " viscosity: 0.1", "it.yaml:4: not valid YAML: while parsing a block mapping: did not find expected key"},
+    {"fluid", "domain:", "%YAML 3.0\n---\ndomain:", "it.yaml:1: not valid YAML: found incompatible YAML document"},
+    {"fluid", "domain:", "%FOO\n---\ndomain:", "it.yaml:1: not valid YAML: while scanning a directive: found unknown directive name"},
+    {"fluid", "steps: 10}", "steps: 10}\n...\nrubbish", "it.yaml:15: not valid YAML: did not find expected <document start>"},
+    {"fluid", "steps: 10}", "steps: 10}]", "it.yaml:13: not valid YAML: while parsing a block collection: did not find expected '-' indicator"},
+    /* names and texts */
+    {"fluid", "name: start-up", "name: start/up", "it.yaml:13: stages[0].name = start/up: must not hold a slash or a control character: its checkpoint is named after it"},
+    {"fluid", "name: start-up", "name: ../../up", "it.yaml:13: stages[0].name = ../../up: must not hold a slash or a control character: its checkpoint is named after it"},
+    {"fluid", "name: start-up", "name: \"start\\nup\"", "it.yaml:13: stages[0].name = \"start up\": must not hold a slash or a control character: its checkpoint is named after it"},
+    {"fluid", "name: start-up", "name: [start, up]", "it.yaml:13: stages[0].name = [start, up]: must be a text"},
+    {"fluid", "domain:", "title: tttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttttt\ndomain:", "it.yaml:1: title = ttttttttttttttttttttttttttttttttttttttttttttttttttttttttt...: is too long: 256 characters, at most 255"},
+    {"fluid", "domain:", "title: {a: 1}\ndomain:", "it.yaml:1: title: must be a text"},
+    /* wrong kinds of values */
+    {"fluid", "domain: {size: [1, 2, 0.5], cells: [8, 16, 4]}", "domain: 5", "it.yaml:1: domain = 5: must be a mapping of keys to values"},
+    {"fluid", "domain: {size: [1, 2, 0.5], cells: [8, 16, 4]}", "domain: []", "it.yaml:1: domain = []: must be a mapping of keys to values"},
+    {"fluid", "domain: {size: [1, 2, 0.5], cells: [8, 16, 4]}\n", "", "it.yaml:1: domain: missing"},
+    {"fluid", "size: [1, 2, 0.5]", "size: [1, 2, 0.5, 1]", "it.yaml:1: domain.size = [1, 2, 0.5, 1]: must be a list of 3 numbers (m)"},
+    {"fluid", "size: [1, 2, 0.5]", "size: []", "it.yaml:1: domain.size = []: must be a list of 3 numbers (m)"},
+    {"fluid", "size: [1, 2, 0.5]", "size: [1, , 0.5]", "it.yaml:1: not valid YAML: while parsing a flow node: did not find expected node content"},
+    {"fluid", "size: [1, 2, 0.5]", "size: [1, [2], 0.5]", "it.yaml:1: domain.size[1] = [2]: must be a number, greater than 0 (m)"},
+    {"fluid", "size: [1, 2, 0.5]", "size: {x: 1, y: 2, z: 3}", "it.yaml:1: domain.size: must be a list of 3 numbers (m)"},
+    {"fluid", "size: [1, 2, 0.5]", "size: 1 2 0.5", "it.yaml:1: domain.size = 1 2 0.5: must be a list of 3 numbers (m)"},
+    {"fluid", "cells: [8, 16, 4]", "cells: [8, 16, -4]", "it.yaml:1: domain.cells[2] = -4: must be between 1 and 1000000"},
+    {"fluid", "stages:", "output: []\nstages:", "it.yaml:12: output = []: must be a mapping of keys to values"},
+    {"fluid", "stages:", "output: {series_every: 1.5}\nstages:", "it.yaml:12: output.series_every = 1.5: must be a whole number, at least 0 (steps)"},
+    {"fluid", "stages:", "output: {stress: 1}\nstages:", "it.yaml:12: output.stress = 1: must be true or false"},
+    {"fluid", "stages:", "solid: null\nstages:", "it.yaml:12: solid = null: must be a mapping of keys to values"},
+    {"fluid", "stages:", "solid: []\nstages:", "it.yaml:12: solid = []: must be a mapping of keys to values"},
+    {"fluid", "  - {name: start-up, steps: 10}", "  - start-up", "it.yaml:13: stages[0] = start-up: must be a mapping of keys to values"},
+    {"fluid", "  - {name: start-up, steps: 10}", "  - []", "it.yaml:13: stages[0] = []: must be a mapping of keys to values"},
+    /* sides and driving */
+    {"fluid", "x_high: {type: pressure, pressure: 0}", "x_high: {type: pressure, presure: 0}", "it.yaml:7: fluid.sides.x_high.presure: unknown key; did you mean pressure?"},
+    {"fluid", "x_high: {type: pressure, pressure: 0}", "x_hi: {type: pressure}", "it.yaml:7: fluid.sides.x_hi: unknown key; did you mean x_high?"},
+    {"fluid", "x_high: {type: pressure, pressure: 0}", "x_high: {type: pressure, velocity: [1, 0, 0]}", "it.yaml:7: fluid.sides.x_high.velocity = [1, 0, 0]: only with type wall or general, here it is pressure"},
+    {"fluid", "x_high: {type: pressure, pressure: 0}", "x_high: {}", "it.yaml:7: fluid.sides.x_high.type: missing"},
+    {"fluid", "x_high: {type: pressure, pressure: 0}", "x_high: {type: [wall, slip]}", "it.yaml:7: fluid.sides.x_high.type = [wall, slip]: must be one of periodic, wall, slip, inflow, outflow, pressure, general"},
+    {"fluid", "x_high: {type: pressure, pressure: 0}", "x_high: {type: Pressure}", "it.yaml:7: fluid.sides.x_high.type = Pressure: must be one of periodic, wall, slip, inflow, outflow, pressure, general; did you mean pressure?"},
+    {"fluid", "u: dirichlet, v: dirichlet, w: neumann, p: neumann", "u: dirichlet, v: neumann, w: neumann, p: neumann", "it.yaml:8: fluid.sides.y_low.p = neumann: must be dirichlet where the normal velocity v is neumann"},
+    {"fluid", "u: dirichlet, ", "", "it.yaml:8: fluid.sides.y_low.u: missing; type general needs it"},
+    {"fluid", "file: profile.txt", "file: ''", "it.yaml:6: fluid.sides.x_low.file: must be a text, is empty"},
+    {"fluid", "file: profile.txt", "file: [profile.txt]", "it.yaml:6: fluid.sides.x_low.file = [profile.txt]: must be a text"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  driving: {type: none, value: 1}", "it.yaml:5: fluid.driving.value = 1: only with type pressure_gradient or bulk_velocity, here it is none"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  driving: {type: pressure_gradient, direction: z}", "it.yaml:5: fluid.driving.value: missing; type pressure_gradient needs it (Pa/m or m/s)"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  driving: {type: bulk_velocity, direction: y, value: 1}", "it.yaml:5: fluid.driving.direction = y: must be a periodic direction: y_low is general, y_high is slip"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  driving: {type: pressure_gradient, direction: w, value: 1}", "it.yaml:5: fluid.driving.direction = w: must be one of x, y, z"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  driving: {}", "it.yaml:5: fluid.driving.type: missing"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  initial: {velocity: [1, 0]}", "it.yaml:5: fluid.initial.velocity = [1, 0]: must be a list of 3 numbers (m/s)"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  initial: {poiseuille: yes}", "it.yaml:5: fluid.initial.poiseuille = yes: must be true or false"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  body_force: 9.81", "it.yaml:5: fluid.body_force = 9.81: must be a list of 3 numbers (m/s2)"},
+    /* parts that are not there */
+    {"fluid", "stages:", "output: {probes: {at: [[0, 0, 0]]}}\nstages:", "it.yaml:12: output.probes: only in a scene with a solid"},
+    {"fluid", "steps: 10", "steps: 10, substeps: 2", "it.yaml:13: stages[0].substeps = 2: only in a scene with a solid"},
+    {"fluid", "steps: 10", "steps: 10, integrator: rk3", "it.yaml:13: stages[0].integrator = rk3: only in a scene with a solid"},
+    {"fluid", "steps: 10", "steps: 10, breakage: true", "it.yaml:13: stages[0].breakage = true: only in a scene with a solid"},
+    {"fluid", "steps: 10", "steps: 10, relax: true", "it.yaml:13: stages[0].relax = true: only in a scene without fluid"},
+    /* solids in a fluid */
+    {"coupled", "  materials:\n    - {name: ceramic, youngs_modulus: 1.0e8, density: 3000, fracture_energy: 0.05}\n    - {name: glass, youngs_modulus: 7.0e10, density: 2500, horizon_ratio: 2}", "  materials: []", "it.yaml:19: solid.materials: is empty: needs at least one entry"},
+    {"coupled", "fracture_energy: 0.05", "fracture_energy: -.inf", "it.yaml:20: solid.materials[0].fracture_energy = -.inf: must be a number, greater than 0 (J/m2), or .inf"},
+    {"coupled", "fracture_energy: 0.05", "fracture_energy: inf", "it.yaml:20: solid.materials[0].fracture_energy = inf: must be a number, greater than 0 (J/m2), or .inf"},
+    {"coupled", "shape: sphere", "shape: rectangle", "it.yaml:29: solid.bodies[1].shape = rectangle: must be one of box, sphere, cylinder, points in 3D"},
+    {"coupled", "shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.004", "shape: sphere, centre: [0.03, 0.01], radius: 0.004", "it.yaml:29: solid.bodies[1].centre = [0.03, 0.01]: must be a list of 3 numbers (m)"},
+    {"coupled", "shape: sphere", "shape: sphere, low: [0, 0, 0]", "it.yaml:29: solid.bodies[1].low = [0, 0, 0]: only with shape box or rectangle, here it is sphere"},
+    {"coupled", "axis: z", "axis: w", "it.yaml:30: solid.bodies[2].axis = w: must be one of x, y, z"},
+    {"coupled", "length: 0.02, ", "", "it.yaml:30: solid.bodies[2].length: missing; shape cylinder needs it (m)"},
+    {"coupled", "length: 0.02", "length: -0.02", "it.yaml:30: solid.bodies[2].length = -0.02: must be greater than 0"},
+    {"coupled", "axis: z", "axis: z, holes: []", "it.yaml:30: solid.bodies[2].holes = []: only with shape rectangle, disc or polygon, here it is cylinder"},
+    {"coupled", "forcing_iterations: 2", "probe_length: 11", "it.yaml:39: coupling.probe_length = 11: must be greater than 0 and at most 10"},
+    {"coupled", "forcing_iterations: 2", "forcing_iterations: 2.5", "it.yaml:39: coupling.forcing_iterations = 2.5: must be a whole number, between 1 and 100"},
+    {"coupled", "medium: {low: [0.01, 0, 0], high: [0.02, 0.01, 0.02]}", "medium: {low: [0.01, 0, 0]}", "it.yaml:40: coupling.medium.high: missing (m)"},
+    {"coupled", "force: [0, -100, 0]", "force: [0, -100]", "it.yaml:36: solid.loads[0].force = [0, -100]: must be a list of 3 numbers (N/m3)"},
+    {"coupled", "force: [0, -100, 0]", "force: [0, -100, 0], time: [[1, 0], [0.5, 1]]", "it.yaml:36: solid.loads[0].time[1] = [0.5, 1]: must be later than the entry before, at 1 s"},
+    {"coupled", "directions: xyz", "directions: ''", "it.yaml:32: solid.constraints[0].directions: must be a text, is empty"},
+    {"coupled", "directions: xyz", "directions: w", "it.yaml:32: solid.constraints[0].directions = w: must be a word of the letters x, y and z, each at most once"},
+    {"coupled", "directions: xyz", "velocity: [0, 0, .nan]", "it.yaml:32: solid.constraints[0].velocity[2] = .nan: must be a number (m/s)"},
+    {"coupled", "contact: {enabled: true, stiffness: 15}", "contact: {exponent: 0}", "it.yaml:37: solid.contact.exponent = 0: must be greater than 0"},
+    {"coupled", "contact: {enabled: true, stiffness: 15}", "contact: {radius: -1}", "it.yaml:37: solid.contact.radius = -1: must be greater than 0"},
+    {"coupled", "damping_absolute: 2000", "damping_relative: -1", "it.yaml:43: stages[1].damping_relative = -1: must be at least 0"},
+    {"coupled", "integrator: verlet", "integrator: euler", "it.yaml:44: stages[2].integrator = euler: must be one of rk3, verlet"},
+    {"coupled", "series_every: 10", "checkpoint_every: -5", "it.yaml:46: output.checkpoint_every = -5: must be at least 0"},
+    {"coupled", "series_every: 10", "fields_every: 99999999999999999999", "it.yaml:46: output.fields_every = 99999999999999999999: is too large"},
+    {"coupled", "series_every: 10", "crack: {direction: [1, 0]}", "it.yaml:46: output.crack.direction = [1, 0]: must be a list of 3 numbers"},
+    {"coupled", "series_every: 10", "fluid_probes: {at: [[0.01, 0.01]]}", "it.yaml:46: output.fluid_probes.at[0] = [0.01, 0.01]: must be a list of 3 numbers (m)"},
+    {"coupled", "series_every: 10", "fluid_probes: {at: 5}", "it.yaml:46: output.fluid_probes.at = 5: must be a list of lists of numbers"},
+    {"coupled", "series_every: 10", "fluid_probes: {lines: []}", "it.yaml:46: output.fluid_probes.lines: is empty: needs at least one entry"},
+    /* plates */
+    {"plate", "thickness: 0.002", "thickness: thin", "it.yaml:8: solid.thickness = thin: must be a number, greater than 0 (m)"},
+    {"plate", "spacing: 0.001", "spacing: 0", "it.yaml:6: solid.spacing = 0: must be greater than 0"},
+    {"plate", "partial_volume: ramp", "partial_volume: none", "it.yaml:10: solid.partial_volume = none: must be one of exact, ramp"},
+    {"plate", "shape: disc, centre: [0.09, 0.03]", "shape: disc, centre: [0.09, 0.03, 0]", "it.yaml:31: solid.bodies[1].centre = [0.09, 0.03, 0]: must be a list of 2 numbers (m) in a plate"},
+    {"plate", "file: areas.txt", "file: areas.txt, low: [0, 0]", "it.yaml:33: solid.bodies[3].low = [0, 0]: only with shape box or rectangle, here it is points"},
+    {"plate", "- {name: notch, points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]}", "- [[0, 0.02], [0.01, 0.02]]", "it.yaml:35: solid.cracks[0]: must be a mapping of keys to values"},
+    {"plate", "displacement: [0, 1.0e-5]", "displacement: [0, 1.0e-5, 0]", "it.yaml:38: solid.constraints[1].displacement = [0, 1.0e-5, 0]: must be a list of 2 numbers (m) in a plate"},
+    {"plate", "time: [[0, 0], [1.0e-6, 1]]", "time: [[0, 0, 0]]", "it.yaml:38: solid.constraints[1].time[0] = [0, 0, 0]: must be a list of 2 numbers (s, 1)"},
+    {"plate", "force: [0, 1.0e9]", "force: [0, 1.0e9, 0]", "it.yaml:42: solid.loads[0].force = [0, 1.0e9, 0]: must be a list of 2 numbers (N/m3) in a plate"},
+    {"plate", "traction: [0, 1.2e7]", "traction: 1.2e7", "it.yaml:43: solid.loads[1].traction = 1.2e7: must be a list of 2 numbers (Pa) in a plate"},
+    {"plate", "along: y", "along: [y]", "it.yaml:46: solid.initial[0].along = [y]: must be one of x, y"},
+    {"plate", "levels: 2", "levels: 0", "it.yaml:48: solid.refinement.levels = 0: must be between 1 and 4"},
+    {"plate", "energy: off", "energy: on", "it.yaml:49: solid.refinement.energy = on: must be a number, greater than 0 and at most 1, or off"},
+    {"plate", "from: 1.0e-6", "from: -1", "it.yaml:51: solid.refinement.from = -1: must be at least 0"},
+    {"plate", "every: 5", "every: 2.5", "it.yaml:54: solid.refinement.every = 2.5: must be a whole number, at least 1 (steps)"},
+    {"plate", "damage: 0.1", "damage: true", "it.yaml:50: solid.refinement.damage = true: must be a number, greater than 0 and less than 1, or off"},
+    {"plate", "level: 2}", "level: 0}", "it.yaml:57: solid.refinement.start[0].level = 0: must be between 1 and 4"},
+    {"plate", "damage: 0.1", "damage: 0.1\n    horizon: fixed", "it.yaml:51: solid.refinement.horizon = fixed: must be one of scaled, kept"},
+    {"plate", "damage: 0.1", "damage: 0.1\n    interface: smooth", "it.yaml:51: solid.refinement.interface = smooth: must be one of plain, corrected"},
+    {"plate", "direction: [1, 1]", "direction: [1, 1, 0]", "it.yaml:63: output.crack.direction = [1, 1, 0]: must be a list of 2 numbers in a plate"},
+    {"plate", "damage: 0.4", "damage: 1.5", "it.yaml:63: output.crack.damage = 1.5: must be greater than 0 and less than 1"},
+    {"plate", "integrator: verlet", "solid: rigid", "it.yaml:60: stages[0].solid = rigid: a rigid solid without a fluid does nothing: must be elastic"},
+    /* solids alone */
+    {"solid", "periodic: [false, false, true]", "periodic: [false, true]", "it.yaml:3: domain.periodic = [false, true]: must be a list of 3 true or false"},
+    {"solid", "periodic: [false, false, true]", "periodic: true", "it.yaml:3: domain.periodic = true: must be a list of 3 true or false"},
+    {"solid", "relax: true", "relax: maybe", "it.yaml:13: stages[0].relax = maybe: must be true or false"},
+    {"solid", "spacing: 0.001", "spacing: 0.001\n  thickness: 1", "it.yaml:6: solid.thickness = 1: only in a plate, where domain.size has two numbers"},
+    {"solid", "spacing: 0.001", "spacing: 0.001\n  horizons: none", "it.yaml:6: solid.horizons = none: must be one of dual, one_sided"},
+    {"solid", "file: points.txt", "file: points.txt, radius: 1", "it.yaml:9: solid.bodies[0].radius = 1: only with shape sphere, cylinder or disc, here it is points"},
+    {"solid", "shape: box", "shape: polygon", "it.yaml:10: solid.bodies[1].shape = polygon: must be one of box, sphere, cylinder, points in 3D"},
+    {"solid", "stages:", "output: {crack: {direction: [0, 0, 0]}}\nstages:", "it.yaml:12: output.crack.direction = [0, 0, 0]: must not be 0 in every direction"},
+    {"block", "along: z", "along: xy", "it.yaml:15: solid.initial[0].along = xy: must be one of x, y, z"},
+    {"block", "width: 0.002", "width: wide", "it.yaml:15: solid.initial[0].width = wide: must be a number, greater than 0 (m)"},
+    {"block", "lattice_offset: [0.5, 0, 0]", "lattice_offset: [2, 0, 0]", "it.yaml:5: solid.lattice_offset[0] = 2: must be between -1 and 1"},
+    {"block", "micromodulus: conical", "micromodulus: 1", "it.yaml:7: solid.materials[0].micromodulus = 1: must be one of constant, conical"},
+    {"block", "shape: gaussian, ", "", "it.yaml:15: solid.initial[0].shape: missing"},
+    /* bytes that are no text */
+    {"fluid", "density: 1", "density: \377", "it.yaml:3: not valid YAML: invalid leading UTF-8 octet"},
+    {"fluid", "steps: 10}", "steps: 10}\n\001", "it.yaml:14: not valid YAML: control characters are not allowed"},
+    {"fluid", "density: 1", "density: 1 # \303", "it.yaml:3: not valid YAML: invalid trailing UTF-8 octet"},
+    {"fluid", "name: start-up", "name: \303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244", "it.yaml:13: stages[0].name = \303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244\303\244...: is too long: 64 characters, at most 63"},
+};
+/* clang-format on */
+
+static void test_each_mistake_has_its_line(void **state) {
+    (void)state;
+    assert_int_equal(sample_check_broken(sizeof table / sizeof *table, table), 0);
+}
+
+/* The text with every line's end as another system has it, and with a byte order mark before it or none; malloc'ed. */
+static char *as_elsewhere(const char *text, const char *mark, const char *end) {
+    char *to = calloc(2, strlen(text) + 4), *at = to + sprintf(to, "%s", mark);
+    for (; *text; text++) at += *text == '\n' ? sprintf(at, "%s", end) : sprintf(at, "%c", *text);
+    return to;
+}
+
+static void test_other_systems_files_are_read(void **state) {
+    (void)state;
+    static const char *const form[][2] = {
+        {"", "\r\n"}, {"\357\273\277", "\n"}, {"\357\273\277", "\r\n"}, {"", "\r"}};
+    for (int k = 0; k < 4; k++) {
+        char *sample = sample_text(SCENES "coupled.yaml"),
+             *text = as_elsewhere(sample, form[k][0], form[k][1]);
+        struct scene_problems problems;
+        struct scene *as_is = sample_read(sample, 0, NULL, &problems),
+                     *s = sample_read(text, 0, NULL, &problems);
+        if (!s) fail_msg("form %d: %s", k, problems.n ? problems.text[0] : "no scene");
+        assert_string_equal(s->resolved, as_is->resolved);
+        scene_free(s);
+        scene_free(as_is);
+        free(text);
+        free(sample);
+    }
+}
+
+/* Many more entries than can be, and names far longer. */
+static void test_too_much_of_a_thing(void **state) {
+    (void)state;
+    enum { MANY = 20000 };
+    static const struct {
+        const char *sample, *find, *begin, *entry, *end, *says;
+    } heap[] = {{"fluid", "[8, 16, 4]", "[", "8, ", "4]", "domain.cells = [8, 8, 8, "},
+                {"solid", "  body_force: [0, 0, -9.81]\n", "  cracks: [", "{points: [[0, 0, 0]]}, ", "{}]\n",
+                 "solid.cracks"},
+                {"coupled", "  bodies:\n", "  bodies:\n",
+                 "    - {shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.001}\n", "",
+                 "solid.bodies: has "},
+                {"fluid", "density: 1", "", "k", ": 1", "it.yaml:3: not valid YAML"},
+                {"fluid", "start-up", "", "n", "", "stages[0].name = nnnnnnn"}};
+    for (size_t k = 0; k < sizeof heap / sizeof *heap; k++) {
+        const size_t entry = strlen(heap[k].entry);
+        char *sample = scene_node_text("%s%s.yaml", SCENES, heap[k].sample), *from = sample_text(sample);
+        char *more = calloc(1, entry * MANY + 100), *at = more + sprintf(more, "%s", heap[k].begin);
+        for (int i = 0; i < MANY; i++, at += entry) memcpy(at, heap[k].entry, entry);
+        strcpy(at, heap[k].end);
+        char *text = sample_with(from, heap[k].find, more);
+        struct scene_problems problems;
+        assert_null(sample_read(text, 0, NULL, &problems));
+        assert_true(problems.n > 0);
+        int says = 0;
+        for (int i = 0; i < problems.n; i++) says |= strstr(problems.text[i], heap[k].says) != NULL;
+        if (!says) fail_msg("%s: %s", heap[k].says, problems.text[0]);
+        scene_problem_free(&problems);
+        free(text);
+        free(more);
+        free(from);
+        free(sample);
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_mistake_has_its_line),
+                                       cmocka_unit_test(test_other_systems_files_are_read),
+                                       cmocka_unit_test(test_too_much_of_a_thing)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

@@ -1,8 +1,0 @@
-frana_test(solid/test_surface.c ROOM solid RANKS 1 2 3 4)
-frana_test(solid/test_surface_update.c ROOM solid RANKS 1 2 3 4)
-frana_test(solid/test_shape.c ROOM solid RANKS 1 2 3)
-frana_test(solid/test_contact.c ROOM solid RANKS 1 2 3 4)
-frana_test(solid/test_measures.c ROOM solid RANKS 1 2)
-frana_test(solid/test_fragments.c ROOM solid RANKS 1 2 3 4)
-add_executable(bench_surface ${CMAKE_CURRENT_SOURCE_DIR}/bench_surface.c)
-target_link_libraries(bench_surface PRIVATE frana_solid)
