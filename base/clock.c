@@ -29,15 +29,13 @@ void clock_end(enum clock_part part) {
 
 double clock_seconds(enum clock_part part) {
     double sum = seconds[part];
-    for (int detail = CLOCK_PARTS; detail < CLOCK_ALL && part == CLOCK_POISSON; detail++)
-        sum += seconds[detail];
+    for (int detail = CLOCK_PARTS; detail < CLOCK_ALL && part == CLOCK_POISSON; detail++) sum += seconds[detail];
     return sum;
 }
 
 const char *clock_name(enum clock_part part) {
-    static const char *const name[CLOCK_ALL] = {"momentum", "poisson", "halo",    "forcing",
-                                                "probe",    "solid",   "contact", "interface",
-                                                "output",   "forward", "columns", "backward"};
+    static const char *const name[CLOCK_ALL] = {"momentum", "poisson",   "halo",   "forcing", "probe",   "solid",
+                                                "contact",  "interface", "output", "forward", "columns", "backward"};
     return name[part];
 }
 

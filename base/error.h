@@ -20,9 +20,9 @@ struct step_status {
 };
 
 /* Our own bug: aborts with rank, file, line. Not collective. */
-#define ENSURE(cond, ...)                                                                                    \
-    do {                                                                                                     \
-        if (!(cond)) ensure_failed(__FILE__, __LINE__, #cond, __VA_ARGS__);                                      \
+#define ENSURE(cond, ...)                                                                                              \
+    do {                                                                                                               \
+        if (!(cond)) ensure_failed(__FILE__, __LINE__, #cond, __VA_ARGS__);                                            \
     } while (0)
 
 _Noreturn void ensure_failed(const char *file, int line, const char *cond, const char *format, ...)

@@ -7,8 +7,9 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
-/* Large arrays start at different places of the caches: with the same start, what is at the same index of ten arrays would meet
- * in one set of eight lines. The step is 197 lines, in 11 turns about the 128 KB after which a second-level cache repeats. */
+/* Large arrays start at different places of the caches: with the same start, what is at the same index of ten arrays
+ * would meet in one set of eight lines. The step is 197 lines, in 11 turns about the 128 KB after which a second-level
+ * cache repeats. */
 enum { ALIGNMENT = 64, HUGE_PAGE = 2 << 20, STAGGER = 197 * ALIGNMENT, TURNS = 11 };
 
 struct header {
@@ -24,8 +25,7 @@ void *memory_new(enum memory_part part, size_t count, size_t size) {
     const size_t bytes = count * size, is_large = bytes >= HUGE_PAGE / 2;
     const size_t shift = is_large ? large++ % TURNS * STAGGER : 0, whole = bytes + shift + 2 * ALIGNMENT;
     void *start = NULL;
-    if ((size != 0 && count > (size_t)-1 / 4 / size) ||
-        posix_memalign(&start, is_large ? HUGE_PAGE : ALIGNMENT, whole))
+    if ((size != 0 && count > (size_t)-1 / 4 / size) || posix_memalign(&start, is_large ? HUGE_PAGE : ALIGNMENT, whole))
         die(EXIT_CODE_FILE, "no memory left for %zu x %zu bytes of the %s", count, size, memory_name(part));
     if (is_large) madvise(start, whole, MADV_HUGEPAGE);
     memset(start, 0, whole);

@@ -38,9 +38,7 @@ void par_column_free(struct par_column *c) {
 
 int par_column_place(const struct par_column *c) { return c->place; }
 
-static int low_of(const struct par_column *c, int place) {
-    return par_piece_low(c->columns, c->parts, place);
-}
+static int low_of(const struct par_column *c, int place) { return par_piece_low(c->columns, c->parts, place); }
 
 static int count_of(const struct par_column *c, int place) { return low_of(c, place + 1) - low_of(c, place); }
 
@@ -65,8 +63,8 @@ static void swap(struct par_column *c, double *packed, double *of_all, int back)
                 MPI_Isend(back ? ours : theirs, sent, MPI_DOUBLE, rank, 100 + back, MPI_COMM_WORLD,
                           &c->request[requests++]);
             else
-                MPI_Irecv(back ? theirs : ours, back ? their_count : own, MPI_DOUBLE, rank, 100 + back,
-                          MPI_COMM_WORLD, &c->request[requests++]);
+                MPI_Irecv(back ? theirs : ours, back ? their_count : own, MPI_DOUBLE, rank, 100 + back, MPI_COMM_WORLD,
+                          &c->request[requests++]);
         }
     double *mine = packed + (size_t)c->values * (size_t)low_of(c, c->place),
            *about_me = of_all + (size_t)c->place * (size_t)own;
@@ -76,8 +74,7 @@ static void swap(struct par_column *c, double *packed, double *of_all, int back)
 
 /* The block of an owner's columns in packed holds one value of all of them after another. */
 static double *block(const struct par_column *c, int place, int value) {
-    return c->packed + (size_t)c->values * (size_t)low_of(c, place) +
-           (size_t)value * (size_t)count_of(c, place);
+    return c->packed + (size_t)c->values * (size_t)low_of(c, place) + (size_t)value * (size_t)count_of(c, place);
 }
 
 void par_column_share(struct par_column *c, const double *const *mine, double *of_all) {

@@ -1,5 +1,5 @@
-/* What this rank has said to others: messages, bytes and collectives, by kind. Counted inside base/par*.c where something
- * is sent; a rank's pieces to itself do not count. */
+/* What this rank has said to others: messages, bytes and collectives, by kind. Counted inside base/par*.c where
+ * something is sent; a rank's pieces to itself do not count. */
 #pragma once
 #include <stddef.h>
 

@@ -97,8 +97,8 @@ void par_exchange_free(struct par_exchange *x) {
 int par_exchange_count(const struct par_exchange *x) { return x->served; }
 
 /* Pieces of unequal size between all ranks but this one to itself, empty ones not sent: begun, to be waited for. */
-static int begin(struct par_exchange *x, const char *send, const int *to, const int *to_at, char *recv,
-                 const int *from, const int *from_at, size_t bytes) {
+static int begin(struct par_exchange *x, const char *send, const int *to, const int *to_at, char *recv, const int *from,
+                 const int *from_at, size_t bytes) {
     const int size = par_size(), rank = par_rank();
     int requests = 0;
     for (int r = 0; r < size; r++)
@@ -107,8 +107,8 @@ static int begin(struct par_exchange *x, const char *send, const int *to, const 
                       MPI_COMM_WORLD, &x->request[requests++]);
     for (int r = 0; r < size; r++)
         if (to[r] > 0 && r != rank) {
-            MPI_Isend(send + (size_t)to_at[r] * bytes, (int)((size_t)to[r] * bytes), MPI_BYTE, r, 71,
-                      MPI_COMM_WORLD, &x->request[requests++]);
+            MPI_Isend(send + (size_t)to_at[r] * bytes, (int)((size_t)to[r] * bytes), MPI_BYTE, r, 71, MPI_COMM_WORLD,
+                      &x->request[requests++]);
             par_count_message(x->kind, (size_t)to[r] * bytes);
         }
     return requests;

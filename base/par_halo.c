@@ -12,10 +12,9 @@
 struct par_halo {
     struct par_halo_input in;
     int coordinate[3];
-    int neighbour
-        [3]
-        [2]; /* [direction][low, high] rank, this one's own number where it meets itself, -1 beyond a side */
-    double *buffer; /* [4][capacity]: sent low and high, received low and high */
+    int neighbour[3]
+                 [2]; /* [direction][low, high] rank, this one's own number where it meets itself, -1 beyond a side */
+    double *buffer;   /* [4][capacity]: sent low and high, received low and high */
     size_t capacity;
 };
 
@@ -25,8 +24,7 @@ struct box {
 };
 
 static size_t box_cells(const struct box *b) {
-    return (size_t)(b->high[0] - b->low[0]) * (size_t)(b->high[1] - b->low[1]) *
-           (size_t)(b->high[2] - b->low[2]);
+    return (size_t)(b->high[0] - b->low[0]) * (size_t)(b->high[1] - b->low[1]) * (size_t)(b->high[2] - b->low[2]);
 }
 
 static size_t at(const struct par_halo *h, int i, int j, int k) {
@@ -49,8 +47,7 @@ struct par_halo *par_halo_new(const struct par_halo_input *in) {
             const int wrapped = (to + n) % n;
             const int outside = to < 0 || to >= n;
             h->neighbour[d][side] = outside && !in->periodic[d] ? -1 : rank + (wrapped - c[d]) * stride[d];
-            ENSURE(h->neighbour[d][side] < 0 || in->m[d] >= in->halo, "%d cells, %d layers", in->m[d],
-                   in->halo);
+            ENSURE(h->neighbour[d][side] < 0 || in->m[d] >= in->halo, "%d cells, %d layers", in->m[d], in->halo);
         }
     }
     return h;
@@ -62,13 +59,11 @@ void par_halo_free(struct par_halo *h) {
     free(h);
 }
 
-int par_halo_at_side(const struct par_halo *h, int direction, int side) {
-    return h->neighbour[direction][side] < 0;
-}
+int par_halo_at_side(const struct par_halo *h, int direction, int side) { return h->neighbour[direction][side] < 0; }
 
 /* The box of a direction's layers at a side: its ghosts, or the owned cells that the neighbour sees as its ghosts. */
-static struct box layers_at(const struct par_halo *h, int direction, int side,
-                            const struct par_halo_part *part, int ghosts) {
+static struct box layers_at(const struct par_halo *h, int direction, int side, const struct par_halo_part *part,
+                            int ghosts) {
     const int layers = part->layers, m = h->in.m[direction];
     struct box b;
     memcpy(b.low, part->low, sizeof b.low);
@@ -78,8 +73,7 @@ static struct box layers_at(const struct par_halo *h, int direction, int side,
     return b;
 }
 
-static void pack(const struct par_halo *h, const struct box *b, int fields, double *const *field,
-                 double *to) {
+static void pack(const struct par_halo *h, const struct box *b, int fields, double *const *field, double *to) {
     const size_t width = (size_t)(b->high[0] - b->low[0]);
     for (int f = 0; f < fields; f++)
         for (int k = b->low[2]; k < b->high[2]; k++)
@@ -122,19 +116,20 @@ static void reserve(struct par_halo *h, size_t doubles) {
     h->buffer = memory_new(MEMORY_FLUID, 4 * doubles, sizeof(double));
 }
 
-/* sent[side] goes to the neighbour at that side, received[side] comes from it, `count` doubles each, where the flags say. */
+/* sent[side] goes to the neighbour at that side, received[side] comes from it, `count` doubles each, where the flags
+ * say. */
 static void swap(struct par_halo *h, int direction, double *const sent[2], double *const received[2],
                  const int sends[2], const int receives[2], size_t count) {
     MPI_Request request[4];
     int requests = 0;
     for (int side = 0; side < 2; side++)
         if (receives[side]) /* what arrives from the low side was sent to the high one */
-            MPI_Irecv(received[side], (int)count, MPI_DOUBLE, h->neighbour[direction][side], 80 + !side,
-                      MPI_COMM_WORLD, &request[requests++]);
+            MPI_Irecv(received[side], (int)count, MPI_DOUBLE, h->neighbour[direction][side], 80 + !side, MPI_COMM_WORLD,
+                      &request[requests++]);
     for (int side = 0; side < 2; side++)
         if (sends[side]) {
-            MPI_Isend(sent[side], (int)count, MPI_DOUBLE, h->neighbour[direction][side], 80 + side,
-                      MPI_COMM_WORLD, &request[requests++]);
+            MPI_Isend(sent[side], (int)count, MPI_DOUBLE, h->neighbour[direction][side], 80 + side, MPI_COMM_WORLD,
+                      &request[requests++]);
             par_count_message(PAR_COUNT_HALO, count * sizeof(double));
         }
     MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
@@ -153,8 +148,7 @@ static void wrap(const struct par_halo *h, int direction, int fields, double *co
             for (int k = to.low[2]; k < to.high[2]; k++)
                 for (int j = to.low[1]; j < to.high[1]; j++) {
                     double *ghost = field[f] + at(h, to.low[0], j, k);
-                    for (size_t i = 0; i < width && direction == 0; i++)
-                        ghost[i] = ghost[away + (ptrdiff_t)i];
+                    for (size_t i = 0; i < width && direction == 0; i++) ghost[i] = ghost[away + (ptrdiff_t)i];
                     if (direction != 0) memcpy(ghost, ghost + away, width * sizeof *ghost);
                 }
     }
@@ -189,8 +183,7 @@ static void fill(struct par_halo *h, int direction, int fields, double *const *f
 }
 
 /* Ghosts to the layers that own them, added there. */
-static void add(struct par_halo *h, int direction, int fields, double *const *field,
-                const struct par_halo_part *part) {
+static void add(struct par_halo *h, int direction, int fields, double *const *field, const struct par_halo_part *part) {
     const struct box any = layers_at(h, direction, 0, part, 1);
     const size_t count = box_cells(&any) * (size_t)fields;
     reserve(h, count);
@@ -236,8 +229,7 @@ void par_halo_fill_part(struct par_halo *h, int direction, int fields, double *c
     clock_end(CLOCK_HALO);
 }
 
-void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field,
-                             int layers) {
+void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers) {
     const struct par_halo_part whole = par_halo_whole(h, layers);
     par_halo_fill_part(h, direction, fields, field, &whole);
 }

@@ -1,22 +1,22 @@
-/* Halos: the ghost layers of arrays of [m_z+2h][m_y+2h][m_x+2h] cells, exchanged between ranks in y and z, and copied across
- * periodic sides that stay on a rank. The process grid is ranks[0] = 1 by ranks[1] by ranks[2], y fastest:
- * rank = c_z ranks[1] + c_y. Ghosts beyond sides that are not periodic are left alone by the filling. */
+/* Halos: the ghost layers of arrays of [m_z+2h][m_y+2h][m_x+2h] cells, exchanged between ranks in y and z, and copied
+ * across periodic sides that stay on a rank. The process grid is ranks[0] = 1 by ranks[1] by ranks[2], y fastest: rank
+ * = c_z ranks[1] + c_y. Ghosts beyond sides that are not periodic are left alone by the filling. */
 #pragma once
 #include <stddef.h>
 
 struct par_halo; /* opaque, owned by the caller */
 
 struct par_halo_input {
-    int m[3];        /* this rank's cells, x y z */
-    int halo;        /* layers of ghosts that the arrays have, at most m wherever ghosts are filled */
-    int ranks[3];    /* process grid, ranks[0] = 1 */
-    int periodic[3]; /* 1: the direction closes on itself */
+    int m[3];                    /* this rank's cells, x y z */
+    int halo;                    /* layers of ghosts that the arrays have, at most m wherever ghosts are filled */
+    int ranks[3];                /* process grid, ranks[0] = 1 */
+    int periodic[3];             /* 1: the direction closes on itself */
     ptrdiff_t first, row, plane; /* where cell 0,0,0 is in an array; strides of y and z */
 };
 
-/* The ghosts that a filling is wanted for, and nothing else of it: `layers` deep, within cells low .. high-1 (ghosts counted as
- * -1, -2, .. and m, m+1, ..) of the directions across. wanted [direction][side]: this rank's ghosts there; asked: its own
- * cells there are wanted by the neighbour, which must have said so. */
+/* The ghosts that a filling is wanted for, and nothing else of it: `layers` deep, within cells low .. high-1 (ghosts
+ * counted as -1, -2, .. and m, m+1, ..) of the directions across. wanted [direction][side]: this rank's ghosts there;
+ * asked: its own cells there are wanted by the neighbour, which must have said so. */
 struct par_halo_part {
     int layers;
     int low[3], high[3];
@@ -31,13 +31,15 @@ void par_halo_free(struct par_halo *h);
 void par_halo_fill(struct par_halo *h, int fields, double *const *field, int layers);
 /* The same for one direction only, so that a side's conditions can be set between them. Collective. */
 void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers);
-/* One direction's ghosts in part; ranks beside each other in that direction have the same bounds across it. Collective. */
+/* One direction's ghosts in part; ranks beside each other in that direction have the same bounds across it. Collective.
+ */
 void par_halo_fill_part(struct par_halo *h, int direction, int fields, double *const *field,
                         const struct par_halo_part *part);
 /* All of the nearest `layers` ghosts, as a part. Not collective. */
 struct par_halo_part par_halo_whole(const struct par_halo *h, int layers);
-/* The adjoint of the filling: what stands in the nearest `layers` ghosts is added to the owners' cells; ghosts beyond sides
- * that are not periodic are dropped; those ghosts are then zero. Collective. */
+/* The adjoint of the filling: what stands in the nearest `layers` ghosts is added to the owners' cells; ghosts beyond
+ * sides that are not periodic are dropped; those ghosts are then zero. Collective. */
 void par_halo_add(struct par_halo *h, int fields, double *const *field, int layers);
-/* Whether this rank's low (side 0) or high (side 1) end of the direction is an end of the domain that is not periodic. */
+/* Whether this rank's low (side 0) or high (side 1) end of the direction is an end of the domain that is not periodic.
+ */
 int par_halo_at_side(const struct par_halo *h, int direction, int side);

@@ -22,8 +22,8 @@ static int piece(int n, const struct par_pencil *p, int q) { return low(n, p, q 
 
 struct par_pencil *par_pencil_new(const struct par_pencil_input *in) {
     struct par_pencil *p = calloc(1, sizeof *p);
-    ENSURE(in->ranks[0] == 1 && in->ranks[1] * in->ranks[2] == par_size(),
-           "process grid %d x %d x %d on %d ranks", in->ranks[0], in->ranks[1], in->ranks[2], par_size());
+    ENSURE(in->ranks[0] == 1 && in->ranks[1] * in->ranks[2] == par_size(), "process grid %d x %d x %d on %d ranks",
+           in->ranks[0], in->ranks[1], in->ranks[2], par_size());
     p->in = *in;
     p->place = par_rank() % in->ranks[1];
     p->first = par_rank() - p->place;
@@ -57,8 +57,8 @@ int par_pencil_low(const struct par_pencil *p) { return low(p->in.n[0], p, p->pl
 int par_pencil_same(const struct par_pencil *p) { return p->in.ranks[1] == 1; }
 
 /* A box of width x height x planes at the start of an array (strides row, plane) <-> a tight block. */
-static void copy_box(double *block, double *array, size_t row, size_t plane, int width, int height,
-                     int planes, int out) {
+static void copy_box(double *block, double *array, size_t row, size_t plane, int width, int height, int planes,
+                     int out) {
     const size_t bytes = (size_t)width * sizeof *block;
     for (int k = 0; k < planes; k++)
         for (int j = 0; j < height; j++, block += width) {
@@ -73,15 +73,15 @@ static void copy_box(double *block, double *array, size_t row, size_t plane, int
 /* Peer q's box in an x pencil: its x for this rank's y; and its box in a y pencil: its y for this rank's x. */
 static void copy_x_box(const struct par_pencil *p, int q, int planes, double *array, int out) {
     const int n = p->in.n[0];
-    copy_box(p->packed + (size_t)low(n, p, q) * (size_t)p->m_y * (size_t)planes, array + low(n, p, q),
-             (size_t)n, (size_t)n * (size_t)p->m_y, piece(n, p, q), p->m_y, planes, out);
+    copy_box(p->packed + (size_t)low(n, p, q) * (size_t)p->m_y * (size_t)planes, array + low(n, p, q), (size_t)n,
+             (size_t)n * (size_t)p->m_y, piece(n, p, q), p->m_y, planes, out);
 }
 
 static void copy_y_box(const struct par_pencil *p, int q, int planes, double *array, int out) {
     const int n = p->in.n[1];
     copy_box(p->landed + (size_t)low(n, p, q) * (size_t)p->m_x * (size_t)planes,
-             array + (size_t)low(n, p, q) * (size_t)p->m_x, (size_t)p->m_x, (size_t)n * (size_t)p->m_x,
-             p->m_x, piece(n, p, q), planes, out);
+             array + (size_t)low(n, p, q) * (size_t)p->m_x, (size_t)p->m_x, (size_t)n * (size_t)p->m_x, p->m_x,
+             piece(n, p, q), planes, out);
 }
 
 /* The blocks of packed go to those of landed of the peers (back = 0), or the other way. */
@@ -93,8 +93,7 @@ static void swap(struct par_pencil *p, int planes, int back) {
             const int q = (p->place + step) % parts, *n = p->in.n;
             const size_t x_at = (size_t)low(n[0], p, q) * (size_t)p->m_y * (size_t)planes,
                          y_at = (size_t)low(n[1], p, q) * (size_t)p->m_x * (size_t)planes;
-            const int x_count = piece(n[0], p, q) * p->m_y * planes,
-                      y_count = piece(n[1], p, q) * p->m_x * planes;
+            const int x_count = piece(n[0], p, q) * p->m_y * planes, y_count = piece(n[1], p, q) * p->m_x * planes;
             if (q == p->place && out)
                 memcpy(back ? p->packed + x_at : p->landed + y_at, back ? p->landed + y_at : p->packed + x_at,
                        (size_t)x_count * sizeof(double));
@@ -103,11 +102,9 @@ static void swap(struct par_pencil *p, int planes, int back) {
             const int count = (out != back) ? x_count : y_count;
             if (out) par_count_message(PAR_COUNT_TRANSPOSE, (size_t)count * sizeof(double));
             if (out)
-                MPI_Isend(block, count, MPI_DOUBLE, p->first + q, 90 + back, MPI_COMM_WORLD,
-                          &p->request[requests++]);
+                MPI_Isend(block, count, MPI_DOUBLE, p->first + q, 90 + back, MPI_COMM_WORLD, &p->request[requests++]);
             else
-                MPI_Irecv(block, count, MPI_DOUBLE, p->first + q, 90 + back, MPI_COMM_WORLD,
-                          &p->request[requests++]);
+                MPI_Irecv(block, count, MPI_DOUBLE, p->first + q, 90 + back, MPI_COMM_WORLD, &p->request[requests++]);
         }
     MPI_Waitall(requests, p->request, MPI_STATUSES_IGNORE);
 }

@@ -59,8 +59,5 @@ const char *signals_name(enum signals_reason reason) {
     if (reason == SIGNALS_MAX_WALL) return "--max-wall";
     if (reason == SIGNALS_BATCH) return "the batch system's limit";
     if (reason == SIGNALS_NONE) return "no reason";
-    return caught == SIGTERM   ? "SIGTERM"
-           : caught == SIGUSR1 ? "SIGUSR1"
-           : caught == SIGINT  ? "SIGINT"
-                               : "a signal";
+    return caught == SIGTERM ? "SIGTERM" : caught == SIGUSR1 ? "SIGUSR1" : caught == SIGINT ? "SIGINT" : "a signal";
 }

@@ -8,11 +8,11 @@ enum signals_reason {
     SIGNALS_BATCH     /* the batch system's limit, SLURM_JOB_END_TIME (seconds since 1970) */
 };
 
-/* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once; SIGXFSZ and SIGPIPE no longer do: what
- * writes then fails. Not collective. */
+/* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once; SIGXFSZ and SIGPIPE no longer
+ * do: what writes then fails. Not collective. */
 void signals_begin(double max_wall);
-/* Whether to stop now: the strongest reason any rank has. reserve: seconds that a last step and the checkpoint will take;
- * limits are met that much earlier. The same on every rank. Collective. */
+/* Whether to stop now: the strongest reason any rank has. reserve: seconds that a last step and the checkpoint will
+ * take; limits are met that much earlier. The same on every rank. Collective. */
 enum signals_reason signals_stop(double reserve);
 /* The same; n numbers travel along and become the largest of all ranks. Collective. */
 enum { SIGNALS_ALSO = 8 };

@@ -1,6 +1,6 @@
-/* Eight doubles at once (vec) and four (vec4), by the compilers' vector extensions: gcc and clang lower them to whatever
- * the machine has, and the few intrinsics of the room stand here. With FRANA_SCALAR there are none of these, and
- * vec4 is one double: who uses it takes VEC4_LANES places at a time. */
+/* Eight doubles at once (vec) and four (vec4), by the compilers' vector extensions: gcc and clang lower them to
+ * whatever the machine has, and the few intrinsics of the room stand here. With FRANA_SCALAR there are none of these,
+ * and vec4 is one double: who uses it takes VEC4_LANES places at a time. */
 #pragma once
 #include <stdint.h>
 #include <string.h>

@@ -36,9 +36,8 @@ static void check_only(const char *list) {
         for (int k = 0; k < PARTS; k++)
             found |= (int)strlen(part[k].name) == length && !strncmp(at, part[k].name, (size_t)length);
         if (!found)
-            die_all(EXIT_CODE_SCENE,
-                    "--only %.*s: must be of limits, fluid, solid, immersed, memory, growth and peer", length,
-                    at);
+            die_all(EXIT_CODE_SCENE, "--only %.*s: must be of limits, fluid, solid, immersed, memory, growth and peer",
+                    length, at);
     }
 }
 
@@ -57,8 +56,8 @@ static struct bench_size *sizes_of(const char *list, int *n) {
         const int is_box = s.cells[0] > 1 && s.cells[1] > 1 && s.cells[2] > 1;
         if (!is_box && (s.side < 1 || s.cells[0] || s.side > 1000))
             die_all(EXIT_CODE_SCENE,
-                    "--sizes %.*s: must be cells like 128x64x64, or particles along a block's side like 38",
-                    length, at);
+                    "--sizes %.*s: must be cells like 128x64x64, or particles along a block's side like 38", length,
+                    at);
         size[(*n)++] = s;
     }
     return size;

@@ -30,8 +30,7 @@ struct fluid *bench_fluid_new(const int cells[3], int channel) {
         .density = 1000,
         .viscosity = 1e-3,
         .initial_velocity = {0.1, 0, 0},
-        .side = {{{.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.1},
-                  {.type = FLUID_OUTFLOW}},
+        .side = {{{.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.1}, {.type = FLUID_OUTFLOW}},
                  {{.type = FLUID_WALL}, {.type = FLUID_WALL}},
                  {{.type = FLUID_PERIODIC}, {.type = FLUID_PERIODIC}}}};
     for (int c = 0; c < 3; c++) in.n[c] = cells[c];
@@ -48,10 +47,10 @@ struct fluid *bench_fluid_new(const int cells[3], int channel) {
  * Columns: the last direction's values at the ranks' ends only: nothing to speak of.
  * Backward (the recurrence down z, transforms in the cache, correction): y, u*, p in, u, v, w, p out: 1 + 3 + 1 + 4.
  * Flops of a cell and stage.
- * Momentum, a component: fluxes 2 + 3 + 3 (sums and a product through the own faces and the two others), their differences
- * 3, scales 3, sums 2; diffusion 3 x 3 and a scale; predictor 6; pressure gradient and source 4: 36.
- * Forward: divergence 8, transforms of 5/2 log2 n a point in x and y, recurrence 3. Backward: recurrence 5, the transforms,
- * correction 3 x 3 and the pressure's 1. */
+ * Momentum, a component: fluxes 2 + 3 + 3 (sums and a product through the own faces and the two others), their
+ * differences 3, scales 3, sums 2; diffusion 3 x 3 and a scale; predictor 6; pressure gradient and source 4: 36.
+ * Forward: divergence 8, transforms of 5/2 log2 n a point in x and y, recurrence 3. Backward: recurrence 5, the
+ * transforms, correction 3 x 3 and the pressure's 1. */
 struct work {
     double doubles, flops;
 };
@@ -59,8 +58,7 @@ enum { STEP, MOMENTUM, POISSON, FORWARD, COLUMNS, BACKWARD, HALO, PARTS };
 
 static struct work work_of(int part, const int n[3]) {
     const double transforms = 2.5 * (log2(n[0]) + log2(n[1]));
-    const struct work momentum = {11, 3 * 36}, forward = {4, 11 + transforms},
-                      backward = {9, 15 + transforms};
+    const struct work momentum = {11, 3 * 36}, forward = {4, 11 + transforms}, backward = {9, 15 + transforms};
     switch (part) {
     case MOMENTUM:
         return momentum;
@@ -81,14 +79,13 @@ static struct work work_of(int part, const int n[3]) {
 static const struct {
     const char *name[2]; /* with inflow and outflow; channel */
     int channel;
-} part[PARTS] = {
-    [STEP] = {{"fluid_step", "channel_step"}, BENCH_WALL},
-    [MOMENTUM] = {{"fluid_measures_momentum", "channel_momentum"}, BENCH_CLOCK + CLOCK_MOMENTUM},
-    [POISSON] = {{"fluid_poisson", "channel_poisson"}, BENCH_CLOCK + CLOCK_POISSON},
-    [FORWARD] = {{"fluid_poisson_forward", "channel_poisson_forward"}, BENCH_CLOCK + CLOCK_FORWARD},
-    [COLUMNS] = {{"fluid_poisson_columns", "channel_poisson_columns"}, BENCH_CLOCK + CLOCK_COLUMNS},
-    [BACKWARD] = {{"fluid_poisson_backward", "channel_poisson_backward"}, BENCH_CLOCK + CLOCK_BACKWARD},
-    [HALO] = {{"fluid_halo", "channel_halo"}, BENCH_CLOCK + CLOCK_HALO}};
+} part[PARTS] = {[STEP] = {{"fluid_step", "channel_step"}, BENCH_WALL},
+                 [MOMENTUM] = {{"fluid_measures_momentum", "channel_momentum"}, BENCH_CLOCK + CLOCK_MOMENTUM},
+                 [POISSON] = {{"fluid_poisson", "channel_poisson"}, BENCH_CLOCK + CLOCK_POISSON},
+                 [FORWARD] = {{"fluid_poisson_forward", "channel_poisson_forward"}, BENCH_CLOCK + CLOCK_FORWARD},
+                 [COLUMNS] = {{"fluid_poisson_columns", "channel_poisson_columns"}, BENCH_CLOCK + CLOCK_COLUMNS},
+                 [BACKWARD] = {{"fluid_poisson_backward", "channel_poisson_backward"}, BENCH_CLOCK + CLOCK_BACKWARD},
+                 [HALO] = {{"fluid_halo", "channel_halo"}, BENCH_CLOCK + CLOCK_HALO}};
 
 /* What the parts take is read off the program's clocks while whole steps run. */
 static void measure_step(struct bench *b, struct flow *f, const int n[3], int channel, int parts) {

@@ -8,9 +8,7 @@
 
 #include <math.h>
 
-enum {
-    CUBE = 14
-}; /* spacings: a broken block's pieces; about a quarter of its bonds are gone, as in a crushed one */
+enum { CUBE = 14 }; /* spacings: a broken block's pieces; about a quarter of its bonds are gone, as in a crushed one */
 
 static struct run *run_of(const struct bench_scene *what) {
     struct run *r = run_new(bench_scene_new(what));
@@ -85,28 +83,27 @@ static void solid(void *with) {
     solid_integrate(r->solid, r->dt / r->substeps, r->substeps);
 }
 
-static void row_of(struct bench *b, const struct run *r, const char *part, struct bench_sample time,
-                   double units, const char *unit, double bytes, double flops) {
+static void row_of(struct bench *b, const struct run *r, const char *part, struct bench_sample time, double units,
+                   const char *unit, double bytes, double flops) {
     const int *n = fluid_grid_of(r->fluid)->n;
-    struct bench_row row = {
-        .part = part, .time = time, .units = units, .unit = unit, .bytes = bytes, .flops = flops};
+    struct bench_row row = {.part = part, .time = time, .units = units, .unit = unit, .bytes = bytes, .flops = flops};
     snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
     bench_row_write(&b->table, &row);
 }
 
-static void measure(struct bench *b, const char *part, bench_call *call, struct run *r, double units,
-                    const char *unit, double bytes, double flops) {
+static void measure(struct bench *b, const char *part, bench_call *call, struct run *r, double units, const char *unit,
+                    double bytes, double flops) {
     struct bench_sample of[1][BENCH_CHANNELS];
     bench_measure(&b->effort, call, 1, (void *[]){r}, of);
     row_of(b, r, part, of[0][BENCH_WALL], units, unit, bytes, flops);
 }
 
-/* A marker, a stage and an iteration: 27 points of three components, gathered and added to: 2 x 81 multiply-adds with the
- * weights' products (2 x 9 x 3) in between, so 380 flops, and three stages of two iterations in a step. Its weights and
- * blocks' places, 20 + 3 doubles, velocity, volume and share 7, increments in and out: 300 B an iteration; the fields'
- * blocks overlap and stay in the cache: u* in and out once a marker and component, 48 B.
- * A probe: p and three components on 4 x 4 x 4 points, 256 multiply-adds, and their 8 points' differences, some 800 flops; its
- * place, normal and result 11 doubles, the fields' values once a probe 32 B. */
+/* A marker, a stage and an iteration: 27 points of three components, gathered and added to: 2 x 81 multiply-adds with
+ * the weights' products (2 x 9 x 3) in between, so 380 flops, and three stages of two iterations in a step. Its weights
+ * and blocks' places, 20 + 3 doubles, velocity, volume and share 7, increments in and out: 300 B an iteration; the
+ * fields' blocks overlap and stay in the cache: u* in and out once a marker and component, 48 B. A probe: p and three
+ * components on 4 x 4 x 4 points, 256 multiply-adds, and their 8 points' differences, some 800 flops; its place, normal
+ * and result 11 doubles, the fields' values once a probe 32 B. */
 static const double forcing_bytes = 6 * (300 + 48), forcing_flops = 6 * 380;
 static const double probe_bytes = 11 * 8 + 32, probe_flops = 800;
 
@@ -147,7 +144,6 @@ void bench_immersed(struct bench *b) {
     measure(b, "contact", contact, run[1], (double)run[1]->solid->n_global, "particle", 0, 0);
     measure(b, "contact_broken", contact, broken, (double)broken->solid->n_global, "particle", 0, 0);
     measure(b, "solid_substeps", solid, intact,
-            (double)par_sum_long(solid_family_directed(intact->solid)) * intact->substeps, "directed bond", 0,
-            0);
+            (double)par_sum_long(solid_family_directed(intact->solid)) * intact->substeps, "directed bond", 0, 0);
     for (int k = 0; k < 4; k++) end(run[k]);
 }

@@ -9,8 +9,8 @@ struct triad {
     int idle; /* this rank waits */
 };
 
-/* a = b + s c: two loads and a store, 24 B, and 2 flops an element, the store past the caches where the machine can, so that no
- * line is read before it is written. n is a multiple of a vector's lanes. */
+/* a = b + s c: two loads and a store, 24 B, and 2 flops an element, the store past the caches where the machine can, so
+ * that no line is read before it is written. n is a multiple of a vector's lanes. */
 static void triad(void *with) {
     const struct triad *t = with;
     if (t->idle) return;

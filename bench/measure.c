@@ -45,8 +45,7 @@ void bench_measure(const struct bench_effort *effort, bench_call *call, int n, v
     static double seconds[BENCH_THINGS][BENCH_CHANNELS][BENCH_REPEATS_MAX];
     long calls[BENCH_THINGS];
     double now[BENCH_CHANNELS];
-    ENSURE(n <= BENCH_THINGS && effort->repeats <= BENCH_REPEATS_MAX, "%d things, %d repeats", n,
-           effort->repeats);
+    ENSURE(n <= BENCH_THINGS && effort->repeats <= BENCH_REPEATS_MAX, "%d things, %d repeats", n, effort->repeats);
     for (int k = 0; k < n; k++) calls[k] = calls_for(effort, call, with[k]);
     for (int r = 0; r < effort->repeats; r++)
         for (int k = 0; k < n; k++) {

@@ -13,8 +13,7 @@ static void of_fluid(struct bench *b, const int n[3]) {
     const double before = held(MEMORY_FLUID);
     struct fluid *f = bench_fluid_new(n, 0);
     snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_row_memory(&b->table, "memory_fluid", size, held(MEMORY_FLUID) - before, (double)fluid_cells(f),
-                       "cell");
+    bench_row_memory(&b->table, "memory_fluid", size, held(MEMORY_FLUID) - before, (double)fluid_cells(f), "cell");
     fluid_free(f);
 }
 
@@ -33,8 +32,8 @@ static struct holding holding_of(const struct bench_block *block) {
     return h;
 }
 
-/* What a bond holds by itself is the difference of two families in the same block, horizons of 3 and of 2 spacings; the rest
- * is the particles' state, work and places. */
+/* What a bond holds by itself is the difference of two families in the same block, horizons of 3 and of 2 spacings; the
+ * rest is the particles' state, work and places. */
 static void of_block(struct bench *b, const char *of_bond, const char *of_particle, int list) {
     char size[32];
     struct bench_block block = {.half = b->quick, .list = list};
@@ -44,8 +43,7 @@ static void of_block(struct bench *b, const char *of_bond, const char *of_partic
     const double bond = (many.bytes - few.bytes) / (many.bonds - few.bonds);
     snprintf(size, sizeof size, "%ld", many.particles);
     bench_row_memory(&b->table, of_bond, size, bond * many.bonds, many.bonds, "directed bond");
-    bench_row_memory(&b->table, of_particle, size, many.bytes - bond * many.bonds, (double)many.particles,
-                       "particle");
+    bench_row_memory(&b->table, of_particle, size, many.bytes - bond * many.bonds, (double)many.particles, "particle");
 }
 
 static void of_run(struct bench *b) {
@@ -61,10 +59,10 @@ static void of_run(struct bench *b) {
     const int *n = fluid_grid_of(r->fluid)->n;
     snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
     bench_row_memory(&b->table, "memory_marker", size, held(MEMORY_IBM) + held(MEMORY_COUPLING) - before,
-                       (double)r->surface->total, "marker");
+                     (double)r->surface->total, "marker");
     bench_row_memory(&b->table, "memory_run", size,
-                       held(MEMORY_FLUID) + held(MEMORY_SOLID) + held(MEMORY_IBM) + held(MEMORY_COUPLING),
-                       (double)fluid_cells(r->fluid), "cell");
+                     held(MEMORY_FLUID) + held(MEMORY_SOLID) + held(MEMORY_IBM) + held(MEMORY_COUPLING),
+                     (double)fluid_cells(r->fluid), "cell");
     run_free(r);
     scene_free(scene);
 }

@@ -19,13 +19,13 @@ struct bench_size {
 };
 
 void bench_limits(struct bench *b);
-void bench_fluid(struct bench *b);    /* steps, and their parts */
-void bench_solid(struct bench *b);    /* force sweeps */
-void bench_plate(struct bench *b);    /* those over a plate */
-void bench_refine(struct bench *b);   /* looks and refinements of one */
-void bench_solid_peer(struct bench *b);     /* the sweep that bench/lammps compares */
-void bench_immersed(struct bench *b); /* the main case: forcing, probe, interface, contact, whole steps */
-void bench_memory(struct bench *b);   /* bytes a cell, a bond, a marker */
+void bench_fluid(struct bench *b);      /* steps, and their parts */
+void bench_solid(struct bench *b);      /* force sweeps */
+void bench_plate(struct bench *b);      /* those over a plate */
+void bench_refine(struct bench *b);     /* looks and refinements of one */
+void bench_solid_peer(struct bench *b); /* the sweep that bench/lammps compares */
+void bench_immersed(struct bench *b);   /* the main case: forcing, probe, interface, contact, whole steps */
+void bench_memory(struct bench *b);     /* bytes a cell, a bond, a marker */
 void bench_fluid_growth(struct bench *b);
 void bench_solid_growth(struct bench *b);
 

@@ -23,8 +23,7 @@ static struct solid *plate_new(const int sites[2]) {
         }
         outline[1 + k] = (struct solid_outline){1, 2, end[k], centre[k], round};
     }
-    const struct solid_body body = {
-        .name = "plate", .shape = SOLID_POLYGON, .outlines = 1 + HOLES, .outline = outline};
+    const struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1 + HOLES, .outline = outline};
     const struct solid_material material = {65e9, 2235, 204, 3, SOLID_CONSTANT};
     struct solid *s = solid_new(&(struct solid_input){.model = SOLID_PLANE_STRESS,
                                                       .thickness = 1e-3,
@@ -38,10 +37,11 @@ static struct solid *plate_new(const int sites[2]) {
     return s;
 }
 
-/* Each bond once, for both its ends. In: the relative displacement 2, eps = eta.(2 xi + eta)/xi^2 6, the stretch's polynomial
- * of degree four 9, weights 4, zeta 2, and the force added at both ends 8: 31 a bond, 15.5 directed. With damping relative
- * velocities 2, their part along zeta 3, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 12 more. A directed bond is 4 B
- * for the other end, two singles for xi, and a double. Particles: displacement in, acceleration in and out, and w in. */
+/* Each bond once, for both its ends. In: the relative displacement 2, eps = eta.(2 xi + eta)/xi^2 6, the stretch's
+ * polynomial of degree four 9, weights 4, zeta 2, and the force added at both ends 8: 31 a bond, 15.5 directed. With
+ * damping relative velocities 2, their part along zeta 3, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 12 more.
+ * A directed bond is 4 B for the other end, two singles for xi, and a double. Particles: displacement in, acceleration
+ * in and out, and w in. */
 static void measure(struct bench *b, const char *part, struct solid *s, double damping) {
     struct bench_sample of[1][BENCH_CHANNELS];
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};

@@ -15,8 +15,7 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
                  none[4][2] = {{0}};
     static const signed char straight[4] = {0};
     const struct solid_outline outline = {0, 4, corner, none, straight};
-    const struct solid_body body = {
-        .name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
+    const struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
     const struct solid_material material = {72e9, 2440, 135, 3, SOLID_CONSTANT};
     struct solid *s = solid_new(&(struct solid_input){.model = SOLID_PLANE_STRESS,
                                                       .thickness = 1e-3,
@@ -36,10 +35,8 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
 static void look(void *with) { solid_refine_look(with); }
 
 static struct bench_row row_of(const char *part, const struct solid *s, struct bench_sample time) {
-    struct bench_row row = {.part = part,
-                            .time = time,
-                            .units = (double)par_sum_long(solid_family_directed(s)),
-                            .unit = "directed bond"};
+    struct bench_row row = {
+        .part = part, .time = time, .units = (double)par_sum_long(solid_family_directed(s)), .unit = "directed bond"};
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     return row;
 }
@@ -79,8 +76,7 @@ void bench_refine(struct bench *b) {
     bench_row_write(&b->table, &row);
     for (int k = 0; k < EVENTS; k++) seconds[k] = event(s, k);
     const double median = bench_measure_median(EVENTS, seconds);
-    row =
-        row_of("refine_event", s, (struct bench_sample){1, EVENTS, median, seconds[0], seconds[EVENTS - 1]});
+    row = row_of("refine_event", s, (struct bench_sample){1, EVENTS, median, seconds[0], seconds[EVENTS - 1]});
     bench_row_write(&b->table, &row);
     solid_free(s);
 }

@@ -29,7 +29,7 @@ void bench_row_end(struct bench_table *t);
 void bench_row_write(struct bench_table *t, const struct bench_row *row); /* Not collective: rank 0 writes. */
 /* Bytes held a unit. bytes: of all ranks. */
 void bench_row_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
-                        const char *unit);
+                      const char *unit);
 /* What a call sends, by kind: messages, collectives, bytes of the rank that sends most. Collective. */
-void bench_row_traffic(struct bench_table *t, const char *part, const char *size, bench_call *call,
-                         void *with, int calls);
+void bench_row_traffic(struct bench_table *t, const char *part, const char *size, bench_call *call, void *with,
+                       int calls);

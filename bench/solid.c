@@ -36,10 +36,10 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
 }
 
 /* Each bond once, for both its ends. In: the relative displacement 3, eps = eta.(2 xi + eta)/xi^2 9, the stretch's
- * polynomial of degree four 9, weights 4, zeta 3, and the force added at both ends 12: 40 a bond, 20 directed. With damping
- * relative velocities 3, their part along zeta 5, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 15 more.
- * Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3). A directed bond on a
- * lattice: one bit. In a list: 4 B for the other end, three singles for its reference vector, and a double. */
+ * polynomial of degree four 9, weights 4, zeta 3, and the force added at both ends 12: 40 a bond, 20 directed. With
+ * damping relative velocities 3, their part along zeta 5, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 15 more.
+ * Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3). A directed bond
+ * on a lattice: one bit. In a list: 4 B for the other end, three singles for its reference vector, and a double. */
 static void count(struct bench_row *row, double particles, int list, int damped) {
     row->flops = 20 + (damped ? 7.5 : 0);
     row->bytes = (list ? 4 + 12 + 8 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
@@ -94,6 +94,5 @@ void bench_solid_peer(struct bench *b) {
 
 void bench_solid_growth(struct bench *b) {
     static const int side[] = {22, 38, 47, 100};
-    for (int k = 0; k < (b->quick ? 1 : 4); k++)
-        measure(b, "sweep_full", &(struct bench_block){.side = side[k]}, 0);
+    for (int k = 0; k < (b->quick ? 1 : 4); k++) measure(b, "sweep_full", &(struct bench_block){.side = side[k]}, 0);
 }

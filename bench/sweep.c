@@ -5,8 +5,7 @@
 
 void bench_sweep_strain(struct solid *s) {
     for (int h = 0; h < s->n; h++)
-        for (int c = 0; c < s->dim; c++)
-            s->d[c][h] = 2e-4 * s->in.spacing * sin(300 * s->x0[(c + 1) % s->dim][h] + c);
+        for (int c = 0; c < s->dim; c++) s->d[c][h] = 2e-4 * s->in.spacing * sin(300 * s->x0[(c + 1) % s->dim][h] + c);
     solid_ghosts_update(s);
 }
 

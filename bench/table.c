@@ -45,7 +45,8 @@ static double slower(const struct page *p) {
     return bench_cells_number(p->peer, p->peer->rows - 1, "theirs_ns") / LAMMPS_NS;
 }
 
-/* One line of what is to be reached: ours NAN: not measured yet; low NAN: one number, of another time than the peers'. */
+/* One line of what is to be reached: ours NAN: not measured yet; low NAN: one number, of another time than the peers'.
+ */
 static void target(const char *what, const char *peer, const char *unit, double most, double ours, double low,
                    double high, double slow) {
     printf("| %s | %s | ≤ %g %s | ", what, peer, most, unit);
@@ -60,16 +61,15 @@ static void target(const char *what, const char *peer, const char *unit, double 
         printf("%.3g %s (%.3g–%.3g) | %.3g | %s |\n", ours, unit, low, high, ours / slow, said);
 }
 
-static void target_step(const struct page *p, const char *what, const char *peer, const char *part,
-                        const char *size, double most) {
+static void target_step(const struct page *p, const char *what, const char *peer, const char *part, const char *size,
+                        double most) {
     const int row = bench_cells_find(p->rows, part, size, 2);
     target(what, peer, "ms", most, bench_cells_number(p->rows, row, "median_ms"),
-           bench_cells_number(p->rows, row, "low_ms"), bench_cells_number(p->rows, row, "high_ms"),
-           slower(p));
+           bench_cells_number(p->rows, row, "low_ms"), bench_cells_number(p->rows, row, "high_ms"), slower(p));
 }
 
-static void target_bond(const struct page *p, const char *what, const char *peer, const char *part,
-                        const char *size, double most) {
+static void target_bond(const struct page *p, const char *what, const char *peer, const char *part, const char *size,
+                        double most) {
     const int row = bench_cells_find(p->rows, part, size, 1);
     const double ns = bench_cells_number(p->rows, row, "ns_per_unit"),
                  a_ms = ns / bench_cells_number(p->rows, row, "median_ms");
@@ -83,8 +83,7 @@ static double share(const struct page *p) {
     double sum = 0;
     for (int k = 0; k < 3; k++)
         sum += bench_cells_number(p->rows, bench_cells_find(p->rows, part[k], size, 2), "median_ms");
-    return 100 * sum /
-           bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", size, 2), "median_ms");
+    return 100 * sum / bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", size, 2), "median_ms");
 }
 
 static void targets(const struct page *p) {
@@ -100,8 +99,8 @@ static void targets(const struct page *p) {
                 "CaNS 35 ms as it comes, 30 ms at its best", "fluid_step", "128x64x64", 10);
     target_step(p, "fluid, 256 × 128 × 128, channel, 2 ranks", "CaNS 350 ms as it comes, 205 ms at its best",
                 "channel_step", "256x128x128", 110);
-    target_bond(p, "force sweep, full block, a directed bond and core", "LAMMPS PERI/PMB 11 ns", "sweep_full",
-                "54872", 0.6);
+    target_bond(p, "force sweep, full block, a directed bond and core", "LAMMPS PERI/PMB 11 ns", "sweep_full", "54872",
+                0.6);
     target_bond(p, "force sweep, the main case's porous block", "–", "sweep_porous", "", 1.0);
     target_bond(p, "force sweep, a plate with holes", "–", "sweep_plate", "", 1.5);
     target("markers, forcing (N_s = 2) and probe, of a coupled step", "–", "%", 20, share(p), NAN, NAN, NAN);
@@ -117,8 +116,7 @@ static void targets(const struct page *p) {
     }
     const double off = bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", "128x64x64", 2),
                                           "median_ms"),
-                 on = bench_cells_number(p->rows,
-                                         bench_cells_find(p->rows, "coupled_step_breakage", "128x64x64", 2),
+                 on = bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step_breakage", "128x64x64", 2),
                                          "median_ms");
     if (!isnan(on / off))
         printf("\nThe same block, intact: a coupled step with breakage on takes %.3f of one with breakage "
@@ -140,8 +138,8 @@ static void targets(const struct page *p) {
 
 static void machine(const struct bench_cells *c) {
     printf("%s, %s cores. %s, `%s`; FFTW: %s, plans: %s; %s. %s, revision %s.\n\n", text(c, 0, "cpu"),
-           text(c, 0, "cores"), text(c, 0, "compiler"), text(c, 0, "flags"), text(c, 0, "fftw"),
-           text(c, 0, "plan"), text(c, 0, "mpi"), text(c, 0, "date"), text(c, 0, "revision"));
+           text(c, 0, "cores"), text(c, 0, "compiler"), text(c, 0, "flags"), text(c, 0, "fftw"), text(c, 0, "plan"),
+           text(c, 0, "mpi"), text(c, 0, "date"), text(c, 0, "revision"));
 }
 
 static void measured(const struct bench_cells *c, int ranks) {
@@ -150,14 +148,13 @@ static void measured(const struct bench_cells *c, int ranks) {
            "|---|---|---|---|---|---|---|---|---|---|\n",
            ranks, ranks > 1 ? "s" : "");
     for (int row = 0; row < c->rows; row++) {
-        if ((int)bench_cells_number(c, row, "ranks") != ranks ||
-            isnan(bench_cells_number(c, row, "median_ms")))
+        if ((int)bench_cells_number(c, row, "ranks") != ranks || isnan(bench_cells_number(c, row, "median_ms")))
             continue;
         const double fraction = bench_cells_number(c, row, "fraction_of_limit");
-        printf("| %s | %s | %s | %s–%s | %s | %s | %s | %s | %s | ", text(c, row, "part"),
-               text(c, row, "size"), text(c, row, "median_ms"), text(c, row, "low_ms"),
-               text(c, row, "high_ms"), text(c, row, "ns_per_unit"), text(c, row, "unit"),
-               text(c, row, "bytes_per_unit"), text(c, row, "flops_per_unit"), text(c, row, "gb_per_s"));
+        printf("| %s | %s | %s | %s–%s | %s | %s | %s | %s | %s | ", text(c, row, "part"), text(c, row, "size"),
+               text(c, row, "median_ms"), text(c, row, "low_ms"), text(c, row, "high_ms"), text(c, row, "ns_per_unit"),
+               text(c, row, "unit"), text(c, row, "bytes_per_unit"), text(c, row, "flops_per_unit"),
+               text(c, row, "gb_per_s"));
         if (isnan(fraction))
             printf("– |\n");
         else
@@ -170,8 +167,8 @@ static void memory(const struct bench_cells *c) {
     printf("## Memory\n\n| part | size | ranks | bytes | a |\n|---|---|---|---|---|\n");
     for (int row = 0; row < c->rows; row++)
         if (!strncmp(text(c, row, "part"), "memory", 6))
-            printf("| %s | %s | %s | %s | %s |\n", text(c, row, "part"), text(c, row, "size"),
-                   text(c, row, "ranks"), text(c, row, "bytes_per_unit"), text(c, row, "unit"));
+            printf("| %s | %s | %s | %s | %s |\n", text(c, row, "part"), text(c, row, "size"), text(c, row, "ranks"),
+                   text(c, row, "bytes_per_unit"), text(c, row, "unit"));
     printf("\n");
 }
 
@@ -200,8 +197,8 @@ static void growth_of(const struct bench_cells *c, const char *part, const char 
         const char *size = text(c, row, "size");
         const int one = bench_cells_find(c, part, size, 1), two = bench_cells_find(c, part, size, 2);
         if (strcmp(text(c, row, "part"), part) || row != (one >= 0 ? one : two)) continue;
-        printf("| %s | %s | %s | %s | %s | %.2f |\n", size, text(c, one, "median_ms"),
-               text(c, one, "ns_per_unit"), text(c, two, "median_ms"), text(c, two, "ns_per_unit"),
+        printf("| %s | %s | %s | %s | %s | %.2f |\n", size, text(c, one, "median_ms"), text(c, one, "ns_per_unit"),
+               text(c, two, "median_ms"), text(c, two, "ns_per_unit"),
                bench_cells_number(c, one, "median_ms") / bench_cells_number(c, two, "median_ms"));
     }
     printf("\n");
@@ -212,16 +209,15 @@ static void sent(const struct bench_cells *c) {
            "|\n|---|---|---|---|---|---|---|\n");
     for (int row = 0; row < c->rows; row++)
         printf("| %s | %s | %s | %s | %s | %s | %s |\n", text(c, row, "part"), text(c, row, "size"),
-               text(c, row, "ranks"), text(c, row, "kind"), text(c, row, "messages"),
-               text(c, row, "collectives"), text(c, row, "bytes"));
+               text(c, row, "ranks"), text(c, row, "kind"), text(c, row, "messages"), text(c, row, "collectives"),
+               text(c, row, "bytes"));
     printf("\n");
 }
 
 int bench_table(const struct command *c) {
     struct page p = {0};
     for (int k = 0; k < c->files; k++) read_file(&p, c->file[k]);
-    if (!p.rows || !p.rows->rows)
-        die(EXIT_CODE_FILE, "frana bench --table: none of the files holds measured times");
+    if (!p.rows || !p.rows->rows) die(EXIT_CODE_FILE, "frana bench --table: none of the files holds measured times");
     if (c->table == COMMAND_TABLE_PERFORMANCE) {
         performance(&p);
     } else {

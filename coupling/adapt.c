@@ -9,16 +9,15 @@
 
 enum { LOOK_AT_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100, SUBSTEPS_MAX = 1000000 };
 
-/* Steps grow by no more than this, and a step that is longer by it than it was to be no longer holds, unless it is within the
- * limit itself. */
+/* Steps grow by no more than this, and a step that is longer by it than it was to be no longer holds, unless it is
+ * within the limit itself. */
 static const double GROWTH = 1.2, BEYOND = 1.1;
-/* What is made again: a quarter where nothing is known, else what the limit says, within these; below this part of the stage's first
- * step nothing will help. */
+/* What is made again: a quarter where nothing is known, else what the limit says, within these; below this part of the
+ * stage's first step nothing will help. */
 static const double SHORTER = 0.25, SHORTEST = 1e-3, LONGEST = 0.9, LEAST = 1e-6;
 enum { DOUBLINGS = 6, SAID_AFTER = 10 };
 
-const char *const adapt_bound_name[] = {"the scene", "convection", "diffusion", "growth",
-                                        "a step made again"};
+const char *const adapt_bound_name[] = {"the scene", "convection", "diffusion", "growth", "a step made again"};
 
 static const struct scene_stage *stage_of(const struct run *r) { return &r->scene->stage[r->stage]; }
 static int is_automatic(const struct run *r) { return r->fluid && stage_of(r)->time_step <= 0; }
@@ -91,8 +90,8 @@ static void set_substeps(struct run *r, int substeps) {
     r->substeps = substeps;
 }
 
-/* Contact is looked at every few steps, or every step if the step itself changes. More substeps at once, fewer only every so
- * many steps: the number is part of a checkpoint, and the steps at which it may change are fixed. */
+/* Contact is looked at every few steps, or every step if the step itself changes. More substeps at once, fewer only
+ * every so many steps: the number is part of a checkpoint, and the steps at which it may change are fixed. */
 void adapt_substeps(struct run *r) {
     const int least = r->adapt.least;
     if (is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
@@ -133,8 +132,8 @@ static enum adapt_verdict shorter(struct run *r, double dt, const struct step_st
     if (!(dt >= LEAST * r->adapt.first)) return ADAPT_LOST;
     r->adapt.most = dt;
     snprintf(how, sizeof how, "%.4g s instead of %.4g s", dt, r->dt);
-    snprintf(why, sizeof why, "%s = %.4g at (%.6g, %.6g, %.6g) m on rank %d", s->field, s->value, s->x[0],
-             s->x[1], s->x[2], s->rank);
+    snprintf(why, sizeof why, "%s = %.4g at (%.6g, %.6g, %.6g) m on rank %d", s->field, s->value, s->x[0], s->x[1],
+             s->x[2], s->rank);
     say_again(r, how, why);
     return ADAPT_MAKE_AGAIN;
 }
@@ -190,8 +189,7 @@ static void count(struct run *r) {
     if (has_substeps(r)) r->adapt.substeps_ruled[r->solid_bound]++;
 }
 
-enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS],
-                               struct step_status *status) {
+enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS], struct step_status *status) {
     enum adapt_verdict verdict = ADAPT_HOLDS;
     if (number[ADAPT_FAILED] > 0) return judge_failure(r, status);
     if (is_automatic(r)) verdict = judge_convection(r, number[ADAPT_RATE], status);
@@ -213,8 +211,7 @@ void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t si
     int of_solid = 0;
     if (r->fluid) {
         const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
-        name =
-            l.convective < l.viscous ? adapt_bound_name[ADAPT_CONVECTION] : adapt_bound_name[ADAPT_DIFFUSION];
+        name = l.convective < l.viscous ? adapt_bound_name[ADAPT_CONVECTION] : adapt_bound_name[ADAPT_DIFFUSION];
         stable = l.step;
         most = dt / stable;
     }
@@ -230,15 +227,13 @@ void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t si
     const double step = of_solid ? dt / substeps : dt;
     const char *what = of_solid ? "solid's substep" : "step";
     if (most <= 1)
-        snprintf(
-            text, size,
-            "no limit of the last good state was exceeded: the %s of %.4g s is %.3g of what %s would allow",
-            what, step, most, name);
-    else if (of_solid)
         snprintf(text, size,
-                 "the %s of %.4g s is %.3g times what %s would allow, %.4g s: %.0f substeps would do", what,
+                 "no limit of the last good state was exceeded: the %s of %.4g s is %.3g of what %s would allow", what,
+                 step, most, name);
+    else if (of_solid)
+        snprintf(text, size, "the %s of %.4g s is %.3g times what %s would allow, %.4g s: %.0f substeps would do", what,
                  step, most, name, stable, ceil(dt / (stage_of(r)->safety * stable)));
     else
-        snprintf(text, size, "the %s of %.4g s is %.3g times what %s would allow, %.4g s", what, step, most,
-                 name, stable);
+        snprintf(text, size, "the %s of %.4g s is %.3g times what %s would allow, %.4g s", what, step, most, name,
+                 stable);
 }

@@ -1,5 +1,5 @@
-/* The steps that a run takes: how long they are, how many substeps the solid takes in them, what bounds them, and whether a step
- * that has been taken holds. */
+/* The steps that a run takes: how long they are, how many substeps the solid takes in them, what bounds them, and
+ * whether a step that has been taken holds. */
 #pragma once
 #include "fluid/fluid.h"
 #include "solid/step/stable.h"
@@ -42,18 +42,19 @@ void adapt_substeps(struct run *r);
 /* The least number of substeps that is stable with what touches now, within the stage's safety. Collective. */
 int adapt_substeps_wanted(struct run *r);
 
-/* What this rank knows of a step that has been taken, for a reduction to the largest; failed: of step_check. Not collective. */
+/* What this rank knows of a step that has been taken, for a reduction to the largest; failed: of step_check. Not
+ * collective. */
 enum { ADAPT_FAILED, ADAPT_RATE, ADAPT_FASTEST, ADAPT_NUMBERS };
 void adapt_look(const struct run *r, int failed, double number[ADAPT_NUMBERS]);
-/* Whether it holds, by the largest numbers of all ranks; the next one's limits are then known. It does not where something is no number
- * or beyond reason; where an automatic step has become longer than the limit of the velocities that it led to; where contact has
- * come about that an automatic number of substeps is unstable with. If so it is to be made again, shorter or with more
- * substeps, or nothing helps; status says what is wrong, agreed on. Collective. */
+/* Whether it holds, by the largest numbers of all ranks; the next one's limits are then known. It does not where
+ * something is no number or beyond reason; where an automatic step has become longer than the limit of the velocities
+ * that it led to; where contact has come about that an automatic number of substeps is unstable with. If so it is to be
+ * made again, shorter or with more substeps, or nothing helps; status says what is wrong, agreed on. Collective. */
 enum adapt_verdict { ADAPT_HOLDS, ADAPT_MAKE_AGAIN, ADAPT_LOST };
 enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS], struct step_status *status);
 /* The step that was made again holds. Not collective. */
 void adapt_made(struct run *r);
 
-/* What limit a step of dt with its substeps is beyond in the present state, and what would be stable; or how near it is to the
- * nearest one. Collective. */
+/* What limit a step of dt with its substeps is beyond in the present state, and what would be stable; or how near it is
+ * to the nearest one. Collective. */
 void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t size);

@@ -1,12 +1,14 @@
-/* The probes say where on a body the fluid pulls, but their sum is only as good as the cells resolve the body. The forcing's sum is the
- * fluid's own. For the markers' shell and the fluid within, which moves with the body,
+/* The probes say where on a body the fluid pulls, but their sum is only as good as the cells resolve the body. The
+ * forcing's sum is the fluid's own. For the markers' shell and the fluid within, which moves with the body,
  *
- *     rho V dU/dt = T + f + V (rho g + G),      so  T = rho V dU/dt - f - V (rho g + G),                     (after Uhlmann 2005)
+ *     rho V dU/dt = T + f + V (rho g + G),      so  T = rho V dU/dt - f - V (rho g + G),                     (after
+ * Uhlmann 2005)
  *
- * T the outer fluid's force on the body, f the forcing's on the fluid, G the driving gradient, which the solved pressure leaves out. T less
- * the probes' sum is spread evenly over the volume that is in the domain: it moves the body and strains nothing that is free. A body is what
- * the scene calls one, whole or in pieces. dU/dt is of the step before. So is the acceleration of the carried mass, which is the probes' too: a step gives
- * back, body by body, just what the one before has taken, so that nothing is lost where normals turn or particles come off meanwhile. */
+ * T the outer fluid's force on the body, f the forcing's on the fluid, G the driving gradient, which the solved
+ * pressure leaves out. T less the probes' sum is spread evenly over the volume that is in the domain: it moves the body
+ * and strains nothing that is free. A body is what the scene calls one, whole or in pieces. dU/dt is of the step
+ * before. So is the acceleration of the carried mass, which is the probes' too: a step gives back, body by body, just
+ * what the one before has taken, so that nothing is lost where normals turn or particles come off meanwhile. */
 #include "coupling/balance.h"
 #include "base/par.h"
 #include "solid/imposed/given.h"
@@ -44,8 +46,7 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
         const int has_last = r->v_last[0] && r->dt > 0;
         const double acceleration = has_last ? (s->v[c][h] - r->v_last[c][h]) / r->dt : 0;
         const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == c;
-        const double push =
-            in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
+        const double push = in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
         const double probed = s->load[c][h] - solid_given_of(s, h, c);
         sum[LACK + c] += (in->density * acceleration - push - probed) * s->volume[h];
     }
@@ -61,8 +62,7 @@ static void add_carried(const struct run *r, int q, double a_n, double sum[3]) {
 static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
     const struct solid *s = r->solid;
     const struct run_markers *m = &r->markers;
-    for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
-        add_particle(r, h, sum[s->body[h]]);
+    for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i)) add_particle(r, h, sum[s->body[h]]);
     for (int i = 0; i < m->n; i++) {
         const int h = r->surface->h[i];
         if (r->surface->two_sided[i] == SOLID_SET_FREE) continue;

@@ -41,8 +41,7 @@ int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
         far[d][1] = 1;
         if (medium_cut_off(r->medium, d, 0, (const int(*)[2])far, 0) == 1)
             snprintf(sentence[n++], BLOCKED_SENTENCE,
-                     "no way along %c that cells resolve: the given mean flow is pressed through the solid",
-                     "xyz"[d]);
+                     "no way along %c that cells resolve: the given mean flow is pressed through the solid", "xyz"[d]);
     }
     return n;
 }

@@ -52,8 +52,7 @@ struct guard *guard_new(const struct run *r) {
     arrays_of(r, array, g->count);
     for (int k = 0; k < ARRAYS; k++)
         if (array[k]) g->copy[k] = memory_new(MEMORY_OUTPUT, g->count[k] + 1, sizeof(double));
-    if (forcing_guess_is_part_of(r))
-        g->demand = memory_new(MEMORY_OUTPUT, (size_t)r->solid->n + 1, sizeof *g->demand);
+    if (forcing_guess_is_part_of(r)) g->demand = memory_new(MEMORY_OUTPUT, (size_t)r->solid->n + 1, sizeof *g->demand);
     if (!r->needs.bonds) return g;
     g->refined = solid_refine_events(r->solid);
     g->solid = solid_keep_new(r->solid, r->surface, r->needs.breakage);

@@ -1,4 +1,5 @@
-/* Markers and probes from the interface, and the load that the probes bring back.  (001: secs 3.5.2, 3.5.3; SPEC 3, 4) */
+/* Markers and probes from the interface, and the load that the probes bring back.  (001: secs 3.5.2, 3.5.3; SPEC 3, 4)
+ */
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -66,27 +67,27 @@ void interface_markers_free(struct run *r) {
 }
 
 /* The probe's dp/dn|_m = -rho_f dV/dt.n is an added mass, rho_f l/2 A_h, which the particle carries with its own
- * acceleration. The rest of the fluid's answer to an acceleration comes with p|_e, a step late; where fluid and solid are of like
- * mass that alone grows. So half as much again is carried, and given back as a load with the acceleration of the last step:
- * nothing is added in the mean, and short waves are held down. */
+ * acceleration. The rest of the fluid's answer to an acceleration comes with p|_e, a step late; where fluid and solid
+ * are of like mass that alone grows. So half as much again is carried, and given back as a load with the acceleration
+ * of the last step: nothing is added in the mean, and short waves are held down. */
 static const double CARRIED = 1.5, GIVEN_BACK = 0.5;
 
-/* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe: such that the forcing, which a
- * step applies three times N_s, hands fluid and particle Stokes' drag 3 pi mu d (V - U) of the sphere of its volume, or
- * what takes half of their difference away where that is less. */
+/* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe: such that the forcing,
+ * which a step applies three times N_s, hands fluid and particle Stokes' drag 3 pi mu d (V - U) of the sphere of its
+ * volume, or what takes half of their difference away where that is less. */
 static double set_free_volume(const struct run *r, int h) {
     const struct solid *s = r->solid;
     const struct fluid_input *fluid = fluid_input_of(r->fluid);
     const double diameter = cbrt(6 / M_PI * s->volume[h]);
     const double drag = 3 * M_PI * fluid->viscosity * diameter * r->dt;
-    const double half =
-        0.5 * s->in.material[s->in.body[s->body[h]].material].density / fluid->density * s->volume[h];
+    const double half = 0.5 * s->in.material[s->in.body[s->body[h]].material].density / fluid->density * s->volume[h];
     return fmin(drag, half) / (3 * r->scene->coupling->forcing_iterations);
 }
 
-/* A particle's centre stands half a spacing inside the face it wets, or as deep as its shape says, the marker r_d inside it: it is
- * moved by (depth - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the centre and probes both ways; a
- * particle without bonds has no probe. A probe's root is the marker, or the face itself where loads are carried to the wall. */
+/* A particle's centre stands half a spacing inside the face it wets, or as deep as its shape says, the marker r_d
+ * inside it: it is moved by (depth - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the
+ * centre and probes both ways; a particle without bonds has no probe. A probe's root is the marker, or the face itself
+ * where loads are carried to the wall. */
 void interface_markers_update(struct run *r) {
     const struct solid *s = r->solid;
     const struct solid_surface *surface = r->surface;
@@ -107,8 +108,7 @@ void interface_markers_update(struct run *r) {
         for (int c = 0; c < 3; c++) {
             m->x[c][i] = x[c] + (faces == SOLID_ONE_FACE ? shift * surface->normal[c][i] : 0);
             m->v[c][i] = s->v[c][h];
-            if (r->v_last[0] && r->dt > 0)
-                a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * surface->normal[c][i];
+            if (r->v_last[0] && r->dt > 0) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * surface->normal[c][i];
         }
         if (faces == SOLID_SET_FREE) continue;
         for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {
@@ -126,7 +126,8 @@ void interface_markers_update(struct run *r) {
     }
 }
 
-/* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4), less the added mass. sum: the whole force on the solid, with it. */
+/* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4), less the added mass. sum: the whole force on the solid, with
+ * it. */
 static void load_by_probe(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     struct run_markers *m = &r->markers;
@@ -183,10 +184,8 @@ void interface_probe(struct run *r) {
     if (r->scene->coupling->load == SCENE_LOAD_BALANCED) balance_loads(r, r->load);
     if (r->surface->set_free > 0) load_by_forcing(r, r->load);
     par_sum_array(r->load, 3);
-    m->added_mass = (struct solid_added_mass){.n = m->probes,
-                                              .h = m->particle,
-                                              .normal = {m->normal[0], m->normal[1], m->normal[2]},
-                                              .density = m->added};
+    m->added_mass = (struct solid_added_mass){
+        .n = m->probes, .h = m->particle, .normal = {m->normal[0], m->normal[1], m->normal[2]}, .density = m->added};
     s->added = &m->added_mass;
     clock_end(CLOCK_PROBE);
 }

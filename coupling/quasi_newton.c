@@ -72,7 +72,8 @@ static double dot(int n, const double *restrict a, const double *restrict b) {
     return sum;
 }
 
-/* The differences to the guess before become the newest column, in the place of the oldest; row 0 of V^T V is still to come. */
+/* The differences to the guess before become the newest column, in the place of the oldest; row 0 of V^T V is still to
+ * come. */
 static void add_column(struct quasi_newton *q, const double *x, const double *image) {
     const int last = q->columns < C ? q->columns : C - 1;
     double *const dr = q->dr[last], *const dx = q->dx[last];
@@ -116,8 +117,8 @@ static void drop_column(struct quasi_newton *q, int k, double *right) {
     q->dx[q->columns] = dx;
 }
 
-/* Cholesky's factor L of V^T V, which is the transpose of the R of V = Q R: L_kk is what is left of column k without the newer ones.
- * A column with less than the filter's part left is dropped (preCICE's QR2). */
+/* Cholesky's factor L of V^T V, which is the transpose of the R of V = Q R: L_kk is what is left of column k without
+ * the newer ones. A column with less than the filter's part left is dropped (preCICE's QR2). */
 static void factorise(struct quasi_newton *q, double l[C][C], double *right) {
     for (int k = 0; k < q->columns;) {
         double left = q->gram[k][k];

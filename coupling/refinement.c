@@ -9,13 +9,12 @@
 /* What the fastest mode between levels may gain as a refined region grows: Lanczos need not run again. */
 static const double GROWTH = 1.03;
 
-/* A step given that is less than half as long as bonds as stiff as the bound would allow, so that contact may add some: 1, and
- * the rates say so. One-sided horizons have no bound, damping has rates of its own. */
+/* A step given that is less than half as long as bonds as stiff as the bound would allow, so that contact may add some:
+ * 1, and the rates say so. One-sided horizons have no bound, damping has rates of its own. */
 static int is_ample(struct run *r, double bound) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const struct solid_stage *solid = &r->solid->stage;
-    const struct solid_rates of = {
-        .stiffness = bound, .sum = 1, .difference = 1, .absolute = solid->damping_absolute};
+    const struct solid_rates of = {.stiffness = bound, .sum = 1, .difference = 1, .absolute = solid->damping_absolute};
     if (r->solid->in.horizons != SOLID_DUAL_HORIZON || solid->damping_relative > 0 || !(r->dt > 0)) return 0;
     const double step = stage->safety * solid_stable_of(&of, solid->integrator, 0, NULL);
     if (r->dt > 0.5 * step) return 0;
@@ -23,9 +22,9 @@ static int is_ample(struct run *r, double bound) {
     return 1;
 }
 
-/* Lanczos's rates are right for the particles there were, and a small region is slower than an endless one of its level, which is
- * therefore counted too. They hold for others of the same levels as long as the bound by families is no higher; a new level, or a
- * higher bound, asks for them again. Never above the bound itself. */
+/* Lanczos's rates are right for the particles there were, and a small region is slower than an endless one of its
+ * level, which is therefore counted too. They hold for others of the same levels as long as the bound by families is no
+ * higher; a new level, or a higher bound, asks for them again. Never above the bound itself. */
 void refinement_rates(struct run *r) {
     struct solid_rates *of = &r->solid_rates;
     const double bound = solid_refine_rate_bound(r->solid);
@@ -47,8 +46,8 @@ void refinement_look(struct run *r) {
     const long refined = solid_refine_look(r->solid);
     if (refined > 0) {
         refinement_rates(r);
-        log_line("step %ld: %ld particles refined, %ld in all, finest level %d", r->step, refined,
-                 r->solid->n_global, solid_refine_finest(r->solid));
+        log_line("step %ld: %ld particles refined, %ld in all, finest level %d", r->step, refined, r->solid->n_global,
+                 solid_refine_finest(r->solid));
     }
     clock_end(CLOCK_SOLID);
 }

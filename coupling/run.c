@@ -21,8 +21,7 @@ static struct medium *medium_of(struct run *r) {
     par_max_array(high, 3);
     for (int c = 0; c < 3; c++) {
         low[c] = scene->coupling->has_box ? scene->coupling->box_low[c] : fmax(low[c], 0);
-        high[c] =
-            scene->coupling->has_box ? scene->coupling->box_high[c] : fmin(high[c], scene->domain.size[c]);
+        high[c] = scene->coupling->has_box ? scene->coupling->box_high[c] : fmin(high[c], scene->domain.size[c]);
     }
     return medium_new(fluid_grid_of(r->fluid), low, high);
 }
@@ -32,8 +31,7 @@ static void check_steps(const struct run *r) {
     for (int k = 0; !r->fluid && r->solid->bonds_total == 0 && k < r->scene->stages; k++) {
         const struct scene_stage *stage = &r->scene->stage[k];
         if (stage->time_step <= 0 && stage->damping_absolute <= 0 && !stage->relax)
-            die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it",
-                    stage->name);
+            die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);
     }
 }
 

@@ -49,8 +49,8 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct run_markers markers;
-    double (*demand)[3]; /* [n] waits for markers (coupling/forcing_guess.h); NULL: none does */
-    double *v_last[3]; /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
+    double (*demand)[3];   /* [n] waits for markers (coupling/forcing_guess.h); NULL: none does */
+    double *v_last[3];     /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
     double (*carried)[3];  /* [bodies] by their carried mass, N (coupling/balance.h); or NULL */
     double load[3];        /* force of the fluid on the solid at the last probe, whole solid, N */
     struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
@@ -83,15 +83,15 @@ struct run {
     double setup_seconds; /* from wall_start until the first step; 0: not there yet */
 };
 
-struct run *
-run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only shows when it is made. */
+struct run *run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only shows when it is made. */
 void run_free(struct run *r);
 
 /* Puts the step of the present stage together. Collective. */
 void step_begin_stage(struct run *r);
 /* One step: every part in turn. Collective. */
 void step_advance(struct run *r);
-/* Tractions at the interface and their sum, from the present fields (samples in stages whose step has no probe). Collective. */
+/* Tractions at the interface and their sum, from the present fields (samples in stages whose step has no probe).
+ * Collective. */
 void interface_probe(struct run *r);
 /* The particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);
@@ -99,8 +99,9 @@ void run_deposit(struct run *r);
 void refinement_look(struct run *r);
 /* The rates of a plate that is, or may be, refined. Collective. */
 void refinement_rates(struct run *r);
-/* NaN or beyond reason on this rank. Unless `whole`, of the fluid one plane of p is looked at only, for NaN: the Poisson
- * solve carries one to every cell, while a velocity beyond reason may hide. Not collective (agree with step_status_agree). */
+/* NaN or beyond reason on this rank. Unless `whole`, of the fluid one plane of p is looked at only, for NaN: the
+ * Poisson solve carries one to every cell, while a velocity beyond reason may hide. Not collective (agree with
+ * step_status_agree). */
 int step_check(const struct run *r, int whole, struct step_status *status);
 
 /* Markers and probes from the surface's present state. Not collective. */

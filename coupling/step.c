@@ -27,8 +27,8 @@ static void part_fluid(struct run *r) {
 
 static void part_markers(struct run *r) {
     interface_markers_update(r);
-    ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x,
-                (const double *const *)r->markers.v, r->markers.volume);
+    ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
+                    r->markers.volume);
     forcing_guess_hand_on(r);
 }
 
@@ -95,8 +95,7 @@ static void stable_step(struct run *r) {
 void step_begin_stage(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
-    const double dt =
-        r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0; /* of before a refinement */
+    const double dt = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0; /* of before a refinement */
     r->parts = 0;
     adapt_begin(r);
     if (stage->time_step > 0 || !r->fluid || r->stage_step == 0) r->dt = stage->time_step;
@@ -107,8 +106,7 @@ void step_begin_stage(struct run *r) {
         if (!stage->relax) stable_step(r);
         if (r->stage_step > 0) solid_verlet_resume(r->solid);
         if (!r->fluid && r->dt <= 0 && !isfinite(r->solid_stable))
-            die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it",
-                    stage->name);
+            die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);
         if (!r->fluid && r->dt <= 0) r->dt = dt > 0 ? dt : stage->safety * r->solid_stable;
     }
     if (stage->relax) {

@@ -11,16 +11,16 @@
 
 /* w of the first iteration while nothing is known; the least independent part of a column. Both of preCICE. */
 static const double RELAXATION = 0.1, FILTER = 1e-2;
-/* A step's change of velocity is not asked to be known better than this part of what the load alone would give, where a solid in
- * equilibrium has next to none. */
+/* A step's change of velocity is not asked to be known better than this part of what the load alone would give, where a
+ * solid in equilibrium has next to none. */
 static const double OF_LOAD = 1e-3;
 
 struct strong {
     run_part *markers, *fluid; /* borrowed */
     struct quasi_newton *relaxation;
-    struct guard *start; /* the state at t_n */
-    int n, capacity;                /* particles of the interface */
-    int *h;                         /* [n] which they are */
+    struct guard *start;   /* the state at t_n */
+    int n, capacity;       /* particles of the interface */
+    int *h;                /* [n] which they are */
     double *guess, *image; /* [3n] their velocity at t_{n+1}: given to the fluid, the solid's answer, m/s */
     double *end;           /* [3n] their displacement there, extrapolated, m */
     int forget;
@@ -88,8 +88,8 @@ static void renew_interface(struct strong *k, const struct solid_surface *surfac
     k->forget = 0;
 }
 
-/* The first guess, and where the interface ends: both straight on from the last two steps. From here on v_last is the velocity at
- * t_n, so that the markers' acceleration is that of this very step. */
+/* The first guess, and where the interface ends: both straight on from the last two steps. From here on v_last is the
+ * velocity at t_n, so that the markers' acceleration is that of this very step. */
 static void begin(struct run *r) {
     struct strong *k = r->strong;
     struct solid *s = r->solid;
@@ -118,15 +118,16 @@ static void swap_interface(struct strong *k, struct solid *s) {
         }
 }
 
-/* Markers and probes of the interface as it is guessed at t_{n+1}. All stages see that velocity: the forcing lags behind by some
- * steps, and lags more where it is led there in stages. */
+/* Markers and probes of the interface as it is guessed at t_{n+1}. All stages see that velocity: the forcing lags
+ * behind by some steps, and lags more where it is led there in stages. */
 static void set_markers(struct run *r) {
     swap_interface(r->strong, r->solid);
     r->strong->markers(r);
     swap_interface(r->strong, r->solid);
 }
 
-/* From t_n under the load of t_{n+1}: with the mean of both the part of it that goes with the acceleration would ring. */
+/* From t_n under the load of t_{n+1}: with the mean of both the part of it that goes with the acceleration would ring.
+ */
 static void advance_solid(struct run *r) {
     const struct strong *k = r->strong;
     struct solid *s = r->solid;
@@ -172,8 +173,7 @@ static void add_up(struct run *r, int iterations) {
     count->iterations += iterations;
     count->most = iterations > count->most ? iterations : count->most;
     r->fluid_cell_steps += (iterations - 1) * (long)fluid_cells(r->fluid);
-    r->solid_sweeps +=
-        (iterations - 1) * (long)r->substeps * (r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
+    r->solid_sweeps += (iterations - 1) * (long)r->substeps * (r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
     if (r->stage_step + 1 == r->scene->stage[r->stage].steps)
         log_line("strong coupling: %.2f iterations a step, %ld at most; %ld steps not converged",
                  (double)count->iterations / (double)count->steps, count->most, count->unconverged);

@@ -1,5 +1,5 @@
-/* The strongly coupled step: fluid, probe and solid again and again from the state at t_n, until the interface's velocity that the
- * fluid is given for t_{n+1} is the one that the solid answers with.  (SPEC 5) */
+/* The strongly coupled step: fluid, probe and solid again and again from the state at t_n, until the interface's
+ * velocity that the fluid is given for t_{n+1} is the one that the solid answers with.  (SPEC 5) */
 #pragma once
 
 struct run;
@@ -10,7 +10,8 @@ struct strong *strong_new(struct run *r);
 void strong_free(struct strong *k);
 /* Forgets what earlier steps have taught, as a run does that is resumed from here. Not collective. */
 void strong_forget(struct strong *k);
-/* What sets the markers from the interface, and what takes the fluid through a step; before a stage's first. Not collective. */
+/* What sets the markers from the interface, and what takes the fluid through a step; before a stage's first. Not
+ * collective. */
 void strong_parts(struct strong *k, void (*markers)(struct run *r), void (*fluid)(struct run *r));
 /* A part of the step. Collective. */
 void strong_step(struct run *r);

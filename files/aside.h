@@ -1,5 +1,5 @@
-/* Files that are never seen half-written: written aside as PATH.part, renamed onto PATH; synced before that, so that not even
- * a power failure harms them, unless they can be made again. */
+/* Files that are never seen half-written: written aside as PATH.part, renamed onto PATH; synced before that, so that
+ * not even a power failure harms them, unless they can be made again. */
 #pragma once
 #include <stddef.h>
 #include <stdio.h>

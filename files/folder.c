@@ -54,8 +54,7 @@ void folder_make(const char *folder) {
         for (int k = 0; k < FOLDERS && !fault; k++) fault = make(folder_path(path, folder, part_folder[k]));
     }
     fault = agree(fault);
-    if (fault)
-        die_all(EXIT_CODE_FILE, "run folder %s: cannot be made or written: %s", folder, strerror(fault));
+    if (fault) die_all(EXIT_CODE_FILE, "run folder %s: cannot be made or written: %s", folder, strerror(fault));
 }
 
 /* Calls on every plain file of a folder; returns how many there are. */
@@ -79,8 +78,7 @@ int folder_has_run(const char *folder) {
     if (par_rank() == 0) {
         has = access(folder_path(path, folder, "series.csv"), F_OK) == 0 ||
               access(folder_path(path, folder, "run.json"), F_OK) == 0;
-        for (int k = 0; k < FOLDERS && !has; k++)
-            has = each_file(folder_path(path, folder, part_folder[k]), NULL) > 0;
+        for (int k = 0; k < FOLDERS && !has; k++) has = each_file(folder_path(path, folder, part_folder[k]), NULL) > 0;
     }
     return agree(has);
 }

@@ -6,8 +6,9 @@ enum { FOLDER_PATH = 1024 };
 
 /* Makes the folder and its fields/ and checkpoint/. Dies with exit code 4 where it cannot be written. Collective. */
 void folder_make(const char *folder);
-/* Holds the folder for this run until folder_hold_release or the program's end, and forgets what a killed run left unfinished. Dies with
- * exit code 4 where another run is at work there; does nothing where there is no such folder, or it is held. Collective. */
+/* Holds the folder for this run until folder_hold_release or the program's end, and forgets what a killed run left
+ * unfinished. Dies with exit code 4 where another run is at work there; does nothing where there is no such folder, or
+ * it is held. Collective. */
 void folder_hold(const char *folder);
 /* Not collective. */
 void folder_hold_release(void);

@@ -1,6 +1,6 @@
-/* One run at a time in a folder. Each rank of a run locks a byte of its file run.lock; the system takes locks back however a
- * process ends, so a folder is held until the last rank is gone, and no longer. Where the file system has no locks, the file's
- * own words must do: the host and the process that wrote it. */
+/* One run at a time in a folder. Each rank of a run locks a byte of its file run.lock; the system takes locks back
+ * however a process ends, so a folder is held until the last rank is gone, and no longer. Where the file system has no
+ * locks, the file's own words must do: the host and the process that wrote it. */
 #include "base/error.h"
 #include "files/folder.h"
 #include "base/par.h"
@@ -54,8 +54,7 @@ static void read_holder(char words[WORDS], char host[HOST], long *process) {
     text[n > 0 ? n : 0] = '\0';
     host[0] = words[0] = '\0';
     *process = 0;
-    if (sscanf(text, "%255s %ld", host, process) == 2)
-        snprintf(words, WORDS, " (process %ld on %s)", *process, host);
+    if (sscanf(text, "%255s %ld", host, process) == 2) snprintf(words, WORDS, " (process %ld on %s)", *process, host);
 }
 
 /* Without locks: a process of another host is taken to be alive. */
@@ -103,10 +102,8 @@ void folder_hold(const char *folder) {
     if (par_rank() == 0) said.fault = take(path, said.words);
     par_bcast(&said, sizeof said, 0);
     if (said.fault == ENOENT) return;
-    if (said.fault < 0)
-        die_all(EXIT_CODE_FILE, "run folder %s: another run is at work there%s", folder, said.words);
-    if (said.fault)
-        die_all(EXIT_CODE_FILE, "run folder %s: cannot be written: %s", folder, strerror(said.fault));
+    if (said.fault < 0) die_all(EXIT_CODE_FILE, "run folder %s: another run is at work there%s", folder, said.words);
+    if (said.fault) die_all(EXIT_CODE_FILE, "run folder %s: cannot be written: %s", folder, strerror(said.fault));
     if (par_rank() != 0 && (file = open(path, O_RDWR | O_CLOEXEC)) >= 0) lock(F_WRLCK, par_rank(), 1);
     snprintf(held, sizeof held, "%s", path);
     if (owner == 0 && par_rank() == 0) atexit(folder_hold_release);

@@ -20,7 +20,8 @@ __attribute__((format(printf, 2, 3))) static void because(struct h5 *f, const ch
     va_end(args);
 }
 
-/* A fault inside HDF5: in the system's own words if the file cannot be opened any more, because its folder or its disk is gone. */
+/* A fault inside HDF5: in the system's own words if the file cannot be opened any more, because its folder or its disk
+ * is gone. */
 static void because_hdf5(struct h5 *f, const char *does_not) {
     const int fd = open(f->part, O_RDWR | O_CLOEXEC);
     because(f, "%s", fd < 0 ? strerror(errno) : does_not);
@@ -72,9 +73,9 @@ static void clear(struct h5 *f, const char *path) {
 
 enum { HEADERS = 1 << 16 }; /* bytes, more than all that HDF5 writes beside the arrays */
 
-/* Blocks of the disk for an array of so many bytes at the end of the file, and for the headers before and behind it. Asked
- * for before HDF5 hears of the array: MPI-IO may let a short write pass unseen, and HDF5 cannot close a file that it has
- * promised what the disk lacks. */
+/* Blocks of the disk for an array of so many bytes at the end of the file, and for the headers before and behind it.
+ * Asked for before HDF5 hears of the array: MPI-IO may let a short write pass unseen, and HDF5 cannot close a file that
+ * it has promised what the disk lacks. */
 static int reserve(struct h5 *f, hsize_t bytes) {
     int code = 0;
     if (par_rank() == 0) {
@@ -91,8 +92,8 @@ static int reserve(struct h5 *f, hsize_t bytes) {
     return agree(f, code != 0);
 }
 
-/* Whether the disk still takes what has been reserved, its last byte: a limit, or a disk that is gone, may come amid the file. HDF5
- * is then left alone, because ranks that cannot write wait in it for each other for ever. */
+/* Whether the disk still takes what has been reserved, its last byte: a limit, or a disk that is gone, may come amid
+ * the file. HDF5 is then left alone, because ranks that cannot write wait in it for each other for ever. */
 static int try_write(struct h5 *f) {
     int code = 0;
     if (par_rank() == 0 && f->reserved > 0) {
@@ -187,8 +188,7 @@ void h5_write_text(struct h5 *f, const char *name, const char *value) {
     H5Tclose(type);
 }
 
-static void attribute(struct h5 *f, const char *of, const char *name, hid_t type, hid_t space,
-                      const void *value) {
+static void attribute(struct h5 *f, const char *of, const char *name, hid_t type, hid_t space, const void *value) {
     const hid_t object = H5Oopen(f->file, of, H5P_DEFAULT);
     const hid_t a = object < 0 ? -1 : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
     const int fault = a < 0 || H5Awrite(a, type, value) < 0;
@@ -217,7 +217,8 @@ void h5_attribute_text(struct h5 *f, const char *of, const char *name, const cha
     H5Tclose(type);
 }
 
-/* Looks whether the closed file can be read, gives back what was reserved and not used, seals and publishes it. One rank. */
+/* Looks whether the closed file can be read, gives back what was reserved and not used, seals and publishes it. One
+ * rank. */
 static int publish(struct h5 *f) {
     haddr_t end = 0;
     const hid_t file = h5_open_alone(f->part);

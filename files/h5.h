@@ -1,5 +1,5 @@
-/* HDF5 files written and read by all ranks together: contiguous datasets, each rank a block of them, every rank in every
- * transfer (with nothing selected where it has nothing). Used by store and vtkhdf only.
+/* HDF5 files written and read by all ranks together: contiguous datasets, each rank a block of them, every rank in
+ * every transfer (with nothing selected where it has nothing). Used by store and vtkhdf only.
  *
  * A fault of the disk is remembered, agreed on by all ranks, and makes what follows do nothing until h5_end tells. */
 #pragma once
@@ -38,7 +38,8 @@ void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block 
 /* Attributes of the group or dataset `of`; count < 0: a scalar. Collective, the same on all ranks. */
 void h5_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, const void *value);
 void h5_attribute_text(struct h5 *f, const char *of, const char *name, const char *value);
-/* Closes, syncs unless told otherwise, renames; or dies with exit code 4, the part deleted and the old file as it was. Collective. */
+/* Closes, syncs unless told otherwise, renames; or dies with exit code 4, the part deleted and the old file as it was.
+ * Collective. */
 void h5_end(struct h5 *f);
 
 /* alone: this rank only. 0, or nonzero with f->why. Collective unless alone. */

@@ -96,8 +96,8 @@ static int check(struct h5 *f, const char *name, hid_t set, hid_t type, const st
     if (!same) {
         int at = snprintf(f->why, sizeof f->why, "its array %s is of size", name);
         for (int k = 0; k < dims; k++)
-            at += snprintf(f->why + at, sizeof f->why - (size_t)at, "%s%llu", k ? " x " : " ",
-                           (unsigned long long)n[k]);
+            at +=
+                snprintf(f->why + at, sizeof f->why - (size_t)at, "%s%llu", k ? " x " : " ", (unsigned long long)n[k]);
         at += snprintf(f->why + at, sizeof f->why - (size_t)at, ", not");
         for (int k = 0; k < b->dims; k++)
             at += snprintf(f->why + at, sizeof f->why - (size_t)at, "%s%llu", k ? " x " : " ",

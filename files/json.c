@@ -36,8 +36,7 @@ static void quote(FILE *f, const char *text) {
 static FILE *next(struct json *j, const char *key) {
     FILE *f = j->aside.file;
     const int in_array = j->closing[j->depth - 1] == ']';
-    ENSURE((key == NULL) == in_array,
-           "JSON: a key belongs to every item of an object and to none of an array");
+    ENSURE((key == NULL) == in_array, "JSON: a key belongs to every item of an object and to none of an array");
     fputs(j->items[j->depth - 1]++ ? ",\n" : "\n", f);
     for (int k = 0; k < j->depth; k++) fputs("  ", f);
     if (key) {

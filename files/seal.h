@@ -1,10 +1,11 @@
-/* The seal of a finished checkpoint: a record behind the file's own end, which HDF5 does not look at. It says how long the file
- * is, where its arrays stand, and holds a sum of each array and one of all other bytes, so that whatever has changed since is
- * found, and found before HDF5 is given the file.
+/* The seal of a finished checkpoint: a record behind the file's own end, which HDF5 does not look at. It says how long
+ * the file is, where its arrays stand, and holds a sum of each array and one of all other bytes, so that whatever has
+ * changed since is found, and found before HDF5 is given the file.
  *
- * A sum is that of mix(i, w) over the words w of eight bytes, i counted through the whole array, modulo 2^64: the order does
- * not matter, so any ranks make the same one. mix takes different w to different numbers, so one word that has changed
- * always shows; several hide each other once in 2^64. It is the finalizer of SplitMix64 (Steele, Lea, Flood 2014). */
+ * A sum is that of mix(i, w) over the words w of eight bytes, i counted through the whole array, modulo 2^64: the order
+ * does not matter, so any ranks make the same one. mix takes different w to different numbers, so one word that has
+ * changed always shows; several hide each other once in 2^64. It is the finalizer of SplitMix64 (Steele, Lea, Flood
+ * 2014). */
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -37,10 +38,11 @@ const struct seal_array *seal_find(const struct seal *seal, const char *name); /
 /* Ends a file of so many bytes with the seal; cuts off what stood behind them. 0, or errno. */
 int seal_file_write(struct seal *seal, const char *path, uint64_t bytes);
 
-/* Each 0, or 1 and a sentence on the file. seal_file_read looks at everything but the arrays' values, seal_file_check at these too. */
+/* Each 0, or 1 and a sentence on the file. seal_file_read looks at everything but the arrays' values, seal_file_check
+ * at these too. */
 int seal_file_read(struct seal *seal, const char *path, char *why, size_t size);
 int seal_file_check(const char *path, char *why, size_t size);
 
-/* The sums of the part-th of so many parts of each array, as the file has it; they add up to the arrays'. 0, or 1 where it cannot
- * be read. */
+/* The sums of the part-th of so many parts of each array, as the file has it; they add up to the arrays'. 0, or 1 where
+ * it cannot be read. */
 int seal_file_sum_part(const struct seal *seal, const char *path, int part, int parts, uint64_t sum[SEAL_ARRAYS]);

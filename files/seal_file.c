@@ -52,7 +52,8 @@ static int by_place(const void *a, const void *b) {
     return p->at < q->at ? -1 : p->at > q->at;
 }
 
-/* Of the bytes outside the arrays, each as a row of its own numbered by its place; 1 where they cannot be read or arrays overlap. */
+/* Of the bytes outside the arrays, each as a row of its own numbered by its place; 1 where they cannot be read or
+ * arrays overlap. */
 static int sum_rest(int fd, const struct seal *seal, uint64_t *sum) {
     struct seal_array a[SEAL_ARRAYS];
     uint64_t at = 0;
@@ -79,8 +80,7 @@ int seal_file_write(struct seal *seal, const char *path, uint64_t bytes) {
     seal->format = SEAL_FORMAT;
     memcpy(seal->magic, magic, sizeof magic);
     errno = 0;
-    if (!code && pwrite(fd, seal, sizeof *seal, (off_t)bytes) != (ssize_t)sizeof *seal)
-        code = errno ? errno : ENOSPC;
+    if (!code && pwrite(fd, seal, sizeof *seal, (off_t)bytes) != (ssize_t)sizeof *seal) code = errno ? errno : ENOSPC;
     if (!code && ftruncate(fd, (off_t)(bytes + sizeof *seal)) != 0) code = errno;
     close(fd);
     return code;
@@ -94,14 +94,13 @@ __attribute__((format(printf, 3, 4))) static int refuse(char *why, size_t size, 
     return 1;
 }
 
-/* Why a file has no seal: it is another's, an earlier frana's, or its end is missing. The first bytes of HDF5's superblock of
- * version 0 are its signature and version; the file's end is given at byte 40. */
+/* Why a file has no seal: it is another's, an earlier frana's, or its end is missing. The first bytes of HDF5's
+ * superblock of version 0 are its signature and version; the file's end is given at byte 40. */
 static int refuse_unsealed(int fd, uint64_t bytes, char *why, size_t size) {
     static const char signature[8] = "\211HDF\r\n\032\n";
     char begin[48] = {0};
     uint64_t end;
-    if (read_all(fd, begin, 8, 0) || memcmp(begin, signature, 8) != 0)
-        return refuse(why, size, "it is no HDF5 file");
+    if (read_all(fd, begin, 8, 0) || memcmp(begin, signature, 8) != 0) return refuse(why, size, "it is no HDF5 file");
     const int cut = read_all(fd, begin, sizeof begin, 0);
     memcpy(&end, begin + 40, sizeof end);
     if (!cut && begin[8] == 0 && end == bytes)
@@ -122,8 +121,8 @@ static int read_open(struct seal *seal, int fd, char *why, size_t size) {
         memcmp(seal->magic, magic, sizeof magic) != 0)
         return refuse_unsealed(fd, bytes, why, size);
     if (seal->format != SEAL_FORMAT && seal->own == own_sum(seal))
-        return refuse(why, size, "it is of format %llu, this frana reads format %d",
-                      (unsigned long long)seal->format, SEAL_FORMAT);
+        return refuse(why, size, "it is of format %llu, this frana reads format %d", (unsigned long long)seal->format,
+                      SEAL_FORMAT);
     if (seal->format != SEAL_FORMAT || seal->own != own_sum(seal) || seal->arrays > SEAL_ARRAYS ||
         seal->bytes != bytes - sizeof *seal)
         return refuse(why, size, "it is damaged: its last bytes are not what was written");
@@ -161,7 +160,6 @@ int seal_file_check(const char *path, char *why, size_t size) {
     if (seal_file_read(&seal, path, why, size)) return 1;
     if (seal_file_sum_part(&seal, path, 0, 1, sum)) return refuse(why, size, "it cannot be read");
     for (uint64_t k = 0; k < seal.arrays; k++)
-        if (sum[k] != seal.array[k].sum)
-            return refuse(why, size, "its array %s is damaged", seal.array[k].name);
+        if (sum[k] != seal.array[k].sum) return refuse(why, size, "its array %s is damaged", seal.array[k].name);
     return 0;
 }

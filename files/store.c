@@ -29,9 +29,7 @@ struct store *store_begin(const char *folder, const char *name, int keep) {
 }
 
 hid_t store_h5_type(enum store_type type) {
-    return type == STORE_DOUBLE ? H5T_NATIVE_DOUBLE
-           : type == STORE_BYTE ? H5T_NATIVE_UINT8
-                                : H5T_NATIVE_INT64;
+    return type == STORE_DOUBLE ? H5T_NATIVE_DOUBLE : type == STORE_BYTE ? H5T_NATIVE_UINT8 : H5T_NATIVE_INT64;
 }
 
 size_t store_row(enum store_type type, int comps) { return (type == STORE_BYTE ? 1 : 8) * (size_t)comps; }
@@ -76,8 +74,7 @@ uint64_t store_sum_block(const struct store_block *b, const double *value) {
     for (int k = 0; k < b->m[2]; k++)
         for (int j = 0; j < b->m[1]; j++, value += b->m[0])
             sum += seal_sum(value, (size_t)b->m[0], sizeof *value,
-                            ((uint64_t)(b->lo[2] + k) * n1 + (uint64_t)(b->lo[1] + j)) * n0 +
-                                (uint64_t)b->lo[0]);
+                            ((uint64_t)(b->lo[2] + k) * n1 + (uint64_t)(b->lo[1] + j)) * n0 + (uint64_t)b->lo[0]);
     return sum;
 }
 
@@ -118,9 +115,7 @@ void store_write_long(struct store *s, const char *name, long value) {
     h5_attribute(&s->h5, "/", name, H5T_NATIVE_LONG, -1, &value);
 }
 
-void store_write_text(struct store *s, const char *name, const char *value) {
-    h5_write_text(&s->h5, name, value);
-}
+void store_write_text(struct store *s, const char *name, const char *value) { h5_write_text(&s->h5, name, value); }
 
 /* Same kind: alike up to the first digit. */
 static int is_alike(const char *a, const char *b) {

@@ -37,8 +37,8 @@ struct store *store_read_open(const char *path) {
 
 static int tell_damaged(struct store *s, const char *name) {
     s->damaged = 1;
-    snprintf(s->h5.why, sizeof s->h5.why,
-             "its array %s is damaged: its checksum is not the one it was written with", name);
+    snprintf(s->h5.why, sizeof s->h5.why, "its array %s is damaged: its checksum is not the one it was written with",
+             name);
     return told(s, 1);
 }
 
@@ -51,8 +51,7 @@ static int check_arrays(struct store *s) {
         return told(s, 1);
     }
     for (uint64_t k = 0; k < s->seal.arrays; k++)
-        if ((uint64_t)par_sum_long((long)sum[k]) != s->seal.array[k].sum)
-            return tell_damaged(s, s->seal.array[k].name);
+        if ((uint64_t)par_sum_long((long)sum[k]) != s->seal.array[k].sum) return tell_damaged(s, s->seal.array[k].name);
     return 0;
 }
 
@@ -109,8 +108,8 @@ const char *store_read_other(const char *path) {
     return other[0] ? other : NULL;
 }
 
-/* Whether the array that was read has the sum it was written with. count of its n items have been read here, with this sum:
- * the ranks' parts together make the array, or each rank has read all of it. */
+/* Whether the array that was read has the sum it was written with. count of its n items have been read here, with this
+ * sum: the ranks' parts together make the array, or each rank has read all of it. */
 static int check_sum(struct store *s, const char *name, long n, long count, uint64_t sum) {
     const struct seal_array *a = seal_find(&s->seal, name);
     if (n == 0) return 0;
@@ -135,12 +134,11 @@ int store_read_block(struct store *s, const char *name, const struct store_block
     return 0;
 }
 
-int store_read_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first,
-                     long count, void *value) {
+int store_read_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first, long count,
+                     void *value) {
     const struct h5_block h = store_h5_range(comps, n, first, count);
     return told(s, h5_read(&s->h5, name, store_h5_type(type), &h, value)) ||
-           check_sum(s, name, n, count,
-                     seal_sum(value, (size_t)count, store_row(type, comps), (uint64_t)first));
+           check_sum(s, name, n, count, seal_sum(value, (size_t)count, store_row(type, comps), (uint64_t)first));
 }
 
 int store_read_double(struct store *s, const char *name, double *value) {

@@ -29,8 +29,8 @@ static int has_columns(const struct table_data *d, int columns, const char *cons
     return 1;
 }
 
-/* The rows to keep, copied as they stand: a number keeps its digits. A last row without its end of line was cut off by a
- * crash and is dropped. */
+/* The rows to keep, copied as they stand: a number keeps its digits. A last row without its end of line was cut off by
+ * a crash and is dropped. */
 static void copy_rows(FILE *from, FILE *to, int step_column, long last_step) {
     char *line = NULL;
     size_t bytes = 0;
@@ -72,8 +72,7 @@ static const char *cut(const char *path, int columns, const char *const *name, c
     return NULL;
 }
 
-static const char *begin(struct table *t, const char *const *name, const char *const *unit,
-                         long resume_step) {
+static const char *begin(struct table *t, const char *const *name, const char *const *unit, long resume_step) {
     FILE *old = resume_step >= 0 ? fopen(t->path, "r") : NULL;
     if (old) {
         fclose(old);
@@ -122,7 +121,6 @@ void table_row(struct table *t, const double *value) {
 
 void table_free(struct table *t) {
     if (!t) return;
-    if (t->file && fclose(t->file) != 0)
-        die(EXIT_CODE_FILE, "%s: cannot be written: %s", t->path, strerror(errno));
+    if (t->file && fclose(t->file) != 0) die(EXIT_CODE_FILE, "%s: cannot be written: %s", t->path, strerror(errno));
     free(t);
 }

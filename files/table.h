@@ -1,5 +1,5 @@
-/* A table that grows by a row a sample: CSV with a row of names and a row of units behind '#'. Each row is on the disk's
- * queue when table_row returns, so that a killed run loses none.
+/* A table that grows by a row a sample: CSV with a row of names and a row of units behind '#'. Each row is on the
+ * disk's queue when table_row returns, so that a killed run loses none.
  *
  *     step,t,dt
  *     #1,s,s
@@ -8,8 +8,8 @@
 
 struct table; /* opaque, owned by the caller */
 
-/* resume_step < 0: a new table, replacing an old one. Otherwise the old one is cut back to rows whose step (the column of
- * that name, or else the first) is at most resume_step, and goes on; a file that is missing is begun; one with other
+/* resume_step < 0: a new table, replacing an old one. Otherwise the old one is cut back to rows whose step (the column
+ * of that name, or else the first) is at most resume_step, and goes on; a file that is missing is begun; one with other
  * columns is refused. Dies with exit code 4. Collective. */
 struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
                         long resume_step);

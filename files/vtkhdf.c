@@ -80,8 +80,7 @@ static void cells(struct vtkhdf *f, long n, long first, long all) {
 struct vtkhdf *vtkhdf_points_begin(const struct vtkhdf_points_input *in) {
     struct vtkhdf *f = begin(in->path, "UnstructuredGrid", in->time, in->step, in->wide);
     const long all = par_sum_long(in->n), first = par_sum_before(in->n);
-    f->block =
-        (struct h5_block){.dims = 1, .n = {(hsize_t)all}, .lo = {(hsize_t)first}, .m = {(hsize_t)in->n}};
+    f->block = (struct h5_block){.dims = 1, .n = {(hsize_t)all}, .lo = {(hsize_t)first}, .m = {(hsize_t)in->n}};
     f->items = (size_t)in->n;
     cells(f, in->n, first, all);
     struct h5_block three = f->block;

@@ -1,7 +1,7 @@
 /* Fields for ParaView: VTKHDF 1.0, written in parallel.  (VTK file formats, "VTKHDF"; docs/run-folder.md)
  *
- * A fluid is an ImageData whose points are the cell centres; particles are an UnstructuredGrid of one vertex each. Fields are
- * point data. Files are written aside and renamed; a disk that says no ends the run with exit code 4. */
+ * A fluid is an ImageData whose points are the cell centres; particles are an UnstructuredGrid of one vertex each.
+ * Fields are point data. Files are written aside and renamed; a disk that says no ends the run with exit code 4. */
 #pragma once
 #include <stdint.h>
 
@@ -36,8 +36,8 @@ void vtkhdf_add_long(struct vtkhdf *f, const char *name, int comps, const int64_
 void vtkhdf_add_byte(struct vtkhdf *f, const char *name, int comps, const uint8_t *value);
 void vtkhdf_end(struct vtkhdf *f); /* Collective. */
 
-/* PATH.hdf.series, by which ParaView gives the files their times: file is relative to the series' folder. An entry of that
- * name is replaced. Rewritten aside. Rank 0 acts. Collective. */
+/* PATH.hdf.series, by which ParaView gives the files their times: file is relative to the series' folder. An entry of
+ * that name is replaced. Rewritten aside. Rank 0 acts. Collective. */
 void vtkhdf_series_add(const char *series, const char *file, double time);
 /* Drops entries later than the time (by more than 1e-9 of it), as a resumed run will write them again. Collective. */
 void vtkhdf_series_cut(const char *series, double time);

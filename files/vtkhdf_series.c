@@ -33,8 +33,7 @@ static void entry(FILE *f, const char *file, double time, int more) {
 }
 
 /* The entries that `keep` tells to keep, then one more unless file is NULL. */
-static void write(const char *series, const struct vtkhdf_series_entry *list, int n, const char *file,
-                  double time) {
+static void write(const char *series, const struct vtkhdf_series_entry *list, int n, const char *file, double time) {
     struct aside a;
     aside_begin(&a, series);
     a.unsynced = 1;

@@ -18,10 +18,9 @@ static struct fluid_poisson *new_poisson(const struct fluid *f) {
         in.d[d] = g->d[d];
         in.ranks[d] = g->ranks[d];
         for (int side = 0; side < 2; side++)
-            in.end[d][side] = g->periodic[d] ? FLUID_END_PERIODIC
-                              : f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET
-                                  ? FLUID_END_DIRICHLET
-                                  : FLUID_END_NEUMANN;
+            in.end[d][side] = g->periodic[d]                                               ? FLUID_END_PERIODIC
+                              : f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET ? FLUID_END_DIRICHLET
+                                                                                           : FLUID_END_NEUMANN;
     }
     return fluid_poisson_new(&in);
 }
@@ -30,12 +29,11 @@ static void check_driving(const struct fluid_input *in) {
     const int d = in->driving.direction;
     if (in->driving.type == FLUID_DRIVING_BULK && in->side[d][0].type != FLUID_PERIODIC)
         die_all(EXIT_CODE_SCENE,
-                "fluid.driving: a bulk velocity can be held only in a periodic direction, and %c is not",
-                "xyz"[d]);
+                "fluid.driving: a bulk velocity can be held only in a periodic direction, and %c is not", "xyz"[d]);
 }
 
-/* u* has arrays of its own: a forcing compares it with what it was, implicit diffusion solves for the change, an open side's
- * faces are advanced after the inside. */
+/* u* has arrays of its own: a forcing compares it with what it was, implicit diffusion solves for the change, an open
+ * side's faces are advanced after the inside. */
 static int apart(const struct fluid *f) { return f->in.immersed || f->in.implicit || f->boundary->open; }
 
 struct fluid *fluid_new(const struct fluid_input *in) {
@@ -47,13 +45,12 @@ struct fluid *fluid_new(const struct fluid_input *in) {
         periodic[d] = in->side[d][0].type == FLUID_PERIODIC && in->side[d][1].type == FLUID_PERIODIC;
     f->grid = fluid_grid_new(in->n, in->length, periodic, in->immersed ? 3 : 1);
     f->boundary = fluid_boundary_new(f->grid, in);
-    double **arrays[] = {&f->state.u, &f->state.v, &f->state.w, &f->state.p,
-                         &f->rate[0], &f->rate[1], &f->rate[2]};
+    double **arrays[] = {&f->state.u, &f->state.v, &f->state.w, &f->state.p, &f->rate[0], &f->rate[1], &f->rate[2]};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
     for (int c = 0; c < 3; c++)
-        f->predicted[c] = apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double))
-                                   : fluid_component(&f->state, c);
+        f->predicted[c] =
+            apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : fluid_component(&f->state, c);
     f->correction = fluid_correction_new(f->grid);
     f->flux = memory_new_work(MEMORY_FLUID, fluid_momentum_work(f->grid));
     fluid_wisdom_load();

@@ -1,4 +1,5 @@
-/* The fluid: what it is made from, its state, and the calls that a time step is put together from.  (001: ch. 3.4, 4.1) */
+/* The fluid: what it is made from, its state, and the calls that a time step is put together from.  (001: ch. 3.4, 4.1)
+ */
 #pragma once
 #include "base/error.h"
 #include "fluid/grid/grid.h"
@@ -11,7 +12,7 @@ enum fluid_side_type {
     FLUID_INFLOW,   /* normal velocity from a profile; pressure Neumann */
     FLUID_OUTFLOW,  /* convective, mass-conserving; pressure correction Neumann */
     FLUID_PRESSURE, /* open: given pressure, velocities Neumann; pressure correction Dirichlet */
-    FLUID_GENERAL /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
+    FLUID_GENERAL   /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
 };
 enum fluid_profile { FLUID_UNIFORM, FLUID_POISEUILLE, FLUID_PROFILE_FILE };
 enum fluid_condition { FLUID_DIRICHLET, FLUID_NEUMANN };
@@ -21,9 +22,8 @@ struct fluid_side {
     double velocity[3];         /* wall: its velocity, m/s; general: the values */
     enum fluid_profile profile; /* inflow */
     double bulk_velocity;       /* inflow: mean normal velocity into the domain, m/s */
-    char file
-        [256]; /* inflow profile from a file: text, one normal velocity a line, second tangential index fastest */
-    double pressure;                   /* pressure: Pa */
+    char file[256];  /* inflow profile from a file: text, one normal velocity a line, second tangential index fastest */
+    double pressure; /* pressure: Pa */
     enum fluid_condition condition[4]; /* general: of u, v, w, p */
 };
 
@@ -35,7 +35,8 @@ struct fluid_driving {
 };
 
 /* Taylor and Green's, one wave along two axes or all three: with x, y, z in 1/2 pi lengths
- *     u = velocity sin x cos y cos z, v = -velocity cos x sin y cos z, w = 0                    (without z: no last factor) */
+ *     u = velocity sin x cos y cos z, v = -velocity cos x sin y cos z, w = 0                    (without z: no last
+ * factor) */
 struct fluid_vortices {
     double velocity; /* m/s; 0: none */
     int along[3];    /* 1: they vary in it */
@@ -64,10 +65,9 @@ struct fluid_input {
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
-    double
-        driving; /* the pressure gradient now applied, Pa/m; its mean over the stage where it goes with time */
-    double driven; /* its mean over the last step, Pa/m; not stored */
-    double t;      /* s, when the step begins: set by whoever steps, advanced by fluid_step */
+    double driving;    /* the pressure gradient now applied, Pa/m; its mean over the stage where it goes with time */
+    double driven;     /* its mean over the last step, Pa/m; not stored */
+    double t;          /* s, when the step begins: set by whoever steps, advanced by fluid_step */
 };
 
 struct fluid; /* opaque: grid, parameters, state, work, plans */
@@ -79,17 +79,16 @@ const struct fluid_input *fluid_input_of(const struct fluid *f);
 struct fluid_state *fluid_state_of(struct fluid *f);
 
 /* One low-storage RK3 step is, for r = 0, 1, 2:
- *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001: sec. 3.4.3)
- * and with implicit diffusion
- *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt); [ibm_implicit_force(..)];
- *     fluid_project(f, r, dt); */
+ *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001:
+ * sec. 3.4.3) and with implicit diffusion fluid_predict(f, r, dt); [ibm_implicit_force_again(..)];
+ * fluid_diffusion_stage(f, r, dt); [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
 extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 
 /* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), with the values on the sides' faces; ghosts are left to
  * fluid_predicted_refresh. Collective. */
 void fluid_predict(struct fluid *f, int r, double dt);
-/* Implicit diffusion: u* from what fluid_predict made without a viscous term, and what a force has added to it; nothing with explicit
- * diffusion. Collective. */
+/* Implicit diffusion: u* from what fluid_predict made without a viscous term, and what a force has added to it; nothing
+ * with explicit diffusion. Collective. */
 void fluid_diffusion_stage(struct fluid *f, int r, double dt);
 /* For a forcing that is implicit too: a field on the faces, which is cleared, filled by the forcing, solved for
  * (field <- (I - b_r dt nu lap)^-1 field, zero on the sides), and added to u* times a factor. [3] borrowed. */
@@ -97,37 +96,39 @@ double *const *fluid_diffusion_field(struct fluid *f);
 void fluid_diffusion_clear(struct fluid *f);                   /* Not collective. */
 void fluid_diffusion_solve(struct fluid *f, int r, double dt); /* Collective. */
 void fluid_diffusion_add(struct fluid *f, double factor);      /* Not collective. */
-double fluid_limits_explicit_step(const struct fluid *f);             /* viscous limit of explicit diffusion, s */
+double fluid_limits_explicit_step(const struct fluid *f);      /* viscous limit of explicit diffusion, s */
 /* The predicted velocity u*, to which a forcing adds in place (faces inside the domain only). [3] borrowed. */
 double *const *fluid_predicted(struct fluid *f);
 /* Ghosts of u*, v*, w* after somebody changed them: boundary values and `layers` exchanged layers. Collective. */
 void fluid_predicted_refresh(struct fluid *f, int layers);
 /* How a component is continued beyond a side, for a reader that does without ghosts: the first value beyond it is
- * face * (the value on the side's own face) + inner * (the value mirrored about the side) + constant. Not collective. */
+ * face * (the value on the side's own face) + inner * (the value mirrored about the side) + constant. Not collective.
+ */
 struct fluid_mirror {
     double face, inner, constant;
 };
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
-/* Pressure solve, projection, new velocity and pressure; the velocity's ghosts (one layer) are set, the pressure's only as far
- * as the next stage reads them. Collective. */
+/* Pressure solve, projection, new velocity and pressure; the velocity's ghosts (one layer) are set, the pressure's only
+ * as far as the next stage reads them. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
 /* Three stages: a step of a fluid with nothing immersed. Collective. */
 void fluid_step(struct fluid *f, double dt);
 /* All `halo` ghost layers of the state's u, v, w, p. Collective. */
 void fluid_state_refresh(struct fluid *f);
-/* The nearest `layers` of them, for a reader of blocks that stay within the global cells low .. high-1 (which may lie beyond a
- * side; the same box on every rank): ghosts that such blocks do not reach may be left stale. Collective. */
+/* The nearest `layers` of them, for a reader of blocks that stay within the global cells low .. high-1 (which may lie
+ * beyond a side; the same box on every rank): ghosts that such blocks do not reach may be left stale. Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
-/* The largest stable step, by its convective and viscous limits; either is INFINITY where it does not bind. With implicit
- * diffusion `viscous` is no limit of stability but what the accuracy of the way to a steady state asks for. Collective. */
+/* The largest stable step, by its convective and viscous limits; either is INFINITY where it does not bind. With
+ * implicit diffusion `viscous` is no limit of stability but what the accuracy of the way to a steady state asks for.
+ * Collective. */
 struct fluid_limits {
     double convective, viscous, step;
 };
 struct fluid_limits fluid_limits_stable_step(struct fluid *f);
-/* The same of what goes along with somebody's reduction: this rank's largest sum of |velocity|/d over its cells, from the faces of
- * each, 1/s (INFINITY where one is no number), and the middle of that cell, m (x may be NULL); the limits by the largest of all
- * ranks. Not collective. */
+/* The same of what goes along with somebody's reduction: this rank's largest sum of |velocity|/d over its cells, from
+ * the faces of each, 1/s (INFINITY where one is no number), and the middle of that cell, m (x may be NULL); the limits
+ * by the largest of all ranks. Not collective. */
 double fluid_limits_convection_rate(const struct fluid *f, double x[3]);
 struct fluid_limits fluid_limits_of(const struct fluid *f, double rate);
 
@@ -137,16 +138,17 @@ struct step_status fluid_limits_check(struct fluid *f);
 /* Measures. Collective. */
 double fluid_measures_divergence_max(struct fluid *f); /* 1/s */
 double fluid_limits_cfl(struct fluid *f, double dt);
-/* The speeds that sides, start, driving and body force set up, or diffusion over a cell: the largest, m/s. Not collective. */
+/* The speeds that sides, start, driving and body force set up, or diffusion over a cell: the largest, m/s. Not
+ * collective. */
 double fluid_limits_speed(const struct fluid *f);
 double fluid_measures_bulk_velocity(struct fluid *f, int direction); /* m/s */
 double fluid_measures_kinetic_energy(struct fluid *f);               /* J */
-double fluid_dissipation(struct fluid *f);                  /* rho nu int |grad u|^2 dV, W */
-/* u, v, w, p at a place of the domain, linear in each direction; on the rank that holds the place, on others 0. Ghosts must be
- * there (fluid_state_refresh). Not collective. */
+double fluid_dissipation(struct fluid *f);                           /* rho nu int |grad u|^2 dV, W */
+/* u, v, w, p at a place of the domain, linear in each direction; on the rank that holds the place, on others 0. Ghosts
+ * must be there (fluid_state_refresh). Not collective. */
 void fluid_value_at(struct fluid *f, const double x[3], double value[4]);
 void fluid_measures_mean_pressure(struct fluid *f, int direction,
-                         double *mean); /* [n[direction]] section means, Pa, on every rank */
+                                  double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
 void fluid_measures_box_force(struct fluid *f, double out[3]);

@@ -6,7 +6,8 @@
 #include <math.h>
 
 /* Component c of the vortices at x, per unit velocity. The second component's height makes the discrete divergence 0:
- *     sin(k_a d_a/2)/d_a = height sin(k_b d_b/2)/d_b,  k = 2 pi/length.             (Taylor and Green 1937; Brachet 1983) */
+ *     sin(k_a d_a/2)/d_a = height sin(k_b d_b/2)/d_b,  k = 2 pi/length.             (Taylor and Green 1937; Brachet
+ * 1983) */
 static double vortices_at(const struct fluid_input *in, int c, const double x[3]) {
     const int *along = in->vortices.along, a = along[0] ? 0 : 1, b = along[1] && a == 0 ? 1 : 2;
     double value = c == b ? -1 : c == a ? 1 : 0;
@@ -39,8 +40,7 @@ void fluid_initial_fill(struct fluid *f) {
                     const double shape = !profile || ja < 0 || jb < 0 ? 1 : profile[jb * g->n[a] + ja];
                     double value = f->in.initial_velocity[c] * shape, x[3];
                     for (int d = 0; d < 3; d++) x[d] = (at[d] + g->lo[d] + (d == c ? 1.0 : 0.5)) * g->d[d];
-                    if (f->in.vortices.velocity != 0)
-                        value += f->in.vortices.velocity * vortices_at(&f->in, c, x);
+                    if (f->in.vortices.velocity != 0) value += f->in.vortices.velocity * vortices_at(&f->in, c, x);
                     q[fluid_grid_at(g, i, j, k)] = value;
                 }
         memory_free(profile);

@@ -20,9 +20,8 @@ struct fluid {
     struct fluid_state state;
     /* work, arrays of grid->size */
     double *predicted[3]; /* u*, m/s; the state's own arrays where nobody reads u once u* is there */
-    double *rate
-        [3]; /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; at open faces, that
-                   * face's own rate */
+    double *rate[3];    /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; at open faces,
+                         * that    face's own rate */
     double *correction; /* p-hat, Pa: fluid/momentum/correction.h */
     double *flux;       /* scratch of the momentum equation */
     struct fluid_poisson *poisson;

@@ -41,7 +41,8 @@ double fluid_limits_convection_rate(const struct fluid *f, double x[3]) {
 }
 
 /* The rectangle -1.65 <= Re <= 0, |Im| <= sqrt(3) lies within the stability region of third-order Runge-Kutta, so that
- * either limit may be met alone or both together: sqrt(3) = dt sum |u|/d, 1.65 = dt 4 nu sum 1/d^2.  (Wesseling 2001) */
+ * either limit may be met alone or both together: sqrt(3) = dt sum |u|/d, 1.65 = dt 4 nu sum 1/d^2.  (Wesseling 2001)
+ */
 double fluid_limits_explicit_step(const struct fluid *f) {
     const double *d = f->grid->d;
     return 1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));

@@ -16,8 +16,8 @@ static void count_faces(const struct fluid_grid *g, int faces[3]) {
     for (int d = 0; d < 3; d++) faces[d] = g->m[d] - par_halo_at_side(g->halos, d, 1);
 }
 
-/* A gradient that goes with time has over a stage its mean, so that its impulse is exact and the order of the scheme kept:
- * cos w t from a to b is in the mean cos(w (a + b)/2) sin(h)/h, h = w (b - a)/2. */
+/* A gradient that goes with time has over a stage its mean, so that its impulse is exact and the order of the scheme
+ * kept: cos w t from a to b is in the mean cos(w (a + b)/2) sin(h)/h, h = w (b - a)/2. */
 static void driving_of_stage(struct fluid *f, int r, double dt) {
     const struct fluid_driving *d = &f->in.driving;
     double begin = f->state.t;

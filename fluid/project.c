@@ -8,8 +8,8 @@
 
 #include <string.h>
 
-/* u* on the low faces of cells in planes first .. last-1 along a direction, which belong to the cells before them: all that
- * their divergence reads of ghosts. */
+/* u* on the low faces of cells in planes first .. last-1 along a direction, which belong to the cells before them: all
+ * that their divergence reads of ghosts. */
 static void low_faces(struct fluid *f, int direction, int first, int last) {
     const struct fluid_grid *g = f->grid;
     if (!g->periodic[direction] && g->ranks[direction] == 1) return;
@@ -42,10 +42,10 @@ static void add_to_pressure(struct fluid *f, int k, double factor, const double 
     }
 }
 
-/* The right-hand side, and what can be done with each of its planes alone while it is in the cache; returns this rank's sum of u*
- * along the driving where that is to keep its mean. With implicit diffusion p gets -length2 lap phi, length2 = b dt nu: then
- * p + phi is the pressure that the equation of u* would have needed, and a large step does not slow it down (the rotational form
- * of Timmermans, Minev and van de Vosse 1996). */
+/* The right-hand side, and what can be done with each of its planes alone while it is in the cache; returns this rank's
+ * sum of u* along the driving where that is to keep its mean. With implicit diffusion p gets -length2 lap phi, length2
+ * = b dt nu: then p + phi is the pressure that the equation of u* would have needed, and a large step does not slow it
+ * down (the rotational form of Timmermans, Minev and van de Vosse 1996). */
 static double forward(struct fluid *f, double c, double length2) {
     const struct fluid_grid *g = f->grid;
     const double *const predicted[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
@@ -68,8 +68,8 @@ static double forward(struct fluid *f, double c, double length2) {
     return bulk;
 }
 
-/* The uniform velocity that brings the bulk back to its value, as a change of the driving over this stage: the gradient that
- * would have done so replaces it. */
+/* The uniform velocity that brings the bulk back to its value, as a change of the driving over this stage: the gradient
+ * that would have done so replaces it. */
 static void hold_bulk(struct fluid *f, double bulk, double stage) {
     const int d = f->in.driving.direction;
     f->shift[d] = f->in.driving.value - par_sum(bulk) / (double)fluid_cells(f);
@@ -85,14 +85,14 @@ static double section_mean(const struct fluid *f, int d, int side) {
     fluid_boundary_others(d, &a, &b);
     const ptrdiff_t in = side ? 0 : fluid_boundary_stride(g, d);
     for (int l = 0; l < g->m[b]; l++)
-        for (int j = 0; j < g->m[a]; j++)
-            sum += f->state.p[(ptrdiff_t)fluid_boundary_face(g, d, side, j, l) + in];
+        for (int j = 0; j < g->m[a]; j++) sum += f->state.p[(ptrdiff_t)fluid_boundary_face(g, d, side, j, l) + in];
     return sum / ((double)g->n[a] * g->n[b]);
 }
 
-/* With velocities given on every side the pressure is known up to a constant: where the flow leaves, its mean over the last
- * cells is made zero, so that what is immersed is squeezed by what stands above the outlet, and by nothing else; of several
- * outlets the first counts, x before y before z, high before low. The mean that the correction must have for it. */
+/* With velocities given on every side the pressure is known up to a constant: where the flow leaves, its mean over the
+ * last cells is made zero, so that what is immersed is squeezed by what stands above the outlet, and by nothing else;
+ * of several outlets the first counts, x before y before z, high before low. The mean that the correction must have for
+ * it. */
 static double level(struct fluid *f) {
     if (f->boundary->open) return 0; /* fixed by that side's pressure */
     for (int d = 0; d < 3; d++)
@@ -139,8 +139,7 @@ void fluid_project(struct fluid *f, int r, double dt) {
 /* The initial velocity made to obey the sides and continuity, before anything has moved. */
 void fluid_project_start(struct fluid *f) {
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
-    fluid_outflow_advance(f->boundary, f->grid, q, f->rate, 0,
-                          0); /* speeds are still zero: only mass is mended */
+    fluid_outflow_advance(f->boundary, f->grid, q, f->rate, 0, 0); /* speeds are still zero: only mass is mended */
     for (int c = 0; c < 3 && f->predicted[c] != q[c]; c++)
         memcpy(f->predicted[c], q[c], f->grid->size * sizeof(double));
     fluid_predicted_refresh(f, 1);

@@ -19,8 +19,7 @@ void ibm_demand_home(struct ibm *b) {
     double(*served)[3] = scratch(b);
     forget(b);
     if (!b->route.plan) return;
-    for (int h = 0; h < b->served; h++)
-        memcpy(served[b->arrival[h]], b->vector[IBM_DEMAND][h], sizeof *served);
+    for (int h = 0; h < b->served; h++) memcpy(served[b->arrival[h]], b->vector[IBM_DEMAND][h], sizeof *served);
     par_exchange_backward(b->route.plan, served, b->home, sizeof *served);
 }
 
@@ -29,8 +28,7 @@ void ibm_demand_out(struct ibm *b, int same) {
     double(*served)[3] = scratch(b);
     if (!same) forget(b);
     par_exchange_forward(b->route.plan, b->home, served, sizeof *served);
-    for (int h = 0; h < b->served; h++)
-        memcpy(b->vector[IBM_DEMAND][h], served[b->arrival[h]], sizeof *served);
+    for (int h = 0; h < b->served; h++) memcpy(b->vector[IBM_DEMAND][h], served[b->arrival[h]], sizeof *served);
 }
 
 int ibm_demand_is_set(const struct ibm *b) { return b->route.plan != NULL; }

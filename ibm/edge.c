@@ -1,4 +1,5 @@
-/* Markers whose blocks reach over a side of this rank's piece: cut by ranks and periodic sides, folded at the others. */
+/* Markers whose blocks reach over a side of this rank's piece: cut by ranks and periodic sides, folded at the others.
+ */
 #include "ibm/state.h"
 
 #include <string.h>
@@ -10,7 +11,8 @@ struct line {
     double constant[3];
 };
 
-/* What stands beyond a side is read as the fluid's condition continues it, and takes no force; nor do faces on the side.
+/* What stands beyond a side is read as the fluid's condition continues it, and takes no force; nor do faces on the
+ * side.
  *
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
@@ -42,9 +44,9 @@ static void line_set(const struct ibm *b, int d, int cell, double s, struct line
     }
 }
 
-/* The weights that fall on this rank's cells, `image` away, and where they start: never outside, if it has three cells. */
-static int cut(const struct fluid_grid *g, int d, int c, int image, int first, const double from[3],
-               double to[3]) {
+/* The weights that fall on this rank's cells, `image` away, and where they start: never outside, if it has three cells.
+ */
+static int cut(const struct fluid_grid *g, int d, int c, int image, int first, const double from[3], double to[3]) {
     const int low = c == d && !g->periodic[d] && g->lo[d] == 0 ? -1 : 0, local = first - g->lo[d] + image;
     int start = local;
     if (start > g->m[d] - 3) start = g->m[d] - 3;
@@ -61,8 +63,7 @@ static void block_set(const struct fluid_grid *g, const struct line line[3], con
         double *to[3] = {block->x[c], block->y[c], block->z[c]};
         int start[3];
         for (int d = 0; d < 3; d++)
-            start[d] =
-                cut(g, d, c, image[d], line[d].first[c], write ? line[d].write[c] : line[d].read[c], to[d]);
+            start[d] = cut(g, d, c, image[d], line[d].first[c], write ? line[d].write[c] : line[d].read[c], to[d]);
         block->x[c][3] = 0;
         block->at[c] = (ptrdiff_t)fluid_grid_at(g, start[0], start[1], start[2]);
     }
@@ -126,8 +127,7 @@ void ibm_edge_sum(struct ibm *b, double *const u[3], int first_piece, int last_p
         const struct ibm_block *block = &b->piece[p].read;
         double *sum = b->sum[b->piece[p].edge];
         for (int c = 0; c < 3; c++)
-            sum[c] +=
-                ibm_kernel_gather(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c]);
+            sum[c] += ibm_kernel_gather(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c]);
     }
 }
 
@@ -168,7 +168,6 @@ void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, 
         const struct ibm_block *block = &b->piece[p].write;
         const double *increment = b->increment[b->inner + b->piece[p].edge];
         for (int c = 0; c < 3; c++)
-            ibm_kernel_scatter(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c],
-                               increment[c]);
+            ibm_kernel_scatter(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c], increment[c]);
     }
 }

@@ -1,7 +1,8 @@
 /* Multidirect forcing.  (001: sec. 3.5.2; Breugem 2012)
  *
- * An iteration reads all markers' velocities, then gives all their increments. Markers of slabs that are not neighbours do not
- * touch, so the sweeps of two iterations follow each other two slabs behind, over planes that are still in cache:
+ * An iteration reads all markers' velocities, then gives all their increments. Markers of slabs that are not neighbours
+ * do not touch, so the sweeps of two iterations follow each other two slabs behind, over planes that are still in
+ * cache:
  *
  *     slab           s-3        s-2        s-1         s
  *                    write 2    read 2     write 1     read 1
@@ -21,28 +22,26 @@ struct sweep {
 static void read_slab(const struct sweep *w, int slab, enum ibm_keep keep) {
     struct ibm *b = w->b;
     const int first = ibm_slab_first(b, IBM_NEAR, slab), last = ibm_slab_first(b, IBM_NEAR, slab + 1);
-    ibm_sweep_gather(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1),
-                     keep, w->tally);
-    ibm_edge_sum(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
-                  ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
+    ibm_sweep_gather(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1), keep,
+                     w->tally);
+    ibm_edge_sum(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab), ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
     ibm_edge_finish(b, first, last, keep, w->tally);
 }
 
 static void write_slab(const struct sweep *w, int slab) {
     const struct ibm *b = w->b;
     ibm_sweep_scatter(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1));
-    ibm_edge_scatter(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab),
-                      ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
+    ibm_edge_scatter(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab), ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
 }
 
 static void read_far(const struct sweep *w, int first_slab, int last_slab) {
     ibm_edge_sum(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
-                  ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
+                 ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
 }
 
 static void write_far(const struct sweep *w, int first_slab, int last_slab) {
     ibm_edge_scatter(w->b, w->u, ibm_slab_first(w->b, IBM_FAR_PIECES, first_slab),
-                      ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
+                     ibm_slab_first(w->b, IBM_FAR_PIECES, last_slab));
 }
 
 static void finish_far(const struct sweep *w, enum ibm_keep keep) {
@@ -77,8 +76,7 @@ void ibm_forcing_stage(struct ibm *b, int r, double dt) {
     const struct fluid_grid *g = b->grid;
     struct ibm_tally tally = {.squares = 0};
     const struct sweep w = {b, fluid_predicted(b->fluid), &tally};
-    for (int s = 0; s < b->iterations; s += 2)
-        iterate(&w, r == 0 && s == 0 ? IBM_SET : IBM_ADD, s + 1 < b->iterations);
+    for (int s = 0; s < b->iterations; s += 2) iterate(&w, r == 0 && s == 0 ? IBM_SET : IBM_ADD, s + 1 < b->iterations);
     /* gamma_r rho Q V = gamma_r rho sum (V - U) V / (gamma_r dt) */
     const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     for (int c = 0; c < 3; c++) b->given[c] = (r == 0 ? 0 : b->given[c]) + tally.given[c] * scale;

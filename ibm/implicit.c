@@ -1,16 +1,15 @@
 /* Forcing where diffusion is implicit.
  *
- * A large step smears what a marker gives over sqrt(nu dt), so that giving what is missing, as ibm_forcing_stage does, would leave a slip
- * that grows with the step. Here the force q is an unknown of the stage. With S the spreading of increments, J the reading, and
- * N_s iterations of the multidirect forcing
- *     x = B e:   x = 0;  N_s times  x += (A_h dx/cell) (e - J S x)                          (001: eqs 3.79-3.82)
- * explicit forcing in stages of length s leaves a steady flow with  V - J u = s (1 - J S B) y ,  q = B y : the slip that goes with
- * the force. The same is asked for here, with s fixed at the mean stage of the explicit scheme's largest viscous step, whatever
- * the step is now: the wall stands where the explicit scheme has it, and where the retraction was calibrated.
- * With H = 1 - b dt nu lap and u* diffused under the last stage's force, y changes by d:
- *     [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S B) y ,   u* += dt_r H^-1 S B d .
- * The operator is symmetric and positive in the product <a, B b>: conjugate gradients, a Helmholtz solve an iteration, and none
- * in a steady flow. */
+ * A large step smears what a marker gives over sqrt(nu dt), so that giving what is missing, as ibm_forcing_stage does,
+ * would leave a slip that grows with the step. Here the force q is an unknown of the stage. With S the spreading of
+ * increments, J the reading, and N_s iterations of the multidirect forcing x = B e:   x = 0;  N_s times  x += (A_h
+ * dx/cell) (e - J S x)                          (001: eqs 3.79-3.82) explicit forcing in stages of length s leaves a
+ * steady flow with  V - J u = s (1 - J S B) y ,  q = B y : the slip that goes with the force. The same is asked for
+ * here, with s fixed at the mean stage of the explicit scheme's largest viscous step, whatever the step is now: the
+ * wall stands where the explicit scheme has it, and where the retraction was calibrated. With H = 1 - b dt nu lap and
+ * u* diffused under the last stage's force, y changes by d: [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S
+ * B) y ,   u* += dt_r H^-1 S B d . The operator is symmetric and positive in the product <a, B b>: conjugate gradients,
+ * a Helmholtz solve an iteration, and none in a steady flow. */
 #include "base/clock.h"
 #include "base/par.h"
 #include "ibm/state.h"
@@ -18,7 +17,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A stage ends when its residual has fallen to a part of what it was, or of the slip itself; or after so many iterations. */
+/* A stage ends when its residual has fallen to a part of what it was, or of the slip itself; or after so many
+ * iterations. */
 static const double PART = 0.05, OF_SLIP = 2e-3;
 enum { ITERATIONS = 40 };
 
@@ -145,8 +145,8 @@ void ibm_implicit_force(struct ibm *b, int r, double dt) {
     for (int k = 0; k < ITERATIONS; k++) {
         multidirect(b, (const vector3 *)residual, z, v[IBM_TARGET]);
         const double now = dot(b, (const vector3 *)residual, (const vector3 *)z);
-        const double slip = slip_time(b) * slip_time(b) *
-                            dot(b, (const vector3 *)v[IBM_DEMAND], (const vector3 *)v[IBM_FORCE]);
+        const double slip =
+            slip_time(b) * slip_time(b) * dot(b, (const vector3 *)v[IBM_DEMAND], (const vector3 *)v[IBM_FORCE]);
         if (k == 0) start = now;
         if (!(now > fmax(PART * PART * start * (k > 0), OF_SLIP * OF_SLIP * slip))) break;
         turn(b, d, k > 0 ? now / before : 0, (const vector3 *)residual);

@@ -32,14 +32,13 @@ static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdi
                                        const double *y, const double *z) {
     ibm_row sum = ibm_row_set(0);
     for (int k = 0; k < 3; k++)
-        for (int j = 0; j < 3; j++)
-            sum += ibm_row_set(z[k] * y[j]) * ibm_row_load(field + k * plane + j * row);
+        for (int j = 0; j < 3; j++) sum += ibm_row_set(z[k] * y[j]) * ibm_row_load(field + k * plane + j * row);
     return sum[0] * x[0] + sum[1] * x[1] + sum[2] * x[2];
 }
 
 /* field += strength w_z[k] w_y[j] w_x[i]  (001: eq. 3.81)      x [4], the last 0. */
-static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t plane, const double *x,
-                                      const double *y, const double *z, double strength) {
+static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t plane, const double *x, const double *y,
+                                      const double *z, double strength) {
     const ibm_row along = ibm_row_load(x) * ibm_row_set(strength);
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++) {

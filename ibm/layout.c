@@ -1,6 +1,6 @@
-/* What has arrived, put in order: inner markers by slab, row and place in the row, so that what a slab touches stays in a core's
- * own cache; then edges whose pieces all lie in one slab; then the far ones, whose sums are complete only with another
- * slab's or another rank's. */
+/* What has arrived, put in order: inner markers by slab, row and place in the row, so that what a slab touches stays in
+ * a core's own cache; then edges whose pieces all lie in one slab; then the far ones, whose sums are complete only with
+ * another slab's or another rank's. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "ibm/state.h"
@@ -20,7 +20,8 @@ int ibm_layout_slab_of(const struct ibm *b, int plane) {
 
 enum { THICK = 2 * IBM_SLAB }; /* more than the planes of the last slab */
 
-/* Row after row, and the planes of the slab at each: a few rows of each plane are all that the inner loops hold on to. */
+/* Row after row, and the planes of the slab at each: a few rows of each plane are all that the inner loops hold on to.
+ */
 static int row_of(const struct ibm *b, const int cell[3]) {
     const int k = cell[2] - b->grid->lo[2], slab = ibm_layout_slab_of(b, k);
     return (slab * b->grid->m[1] + cell[1] - b->grid->lo[1]) * THICK + k - slab * IBM_SLAB;
@@ -78,9 +79,9 @@ static void reserve_edges(struct ibm *b) {
     }
 }
 
-/* order [n] <- from [n] (NULL: 0, 1, ..) by rising key, equal ones as they stood; start [keys + 1] <- first of each key. */
-static void sort(int n, const int *from, const struct ibm_place *place, int by_x, int keys, int *start,
-                 int *order) {
+/* order [n] <- from [n] (NULL: 0, 1, ..) by rising key, equal ones as they stood; start [keys + 1] <- first of each
+ * key. */
+static void sort(int n, const int *from, const struct ibm_place *place, int by_x, int keys, int *start, int *order) {
     for (int k = 0; k <= keys; k++) start[k] = 0;
     for (int i = 0; i < n; i++) start[(by_x ? place[i].x : place[i].bin) + 1]++;
     for (int k = 0; k < keys; k++) start[k + 1] += start[k];
@@ -118,8 +119,7 @@ static void number_pieces(struct ibm *b) {
         const int a = b->arrival[b->inner + e];
         memcpy(edge->cell, b->place[a].cell, sizeof edge->cell);
         edge->mine = 1;
-        for (int d = 0; d < 3; d++)
-            edge->mine &= edge->cell[d] >= g->lo[d] && edge->cell[d] < g->lo[d] + g->m[d];
+        for (int d = 0; d < 3; d++) edge->mine &= edge->cell[d] >= g->lo[d] && edge->cell[d] < g->lo[d] + g->m[d];
         edge->pieces = ibm_edge_planes(b, edge->cell, plane);
         for (int p = 0; p < edge->pieces; p++) {
             edge->piece[p] = ibm_layout_slab_of(b, plane[p]);
@@ -138,7 +138,8 @@ static void number_pieces(struct ibm *b) {
             b->edge[e].piece[p] = next[b->edge[e].piece[p] + (e < b->near_edges ? 0 : b->slabs)]++;
 }
 
-/* Which sums go to which ranks, in the order in which both know the markers, and what each far edge's velocity is made from. */
+/* Which sums go to which ranks, in the order in which both know the markers, and what each far edge's velocity is made
+ * from. */
 static void plan_swaps(struct ibm *b) {
     const int size = par_size(), me = par_rank();
     int *count = b->peer, *at = b->peer + size, *peer = b->peer + 2 * size, rank[IBM_SHARERS], peers = 0;

@@ -25,8 +25,7 @@ static struct ibm_touch *touch_new(const struct fluid_grid *g, int d) {
 
 static int *owner_new(const struct fluid_grid *g, int d) {
     int *owner = memory_new(MEMORY_IBM, (size_t)g->n[d], sizeof *owner);
-    for (int i = 0; i < g->n[d]; i++)
-        owner[i] = par_piece_of(g->n[d], g->ranks[d], i) * (d == 2 ? g->ranks[1] : 1);
+    for (int i = 0; i < g->n[d]; i++) owner[i] = par_piece_of(g->n[d], g->ranks[d], i) * (d == 2 ? g->ranks[1] : 1);
     return owner;
 }
 
@@ -44,8 +43,7 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
         b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face is the side's own */
         if (d > 0) b->touch[d] = touch_new(g, d), b->owner[d] = owner_new(g, d);
         for (int c = 0; c < 3; c++)
-            for (int side = 0; side < 2; side++)
-                b->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
+            for (int side = 0; side < 2; side++) b->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
     }
     b->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
     b->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(b->slabs + 1), sizeof *b->slab_at);
@@ -61,17 +59,17 @@ void ibm_free(struct ibm *b) {
     ibm_route_free(&b->route);
     ibm_route_free(&b->probe);
     par_swap_free(b->swap);
-    void *const owned[] = {
-        b->touch[1], b->touch[2], b->owner[1], b->owner[2],  b->slab_at,   b->bin,      b->peer,
-        b->arrival,  b->place,    b->by_x,     b->stencil,   b->increment, b->received, b->edge,
-        b->piece,    b->sum,      b->sent,     b->swap_edge, b->by_marker, b->home,     b};
+    void *const owned[] = {b->touch[1], b->touch[2], b->owner[1], b->owner[2],  b->slab_at,   b->bin,      b->peer,
+                           b->arrival,  b->place,    b->by_x,     b->stencil,   b->increment, b->received, b->edge,
+                           b->piece,    b->sum,      b->sent,     b->swap_edge, b->by_marker, b->home,     b};
     for (int k = 0; k < IBM_VECTORS; k++) memory_free(b->vector[k]);
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
-/* Items as they are sent, beside the last ones: differs[0]: some other rank must serve one; [1]: any number has changed. */
-static void fill(struct ibm *b, int n, const double *const x[3], const double *const v[3],
-                 const double *volume, double differs[2]) {
+/* Items as they are sent, beside the last ones: differs[0]: some other rank must serve one; [1]: any number has
+ * changed. */
+static void fill(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume,
+                 double differs[2]) {
     const struct fluid_grid *g = b->grid;
     const double cell_volume = g->d[0] * g->d[1] * g->d[2];
     differs[0] = ibm_route_reserve(&b->route, n, IBM_ITEM);
@@ -135,7 +133,8 @@ static void set_stencil(const struct ibm *b, const int cell[3], const double t[3
     s->cell = cell_number(g, cell);
 }
 
-/* New weights for what has moved; returns 0 where a marker has left its slab, or many their cells: all is to be sorted again. */
+/* New weights for what has moved; returns 0 where a marker has left its slab, or many their cells: all is to be sorted
+ * again. */
 static int renew_weights(struct ibm *b, int fresh) {
     for (int h = 0; h < b->inner; h++) {
         const double *item = b->route.served + (size_t)b->arrival[h] * IBM_ITEM;
@@ -156,8 +155,7 @@ static int renew_weights(struct ibm *b, int fresh) {
                 return 0;
             b->moved++;
         }
-        if (fresh || other_cell || t[0] != s->t[0] || t[1] != s->t[1] || t[2] != s->t[2])
-            set_stencil(b, cell, t, s);
+        if (fresh || other_cell || t[0] != s->t[0] || t[1] != s->t[1] || t[2] != s->t[2]) set_stencil(b, cell, t, s);
     }
     for (int e = 0; e < b->edges; e++) {
         const double *item = b->route.served + (size_t)b->arrival[b->inner + e] * IBM_ITEM;
@@ -175,8 +173,7 @@ static int renew_weights(struct ibm *b, int fresh) {
     return b->moved <= b->inner / 4;
 }
 
-void ibm_markers_set(struct ibm *b, int n, const double *const x[3], const double *const v[3],
-                 const double *volume) {
+void ibm_markers_set(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume) {
     clock_begin(CLOCK_FORCING);
     double differs[2];
     const int before = b->route.n;

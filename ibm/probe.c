@@ -1,8 +1,8 @@
 /* The normal probe: pressure and stress at the root m, from the flow about the tip e = m + dl n.  (001: sec. 3.5.3)
  *
- * In both forms p|m = p|e - dl/2 (dp/dn|m + dp/dn|e). That of the paper is a boundary layer's: dp/dn|m = rho (f - dV/dt).n, and the
- * stress is taken where the tip is. Both are short by dl over the body's size. Carried to the wall, the momentum equation there has its
- * viscous part too,
+ * In both forms p|m = p|e - dl/2 (dp/dn|m + dp/dn|e). That of the paper is a boundary layer's: dp/dn|m = rho (f -
+ * dV/dt).n, and the stress is taken where the tip is. Both are short by dl over the body's size. Carried to the wall,
+ * the momentum equation there has its viscous part too,
  *
  *     dp/dn|m = rho (f - dV/dt).n + mu n.lap u|m,      mu n.lap u|m = dp/dn|e - dl d2p/dn2|e - rho (f - dV/dt).n,
  *
@@ -71,18 +71,18 @@ static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, c
     ibm_reserve(&route->served, &route->served_size, served * (SENT + RETURNED) + 1);
     par_exchange_forward(route->plan, sent, route->served, SENT * sizeof(double));
     double *result = route->served + served * SENT;
-    const struct ibm_tip_form form = {.density = fluid->density,
-                                      .mu = fluid->density * fluid->viscosity,
-                                      .length = in->velocity[0] ? length[0] : 0};
+    const struct ibm_tip_form form = {
+        .density = fluid->density, .mu = fluid->density * fluid->viscosity, .length = in->velocity[0] ? length[0] : 0};
     /* in order of arrival: near particles have near numbers */
     ibm_tip_measure(b->grid, fluid_state_of(b->fluid), &form, served, route->served, result);
     par_exchange_backward(route->plan, result, back, RETURNED * sizeof(double));
     return back;
 }
 
-/* mu n.lap u at the wall. Where there is no slip it is of the order of mu |u - V|/l2 at most (2 before a plane's stagnation point, 5 before
- * that of a sphere of four cells); where the tip reaches into another wall, dp/dn is that wall's jump, and is held back to this.
- * push: force per volume that the solved pressure balances, along n; acceleration: dV/dt.n */
+/* mu n.lap u at the wall. Where there is no slip it is of the order of mu |u - V|/l2 at most (2 before a plane's
+ * stagnation point, 5 before that of a sphere of four cells); where the tip reaches into another wall, dp/dn is that
+ * wall's jump, and is held back to this. push: force per volume that the solved pressure balances, along n;
+ * acceleration: dV/dt.n */
 static double viscous(const double *e, double density, double push, double acceleration) {
     static const double MOST = 6;
     const double all = e[IBM_TIP_WALL_SLOPE] + density * acceleration - push;

@@ -1,20 +1,21 @@
 /* What the room holds: the markers served here, sorted into slabs, and the plans of exchange.
  *
- * A rank serves every marker whose block reaches one of its cells, and touches none but its own cells and the faces on the
- * domain's low sides: what several ranks have a part of is summed over them marker by marker, and no ghost is read or written. A
- * marker in cell i of a direction reaches cells i-2 .. i+1, whatever its place in the cell. Inner markers, whose whole
- * blocks are free faces of this rank, are kept in two cache lines each. The others are edges: each has one or several pieces,
- * which are its block as this rank's cells, or its periodic image, cut it. */
+ * A rank serves every marker whose block reaches one of its cells, and touches none but its own cells and the faces on
+ * the domain's low sides: what several ranks have a part of is summed over them marker by marker, and no ghost is read
+ * or written. A marker in cell i of a direction reaches cells i-2 .. i+1, whatever its place in the cell. Inner
+ * markers, whose whole blocks are free faces of this rank, are kept in two cache lines each. The others are edges: each
+ * has one or several pieces, which are its block as this rank's cells, or its periodic image, cut it. */
 #pragma once
 #include "base/par_exchange.h"
 #include "base/par_swap.h"
 #include "ibm/ibm.h"
 #include "ibm/kernel.h"
 
-/* Staggered alignments of a direction: at the cells' centres, or at their faces. Component c is at faces along c only. */
+/* Staggered alignments of a direction: at the cells' centres, or at their faces. Component c is at faces along c only.
+ */
 enum { IBM_CENTRE, IBM_FACE };
-/* Cells that a block reaches before and behind the marker's own, and planes of a slab: markers of slabs that are not neighbours do not
- * touch. */
+/* Cells that a block reaches before and behind the marker's own, and planes of a slab: markers of slabs that are not
+ * neighbours do not touch. */
 enum { IBM_BEFORE = 2, IBM_BEHIND = 1, IBM_SLAB = IBM_BEFORE + IBM_BEHIND };
 /* A marker on its way: place, cells; volume, cells; velocity, m/s. */
 enum { IBM_X = 0, IBM_VOLUME = 3, IBM_V = 4, IBM_ITEM = 7 };
@@ -40,8 +41,7 @@ struct ibm_edge {
     int cell[3];         /* of the whole domain */
     int mine;            /* its cell is this rank's: it is counted here */
     int pieces, piece[IBM_PIECES];
-    int summands,
-        summand[IBM_SHARERS]; /* what makes U_h up, in b->sum: by rising rank, so that all agree to the bit */
+    int summands, summand[IBM_SHARERS]; /* what makes U_h up, in b->sum: by rising rank, so that all agree to the bit */
 };
 
 /* A layout's items on their way: what they are, and who serves them. */
@@ -145,28 +145,24 @@ static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) 
     const int i = (int)s;
     return i < g->n[direction] ? i : i - 1;
 }
-/* Room for n items of so many doubles, contents not kept; returns whether a new plan is needed for their number alone. */
+/* Room for n items of so many doubles, contents not kept; returns whether a new plan is needed for their number alone.
+ */
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles);
 void ibm_route_free(struct ibm_route *route);
 
-/* A probe's tip on its way: place, cells, outward normal, and the wall's velocity; and back: p|e, dp/dn|e, viscous traction, and, read
- * for the wall, dp/dn carried there and mu |u - V|/l2, both Pa/m. */
+/* A probe's tip on its way: place, cells, outward normal, and the wall's velocity; and back: p|e, dp/dn|e, viscous
+ * traction, and, read for the wall, dp/dn carried there and mu |u - V|/l2, both Pa/m. */
 enum { IBM_TIP_NORMAL = 3, IBM_TIP_VELOCITY = 6, IBM_TIP_SENT = 9 };
-enum {
-    IBM_TIP_SLOPE = 1,
-    IBM_TIP_STRESS = 2,
-    IBM_TIP_WALL_SLOPE = 5,
-    IBM_TIP_SCALE = 6,
-    IBM_TIP_RETURNED = 7
-};
+enum { IBM_TIP_SLOPE = 1, IBM_TIP_STRESS = 2, IBM_TIP_WALL_SLOPE = 5, IBM_TIP_SCALE = 6, IBM_TIP_RETURNED = 7 };
 /* What all tips have in common. */
 struct ibm_tip_form {
     double density, mu; /* kg/m3, Pa s */
     double length;      /* from the wall, m, where stresses are carried there; 0: the tip's own */
 };
-/* The served tips, from the state with its ghosts: item [tips][IBM_TIP_SENT] -> result [tips][IBM_TIP_RETURNED]. Not collective. */
-void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f,
-                      const struct ibm_tip_form *form, size_t tips, const double *item, double *result);
+/* The served tips, from the state with its ghosts: item [tips][IBM_TIP_SENT] -> result [tips][IBM_TIP_RETURNED]. Not
+ * collective. */
+void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form,
+                     size_t tips, const double *item, double *result);
 
 /* The ranks that serve a marker in a cell, by rising number; returns how many. */
 int ibm_share_ranks(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]);
@@ -187,10 +183,9 @@ static inline void ibm_keep(double received[3], const double increment[3], enum 
     for (int c = 0; c < 3 && keep != IBM_LOOK; c++)
         received[c] = keep == IBM_SET ? increment[c] : received[c] + increment[c];
 }
-/* increment <- (V_h - U_h) A_h dx / cell, which is the increment of dt_r Q_h V_h before the kernel spreads it.  (001: eqs 3.79,
- * 3.80)      Inner markers first .. last-1. */
-void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep,
-                      struct ibm_tally *t);
+/* increment <- (V_h - U_h) A_h dx / cell, which is the increment of dt_r Q_h V_h before the kernel spreads it.  (001:
+ * eqs 3.79, 3.80)      Inner markers first .. last-1. */
+void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep, struct ibm_tally *t);
 /* u += increment delta  (001: eqs 3.81, 3.82) */
 void ibm_sweep_read(const struct ibm *b, double *const u[3], double (*velocity)[3]);
 void ibm_sweep_scatter(const struct ibm *b, double *const u[3], int first, int last);
@@ -199,8 +194,8 @@ void ibm_edge_sum(struct ibm *b, double *const u[3], int first_piece, int last_p
 void ibm_edge_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
 void ibm_edge_velocity(struct ibm *b, int with_sides, double (*velocity)[3]);
 void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece);
-/* The demand, to those that sent the markers (kept in home), and back once they are sorted anew; unless they are the same, what
- * they had is forgotten. Collective. */
+/* The demand, to those that sent the markers (kept in home), and back once they are sorted anew; unless they are the
+ * same, what they had is forgotten. Collective. */
 void ibm_demand_home(struct ibm *b);
 void ibm_demand_out(struct ibm *b, int same);
 /* All markers' velocities, velocity [served]; with what the sides' conditions add to it, or without. Collective. */

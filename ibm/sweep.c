@@ -10,15 +10,13 @@ static inline ibm_row along_x(const double w[3][8], int c) {
 }
 
 /* The rows that the marker's block shares with none before it in its column: asked for ahead of time. */
-static inline void ask_ahead(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row,
-                             ptrdiff_t plane) {
+static inline void ask_ahead(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row, ptrdiff_t plane) {
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < 3; k++) __builtin_prefetch(u[c] + s->at[c] + 2 * row + k * plane);
 }
 
 /* 27 values of each component. */
-static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row,
-                                     ptrdiff_t plane) {
+static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row, ptrdiff_t plane) {
     double w[3][8];
     ibm_row part[3];
     ibm_kernel_expand(s, w);
@@ -37,8 +35,7 @@ static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const 
 
 enum { AHEAD = 6 }; /* markers */
 
-void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep,
-                      struct ibm_tally *t) {
+void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
     const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
     ibm_row given = ibm_row_set(0), squares = given;
     for (int h = first; h < last; h++) {

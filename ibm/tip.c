@@ -1,14 +1,14 @@
 /* What a probe measures at its tip e: pressure and velocity with their gradients.  (001: eqs 3.83, 3.84, 3.86)
  *
- * On the 2 x 2 x 2 stencil of one cell about e, p and u are interpolated by the kernel and differenced. All of it is a product of
- * three one-dimensional sums: the mean of the kernels at the two points of a direction, or their difference. So each field is
- * a block of 4 x 4 x 4 values, contracted with four values or four slopes a direction:
+ * On the 2 x 2 x 2 stencil of one cell about e, p and u are interpolated by the kernel and differenced. All of it is a
+ * product of three one-dimensional sums: the mean of the kernels at the two points of a direction, or their difference.
+ * So each field is a block of 4 x 4 x 4 values, contracted with four values or four slopes a direction:
  *
  *        y, z           4 values along x at once      16 loads, 44 multiply-adds
  *        x              four sums in one transposition
  *
- * Weights are made for a few tips at a time, before their blocks are read: their square roots and the blocks' sums are too long
- * for a processor to look from one tip to the next. */
+ * Weights are made for a few tips at a time, before their blocks are read: their square roots and the blocks' sums are
+ * too long for a processor to look from one tip to the next. */
 #include "base/vec.h"
 #include "ibm/kernel.h"
 #include "ibm/state.h"
@@ -27,7 +27,7 @@ struct frame {
 /* Four grid points i-1 .. i+2 a direction. */
 struct tip {
     double value[4][LANES], slope[4][LANES],
-        bend[4][LANES]; /* of a field, its first and second derivative: 1, 1/m, 1/m2 */
+        bend[4][LANES];                                /* of a field, its first and second derivative: 1, 1/m, 1/m2 */
     double value_x[2][4], slope_x[2][4], bend_x[2][4]; /* those along x, [alignment] */
     int64_t at[LANES];                                 /* of the first grid point, doubles */
 };
@@ -54,8 +54,8 @@ static inline void take_x(double x[2][4], const vec w[4]) {
     ibm_row_store(x[1], __builtin_shufflevector(a, b, 2, 3, 6, 7));
 }
 
-/* Both points of a direction are offset alike from their nearest grid points, i and i+1: the mean of the two kernels for the value,
- * and their difference over the cell for the slope. t: offset, cells.  (001: eq. 3.78) */
+/* Both points of a direction are offset alike from their nearest grid points, i and i+1: the mean of the two kernels
+ * for the value, and their difference over the cell for the slope. t: offset, cells.  (001: eq. 3.78) */
 static inline void weigh_by_kernel(vec t, vec per_cell, vec value[4], vec slope[4]) {
     const vec middle = (1 + vec_sqrt(1 - 3 * t * t)) * (1.0 / 3);
     const vec before = 0.5 * (1 - middle - t), behind = 0.5 * (1 - middle + t);
@@ -111,8 +111,8 @@ static inline ibm_row sums(ibm_row a, ibm_row b, ibm_row c, ibm_row d) {
 }
 
 /* One field at the tip: f, df/dx, df/dy, df/dz. x: whether at faces; y, z: lanes. */
-static inline ibm_row contract(const double *field, const struct fluid_grid *g, const struct tip *e, int x,
-                               int y, int z) {
+static inline ibm_row contract(const double *field, const struct fluid_grid *g, const struct tip *e, int x, int y,
+                               int z) {
     const double *at = field + e->at[x ? XF : XC] + e->at[y] + e->at[z];
     ibm_row mean = ibm_row_set(0), dy = mean, dz = mean;
     for (int k = 0; k < 4; k++, at += g->plane) {
@@ -131,8 +131,8 @@ static inline ibm_row contract(const double *field, const struct fluid_grid *g, 
 }
 
 /* One field's second derivative along n: the sum of n_i n_j d2f/dx_i dx_j. */
-static inline double bend_along(const double *field, const struct fluid_grid *g, const struct tip *e, int x,
-                                int y, int z, const double *n) {
+static inline double bend_along(const double *field, const struct fluid_grid *g, const struct tip *e, int x, int y,
+                                int z, const double *n) {
     const double *at = field + e->at[x ? XF : XC] + e->at[y] + e->at[z];
     ibm_row by_value = ibm_row_set(0), by_slope = by_value, by_bend = by_value;
     for (int k = 0; k < 4; k++, at += g->plane) {
@@ -148,15 +148,14 @@ static inline double bend_along(const double *field, const struct fluid_grid *g,
         by_value += n[1] * n[1] * e->value[k][z] * bend + n[2] * n[2] * e->bend[k][z] * value +
                     2 * n[1] * n[2] * e->slope[k][z] * slope;
     }
-    const ibm_row all = ibm_row_load(e->value_x[x]) * by_value +
-                        n[0] * ibm_row_load(e->slope_x[x]) * by_slope +
+    const ibm_row all = ibm_row_load(e->value_x[x]) * by_value + n[0] * ibm_row_load(e->slope_x[x]) * by_slope +
                         n[0] * n[0] * ibm_row_load(e->bend_x[x]) * by_bend;
     return all[0] + all[1] + all[2] + all[3];
 }
 
-/* The wall's shear by the cubic that has its velocity V, and the tip's u, du/dn and d2u/dn2, on the straight line between them however
- * the wall bends:  du/dn|w = 3 (u|e - V)/l - 2 du/dn|e + l/2 d2u/dn2|e, along the wall. Across it a rigid wall has none.
- * slope, bend: (dp/dn, du/dn) and (d2p/dn2, d2u/dn2) */
+/* The wall's shear by the cubic that has its velocity V, and the tip's u, du/dn and d2u/dn2, on the straight line
+ * between them however the wall bends:  du/dn|w = 3 (u|e - V)/l - 2 du/dn|e + l/2 d2u/dn2|e, along the wall. Across it
+ * a rigid wall has none. slope, bend: (dp/dn, du/dn) and (d2p/dn2, d2u/dn2) */
 static inline void carry_to_wall(const struct ibm_tip_form *form, const double u[3], const double slope[4],
                                  const double bend[4], const double *n, const double *V, double *result) {
     const double l = form->length;
@@ -173,9 +172,8 @@ static inline void carry_to_wall(const struct ibm_tip_form *form, const double u
 }
 
 /* p|e, dp/dn|e, mu (grad u + grad u^T)|e n  (001: eqs 3.88-3.95), or the wall's.      item: the tip's */
-static inline void tip_measure(const struct fluid_grid *g, const struct fluid_state *f,
-                               const struct ibm_tip_form *form, const struct tip *e, const double *item,
-                               double *result) {
+static inline void tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form,
+                               const struct tip *e, const double *item, double *result) {
     const double *n = item + IBM_TIP_NORMAL, mu = form->mu;
     const size_t first = fluid_grid_at(g, 0, 0, 0);
     const ibm_row p = contract(f->p + first, g, e, 0, YC, ZC), u = contract(f->u + first, g, e, 1, YC, ZC),
@@ -189,22 +187,19 @@ static inline void tip_measure(const struct fluid_grid *g, const struct fluid_st
         const double bend[4] = {
             bend_along(f->p + first, g, e, 0, YC, ZC, n), bend_along(f->u + first, g, e, 1, YC, ZC, n),
             bend_along(f->v + first, g, e, 0, YF, ZC, n), bend_along(f->w + first, g, e, 0, YC, ZF, n)};
-        carry_to_wall(form, (double[3]){u[0], v[0], w[0]},
-                      (double[4]){slope[0], slope[1], slope[2], slope[3]}, bend, n, item + IBM_TIP_VELOCITY,
-                      result);
+        carry_to_wall(form, (double[3]){u[0], v[0], w[0]}, (double[4]){slope[0], slope[1], slope[2], slope[3]}, bend, n,
+                      item + IBM_TIP_VELOCITY, result);
     }
 }
 
-void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f,
-                      const struct ibm_tip_form *form, size_t tips, const double *item, double *result) {
+void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form,
+                     size_t tips, const double *item, double *result) {
     const struct frame frame = frame_of(g);
     struct tip e[GROUP];
     for (size_t h = 0; h < tips; h += GROUP) {
         const size_t group = tips - h < GROUP ? tips - h : GROUP;
+        for (size_t i = 0; i < group; i++) tip_set(&frame, item + (h + i) * IBM_TIP_SENT, form->length > 0, &e[i]);
         for (size_t i = 0; i < group; i++)
-            tip_set(&frame, item + (h + i) * IBM_TIP_SENT, form->length > 0, &e[i]);
-        for (size_t i = 0; i < group; i++)
-            tip_measure(g, f, form, &e[i], item + (h + i) * IBM_TIP_SENT,
-                        result + (h + i) * IBM_TIP_RETURNED);
+            tip_measure(g, f, form, &e[i], item + (h + i) * IBM_TIP_SENT, result + (h + i) * IBM_TIP_RETURNED);
     }
 }

@@ -65,21 +65,20 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
         if (threshold > 0) mark[marks++] = (struct postproc_mark){threshold, label[r]};
     }
     postproc_charts_add(
-        charts,
-        &(struct postproc_plot){
-            .folder = plots,
-            .name = stress ? "pdf_stress" : "pdf_strain",
-            .title = stress ? "Largest principal stress at the end" : "Largest principal strain at the end",
-            .xlabel = stress ? "largest principal stress  [Pa]" : "largest principal strain",
-            .ylabel = "probability density",
-            .curves = curves,
-            .curve = curve,
-            .marks = marks,
-            .mark = mark,
-            .log_y = 1,
-            .x_low = NAN,
-            .x_high = NAN,
-        });
+        charts, &(struct postproc_plot){
+                    .folder = plots,
+                    .name = stress ? "pdf_stress" : "pdf_strain",
+                    .title = stress ? "Largest principal stress at the end" : "Largest principal strain at the end",
+                    .xlabel = stress ? "largest principal stress  [Pa]" : "largest principal strain",
+                    .ylabel = "probability density",
+                    .curves = curves,
+                    .curve = curve,
+                    .marks = marks,
+                    .mark = mark,
+                    .log_y = 1,
+                    .x_low = NAN,
+                    .x_high = NAN,
+                });
     for (int r = 0; r < n; r++) {
         postproc_pdf_free(&pdf[r]);
         free(middle[r]);
@@ -153,8 +152,8 @@ static int compare(int n, struct postproc_history *const *run, const char *const
         postproc_report_image(report, path, charts.title[k]);
     }
     if (charts.worst != POSTPROC_PLOT_DONE) {
-        postproc_report_text(
-            report, "Plots are missing: gnuplot was not found or failed. Their scripts are in plots (*.gp).");
+        postproc_report_text(report,
+                             "Plots are missing: gnuplot was not found or failed. Their scripts are in plots (*.gp).");
         fprintf(stderr, "frana: %s: plots are missing: gnuplot was not found or failed\n", out);
     }
     if (postproc_report_end(report) && !fault) fault = errno ? errno : EIO;

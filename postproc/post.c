@@ -26,8 +26,8 @@ static int make_folders(const char *post, int film) {
 }
 
 /* A heading and the facts that a section has added, if any. */
-static void report_section(struct postproc_report *r, const struct postproc_output *out, const char *heading,
-                           int first, int last) {
+static void report_section(struct postproc_report *r, const struct postproc_output *out, const char *heading, int first,
+                           int last) {
     if (last <= first) return;
     postproc_report_heading(r, heading);
     postproc_report_facts(r, &out->facts, first, last);
@@ -88,8 +88,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
     if (options) out->options = *options;
     struct postproc_report *report = NULL;
     int fault = make_folders(post, out->options.film);
-    if (!fault && !(report = postproc_report_begin(post, h->scene->title[0] ? h->scene->title : rundir)))
-        fault = errno;
+    if (!fault && !(report = postproc_report_begin(post, h->scene->title[0] ? h->scene->title : rundir))) fault = errno;
     if (fault) {
         code = refuse(post, fault);
         goto end;
@@ -109,13 +108,11 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         postproc_report_text(report, missing);
     }
     if (postproc_report_end(report)) postproc_sections_fail(out, post);
-    if (postproc_facts_write(&out->facts, folder_path(path, post, "summary.csv")))
-        postproc_sections_fail(out, path);
+    if (postproc_facts_write(&out->facts, folder_path(path, post, "summary.csv"))) postproc_sections_fail(out, path);
     if (out->failed)
         code = refuse(out->failed_path, out->failed);
     else
-        printf("%s: report.md, report.html, summary.csv, %d plots, %d pictures\n", post, out->charts.n,
-               out->pictures);
+        printf("%s: report.md, report.html, summary.csv, %d plots, %d pictures\n", post, out->charts.n, out->pictures);
 end:
     postproc_history_free(h);
     free(out);

@@ -10,8 +10,7 @@ void postproc_report_heading(struct postproc_report *r, const char *text);
 void postproc_report_text(struct postproc_report *r, const char *text);
 /* Facts first <= i < last as a table of quantity, value, unit. */
 void postproc_report_facts(struct postproc_report *r, const struct postproc_facts *f, int first, int last);
-void postproc_report_image(struct postproc_report *r, const char *path,
-                           const char *title); /* relative to the folder */
+void postproc_report_image(struct postproc_report *r, const char *path, const char *title); /* relative to the folder */
 /* A table of n rows and m columns, cell by cell, the first row a header. */
 void postproc_report_table(struct postproc_report *r, int n, int m, const char *const *cell);
 int postproc_report_end(struct postproc_report *r); /* 0, or -1 (errno) */

@@ -37,9 +37,7 @@ void postproc_tree_free(struct postproc_tree *t) {
 }
 
 /* libyaml's readers do not change the document, but are not declared so. */
-static yaml_document_t *document_of(const struct postproc_tree *t) {
-    return (yaml_document_t *)(size_t)&t->document;
-}
+static yaml_document_t *document_of(const struct postproc_tree *t) { return (yaml_document_t *)(size_t)&t->document; }
 
 static yaml_node_t *find(const struct postproc_tree *t, const char *path) {
     if (!t) return NULL;
@@ -77,8 +75,7 @@ double postproc_tree_number(const struct postproc_tree *t, const char *path) {
 
 const char *postproc_tree_key(const struct postproc_tree *t, const char *path, int k) {
     const yaml_node_t *node = find(t, path);
-    if (!node || node->type != YAML_MAPPING_NODE ||
-        k >= node->data.mapping.pairs.top - node->data.mapping.pairs.start)
+    if (!node || node->type != YAML_MAPPING_NODE || k >= node->data.mapping.pairs.top - node->data.mapping.pairs.start)
         return NULL;
     const yaml_node_t *key = yaml_document_get_node(document_of(t), node->data.mapping.pairs.start[k].key);
     return key->type == YAML_SCALAR_NODE ? (const char *)key->data.scalar.value : NULL;

@@ -30,8 +30,8 @@ static void say_holdings(struct run *r) {
     say("%s\n\nholds\n", r->scene->title);
     if (r->fluid) {
         const struct fluid_grid *g = fluid_grid_of(r->fluid);
-        say("  fluid      %d x %d x %d cells of %.6g x %.6g x %.6g m on %d x %d ranks\n", g->n[0], g->n[1],
-            g->n[2], g->d[0], g->d[1], g->d[2], g->ranks[1], g->ranks[2]);
+        say("  fluid      %d x %d x %d cells of %.6g x %.6g x %.6g m on %d x %d ranks\n", g->n[0], g->n[1], g->n[2],
+            g->d[0], g->d[1], g->d[2], g->ranks[1], g->ranks[2]);
     }
     if (r->solid) {
         const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
@@ -39,8 +39,7 @@ static void say_holdings(struct run *r) {
             directed / 2);
         if (r->solid->dim == 2)
             say("  plate      %s, %.6g m thick\n",
-                r->solid->in.model == SOLID_PLANE_STRESS ? "plane stress" : "plane strain",
-                r->solid->in.thickness);
+                r->solid->in.model == SOLID_PLANE_STRESS ? "plane stress" : "plane strain", r->solid->in.thickness);
         if (r->solid->in.cuts > 0 && r->needs.bonds) {
             solid_family_count(r->solid);
             say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
@@ -68,8 +67,8 @@ static void say_touch(struct run *r, const struct scene_stage *stage) {
         solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_stable_touch(r->solid), NULL);
     const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
     if (stage->substeps == 0 && least > r->substeps)
-        say("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n",
-            stage->name, least);
+        say("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n", stage->name,
+            least);
     else if (r->dt / r->substeps > limit)
         say("  warning: %s's substep is above the limit of %.6g s for contact\n", stage->name, limit);
 }
@@ -104,16 +103,15 @@ static void say_limits(struct run *r) {
     }
     if (r->needs.bonds) {
         const int touches = r->needs.contact;
-        const char *const name[2][2] = {
-            {"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
-            {"solid, a broken bond closed, RK3", "solid, a broken bond closed, Verlet"}};
+        const char *const name[2][2] = {{"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
+                                        {"solid, a broken bond closed, RK3", "solid, a broken bond closed, Verlet"}};
         struct solid_rates rates;
         r->solid->stage = (struct solid_stage){0};
         solid_rates_of(r->solid, &rates);
         for (int k = 0; k < 2 + 2 * touches; k++)
             say("  %-42s %.6g\n", name[k / 2][k % 2],
-                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3,
-                                k / 2 ? solid_stable_touch(r->solid) : 0, NULL));
+                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3, k / 2 ? solid_stable_touch(r->solid) : 0,
+                                NULL));
     }
     if (r->needs.bonds && r->solid->refine) say_levels(r);
     say("\nstages\n");
@@ -134,8 +132,7 @@ static void say_limits(struct run *r) {
         if (r->fluid && r->dt > 0) {
             const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
             const double limit = fluid_input_of(r->fluid)->implicit ? l.convective : l.step;
-            if (r->dt > limit)
-                say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, limit);
+            if (r->dt > limit) say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, limit);
         }
         if (r->substeps > 0 && r->dt / r->substeps > r->solid_stable)
             say("  warning: %s's substep is above the limit of %.6g s for %s\n", stage->name, r->solid_stable,
@@ -150,8 +147,7 @@ static void say_memory(void) {
     most[MEMORY_PARTS] = sum;
     par_max_array(most, MEMORY_PARTS + 1);
     say("\nmemory per rank, MB (largest of %d)\n", par_size());
-    for (int p = 0; p < MEMORY_PARTS; p++)
-        say("  %-10s %.1f\n", memory_name((enum memory_part)p), most[p] * 1e-6);
+    for (int p = 0; p < MEMORY_PARTS; p++) say("  %-10s %.1f\n", memory_name((enum memory_part)p), most[p] * 1e-6);
     say("  %-10s %.1f, and the libraries' own\n", "in all", most[MEMORY_PARTS] * 1e-6);
 }
 
@@ -183,8 +179,8 @@ static void say_groups(const struct run *r) {
         if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
         if (u > 0) say("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
         say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
-        say("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n",
-            s->name, sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);
+        say("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n", s->name,
+            sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);
     }
 }
 

@@ -33,8 +33,8 @@ static void fluid_arrays(struct run *r, double *array[4]) {
     for (int f = 0; f < 4; f++) array[f] = all[f] + fluid_grid_at(g, 0, 0, 0);
 }
 
-/* The velocities at the low boundary faces belong to the state where the side is open: they are set by its condition, and are
- * not stored. */
+/* The velocities at the low boundary faces belong to the state where the side is open: they are set by its condition,
+ * and are not stored. */
 static void write_fluid(struct run *r, struct store *s) {
     const struct store_block b = block_of(fluid_grid_of(r->fluid));
     double *array[4];
@@ -54,10 +54,10 @@ static int read_fluid(struct run *r, struct store *s) {
     return 0;
 }
 
-/* Arrays of three components by particle, two in a plate: displacement, velocity, velocity a step ago, load, Verlet's last sweep. */
+/* Arrays of three components by particle, two in a plate: displacement, velocity, velocity a step ago, load, Verlet's
+ * last sweep. */
 enum { VECTORS = 5 };
-static const char *const vector_name[VECTORS] = {"displacement", "velocity", "velocity_last", "load",
-                                                 "sweep"};
+static const char *const vector_name[VECTORS] = {"displacement", "velocity", "velocity_last", "load", "sweep"};
 
 static int vectors_of(struct run *r, double *const *vector[VECTORS]) {
     vector[0] = r->solid->d;
@@ -69,8 +69,7 @@ static int vectors_of(struct run *r, double *const *vector[VECTORS]) {
 }
 
 enum { SHARES = 5 };
-static const char *const share_name[SHARES] = {"e_damped", "e_fracture", "e_constraint", "work_load",
-                                               "power_pairwise"};
+static const char *const share_name[SHARES] = {"e_damped", "e_fracture", "e_constraint", "work_load", "power_pairwise"};
 
 /* Which particles there are, of a plate that is refined as it goes, and the rates that go with them. */
 enum { RATES = 6 };
@@ -104,8 +103,7 @@ static int read_particles(struct run *r, struct store *s) {
     const long n = store_read_count(s, "level");
     if (n < 0) return 0; /* of a scene without refinement: as they were made */
     double(*place)[3] = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *place), *rate[RATES];
-    uint8_t *level = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1),
-            *body = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1);
+    uint8_t *level = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1), *body = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1);
     long finest = -1;
     int bad = store_read_range(s, "body", STORE_BYTE, 1, n, 0, n, body) ||
               store_read_range(s, "level", STORE_BYTE, 1, n, 0, n, level) ||
@@ -228,8 +226,8 @@ static int read_demand(struct run *r, struct store *s) {
     const struct solid *solid = r->solid;
     if (store_read_count(s, "demand") < 0) return 0;
     double(*all)[3] = memory_new(MEMORY_OUTPUT, (size_t)solid->n + 1, sizeof *all);
-    const int bad = store_read_range(s, "demand", STORE_DOUBLE, 3, solid->n_global, solid->first[par_rank()],
-                                     solid->n, all);
+    const int bad =
+        store_read_range(s, "demand", STORE_DOUBLE, 3, solid->n_global, solid->first[par_rank()], solid->n, all);
     if (!bad) forcing_guess_put(r, (const double(*)[3])all);
     memory_free(all);
     return bad;
@@ -288,8 +286,7 @@ static int read_state(struct run *r, struct store *s, char *why, size_t size) {
     if (store_read_double(s, "approach", &r->adapt.approach)) r->adapt.approach = 0;
     r->stage = stage_of(r->scene, stage);
     if (r->stage < 0) {
-        snprintf(why, size, "%s: was written in stage %s, which the scene does not have", store_read_path(s),
-                 stage);
+        snprintf(why, size, "%s: was written in stage %s, which the scene does not have", store_read_path(s), stage);
         return 1;
     }
     if (r->solid && spacing != r->solid->in.spacing) {

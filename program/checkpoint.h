@@ -7,7 +7,8 @@ void checkpoint_write(struct run *r, const char *folder);
 /* checkpoint/stage_<name>.h5, at the end of a stage, kept: other runs may start from it. Collective. */
 void checkpoint_write_stage(struct run *r, const char *folder);
 /* From a file, or the newest of the folder where file is NULL. Dies with exit code 4 when there is none that can be
- * read, 5 when it does not fit the scene. Leaves the run at the beginning of, or within, the stage it had reached. Collective. */
+ * read, 5 when it does not fit the scene. Leaves the run at the beginning of, or within, the stage it had reached.
+ * Collective. */
 void checkpoint_read(struct run *r, const char *folder, const char *file);
 
 /* The state kept in memory as the last one known to be good; what a run that has gone unstable leaves behind. */

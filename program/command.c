@@ -44,14 +44,13 @@ static enum command_verb verb_of(const char *word) {
                 {"--help", COMMAND_HELP}, {"-h", COMMAND_HELP},     {"help", COMMAND_HELP}};
     for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
         if (!strcmp(word, verb[k].word)) return verb[k].verb;
-    die_all(EXIT_CODE_SCENE,
-            "%s: unknown command; there are run, check, post, bench, study, --version and --help", word);
+    die_all(EXIT_CODE_SCENE, "%s: unknown command; there are run, check, post, bench, study, --version and --help",
+            word);
 }
 
 /* runs/NAME, NAME being the scene's file without its ending. */
 static void default_out(struct command *c) {
-    const char *slash = strrchr(c->file[0], '/'), *name = slash ? slash + 1 : c->file[0],
-               *dot = strrchr(name, '.');
+    const char *slash = strrchr(c->file[0], '/'), *name = slash ? slash + 1 : c->file[0], *dot = strrchr(name, '.');
     const int length = dot ? (int)(dot - name) : (int)strlen(name);
     snprintf(c->out, sizeof c->out, "runs/%.*s", length, name);
 }
@@ -80,15 +79,12 @@ static double number(const char *text, const char *name, double below) {
 
 /* Which option goes with which commands. */
 static void check_option(int o, const char *word, enum command_verb verb) {
-    if (strchr("rwq", o) && verb != COMMAND_RUN)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
+    if (strchr("rwq", o) && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
     if (o == 's' && verb != COMMAND_RUN && verb != COMMAND_CHECK)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana run and check only", word);
-    if (strchr("ilm", o) && verb != COMMAND_POST)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
+    if (strchr("ilm", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
     if (o == 'f' && verb != COMMAND_STUDY) die_all(EXIT_CODE_SCENE, "%s: goes with frana study only", word);
-    if (strchr("knzpt", o) && verb != COMMAND_BENCH)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
+    if (strchr("knzpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
 static void options(struct command *c, int argc, char **argv) {
@@ -162,8 +158,7 @@ static void options(struct command *c, int argc, char **argv) {
 /* What stands behind the options. */
 static void check_files(const struct command *c, const char *word) {
     if (c->verb == COMMAND_BENCH) {
-        if (c->table && c->files == 0)
-            die_all(EXIT_CODE_SCENE, "frana bench --table: of which measured tables?");
+        if (c->table && c->files == 0) die_all(EXIT_CODE_SCENE, "frana bench --table: of which measured tables?");
         if (!c->table && c->files > 0)
             die_all(EXIT_CODE_SCENE, "frana bench %s: takes files with --table only", c->file[0]);
         return;

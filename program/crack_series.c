@@ -26,10 +26,9 @@ enum {
     OVER_G0,
     COLUMNS
 };
-static const char *const name[COLUMNS] = {"step",    "t",          "tip_x",           "tip_y",
-                                          "speed",   "left_x",     "left_y",          "left_speed",
-                                          "right_x", "right_y",    "right_speed",     "fronts",
-                                          "length",  "e_fracture", "energy_per_area", "energy_over_g0"};
+static const char *const name[COLUMNS] = {
+    "step",    "t",       "tip_x",       "tip_y",  "speed",  "left_x",     "left_y",          "left_speed",
+    "right_x", "right_y", "right_speed", "fronts", "length", "e_fracture", "energy_per_area", "energy_over_g0"};
 static const char *const unit[COLUMNS] = {"1", "s", "m",   "m", "m/s", "m", "m",    "m/s",
                                           "m", "m", "m/s", "1", "m",   "J", "J/m2", "1"};
 
@@ -85,10 +84,9 @@ static void replay(struct crack *c, const char *path) {
         par_bcast(value, (size_t)rows * COLUMNS * sizeof *value, 0);
         for (long i = 0; i < rows; i++) {
             const double *row = value + i * COLUMNS;
-            const struct solid_crack_tips tips = {
-                .found = !isnan(row[TIP]),
-                .tip = {row[TIP], row[TIP + 1]},
-                .side = {{row[LEFT], row[LEFT + 1]}, {row[RIGHT], row[RIGHT + 1]}}};
+            const struct solid_crack_tips tips = {.found = !isnan(row[TIP]),
+                                                  .tip = {row[TIP], row[TIP + 1]},
+                                                  .side = {{row[LEFT], row[LEFT + 1]}, {row[RIGHT], row[RIGHT + 1]}}};
             if (!c->has_axis && tips.found)
                 for (int k = 0; k < 2; k++) c->axis[k] = tips.tip[k];
             c->has_axis |= tips.found;

@@ -2,6 +2,5 @@
 #pragma once
 #include "coupling/run.h"
 
-void fields_write(struct run *r, const char *folder); /* Collective. */
-void fields_cut(const struct run *r,
-                const char *folder); /* forgets what is later than the run's time. Collective. */
+void fields_write(struct run *r, const char *folder);     /* Collective. */
+void fields_cut(const struct run *r, const char *folder); /* forgets what is later than the run's time. Collective. */

@@ -4,7 +4,8 @@
 
 struct probes; /* opaque */
 
-/* NULL where the scene asks for none, or the solid has no bonds. Dies (exit 2) on a place that has no particle near. Collective. */
+/* NULL where the scene asks for none, or the solid has no bonds. Dies (exit 2) on a place that has no particle near.
+ * Collective. */
 struct probes *probes_new(struct run *r);
 /* Begins the file (resume_step < 0), or cuts it back to that step. Collective. */
 void probes_open(struct probes *p, struct run *r, const char *folder, long resume_step);

@@ -18,7 +18,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Steps between looks at the whole fluid for what is beyond reason, and between states kept for a run that goes unstable. */
+/* Steps between looks at the whole fluid for what is beyond reason, and between states kept for a run that goes
+ * unstable. */
 enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
 
 struct program {
@@ -59,21 +60,20 @@ static void progress(struct program *p) {
     const struct series_sample *s = series_last(p->series);
     const long every = p->scene->output.log_every;
     if (p->run->needs.immersed && p->run->needs.bonds)
-        log_progress(stage->name, p->run->stage_step, stage->steps, every,
-                     "t %.4g s  dp %.4g Pa  broken %.0f", p->run->t, s->dp, s->bonds_broken);
+        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa  broken %.0f",
+                     p->run->t, s->dp, s->bonds_broken);
     else if (p->run->needs.immersed)
-        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", p->run->t,
-                     s->dp);
+        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", p->run->t, s->dp);
     else if (p->run->needs.fluid)
-        log_progress(stage->name, p->run->stage_step, stage->steps, every,
-                     "t %.4g s  u %.4g m/s  div %.1e 1/s", p->run->t, s->u_bulk, s->div_max);
+        log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  u %.4g m/s  div %.1e 1/s",
+                     p->run->t, s->u_bulk, s->div_max);
     else
         log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  broken %.0f", p->run->t,
                      s->bonds_broken);
 }
 
-/* A fault of the numbers: what and where, what step would have been stable, the last good state on disk, exit code 3. status: this
- * rank's. */
+/* A fault of the numbers: what and where, what step would have been stable, the last good state on disk, exit code 3.
+ * status: this rank's. */
 static int unstable(struct program *p, struct step_status *status) {
     struct run *r = p->run;
     const double dt = r->dt;
@@ -105,7 +105,8 @@ static int stopped(struct program *p, enum signals_reason reason) {
     return EXIT_CODE_REQUEUE;
 }
 
-/* Back to the state before the step just taken: the last one kept, and the same steps from there. Returns whether it can be had. */
+/* Back to the state before the step just taken: the last one kept, and the same steps from there. Returns whether it
+ * can be had. */
 static int go_back(struct program *p) {
     struct run *r = p->run;
     struct adapt *a = &r->adapt;
@@ -133,8 +134,7 @@ static int go_back(struct program *p) {
 }
 
 /* A step, made again as long as it does not hold and something else can be tried. Returns 1 where it is lost. */
-static int advance(struct program *p, int sampled, int whole, enum signals_reason *reason,
-                   struct step_status *status) {
+static int advance(struct program *p, int sampled, int whole, enum signals_reason *reason, struct step_status *status) {
     struct run *r = p->run;
     for (;;) {
         double number[ADAPT_NUMBERS];
@@ -209,8 +209,7 @@ static int stages(struct program *p) {
 
 static void refuse_to_overwrite(const struct command *c, int here) {
     if (!here && folder_has_run(c->out))
-        die_all(EXIT_CODE_FILE,
-                "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
+        die_all(EXIT_CODE_FILE, "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
 }
 
 /* Dies (exit 2) on steps that the solid cannot take, which only its bonds tell. */
@@ -226,8 +225,7 @@ static void begin(struct program *p) {
     if (here) folder_hold(c->out);
     refuse_to_overwrite(c, here);
     signals_begin(c->max_wall);
-    p->run = run_new(
-        p->scene); /* what the scene gets wrong shows here at the latest: before anything is written */
+    p->run = run_new(p->scene); /* what the scene gets wrong shows here at the latest: before anything is written */
     p->crack = crack_series_new(p->run);
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
@@ -250,8 +248,7 @@ static void begin(struct program *p) {
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
     p->guard = guard_new(p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
-    for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++)
-        log_line("left out: %s", sentence[k]);
+    for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
     char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
 }

@@ -4,4 +4,4 @@
 #include "program/command.h"
 
 int program_run(const struct command *c, const struct scene *scene); /* the exit code. Collective. */
-int check_scene(const struct scene *scene);                        /* Collective. */
+int check_scene(const struct scene *scene);                          /* Collective. */

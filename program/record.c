@@ -16,9 +16,8 @@
 void record_version(char *text, int size) {
     char libraries[3][128];
     libraries_describe(libraries);
-    snprintf(text, (size_t)size, "frana %s (%s)\ncompiler: %s, %s\nMPI: %s\nHDF5: %s\nFFTW: %s\n",
-             FRANA_VERSION, FRANA_REVISION, FRANA_COMPILER, FRANA_FLAGS, libraries[0], libraries[1],
-             libraries[2]);
+    snprintf(text, (size_t)size, "frana %s (%s)\ncompiler: %s, %s\nMPI: %s\nHDF5: %s\nFFTW: %s\n", FRANA_VERSION,
+             FRANA_REVISION, FRANA_COMPILER, FRANA_FLAGS, libraries[0], libraries[1], libraries[2]);
 }
 
 int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE]) {
@@ -32,8 +31,7 @@ int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RE
         SAY("implicit diffusion: fluid.diffusion is explicit");
     if (needs.solid && !needs.bonds) SAY("bonds: the solid is rigid in every stage");
     if (needs.immersed && !(needs.bonds && scene->coupling->scheme == SCENE_STRONG))
-        SAY("strong coupling: %s",
-            needs.bonds ? "coupling.scheme is explicit" : "the solid is rigid in every stage");
+        SAY("strong coupling: %s", needs.bonds ? "coupling.scheme is explicit" : "the solid is rigid in every stage");
     if (needs.bonds && !needs.breakage)
         SAY("breakage: no stage lets bonds break, or no material has a fracture energy");
     if (needs.bonds && !scene->solid->contact) SAY("contact: switched off");
@@ -142,8 +140,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         if (r->fluid) json_long(j, "cells", (long)fluid_cells(r->fluid));
         if (r->solid) json_long(j, "particles", r->solid->n_global);
         if (r->needs.bonds) json_long(j, "directed_bonds", directed);
-        if (r->fluid_cell_steps)
-            json_number(j, "ns_per_cell_step", 1e9 * fluid * size / (double)r->fluid_cell_steps);
+        if (r->fluid_cell_steps) json_number(j, "ns_per_cell_step", 1e9 * fluid * size / (double)r->fluid_cell_steps);
         if (r->solid_sweeps && directed)
             json_number(j, "ns_per_directed_bond_sweep",
                         1e9 * seconds[CLOCK_SOLID] * size / ((double)r->solid_sweeps * (double)directed));

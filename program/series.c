@@ -18,7 +18,7 @@ static const struct column {
     int needs;
     size_t at; /* in struct series_sample */
 } all_columns[] = {
-#define COLUMN(name, unit, needs, field)                                                                     \
+#define COLUMN(name, unit, needs, field)                                                                               \
     { name, unit, needs, offsetof(struct series_sample, field) }
     COLUMN("step", "1", 0, step),
     COLUMN("t", "s", 0, t),

@@ -16,8 +16,8 @@ void series_sample(struct series *s, struct run *r);
 struct series_sample {
     double step, t, dt, div_max, cfl, u_bulk, dp, porosity, porosity_effective, permeability, tortuosity;
     double load[3], forcing[3], momentum_residual;
-    double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, work_fluid,
-        work_load, e_constraint;
+    double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, work_fluid, work_load,
+        e_constraint;
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
         interface_particles, particles_outside;
 };

@@ -67,11 +67,9 @@ static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_
         scene_node_insert(solid, 0, number(solid, "spacing", s->solid->spacing));
     } else if (s->dimension == 2 && scene_node_is_clean(root, "domain")) {
         scene_problem_at(problems, root, "solid.spacing", "missing (m)");
-    } else if (scene_node_is_clean(root, "domain") &&
-               !s->fluid) { /* unequal cells of a fluid are said elsewhere */
-        scene_problem_at(
-            problems, root, "solid.spacing",
-            "missing (m); without domain.cells, the same in all directions, there is no default");
+    } else if (scene_node_is_clean(root, "domain") && !s->fluid) { /* unequal cells of a fluid are said elsewhere */
+        scene_problem_at(problems, root, "solid.spacing",
+                         "missing (m); without domain.cells, the same in all directions, there is no default");
     }
 }
 
@@ -100,8 +98,7 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
 static void fill_retraction(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
     if (scene_node_child(coupling, "retraction")) return;
-    s->coupling->retraction =
-        s->coupling->surface == SCENE_SURFACE_SHAPE ? SCENE_RETRACTION_SHAPE : SCENE_RETRACTION;
+    s->coupling->retraction = s->coupling->surface == SCENE_SURFACE_SHAPE ? SCENE_RETRACTION_SHAPE : SCENE_RETRACTION;
     int at = 0;
     while (at < coupling->n && strcmp(coupling->child[at]->key, "surface") != 0) at++;
     scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));
@@ -112,8 +109,7 @@ static void fill_medium(struct scene *s, struct scene_node *root) {
     struct scene_coupling *c = s->coupling;
     struct scene_node *coupling = scene_node_find(root, "coupling");
     c->has_box = scene_node_child(coupling, "medium") != NULL;
-    if (c->has_box || !scene_node_is_clean(root, "domain.size") || !scene_node_is_clean(root, "solid.bodies"))
-        return;
+    if (c->has_box || !scene_node_is_clean(root, "domain.size") || !scene_node_is_clean(root, "solid.bodies")) return;
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (int b = 0; b < s->solid->bodies; b++) {
         double body_low[3], body_high[3];

@@ -2,5 +2,6 @@
 #pragma once
 #include "scene/check/check.h"
 
-/* Spacing of the solid, Poisson's ratios, names and materials of bodies, the medium's box: into the struct and the tree. */
+/* Spacing of the solid, Poisson's ratios, names and materials of bodies, the medium's box: into the struct and the
+ * tree. */
 void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems);

@@ -14,12 +14,9 @@ static struct scene_outline curve_new(int corners, const struct scene_corner *co
 
 static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
     const double *low = p->low, *high = p->high, *c = p->centre, r = p->radius;
-    const struct scene_corner rectangle[4] = {{.at = {low[0], low[1]}},
-                                              {.at = {high[0], low[1]}},
-                                              {.at = {high[0], high[1]}},
-                                              {.at = {low[0], high[1]}}};
-    const struct scene_corner disc[2] = {{{c[0] - r, c[1]}, {c[0], c[1]}, 1},
-                                         {{c[0] + r, c[1]}, {c[0], c[1]}, 1}};
+    const struct scene_corner rectangle[4] = {
+        {.at = {low[0], low[1]}}, {.at = {high[0], low[1]}}, {.at = {high[0], high[1]}}, {.at = {low[0], high[1]}}};
+    const struct scene_corner disc[2] = {{{c[0] - r, c[1]}, {c[0], c[1]}, 1}, {{c[0] + r, c[1]}, {c[0], c[1]}, 1}};
     if (p->shape == SCENE_RECTANGLE) return curve_new(4, rectangle, is_hole);
     if (p->shape == SCENE_DISC) return curve_new(2, disc, is_hole);
     return curve_new(p->corners, p->corner, is_hole);
@@ -63,8 +60,7 @@ void scene_outline_bounds(const struct scene_outline *o, double low[2], double h
         }
         if (p->turn == 0) continue;
         const double x = p->at[0] - p->centre[0], y = p->at[1] - p->centre[1], r = hypot(x, y);
-        const double a = atan2(y, x) / M_PI_2,
-                     b = atan2(q->at[1] - p->centre[1], q->at[0] - p->centre[0]) / M_PI_2;
+        const double a = atan2(y, x) / M_PI_2, b = atan2(q->at[1] - p->centre[1], q->at[0] - p->centre[0]) / M_PI_2;
         for (int e = 0; e < 4; e++) {
             const int d = e % 2;
             if (!passes(a, b, p->turn, e)) continue;

@@ -34,8 +34,8 @@ static void resolve_file(struct scene_node *root, struct scene_path path, const 
         node->value[0] == '/' ? scene_node_text("%s", node->value) : scene_node_text("%s/%s", folder, node->value);
     if (strlen(absolute) >= SCENE_PATH)
         scene_problem_value(problems, node, path.text,
-                            "with its folder is %zu characters long, at most %d are possible",
-                            strlen(absolute), SCENE_PATH - 1);
+                            "with its folder is %zu characters long, at most %d are possible", strlen(absolute),
+                            SCENE_PATH - 1);
     else if (stat(absolute, &info) != 0)
         scene_problem_value(problems, node, path.text, "there is no such file (looked for %s)", absolute);
     else if (!S_ISREG(info.st_mode))
@@ -56,7 +56,8 @@ static void resolve_files(struct scene_node *root, const char *path, struct scen
     const struct scene_node *bodies = scene_node_find(root, "solid.bodies");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
-            resolve_file(root, scene_check_parts_path("fluid.sides.%s.file", scene_check_parts_side[d][end]), folder, problems);
+            resolve_file(root, scene_check_parts_path("fluid.sides.%s.file", scene_check_parts_side[d][end]), folder,
+                         problems);
     for (int b = 0; bodies && b < bodies->n; b++)
         resolve_file(root, scene_check_parts_path("solid.bodies[%d].file", b), folder, problems);
     free(folder);

@@ -1,11 +1,13 @@
-/* The scene: what the user wrote, checked, with every default filled in. One struct a section of the YAML file; names here
- * are the file's keys. Sections that are missing are NULL: what a scene lacks is left out of the run.  (docs/scene.md) */
+/* The scene: what the user wrote, checked, with every default filled in. One struct a section of the YAML file; names
+ * here are the file's keys. Sections that are missing are NULL: what a scene lacks is left out of the run.
+ * (docs/scene.md) */
 #pragma once
 #include <stddef.h>
 
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
-/* The default retraction of the markers, in cells: from the lattice's faces; from shapes' own surfaces.  (Breugem 2012) */
+/* The default retraction of the markers, in cells: from the lattice's faces; from shapes' own surfaces.  (Breugem 2012)
+ */
 #define SCENE_RETRACTION 0.6
 #define SCENE_RETRACTION_SHAPE 0.3
 /* A family holds at most 512 bonds: |xi| < (m + 1/2) spacing gives 484 just below m = 4.5 and 514 just above. */
@@ -34,11 +36,11 @@ enum scene_profile { SCENE_UNIFORM, SCENE_POISEUILLE, SCENE_PROFILE_FILE };
 enum scene_condition { SCENE_DIRICHLET, SCENE_NEUMANN };
 struct scene_side {
     enum scene_side_type type;
-    double velocity[3];         /* wall, general */
-    enum scene_profile profile; /* inflow: uniform, poiseuille, file */
-    double bulk_velocity;       /* inflow: into the domain, m/s; uniform and poiseuille, a file has its own */
-    char file[SCENE_PATH];      /* inflow, profile: file; made absolute on loading */
-    double pressure;            /* pressure */
+    double velocity[3];              /* wall, general */
+    enum scene_profile profile;      /* inflow: uniform, poiseuille, file */
+    double bulk_velocity;            /* inflow: into the domain, m/s; uniform and poiseuille, a file has its own */
+    char file[SCENE_PATH];           /* inflow, profile: file; made absolute on loading */
+    double pressure;                 /* pressure */
     enum scene_condition u, v, w, p; /* general */
 };
 enum scene_axes { SCENE_XY, SCENE_XZ, SCENE_YZ, SCENE_XYZ };
@@ -47,18 +49,17 @@ enum scene_diffusion { SCENE_DIFFUSION_EXPLICIT, SCENE_DIFFUSION_IMPLICIT };
 struct scene_fluid {
     double density, viscosity; /* kg/m3; kinematic, m2/s */
     enum scene_diffusion diffusion;
-    double initial_velocity[3]; /* m/s */
-    int initial_poiseuille;     /* initial: {poiseuille: true}: a parabola with that mean */
-    int has_taylor_green; /* initial: {taylor_green: {velocity, axes}}: vortices, added to the uniform flow */
-    double taylor_green_velocity;      /* m/s */
+    double initial_velocity[3];   /* m/s */
+    int initial_poiseuille;       /* initial: {poiseuille: true}: a parabola with that mean */
+    int has_taylor_green;         /* initial: {taylor_green: {velocity, axes}}: vortices, added to the uniform flow */
+    double taylor_green_velocity; /* m/s */
     enum scene_axes taylor_green_axes; /* along which they vary: xy (default), xz, yz, xyz */
     struct scene_side side[3][2];      /* YAML keys sides.x_low, sides.x_high, ... */
     enum scene_driving driving;        /* driving.type: none, pressure_gradient, bulk_velocity */
     int driving_direction;             /* driving.direction: x, y or z */
     double driving_value;              /* driving.value */
-    double
-        driving_frequency; /* driving.frequency, Hz: the gradient is value cos(2 pi frequency t); default 0 */
-    double body_force[3];  /* m/s2 */
+    double driving_frequency; /* driving.frequency, Hz: the gradient is value cos(2 pi frequency t); default 0 */
+    double body_force[3];     /* m/s2 */
 };
 
 enum scene_model { SCENE_3D, SCENE_PLANE_STRESS, SCENE_PLANE_STRAIN };
@@ -68,13 +69,14 @@ enum scene_micromodulus { SCENE_CONSTANT, SCENE_CONICAL };
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
-    double poisson_ratio;   /* the one that the model has: 1/3 in plane stress, else 1/4 */
-    double fracture_energy; /* J/m2; left out: never breaks (INFINITY) */
-    double horizon_ratio;   /* m, default 3; from 1 to below, in a plate up to the numbers above */
+    double poisson_ratio;                 /* the one that the model has: 1/3 in plane stress, else 1/4 */
+    double fracture_energy;               /* J/m2; left out: never breaks (INFINITY) */
+    double horizon_ratio;                 /* m, default 3; from 1 to below, in a plate up to the numbers above */
     enum scene_micromodulus micromodulus; /* constant (default), conical */
 };
 
-/* A factor that goes with time: straight between the given times, constant before the first and after the last. n = 0: 1. */
+/* A factor that goes with time: straight between the given times, constant before the first and after the last. n =
+ * 0: 1. */
 struct scene_time {
     int n;
     double *t, *factor; /* [n] s, ascending; 1 */
@@ -94,15 +96,7 @@ struct scene_outline {
     int is_hole;
 };
 
-enum scene_shape {
-    SCENE_BOX,
-    SCENE_SPHERE,
-    SCENE_CYLINDER,
-    SCENE_POINTS,
-    SCENE_RECTANGLE,
-    SCENE_DISC,
-    SCENE_POLYGON
-};
+enum scene_shape { SCENE_BOX, SCENE_SPHERE, SCENE_CYLINDER, SCENE_POINTS, SCENE_RECTANGLE, SCENE_DISC, SCENE_POLYGON };
 struct scene_part {           /* a further piece of a plate's body, or a hole in it */
     enum scene_shape shape;   /* rectangle, disc, polygon */
     double low[3], high[3];   /* rectangle */
@@ -117,8 +111,8 @@ struct scene_body {
     double low[3], high[3];           /* box */
     double centre[3], radius, length; /* sphere, cylinder */
     int axis;                         /* cylinder: x, y or z */
-    char file[SCENE_PATH]; /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon] */
-    int has_cavities;      /* cavities: {period, radius, centre} */
+    char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon] */
+    int has_cavities;                 /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
     int corners, pieces, holes;
     struct scene_corner *corner;     /* polygon: outline: [...] */
@@ -154,8 +148,8 @@ struct scene_load {
     int over_horizon;          /* depth: over one layer of particles (0, default) or over the horizon (1) */
     struct scene_time time;
 };
-/* Displacement at the start: displacement exp(-((x - centre)/width)^2) or displacement sin(2 pi (x - centre)/width), x the coordinate
- * `along`. */
+/* Displacement at the start: displacement exp(-((x - centre)/width)^2) or displacement sin(2 pi (x - centre)/width), x
+ * the coordinate `along`. */
 enum scene_initial_shape { SCENE_GAUSSIAN, SCENE_SINE };
 struct scene_initial {
     enum scene_initial_shape shape;
@@ -188,17 +182,17 @@ struct scene_solid {
     enum scene_partial partial_volume; /* exact (default), ramp */
     enum scene_horizons horizons;      /* dual (default), one_sided */
     int materials, bodies, cracks, constraints, unbreakables, loads, initials;
-    struct scene_material *material;     /* materials: [...] */
-    struct scene_body *body;             /* bodies: [...] */
-    struct scene_crack *crack;           /* cracks: [...] */
-    struct scene_constraint *constraint; /* constraints: [...] */
-    struct scene_region *unbreakable;    /* unbreakable: [...] */
-    struct scene_load *load;             /* loads: [...] */
-    struct scene_initial *initial;       /* initial: [...] */
-    struct scene_refinement *refinement; /* NULL: none */
-    int surface_correction;              /* default true */
-    double body_force[3];                /* m/s2 */
-    int contact;                         /* contact: {enabled, stiffness, exponent, radius} */
+    struct scene_material *material;                            /* materials: [...] */
+    struct scene_body *body;                                    /* bodies: [...] */
+    struct scene_crack *crack;                                  /* cracks: [...] */
+    struct scene_constraint *constraint;                        /* constraints: [...] */
+    struct scene_region *unbreakable;                           /* unbreakable: [...] */
+    struct scene_load *load;                                    /* loads: [...] */
+    struct scene_initial *initial;                              /* initial: [...] */
+    struct scene_refinement *refinement;                        /* NULL: none */
+    int surface_correction;                                     /* default true */
+    double body_force[3];                                       /* m/s2 */
+    int contact;                                                /* contact: {enabled, stiffness, exponent, radius} */
     double contact_stiffness, contact_exponent, contact_radius; /* k_c/c0 = 15, n_c = 1, r_c/spacing = 1 */
 };
 
@@ -207,15 +201,15 @@ enum scene_load_form { SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
 enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
 enum scene_relaxation { SCENE_QUASI_NEWTON, SCENE_AITKEN };
 struct scene_coupling {
-    int forcing_iterations; /* N_s, default 2 */
-    enum scene_surface
-        surface;         /* where bodies are wetted: the lattice's faces (default), their shapes' surfaces */
-    double retraction;   /* r_d / dx, default the calibrated value of that surface */
-    double probe_length; /* / dx, default 2 */
-    enum scene_load_form
-        load; /* as the probes read it (default), carried to the wall, or that with each body's sum made the forcing's */
+    int forcing_iterations;     /* N_s, default 2 */
+    enum scene_surface surface; /* where bodies are wetted: the lattice's faces (default), their shapes' surfaces */
+    double retraction;          /* r_d / dx, default the calibrated value of that surface */
+    double probe_length;        /* / dx, default 2 */
+    enum scene_load_form load;  /* as the probes read it (default), carried to the wall, or that with each body's sum
+                                   made the forcing's */
     enum scene_scheme scheme;
-    /* strong: how the next guess is made, the residual relative to the step's change of velocity, the most iterations of a step */
+    /* strong: how the next guess is made, the residual relative to the step's change of velocity, the most iterations
+     * of a step */
     enum scene_relaxation relaxation;
     double tolerance;
     int iterations;
@@ -285,7 +279,7 @@ struct scene {
     char *resolved; /* the scene as YAML with every default, re-runnable */
 };
 
-/* Reads, overrides (n settings "key.path=value"), validates. Every mistake gives one line: file, line, key, value, what is
- * allowed, and the nearest key; all of them are said before leaving with exit code 2. Collective: rank 0 reads. */
+/* Reads, overrides (n settings "key.path=value"), validates. Every mistake gives one line: file, line, key, value, what
+ * is allowed, and the nearest key; all of them are said before leaving with exit code 2. Collective: rank 0 reads. */
 struct scene *scene_new(const char *path, int n, const char *const *set);
 void scene_free(struct scene *s);

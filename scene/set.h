@@ -2,6 +2,6 @@
 #pragma once
 #include "scene/text/problem.h"
 
-/* Puts each setting into the tree. A path may go through a list by index (stages[0].steps, stages.0.steps) or by the name
- * of its entry (stages.flow.steps); sections on the way that are missing are made. */
+/* Puts each setting into the tree. A path may go through a list by index (stages[0].steps, stages.0.steps) or by the
+ * name of its entry (stages.flow.steps); sections on the way that are missing are made. */
 void scene_set(struct scene_node *root, int n, const char *const *set, struct scene_problems *problems);

@@ -25,14 +25,12 @@ void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
             body->least_horizon = fmin(body->least_horizon, body->point_horizon[p]);
     }
     to->load = copy_of(from->load, (size_t)from->loads, sizeof *from->load);
-    for (int k = 0; k < to->constraints; k++)
-        solid_time_copy((struct solid_time *)(uintptr_t)&to->constraint[k].time);
+    for (int k = 0; k < to->constraints; k++) solid_time_copy((struct solid_time *)(uintptr_t)&to->constraint[k].time);
     for (int k = 0; k < to->loads; k++) solid_time_copy((struct solid_time *)(uintptr_t)&to->load[k].time);
 }
 
 void solid_input_free(struct solid_input *in) {
-    for (int k = 0; k < in->constraints; k++)
-        solid_time_free((struct solid_time *)(uintptr_t)&in->constraint[k].time);
+    for (int k = 0; k < in->constraints; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->constraint[k].time);
     for (int k = 0; k < in->loads; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->load[k].time);
     const void *const own[] = {in->body, in->material, in->constraint, in->unbreakable, in->load};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free((void *)(uintptr_t)own[i]);
@@ -51,8 +49,7 @@ void solid_input_check(const struct solid_input *in) {
     }
     for (int m = 0; m < in->materials; m++) {
         const struct solid_material *k = &in->material[m];
-        if (!(k->youngs_modulus > 0) || !(k->density > 0) || !(k->fracture_energy >= 0) ||
-            !(k->horizon_ratio >= 1))
+        if (!(k->youngs_modulus > 0) || !(k->density > 0) || !(k->fracture_energy >= 0) || !(k->horizon_ratio >= 1))
             die_all(EXIT_CODE_SCENE,
                     "solid material %d: youngs_modulus %g and density %g must be above 0, fracture_energy %g "
                     "not below 0, "

@@ -53,8 +53,7 @@ static void arrays_of(const struct solid *s, double *array[ARRAYS], size_t count
 static int is_acceleration(int array) { return array >= 3 * (VECTORS - 1); }
 
 static void shares_of(struct solid *s, double *at[SHARES]) {
-    double *const all[SHARES] = {&s->e_damped, &s->e_fracture, &s->e_constraint, &s->work_load,
-                                 &s->power_pairwise};
+    double *const all[SHARES] = {&s->e_damped, &s->e_fracture, &s->e_constraint, &s->work_load, &s->power_pairwise};
     memcpy(at, all, sizeof all);
 }
 
@@ -147,8 +146,7 @@ void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_s
     size_t count[ARRAYS];
     arrays_of(s, array, count);
     for (int i = 0; i < ARRAYS; i++)
-        if (array[i] && (s->a_holds || !is_acceleration(i)))
-            memcpy(k->copy[i], array[i], count[i] * sizeof(double));
+        if (array[i] && (s->a_holds || !is_acceleration(i))) memcpy(k->copy[i], array[i], count[i] * sizeof(double));
     shares_of(s, share);
     for (int i = 0; i < SHARES; i++) k->share[i] = *share[i];
     solid_given_keep(s, k->factor);
@@ -186,8 +184,7 @@ void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surf
     if (!k->a_holds) clear_rates(s);
     arrays_of(s, array, count);
     for (int i = 0; i < ARRAYS; i++)
-        if (array[i] && (k->a_holds || !is_acceleration(i)))
-            memcpy(array[i], k->copy[i], count[i] * sizeof(double));
+        if (array[i] && (k->a_holds || !is_acceleration(i))) memcpy(array[i], k->copy[i], count[i] * sizeof(double));
     shares_of(s, share);
     for (int i = 0; i < SHARES; i++) *share[i] = k->share[i];
     solid_given_restore(s, k->factor);

@@ -1,10 +1,10 @@
-/* The solid's whole state kept in memory and put back: what a checkpoint stores, and what else a later step may depend on to the bit
- * (accelerations that still hold, contact's lists and its record of torn bonds, which segments were judged first). So the
- * same steps from a state put back are the same to the bit.
+/* The solid's whole state kept in memory and put back: what a checkpoint stores, and what else a later step may depend
+ * on to the bit (accelerations that still hold, contact's lists and its record of torn bonds, which segments were
+ * judged first). So the same steps from a state put back are the same to the bit.
  *
- * Copies go with the number of particles; bonds, contact's lists and its record only with what has changed. Several states may be kept
- * at a time; putting one back makes those kept after it useless until they are taken anew. A state is taken between steps, when
- * the surface has been looked at, and does not outlive a refinement. */
+ * Copies go with the number of particles; bonds, contact's lists and its record only with what has changed. Several
+ * states may be kept at a time; putting one back makes those kept after it useless until they are taken anew. A state
+ * is taken between steps, when the surface has been looked at, and does not outlive a refinement. */
 #pragma once
 #include "solid/surface/surface.h"
 
@@ -13,7 +13,6 @@ struct solid_keep; /* opaque */
 /* surface may be NULL; may_break: 0 where no bond ever breaks. Nothing is kept yet. Not collective. */
 struct solid_keep *solid_keep_new(const struct solid *s, const struct solid_surface *surface, int may_break);
 void solid_keep_free(struct solid_keep *k);
-void solid_keep_take(struct solid_keep *k, struct solid *s,
-                     const struct solid_surface *surface); /* Not collective. */
+void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_surface *surface); /* Not collective. */
 /* Ghosts' displacements and velocities come back with the others. Not collective. */
 void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surface *surface);

@@ -29,8 +29,7 @@ static void overlap_check(const struct solid_input *in, struct solid_sites *cons
                                          t->low[1] + row / t->rows[0] % t->rows[1],
                                          t->low[2] + row / t->rows[0] / t->rows[1]};
                     if ((t->bits[row] >> k & 1) && solid_sites_id(sites[a], site) >= 0)
-                        die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap", in->body[a].name,
-                                in->body[b].name);
+                        die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap", in->body[a].name, in->body[b].name);
                 }
             }
         }
@@ -41,25 +40,22 @@ static struct solid_cloud *cloud_new(const struct solid_input *in, const struct 
                                      const struct solid_sites *sites) {
     if (sites->is_lattice) {
         const struct solid_material *m = &in->material[body->material];
-        const int fast =
-            !in->general_bonds && in->partial == SOLID_PARTIAL_EXACT && m->micromodulus == SOLID_CONSTANT;
+        const int fast = !in->general_bonds && in->partial == SOLID_PARTIAL_EXACT && m->micromodulus == SOLID_CONSTANT;
         return fast ? NULL : solid_cloud_lattice(in, body, sites);
     }
-    return body->shape == SOLID_POLYGON ? solid_plane_cloud(in, body, sites)
-                                        : solid_cloud_points(in, body, sites);
+    return body->shape == SOLID_POLYGON ? solid_plane_cloud(in, body, sites) : solid_cloud_points(in, body, sites);
 }
 
 /* Points may stand anywhere: none where a particle of another body is. */
-static void points_check(const struct solid *s, struct solid_sites *const *sites,
-                         struct solid_cloud *const *cloud) {
+static void points_check(const struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
     for (int b = 0; b < s->in.bodies; b++) {
         if (!sites[b]->point || sites[b]->cell) continue;
         for (int h = 0; h < s->n; h++) {
             double x[3] = {0};
             for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h];
             if (s->body[h] != b && solid_cloud_near_holds(cloud[b], x))
-                die(EXIT_CODE_SCENE, "a particle of solid body %s and one of %s coincide",
-                    s->in.body[s->body[h]].name, s->in.body[b].name);
+                die(EXIT_CODE_SCENE, "a particle of solid body %s and one of %s coincide", s->in.body[s->body[h]].name,
+                    s->in.body[b].name);
         }
     }
 }
@@ -150,8 +146,7 @@ static void lattice_place(struct solid *s, const struct solid_sites *t) {
         int h = (int)(t->start[row] - from);
         for (int k = 0; k < 8; k++) {
             if (!(t->bits[row] >> k & 1)) continue;
-            for (int c = 0; c < 3; c++)
-                s->x0[c][h] = s->in.origin[c] + (site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
+            for (int c = 0; c < 3; c++) s->x0[c][h] = s->in.origin[c] + (site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
             s->volume[h++] = spacing * spacing * spacing;
         }
     }
@@ -188,8 +183,7 @@ static void initial_set(struct solid *s) {
     for (int k = 0; k < s->in.initials; k++) {
         const struct solid_initial *i = &s->in.initial[k];
         for (int h = 0; h < s->n; h++) {
-            const double steps =
-                ldexp(rint(ldexp((s->x0[i->along][h] - i->centre) / s->in.spacing, 32)), -32);
+            const double steps = ldexp(rint(ldexp((s->x0[i->along][h] - i->centre) / s->in.spacing, 32)), -32);
             const double r = steps * (s->in.spacing / i->width);
             const double part = i->shape == SOLID_SINE ? sin(2 * M_PI * r) : exp(-r * r);
             for (int c = 0; c < s->dim; c++) s->d[c][h] += i->displacement[c] * part;
@@ -209,8 +203,8 @@ static void plate_edges(struct solid *s, const struct solid_list *t) {
     }
 }
 
-/* Until a surface is looked for, which only a fluid asks for, whatever lacks a part of its family may touch a stranger; of points
- * on no lattice in space nobody knows what a whole family is. */
+/* Until a surface is looked for, which only a fluid asks for, whatever lacks a part of its family may touch a stranger;
+ * of points on no lattice in space nobody knows what a whole family is. */
 void solid_build_edges(struct solid *s) {
     const struct solid_family *f = s->family;
     for (int b = 0; s->dim == 2 && b < f->bodies; b++) plate_edges(s, f->list[b]);
@@ -249,8 +243,8 @@ struct solid *solid_new(const struct solid_input *in) {
     struct solid_sites **sites = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *sites);
     for (int b = 0; b < in->bodies; b++) {
         const struct solid_material *m = &in->material[in->body[b].material];
-        sites[b] = solid_sites_new(in, &in->body[b], s->n_global,
-                                   (int)floor(m->horizon_ratio + (s->dim == 3 ? 0.5 : 1)));
+        sites[b] =
+            solid_sites_new(in, &in->body[b], s->n_global, (int)floor(m->horizon_ratio + (s->dim == 3 ? 0.5 : 1)));
         s->n_global += sites[b]->count;
     }
     overlap_check(in, sites);

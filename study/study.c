@@ -42,11 +42,9 @@ static int report(const struct study_plan *p, const char *out) {
     study_page_write(r, &maker, out);
     study_result_free(r);
     const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);
-    printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "",
-           done);
+    printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "", done);
     if (!plotted)
-        fprintf(stderr,
-                "frana: %s: plots are missing: gnuplot was not found or failed; their scripts are there\n",
+        fprintf(stderr, "frana: %s: plots are missing: gnuplot was not found or failed; their scripts are there\n",
                 out);
     if (failed) fprintf(stderr, "frana: %s: %d runs have failed\n", p->study->path, failed);
     return done ? EXIT_CODE_DONE : EXIT_CODE_UNSTABLE;

@@ -1,5 +1,5 @@
-/* Connected porosity, by flood fill: each rank floods its own cells, hands its outer cells to its neighbours, and goes on
- * where the flood has come over from them, until it comes to nobody any more. */
+/* Connected porosity, by flood fill: each rank floods its own cells, hands its outer cells to its neighbours, and goes
+ * on where the flood has come over from them, until it comes to nobody any more. */
 #include "base/par.h"
 #include "base/par_halo.h"
 #include "coupling/medium/parts.h"
@@ -12,8 +12,7 @@ static int compare_cells(struct medium *m, int mend) {
     int differ = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
-            const double zy = m->weight[2][k] * m->weight[1][j],
-                         *fraction = m->fraction + fluid_grid_at(g, 0, j, k);
+            const double zy = m->weight[2][k] * m->weight[1][j], *fraction = m->fraction + fluid_grid_at(g, 0, j, k);
             uint8_t *cell = m->cell + medium_rimmed(g, 0, j, k);
             for (int i = 0; i < g->m[0]; i++) {
                 const int pore = (zy * m->weight[0][i] > 0) & (fraction[i] < 0.5);
@@ -38,8 +37,8 @@ static int start_at_section(struct medium *m, int i, uint8_t level) {
     return n;
 }
 
-/* One side of this rank's piece, across y (c = 1) or z (c = 2): the outermost cells' states go to carry (give), or what has
- * come into the ghosts beyond them enters them (take). Returns the cells entered, added to the stack's n. */
+/* One side of this rank's piece, across y (c = 1) or z (c = 2): the outermost cells' states go to carry (give), or what
+ * has come into the ghosts beyond them enters them (take). Returns the cells entered, added to the stack's n. */
 static int side_give_or_take(struct medium *m, int c, int high, int take, uint8_t level, int n) {
     const struct fluid_grid *g = m->g;
     const int other = 3 - c, last = g->m[c] - 1;
@@ -50,8 +49,7 @@ static int side_give_or_take(struct medium *m, int c, int high, int take, uint8_
             if (!take) {
                 m->carry[c == 1 ? fluid_grid_at(g, i, own, t) : fluid_grid_at(g, i, t, own)] = m->cell[at];
             } else if (m->cell[at] == level - 1) {
-                const double come =
-                    m->carry[c == 1 ? fluid_grid_at(g, i, ghost, t) : fluid_grid_at(g, i, t, ghost)];
+                const double come = m->carry[c == 1 ? fluid_grid_at(g, i, ghost, t) : fluid_grid_at(g, i, t, ghost)];
                 if (come != level) continue;
                 m->cell[at] = level;
                 m->stack[n++] = at;

@@ -14,7 +14,8 @@ static void set_cells(struct medium *m) {
                     m->fraction[fluid_grid_at(g, i, j, k)] < 0.5 ? MEDIUM_PORE : MEDIUM_WALL;
 }
 
-/* This rank's cells along a side; of them, those that the flood has reached, or at its start enters: these go on the stack behind n. */
+/* This rank's cells along a side; of them, those that the flood has reached, or at its start enters: these go on the
+ * stack behind n. */
 struct along {
     int cells, reached;
 };

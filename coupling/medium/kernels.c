@@ -15,7 +15,7 @@ static inline int smaller(int a, int b) { return a < b ? a : b; }
  *    | ##|#  |   ## the cube's share of each
  *    +---+---+     */
 void medium_kernels_deposit(const double low[3], const double high[3], const int first[3], const int last[3],
-                        ptrdiff_t row, ptrdiff_t plane, double *f) {
+                            ptrdiff_t row, ptrdiff_t plane, double *f) {
     int from[3], to[3];
     for (int c = 0; c < 3; c++) {
         from[c] = larger((int)floor(low[c]), first[c]);
@@ -32,7 +32,7 @@ void medium_kernels_deposit(const double low[3], const double high[3], const int
 }
 
 double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, const double *const weight[3],
-                        const double *fraction) {
+                                const double *fraction) {
     double sum = 0;
     for (int k = 0; k < m[2]; k++)
         for (int j = 0; j < m[1]; j++) {
@@ -47,8 +47,8 @@ double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, 
 }
 
 struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdiff_t plane,
-                                   const double *const weight[3], const double *fraction, const double *u,
-                                   const double *v, const double *w) {
+                                           const double *const weight[3], const double *fraction, const double *u,
+                                           const double *v, const double *w) {
     struct medium_sums s = {0};
     for (int k = 0; k < m[2]; k++)
         for (int j = 0; j < m[1]; j++) {

@@ -3,11 +3,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Adds the common volume, in cells, of a box [low, high] with each cell to f. low, high [3] are in cells from the corner of
- * cell (0,0,0), which f points to; what lies outside of first <= i < last is dropped.
- * f  [last-first each way]  centres  1  added to */
+/* Adds the common volume, in cells, of a box [low, high] with each cell to f. low, high [3] are in cells from the
+ * corner of cell (0,0,0), which f points to; what lies outside of first <= i < last is dropped. f  [last-first each
+ * way]  centres  1  added to */
 void medium_kernels_deposit(const double low[3], const double high[3], const int first[3], const int last[3],
-                        ptrdiff_t row, ptrdiff_t plane, double *f);
+                            ptrdiff_t row, ptrdiff_t plane, double *f);
 
 /* Sums over cells with their weight W = wz wy wx, the part of the cell inside the box.
  * fraction, u, v, w  as fluid/grid/grid.h, pointing to (0,0,0); u, v, w read their low faces (-1) */
@@ -17,14 +17,14 @@ struct medium_sums {
     double pore_u, pore_speed; /* sum W u, sum W |u| over f < 1/2 */
 };
 double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, const double *const weight[3],
-                        const double *fraction);
+                                const double *fraction);
 struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdiff_t plane,
-                                   const double *const weight[3], const double *fraction, const double *u,
-                                   const double *v, const double *w);
+                                           const double *const weight[3], const double *fraction, const double *u,
+                                           const double *v, const double *w);
 
-/* Connection of pore cells. A cell is a wall, or a pore that the flood of a level has reached or not. Levels: 1 from the
- * front; 2 from the back, within what 1 has reached. A rim of walls one cell thick all round keeps the flood inside.
- * cell  [mz+2][my+2][mx+2]; stack [mx my mz] indices into it, the first n of them just set to level
- * Sets every cell of level - 1 that is joined to those; returns how many. */
+/* Connection of pore cells. A cell is a wall, or a pore that the flood of a level has reached or not. Levels: 1 from
+ * the front; 2 from the back, within what 1 has reached. A rim of walls one cell thick all round keeps the flood
+ * inside. cell  [mz+2][my+2][mx+2]; stack [mx my mz] indices into it, the first n of them just set to level Sets every
+ * cell of level - 1 that is joined to those; returns how many. */
 enum medium_cell { MEDIUM_WALL = 255, MEDIUM_PORE = 0, MEDIUM_FRONT = 1, MEDIUM_BOTH = 2 };
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell);

@@ -13,8 +13,8 @@ static struct medium_sums sums_of(const struct medium *m, struct fluid *f) {
     struct medium_sums s = {0};
     if (f) {
         const struct fluid_state *q = fluid_state_of(f);
-        s = medium_kernels_sum_flow(g->m, g->row, g->plane, weight, m->fraction + origin, q->u + origin,
-                            q->v + origin, q->w + origin);
+        s = medium_kernels_sum_flow(g->m, g->row, g->plane, weight, m->fraction + origin, q->u + origin, q->v + origin,
+                                    q->w + origin);
     }
     s.solid = medium_kernels_sum_solid(g->m, g->row, g->plane, weight, m->fraction + origin);
     double all[4] = {s.solid, s.u, s.pore_u, s.pore_speed};
@@ -22,17 +22,12 @@ static struct medium_sums sums_of(const struct medium *m, struct fluid *f) {
     return (struct medium_sums){.solid = all[0], .u = all[1], .pore_u = all[2], .pore_speed = all[3]};
 }
 
-static double porosity_from(const struct medium *m, const struct medium_sums *s) {
-    return 1 - s->solid / m->total;
-}
+static double porosity_from(const struct medium *m, const struct medium_sums *s) { return 1 - s->solid / m->total; }
 
-static double tortuosity_from(const struct medium_sums *s) {
-    return s->pore_u == 0 ? NAN : s->pore_speed / s->pore_u;
-}
+static double tortuosity_from(const struct medium_sums *s) { return s->pore_u == 0 ? NAN : s->pore_speed / s->pore_u; }
 
 /* (001: eq. 2.4) with Q/S the mean velocity over the box. */
-static double permeability_from(const struct medium *m, struct fluid *f, const struct medium_sums *s,
-                                double drop) {
+static double permeability_from(const struct medium *m, struct fluid *f, const struct medium_sums *s, double drop) {
     const struct fluid_input *in = fluid_input_of(f);
     if (drop == 0) return NAN;
     return s->u / m->total * (m->high[0] - m->low[0]) * in->density * in->viscosity / drop;
@@ -76,8 +71,8 @@ double medium_measure_pressure_drop(struct medium *m, struct fluid *f) {
     const int behind = (int)ceil(m->high[0] / d - 1e-9);     /* the first wholly behind it */
     const int front = before < 1 ? 1 : before;
     const int back = behind > g->n[0] - 2 ? g->n[0] - 2 : behind;
-    return line_at(m->section, front - 1, front, d, m->low[0]) -
-           line_at(m->section, back + 1, back, d, m->high[0]) + driven;
+    return line_at(m->section, front - 1, front, d, m->low[0]) - line_at(m->section, back + 1, back, d, m->high[0]) +
+           driven;
 }
 
 double medium_measure_specific_surface(const struct medium *m, double immersed_area) {

@@ -27,14 +27,13 @@ struct medium *medium_new(const struct fluid_grid *g, const double low[3], const
         m->low[c] = fmax(low[c], 0);
         m->high[c] = fmin(high[c], L);
         m->weight[c] = memory_new(MEMORY_COUPLING, (size_t)g->m[c], sizeof(double));
-        for (int i = 0; i < g->m[c]; i++)
-            m->weight[c][i] = part_inside(g->lo[c] + i, g->d[c], m->low[c], m->high[c]);
+        for (int i = 0; i < g->m[c]; i++) m->weight[c][i] = part_inside(g->lo[c] + i, g->d[c], m->low[c], m->high[c]);
         double along = 0;
         for (int i = 0; i < g->n[c]; i++) along += part_inside(i, g->d[c], m->low[c], m->high[c]);
         if (!(along > 0))
             die_all(EXIT_CODE_SCENE,
-                    "coupling.medium: the box from %g to %g m along %c has nothing in the domain, 0 to %g m",
-                    low[c], high[c], "xyz"[c], L);
+                    "coupling.medium: the box from %g to %g m along %c has nothing in the domain, 0 to %g m", low[c],
+                    high[c], "xyz"[c], L);
         m->total *= along;
         if (c == 0) m->whole_period = g->periodic[0] && along == g->n[0];
     }

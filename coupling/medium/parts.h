@@ -34,7 +34,8 @@ static inline int medium_rimmed(const struct fluid_grid *g, int i, int j, int k)
 static inline int medium_at_end(const struct fluid_grid *g, int c, int high) {
     return high ? g->lo[c] + g->m[c] == g->n[c] : g->lo[c] == 0;
 }
-/* Floods a level on all ranks from the stack's first n cells; over [3]: across the periodic sides of that direction too. Collective. */
+/* Floods a level on all ranks from the stack's first n cells; over [3]: across the periodic sides of that direction
+ * too. Collective. */
 void medium_connect_flood(struct medium *m, uint8_t level, int n, const int over[3]);
 
 struct medium_cube {

@@ -31,8 +31,7 @@ static void check_outlines(const struct scene *scene, int b, const struct solid_
 }
 
 /* Whether some body holds a part of the crack, as far as its shape is known. */
-static int is_in_body(const struct scene_solid *s, const struct solid_body *body,
-                      const struct solid_cut *cut) {
+static int is_in_body(const struct scene_solid *s, const struct solid_body *body, const struct solid_cut *cut) {
     for (int b = 0; b < s->bodies; b++)
         if (body[b].outlines == 0 ||
             solid_outline_length_inside(body[b].outline, body[b].outlines, cut, s->spacing) > 0)

@@ -1,4 +1,5 @@
-/* What the scene imposes on the solid as time goes on: loads, driven layers, the displacement at the start, refinement. */
+/* What the scene imposes on the solid as time goes on: loads, driven layers, the displacement at the start, refinement.
+ */
 #pragma once
 #include "scene/scene.h"
 #include "solid/solid.h"

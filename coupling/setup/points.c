@@ -46,13 +46,12 @@ static int take(struct rows *to, int dim, long at, int n, const double value[COL
     const int is_one = n == dim + 1 || n == dim + 2;
     if (to->columns == 0 && is_one) to->columns = n;
     if (n != to->columns && is_one)
-        to->why =
-            scene_node_text("line %ld has %s horizon, unlike those before it", at, n == dim + 1 ? "no" : "a");
+        to->why = scene_node_text("line %ld has %s horizon, unlike those before it", at, n == dim + 1 ? "no" : "a");
     else if (n != to->columns)
         to->why = scene_node_text("line %ld is not the numbers %s", at, what_of(dim));
     else if (!is_particle(value, dim, n))
         to->why = scene_node_text("line %ld: %s must be greater than 0 and everything finite", at,
-                             dim == 2 ? "area and horizon" : "volume and horizon");
+                                  dim == 2 ? "area and horizon" : "volume and horizon");
     if (to->why) return 1;
     if (to->lines == to->capacity) {
         to->capacity = 2 * to->capacity + 64;
@@ -70,8 +69,7 @@ static void read_lines(struct rows *to, FILE *file, int dim) {
     size_t size = 0;
     ssize_t bytes;
     for (long at = 1; !to->why && (bytes = getline(&line, &size, file)) > 0; at++) {
-        const int n =
-            strlen(line) == (size_t)bytes ? numbers_of(line, value) : -1; /* a zero byte ends no line */
+        const int n = strlen(line) == (size_t)bytes ? numbers_of(line, value) : -1; /* a zero byte ends no line */
         if (n != 0) take(to, dim, at, n, value);
     }
     free(line);

@@ -23,8 +23,7 @@ static void setup_side(const struct scene_side *from, struct fluid_side *to) {
     to->bulk_velocity = from->bulk_velocity;
     snprintf(to->file, sizeof to->file, "%s", from->file);
     to->pressure = from->pressure;
-    for (int q = 0; q < 4; q++)
-        to->condition[q] = condition[q] == SCENE_NEUMANN ? FLUID_NEUMANN : FLUID_DIRICHLET;
+    for (int q = 0; q < 4; q++) to->condition[q] = condition[q] == SCENE_NEUMANN ? FLUID_NEUMANN : FLUID_DIRICHLET;
 }
 
 /* The fastest sqrt(E/rho) of an elastic solid, m/s. */
@@ -74,8 +73,7 @@ static void setup_material(const struct scene_material *from, struct solid_mater
                                   .density = from->density,
                                   .fracture_energy = from->fracture_energy,
                                   .horizon_ratio = from->horizon_ratio,
-                                  .micromodulus =
-                                      from->micromodulus == SCENE_CONICAL ? SOLID_CONICAL : SOLID_CONSTANT};
+                                  .micromodulus = from->micromodulus == SCENE_CONICAL ? SOLID_CONICAL : SOLID_CONSTANT};
 }
 
 /* n elements and one more, so that none is an array too. */
@@ -86,9 +84,8 @@ static void *array_of(int n, size_t size) {
 }
 
 struct solid_input *setup_solid(const struct scene *scene) {
-    static const enum solid_model model[] = {[SCENE_3D] = SOLID_3D,
-                                             [SCENE_PLANE_STRESS] = SOLID_PLANE_STRESS,
-                                             [SCENE_PLANE_STRAIN] = SOLID_PLANE_STRAIN};
+    static const enum solid_model model[] = {
+        [SCENE_3D] = SOLID_3D, [SCENE_PLANE_STRESS] = SOLID_PLANE_STRESS, [SCENE_PLANE_STRAIN] = SOLID_PLANE_STRAIN};
     const struct scene_solid *s = scene->solid;
     setup_check(scene);
     struct solid_input *in = array_of(1, sizeof *in);
@@ -154,7 +151,8 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
                                .damping_absolute = from->damping_absolute};
 }
 
-/* Whether particles may be strangers from the start: of several bodies, across a crack, of points that may stand apart. */
+/* Whether particles may be strangers from the start: of several bodies, across a crack, of points that may stand apart.
+ */
 static int is_in_pieces(const struct scene_solid *s) {
     return s->bodies > 1 || s->cracks > 0 || s->body[0].shape == SCENE_POINTS;
 }

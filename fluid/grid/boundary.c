@@ -20,9 +20,7 @@ static void conditions(const struct fluid_side *in, int d, struct fluid_boundary
         s->condition[c] = general ? in->condition[c] : held || c == d ? FLUID_DIRICHLET : FLUID_NEUMANN;
         s->value[c] = general || (in->type == FLUID_WALL && c != d) ? in->velocity[c] : 0;
     }
-    s->condition[3] = general                      ? in->condition[3]
-                      : in->type == FLUID_PRESSURE ? FLUID_DIRICHLET
-                                                   : FLUID_NEUMANN;
+    s->condition[3] = general ? in->condition[3] : in->type == FLUID_PRESSURE ? FLUID_DIRICHLET : FLUID_NEUMANN;
     s->value[3] = s->condition[3] == FLUID_DIRICHLET ? in->pressure : 0;
     if (s->condition[3] == FLUID_DIRICHLET) {
         s->normal = FLUID_NORMAL_FREE;
@@ -95,8 +93,7 @@ struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const stru
             }
         }
     if (!boundary->open && boundary->outlet == 0 && fabs(boundary->inflow) > 1e-12 * through)
-        die_all(EXIT_CODE_SCENE,
-                "fluid.sides: %g m3/s flow in and none out; an outflow or pressure side is missing",
+        die_all(EXIT_CODE_SCENE, "fluid.sides: %g m3/s flow in and none out; an outflow or pressure side is missing",
                 boundary->inflow);
     return boundary;
 }
@@ -138,8 +135,7 @@ static void extend(const struct fluid_grid *g, double *q, int d, int side, const
                 for (int ka = first; ka < last; ka++)
                     line[to + ka * sa] = 2 * line[face + ka * sa] - line[from + ka * sa];
             else
-                for (int ka = first; ka < last; ka++)
-                    line[to + ka * sa] = 2 * e->value - line[from + ka * sa];
+                for (int ka = first; ka < last; ka++) line[to + ka * sa] = 2 * e->value - line[from + ka * sa];
         }
     }
 }
@@ -147,8 +143,8 @@ static void extend(const struct fluid_grid *g, double *q, int d, int side, const
 static int most(int a, int b) { return a > b ? a : b; }
 static int least(int a, int b) { return a < b ? a : b; }
 
-void fluid_boundary_faces(const struct fluid_boundary *boundary, const struct fluid_grid *g,
-                          double *const q[3], const struct par_halo_part *part) {
+void fluid_boundary_faces(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
+                          const struct par_halo_part *part) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *s = &boundary->side[d][side];
@@ -181,8 +177,8 @@ void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_gr
     }
 }
 
-void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g,
-                                  double *const q[3], const struct par_halo_part *part) {
+void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                                  const struct par_halo_part *part) {
     fluid_boundary_faces(b, g, q, part);
     for (int d = 0; d < 3; d++) fluid_boundary_ghosts(b, g, q, d, part);
 }
@@ -205,8 +201,7 @@ void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_
     }
 }
 
-void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fluid_grid *g,
-                          double *const q[3]) {
+void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]) {
     for (int d = 0; d < 3; d++) {
         const struct fluid_boundary_side *s = &boundary->side[d][0];
         int a, b;

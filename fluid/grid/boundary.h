@@ -2,8 +2,8 @@
  *
  * A value at cell centres is extended about the side's face oddly for a Dirichlet, evenly for a Neumann condition:
  *     ghost(l) = 2 value - inner(l)         ghost(l) = inner(l) + (2l - 1) d gradient         l = 1 .. layers
- * and the velocity normal to the side, which lives on the face itself, about that face. A side's face is the array's index
- * -1 at the low side, m-1 at the high one. Gradients are along the outward normal. */
+ * and the velocity normal to the side, which lives on the face itself, about that face. A side's face is the array's
+ * index -1 at the low side, m-1 at the high one. Gradients are along the outward normal. */
 #pragma once
 #include "base/par_halo.h"
 #include "fluid/fluid.h"
@@ -20,9 +20,8 @@ struct fluid_boundary_side {
     enum fluid_normal normal;
     enum fluid_condition condition[4]; /* of u, v, w, p; the normal one: Dirichlet unless free */
     double value[4];                   /* the value (Dirichlet) or outward gradient (Neumann) */
-    double
-        *plane;   /* [m_b][m_a] velocity along the direction on the face, a < b the other directions; owned */
-    double speed; /* U_c, convective: mean velocity out of the domain at the start of the step, m/s */
+    double *plane; /* [m_b][m_a] velocity along the direction on the face, a < b the other directions; owned */
+    double speed;  /* U_c, convective: mean velocity out of the domain at the start of the step, m/s */
 };
 
 struct fluid_boundary {
@@ -37,24 +36,24 @@ struct fluid_boundary {
 struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const struct fluid_input *in);
 void fluid_boundary_free(struct fluid_boundary *b);
 
-/* Normal velocities that are not free are set on the faces of the sides, then `layers` ghosts of the three components are
- * exchanged and extended. q [3]. Collective. */
+/* Normal velocities that are not free are set on the faces of the sides, then `layers` ghosts of the three components
+ * are exchanged and extended. q [3]. Collective. */
 void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                              int layers);
 /* Of it, a part of one direction's ghosts, once the faces are set and the directions before it are done. Collective. */
 void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                            int direction, const struct par_halo_part *part);
 /* All of it for a part of the ghosts and of the faces. Collective. */
-void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g,
-                                  double *const q[3], const struct par_halo_part *part);
+void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+                                  const struct par_halo_part *part);
 /* The faces of a part. Not collective. */
 void fluid_boundary_faces(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                           const struct par_halo_part *part);
 /* A part of the pressure's ghosts. Collective. */
 void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
                              const struct par_halo_part *part);
-/* Normal velocities on low sides that are not given: no array owns them, they follow from continuity in the cells behind
- * them. Not collective. */
+/* Normal velocities on low sides that are not given: no array owns them, they follow from continuity in the cells
+ * behind them. Not collective. */
 void fluid_boundary_close(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
 
 /* The distance, in doubles, from a cell to the next along a direction. */

@@ -57,8 +57,8 @@ static void lay_out(struct fluid_grid *g) {
 struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo) {
     for (int d = 0; d < 3; d++)
         if (n[d] < 1 || (periodic[d] && n[d] < halo))
-            die_all(EXIT_CODE_SCENE, "domain.cells = [%d, %d, %d]: each direction needs at least %d cells",
-                    n[0], n[1], n[2], halo);
+            die_all(EXIT_CODE_SCENE, "domain.cells = [%d, %d, %d]: each direction needs at least %d cells", n[0], n[1],
+                    n[2], halo);
     struct fluid_grid *g = calloc(1, sizeof *g);
     choose_or_die(n, halo, g->ranks);
     const int c[3] = {0, par_rank() % g->ranks[1], par_rank() / g->ranks[1]};
@@ -97,6 +97,5 @@ int fluid_grid_rank_of(const struct fluid_grid *g, const double x[3]) {
         cell[d] = (int)at;
         if (cell[d] >= g->n[d]) cell[d] = g->n[d] - 1; /* the far end belongs to the last cell */
     }
-    return par_piece_of(g->n[2], g->ranks[2], cell[2]) * g->ranks[1] +
-           par_piece_of(g->n[1], g->ranks[1], cell[1]);
+    return par_piece_of(g->n[2], g->ranks[2], cell[2]) * g->ranks[1] + par_piece_of(g->n[1], g->ranks[1], cell[1]);
 }

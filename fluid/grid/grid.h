@@ -5,9 +5,9 @@
  *     u(i,j,k)  right x face    x = (lo_x + i + 1)   dx, y and z at the centre
  *     v(i,j,k)  upper y face,   w(i,j,k)  far z face
  * so u(-1,j,k) is the low face of the domain, u(m_x-1,j,k) the high one. Every array has `halo` layers of ghosts on all
- * six sides, [m_z+2h][m_y+2h][m_x+2h]: h = 1 for a fluid alone, 3 when something is immersed. Rows are padded so that the first
- * cell of each starts a cache line, and so that what is done to eight cells at a time may run over a row's last cell without
- * meeting the next row's ghosts. */
+ * six sides, [m_z+2h][m_y+2h][m_x+2h]: h = 1 for a fluid alone, 3 when something is immersed. Rows are padded so that
+ * the first cell of each starts a cache line, and so that what is done to eight cells at a time may run over a row's
+ * last cell without meeting the next row's ghosts. */
 #pragma once
 #include <stddef.h>
 

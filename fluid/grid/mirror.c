@@ -7,8 +7,7 @@ struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component,
     struct fluid_mirror m = {.inner = 1};
     if (f->grid->periodic[direction]) return m;
     /* an outflow's normal velocity is continued evenly, as the other components are */
-    const int even =
-        s->condition[component] == FLUID_NEUMANN || (on_face && s->normal == FLUID_NORMAL_CONVECTIVE);
+    const int even = s->condition[component] == FLUID_NEUMANN || (on_face && s->normal == FLUID_NORMAL_CONVECTIVE);
     if (even) {
         m.constant = (on_face ? 2 * d : d) * value;
     } else {

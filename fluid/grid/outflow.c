@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-typedef double face_rule(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q,
-                         double *rate, const double factor[3]);
+typedef double face_rule(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q, double *rate,
+                         const double factor[3]);
 
 /* Sets every value of the convective sides' planes by a rule of the face and the value inside it. */
 static void set_planes(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
@@ -20,8 +20,8 @@ static void set_planes(struct fluid_boundary *boundary, const struct fluid_grid 
             for (int l = 0; l < g->m[b]; l++)
                 for (int j = 0; j < g->m[a]; j++) {
                     const size_t face = fluid_boundary_face(g, d, side, j, l);
-                    s->plane[l * g->m[a] + j] = rule(s, face, (size_t)((ptrdiff_t)face + in), q[d],
-                                                     rate ? rate[d] : NULL, rule_factor);
+                    s->plane[l * g->m[a] + j] =
+                        rule(s, face, (size_t)((ptrdiff_t)face + in), q[d], rate ? rate[d] : NULL, rule_factor);
                 }
         }
 }
@@ -57,14 +57,14 @@ static void conserve_mass(struct fluid_boundary *boundary, const struct fluid_gr
         }
 }
 
-static double as_it_stands(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q,
-                           double *rate, const double factor[3]) {
+static double as_it_stands(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q, double *rate,
+                           const double factor[3]) {
     (void)s, (void)inside, (void)rate, (void)factor;
     return q[face];
 }
 
-static double convected(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q,
-                        double *rate, const double factor[3]) {
+static double convected(struct fluid_boundary_side *s, size_t face, size_t inside, const double *q, double *rate,
+                        const double factor[3]) {
     const double now = -s->speed * (q[face] - q[inside]) * factor[2], before = rate[face];
     rate[face] = now;
     return q[face] + factor[0] * now + (factor[1] != 0 ? factor[1] * before : 0);

@@ -1,14 +1,15 @@
-/* Convective outflow  du/dt + U_c du/dn = 0  for the normal velocity on a side, mass-conserving.  (001: sec. 3.4.2; SPEC 1)
+/* Convective outflow  du/dt + U_c du/dn = 0  for the normal velocity on a side, mass-conserving.  (001: sec. 3.4.2;
+ * SPEC 1)
  *
- * The derivative is one-sided, from the face inside: dudn = (u_face - u_inside)/d. The tangential components need no equation
- * of their own: with an even extension their flux through the side is the upwind one. */
+ * The derivative is one-sided, from the face inside: dudn = (u_face - u_inside)/d. The tangential components need no
+ * equation of their own: with an even extension their flux through the side is the upwind one. */
 #pragma once
 #include "fluid/grid/boundary.h"
 
 /* U_c of each convective side: the mean velocity out of the domain, never negative. Once a step. Collective. */
 void fluid_outflow_begin(struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
-/* One stage: plane = u + a F + b F_old with F = -U_c du/dn, which replaces F_old (kept at the face in rate); then a uniform
- * correction, after which what all sides let out equals what they let in. q, rate [3]. Collective. */
+/* One stage: plane = u + a F + b F_old with F = -U_c du/dn, which replaces F_old (kept at the face in rate); then a
+ * uniform correction, after which what all sides let out equals what they let in. q, rate [3]. Collective. */
 void fluid_outflow_advance(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                            double *const rate[3], double a, double b);
 /* The planes as they stand in q. Not collective. */

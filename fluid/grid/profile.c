@@ -37,8 +37,7 @@ static void duct(int na, double da, int nb, double db, double *q) {
         double c = 0;
         for (int j = 0; j < na; j++) c -= sin(M_PI * (k + 1) * (j + 0.5) / na);
         c *= (k == na - 1 ? 1.0 : 2.0) / na;
-        for (int l = 0; l < nb;
-             l++) { /* both sides times -1: positive definite; a wall adds a to the cell beside it */
+        for (int l = 0; l < nb; l++) { /* both sides times -1: positive definite; a wall adds a to the cell beside it */
             b[k * nb + l] = -c;
             diagonal[l] = 2 * a - lambda[k] + (l == 0 ? a : 0) + (l == nb - 1 ? a : 0);
             beside[l] = -a;
@@ -101,8 +100,8 @@ static void read_file(const char *path, int na, int nb, double *profile) {
     par_bcast(&more, sizeof more, 0);
     if (read < 0) die_all(EXIT_CODE_FILE, "%s: cannot be read", path);
     if (read < na * nb || more)
-        die_all(EXIT_CODE_FILE, "%s: holds %s than the %d x %d velocities of the inflow", path,
-                more ? "more" : "fewer", na, nb);
+        die_all(EXIT_CODE_FILE, "%s: holds %s than the %d x %d velocities of the inflow", path, more ? "more" : "fewer",
+                na, nb);
     par_bcast(profile, (size_t)na * (size_t)nb * sizeof *profile, 0);
 }
 
@@ -116,6 +115,5 @@ void fluid_profile_inflow(const struct fluid_input *in, int direction, int side,
         return;
     }
     if (s->profile == FLUID_POISEUILLE) fluid_profile_developed(in, direction, profile);
-    for (int i = 0; i < count; i++)
-        profile[i] = s->bulk_velocity * (s->profile == FLUID_POISEUILLE ? profile[i] : 1.0);
+    for (int i = 0; i < count; i++) profile[i] = s->bulk_velocity * (s->profile == FLUID_POISEUILLE ? profile[i] : 1.0);
 }

@@ -22,8 +22,7 @@ static struct range seen(const struct fluid_grid *g, int d, struct range box, in
     return r;
 }
 
-struct par_halo_part fluid_reach(const struct fluid_grid *g, int layers, const int low[3],
-                                 const int high[3]) {
+struct par_halo_part fluid_reach(const struct fluid_grid *g, int layers, const int low[3], const int high[3]) {
     struct par_halo_part part = {.layers = layers};
     for (int d = 0; d < 3; d++) {
         const int n = g->n[d], m = g->m[d];

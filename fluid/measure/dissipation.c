@@ -1,12 +1,13 @@
 /* What viscosity takes out of the kinetic energy: q times nu lap q, summed by parts over the faces that are advanced,
  *     epsilon = rho nu V sum_c sum_d w ((q_c(+1) - q_c)/d_d)^2,
- * over the pairs of neighbours along d; w = 1/2 for a pair across a side, whose other end is a ghost: half a cell belongs to it. */
+ * over the pairs of neighbours along d; w = 1/2 for a pair across a side, whose other end is a ghost: half a cell
+ * belongs to it. */
 #include "base/par.h"
 #include "fluid/internal.h"
 
-/* Squared differences of component c between neighbours along d, on this rank, m2/s2. Each pair is the rank's that has its
- * higher end; the one across a high side is the side's.
- * c == d: neighbours are the faces of a cell, all inside.  c != d: across a side, a value and its ghost. */
+/* Squared differences of component c between neighbours along d, on this rank, m2/s2. Each pair is the rank's that has
+ * its higher end; the one across a high side is the side's. c == d: neighbours are the faces of a cell, all inside.  c
+ * != d: across a side, a value and its ghost. */
 static double sum_of_squares(const struct fluid *f, int c, int d) {
     const struct fluid_grid *g = f->grid;
     const ptrdiff_t s = fluid_boundary_stride(g, d);

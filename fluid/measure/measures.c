@@ -16,9 +16,7 @@ double fluid_measures_divergence_max(struct fluid *f) {
         double *plane = fluid_poisson_plane(f->poisson, k); /* scratch between steps */
         fluid_momentum_kernels_divergence(g, k, 1, q, plane);
         for (int n = 0; n < g->m[0] * g->m[1]; n++)
-            most = fabs(plane[n]) <= most ? most
-                   : plane[n] == plane[n] ? fabs(plane[n])
-                                          : INFINITY; /* a NaN shows */
+            most = fabs(plane[n]) <= most ? most : plane[n] == plane[n] ? fabs(plane[n]) : INFINITY; /* a NaN shows */
     }
     return par_max(most);
 }
@@ -32,8 +30,7 @@ static double sum_of_faces(const struct fluid *f, int c, int squared) {
         for (int j = 0; j < g->m[1]; j++) {
             const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
             double part = 0;
-            for (int i = 0; i < g->m[0]; i++)
-                part += squared ? q[i] * q[i] + q[i - s] * q[i - s] : q[i] + q[i - s];
+            for (int i = 0; i < g->m[0]; i++) part += squared ? q[i] * q[i] + q[i - s] * q[i - s] : q[i] + q[i - s];
             sum += part;
         }
     return 0.5 * sum;
@@ -106,8 +103,8 @@ struct flux_kind {
 /* Flux of momentum of component c through the control surface at one side of direction d, outward, viscous traction
  * taken off: (q_d q_c - nu dq_c/dx_d) times the outward sign, summed over the side, m2/s2.
  * n: the last advanced value of c at the side; s: towards the outside. */
-static double flux_through_side(const struct fluid *f, const double *const all[3], struct flux_kind kind,
-                                int c, int d, int side) {
+static double flux_through_side(const struct fluid *f, const double *const all[3], struct flux_kind kind, int c, int d,
+                                int side) {
     const struct fluid_grid *g = f->grid;
     const double *q = all[c], *through = all[d];
     const double sign = side ? 1 : -1;
@@ -124,20 +121,18 @@ static double flux_through_side(const struct fluid *f, const double *const all[3
                     sum += kind.convection * sign * q[n] * q[n];
                 } else if (c == d) { /* at the centre between the last advanced face and the side's own */
                     const double mean = 0.5 * (q[n] + q[n + s]);
-                    sum +=
-                        kind.convection * sign * mean * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
+                    sum += kind.convection * sign * mean * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
                 } else { /* at the corners on the side's face */
                     const ptrdiff_t face = side ? n : n - sd;
-                    const double velocity = 0.5 * (through[face] + through[face + sc]),
-                                 mean = 0.5 * (q[n] + q[n + s]);
-                    sum += kind.convection * sign * velocity * mean -
-                           kind.viscosity * (q[n + s] - q[n]) / g->d[d];
+                    const double velocity = 0.5 * (through[face] + through[face + sc]), mean = 0.5 * (q[n] + q[n + s]);
+                    sum += kind.convection * sign * velocity * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
                 }
             }
     return sum;
 }
 
-/* Pressure over density on the control surface of component d at one side of its direction, times the outward sign, m2/s2. */
+/* Pressure over density on the control surface of component d at one side of its direction, times the outward sign,
+ * m2/s2. */
 static double pressure_on_side(const struct fluid *f, int d, int side) {
     const struct fluid_grid *g = f->grid;
     const ptrdiff_t up = side ? fluid_boundary_stride(g, d) : 0;
@@ -205,8 +200,7 @@ void fluid_audit_diffusion(struct fluid *f, int r) {
     const double nu = f->in.viscosity, b = fluid_diffusion_length2(f, r, 1) / nu;
     const struct flux_kind before = {0, (fluid_gamma[r] - b) * nu}, after = {0, b * nu};
     fluid_predicted_refresh(f, 1);
-    for (int c = 0; c < 3; c++)
-        f->audit.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
+    for (int c = 0; c < 3; c++) f->audit.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
 }
 
 void fluid_audit_pressure_part(struct fluid *f, int r, double sign) {

@@ -75,7 +75,8 @@ static void correct_low(const struct fluid *f, double c, int k, const double *ph
     }
 }
 
-/* The sides' faces about plane k, and its ghosts as far as the plane has what they need; where y is cut, along x only. */
+/* The sides' faces about plane k, and its ghosts as far as the plane has what they need; where y is cut, along x only.
+ */
 static void ghosts_of_plane(const struct fluid *f, int k, double *const q[3]) {
     const struct fluid_grid *g = f->grid;
     struct par_halo_part part = par_halo_whole(g->halos, 1);

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* b_r: backward Euler in every stage. Whatever the step, each stage then damps every wave and turns none around, which the
- * increments of pressure and forcing need; the price is first order in time. */
+/* b_r: backward Euler in every stage. Whatever the step, each stage then damps every wave and turns none around, which
+ * the increments of pressure and forcing need; the price is first order in time. */
 static const double implicit[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};
 
 struct fluid_diffusion {
@@ -67,8 +67,7 @@ struct fluid_diffusion *fluid_diffusion_new(const struct fluid *f) {
             if (!memcmp(end[c], end[o], sizeof end[c])) diffusion->solver[c] = diffusion->solver[o];
         if (!diffusion->solver[c]) diffusion->solver[c] = new_solver(f, c);
     }
-    diffusion->change =
-        memory_new(MEMORY_FLUID, (size_t)f->grid->row * (size_t)f->grid->m[1], sizeof(double));
+    diffusion->change = memory_new(MEMORY_FLUID, (size_t)f->grid->row * (size_t)f->grid->m[1], sizeof(double));
     for (int c = 0; c < 3 && f->in.immersed; c++)
         diffusion->field[c] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
     return diffusion;
@@ -86,9 +85,7 @@ void fluid_diffusion_free(struct fluid_diffusion *d) {
     free(d);
 }
 
-double fluid_diffusion_length2(const struct fluid *f, int r, double dt) {
-    return implicit[r] * dt * f->in.viscosity;
-}
+double fluid_diffusion_length2(const struct fluid *f, int r, double dt) { return implicit[r] * dt * f->in.viscosity; }
 
 double fluid_diffusion_step(const struct fluid *f) {
     double sum = 0;
@@ -96,8 +93,8 @@ double fluid_diffusion_step(const struct fluid *f) {
     return FLUID_DIFFUSION_NUMBER * 3 / (f->in.viscosity * sum);
 }
 
-void fluid_diffusion_plane(const struct fluid_grid *g, int k, double shift, const double weight[3],
-                           const int faces[3], const double *predicted, const double *q, double *rhs) {
+void fluid_diffusion_plane(const struct fluid_grid *g, int k, double shift, const double weight[3], const int faces[3],
+                           const double *predicted, const double *q, double *rhs) {
     const ptrdiff_t row = g->row, plane = g->plane;
     const double wx = weight[0], wy = weight[1], wz = weight[2];
     for (int j = 0; j < g->m[1]; j++) {
@@ -106,8 +103,7 @@ void fluid_diffusion_plane(const struct fluid_grid *g, int k, double shift, cons
         double *restrict to = rhs + (ptrdiff_t)j * g->m[0];
         const int end = j < faces[1] && k < faces[2] ? faces[0] : 0;
         for (int i = 0; i < end; i++) {
-            const double lap = wx * (u[i - 1] - 2 * u[i] + u[i + 1]) +
-                               wy * (u[i - row] - 2 * u[i] + u[i + row]) +
+            const double lap = wx * (u[i - 1] - 2 * u[i] + u[i + 1]) + wy * (u[i - row] - 2 * u[i] + u[i + row]) +
                                wz * (u[i - plane] - 2 * u[i] + u[i + plane]);
             to[i] = -shift * (p[i] - u[i] + lap);
         }
@@ -115,8 +111,8 @@ void fluid_diffusion_plane(const struct fluid_grid *g, int k, double shift, cons
     }
 }
 
-/* What has changed on the faces of the sides in c's own direction stands beside the faces that are advanced: its part of the
- * Laplacian goes to the right-hand side, of what lies in plane k. */
+/* What has changed on the faces of the sides in c's own direction stands beside the faces that are advanced: its part
+ * of the Laplacian goes to the right-hand side, of what lies in plane k. */
 static void take_sides(const struct fluid *f, int c, int k, double *rhs) {
     const struct fluid_grid *g = f->grid;
     const double *q = fluid_component(&f->state, c), *predicted = f->predicted[c];
@@ -142,8 +138,8 @@ static void faces_of(const struct fluid_grid *g, int c, int faces[3]) {
 }
 
 /* to = from + change, or change alone (from NULL), on the advanced faces of plane k. */
-static void put_plane(const struct fluid_grid *g, int k, const int faces[3], const double *change,
-                      const double *from, double *to) {
+static void put_plane(const struct fluid_grid *g, int k, const int faces[3], const double *change, const double *from,
+                      double *to) {
     if (k >= faces[2]) return;
     for (int j = 0; j < faces[1]; j++) {
         const size_t n = fluid_grid_at(g, 0, j, k);
@@ -195,8 +191,8 @@ void fluid_diffusion_clear(struct fluid *f) {
 }
 
 /* Tight plane k of a field times -shift; zero on faces that are not advanced. */
-static void field_plane(const struct fluid_grid *g, int k, double shift, const int faces[3],
-                        const double *field, double *rhs) {
+static void field_plane(const struct fluid_grid *g, int k, double shift, const int faces[3], const double *field,
+                        double *rhs) {
     for (int j = 0; j < g->m[1]; j++) {
         const double *restrict q = field + fluid_grid_at(g, 0, j, k);
         double *restrict to = rhs + (ptrdiff_t)j * g->m[0];

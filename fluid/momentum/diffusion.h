@@ -2,8 +2,8 @@
  *
  * With R = -div(uu) alone in the explicit part, a stage is
  *     (I - b_r dt nu lap)(u* - u) = dt (alpha R + beta R_old + gamma (nu lap u - grad p/rho + source + force)) ,
- * one Helmholtz equation a component, by the transforms of the Poisson solver. The unknown is the change, so what sides give
- * enters through lap u alone; only a normal velocity that an outflow has changed stands on the right-hand side. */
+ * one Helmholtz equation a component, by the transforms of the Poisson solver. The unknown is the change, so what sides
+ * give enters through lap u alone; only a normal velocity that an outflow has changed stands on the right-hand side. */
 #pragma once
 #include "fluid/fluid.h"
 
@@ -21,10 +21,8 @@ double fluid_diffusion_length2(const struct fluid *f, int r, double dt);
 /* The step that accuracy asks for, s. */
 double fluid_diffusion_step(const struct fluid *f);
 
-/* Plane k: rhs = -shift (predicted - q + explicit lap q), 1/(m s) for shift in 1/m2; zero on faces that are not advanced. Pure.
- *     predicted, q   faces of one component, m/s; one ghost layer of q read
- *     weight [3]     gamma dt nu/d^2 along each direction
- *     faces [3]      those advanced, from index 0
- *     rhs            [m_y][m_x] tight, written */
-void fluid_diffusion_plane(const struct fluid_grid *g, int k, double shift, const double weight[3],
-                           const int faces[3], const double *predicted, const double *q, double *rhs);
+/* Plane k: rhs = -shift (predicted - q + explicit lap q), 1/(m s) for shift in 1/m2; zero on faces that are not
+ * advanced. Pure. predicted, q   faces of one component, m/s; one ghost layer of q read weight [3]     gamma dt nu/d^2
+ * along each direction faces [3]      those advanced, from index 0 rhs            [m_y][m_x] tight, written */
+void fluid_diffusion_plane(const struct fluid_grid *g, int k, double shift, const double weight[3], const int faces[3],
+                           const double *predicted, const double *q, double *rhs);

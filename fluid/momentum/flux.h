@@ -1,5 +1,6 @@
-/* Momentum fluxes through the faces between eight cells of a row and their neighbours to the right, above and behind, each made
- * once: convection and diffusion together, two components sharing the product of their mean velocities at a corner.
+/* Momentum fluxes through the faces between eight cells of a row and their neighbours to the right, above and behind,
+ * each made once: convection and diffusion together, two components sharing the product of their mean velocities at a
+ * corner.
  *
  *      ---v----c----v_e--          c   corner of u and v:  (v + v_e)(u + u_n)/4  carries u along y and v along x
  *     |       |       |            C'  centre:             (u + u_e)^2/4         carries u along x
@@ -15,8 +16,8 @@ struct flux_factors {
     double convect[3], diffuse[3];
 };
 
-/* What diffusion lets in less what convection carries out: the rate of a component is the sum over x, y, z of its flux here
- * less its flux before, m/s2. */
+/* What diffusion lets in less what convection carries out: the rate of a component is the sum over x, y, z of its flux
+ * here less its flux before, m/s2. */
 struct flux {
     vec ux, vx, wx, uy, vy, wy, uz, vz, wz;
 };
@@ -29,8 +30,7 @@ static inline __attribute__((always_inline)) vec flux_of(const struct flux_facto
 /* From u, v, w at the first of the eight. */
 static inline __attribute__((always_inline)) struct flux flux_at(const struct flux_factors *f, ptrdiff_t row,
                                                                  ptrdiff_t plane, const double *restrict u,
-                                                                 const double *restrict v,
-                                                                 const double *restrict w) {
+                                                                 const double *restrict v, const double *restrict w) {
     const vec u0 = vec_load(u), ue = vec_load(u + 1), un = vec_load(u + row), ut = vec_load(u + plane);
     const vec v0 = vec_load(v), ve = vec_load(v + 1), vn = vec_load(v + row), vt = vec_load(v + plane);
     const vec w0 = vec_load(w), we = vec_load(w + 1), wn = vec_load(w + row), wt = vec_load(w + plane);

@@ -1,7 +1,7 @@
 #include "fluid/momentum/momentum.h"
 
 void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
-                               double *rhs) {
+                                       double *rhs) {
     const double fx = scale / g->d[0], fy = scale / g->d[1], fz = scale / g->d[2];
     const ptrdiff_t row = g->row, plane = g->plane;
     for (int j = 0; j < g->m[1]; j++) {
@@ -13,8 +13,8 @@ void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double
     }
 }
 
-static void correct_row(int count, double factor, double shift, const double *restrict phi,
-                        const double *restrict next, const double *restrict from, double *restrict to) {
+static void correct_row(int count, double factor, double shift, const double *restrict phi, const double *restrict next,
+                        const double *restrict from, double *restrict to) {
     for (int i = 0; i < count; i++) to[i] = from[i] - factor * (next[i] - phi[i]) + shift;
 }
 
@@ -28,8 +28,8 @@ static void add_row(int count, const double *restrict phi, double *restrict p) {
 }
 
 void fluid_momentum_kernels_correct(const struct fluid_grid *g, int k, double c, const double shift[3],
-                            const double *phi, const double *above, double *const predicted[3],
-                            double *const q[3], double *p) {
+                                    const double *phi, const double *above, double *const predicted[3],
+                                    double *const q[3], double *p) {
     for (int j = 0; j < g->m[1]; j++) {
         const size_t n = fluid_grid_at(g, 0, j, k);
         const double *here = phi + j * g->row, *next[3] = {here + 1, here + g->row, above + j * g->row};

@@ -2,12 +2,10 @@
 #include "fluid/momentum/flux.h"
 
 enum {
-    BLOCK =
-        6144, /* cells of a plane whose fluxes along z wait for the next plane, in the second-level cache */
-    STREAM =
-        500000, /* cells of an array above which nothing of ten stays in a rank's share of the last cache */
-    AHEAD = 2,  /* rows from the one that is computed to the one that is asked for */
-    WAITING = 3 /* components, each eight cells of one after those of another */
+    BLOCK = 6144,    /* cells of a plane whose fluxes along z wait for the next plane, in the second-level cache */
+    STREAM = 500000, /* cells of an array above which nothing of ten stays in a rank's share of the last cache */
+    AHEAD = 2,       /* rows from the one that is computed to the one that is asked for */
+    WAITING = 3      /* components, each eight cells of one after those of another */
 };
 
 struct pass {
@@ -18,14 +16,11 @@ struct pass {
     double pressure[3], constant[3]; /* c/(rho d), c source */
     ptrdiff_t cells;                 /* of a row, in eights */
     int rows;                        /* of a block */
-    double *z,
-        *y; /* fluxes that wait, m/s2: [rows][cells/8][3][8] of z; of y for each plane, [m_z] of rows */
+    double *z, *y;      /* fluxes that wait, m/s2: [rows][cells/8][3][8] of z; of y for each plane, [m_z] of rows */
     double *nowhere[2]; /* [cells] where the faces go that this equation does not advance */
 };
 
-static ptrdiff_t row_cells(const struct fluid_grid *g) {
-    return (g->m[0] + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
-}
+static ptrdiff_t row_cells(const struct fluid_grid *g) { return (g->m[0] + VEC_LANES - 1) / VEC_LANES * VEC_LANES; }
 
 static int block_rows(const struct fluid_grid *g) {
     const int rows = (int)(BLOCK / row_cells(g)) > 4 ? (int)(BLOCK / row_cells(g)) : 4;
@@ -79,8 +74,8 @@ static inline __attribute__((always_inline)) void put(int stream, double *to, ve
 }
 
 /* The cache line of a later row that nothing has touched yet: of q and p a plane behind, of R. */
-static inline __attribute__((always_inline)) void
-ask_ahead(const struct pass *s, ptrdiff_t n, const struct kind kind, double *const rate[3], ptrdiff_t i) {
+static inline __attribute__((always_inline)) void ask_ahead(const struct pass *s, ptrdiff_t n, const struct kind kind,
+                                                            double *const rate[3], ptrdiff_t i) {
     const ptrdiff_t row = AHEAD * s->stage->grid->row, behind = n + i + row + s->stage->grid->plane;
     for (int c = 0; c < 3; c++) {
         __builtin_prefetch(s->q[c] + behind);
@@ -94,9 +89,8 @@ struct sum {
     double a, b, pressure, constant;
 };
 
-static inline __attribute__((always_inline)) void finish(const struct sum s, const struct kind kind, vec now,
-                                                         vec q, vec gradient, double *predicted,
-                                                         double *rate) {
+static inline __attribute__((always_inline)) void finish(const struct sum s, const struct kind kind, vec now, vec q,
+                                                         vec gradient, double *predicted, double *rate) {
     vec next = q + s.a * now + (s.constant - s.pressure * gradient);
     if (kind.with_old) next += s.b * vec_load(rate);
     put(kind.stream && !kind.in_place, predicted, next);
@@ -104,9 +98,8 @@ static inline __attribute__((always_inline)) void finish(const struct sum s, con
 }
 
 /* The row that starts at n; y, z: what waits for it; predicted, rate: where each component goes. */
-static inline __attribute__((always_inline)) void predict_row(const struct pass *s, const struct kind kind,
-                                                              ptrdiff_t n, double *y, double *z,
-                                                              double *const predicted[3],
+static inline __attribute__((always_inline)) void predict_row(const struct pass *s, const struct kind kind, ptrdiff_t n,
+                                                              double *y, double *z, double *const predicted[3],
                                                               double *const rate[3]) {
     const ptrdiff_t row = s->stage->grid->row, plane = s->stage->grid->plane, cells = s->cells;
     const double *u = s->q[0] + n, *v = s->q[1] + n, *w = s->q[2] + n, *p = s->p + n;
@@ -114,8 +107,7 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
     double *const ru = rate[0], *const rv = rate[1], *const rw = rate[2];
     const struct flux_factors factors = s->factors;
     struct sum sum[3];
-    for (int c = 0; c < 3; c++)
-        sum[c] = (struct sum){s->stage->a, s->stage->b, s->pressure[c], s->constant[c]};
+    for (int c = 0; c < 3; c++) sum[c] = (struct sum){s->stage->a, s->stage->b, s->pressure[c], s->constant[c]};
     struct flux f =
         flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* the last one counts */
     vec ux = f.ux, vx = f.vx, wx = f.wx;
@@ -125,8 +117,7 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
         const vec p0 = vec_load(p + i);
         const vec du = f.ux - vec_before(ux, f.ux) + gain(f.uy, y) + gain(f.uz, z);
         const vec dv = f.vx - vec_before(vx, f.vx) + gain(f.vy, y + VEC_LANES) + gain(f.vz, z + VEC_LANES);
-        const vec dw =
-            f.wx - vec_before(wx, f.wx) + gain(f.wy, y + 2 * VEC_LANES) + gain(f.wz, z + 2 * VEC_LANES);
+        const vec dw = f.wx - vec_before(wx, f.wx) + gain(f.wy, y + 2 * VEC_LANES) + gain(f.wz, z + 2 * VEC_LANES);
         ux = f.ux;
         vx = f.vx;
         wx = f.wx;
@@ -137,13 +128,12 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
 }
 
 /* Rows first .. last-1 of all planes. */
-static inline __attribute__((always_inline)) void predict_block(const struct pass *s, const struct kind kind,
-                                                                int first, int last) {
+static inline __attribute__((always_inline)) void predict_block(const struct pass *s, const struct kind kind, int first,
+                                                                int last) {
     const struct fluid_grid *g = s->stage->grid;
     const int *faces = s->stage->faces, end = g->m[0] - 1;
     const ptrdiff_t waiting = WAITING * s->cells;
-    for (int j = first; j < last; j++)
-        wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, 0), s->z + (j - first) * waiting);
+    for (int j = first; j < last; j++) wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, 0), s->z + (j - first) * waiting);
     for (int k = 0; k < g->m[2]; k++) {
         double *y = s->y + k * waiting;
         if (first == 0) wait_y(s, (ptrdiff_t)fluid_grid_at(g, 0, 0, k), y);
@@ -162,8 +152,8 @@ static inline __attribute__((always_inline)) void predict_block(const struct pas
     }
 }
 
-static inline __attribute__((always_inline)) void predict_stage(const struct pass *s, int stream,
-                                                                int in_place, int first, int last) {
+static inline __attribute__((always_inline)) void predict_stage(const struct pass *s, int stream, int in_place,
+                                                                int first, int last) {
     if (s->stage->b == 0)
         predict_block(s, (struct kind){0, 1, stream, in_place}, first, last);
     else if (s->stage->keep)

@@ -1,7 +1,7 @@
 #include "fluid/momentum/momentum.h"
 
-/* What a row of one component needs: strides of its own direction s and of the other two a, b; the advecting components qa,
- * qb along those; metric factors. */
+/* What a row of one component needs: strides of its own direction s and of the other two a, b; the advecting components
+ * qa, qb along those; metric factors. */
 struct row {
     ptrdiff_t s, a, b;
     double convect_s, convect_a, convect_b; /* 1/(4 d), 1/m */
@@ -50,8 +50,7 @@ void fluid_momentum_open_predict(const struct fluid_momentum_stage *st, int dire
                                   (qa[n - r.a] + qa[n - r.a + r.s]) * (q_own[n - r.a] + q0);
             const double over_b = (qb[n] + qb[n + r.s]) * (q0 + q_own[n + r.b]) -
                                   (qb[n - r.b] + qb[n - r.b + r.s]) * (q_own[n - r.b] + q0);
-            const double now = r.diffuse_s * (qi - q0) +
-                               r.diffuse_a * (q_own[n + r.a] - 2 * q0 + q_own[n - r.a]) +
+            const double now = r.diffuse_s * (qi - q0) + r.diffuse_a * (q_own[n + r.a] - 2 * q0 + q_own[n - r.a]) +
                                r.diffuse_b * (q_own[n + r.b] - 2 * q0 + q_own[n - r.b]) -
                                (r.convect_s * own + r.convect_a * over_a + r.convect_b * over_b);
             double next = q0 + r.factor * now + (r.constant - r.pressure * (p[n + r.s] - p[n]));

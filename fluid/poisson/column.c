@@ -75,8 +75,7 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     const int at = par_column_place(c->exchange);
     c->low = par_piece_low(in->n, in->ranks[2], at);
     c->m = par_piece_low(in->n, in->ranks[2], at + 1) - c->low;
-    double **of_columns[] = {&c->r,     &c->inverse, &c->power,      &c->sum,
-                             &c->reach, &c->end,     &c->from_below, &c->q};
+    double **of_columns[] = {&c->r, &c->inverse, &c->power, &c->sum, &c->reach, &c->end, &c->from_below, &c->q};
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
     par_column_own(c->exchange, &c->own_low, &c->own);
     const size_t own = (size_t)c->own;
@@ -105,8 +104,8 @@ void fluid_column_free(struct fluid_column *c) {
     free(c);
 }
 
-static void up_first(int columns, double scale, const double *restrict r, double *restrict power,
-                     double *restrict sum, double *restrict b) {
+static void up_first(int columns, double scale, const double *restrict r, double *restrict power, double *restrict sum,
+                     double *restrict b) {
     for (int i = 0; i < columns; i++) {
         const double y = scale * b[i];
         b[i] = y;
@@ -134,9 +133,10 @@ void fluid_column_up(struct fluid_column *c, int k, const double *below, double 
     c->last = b;
 }
 
-/* From each rank's [Y, S] (its last y, its sum) to its [y below, q above]: up through the ranks, closed, and down again. */
-static void couple(int parts, int own, const struct fluid_column_ends *ends, const double *decay,
-                   const double *feel, const double *place, double *share) {
+/* From each rank's [Y, S] (its last y, its sum) to its [y below, q above]: up through the ranks, closed, and down
+ * again. */
+static void couple(int parts, int own, const struct fluid_column_ends *ends, const double *decay, const double *feel,
+                   const double *place, double *share) {
     for (int i = 0; i < own; i++) {
         double y = 0, q = 0;
         for (int p = 0; p < parts; p++) { /* Y becomes y below, started from zero */
@@ -161,8 +161,8 @@ static void couple(int parts, int own, const struct fluid_column_ends *ends, con
     }
 }
 
-/* The column whose mean is free, r = 1: its differences q[k+1] - q[k] in line, whole on every rank that holds it; returns what
- * q[n] is if the mean is zero. */
+/* The column whose mean is free, r = 1: its differences q[k+1] - q[k] in line, whole on every rank that holds it;
+ * returns what q[n] is if the mean is zero. */
 static double free_line(struct fluid_column *c, const double *y, ptrdiff_t plane) {
     const int n = c->in.n, at = c->free_column;
     double *line = c->line, total = 0, slope = 0, sum = 0;

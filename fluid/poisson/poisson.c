@@ -17,13 +17,11 @@ struct fluid_poisson {
         double shift;
         struct fluid_column *column;
     } shifted[FLUID_POISSON_SHIFTS];
-    double *lambda; /* [columns] of the Laplacian along x and y; NULL where nothing is shifted */
-    double *home,
-        *y_array;  /* one array where no transpose stands between them; a plane more than the rank has */
-    double *plane; /* [m_y][n_x] a plane on its way back */
-    double *sum
-        [2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x and z,
-                     * transformed in y, on the ranks that hold it */
+    double *lambda;         /* [columns] of the Laplacian along x and y; NULL where nothing is shifted */
+    double *home, *y_array; /* one array where no transpose stands between them; a plane more than the rank has */
+    double *plane;          /* [m_y][n_x] a plane on its way back */
+    double *sum[2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x
+                     * and z, transformed in y, on the ranks that hold it */
     double inverse_scale; /* one over what the transforms multiply by */
     int whole;            /* y_array has been filled and is up its columns: with a transpose */
 };
@@ -48,12 +46,7 @@ static void plan(struct fluid_poisson *p) {
     const struct fluid_poisson_input *in = &p->in;
     const int *x = p->x, *y = p->y;
     const struct fluid_transform_input of[2] = {
-        {.n = x[0],
-         .lines = x[1],
-         .stride = 1,
-         .distance = x[0],
-         .out_stride = 1,
-         .out_distance = (int)in->row},
+        {.n = x[0], .lines = x[1], .stride = 1, .distance = x[0], .out_stride = 1, .out_distance = (int)in->row},
         {.n = y[1], .lines = y[0], .stride = y[0], .distance = 1, .out_stride = y[0], .out_distance = 1}};
     p->inverse_scale = 1;
     for (int d = 0; d < 2; d++) {
@@ -128,8 +121,7 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
     p->plane = memory_new(MEMORY_FLUID, area(p->x), sizeof(double)); /* rows of a side's faces stay zero */
-    for (int d = 0; d < 2 && free_mean(in); d++)
-        p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
+    for (int d = 0; d < 2 && free_mean(in); d++) p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
     plan(p);
     add_columns(p);
     return p;
@@ -157,8 +149,7 @@ static double *y_plane(const struct fluid_poisson *p, int k) { return p->y_array
 static void add_up(struct fluid_poisson *p, int k, const double *b) {
     for (int d = 0; d < 2; d++) {
         const int stride = d == 0 ? 1 : p->y[0];
-        for (int i = 0; p->sum[d] && i < p->y[d]; i++)
-            p->sum[d][i] = (k > 0 ? p->sum[d][i] : 0) + b[i * stride];
+        for (int i = 0; p->sum[d] && i < p->y[d]; i++) p->sum[d][i] = (k > 0 ? p->sum[d][i] : 0) + b[i * stride];
     }
 }
 
@@ -205,8 +196,8 @@ void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q) {
     fluid_transform_backward(p->t[0], plane, q);
 }
 
-/* Summed over the other two directions, the equation of a mode cos(pi k (i+1/2)/n) is lambda times its sum = the right-hand
- * side's; along z the sums are a column. */
+/* Summed over the other two directions, the equation of a mode cos(pi k (i+1/2)/n) is lambda times its sum = the
+ * right-hand side's; along z the sums are a column. */
 double fluid_poisson_section_mean(struct fluid_poisson *p, int direction, int side) {
     const int n = p->in.n[direction], i = side ? n - 1 : 0, x_low = par_pencil_low(p->pencil);
     const int low = direction == 0 ? x_low : 0;

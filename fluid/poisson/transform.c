@@ -28,8 +28,8 @@ static void kinds(enum fluid_end low, enum fluid_end high, fftw_r2r_kind *forwar
     }
 }
 
-/* -(2/d)^2 sin^2(theta/2), theta = 2 pi k/n periodic (k and n-k for the two halves of R2HC), pi k/n, k = 0.. (NN) or 1.. (DD, faces),
- * pi (k + 1/2)/n (ND, DN). */
+/* -(2/d)^2 sin^2(theta/2), theta = 2 pi k/n periodic (k and n-k for the two halves of R2HC), pi k/n, k = 0.. (NN)
+ * or 1.. (DD, faces), pi (k + 1/2)/n (ND, DN). */
 void fluid_transform_eigenvalues(int n, double d, enum fluid_end low, enum fluid_end high, double *lambda) {
     for (int i = 0; i < n; i++) {
         double half;
@@ -49,11 +49,11 @@ double fluid_transform_scale(int n, enum fluid_end low, enum fluid_end high) {
     return low == FLUID_END_PERIODIC ? n : 2.0 * n;
 }
 
-static fftw_plan plan(const struct fluid_transform_input *in, fftw_r2r_kind kind, double *from, double *to,
-                      int stride, int distance) {
+static fftw_plan plan(const struct fluid_transform_input *in, fftw_r2r_kind kind, double *from, double *to, int stride,
+                      int distance) {
     const int n = in->low == FLUID_END_FACE ? in->n - 1 : in->n;
-    return fftw_plan_many_r2r(1, &n, in->lines, from, NULL, in->stride, in->distance, to, NULL, stride,
-                              distance, &kind, FFTW_MEASURE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
+    return fftw_plan_many_r2r(1, &n, in->lines, from, NULL, in->stride, in->distance, to, NULL, stride, distance, &kind,
+                              FFTW_MEASURE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
 }
 
 struct fluid_transform *fluid_transform_new(const struct fluid_transform_input *in) {

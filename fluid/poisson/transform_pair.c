@@ -10,16 +10,15 @@ enum { SCRATCH = 4096 }; /* doubles that stay in the first-level cache with thei
 
 struct fluid_transform_pair {
     struct fluid_transform_input in;
-    int along;  /* lines are contiguous (x); otherwise neighbouring lines are (y, z) */
-    int chunk;  /* lines done at once, even */
-    int folded; /* even places forwards, odd ones backwards */
-    double odd; /* sign of the odd places */
-    double *cosine,
-        *sine; /* [n/2 + 1] forward; backward is 2 cos, 2 sin for periodic lines, the same otherwise */
+    int along;             /* lines are contiguous (x); otherwise neighbouring lines are (y, z) */
+    int chunk;             /* lines done at once, even */
+    int folded;            /* even places forwards, odd ones backwards */
+    double odd;            /* sign of the odd places */
+    double *cosine, *sine; /* [n/2 + 1] forward; backward is 2 cos, 2 sin for periodic lines, the same otherwise */
     double first, middle, back_middle; /* factors of coefficients 0 and n/2 */
     double back;                       /* backward over forward twiddles */
-    double mirror;         /* 1, or -1 for periodic lines: sign of the cosine for coefficient n-k */
-    double *place, *value; /* scratch: along [chunk][n], across [n][chunk] */
+    double mirror;                     /* 1, or -1 for periodic lines: sign of the cosine for coefficient n-k */
+    double *place, *value;             /* scratch: along [chunk][n], across [n][chunk] */
     fftw_plan forward, backward;
 };
 
@@ -42,21 +41,17 @@ static void plan(struct fluid_transform_pair *t) {
         const fftw_iodim line = {n, 1, 1}, many = {pairs, 2 * n, 2 * n};
         double *p = t->place, *v = t->value;
         t->forward = fftw_plan_guru_split_dft(1, &line, 1, &many, p, p + n, v, v + n, flags);
-        t->backward =
-            fftw_plan_guru_split_dft(1, &line, 1, &many, v + n, v, p + n, p, flags | FFTW_DESTROY_INPUT);
+        t->backward = fftw_plan_guru_split_dft(1, &line, 1, &many, v + n, v, p + n, p, flags | FFTW_DESTROY_INPUT);
     } else {
         fftw_complex *p = (fftw_complex *)t->place;
-        t->forward =
-            fftw_plan_many_dft(1, &n, pairs, p, NULL, pairs, 1, p, NULL, pairs, 1, FFTW_FORWARD, flags);
-        t->backward =
-            fftw_plan_many_dft(1, &n, pairs, p, NULL, pairs, 1, p, NULL, pairs, 1, FFTW_BACKWARD, flags);
+        t->forward = fftw_plan_many_dft(1, &n, pairs, p, NULL, pairs, 1, p, NULL, pairs, 1, FFTW_FORWARD, flags);
+        t->backward = fftw_plan_many_dft(1, &n, pairs, p, NULL, pairs, 1, p, NULL, pairs, 1, FFTW_BACKWARD, flags);
     }
 }
 
 struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transform_input *in) {
     const int along = in->stride == 1 && in->distance >= in->n && in->n > 1, n = in->n;
-    if (in->low != in->high || in->low == FLUID_END_FACE || in->lines % 2 || n < 2 ||
-        (!along && in->distance != 1))
+    if (in->low != in->high || in->low == FLUID_END_FACE || in->lines % 2 || n < 2 || (!along && in->distance != 1))
         return NULL;
     struct fluid_transform_pair *t = calloc(1, sizeof *t);
     t->in = *in;
@@ -95,7 +90,8 @@ void fluid_transform_pair_free(struct fluid_transform_pair *t) {
     free(t);
 }
 
-/* --- lines along memory: a and b are rows, coefficients run with k -------------------------------------------------- */
+/* --- lines along memory: a and b are rows, coefficients run with k --------------------------------------------------
+ */
 
 static void fold_line(int n, double odd, const double *restrict q, double *restrict v) {
     for (int j = 0; j < n / 2; j++) v[j] = q[2 * j];
@@ -112,18 +108,17 @@ static void unfold_line(int n, double odd, const double *restrict v, double *res
 }
 
 /* Z (re, im) -> coefficients of a and b; up = 1, or -1 with a, b pointing to their last place (Dirichlet). */
-static inline __attribute__((always_inline)) void gather_line(const struct fluid_transform_pair *t,
-                                                              const int up, const double *restrict re,
-                                                              const double *restrict im, double *restrict a,
-                                                              double *restrict b) {
+static inline __attribute__((always_inline)) void gather_line(const struct fluid_transform_pair *t, const int up,
+                                                              const double *restrict re, const double *restrict im,
+                                                              double *restrict a, double *restrict b) {
     const int n = t->in.n;
     const double *restrict cosine = t->cosine, *restrict sine = t->sine;
     const double mirror = t->mirror;
     a[0] = t->first * re[0];
     b[0] = t->first * im[0];
     for (int k = 1; k < (n + 1) / 2; k++) {
-        const double c = cosine[k], s = sine[k], p = re[k] + re[n - k], q = im[k] - im[n - k],
-                     r = im[k] + im[n - k], d = re[k] - re[n - k];
+        const double c = cosine[k], s = sine[k], p = re[k] + re[n - k], q = im[k] - im[n - k], r = im[k] + im[n - k],
+                     d = re[k] - re[n - k];
         a[up * k] = c * p + s * q;
         a[up * (n - k)] = s * p - mirror * c * q;
         b[up * k] = c * r - s * d;
@@ -135,20 +130,17 @@ static inline __attribute__((always_inline)) void gather_line(const struct fluid
     }
 }
 
-static inline __attribute__((always_inline)) void spread_line(const struct fluid_transform_pair *t,
-                                                              const int up, const double *restrict a,
-                                                              const double *restrict b, double *restrict re,
-                                                              double *restrict im) {
+static inline __attribute__((always_inline)) void spread_line(const struct fluid_transform_pair *t, const int up,
+                                                              const double *restrict a, const double *restrict b,
+                                                              double *restrict re, double *restrict im) {
     const int n = t->in.n;
     const double *restrict cosine = t->cosine, *restrict sine = t->sine, back = t->back, mirror = t->mirror;
     re[0] = a[0];
     im[0] = b[0];
     for (int k = 1; k < (n + 1) / 2; k++) {
         const double c = back * cosine[k], s = back * sine[k];
-        const double ar = c * a[up * k] + s * a[up * (n - k)],
-                     ai = s * a[up * k] - mirror * c * a[up * (n - k)];
-        const double br = c * b[up * k] + s * b[up * (n - k)],
-                     bi = s * b[up * k] - mirror * c * b[up * (n - k)];
+        const double ar = c * a[up * k] + s * a[up * (n - k)], ai = s * a[up * k] - mirror * c * a[up * (n - k)];
+        const double br = c * b[up * k] + s * b[up * (n - k)], bi = s * b[up * k] - mirror * c * b[up * (n - k)];
         re[k] = ar - bi;
         im[k] = ai + br;
         re[n - k] = ar + bi;
@@ -198,15 +190,16 @@ static void along_backward(const struct fluid_transform_pair *t, const double *q
     }
 }
 
-/* --- lines across memory: a and b are neighbouring columns, every step a loop over rows ------------------------------ */
+/* --- lines across memory: a and b are neighbouring columns, every step a loop over rows ------------------------------
+ */
 
 static void copy_row(int count, double sign, const double *restrict from, double *restrict to) {
     for (int l = 0; l < count; l++) to[l] = sign * from[l];
 }
 
 /* Rows Z_k, Z_{n-k} -> coefficients k, n-k. */
-static void gather_rows(int pairs, double c, double s, double cm, const double *restrict z,
-                        const double *restrict y, double *restrict to, double *restrict to_mirror) {
+static void gather_rows(int pairs, double c, double s, double cm, const double *restrict z, const double *restrict y,
+                        double *restrict to, double *restrict to_mirror) {
     for (int l = 0; l < pairs; l++) {
         const double p = z[2 * l] + y[2 * l], q = z[2 * l + 1] - y[2 * l + 1];
         const double r = z[2 * l + 1] + y[2 * l + 1], d = z[2 * l] - y[2 * l];
@@ -243,8 +236,8 @@ static void across_forward(const struct fluid_transform_pair *t, double *q) {
     fftw_execute(t->forward);
     copy_row(w, t->first, t->place, q + row_of(t, 0));
     for (int k = 1; k < (n + 1) / 2; k++)
-        gather_rows(w / 2, t->cosine[k], t->sine[k], t->mirror * t->cosine[k], t->place + k * w,
-                    t->place + (n - k) * w, q + row_of(t, k), q + row_of(t, n - k));
+        gather_rows(w / 2, t->cosine[k], t->sine[k], t->mirror * t->cosine[k], t->place + k * w, t->place + (n - k) * w,
+                    q + row_of(t, k), q + row_of(t, n - k));
     if (n % 2 == 0) copy_row(w, t->middle, t->place + n / 2 * w, q + row_of(t, n / 2));
 }
 

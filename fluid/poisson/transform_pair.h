@@ -1,8 +1,8 @@
-/* Periodic, Neumann-Neumann and Dirichlet-Dirichlet transforms of two real lines at once, as one complex one: FFTW's complex
- * transforms use the vector unit, its real-to-real ones do not.
+/* Periodic, Neumann-Neumann and Dirichlet-Dirichlet transforms of two real lines at once, as one complex one: FFTW's
+ * complex transforms use the vector unit, its real-to-real ones do not.
  *
- * Lines a and b give Z = FFT(v_a + i v_b), where v is the line itself (periodic), or (Makhoul 1980) its even places forwards
- * and then its odd places backwards, these with the opposite sign for Dirichlet ends. With theta = pi k/2n and
+ * Lines a and b give Z = FFT(v_a + i v_b), where v is the line itself (periodic), or (Makhoul 1980) its even places
+ * forwards and then its odd places backwards, these with the opposite sign for Dirichlet ends. With theta = pi k/2n and
  *     S = Z_k + Z_{n-k} ,  D = -i (Z_k - Z_{n-k}) ,   k = 1 .. n/2 ,
  * the pair's coefficients k and n-k (a in the real, b in the imaginary part) are
  *     cos S + sin D ,  sin S - cos D         (Neumann: REDFT10; Dirichlet: RODFT10 from its end)

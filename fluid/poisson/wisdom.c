@@ -54,8 +54,7 @@ void fluid_wisdom_load(void) {
     if (length > 0 && !text) text = malloc((size_t)length);
     par_bcast(text, (size_t)length, 0);
     if (text)
-        fftw_import_wisdom_from_string(
-            text); /* of another version or torn: refused whole, and plans are measured */
+        fftw_import_wisdom_from_string(text); /* of another version or torn: refused whole, and plans are measured */
     free(text);
     free(known);
     known = fftw_export_wisdom_to_string();

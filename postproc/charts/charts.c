@@ -69,8 +69,7 @@ void postproc_charts_add(struct postproc_charts *charts, const struct postproc_p
 }
 
 /* The curve of a column, its arrays malloc'ed; 0 when it has not two points. */
-static int curve_new(struct postproc_curve *curve, const struct postproc_history *h, const char *column,
-                     double scale) {
+static int curve_new(struct postproc_curve *curve, const struct postproc_history *h, const char *column, double scale) {
     double *x = postproc_history_column(h, "t"), *y = postproc_history_column(h, column);
     long n = 0, finite = 0;
     for (long i = 0; x && y && i < h->series->rows; i++, n++) {
@@ -106,25 +105,24 @@ static void chart_draw(struct postproc_charts *charts, const struct chart *chart
             *c = (struct postproc_curve){.title = title[curves]};
             if (!curve_new(c, run[r], chart->line[l].column, by_pressure ? run[r]->pressure : 1)) continue;
             snprintf(title[curves++], sizeof *title, "%s", runs > 1 ? label[r] : chart->line[l].title);
-            const double span =
-                c->x[c->n - 1] > 0 ? c->x[c->n - 1] : INFINITY; /* before 0: as much as after */
+            const double span = c->x[c->n - 1] > 0 ? c->x[c->n - 1] : INFINITY; /* before 0: as much as after */
             first = fmin(first, chart->whole ? c->x[0] : fmax(c->x[0], -0.25 * span));
             last = fmax(last, c->x[c->n - 1]);
         }
-    postproc_charts_add(
-        charts, &(struct postproc_plot){
-                    .folder = folder,
-                    .name = chart->name,
-                    .title = chart->title,
-                    .xlabel = postproc_history_when_name(run[0]),
-                    .ylabel = chart->scale == BY_PRESSURE && !scaled ? "{/Symbol D}p  [Pa]" : chart->ylabel,
-                    .curves = curves,
-                    .curve = curve,
-                    .marks = staged,
-                    .mark = &origin,
-                    .x_low = first,
-                    .x_high = last,
-                });
+    postproc_charts_add(charts,
+                        &(struct postproc_plot){
+                            .folder = folder,
+                            .name = chart->name,
+                            .title = chart->title,
+                            .xlabel = postproc_history_when_name(run[0]),
+                            .ylabel = chart->scale == BY_PRESSURE && !scaled ? "{/Symbol D}p  [Pa]" : chart->ylabel,
+                            .curves = curves,
+                            .curve = curve,
+                            .marks = staged,
+                            .mark = &origin,
+                            .x_low = first,
+                            .x_high = last,
+                        });
     for (int k = 0; k < curves; k++) {
         free((void *)(size_t)curve[k].x);
         free((void *)(size_t)curve[k].y);

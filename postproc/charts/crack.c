@@ -31,13 +31,7 @@ static const struct chart {
      1e-3,
      0,
      {{"left_y", "left of the axis"}, {"right_y", "right of the axis"}}},
-    {"crack_length",
-     "Length that the crack has grown by",
-     "length  [mm]",
-     NULL,
-     1e-3,
-     0,
-     {{"length", "length"}}},
+    {"crack_length", "Length that the crack has grown by", "length  [mm]", NULL, 1e-3, 0, {{"length", "length"}}},
     {"crack_energy",
      "Energy released over the crack's new area, over G_0",
      "E / (G_0 A)",
@@ -66,8 +60,7 @@ static void line_add(struct drawing *d, const struct chart *chart, int l, const 
     char across[32];
     const char *column = chart->line[l].column;
     if (chart->x)
-        snprintf(across, sizeof across, "%.*s%s", (int)(chart->line[l].column[0] == 'l' ? 4 : 5), column,
-                 "_x");
+        snprintf(across, sizeof across, "%.*s%s", (int)(chart->line[l].column[0] == 'l' ? 4 : 5), column, "_x");
     double *y = postproc_history_values(h->crack, column);
     double *x = postproc_history_values(h->crack, chart->x ? across : "t");
     const double window = h->scene->output.crack ? h->scene->output.crack->window : 0;

@@ -14,8 +14,7 @@ extern char **environ;
 enum { ROWS_MAX = 4000 };
 
 /* Colours that all eyes tell apart.  (Okabe and Ito 2008) */
-static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                      "#E69F00", "#56B4E9", "#000000"};
+static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 enum { PALETTE = 7 };
 
 /* A text between gnuplot's single quotes, on one line. */
@@ -29,8 +28,7 @@ static void put_text(FILE *f, const char *text) {
 }
 
 static void put_point(FILE *f, const struct postproc_plot *p, const struct postproc_curve *c, long i) {
-    if (isfinite(c->y[i]) && isfinite(c->x[i]) && !(p->log_y && c->y[i] <= 0) &&
-        !(p->log_x && c->x[i] <= 0)) {
+    if (isfinite(c->y[i]) && isfinite(c->x[i]) && !(p->log_y && c->y[i] <= 0) && !(p->log_x && c->x[i] <= 0)) {
         fprintf(f, "%.10g %.10g", c->x[i], c->y[i]);
         if (c->label) {
             fputs(" \"", f);
@@ -72,8 +70,7 @@ static void put_log_range(FILE *f, char axis, double low, double high, double ro
     if (!(low > 0) || !isfinite(high)) return;
     const double margin = fmax(0.08 * log(high / low), 0.25);
     fprintf(f, "set %crange [%.4g:%.4g]\n", axis, low * exp(-margin), high * exp(margin * room));
-    if (high < 30 * low)
-        fprintf(f, "set format %c '%%g'\nset %ctics add (%.2g, %.2g)\n", axis, axis, low, high);
+    if (high < 30 * low) fprintf(f, "set format %c '%%g'\nset %ctics add (%.2g, %.2g)\n", axis, axis, low, high);
 }
 
 static void put_log_ranges(FILE *f, const struct postproc_plot *p) {
@@ -136,11 +133,10 @@ static void put_style(FILE *f, const struct postproc_plot *p) {
 /* Horizontal lines, and where their labels stand. */
 static void put_levels(FILE *f, const struct postproc_plot *p) {
     for (int k = 0; k < p->levels; k++) {
-        fprintf(
-            f,
-            "set arrow %d from graph 0, first %.10g to graph 1, first %.10g nohead back dt 2 lw 1.2 lc rgb "
-            "'#8a9199'\nset label %d ",
-            100 + k, p->level[k].y, p->level[k].y, 100 + k);
+        fprintf(f,
+                "set arrow %d from graph 0, first %.10g to graph 1, first %.10g nohead back dt 2 lw 1.2 lc rgb "
+                "'#8a9199'\nset label %d ",
+                100 + k, p->level[k].y, p->level[k].y, 100 + k);
         put_text(f, p->level[k].label);
         fprintf(f, " at graph 0.99, first %.10g right offset 0,0.5 front tc rgb '#5a6068'\n", p->level[k].y);
     }
@@ -182,8 +178,7 @@ static int script_write(const struct postproc_plot *p, const char *path) {
           f);
     fprintf(f, "set output '%s.png'\n", p->name);
     put_curves(f, p);
-    fputs("set terminal svg size 900,570 enhanced font 'DejaVu Sans,12' linewidth 1.2 background '#ffffff'\n",
-          f);
+    fputs("set terminal svg size 900,570 enhanced font 'DejaVu Sans,12' linewidth 1.2 background '#ffffff'\n", f);
     fprintf(f, "set output '%s.svg'\nreplot\nset output\n", p->name);
     const int bad = ferror(f);
     return fclose(f) || bad ? -1 : 0;

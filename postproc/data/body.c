@@ -42,8 +42,7 @@ double *postproc_body_sample(const struct postproc_body *b, const double *value,
     return sample;
 }
 
-void postproc_body_box(const struct postproc_history *h, const struct postproc_body *b, double low[3],
-                       double high[3]) {
+void postproc_body_box(const struct postproc_history *h, const struct postproc_body *b, double low[3], double high[3]) {
     const struct scene_coupling *c = h->scene->coupling;
     for (int k = 0; k < 3; k++) {
         if (c && c->box_high[k] > c->box_low[k]) {
@@ -74,8 +73,7 @@ struct postproc_onset postproc_body_onset(const struct postproc_history *h) {
             sum += b->damage[i];
             onset.particles++;
             for (int k = 0; k < 3; k++)
-                onset.x[k] +=
-                    b->damage[i] * (b->x[i][k] - (b->displacement ? b->displacement[3 * i + k] : 0));
+                onset.x[k] += b->damage[i] * (b->x[i][k] - (b->displacement ? b->displacement[3 * i + k] : 0));
         }
         if (sum > 0) {
             double low[3], high[3];
@@ -86,9 +84,7 @@ struct postproc_onset postproc_body_onset(const struct postproc_history *h) {
                 onset.x[k] /= sum;
                 onset.fraction[k] = (onset.x[k] - low[k]) / (high[k] - low[k]);
             }
-            onset.where = onset.fraction[0] < 1 / 3.   ? "front"
-                          : onset.fraction[0] > 2 / 3. ? "back"
-                                                       : "middle";
+            onset.where = onset.fraction[0] < 1 / 3. ? "front" : onset.fraction[0] > 2 / 3. ? "back" : "middle";
         }
         postproc_body_free(b);
     }

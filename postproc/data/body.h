@@ -30,5 +30,4 @@ struct postproc_onset {
 };
 struct postproc_onset postproc_body_onset(const struct postproc_history *h);
 /* The box in which the medium is measured: the scene's, or the particles' bounds within the domain. */
-void postproc_body_box(const struct postproc_history *h, const struct postproc_body *b, double low[3],
-                       double high[3]);
+void postproc_body_box(const struct postproc_history *h, const struct postproc_body *b, double low[3], double high[3]);

@@ -4,7 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Edges of the grid: 2 node is the one from a node along x, 2 node + 1 along y. A line crosses each edge at most once. */
+/* Edges of the grid: 2 node is the one from a node along x, 2 node + 1 along y. A line crosses each edge at most once.
+ */
 struct edges {
     const struct postproc_grid *g;
     double level;
@@ -105,8 +106,8 @@ double postproc_contour_area(const struct postproc_contour *c) {
         const double *o = c->x[a];
         if (o[0] != c->x[b][0] || o[1] != c->x[b][1]) continue;
         for (long i = a; i < b; i++)
-            area += 0.5 * ((c->x[i][0] - o[0]) * (c->x[i + 1][1] - o[1]) -
-                           (c->x[i + 1][0] - o[0]) * (c->x[i][1] - o[1]));
+            area +=
+                0.5 * ((c->x[i][0] - o[0]) * (c->x[i + 1][1] - o[1]) - (c->x[i + 1][0] - o[0]) * (c->x[i][1] - o[1]));
     }
     return area;
 }
@@ -121,8 +122,7 @@ int postproc_contour_write_csv(const struct postproc_contour *c, const char *pat
     if (!f) return -1;
     fputs("polyline,x,y\n#1,m,m\n", f);
     for (int k = 0; k < c->lines; k++)
-        for (long i = c->first[k]; i < c->first[k + 1]; i++)
-            fprintf(f, "%d,%.9g,%.9g\n", k, c->x[i][0], c->x[i][1]);
+        for (long i = c->first[k]; i < c->first[k + 1]; i++) fprintf(f, "%d,%.9g,%.9g\n", k, c->x[i][0], c->x[i][1]);
     return done(f);
 }
 
@@ -130,8 +130,7 @@ int postproc_contour_write_vtk(const struct postproc_contour *c, const char *pat
     FILE *f = fopen(path, "w");
     if (!f) return -1;
     const long points = c->lines ? c->first[c->lines] : 0;
-    fprintf(f, "# vtk DataFile Version 3.0\ndamage contour\nASCII\nDATASET POLYDATA\nPOINTS %ld double\n",
-            points);
+    fprintf(f, "# vtk DataFile Version 3.0\ndamage contour\nASCII\nDATASET POLYDATA\nPOINTS %ld double\n", points);
     for (long i = 0; i < points; i++) fprintf(f, "%.9g %.9g 0\n", c->x[i][0], c->x[i][1]);
     fprintf(f, "LINES %d %ld\n", c->lines, points + c->lines);
     for (int k = 0; k < c->lines; k++) {

@@ -9,7 +9,8 @@ struct postproc_contour {
     double (*x)[2]; /* m; owned */
 };
 
-/* A square that has a node without a value has no line. In a saddle the mean of the four corners decides what is joined. */
+/* A square that has a node without a value has no line. In a saddle the mean of the four corners decides what is
+ * joined. */
 struct postproc_contour *postproc_contour_new(const struct postproc_grid *g, double level);
 void postproc_contour_free(struct postproc_contour *c);
 /* The area inside closed lines, of holes negative, m2. */

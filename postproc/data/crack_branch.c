@@ -83,11 +83,9 @@ static struct postproc_angle fit(const struct line *l, double low, double high, 
     if (n < 3) return (struct postproc_angle){NAN, NAN};
     const double slope = st / ss;
     for (int k = 0; k < l->n; k++)
-        if (l->x[k][0] >= low && l->x[k][0] <= high)
-            rest += pow(l->x[k][1] - t - slope * (l->x[k][0] - s), 2);
+        if (l->x[k][0] >= low && l->x[k][0] <= high) rest += pow(l->x[k][1] - t - slope * (l->x[k][0] - s), 2);
     const double error = sqrt(rest / (n - 2) / ss);
-    return (struct postproc_angle){sign * atan(slope) * 180 / M_PI,
-                                   2 * error / (1 + slope * slope) * 180 / M_PI};
+    return (struct postproc_angle){sign * atan(slope) * 180 / M_PI, 2 * error / (1 + slope * slope) * 180 / M_PI};
 }
 
 /* Both branches' centre lines from column a to b, and on beyond with the one that is longer. */
@@ -102,8 +100,7 @@ static void follow(const struct postproc_grid *g, const struct column *c, int a,
         for (int side = 0; side < 2; side++) {
             const double t = side == LEFT ? c[i].left : c[i].right, *own = line[side].x[line[side].n - 1],
                          *other = line[1 - side].x[line[1 - side].n - 1];
-            if (fabs(t - own[1]) > fabs(t - other[1]) || fabs(t - own[1]) > APART * g->h * (missed + 1))
-                continue;
+            if (fabs(t - own[1]) > fabs(t - other[1]) || fabs(t - own[1]) > APART * g->h * (missed + 1)) continue;
             put(&line[side], g->origin[0] + i * g->h, t);
             missed = -1;
         }

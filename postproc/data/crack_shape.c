@@ -7,7 +7,7 @@
 static const double CLOSE = 0.98;
 
 int postproc_crack_shape_tips(const struct postproc_grid *g, int cracks, const struct scene_crack *crack,
-                  struct postproc_tip *tip) {
+                              struct postproc_tip *tip) {
     int n = 0;
     for (int k = 0; k < cracks; k++)
         for (int end = 0; end < 2; end++) {
@@ -23,8 +23,7 @@ int postproc_crack_shape_tips(const struct postproc_grid *g, int cracks, const s
 }
 
 /* Calls for places a quarter of a node apart along a crack. */
-static void along(const struct scene_crack *c, double step, void (*see)(void *with, const double x[2]),
-                  void *with) {
+static void along(const struct scene_crack *c, double step, void (*see)(void *with, const double x[2]), void *with) {
     for (int k = 0; k + 1 < c->points; k++) {
         const double *a = c->point[k], *b = c->point[k + 1];
         const long pieces = lround(hypot(b[0] - a[0], b[1] - a[1]) / step) + 1;
@@ -51,7 +50,7 @@ static void lower(void *with, const double x[2]) {
 }
 
 double postproc_crack_shape_level(const struct postproc_grid *damage, int cracks, const struct scene_crack *crack,
-                             double margin) {
+                                  double margin) {
     struct postproc_tip *tip = memory_new(MEMORY_OUTPUT, 2 * (size_t)cracks + 1, sizeof *tip);
     struct lowest l = {damage, postproc_crack_shape_tips(damage, cracks, crack, tip), tip, margin, INFINITY};
     for (int k = 0; k < cracks; k++) along(&crack[k], 0.25 * damage->h, lower, &l);
@@ -90,8 +89,7 @@ struct far {
 
 static void mark(void *with, const double x[2]) {
     struct far *f = with;
-    const int i = (int)lround((x[0] - f->g->origin[0]) / f->g->h),
-              j = (int)lround((x[1] - f->g->origin[1]) / f->g->h);
+    const int i = (int)lround((x[0] - f->g->origin[0]) / f->g->h), j = (int)lround((x[1] - f->g->origin[1]) / f->g->h);
     for (int b = j - 2; b <= j + 2; b++)
         for (int a = i - 2; a <= i + 2; a++)
             if (a >= 0 && b >= 0 && a < f->g->n[0] && b < f->g->n[1])

@@ -6,9 +6,7 @@
 
 enum { LEVELS = 7, MARGIN = 1 };
 
-static size_t at(const struct postproc_grid *g, int i, int j) {
-    return (size_t)j * (size_t)g->n[0] + (size_t)i;
-}
+static size_t at(const struct postproc_grid *g, int i, int j) { return (size_t)j * (size_t)g->n[0] + (size_t)i; }
 
 struct postproc_grid *postproc_grid_empty(int n0, int n1, const double origin[2], double h) {
     struct postproc_grid *g = memory_new(MEMORY_OUTPUT, 1, sizeof *g);
@@ -77,9 +75,8 @@ static void put_particles(struct postproc_grid *g, const struct postproc_grid_in
 
 /* Between the nodes of a lattice of 2 s: middles of edges and of squares, where all their corners have values. */
 static void halve(struct postproc_grid *g, int s) {
-    static const int corner[3][4][2] = {{{-1, 0}, {1, 0}, {-1, 0}, {1, 0}},
-                                        {{0, -1}, {0, 1}, {0, -1}, {0, 1}},
-                                        {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+    static const int corner[3][4][2] = {
+        {{-1, 0}, {1, 0}, {-1, 0}, {1, 0}}, {{0, -1}, {0, 1}, {0, -1}, {0, 1}}, {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
     for (int j = MARGIN; j < g->n[1]; j += s)
         for (int i = MARGIN; i < g->n[0]; i += s) {
             const int odd = ((i - MARGIN) / s & 1) + 2 * ((j - MARGIN) / s & 1);

@@ -17,9 +17,9 @@ struct postproc_grid_input {
     double first[2]; /* one of its nodes, m */
 };
 
-/* On the coarsest of the lattices spacing, spacing/2, spacing/4 ... that all particles stand on; of particles on none the nodes take
- * the means of those nearest to them. Nodes between particles of coarser lattices take the means of two or four neighbours,
- * and one row of nodes all round the particles the values of what is next to them. */
+/* On the coarsest of the lattices spacing, spacing/2, spacing/4 ... that all particles stand on; of particles on none
+ * the nodes take the means of those nearest to them. Nodes between particles of coarser lattices take the means of two
+ * or four neighbours, and one row of nodes all round the particles the values of what is next to them. */
 struct postproc_grid *postproc_grid_new(const struct postproc_grid_input *in);
 /* All NaN. */
 struct postproc_grid *postproc_grid_empty(int n0, int n1, const double origin[2], double h);

@@ -9,8 +9,7 @@
 #include <unistd.h>
 
 static int by_time(const void *a, const void *b) {
-    const double s = ((const struct vtkhdf_series_entry *)a)->time,
-                 t = ((const struct vtkhdf_series_entry *)b)->time;
+    const double s = ((const struct vtkhdf_series_entry *)a)->time, t = ((const struct vtkhdf_series_entry *)b)->time;
     return (s > t) - (s < t);
 }
 
@@ -73,8 +72,7 @@ static void scales(struct postproc_history *h) {
                                           : NAN;
     for (int m = 0; m < s->solid->materials; m++) {
         const struct scene_material *a = &s->solid->material[m];
-        const double s0 =
-            sqrt(factor(s, a) * a->fracture_energy / (a->youngs_modulus * a->horizon_ratio * h->spacing));
+        const double s0 = sqrt(factor(s, a) * a->fracture_energy / (a->youngs_modulus * a->horizon_ratio * h->spacing));
         if (!isfinite(s0) || s0 >= h->s0) continue;
         h->s0 = s0;
         h->sigma0 = a->youngs_modulus * s0;
@@ -138,8 +136,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
         return NULL;
     }
     if (!written && h->solid.n + h->fluid.n == 0) {
-        snprintf(error, (size_t)size, "%s: it has neither a series.csv nor fields: nothing has run in it yet",
-                 folder);
+        snprintf(error, (size_t)size, "%s: it has neither a series.csv nor fields: nothing has run in it yet", folder);
         postproc_history_free(h);
         return NULL;
     }
@@ -174,9 +171,7 @@ double postproc_history_when(const struct postproc_history *h, double t) {
     return (t - h->origin) / (h->t0 > 0 ? h->t0 : 1);
 }
 
-const char *postproc_history_when_name(const struct postproc_history *h) {
-    return h->t0 > 0 ? "t/t_0" : "t [s]";
-}
+const char *postproc_history_when_name(const struct postproc_history *h) { return h->t0 > 0 ? "t/t_0" : "t [s]"; }
 
 double *postproc_history_column(const struct postproc_history *h, const char *name) {
     return postproc_history_values(h->series, name);
@@ -211,8 +206,8 @@ double postproc_history_mean(const struct postproc_history *h, const char *name,
     return n ? sum / (double)n : NAN;
 }
 
-struct vtkhdf_source *postproc_history_open(const struct postproc_history *h,
-                                            const struct postproc_fields *fields, double t) {
+struct vtkhdf_source *postproc_history_open(const struct postproc_history *h, const struct postproc_fields *fields,
+                                            double t) {
     if (fields->n == 0) return NULL;
     int k = 0;
     while (k + 1 < fields->n && fields->entry[k + 1].time <= t * (1 + 1e-9)) k++;

@@ -48,5 +48,5 @@ double *postproc_history_values(const struct table_data *d, const char *name);
 /* Mean over the rows of from < t <= to. */
 double postproc_history_mean(const struct postproc_history *h, const char *name, double from, double to);
 /* The last file not later than the time, or the first: opened, or NULL. */
-struct vtkhdf_source *postproc_history_open(const struct postproc_history *h,
-                                            const struct postproc_fields *fields, double t);
+struct vtkhdf_source *postproc_history_open(const struct postproc_history *h, const struct postproc_fields *fields,
+                                            double t);

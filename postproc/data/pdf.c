@@ -29,8 +29,7 @@ static void moments(struct postproc_pdf *p, const double *sorted) {
 }
 
 static void choose_bins(struct postproc_pdf *p, const double *sorted) {
-    const double first = quantile(sorted, p->n, 0.25), third = quantile(sorted, p->n, 0.75),
-                 iqr = third - first;
+    const double first = quantile(sorted, p->n, 0.25), third = quantile(sorted, p->n, 0.75), iqr = third - first;
     double width = 2 * iqr / cbrt((double)p->n), low = p->smallest, high = p->largest;
     if (!(high > low)) { /* all alike: one bin about them */
         p->bins = 1;

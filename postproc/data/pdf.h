@@ -10,8 +10,9 @@ struct postproc_pdf {
 };
 
 /* Bins by the rule of Freedman and Diaconis (1981), 2 IQR n^(-1/3), between 16 and 400 of them. Where tails would need
- * more, the bins stand between the 0.1 % and 99.9 % quantiles, no further than ten interquartile ranges from the quartiles (crushed
- * matter strains by a hundred times s0), and what is beyond is counted as outside. NaN is left out. */
+ * more, the bins stand between the 0.1 % and 99.9 % quantiles, no further than ten interquartile ranges from the
+ * quartiles (crushed matter strains by a hundred times s0), and what is beyond is counted as outside. NaN is left out.
+ */
 struct postproc_pdf postproc_pdf_new(long n, const double *value);
 void postproc_pdf_free(struct postproc_pdf *p);
 /* The share of samples above a value. */

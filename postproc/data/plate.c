@@ -66,11 +66,11 @@ void postproc_plate_free(struct postproc_plate *p) {
 struct postproc_grid *postproc_plate_grid(const struct postproc_plate *p, const struct postproc_history *h,
                                           const double *value, int stride) {
     const double *offset = h->scene->solid->lattice_offset;
-    return postproc_grid_new(&(struct postproc_grid_input){
-        .n = p->n,
-        .x = (const double(*)[2])p->x,
-        .value = value,
-        .stride = stride,
-        .spacing = h->spacing,
-        .first = {(0.5 + offset[0]) * h->spacing, (0.5 + offset[1]) * h->spacing}});
+    return postproc_grid_new(
+        &(struct postproc_grid_input){.n = p->n,
+                                      .x = (const double(*)[2])p->x,
+                                      .value = value,
+                                      .stride = stride,
+                                      .spacing = h->spacing,
+                                      .first = {(0.5 + offset[0]) * h->spacing, (0.5 + offset[1]) * h->spacing}});
 }

@@ -3,14 +3,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-void postproc_profile_means(const int n[3], const double *pressure, const double *solid, double *mean,
-                            double *fluid, double *porosity) {
+void postproc_profile_means(const int n[3], const double *pressure, const double *solid, double *mean, double *fluid,
+                            double *porosity) {
     const long section = (long)n[1] * n[2];
     for (int i = 0; i < n[0]; i++) {
         double sum = 0, weighted = 0, weight = 0;
         for (long s = 0; s < section; s++) {
-            const double p = pressure[s * n[0] + i],
-                         w = solid ? fmin(fmax(1 - solid[s * n[0] + i], 0), 1) : 1;
+            const double p = pressure[s * n[0] + i], w = solid ? fmin(fmax(1 - solid[s * n[0] + i], 0), 1) : 1;
             sum += p;
             weighted += w * p;
             weight += w;

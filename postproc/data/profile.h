@@ -15,5 +15,5 @@ struct postproc_profile {
 struct postproc_profile postproc_profile_new(const struct postproc_history *h, double t);
 void postproc_profile_free(struct postproc_profile *p);
 /* Section means of an image [nz][ny][nx]; solid may be NULL, in which case fluid and porosity are not touched. */
-void postproc_profile_means(const int n[3], const double *pressure, const double *solid, double *mean,
-                            double *fluid, double *porosity);
+void postproc_profile_means(const int n[3], const double *pressure, const double *solid, double *mean, double *fluid,
+                            double *porosity);

@@ -34,8 +34,7 @@ struct postproc_camera postproc_camera_new(const double toward[3], const double 
     cross(c.toward, c.right, c.up);
     double half[2] = {1e-30, 1e-30}; /* the projection of a box is symmetric about its centre's */
     for (int k = 0; k < 8; k++) {
-        const double corner[3] = {k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1],
-                                  k & 4 ? high[2] : low[2]};
+        const double corner[3] = {k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1], k & 4 ? high[2] : low[2]};
         double p[3];
         postproc_camera_see(&c, corner, p);
         half[0] = fmax(half[0], fabs(p[0]));

@@ -48,15 +48,14 @@ struct postproc_canvas *postproc_canvas_halve(const struct postproc_canvas *c) {
         for (size_t i = 0; i < (size_t)half->width; i++) {
             const size_t a = 2 * j * w + 2 * i, b = a + w, at = j * (size_t)half->width + i;
             for (size_t k = 0; k < 3; k++)
-                half->rgb[3 * at + k] = 0.25f * (c->rgb[3 * a + k] + c->rgb[3 * a + 3 + k] +
-                                                 c->rgb[3 * b + k] + c->rgb[3 * b + 3 + k]);
+                half->rgb[3 * at + k] =
+                    0.25f * (c->rgb[3 * a + k] + c->rgb[3 * a + 3 + k] + c->rgb[3 * b + k] + c->rgb[3 * b + 3 + k]);
             half->depth[at] = fmaxf(fmaxf(c->depth[a], c->depth[a + 1]), fmaxf(c->depth[b], c->depth[b + 1]));
         }
     return half;
 }
 
-void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3],
-                          struct postproc_pen pen) {
+void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3], struct postproc_pen pen) {
     const double r = 0.5 * pen.width, reach = r + 1;
     const int i0 = (int)fmax(0, floor(fmin(a[0], b[0]) - reach));
     const int i1 = (int)fmin(c->width - 1, ceil(fmax(a[0], b[0]) + reach));
@@ -69,8 +68,7 @@ void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const do
         for (int i = i0; i <= i1; i++) {
             const double x = i + 0.5 - a[0], y = j + 0.5 - a[1];
             const double t = ee > 0 ? fmin(fmax((x * ex + y * ey) / ee, 0), 1) : 0;
-            const double cover =
-                fmin(fmax(r + 0.5 - hypot(x - t * ex, y - t * ey), 0), 1) * fmin(pen.width, 1);
+            const double cover = fmin(fmax(r + 0.5 - hypot(x - t * ex, y - t * ey), 0), 1) * fmin(pen.width, 1);
             if (cover <= 0) continue;
             const size_t at = (size_t)j * (size_t)c->width + (size_t)i;
             const int hidden = c->depth[at] > (float)(a[2] + t * (b[2] - a[2]));
@@ -84,15 +82,13 @@ void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int
     for (int k = 0; k < 3; k++) colour[k] = (float)postproc_colour_linear(srgb[k]);
     for (int j = y0 < 0 ? 0 : y0; j < y1 && j < c->height; j++)
         for (int i = x0 < 0 ? 0 : x0; i < x1 && i < c->width; i++)
-            for (int k = 0; k < 3; k++)
-                c->rgb[3 * ((size_t)j * (size_t)c->width + (size_t)i) + (size_t)k] = colour[k];
+            for (int k = 0; k < 3; k++) c->rgb[3 * ((size_t)j * (size_t)c->width + (size_t)i) + (size_t)k] = colour[k];
 }
 
 int postproc_canvas_write(const struct postproc_canvas *c, const char *path) {
     enum { STEPS = 4096 };
     unsigned char table[STEPS + 1];
-    for (int i = 0; i <= STEPS; i++)
-        table[i] = (unsigned char)lround(255 * postproc_colour_srgb((double)i / STEPS));
+    for (int i = 0; i <= STEPS; i++) table[i] = (unsigned char)lround(255 * postproc_colour_srgb((double)i / STEPS));
     const size_t n = 3 * (size_t)c->width * (size_t)c->height;
     unsigned char *rgb = memory_new(MEMORY_OUTPUT, n, 1);
     for (size_t i = 0; i < n; i++) rgb[i] = table[(int)(fminf(fmaxf(c->rgb[i], 0), 1) * STEPS + 0.5f)];

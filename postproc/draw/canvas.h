@@ -14,14 +14,14 @@ void postproc_canvas_clear(struct postproc_canvas *c, unsigned top, unsigned bot
 /* The mean of every 2 x 2 pixels, as a new canvas; depth is the nearest of the four. */
 struct postproc_canvas *postproc_canvas_halve(const struct postproc_canvas *c);
 
-/* A pen: sRGB colour, opacity and width in pixels. Where the canvas is nearer than the line, opacity is times `hidden`. */
+/* A pen: sRGB colour, opacity and width in pixels. Where the canvas is nearer than the line, opacity is times `hidden`.
+ */
 struct postproc_pen {
     unsigned colour;
     double alpha, width, hidden;
 };
 /* A round-ended line from a to b: x, y in pixels, z the depth; antialiased by its distance. */
-void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3],
-                          struct postproc_pen pen);
+void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3], struct postproc_pen pen);
 /* Pixels x0 <= i < x1, y0 <= j < y1 painted with an sRGB colour. */
 void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int y1, const double srgb[3]);
 /* Returns 0, or -1 (errno). */

@@ -7,8 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const unsigned ink = 0x23282e, faint = 0x7c858f, line = 0x0a7d78, paper_top = 0xffffff,
-                      paper_bottom = 0xeef0f2;
+static const unsigned ink = 0x23282e, faint = 0x7c858f, line = 0x0a7d78, paper_top = 0xffffff, paper_bottom = 0xeef0f2;
 enum { FINE = 2 };
 
 /* From the plane to the pixels of a canvas. */
@@ -33,14 +32,13 @@ static void squares_draw(struct postproc_canvas *c, const struct postproc_flat *
     const struct postproc_plate *plate = p->plate;
     for (long i = 0; i < plate->n; i++) {
         double srgb[3];
-        const double x = plate->x[i][0] + p->magnify * plate->u[i][0],
-                     y = plate->x[i][1] + p->magnify * plate->u[i][1], half = 0.5 * plate->size[i];
+        const double x = plate->x[i][0] + p->magnify * plate->u[i][0], y = plate->x[i][1] + p->magnify * plate->u[i][1],
+                     half = 0.5 * plate->size[i];
         const double left = w->x + w->scale * (x - half), right = w->x + w->scale * (x + half);
         const double top = w->y - w->scale * (y + half), bottom = w->y - w->scale * (y - half);
         if (!(right > 0 && bottom > 0 && left < c->width && top < c->height)) continue;
         postproc_colour_map(
-            p->map, (p->value[(size_t)i * (size_t)p->stride] - p->value_low) / (p->value_high - p->value_low),
-            srgb);
+            p->map, (p->value[(size_t)i * (size_t)p->stride] - p->value_low) / (p->value_high - p->value_low), srgb);
         postproc_canvas_fill(c, (int)floor(left), (int)floor(top), (int)ceil(right), (int)ceil(bottom), srgb);
     }
 }
@@ -57,8 +55,7 @@ static void contour_draw(struct postproc_canvas *c, const struct postproc_flat *
                 const double x = contour->x[i][a] + p->magnify * u;
                 pixel[a] = a ? w->y - w->scale * x : w->x + w->scale * x;
             }
-            if (isfinite(before[0] + before[1] + pixel[0] + pixel[1]))
-                postproc_canvas_line(c, before, pixel, pen);
+            if (isfinite(before[0] + before[1] + pixel[0] + pixel[1])) postproc_canvas_line(c, before, pixel, pen);
             for (int a = 0; a < 2; a++) before[a] = pixel[a];
         }
     }

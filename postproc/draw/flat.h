@@ -23,6 +23,6 @@ struct postproc_flat {
 
 /* Returns 0, or -1 when the file could not be written (errno). */
 int postproc_flat_draw(const struct postproc_flat *p);
-/* A round factor that shows displacements as up to 3 % of the plate's larger side: of 1, 2, 5, 10 ..., at least 1. The largest
- * hundredth of the displacements is not looked at. */
+/* A round factor that shows displacements as up to 3 % of the plate's larger side: of 1, 2, 5, 10 ..., at least 1. The
+ * largest hundredth of the displacements is not looked at. */
 double postproc_flat_magnify(const struct postproc_plate *plate);

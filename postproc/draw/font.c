@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-/* A glyph is a list of strokes with blanks between them, a stroke a list of points: a digit for x (0 ... 9), a letter for
- * y (d: baseline, k: x height 7, n: capitals 10, a: -3). '~' in front: a smooth curve (Catmull-Rom) through the points. */
+/* A glyph is a list of strokes with blanks between them, a stroke a list of points: a digit for x (0 ... 9), a letter
+ * for y (d: baseline, k: x height 7, n: capitals 10, a: -3). '~' in front: a smooth curve (Catmull-Rom) through the
+ * points. */
 static const char *const glyph[128] = {
     [' '] = "",
     ['!'] = "0n0g 0d",
@@ -109,8 +110,7 @@ static double advance(const char *strokes) { /* units: its width and a gap */
     return wide + 2.6;
 }
 
-static void stroke_draw(struct postproc_canvas *c, const double (*p)[3], int n, int smooth,
-                        struct postproc_pen pen) {
+static void stroke_draw(struct postproc_canvas *c, const double (*p)[3], int n, int smooth, struct postproc_pen pen) {
     if (n == 1) postproc_canvas_line(c, p[0], p[0], pen);
     const int closed = n > 2 && p[0][0] == p[n - 1][0] && p[0][1] == p[n - 1][1];
     for (int i = 0; i + 1 < n; i++) {
@@ -137,8 +137,7 @@ static void stroke_draw(struct postproc_canvas *c, const double (*p)[3], int n, 
 void postproc_font_draw(struct postproc_canvas *c, double x, double y, double height, unsigned colour,
                         const char *text) {
     const double unit = height / 10;
-    const struct postproc_pen pen = {
-        .colour = colour, .alpha = 0.8, .width = fmax(1, 0.13 * height), .hidden = 1};
+    const struct postproc_pen pen = {.colour = colour, .alpha = 0.8, .width = fmax(1, 0.13 * height), .hidden = 1};
     for (const char *t = text; *t; t++) {
         if (((unsigned char)*t & 0xc0) == 0x80) continue; /* the rest of a UTF-8 letter */
         const char *s = glyph_of((unsigned char)*t);

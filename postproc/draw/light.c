@@ -9,8 +9,8 @@ static const double sky_length = 28, lamp_length = 110, lamp_spread = 0.12; /* c
 struct postproc_light {
     double lamp[3], fill[3]; /* unit, to the light */
     struct postproc_ray toward_lamp[LAMP_RAYS];
-    struct postproc_ray
-        sky[3][2][SKY_RAYS]; /* over the half space of each axis and sign, more of them near the normal */
+    struct postproc_ray sky[3][2]
+                           [SKY_RAYS]; /* over the half space of each axis and sign, more of them near the normal */
 };
 
 /* Van der Corput's sequence in base 2. */
@@ -36,16 +36,14 @@ struct postproc_light *postproc_light_new(const struct postproc_camera *camera) 
     for (int i = 0; i < LAMP_RAYS; i++) {
         const double r = lamp_spread * sqrt((i + 0.5) / LAMP_RAYS), a = 2.399963 * i; /* the golden angle */
         double d[3];
-        for (int k = 0; k < 3; k++)
-            d[k] = light->lamp[k] + r * (cos(a) * camera->right[k] + sin(a) * camera->up[k]);
+        for (int k = 0; k < 3; k++) d[k] = light->lamp[k] + r * (cos(a) * camera->right[k] + sin(a) * camera->up[k]);
         normalise(d);
         postproc_voxels_ray(&light->toward_lamp[i], d, lamp_length);
     }
     for (int axis = 0; axis < 3; axis++)
         for (int side = 0; side < 2; side++)
             for (int i = 0; i < SKY_RAYS; i++) { /* Hammersley points, by the cosine */
-                const double u = (i + 0.5) / SKY_RAYS, a = 2 * M_PI * radical_inverse((unsigned)i),
-                             r = sqrt(u);
+                const double u = (i + 0.5) / SKY_RAYS, a = 2 * M_PI * radical_inverse((unsigned)i), r = sqrt(u);
                 double d[3];
                 d[axis] = (side ? 1 : -1) * sqrt(1 - u);
                 d[(axis + 1) % 3] = r * cos(a);
@@ -65,8 +63,7 @@ static void smooth_normal(const struct postproc_voxels *v, const int cell[3], do
         for (int j = -r; j <= r; j++)
             for (int i = -r; i <= r; i++) {
                 const int rr = i * i + j * j + k * k;
-                if (rr == 0 || rr > r * r + 1 ||
-                    postproc_voxels_at(v, cell[0] + i, cell[1] + j, cell[2] + k) < 0)
+                if (rr == 0 || rr > r * r + 1 || postproc_voxels_at(v, cell[0] + i, cell[1] + j, cell[2] + k) < 0)
                     continue;
                 n[0] -= i / (double)rr;
                 n[1] -= j / (double)rr;
@@ -76,8 +73,8 @@ static void smooth_normal(const struct postproc_voxels *v, const int cell[3], do
     for (int c = 0; c < 3; c++) n[c] = size > 0.5 ? n[c] / size : 0;
 }
 
-void postproc_light_face(const struct postproc_light *light, const struct postproc_voxels *v,
-                         const int cell[3], int axis, int sign, float lit[3], float *sheen) {
+void postproc_light_face(const struct postproc_light *light, const struct postproc_voxels *v, const int cell[3],
+                         int axis, int sign, float lit[3], float *sheen) {
     int out[3] = {cell[0], cell[1], cell[2]};
     out[axis] += sign;
     double n[3];
@@ -104,7 +101,6 @@ void postproc_light_face(const struct postproc_light *light, const struct postpr
     /* lamp warm, sky cool */
     const double tint[3][3] = {{1.00, 0.97, 0.92}, {0.93, 0.97, 1.03}, {0.95, 0.97, 1.0}};
     for (int c = 0; c < 3; c++)
-        lit[c] =
-            (float)(0.70 * shine * tint[0][c] + 0.52 * sky * tint[1][c] + 0.14 * fill * tint[2][c] + 0.015);
+        lit[c] = (float)(0.70 * shine * tint[0][c] + 0.52 * sky * tint[1][c] + 0.14 * fill * tint[2][c] + 0.015);
     *sheen = (float)(0.026 * shine + 0.010 * sky);
 }

@@ -23,14 +23,12 @@ static void flow_draw(struct postproc_canvas *c, const struct postproc_picture *
     postproc_canvas_line(c, a, b, pen);
     for (int side = -1; side <= 1; side += 2) {
         const double back = 12, wide = 5 * side;
-        const double barb[3] = {b[0] - (back * ex + wide * ey) / length,
-                                b[1] - (back * ey - wide * ex) / length, 1e30};
+        const double barb[3] = {b[0] - (back * ex + wide * ey) / length, b[1] - (back * ey - wide * ex) / length, 1e30};
         postproc_canvas_line(c, b, barb, pen);
     }
     const double text = 0.0165 * p->height;
     const double width = postproc_font_width(text, "flow");
-    postproc_font_draw(c, 0.5 * (a[0] + b[0]) - 0.5 * width, fmax(a[1], b[1]) + 1.2 * text, text, faint,
-                       "flow");
+    postproc_font_draw(c, 0.5 * (a[0] + b[0]) - 0.5 * width, fmax(a[1], b[1]) + 1.2 * text, text, faint, "flow");
 }
 
 int postproc_picture_draw(const struct postproc_picture *p) {
@@ -46,8 +44,7 @@ int postproc_picture_draw(const struct postproc_picture *p) {
     const double zero[3] = {0, 0, 0};
     const double window[4] = {0.04 * 2 * w, 0.13 * 2 * h, 0.86 * 2 * w, 0.93 * 2 * h};
     const struct postproc_camera camera = postproc_camera_new(p->toward, zero, p->domain, window);
-    struct postproc_cubes cubes = {
-        .n = p->n, .x = p->x, .colour = (const float(*)[3])colour, .size = p->size};
+    struct postproc_cubes cubes = {.n = p->n, .x = p->x, .colour = (const float(*)[3])colour, .size = p->size};
     for (int k = 0; k < 3; k++) {
         cubes.low[k] = p->low[k];
         cubes.high[k] = p->high[k];

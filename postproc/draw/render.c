@@ -48,12 +48,12 @@ static int facing_new(struct facing *f, const struct postproc_camera *camera, in
     return 1;
 }
 
-/* The face's pixels where it is nearest. rim: width of a darker line along its edges, over: by how much the face reaches
- * over its edges, so that no light falls through the joints of neighbours a little apart; both as parts of the edge. */
-static void face_draw(struct postproc_canvas *canvas, const struct facing *f, const double p[3],
-                      const float colour[3], double rim, double over) {
-    const int i0 = (int)fmax(0, ceil(p[0] + f->extent[0] - 1)),
-              j0 = (int)fmax(0, ceil(p[1] + f->extent[1] - 1));
+/* The face's pixels where it is nearest. rim: width of a darker line along its edges, over: by how much the face
+ * reaches over its edges, so that no light falls through the joints of neighbours a little apart; both as parts of the
+ * edge. */
+static void face_draw(struct postproc_canvas *canvas, const struct facing *f, const double p[3], const float colour[3],
+                      double rim, double over) {
+    const int i0 = (int)fmax(0, ceil(p[0] + f->extent[0] - 1)), j0 = (int)fmax(0, ceil(p[1] + f->extent[1] - 1));
     const int i1 = (int)fmin(canvas->width - 1, floor(p[0] + f->extent[2]));
     const int j1 = (int)fmin(canvas->height - 1, floor(p[1] + f->extent[3]));
     for (int j = j0; j <= j1; j++)
@@ -100,8 +100,7 @@ long postproc_render_cubes(struct postproc_canvas *canvas, const struct postproc
         if (!facing_new(&f, camera, axis, cubes->size)) continue;
         for (long i = 0; i < cubes->n; i++) {
             int cell[3];
-            if (!postproc_voxels_cell(v, cubes->x[i], cell) || face_covered(v, cubes->x, i, cell, &f))
-                continue;
+            if (!postproc_voxels_cell(v, cubes->x[i], cell) || face_covered(v, cubes->x, i, cell, &f)) continue;
             double p[3];
             postproc_camera_see(camera, cubes->x[i], p);
             for (int k = 0; k < 3; k++) p[k] += f.corner[k];
@@ -117,8 +116,8 @@ long postproc_render_cubes(struct postproc_canvas *canvas, const struct postproc
     return drawn;
 }
 
-void postproc_render_box(struct postproc_canvas *canvas, const struct postproc_camera *camera,
-                         const double low[3], const double high[3], struct postproc_pen pen) {
+void postproc_render_box(struct postproc_canvas *canvas, const struct postproc_camera *camera, const double low[3],
+                         const double high[3], struct postproc_pen pen) {
     for (int axis = 0; axis < 3; axis++)
         for (int k = 0; k < 4; k++) {
             double x[2][3], p[2][3];

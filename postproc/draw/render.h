@@ -16,5 +16,5 @@ struct postproc_cubes {
 long postproc_render_cubes(struct postproc_canvas *canvas, const struct postproc_camera *camera,
                            const struct postproc_cubes *cubes, int flat);
 /* The edges of a box; those behind cubes faintly. */
-void postproc_render_box(struct postproc_canvas *canvas, const struct postproc_camera *camera,
-                         const double low[3], const double high[3], struct postproc_pen pen);
+void postproc_render_box(struct postproc_canvas *canvas, const struct postproc_camera *camera, const double low[3],
+                         const double high[3], struct postproc_pen pen);

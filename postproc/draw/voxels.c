@@ -90,8 +90,8 @@ double postproc_voxels_hit(const struct postproc_ray *ray, const struct postproc
         const int a = cell[0] + s[0], b = cell[1] + s[1], c = cell[2] + s[2];
         if (a < 0 || b < 0 || c < 0 || a >= v->n[0] || b >= v->n[1] || c >= v->n[2]) {
             /* outside: it may come back in only if it is on its way there */
-            if ((a < 0 && s[0] <= 0) || (b < 0 && s[1] <= 0) || (c < 0 && s[2] <= 0) ||
-                (a >= v->n[0] && s[0] >= 0) || (b >= v->n[1] && s[1] >= 0) || (c >= v->n[2] && s[2] >= 0))
+            if ((a < 0 && s[0] <= 0) || (b < 0 && s[1] <= 0) || (c < 0 && s[2] <= 0) || (a >= v->n[0] && s[0] >= 0) ||
+                (b >= v->n[1] && s[1] >= 0) || (c >= v->n[2] && s[2] >= 0))
                 return -1;
             continue;
         }

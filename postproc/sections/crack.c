@@ -65,9 +65,8 @@ static struct track track_new(const struct table_data *d) {
 }
 
 static void track_free(struct track *k) {
-    double *all[] = {k->t,          k->tip[0],     k->tip[1], k->side[0][0], k->side[0][1],
-                     k->side[1][0], k->side[1][1], k->speed,  k->fronts,     k->length,
-                     k->released,   k->per_area,   k->over_g0};
+    double *all[] = {k->t,     k->tip[0], k->tip[1], k->side[0][0], k->side[0][1], k->side[1][0], k->side[1][1],
+                     k->speed, k->fronts, k->length, k->released,   k->per_area,   k->over_g0};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
 }
 
@@ -77,8 +76,8 @@ static double growth(const struct track *k, double spacing) {
         for (int side = 0; side < 2; side++) {
             double moved = INFINITY;
             for (int from = 0; from < 2; from++)
-                moved = fmin(moved, hypot(k->side[side][0][i] - k->side[from][0][0],
-                                          k->side[side][1][i] - k->side[from][1][0]));
+                moved = fmin(
+                    moved, hypot(k->side[side][0][i] - k->side[from][0][0], k->side[side][1][i] - k->side[from][1][0]));
             if (isfinite(moved) && moved > spacing * (1 + 1e-6)) return k->t[i];
         }
     return NAN;
@@ -98,8 +97,7 @@ static double passing(const struct track *k, const double d[2], double place) {
     return NAN;
 }
 
-static void facts_of_track(struct postproc_facts *f, const struct track *k,
-                           const struct postproc_history *h) {
+static void facts_of_track(struct postproc_facts *f, const struct track *k, const struct postproc_history *h) {
     const double rayleigh = postproc_history_waves(h).rayleigh;
     postproc_facts_number(f, "Rayleigh speed", "m/s", rayleigh);
     if (k->rows == 0) return;
@@ -113,8 +111,7 @@ static void facts_of_track(struct postproc_facts *f, const struct track *k,
     }
     const long last = k->rows - 1;
     postproc_facts_number(f, "start of growth: first broken bond, t", "s", broken);
-    postproc_facts_number(f, "start of growth: tip moved by more than a spacing, t", "s",
-                          growth(k, h->spacing));
+    postproc_facts_number(f, "start of growth: tip moved by more than a spacing, t", "s", growth(k, h->spacing));
     if (top >= 0) {
         postproc_facts_number(f, "window of the tip's speed", "s", window);
         postproc_facts_number(f, "top speed of the tip", "m/s", k->speed[top]);
@@ -148,8 +145,7 @@ static double top_until(const struct track *k, double window, double t) {
 
 static void facts_of_branching(struct postproc_facts *f, const struct postproc_history *h,
                                const struct postproc_branching *b, const double d[2], const struct track *k) {
-    static const char *const name[2] = {"angle of the branch to the left",
-                                        "angle of the branch to the right"};
+    static const char *const name[2] = {"angle of the branch to the left", "angle of the branch to the right"};
     postproc_facts_number(f, "branching: fronts apart from then on, t", "s", parting(k));
     postproc_facts_number(f, "branching: tip passes the place, t", "s", passing(k, d, b->place[0]));
     if (h->scene->output.crack)
@@ -170,13 +166,13 @@ static void facts_of_chord(struct postproc_facts *f, int number, const struct po
     angle_add(f, name, "angle", c->angle);
 }
 
-/* What has grown from each tip of the initial cracks, by the last field: branches with their angles to the initial crack, or, where
- * there are none, the angle of the whole. A crack that has turned away by more than that is not looked at for branches. */
+/* What has grown from each tip of the initial cracks, by the last field: branches with their angles to the initial
+ * crack, or, where there are none, the angle of the whole. A crack that has turned away by more than that is not looked
+ * at for branches. */
 static const double AHEAD = 45;
 
-static void facts_of_shape(struct postproc_facts *f, const struct postproc_history *h,
-                           const struct postproc_plate *p, const struct postproc_grid *damage,
-                           const struct track *k) {
+static void facts_of_shape(struct postproc_facts *f, const struct postproc_history *h, const struct postproc_plate *p,
+                           const struct postproc_grid *damage, const struct track *k) {
     const struct scene_solid *s = h->scene->solid;
     const struct scene_crack_output *o = h->scene->output.crack;
     const double side = fmax(p->high[0] - p->low[0], p->high[1] - p->low[1]);
@@ -203,10 +199,8 @@ static void facts_of_shape(struct postproc_facts *f, const struct postproc_histo
 static void contour_write(struct postproc_output *out, const struct postproc_grid *damage, double level) {
     char path[FOLDER_PATH];
     struct postproc_contour *c = postproc_contour_new(damage, level);
-    if (postproc_contour_write_csv(c, folder_path(path, out->folder, "contour.csv")))
-        postproc_sections_fail(out, path);
-    if (postproc_contour_write_vtk(c, folder_path(path, out->folder, "contour.vtk")))
-        postproc_sections_fail(out, path);
+    if (postproc_contour_write_csv(c, folder_path(path, out->folder, "contour.csv"))) postproc_sections_fail(out, path);
+    if (postproc_contour_write_vtk(c, folder_path(path, out->folder, "contour.vtk"))) postproc_sections_fail(out, path);
     postproc_contour_free(c);
 }
 

@@ -9,16 +9,15 @@
 
 static void pdf_table(FILE *file, const char *when, double time, const struct postproc_pdf *p) {
     for (int i = 0; i < p->bins; i++)
-        fprintf(file, "%s,%.10g,%.10g,%.10g,%.10g\n", when, time, p->low + i * p->width,
-                p->low + (i + 1) * p->width, p->density[i]);
+        fprintf(file, "%s,%.10g,%.10g,%.10g,%.10g\n", when, time, p->low + i * p->width, p->low + (i + 1) * p->width,
+                p->density[i]);
 }
 
 static const struct {
     const char *name, *field, *unit, *title, *xlabel, *mark;
 } pdf_kind[2] = {
     {"pdf_strain", "strain_max", "1", "Largest principal strain", "largest principal strain", "s0"},
-    {"pdf_stress", "stress_max", "Pa", "Largest principal stress", "largest principal stress  [Pa]",
-     "sigma0"},
+    {"pdf_stress", "stress_max", "Pa", "Largest principal stress", "largest principal stress  [Pa]", "sigma0"},
 };
 
 /* body[2]: at the end of settling, at the end; the same file twice counts once. */
@@ -52,8 +51,7 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
                 const double t = postproc_history_when(h, body[b]->time);
                 middle[b] = malloc((size_t)pdf[b].bins * sizeof(double));
                 for (int i = 0; i < pdf[b].bins; i++) middle[b][i] = pdf[b].low + (i + 0.5) * pdf[b].width;
-                snprintf(title[b], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]",
-                         fabs(t) < 1e-9 ? 0 : t);
+                snprintf(title[b], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]", fabs(t) < 1e-9 ? 0 : t);
                 curve[curves++] = (struct postproc_curve){
                     .title = title[b], .n = pdf[b].bins, .x = middle[b], .y = pdf[b].density, .bars = 1};
             }
@@ -61,8 +59,8 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
             postproc_facts_number(&out->facts, quantity, pdf_kind[kind].unit, pdf[b].mean);
             snprintf(quantity, sizeof quantity, "%s, largest, %s", pdf_kind[kind].title, when[b]);
             postproc_facts_number(&out->facts, quantity, pdf_kind[kind].unit, pdf[b].largest);
-            snprintf(quantity, sizeof quantity, "%s, share above %s, %s", pdf_kind[kind].title,
-                     pdf_kind[kind].mark, when[b]);
+            snprintf(quantity, sizeof quantity, "%s, share above %s, %s", pdf_kind[kind].title, pdf_kind[kind].mark,
+                     when[b]);
             if (threshold > 0)
                 postproc_facts_number(&out->facts, quantity, "1", postproc_pdf_above(m, sample, threshold));
         }

@@ -27,10 +27,9 @@ static double *view_value(const struct view *view, const struct postproc_body *b
     double *value = memory_new(MEMORY_OUTPUT, (size_t)b->n + 1, sizeof *value);
     *largest = 0;
     for (long i = 0; i < b->n; i++) {
-        value[i] =
-            view->quantity == 0
-                ? b->damage[i]
-                : sqrt(d[3 * i] * d[3 * i] + d[3 * i + 1] * d[3 * i + 1] + d[3 * i + 2] * d[3 * i + 2]);
+        value[i] = view->quantity == 0
+                       ? b->damage[i]
+                       : sqrt(d[3 * i] * d[3 * i] + d[3 * i + 1] * d[3 * i + 1] + d[3 * i + 2] * d[3 * i + 2]);
         *largest = fmax(*largest, value[i]);
     }
     return value;
@@ -41,7 +40,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* The 98 % quantile of the particles that have bonds: some flung far away do not set the colours. 0 if there is none. */
+/* The 98 % quantile of the particles that have bonds: some flung far away do not set the colours. 0 if there is none.
+ */
 static double colour_bound(const struct postproc_body *b, const double *value) {
     long m;
     double *sorted = postproc_body_sample(b, value, &m);
@@ -68,8 +68,8 @@ static void view_draw(struct postproc_output *out, const struct postproc_history
     }
     snprintf(inside, sizeof inside, "pictures/%s.png", view->name);
     snprintf(subtitle, sizeof subtitle, "%s = %.4g of stage %s, step %ld, %s", h->t0 > 0 ? "t/t0" : "t",
-             fabs(postproc_history_when(h, b->time)) < 1e-9 ? 0 : postproc_history_when(h, b->time), h->stage,
-             b->step, view->said);
+             fabs(postproc_history_when(h, b->time)) < 1e-9 ? 0 : postproc_history_when(h, b->time), h->stage, b->step,
+             view->said);
     struct postproc_picture p = {
         .path = folder_path(path, out->folder, inside),
         .title = h->scene->title,

@@ -43,7 +43,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Bounds of the colours: 0 ... 1 for damage; from 0, or from the lower quantile where there are negative values, to the upper one. */
+/* Bounds of the colours: 0 ... 1 for damage; from 0, or from the lower quantile where there are negative values, to the
+ * upper one. */
 static void range_of(const struct postproc_plate *p, enum postproc_quantity q, double range[2]) {
     int stride;
     const double *value = values_of(p, q, &stride), spread = looks[q].spread;
@@ -85,8 +86,7 @@ struct scene_of_plate {
     struct postproc_grid *u[2];
 };
 
-static struct scene_of_plate prepare(struct postproc_output *out, const struct postproc_history *h,
-                                     int file) {
+static struct scene_of_plate prepare(struct postproc_output *out, const struct postproc_history *h, int file) {
     struct scene_of_plate s = {.plate = postproc_plate_new(h, file)};
     if (!s.plate || !s.plate->damage) return s;
     struct postproc_grid *damage = postproc_plate_grid(s.plate, h, s.plate->damage, 1);
@@ -103,13 +103,11 @@ static void release(struct scene_of_plate *s) {
 }
 
 /* Pictures as wide as 1400 pixels and as high as the plate asks for. */
-static void draw(struct postproc_output *out, const struct postproc_history *h,
-                 const struct scene_of_plate *s, enum postproc_quantity q, const double range[2],
-                 double magnify, const char *path) {
+static void draw(struct postproc_output *out, const struct postproc_history *h, const struct scene_of_plate *s,
+                 enum postproc_quantity q, const double range[2], double magnify, const char *path) {
     char subtitle[256], label[64];
     const struct postproc_plate *p = s->plate;
-    struct postproc_flat f = {
-        .path = path, .title = h->scene->title, .subtitle = subtitle, .label = label, .plate = p};
+    struct postproc_flat f = {.path = path, .title = h->scene->title, .subtitle = subtitle, .label = label, .plate = p};
     f.value = values_of(p, q, &f.stride);
     f.unit = label_of(q, range, label, sizeof label);
     f.value_low = range[0];
@@ -121,15 +119,13 @@ static void draw(struct postproc_output *out, const struct postproc_history *h,
     f.width = 1400;
     const double shape = (p->high[1] - p->low[1]) / (p->high[0] - p->low[0]);
     f.height = (int)(fmin(fmax(shape * 0.83 / 0.82, 0.4), 1) * f.width) / 2 * 2;
-    snprintf(subtitle, sizeof subtitle,
-             "t = %.4g us, step %ld; %s; displacements times %.4g; line: damage %.3f", 1e6 * p->time, p->step,
-             looks[q].title, magnify, out->level);
+    snprintf(subtitle, sizeof subtitle, "t = %.4g us, step %ld; %s; displacements times %.4g; line: damage %.3f",
+             1e6 * p->time, p->step, looks[q].title, magnify, out->level);
     if (postproc_flat_draw(&f)) postproc_sections_fail(out, path);
 }
 
 /* One picture a field file; film/NAME_0001.png, 0002 ... Colours and magnification are those of the last one. */
-static void film(struct postproc_output *out, const struct postproc_history *h, const double range[2],
-                 double magnify) {
+static void film(struct postproc_output *out, const struct postproc_history *h, const double range[2], double magnify) {
     char path[FOLDER_PATH], inside[96];
     const enum postproc_quantity q = out->options.film_quantity;
     for (int k = 0; k < h->solid.n; k++) {
@@ -157,8 +153,7 @@ void postproc_sections_plate(struct postproc_output *out, const struct postproc_
         snprintf(inside, sizeof inside, "pictures/%s.png", postproc_options_name(q));
         draw(out, h, &s, q, range, magnify, folder_path(path, out->folder, inside));
         postproc_sections_picture(out, postproc_options_name(q), looks[q].title);
-        if (out->options.film && out->options.film_quantity == (enum postproc_quantity)q)
-            film(out, h, range, magnify);
+        if (out->options.film && out->options.film_quantity == (enum postproc_quantity)q) film(out, h, range, magnify);
     }
     release(&s);
 }

@@ -18,8 +18,8 @@ static int profile_table(const struct postproc_profile *p, const char *path) {
         for (int k = 0; k < 2; k++) {
             const struct postproc_profile *q = k ? b : a;
             const int have = i < q->n;
-            fprintf(file, ",%.10g,%.10g,%.10g", have ? q->pressure[i] : NAN,
-                    have && q->fluid ? q->fluid[i] : NAN, have && q->porosity ? q->porosity[i] : NAN);
+            fprintf(file, ",%.10g,%.10g,%.10g", have ? q->pressure[i] : NAN, have && q->fluid ? q->fluid[i] : NAN,
+                    have && q->porosity ? q->porosity[i] : NAN);
         }
         fputc('\n', file);
     }
@@ -32,15 +32,13 @@ void postproc_sections_profile(struct postproc_output *out, const struct postpro
     if (p[1].n > 0) {
         char path[FOLDER_PATH], folder[FOLDER_PATH], title[2][64];
         if (p[0].time >= p[1].time) postproc_profile_free(&p[0]);
-        if (profile_table(p, folder_path(path, out->folder, "pressure.csv")))
-            postproc_sections_fail(out, path);
+        if (profile_table(p, folder_path(path, out->folder, "pressure.csv"))) postproc_sections_fail(out, path);
         struct postproc_curve curve[2];
         int curves = 0;
         for (int k = 0; k < 2; k++) {
             if (p[k].n == 0) continue;
             const double when = postproc_history_when(h, p[k].time);
-            snprintf(title[k], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]",
-                     fabs(when) < 1e-9 ? 0 : when);
+            snprintf(title[k], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]", fabs(when) < 1e-9 ? 0 : when);
             curve[curves++] = (struct postproc_curve){
                 .title = title[k], .n = p[k].n, .x = p[k].x, .y = p[k].fluid ? p[k].fluid : p[k].pressure};
         }

@@ -49,8 +49,7 @@ static void before_after(struct postproc_output *out, const struct postproc_hist
     postproc_facts_number(&out->facts, quantity, unit, postproc_history_value(h, column, h->end) / scale);
     snprintf(quantity, sizeof quantity, "%s, mean over the last tenth", name);
     const double from = h->end - 0.1 * (h->end - h->origin);
-    postproc_facts_number(&out->facts, quantity, unit,
-                          postproc_history_mean(h, column, from, h->end) / scale);
+    postproc_facts_number(&out->facts, quantity, unit, postproc_history_mean(h, column, from, h->end) / scale);
 }
 
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h) {
@@ -87,12 +86,10 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     postproc_facts_number(f, "bonds broken", "1", broken);
     postproc_facts_number(f, "bonds broken, share", "1", broken / (broken + intact));
     postproc_facts_number(f, "fragments", "1", postproc_history_value(h, "fragments", h->end));
-    postproc_facts_number(f, "largest fragment", "particles",
-                          postproc_history_value(h, "largest_fragment", h->end));
+    postproc_facts_number(f, "largest fragment", "particles", postproc_history_value(h, "largest_fragment", h->end));
     postproc_facts_number(f, "damage, mean", "1", postproc_history_value(h, "damage_mean", h->end));
     postproc_facts_number(f, "damage, largest", "1", postproc_history_value(h, "damage_max", h->end));
-    postproc_facts_number(f, "energy released by bonds", "J",
-                          postproc_history_value(h, "e_fracture", h->end));
+    postproc_facts_number(f, "energy released by bonds", "J", postproc_history_value(h, "e_fracture", h->end));
     const int cut = h->scene->solid && h->scene->solid->cracks > 0; /* what is broken from the start */
     const double at_start = cut ? first_of(h, "bonds_broken") : 0;
     const double first = first_time_above(h, "bonds_broken", at_start);
@@ -132,8 +129,7 @@ void postproc_sections_wall(struct postproc_output *out, const struct postproc_h
         rest -= postproc_tree_number(h->record, path);
     }
     postproc_facts_number(f, "wall time, the rest", "s", rest);
-    postproc_facts_number(f, "time per cell and step", "ns",
-                          postproc_tree_number(h->record, "ns_per_cell_step"));
+    postproc_facts_number(f, "time per cell and step", "ns", postproc_tree_number(h->record, "ns_per_cell_step"));
     postproc_facts_number(f, "time per directed bond and force sweep", "ns",
                           postproc_tree_number(h->record, "ns_per_directed_bond_sweep"));
     postproc_facts_text(f, "host", postproc_tree_text(h->record, "host"));

@@ -20,18 +20,13 @@ struct postproc_output {
     char failed_path[256];
 };
 
-void postproc_sections_run(struct postproc_output *out,
-                           const struct postproc_history *h); /* scene and scales */
-void postproc_sections_medium(struct postproc_output *out,
-                              const struct postproc_history *h); /* dp, porosity, k */
+void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h);    /* scene and scales */
+void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h); /* dp, porosity, k */
 void postproc_sections_fracture(struct postproc_output *out,
                                 const struct postproc_history *h); /* bonds, fragments, onset */
-void postproc_sections_wall(struct postproc_output *out,
-                            const struct postproc_history *h); /* seconds by part */
-void postproc_sections_pdf(struct postproc_output *out,
-                           const struct postproc_history *h); /* strain and stress */
-void postproc_sections_profile(struct postproc_output *out,
-                               const struct postproc_history *h); /* pressure along x */
+void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);    /* seconds by part */
+void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h);     /* strain and stress */
+void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h); /* pressure along x */
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_crack(struct postproc_output *out,
                              const struct postproc_history *h); /* tips, branches, contour of a plate */

@@ -8,8 +8,7 @@
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
     const int is_box = body->shape == SCENE_BOX;
     for (int d = 0; d < 3; d++) {
-        const double half =
-            body->shape == SCENE_CYLINDER && d == body->axis ? body->length / 2 : body->radius;
+        const double half = body->shape == SCENE_CYLINDER && d == body->axis ? body->length / 2 : body->radius;
         low[d] = is_box ? body->low[d] : body->centre[d] - half;
         high[d] = is_box ? body->high[d] : body->centre[d] + half;
     }
@@ -26,7 +25,7 @@ int scene_check_body_bounds(const struct scene_body *body, double low[3], double
 }
 
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
-                    const double high[3]) {
+                         const double high[3]) {
     for (int d = 0; d < c->scene->dimension; d++)
         if (low[d] >= high[d]) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.low", path.text).text,
@@ -39,7 +38,8 @@ int scene_check_body_box(const struct scene_check *c, struct scene_path path, co
 static void check_body_material(const struct scene_check *c, int b) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d].material", b);
-    if (!scene_check_parts_clean(c, path) || !scene_check_parts_clean(c, scene_check_parts_path("solid.materials"))) return;
+    if (!scene_check_parts_clean(c, path) || !scene_check_parts_clean(c, scene_check_parts_path("solid.materials")))
+        return;
     const char *name[255];
     for (int m = 0; m < s->materials; m++) {
         name[m] = s->material[m].name;
@@ -57,15 +57,14 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
         const double slack = 1e-9 * domain->size[d];
         if (high[d] <= 0 || low[d] >= domain->size[d]) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
-                             "lies outside the domain: %g to %g m in %c, the domain has 0 to %g", low[d],
-                             high[d], "xyz"[d], domain -> size[d]);
+                             "lies outside the domain: %g to %g m in %c, the domain has 0 to %g", low[d], high[d],
+                             "xyz"[d], domain -> size[d]);
             return;
         }
         if (domain->periodic[d] && (low[d] < -slack || high[d] > domain->size[d] + slack)) {
-            scene_problem_at(
-                c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
-                "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g",
-                "xyz"[d], low[d], high[d], domain -> size[d]);
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
+                             "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g",
+                             "xyz"[d], low[d], high[d], domain -> size[d]);
             return;
         }
     }
@@ -99,8 +98,7 @@ static int check_corners(const struct scene_check *c, struct scene_path outline,
     return 1;
 }
 
-static int check_part(const struct scene_check *c, const char *list, int b, int i,
-                      const struct scene_part *part) {
+static int check_part(const struct scene_check *c, const char *list, int b, int i, const struct scene_part *part) {
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d].%s[%d]", b, list, i);
     if (part->shape == SCENE_RECTANGLE) return scene_check_body_box(c, path, part->low, part->high);
     return part->shape != SCENE_POLYGON ||
@@ -138,6 +136,7 @@ void scene_check_body(const struct scene_check *c, int b) {
                          "leaves nothing of the body: must be less than %.4g m, sqrt(3)/2 periods",
                          sqrt(0.75) * body->cavity_period);
     if (!check_curves(c, b) || !scene_check_body_bounds(body, low, high)) return;
-    if (body->shape == SCENE_BOX && !scene_check_body_box(c, scene_check_parts_path("solid.bodies[%d]", b), low, high)) return;
+    if (body->shape == SCENE_BOX && !scene_check_body_box(c, scene_check_parts_path("solid.bodies[%d]", b), low, high))
+        return;
     check_body_place(c, b, low, high);
 }

@@ -1,5 +1,6 @@
-/* What is looked at in a scene before it is believed. All of these go on after a mistake, so that all mistakes are said at
- * once: what was wrong is replaced by something that can be loaded and marked bad, and what rests on it is not looked at. */
+/* What is looked at in a scene before it is believed. All of these go on after a mistake, so that all mistakes are said
+ * at once: what was wrong is replaced by something that can be loaded and marked bad, and what rests on it is not
+ * looked at. */
 #pragma once
 #include "scene/scene.h"
 #include "scene/text/problem.h"
@@ -31,7 +32,7 @@ struct scene_path scene_check_parts_path(const char *format, ...) __attribute__(
 int scene_check_parts_clean(const struct scene_check *c, struct scene_path path);
 /* Whether low is below high; said of path.low. */
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
-                    const double high[3]);
+                         const double high[3]);
 /* The bounds of a body; 0 for one of points, whose bounds only its particles know. */
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]);
 

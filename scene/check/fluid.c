@@ -4,8 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const type_name[] = {"periodic", "wall",     "slip",   "inflow",
-                                        "outflow",  "pressure", "general"};
+static const char *const type_name[] = {"periodic", "wall", "slip", "inflow", "outflow", "pressure", "general"};
 
 static struct scene_path side_path(int d, int end, const char *key) {
     return scene_check_parts_path("fluid.sides.%s%s%s", scene_check_parts_side[d][end], *key ? "." : "", key);
@@ -24,8 +23,7 @@ static int has_walls(const struct scene_fluid *f, int d, int component) {
     int walls = 0;
     for (int end = 0; end < 2; end++) {
         const struct scene_side *s = &f->side[d][end];
-        walls += s->type == SCENE_WALL ||
-                 (s->type == SCENE_GENERAL && condition_of(s, component) == SCENE_DIRICHLET);
+        walls += s->type == SCENE_WALL || (s->type == SCENE_GENERAL && condition_of(s, component) == SCENE_DIRICHLET);
     }
     return walls == 2;
 }
@@ -47,8 +45,8 @@ static void check_side(const struct scene_check *c, int d, int end) {
     if (side->type == SCENE_WALL && side->velocity[d] != 0)
         scene_problem_at(c->problems, c->root, side_path(d, end, "velocity").text,
                          "a wall moves in its own plane: the %c component must be 0", "xyz"[d]);
-    if (side->type == SCENE_INFLOW && side->profile == SCENE_POISEUILLE && sides_clean(c, a) &&
-        sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
+    if (side->type == SCENE_INFLOW && side->profile == SCENE_POISEUILLE && sides_clean(c, a) && sides_clean(c, b) &&
+        !has_walls(f, a, d) && !has_walls(f, b, d))
         scene_problem_at(c->problems, c->root, side_path(d, end, "profile").text,
                          "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
     if (side->type == SCENE_GENERAL) {
@@ -70,15 +68,13 @@ static void check_flux(const struct scene_check *c) {
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++) {
             const struct scene_side *s = &f->side[d][end];
-            const double area = size[0] * size[1] * size[2] / size[d],
-                         normal = end ? -s->velocity[d] : s->velocity[d];
+            const double area = size[0] * size[1] * size[2] / size[d], normal = end ? -s->velocity[d] : s->velocity[d];
             const int given = s->type == SCENE_GENERAL && condition_of(s, d) == SCENE_DIRICHLET;
             const double in = s->type == SCENE_INFLOW ? s->bulk_velocity * area : given ? normal * area : 0;
             net += in;
             scale += fabs(in);
             from_file |= s->type == SCENE_INFLOW && s->profile == SCENE_PROFILE_FILE;
-            open |=
-                s->type == SCENE_OUTFLOW || s->type == SCENE_PRESSURE || (s->type == SCENE_GENERAL && !given);
+            open |= s->type == SCENE_OUTFLOW || s->type == SCENE_PRESSURE || (s->type == SCENE_GENERAL && !given);
             source |= s->type == SCENE_INFLOW || s->type == SCENE_PRESSURE || s->type == SCENE_GENERAL;
         }
     if (!open && (from_file || fabs(net) > 1e-12 * scale))
@@ -88,22 +84,19 @@ static void check_flux(const struct scene_check *c) {
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
             if (f->side[d][end].type == SCENE_OUTFLOW && !source)
-                scene_problem_at(
-                    c->problems, c->root, side_path(d, end, "type").text,
-                    "an outflow needs a side where something comes in (inflow, pressure or general)");
+                scene_problem_at(c->problems, c->root, side_path(d, end, "type").text,
+                                 "an outflow needs a side where something comes in (inflow, pressure or general)");
 }
 
 static void check_driving(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
     const int d = f->driving_direction;
-    if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving") ||
-        !sides_clean(c, d))
+    if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving") || !sides_clean(c, d))
         return;
     if (f->side[d][0].type != SCENE_PERIODIC || f->side[d][1].type != SCENE_PERIODIC)
         scene_problem_at(c->problems, c->root, "fluid.driving.direction",
                          "must be a periodic direction: %s is %s, %s is %s", scene_check_parts_side[d][0],
-                         type_name[f->side[d][0].type], scene_check_parts_side[d][1],
-                         type_name[f->side[d][1].type]);
+                         type_name[f->side[d][0].type], scene_check_parts_side[d][1], type_name[f->side[d][1].type]);
 }
 
 /* Each direction in which the vortices vary holds one wave, sin or cos, which must fit its sides. */
@@ -115,15 +108,13 @@ static void check_taylor_green(const struct scene_check *c) {
     for (int d = 0; d < 3; d++) {
         if (!along[f->taylor_green_axes][d]) continue;
         for (int end = 0; end < 2; end++)
-            if (sides_clean(c, d) && f->side[d][end].type != SCENE_PERIODIC &&
-                f->side[d][end].type != SCENE_SLIP)
+            if (sides_clean(c, d) && f->side[d][end].type != SCENE_PERIODIC && f->side[d][end].type != SCENE_SLIP)
                 scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
                                  "%s must be periodic or slip, it is %s", scene_check_parts_side[d][end],
                                  type_name[f->side[d][end].type]);
         if (scene_node_is_clean(c->root, "domain.cells") && c->scene->domain.cells[d] < 4)
             scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
-                             "needs at least 4 cells in %c, there are %d", "xyz"[d],
-                             c -> scene -> domain.cells[d]);
+                             "needs at least 4 cells in %c, there are %d", "xyz"[d], c -> scene -> domain.cells[d]);
     }
 }
 
@@ -137,8 +128,8 @@ static void check_initial(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
                          "needs initial.velocity, its mean, along one of the axes");
     else if (sides_clean(c, a) && sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
-        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
-                         "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
+        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille", "needs walls on both sides in %c or %c",
+                         "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
 }
 
 /* Implicit diffusion solves for every velocity with a condition of its own, and keeps the force on every marker. */
@@ -179,8 +170,7 @@ void scene_check_fluid(const struct scene_check *c) {
         for (int end = 0; end < 2; end++)
             if (scene_check_parts_clean(c, side_path(d, end, ""))) check_side(c, d, end);
     }
-    if (scene_node_is_clean(c->root, "fluid.sides") && scene_node_is_clean(c->root, "domain.size"))
-        check_flux(c);
+    if (scene_node_is_clean(c->root, "fluid.sides") && scene_node_is_clean(c->root, "domain.size")) check_flux(c);
     check_driving(c);
     check_initial(c);
     check_diffusion(c);

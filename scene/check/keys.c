@@ -11,8 +11,7 @@ static void check_value(struct scene_walk *w, struct scene_node *node, const cya
                         const struct scene_rule *rule, const char *path);
 
 /* Puts a value that can be loaded where there is a wrong one or none. */
-static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                     const char *path) {
+static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v, const char *path) {
     scene_node_clear(node);
     node->bad = 1;
     node->kind = v->type == CYAML_MAPPING                                       ? SCENE_NODE_MAPPING
@@ -76,16 +75,13 @@ static int check_list(struct scene_walk *w, struct scene_node *node, const cyaml
         return 0;
     }
     if (node->n > (int)v->sequence.max) {
-        SCENE_WALK_SAY(key, w, node, path, "has %d entries, at most %u are possible", node->n,
-                       v->sequence.max);
+        SCENE_WALK_SAY(key, w, node, path, "has %d entries, at most %u are possible", node->n, v->sequence.max);
         return 0;
     }
     for (int i = 0; i < node->n; i++) {
         char *inner = scene_node_text("%s[%d]", path, i);
-        if (!fixed && rule && rule->bare && node->child[i]->kind == SCENE_NODE_LIST)
-            wrap(node->child[i], rule->bare);
-        check_value(w, node->child[i], entry, fixed || entry->type == CYAML_SEQUENCE_FIXED ? rule : NULL,
-                    inner);
+        if (!fixed && rule && rule->bare && node->child[i]->kind == SCENE_NODE_LIST) wrap(node->child[i], rule->bare);
+        check_value(w, node->child[i], entry, fixed || entry->type == CYAML_SEQUENCE_FIXED ? rule : NULL, inner);
         free(inner);
     }
     if (fixed && node->n == 2 && v->sequence.max == 3) node->pad = entry->type == CYAML_BOOL ? "false" : "0";
@@ -96,7 +92,8 @@ static char *path_of(const char *path, const char *key) {
     return *path ? scene_node_text("%s.%s", path, key) : scene_node_text("%s", key);
 }
 
-/* Keys given twice are dropped; unknown ones are taken for the key they come near to where that is not given, else dropped. */
+/* Keys given twice are dropped; unknown ones are taken for the key they come near to where that is not given, else
+ * dropped. */
 static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, const char *const *known,
                           const char *path) {
     for (int i = 0; i < node->n; i++) {
@@ -153,8 +150,7 @@ static void check_missing(struct scene_walk *w, struct scene_node *node, const c
             SCENE_WALK_SAY(key, w, &place, path, "missing; %s %s needs it%s", rule->sibling, s->value, unit);
         else
             SCENE_WALK_SAY(key, w, &place, path, "missing%s%s",
-                           rule && rule->needed & SCENE_WITH_FLUID ? "; a scene with a fluid needs it" : "",
-                           unit);
+                           rule && rule->needed & SCENE_WITH_FLUID ? "; a scene with a fluid needs it" : "", unit);
         free(unit);
         stand_in(w, c, &field->value, path);
     }
@@ -223,8 +219,7 @@ static void check_value(struct scene_walk *w, struct scene_node *node, const cya
         good = scene_walk_number(w, node, v, rule, path);
         break;
     case CYAML_BOOL:
-        good = node->kind == SCENE_NODE_SCALAR &&
-               (!strcmp(node->value, "true") || !strcmp(node->value, "false"));
+        good = node->kind == SCENE_NODE_SCALAR && (!strcmp(node->value, "true") || !strcmp(node->value, "false"));
         if (!good) SCENE_WALK_SAY(value, w, node, path, "must be true or false");
         break;
     case CYAML_ENUM:

@@ -25,10 +25,9 @@ static void check_cells(const struct scene_check *c) {
     if (!c->scene->fluid || !c->scene->solid || !scene_node_is_clean(c->root, "domain")) return;
     const double x = d->size[0] / d->cells[0], y = d->size[1] / d->cells[1], z = d->size[2] / d->cells[2];
     if (fabs(y - x) > 1e-9 * x || fabs(z - x) > 1e-9 * x)
-        scene_problem_at(
-            c->problems, c->root, "domain.cells",
-            "a solid in a fluid needs cells of the same size in all directions, these are %g x %g x %g m", x,
-            y, z);
+        scene_problem_at(c->problems, c->root, "domain.cells",
+                         "a solid in a fluid needs cells of the same size in all directions, these are %g x %g x %g m",
+                         x, y, z);
 }
 
 static void check_medium(const struct scene_check *c) {
@@ -55,8 +54,8 @@ static void check_medium(const struct scene_check *c) {
 
 static void check_crack_output(const struct scene_check *c) {
     const struct scene_crack_output *k = c->scene->output.crack;
-    if (k && scene_node_is_clean(c->root, "output.crack.direction") && k->direction[0] == 0 &&
-        k->direction[1] == 0 && k->direction[2] == 0)
+    if (k && scene_node_is_clean(c->root, "output.crack.direction") && k->direction[0] == 0 && k->direction[1] == 0 &&
+        k->direction[2] == 0)
         scene_problem_at(c->problems, c->root, "output.crack.direction", "must not be 0 in every direction");
 }
 
@@ -64,8 +63,8 @@ static void check_place(const struct scene_check *c, struct scene_path path, con
     const double *size = c->scene->domain.size;
     for (int d = 0; d < 3 && scene_check_parts_clean(c, path); d++)
         if (place[d] < 0 || place[d] > size[d]) {
-            scene_problem_at(c->problems, c->root, path.text, "must be within the domain, 0 to %g m in %c",
-                             size[d], "xyz"[d]);
+            scene_problem_at(c->problems, c->root, path.text, "must be within the domain, 0 to %g m in %c", size[d],
+                             "xyz"[d]);
             return;
         }
 }
@@ -75,7 +74,8 @@ static void check_fluid_probes(const struct scene_check *c) {
     if (!p || !scene_node_is_clean(c->root, "domain.size")) return;
     if (p->places + p->lines == 0)
         scene_problem_at(c->problems, c->root, "output.fluid_probes", "needs at, lines or both");
-    for (int k = 0; k < p->places; k++) check_place(c, scene_check_parts_path("output.fluid_probes.at[%d]", k), p->at[k]);
+    for (int k = 0; k < p->places; k++)
+        check_place(c, scene_check_parts_path("output.fluid_probes.at[%d]", k), p->at[k]);
     for (int k = 0; k < p->lines; k++) {
         check_place(c, scene_check_parts_path("output.fluid_probes.lines[%d].from", k), p->line[k].from);
         check_place(c, scene_check_parts_path("output.fluid_probes.lines[%d].to", k), p->line[k].to);
@@ -85,9 +85,8 @@ static void check_fluid_probes(const struct scene_check *c) {
 void scene_check_parts(const struct scene_check *c) {
     if (!c->scene->fluid && !c->scene->solid && c->problems->n == 0)
         scene_problem_line(c->problems, 0,
-                           c->scene->dimension == 2
-                               ? "there is nothing to run: give the plate a section solid"
-                               : "there is nothing to run: give a section fluid, solid or both");
+                           c->scene->dimension == 2 ? "there is nothing to run: give the plate a section solid"
+                                                    : "there is nothing to run: give a section fluid, solid or both");
     check_crack_output(c);
     check_fluid_probes(c);
     check_cells(c);

@@ -1,4 +1,5 @@
-/* What is imposed where: regions, edges, cracks, initial displacements and refinement that reach a body and say one thing. */
+/* What is imposed where: regions, edges, cracks, initial displacements and refinement that reach a body and say one
+ * thing. */
 #include "scene/check/check.h"
 
 #include <math.h>
@@ -59,8 +60,8 @@ static void check_imposed(const struct scene_check *c, int i, const char *key, c
     if (!scene_check_parts_clean(c, path)) return;
     for (int d = 0; d < c->scene->dimension; d++)
         if (value[d] != 0 && !k->direction[d]) {
-            scene_problem_at(c->problems, c->root, path.text,
-                             "has a part in %c, which is not in directions (%s)", "xyz"[d], k -> directions);
+            scene_problem_at(c->problems, c->root, path.text, "has a part in %c, which is not in directions (%s)",
+                             "xyz"[d], k -> directions);
             return;
         }
 }
@@ -77,8 +78,7 @@ static void check_constraint(const struct scene_check *c, int i) {
     for (const char *at = k->directions; *at; at++)
         good &= strchr(in_plate ? "xy" : "xyz", *at) != NULL && !strchr(at + 1, *at);
     if (!good) {
-        scene_problem_at(c->problems, c->root, path.text,
-                         "must be a word of the letters %s, each at most once",
+        scene_problem_at(c->problems, c->root, path.text, "must be a word of the letters %s, each at most once",
                          in_plate ? "x and y" : "x, y and z");
         return;
     }
@@ -88,7 +88,8 @@ static void check_constraint(const struct scene_check *c, int i) {
 
 static void check_load(const struct scene_check *c, int i) {
     const struct scene_load *k = &c->scene->solid->load[i];
-    const struct scene_path path = scene_check_parts_path("solid.loads[%d]", i), edge = scene_check_parts_path("%s.edge", path.text);
+    const struct scene_path path = scene_check_parts_path("solid.loads[%d]", i),
+                            edge = scene_check_parts_path("%s.edge", path.text);
     check_time(c, path, &k->time);
     if (k->kind == SCENE_LOAD_REGION) {
         check_region(c, path, k->low, k->high);
@@ -125,8 +126,7 @@ static void check_crack(const struct scene_check *c, int i) {
     double low[3], high[3];
     if (!scene_check_parts_clean(c, path) || !scene_node_is_clean(c->root, "domain.size")) return;
     if (closed && (k->points != 4 || !is_plane((const double(*)[3])k->point))) {
-        scene_problem_at(c->problems, c->root, path.text,
-                         "must be the four corners of a plane quadrilateral%s",
+        scene_problem_at(c->problems, c->root, path.text, "must be the four corners of a plane quadrilateral%s",
                          k->points != 4 ? " in 3D" : ", these lie in no plane");
         return;
     }
@@ -143,13 +143,13 @@ static void check_crack(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, path.text, "no body reaches to this crack");
 }
 
-/* A family must hold the bonds to refined neighbours: those of the next level where the horizon is scaled, of all where it is kept. */
+/* A family must hold the bonds to refined neighbours: those of the next level where the horizon is scaled, of all where
+ * it is kept. */
 static void check_levels(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_refinement *r = s->refinement;
     if (!scene_node_is_clean(c->root, "solid.refinement.levels") ||
-        !scene_node_is_clean(c->root, "solid.refinement.horizon") ||
-        !scene_node_is_clean(c->root, "solid.materials"))
+        !scene_node_is_clean(c->root, "solid.refinement.horizon") || !scene_node_is_clean(c->root, "solid.materials"))
         return;
     for (int m = 0; m < s->materials; m++) {
         const double finer = r->horizon_kept ? 1 << r->levels : 2;
@@ -157,8 +157,7 @@ static void check_levels(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "solid.refinement.levels",
                          "a family of %s would have more than 512 bonds: its horizon_ratio can be %g at most "
                          "where the horizon is %s",
-                         s->material[m].name, SCENE_HORIZON_MAX_PLATE / finer,
-                         r->horizon_kept ? "kept" : "scaled");
+                         s->material[m].name, SCENE_HORIZON_MAX_PLATE / finer, r->horizon_kept ? "kept" : "scaled");
         return;
     }
 }
@@ -176,8 +175,7 @@ static void check_refinement(const struct scene_check *c) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.level", path.text).text,
                              "must be at most solid.refinement.levels, %d", r->levels);
     }
-    if (scene_node_is_clean(c->root, "solid.refinement") && r->energy == 0 && r->damage == 0 &&
-        r->starts == 0)
+    if (scene_node_is_clean(c->root, "solid.refinement") && r->energy == 0 && r->damage == 0 && r->starts == 0)
         scene_problem_at(c->problems, c->root, "solid.refinement",
                          "refines nothing: energy and damage are off, and nothing is refined from the start");
 }
@@ -186,8 +184,7 @@ static void check_initial(const struct scene_check *c, int i) {
     const struct scene_path path = scene_check_parts_path("solid.initial[%d].displacement", i);
     const double *d = c->scene->solid->initial[i].displacement;
     if (scene_check_parts_clean(c, path) && d[0] == 0 && d[1] == 0 && d[2] == 0)
-        scene_problem_at(c->problems, c->root, path.text,
-                         "displaces nothing: must not be 0 in every direction");
+        scene_problem_at(c->problems, c->root, path.text, "displaces nothing: must not be 0 in every direction");
 }
 
 void scene_check_region(const struct scene_check *c) {

@@ -41,12 +41,11 @@ static void check_period(const struct scene_check *c, int d) {
     const struct scene_solid *s = c->scene->solid;
     const double size = c->scene->domain.size[d], n = size / s->spacing;
     double widest = 0;
-    for (int m = 0; m < s->materials; m++)
-        widest = fmax(widest, 2 * (s->material[m].horizon_ratio + 0.5) * s->spacing);
+    for (int m = 0; m < s->materials; m++) widest = fmax(widest, 2 * (s->material[m].horizon_ratio + 0.5) * s->spacing);
     if (fabs(n - round(n)) > 1e-6) {
         scene_problem_at(c->problems, c->root, "solid.spacing",
-                         "the periodic direction %c (%g m) must hold a whole number of particles, not %.6g",
-                         "xyz"[d], size, n);
+                         "the periodic direction %c (%g m) must hold a whole number of particles, not %.6g", "xyz"[d],
+                         size, n);
     } else if (size < widest * (1 + 1e-9)) {
         scene_problem_at(c->problems, c->root, "domain.size",
                          "a particle's family would meet itself across the periodic direction %c: more than "
@@ -61,8 +60,7 @@ void scene_check_solid(const struct scene_check *c) {
     for (int m = 0; m < s->materials; m++) check_material(c, m);
     for (int b = 0; b < s->bodies; b++) scene_check_body(c, b);
     scene_check_region(c);
-    const int known = scene_node_is_clean(c->root, "domain.size") &&
-                      scene_node_is_clean(c->root, "solid.spacing") &&
+    const int known = scene_node_is_clean(c->root, "domain.size") && scene_node_is_clean(c->root, "solid.spacing") &&
                       scene_node_is_clean(c->root, "solid.materials");
     for (int d = 0; d < 3; d++)
         if (known && c->scene->domain.periodic[d]) check_period(c, d);

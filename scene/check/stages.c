@@ -14,9 +14,8 @@ void scene_check_stages(const struct scene_check *c) {
         const struct scene_stage *s = &c->scene->stage[i];
         if (!scene_check_parts_clean(c, scene_check_parts_path("stages[%d].name", i))) continue;
         if (!can_name_a_file(s->name))
-            scene_problem_at(
-                c->problems, c->root, scene_check_parts_path("stages[%d].name", i).text,
-                "must not hold a slash or a control character: its checkpoint is named after it");
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].name", i).text,
+                             "must not hold a slash or a control character: its checkpoint is named after it");
         for (int k = 0; k < i; k++)
             if (!strcmp(c->scene->stage[k].name, s->name)) {
                 scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].name", i).text,

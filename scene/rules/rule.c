@@ -25,7 +25,7 @@ enum {
 #define LEVELS_MAX 4
 #define PROBES_MAX 10000
 
-#define RULE(its_path, its_unit, ...)                                                                        \
+#define RULE(its_path, its_unit, ...)                                                                                  \
     { .path = its_path, .unit = its_unit, ##__VA_ARGS__ }
 
 /* clang-format off */
@@ -248,8 +248,7 @@ const struct scene_rule *scene_rule_find(const char *path) {
 
 char *scene_rule_range(const struct scene_rule *rule) {
     if (rule->low == rule->high) return NULL;
-    const char *below = rule->open & 2 ? "less than" : "at most",
-               *above = rule->open & 1 ? "greater than" : "at least";
+    const char *below = rule->open & 2 ? "less than" : "at most", *above = rule->open & 1 ? "greater than" : "at least";
     if (isinf(rule->high)) return scene_node_text("%s %.15g", above, rule->low);
     if (!rule->open) return scene_node_text("between %.15g and %.15g", rule->low, rule->high);
     return scene_node_text("%s %.15g and %s %.15g", above, rule->low, below, rule->high);

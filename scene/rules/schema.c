@@ -11,18 +11,15 @@ const cyaml_strval_t scene_schema_axes[3] = {{"x", 0}, {"y", 1}, {"z", 2}};
 static const cyaml_schema_value_t whole = {CYAML_VALUE_INT(NEEDED, int)};
 static const cyaml_schema_value_t boolean = {CYAML_VALUE_BOOL(NEEDED, int)};
 
-static const cyaml_strval_t side_types[] = {{"periodic", SCENE_PERIODIC}, {"wall", SCENE_WALL},
-                                            {"slip", SCENE_SLIP},         {"inflow", SCENE_INFLOW},
-                                            {"outflow", SCENE_OUTFLOW},   {"pressure", SCENE_PRESSURE},
-                                            {"general", SCENE_GENERAL}};
+static const cyaml_strval_t side_types[] = {
+    {"periodic", SCENE_PERIODIC}, {"wall", SCENE_WALL},         {"slip", SCENE_SLIP},      {"inflow", SCENE_INFLOW},
+    {"outflow", SCENE_OUTFLOW},   {"pressure", SCENE_PRESSURE}, {"general", SCENE_GENERAL}};
 static const cyaml_strval_t profiles[] = {
     {"uniform", SCENE_UNIFORM}, {"poiseuille", SCENE_POISEUILLE}, {"file", SCENE_PROFILE_FILE}};
 static const cyaml_strval_t conditions[] = {{"dirichlet", SCENE_DIRICHLET}, {"neumann", SCENE_NEUMANN}};
-static const cyaml_strval_t drivings[] = {{"none", SCENE_DRIVING_NONE},
-                                          {"pressure_gradient", SCENE_DRIVING_GRADIENT},
-                                          {"bulk_velocity", SCENE_DRIVING_BULK}};
-static const cyaml_strval_t axes[] = {
-    {"xy", SCENE_XY}, {"xz", SCENE_XZ}, {"yz", SCENE_YZ}, {"xyz", SCENE_XYZ}};
+static const cyaml_strval_t drivings[] = {
+    {"none", SCENE_DRIVING_NONE}, {"pressure_gradient", SCENE_DRIVING_GRADIENT}, {"bulk_velocity", SCENE_DRIVING_BULK}};
+static const cyaml_strval_t axes[] = {{"xy", SCENE_XY}, {"xz", SCENE_XZ}, {"yz", SCENE_YZ}, {"xyz", SCENE_XYZ}};
 static const cyaml_strval_t load_forms[] = {
     {"probe", SCENE_LOAD_PROBE}, {"wall", SCENE_LOAD_WALL}, {"balanced", SCENE_LOAD_BALANCED}};
 static const cyaml_strval_t schemes[] = {{"explicit", SCENE_EXPLICIT}, {"strong", SCENE_STRONG}};
@@ -36,34 +33,32 @@ static const cyaml_strval_t integrators[] = {{"rk3", SCENE_RK3}, {"verlet", SCEN
 static const cyaml_schema_field_t domain_fields[] = {
     VECTOR("size", NEEDED, scene_domain, size),
     CYAML_FIELD_SEQUENCE_FIXED("cells", OPTIONAL, struct scene_domain, cells, &whole, 3),
-    CYAML_FIELD_SEQUENCE_FIXED("periodic", OPTIONAL, struct scene_domain, periodic, &boolean, 3),
-    CYAML_FIELD_END};
+    CYAML_FIELD_SEQUENCE_FIXED("periodic", OPTIONAL, struct scene_domain, periodic, &boolean, 3), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t taylor_green_fields[] = {
     NUMBER("velocity", NEEDED, scene_fluid, taylor_green_velocity),
     CHOICE("axes", OPTIONAL, scene_fluid, taylor_green_axes, axes), CYAML_FIELD_END};
-static const cyaml_schema_field_t initial_fields[] = {
-    VECTOR("velocity", OPTIONAL, scene_fluid, initial_velocity),
-    BOOLEAN("poiseuille", OPTIONAL, scene_fluid, initial_poiseuille),
-    PART("taylor_green", OPTIONAL, scene_fluid, taylor_green_fields), CYAML_FIELD_END};
+static const cyaml_schema_field_t initial_fields[] = {VECTOR("velocity", OPTIONAL, scene_fluid, initial_velocity),
+                                                      BOOLEAN("poiseuille", OPTIONAL, scene_fluid, initial_poiseuille),
+                                                      PART("taylor_green", OPTIONAL, scene_fluid, taylor_green_fields),
+                                                      CYAML_FIELD_END};
 
-static const cyaml_schema_field_t side_fields[] = {
-    CHOICE("type", NEEDED, scene_side, type, side_types),
-    VECTOR("velocity", OPTIONAL, scene_side, velocity),
-    CHOICE("profile", OPTIONAL, scene_side, profile, profiles),
-    NUMBER("bulk_velocity", OPTIONAL, scene_side, bulk_velocity),
-    TEXT("file", OPTIONAL, scene_side, file),
-    NUMBER("pressure", OPTIONAL, scene_side, pressure),
-    CHOICE("u", OPTIONAL, scene_side, u, conditions),
-    CHOICE("v", OPTIONAL, scene_side, v, conditions),
-    CHOICE("w", OPTIONAL, scene_side, w, conditions),
-    CHOICE("p", OPTIONAL, scene_side, p, conditions),
-    CYAML_FIELD_END};
+static const cyaml_schema_field_t side_fields[] = {CHOICE("type", NEEDED, scene_side, type, side_types),
+                                                   VECTOR("velocity", OPTIONAL, scene_side, velocity),
+                                                   CHOICE("profile", OPTIONAL, scene_side, profile, profiles),
+                                                   NUMBER("bulk_velocity", OPTIONAL, scene_side, bulk_velocity),
+                                                   TEXT("file", OPTIONAL, scene_side, file),
+                                                   NUMBER("pressure", OPTIONAL, scene_side, pressure),
+                                                   CHOICE("u", OPTIONAL, scene_side, u, conditions),
+                                                   CHOICE("v", OPTIONAL, scene_side, v, conditions),
+                                                   CHOICE("w", OPTIONAL, scene_side, w, conditions),
+                                                   CHOICE("p", OPTIONAL, scene_side, p, conditions),
+                                                   CYAML_FIELD_END};
 
 #define SIDE(key, d, end) CYAML_FIELD_MAPPING(key, NEEDED, struct scene_fluid, side[d][end], side_fields)
-static const cyaml_schema_field_t sides_fields[] = {
-    SIDE("x_low", 0, 0), SIDE("x_high", 0, 1), SIDE("y_low", 1, 0), SIDE("y_high", 1, 1),
-    SIDE("z_low", 2, 0), SIDE("z_high", 2, 1), CYAML_FIELD_END};
+static const cyaml_schema_field_t sides_fields[] = {SIDE("x_low", 0, 0),  SIDE("x_high", 0, 1), SIDE("y_low", 1, 0),
+                                                    SIDE("y_high", 1, 1), SIDE("z_low", 2, 0),  SIDE("z_high", 2, 1),
+                                                    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t driving_fields[] = {
     CHOICE("type", NEEDED, scene_fluid, driving, drivings),
@@ -71,19 +66,17 @@ static const cyaml_schema_field_t driving_fields[] = {
     NUMBER("value", OPTIONAL, scene_fluid, driving_value),
     NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency), CYAML_FIELD_END};
 
-static const cyaml_schema_field_t fluid_fields[] = {
-    NUMBER("density", NEEDED, scene_fluid, density),
-    NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
-    CHOICE("diffusion", OPTIONAL, scene_fluid, diffusion, diffusions),
-    PART("initial", OPTIONAL, scene_fluid, initial_fields),
-    PART("sides", NEEDED, scene_fluid, sides_fields),
-    PART("driving", OPTIONAL, scene_fluid, driving_fields),
-    VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
-    CYAML_FIELD_END};
+static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
+                                                    NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
+                                                    CHOICE("diffusion", OPTIONAL, scene_fluid, diffusion, diffusions),
+                                                    PART("initial", OPTIONAL, scene_fluid, initial_fields),
+                                                    PART("sides", NEEDED, scene_fluid, sides_fields),
+                                                    PART("driving", OPTIONAL, scene_fluid, driving_fields),
+                                                    VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
+                                                    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t medium_fields[] = {VECTOR("low", NEEDED, scene_coupling, box_low),
-                                                     VECTOR("high", NEEDED, scene_coupling, box_high),
-                                                     CYAML_FIELD_END};
+                                                     VECTOR("high", NEEDED, scene_coupling, box_high), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t coupling_fields[] = {
     WHOLE("forcing_iterations", OPTIONAL, scene_coupling, forcing_iterations),
@@ -114,20 +107,20 @@ static const cyaml_schema_field_t stage_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t stage = {CYAML_VALUE_MAPPING(NEEDED, struct scene_stage, stage_fields)};
 
-static const cyaml_schema_field_t crack_fields[] = {
-    NUMBER("damage", OPTIONAL, scene_crack_output, damage),
-    VECTOR("direction", OPTIONAL, scene_crack_output, direction),
-    NUMBER("window", OPTIONAL, scene_crack_output, window),
-    WHOLE("every", OPTIONAL, scene_crack_output, every), CYAML_FIELD_END};
+static const cyaml_schema_field_t crack_fields[] = {NUMBER("damage", OPTIONAL, scene_crack_output, damage),
+                                                    VECTOR("direction", OPTIONAL, scene_crack_output, direction),
+                                                    NUMBER("window", OPTIONAL, scene_crack_output, window),
+                                                    WHOLE("every", OPTIONAL, scene_crack_output, every),
+                                                    CYAML_FIELD_END};
 
 static const cyaml_schema_value_t place = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
 static const cyaml_schema_field_t probes_fields[] = {
-    ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX),
-    WHOLE("every", OPTIONAL, scene_probes, every), CYAML_FIELD_END};
+    ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX), WHOLE("every", OPTIONAL, scene_probes, every),
+    CYAML_FIELD_END};
 
-static const cyaml_schema_field_t line_fields[] = {
-    VECTOR("from", NEEDED, scene_probe_line, from), VECTOR("to", NEEDED, scene_probe_line, to),
-    WHOLE("points", NEEDED, scene_probe_line, points), CYAML_FIELD_END};
+static const cyaml_schema_field_t line_fields[] = {VECTOR("from", NEEDED, scene_probe_line, from),
+                                                   VECTOR("to", NEEDED, scene_probe_line, to),
+                                                   WHOLE("points", NEEDED, scene_probe_line, points), CYAML_FIELD_END};
 static const cyaml_schema_value_t line = {CYAML_VALUE_MAPPING(NEEDED, struct scene_probe_line, line_fields)};
 static const cyaml_schema_field_t fluid_probes_fields[] = {
     ENTRIES("at", LIST, scene_fluid_probes, at, places, &place, 1, LIST_MAX),
@@ -155,8 +148,7 @@ static const cyaml_schema_field_t scene_fields[] = {
     CYAML_FIELD_MAPPING("output", OPTIONAL, struct scene, output, output_fields),
     CYAML_FIELD_END};
 
-const cyaml_schema_value_t scene_schema = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct scene, scene_fields)};
+const cyaml_schema_value_t scene_schema = {CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct scene, scene_fields)};
 
 /* Keeps libcyaml's first error as text. */
 static void keep_error(cyaml_log_t level, void *context, const char *format, va_list args) {
@@ -178,8 +170,7 @@ struct scene *scene_schema_load(const char *text, char **why) {
     const cyaml_config_t config = config_of(why);
     cyaml_data_t *data = NULL;
     *why = NULL;
-    const cyaml_err_t error =
-        cyaml_load_data((const uint8_t *)text, strlen(text), &config, &scene_schema, &data, NULL);
+    const cyaml_err_t error = cyaml_load_data((const uint8_t *)text, strlen(text), &config, &scene_schema, &data, NULL);
     if (error == CYAML_OK) return (struct scene *)data;
     if (!*why) *why = scene_node_text("%s", cyaml_strerror(error));
     return NULL;

@@ -1,16 +1,13 @@
 /* The section solid. */
 #include "scene/rules/schema_parts.h"
 
-static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS},
-                                        {"plane_strain", SCENE_PLANE_STRAIN}};
+static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};
 static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}};
-static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL},
-                                          {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
+static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL}, {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
 static const cyaml_strval_t micromoduli[] = {{"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}};
-static const cyaml_strval_t shapes[] = {{"box", SCENE_BOX},           {"sphere", SCENE_SPHERE},
-                                        {"cylinder", SCENE_CYLINDER}, {"rectangle", SCENE_RECTANGLE},
-                                        {"disc", SCENE_DISC},         {"polygon", SCENE_POLYGON},
-                                        {"points", SCENE_POINTS}};
+static const cyaml_strval_t shapes[] = {
+    {"box", SCENE_BOX},   {"sphere", SCENE_SPHERE},   {"cylinder", SCENE_CYLINDER}, {"rectangle", SCENE_RECTANGLE},
+    {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}, {"points", SCENE_POINTS}};
 static const cyaml_strval_t part_shapes[] = {
     {"rectangle", SCENE_RECTANGLE}, {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}};
 static const cyaml_strval_t turns[] = {{"straight", 0}, {"left", 1}, {"right", -1}};
@@ -29,16 +26,15 @@ static const cyaml_schema_field_t material_fields[] = {
     NUMBER("horizon_ratio", OPTIONAL, scene_material, horizon_ratio),
     CHOICE("micromodulus", OPTIONAL, scene_material, micromodulus, micromoduli),
     CYAML_FIELD_END};
-static const cyaml_schema_value_t material = {
-    CYAML_VALUE_MAPPING(NEEDED, struct scene_material, material_fields)};
+static const cyaml_schema_value_t material = {CYAML_VALUE_MAPPING(NEEDED, struct scene_material, material_fields)};
 
 static const cyaml_schema_field_t cavity_fields[] = {
     NUMBER("period", NEEDED, scene_body, cavity_period), NUMBER("radius", NEEDED, scene_body, cavity_radius),
     VECTOR("centre", NEEDED, scene_body, cavity_centre), CYAML_FIELD_END};
 
-static const cyaml_schema_field_t corner_fields[] = {
-    PAIR("at", NEEDED, scene_corner, at), CHOICE("turn", OPTIONAL, scene_corner, turn, turns),
-    PAIR("centre", OPTIONAL, scene_corner, centre), CYAML_FIELD_END};
+static const cyaml_schema_field_t corner_fields[] = {PAIR("at", NEEDED, scene_corner, at),
+                                                     CHOICE("turn", OPTIONAL, scene_corner, turn, turns),
+                                                     PAIR("centre", OPTIONAL, scene_corner, centre), CYAML_FIELD_END};
 static const cyaml_schema_value_t corner = {CYAML_VALUE_MAPPING(NEEDED, struct scene_corner, corner_fields)};
 
 static const cyaml_schema_field_t part_fields[] = {
@@ -69,8 +65,7 @@ static const cyaml_schema_field_t body_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
 
-static const cyaml_schema_value_t triple = {
-    CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
+static const cyaml_schema_value_t triple = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
 static const cyaml_schema_value_t pair = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 2)};
 
 static const cyaml_schema_field_t crack_fields[] = {
@@ -90,36 +85,33 @@ static const cyaml_schema_field_t constraint_fields[] = {
 static const cyaml_schema_value_t constraint = {
     CYAML_VALUE_MAPPING(NEEDED, struct scene_constraint, constraint_fields)};
 
-static const cyaml_schema_field_t region_fields[] = {
-    VECTOR("low", NEEDED, scene_region, low), VECTOR("high", NEEDED, scene_region, high), CYAML_FIELD_END};
+static const cyaml_schema_field_t region_fields[] = {VECTOR("low", NEEDED, scene_region, low),
+                                                     VECTOR("high", NEEDED, scene_region, high), CYAML_FIELD_END};
 static const cyaml_schema_value_t region = {CYAML_VALUE_MAPPING(NEEDED, struct scene_region, region_fields)};
 
 static const cyaml_schema_field_t edge_fields[] = {PAIR("from", NEEDED, scene_load, edge[0]),
                                                    PAIR("to", NEEDED, scene_load, edge[1]), CYAML_FIELD_END};
-static const cyaml_schema_field_t load_fields[] = {
-    VECTOR("low", OPTIONAL, scene_load, low),
-    VECTOR("high", OPTIONAL, scene_load, high),
-    VECTOR("force", OPTIONAL, scene_load, force),
-    PART("edge", OPTIONAL, scene_load, edge_fields),
-    VECTOR("traction", OPTIONAL, scene_load, traction),
-    CHOICE("depth", OPTIONAL, scene_load, over_horizon, depths),
-    TIME(scene_load),
-    CYAML_FIELD_END};
+static const cyaml_schema_field_t load_fields[] = {VECTOR("low", OPTIONAL, scene_load, low),
+                                                   VECTOR("high", OPTIONAL, scene_load, high),
+                                                   VECTOR("force", OPTIONAL, scene_load, force),
+                                                   PART("edge", OPTIONAL, scene_load, edge_fields),
+                                                   VECTOR("traction", OPTIONAL, scene_load, traction),
+                                                   CHOICE("depth", OPTIONAL, scene_load, over_horizon, depths),
+                                                   TIME(scene_load),
+                                                   CYAML_FIELD_END};
 static const cyaml_schema_value_t load = {CYAML_VALUE_MAPPING(NEEDED, struct scene_load, load_fields)};
 
-static const cyaml_schema_field_t initial_fields[] = {
-    CHOICE("shape", NEEDED, scene_initial, shape, initial_shapes),
-    CHOICE("along", NEEDED, scene_initial, along, scene_schema_axes),
-    NUMBER("centre", NEEDED, scene_initial, centre),
-    NUMBER("width", NEEDED, scene_initial, width),
-    VECTOR("displacement", NEEDED, scene_initial, displacement),
-    CYAML_FIELD_END};
-static const cyaml_schema_value_t initial = {
-    CYAML_VALUE_MAPPING(NEEDED, struct scene_initial, initial_fields)};
+static const cyaml_schema_field_t initial_fields[] = {CHOICE("shape", NEEDED, scene_initial, shape, initial_shapes),
+                                                      CHOICE("along", NEEDED, scene_initial, along, scene_schema_axes),
+                                                      NUMBER("centre", NEEDED, scene_initial, centre),
+                                                      NUMBER("width", NEEDED, scene_initial, width),
+                                                      VECTOR("displacement", NEEDED, scene_initial, displacement),
+                                                      CYAML_FIELD_END};
+static const cyaml_schema_value_t initial = {CYAML_VALUE_MAPPING(NEEDED, struct scene_initial, initial_fields)};
 
-static const cyaml_schema_field_t start_fields[] = {
-    VECTOR("low", NEEDED, scene_refined, low), VECTOR("high", NEEDED, scene_refined, high),
-    WHOLE("level", NEEDED, scene_refined, level), CYAML_FIELD_END};
+static const cyaml_schema_field_t start_fields[] = {VECTOR("low", NEEDED, scene_refined, low),
+                                                    VECTOR("high", NEEDED, scene_refined, high),
+                                                    WHOLE("level", NEEDED, scene_refined, level), CYAML_FIELD_END};
 static const cyaml_schema_value_t start = {CYAML_VALUE_MAPPING(NEEDED, struct scene_refined, start_fields)};
 
 static const cyaml_schema_field_t refinement_fields[] = {
@@ -137,8 +129,7 @@ static const cyaml_schema_field_t refinement_fields[] = {
     CYAML_FIELD_END};
 
 static const cyaml_schema_field_t contact_fields[] = {
-    BOOLEAN("enabled", OPTIONAL, scene_solid, contact),
-    NUMBER("stiffness", OPTIONAL, scene_solid, contact_stiffness),
+    BOOLEAN("enabled", OPTIONAL, scene_solid, contact), NUMBER("stiffness", OPTIONAL, scene_solid, contact_stiffness),
     NUMBER("exponent", OPTIONAL, scene_solid, contact_exponent),
     NUMBER("radius", OPTIONAL, scene_solid, contact_radius), CYAML_FIELD_END};
 

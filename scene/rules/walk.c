@@ -43,8 +43,7 @@ static char *or_word(const struct scene_rule *rule) {
 
 int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                       const struct scene_rule *rule, const char *path) {
-    if (rule && rule->word && node->kind == SCENE_NODE_SCALAR && !node->quoted &&
-        !strcmp(node->value, rule->word)) {
+    if (rule && rule->word && node->kind == SCENE_NODE_SCALAR && !node->quoted && !strcmp(node->value, rule->word)) {
         node->load = rule->load;
         return 1;
     }
@@ -58,12 +57,9 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
     const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
     const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
     const double value = form ? strtod(node->value, NULL) : 0;
-    const double largest = !whole                        ? DBL_MAX
-                           : v->data_size == sizeof(int) ? INT_MAX
-                                                         : 9e15; /* exact in a double */
+    const double largest = !whole ? DBL_MAX : v->data_size == sizeof(int) ? INT_MAX : 9e15; /* exact in a double */
     const int admitted = !rule || scene_rule_admits(rule, value);
-    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL,
-         *unit = scene_walk_in_units(rule);
+    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_walk_in_units(rule);
     if (!form)
         SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
                        range ? ", " : "", range ? range : "", unit, word);
@@ -112,15 +108,13 @@ int scene_walk_choice(struct scene_walk *w, struct scene_node *node, const cyaml
     return 0;
 }
 
-int scene_walk_text(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                    const char *path) {
+int scene_walk_text(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v, const char *path) {
     const size_t length = node->kind == SCENE_NODE_SCALAR ? strlen(node->value) : 0;
     if (node->kind != SCENE_NODE_SCALAR || length < v->string.min)
         SCENE_WALK_SAY(value, w, node, path, "must be a text%s",
                        length < v->string.min && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
     else if (length > v->string.max)
-        SCENE_WALK_SAY(value, w, node, path, "is too long: %zu characters, at most %u", length,
-                       v->string.max);
+        SCENE_WALK_SAY(value, w, node, path, "is too long: %zu characters, at most %u", length, v->string.max);
     else
         return 1;
     return 0;

@@ -36,17 +36,16 @@ static char *lacks(const struct scene_walk *w, int only, int *unsure) {
         *unsure = w->dimension == 0;
         if (*unsure) return NULL;
         return scene_node_text("%s", lacking & SCENE_IN_3D ? "not in a plate, which has no fluid yet"
-                                                      : "only in a plate, where domain.size has two numbers");
+                                                           : "only in a plate, where domain.size has two numbers");
     }
     if (lacking & SCENE_WITHOUT_FLUID) return scene_node_text("only in a scene without fluid");
     if (lacking && (only & both) == both) return scene_node_text("only in a scene with both fluid and solid");
-    if (lacking)
-        return scene_node_text("only in a scene with a %s", lacking & SCENE_WITH_SOLID ? "solid" : "fluid");
+    if (lacking) return scene_node_text("only in a scene with a %s", lacking & SCENE_WITH_SOLID ? "solid" : "fluid");
     return NULL;
 }
 
 char *scene_walk_place_why_not(const struct scene_walk *w, const struct scene_node *mapping,
-                         const struct scene_rule *rule, int *unsure) {
+                               const struct scene_rule *rule, int *unsure) {
     *unsure = 0;
     if (!rule) return NULL;
     char *reason = lacks(w, rule->only, unsure);
@@ -101,14 +100,13 @@ int scene_walk_place_entries(const struct scene_walk *w, const cyaml_schema_valu
     return w->dimension;
 }
 
-void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node *node,
-                            const cyaml_schema_value_t *v, const struct scene_rule *rule, const char *path) {
+void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node *node, const cyaml_schema_value_t *v,
+                                  const struct scene_rule *rule, const char *path) {
     const int is_size = !strcmp(path, "domain.size"), is_vector = v->sequence.max == 3;
-    const char *more = is_size && w->dimension == 0 ? ", or of 2 for a plate"
-                       : is_size && node->kind == SCENE_NODE_LIST && node->n == 2
-                           ? ": a plate, of 2, has no fluid yet"
-                       : is_vector && w->dimension == 2 ? " in a plate"
-                                                        : "";
+    const char *more = is_size && w->dimension == 0                               ? ", or of 2 for a plate"
+                       : is_size && node->kind == SCENE_NODE_LIST && node->n == 2 ? ": a plate, of 2, has no fluid yet"
+                       : is_vector && w->dimension == 2                           ? " in a plate"
+                                                                                  : "";
     char *unit = scene_walk_in_units(rule);
     SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s",
                    is_vector && w->dimension == 2 ? 2 : (int)v->sequence.max,

@@ -67,8 +67,7 @@ void scene_node_drop(struct scene_node *parent, int i) {
 static struct scene_node *child_of(const struct scene_node *node, const char *key, size_t length) {
     if (node->kind != SCENE_NODE_MAPPING) return NULL;
     for (int i = 0; i < node->n; i++)
-        if (strlen(node->child[i]->key) == length && !memcmp(node->child[i]->key, key, length))
-            return node->child[i];
+        if (strlen(node->child[i]->key) == length && !memcmp(node->child[i]->key, key, length)) return node->child[i];
     return NULL;
 }
 

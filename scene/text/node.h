@@ -14,7 +14,7 @@ struct scene_node {
     int set_inner;    /* 1: the node is a part of what the --set has given */
     int bad;          /* 1: a mistake was said of it; what it holds now only stands in for a value */
     const char *load; /* what stands for the word when it is loaded into the struct (auto: 0); borrowed */
-    const char *pad; /* what a list gets at its end when it is loaded (a plate's third component); borrowed */
+    const char *pad;  /* what a list gets at its end when it is loaded (a plate's third component); borrowed */
     int n, capacity;
     struct scene_node **child; /* owned */
 };
@@ -22,9 +22,8 @@ struct scene_node {
 struct scene_node *scene_node_new(enum scene_node_kind kind, const char *key, const char *value);
 void scene_node_free(struct scene_node *node);
 void scene_node_clear(struct scene_node *node); /* frees what it holds; its key, line and origin stay */
-void scene_node_insert(struct scene_node *parent, int i,
-                       struct scene_node *child);                            /* before the i-th; takes it */
-void scene_node_append(struct scene_node *parent, struct scene_node *child); /* takes the child */
+void scene_node_insert(struct scene_node *parent, int i, struct scene_node *child); /* before the i-th; takes it */
+void scene_node_append(struct scene_node *parent, struct scene_node *child);        /* takes the child */
 void scene_node_drop(struct scene_node *parent, int i);
 
 struct scene_node *scene_node_child(const struct scene_node *mapping, const char *key); /* NULL: none */

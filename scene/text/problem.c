@@ -114,30 +114,29 @@ void scene_problem_line(struct scene_problems *p, int line, const char *format, 
     free(message);
 }
 
-void scene_problem_key(struct scene_problems *p, const struct scene_node *node, const char *path,
-                       const char *format, ...) {
+void scene_problem_key(struct scene_problems *p, const struct scene_node *node, const char *path, const char *format,
+                       ...) {
     va_list args;
     va_start(args, format);
     say(p, node, path, 0, message_of(format, args));
     va_end(args);
 }
 
-void scene_problem_value(struct scene_problems *p, const struct scene_node *node, const char *path,
-                         const char *format, ...) {
+void scene_problem_value(struct scene_problems *p, const struct scene_node *node, const char *path, const char *format,
+                         ...) {
     va_list args;
     va_start(args, format);
     say(p, node, path, 1, message_of(format, args));
     va_end(args);
 }
 
-void scene_problem_at(struct scene_problems *p, const struct scene_node *root, const char *path,
-                      const char *format, ...) {
+void scene_problem_at(struct scene_problems *p, const struct scene_node *root, const char *path, const char *format,
+                      ...) {
     va_list args;
     va_start(args, format);
     const struct scene_node *node = scene_node_find(root, path), *near = scene_node_near(root, path);
     /* a key that is missing stands on the line of what it is missing from */
-    const struct scene_node above = {
-        .kind = SCENE_NODE_MAPPING, .line = near->line, .set = near->set, .set_inner = 1};
+    const struct scene_node above = {.kind = SCENE_NODE_MAPPING, .line = near->line, .set = near->set, .set_inner = 1};
     say(p, node ? node : &above, path, 1, message_of(format, args));
     va_end(args);
 }

@@ -16,14 +16,14 @@ void scene_problem_sort(struct scene_problems *p); /* by line, as found within a
 void scene_problem_line(struct scene_problems *p, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 /* "file:line: path: message"; for a node from a --set, "--set path: message". */
-void scene_problem_key(struct scene_problems *p, const struct scene_node *node, const char *path,
-                       const char *format, ...) __attribute__((format(printf, 4, 5)));
+void scene_problem_key(struct scene_problems *p, const struct scene_node *node, const char *path, const char *format,
+                       ...) __attribute__((format(printf, 4, 5)));
 /* "file:line: path = value: message". */
-void scene_problem_value(struct scene_problems *p, const struct scene_node *node, const char *path,
-                         const char *format, ...) __attribute__((format(printf, 4, 5)));
+void scene_problem_value(struct scene_problems *p, const struct scene_node *node, const char *path, const char *format,
+                         ...) __attribute__((format(printf, 4, 5)));
 /* Of the path below the root: with its value if it has one, else at the line of the deepest key above it. */
-void scene_problem_at(struct scene_problems *p, const struct scene_node *root, const char *path,
-                      const char *format, ...) __attribute__((format(printf, 4, 5)));
+void scene_problem_at(struct scene_problems *p, const struct scene_node *root, const char *path, const char *format,
+                      ...) __attribute__((format(printf, 4, 5)));
 
 /* The candidate nearest to the word by edits (insert, delete, change, swap), near enough to be meant; NULL: none. */
 const char *scene_problem_nearest(const char *word, int n, const char *const *candidate);

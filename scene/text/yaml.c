@@ -68,8 +68,7 @@ static int pairs(struct reader *r, struct scene_node *mapping, int depth) {
     for (;;) {
         if (!next(r)) return 0;
         if (r->event.type == YAML_MAPPING_END_EVENT) return 1;
-        if (r->event.type != YAML_SCALAR_EVENT)
-            return fail(r, line_of(r), scene_node_text("a key must be a word"));
+        if (r->event.type != YAML_SCALAR_EVENT) return fail(r, line_of(r), scene_node_text("a key must be a word"));
         struct scene_node *key = scalar(r, NULL);
         if (!key) return 0;
         const int line = key->line;
@@ -102,7 +101,7 @@ static struct scene_node *value(struct reader *r, const char *key, int depth) {
     if (r->event.type == YAML_ALIAS_EVENT) {
         fail(r, line,
              scene_node_text("an alias (*%s) is not read in a %s: write the value out",
-                        (const char *)r->event.data.alias.anchor, r->what));
+                             (const char *)r->event.data.alias.anchor, r->what));
         return NULL;
     }
     if (r->event.type != YAML_MAPPING_START_EVENT && r->event.type != YAML_SEQUENCE_START_EVENT) {
@@ -162,8 +161,7 @@ struct scene_node *scene_yaml_parse_as(const struct scene_yaml_what *what, const
     struct scene_node *root = document(&r, text, bytes, &empty);
     if (r.why)
         scene_problem_line(problems, r.line, "%s%s", r.why,
-                           has_tab(text, bytes, r.line) ? " (the line is indented by a tab: use spaces)"
-                                                        : "");
+                           has_tab(text, bytes, r.line) ? " (the line is indented by a tab: use spaces)" : "");
     free(r.why);
     if (empty || (root && root->kind == SCENE_NODE_SCALAR && !*root->value && !root->quoted)) {
         scene_problem_line(problems, 0, "the %s is empty", what->name);
@@ -204,18 +202,15 @@ static int emit_node(yaml_emitter_t *e, const struct scene_node *node, int for_l
         return emit_scalar(e, for_load && node->load ? node->load : node->value, node->quoted);
     const int is_mapping = node->kind == SCENE_NODE_MAPPING;
     int ok = is_mapping
-                 ? yaml_mapping_start_event_initialize(
-                       &event, NULL, NULL, 1, node->n ? YAML_BLOCK_MAPPING_STYLE : YAML_FLOW_MAPPING_STYLE)
-                 : yaml_sequence_start_event_initialize(&event, NULL, NULL, 1,
-                                                        all_scalars(node) ? YAML_FLOW_SEQUENCE_STYLE
-                                                                          : YAML_BLOCK_SEQUENCE_STYLE);
+                 ? yaml_mapping_start_event_initialize(&event, NULL, NULL, 1,
+                                                       node->n ? YAML_BLOCK_MAPPING_STYLE : YAML_FLOW_MAPPING_STYLE)
+                 : yaml_sequence_start_event_initialize(
+                       &event, NULL, NULL, 1, all_scalars(node) ? YAML_FLOW_SEQUENCE_STYLE : YAML_BLOCK_SEQUENCE_STYLE);
     ok = ok && yaml_emitter_emit(e, &event);
     for (int i = 0; ok && i < node->n; i++)
-        ok =
-            (!is_mapping || emit_scalar(e, node->child[i]->key, 0)) && emit_node(e, node->child[i], for_load);
+        ok = (!is_mapping || emit_scalar(e, node->child[i]->key, 0)) && emit_node(e, node->child[i], for_load);
     if (for_load && node->pad) ok = ok && emit_scalar(e, node->pad, 0);
-    ok = ok && (is_mapping ? yaml_mapping_end_event_initialize(&event)
-                           : yaml_sequence_end_event_initialize(&event));
+    ok = ok && (is_mapping ? yaml_mapping_end_event_initialize(&event) : yaml_sequence_end_event_initialize(&event));
     return ok && yaml_emitter_emit(e, &event);
 }
 
@@ -229,12 +224,11 @@ char *scene_yaml_emit(const struct scene_node *root, int for_load) {
     yaml_emitter_set_output_file(&e, out);
     yaml_emitter_set_width(&e, -1);
     yaml_emitter_set_unicode(&e, 1);
-    const int ok = yaml_stream_start_event_initialize(&event, YAML_UTF8_ENCODING) &&
-                   yaml_emitter_emit(&e, &event) &&
-                   yaml_document_start_event_initialize(&event, NULL, NULL, NULL, 1) &&
-                   yaml_emitter_emit(&e, &event) && emit_node(&e, root, for_load) &&
-                   yaml_document_end_event_initialize(&event, 1) && yaml_emitter_emit(&e, &event) &&
-                   yaml_stream_end_event_initialize(&event) && yaml_emitter_emit(&e, &event);
+    const int ok = yaml_stream_start_event_initialize(&event, YAML_UTF8_ENCODING) && yaml_emitter_emit(&e, &event) &&
+                   yaml_document_start_event_initialize(&event, NULL, NULL, NULL, 1) && yaml_emitter_emit(&e, &event) &&
+                   emit_node(&e, root, for_load) && yaml_document_end_event_initialize(&event, 1) &&
+                   yaml_emitter_emit(&e, &event) && yaml_stream_end_event_initialize(&event) &&
+                   yaml_emitter_emit(&e, &event);
     ENSURE(ok, "%s", e.problem ? e.problem : "the scene could not be written as YAML");
     yaml_emitter_delete(&e);
     fclose(out);

@@ -79,8 +79,7 @@ struct solid_cloud *solid_cloud_new(const struct solid_cloud_input *in) {
         size = fmax(size, t->size[i]);
         horizon = fmax(horizon, t->horizon[i]);
     }
-    t->longest_reach =
-        horizon + M_SQRT1_2 * size; /* to the middle of a square whose corner is at the horizon */
+    t->longest_reach = horizon + M_SQRT1_2 * size; /* to the middle of a square whose corner is at the horizon */
     sort_into_cells(t);
     return t;
 }

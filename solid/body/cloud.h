@@ -1,7 +1,7 @@
-/* The particles of a body that is not on the fast lattice of solid/bonds/lattice.h: plates, points, refined bodies. Every rank knows all of
- * them. Lengths are in spacings of the lattice from an origin of the body's own, and every place is a multiple of 2^-20
- * spacing: differences are exact, and what is mirror-symmetric is so to the bit wherever the coordinates' origin lies.
- * Numbers follow a space-filling curve; number i has the global id first + i. */
+/* The particles of a body that is not on the fast lattice of solid/bonds/lattice.h: plates, points, refined bodies.
+ * Every rank knows all of them. Lengths are in spacings of the lattice from an origin of the body's own, and every
+ * place is a multiple of 2^-20 spacing: differences are exact, and what is mirror-symmetric is so to the bit wherever
+ * the coordinates' origin lies. Numbers follow a space-filling curve; number i has the global id first + i. */
 #pragma once
 #include "solid/law/pair.h"
 
@@ -60,9 +60,7 @@ static inline double solid_cloud_x(const struct solid_cloud *t, int c, long i) {
 }
 
 /* Its volume, m3. */
-static inline double solid_cloud_volume(const struct solid_cloud *t, long i) {
-    return t->volume[i] * t->unit;
-}
+static inline double solid_cloud_volume(const struct solid_cloud *t, long i) { return t->volume[i] * t->unit; }
 
 static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long i) {
     return (struct solid_end){t->size[i], t->horizon[i], t->volume[i]};
@@ -86,7 +84,7 @@ int solid_cloud_near_count(const struct solid_cloud *cloud, long i);
 /* Every particle within reach of a place, given by spacings from the origin: xi is the way to it. Not collective. */
 typedef void solid_cloud_visitor(void *with, long number, int image, const double xi[3]);
 void solid_cloud_near_visit(const struct solid_cloud *cloud, const double place[3], double reach,
-                       solid_cloud_visitor *visit, void *with);
+                            solid_cloud_visitor *visit, void *with);
 
 /* Periodic images: -1, 0 or 1 periods in each direction. */
 enum { SOLID_IMAGES = 27, SOLID_NO_IMAGE = 13 };

@@ -15,10 +15,9 @@ static int range(const struct solid_cloud *t, int c, double x, double reach, int
 }
 
 /* Those of one periodic image. */
-static inline __attribute__((always_inline)) void visit_image(const struct solid_cloud *t,
-                                                              const double *place, double reach,
-                                                              const int image[3], solid_cloud_visitor *visit,
-                                                              void *with) {
+static inline __attribute__((always_inline)) void visit_image(const struct solid_cloud *t, const double *place,
+                                                              double reach, const int image[3],
+                                                              solid_cloud_visitor *visit, void *with) {
     int from[3] = {0}, to[3] = {0};
     double shift[3] = {0};
     for (int c = 0; c < t->dim; c++) {
@@ -43,18 +42,16 @@ static inline __attribute__((always_inline)) void visit_image(const struct solid
 }
 
 static inline __attribute__((always_inline)) void visit_all(const struct solid_cloud *t, const double *place,
-                                                            double reach, solid_cloud_visitor *visit,
-                                                            void *with) {
+                                                            double reach, solid_cloud_visitor *visit, void *with) {
     int image[3], most[3];
     for (int c = 0; c < 3; c++) most[c] = t->period[c] > 0;
     for (image[2] = -most[2]; image[2] <= most[2]; image[2]++)
         for (image[1] = -most[1]; image[1] <= most[1]; image[1]++)
-            for (image[0] = -most[0]; image[0] <= most[0]; image[0]++)
-                visit_image(t, place, reach, image, visit, with);
+            for (image[0] = -most[0]; image[0] <= most[0]; image[0]++) visit_image(t, place, reach, image, visit, with);
 }
 
 void solid_cloud_near_visit(const struct solid_cloud *t, const double place[3], double reach,
-                       solid_cloud_visitor *visit, void *with) {
+                            solid_cloud_visitor *visit, void *with) {
     visit_all(t, place, reach, visit, with);
 }
 
@@ -87,8 +84,7 @@ static int is_bond(struct search *k, long l, int image, const double *xi) {
         die(EXIT_CODE_SCENE, "two particles of solid body %s coincide", k->cloud->name);
     if (!solid_pair_exists(&k->cloud->law, xi, &k->end, &other)) return 0;
     if (k->n == SOLID_NEAR_MAX)
-        die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name,
-            SOLID_NEAR_MAX);
+        die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name, SOLID_NEAR_MAX);
     return 1;
 }
 

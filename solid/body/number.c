@@ -28,8 +28,7 @@ void solid_number_divide(struct solid_sites *const *sites, int bodies, int gener
     int rank = 0;
     for (int b = 0; b < bodies; b++)
         for (long u = 0; u < units(sites[b]); u++) {
-            while (rank < size && (double)sum * size >= (double)total * rank)
-                first[rank++] = id_of(sites[b], u);
+            while (rank < size && (double)sum * size >= (double)total * rank) first[rank++] = id_of(sites[b], u);
             sum += cost_of(sites[b], u, general_bonds);
         }
     while (rank <= size) first[rank++] = n;

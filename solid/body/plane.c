@@ -16,8 +16,7 @@ struct solid_cloud *solid_plane_cloud(const struct solid_input *in, const struct
                                       .volume = t->area,
                                       .law = solid_pair_law(in, &in->material[body->material])};
     const size_t n = (size_t)t->count + 1;
-    double *place[2] = {memory_new(MEMORY_SOLID, n, sizeof(double)),
-                        memory_new(MEMORY_SOLID, n, sizeof(double))};
+    double *place[2] = {memory_new(MEMORY_SOLID, n, sizeof(double)), memory_new(MEMORY_SOLID, n, sizeof(double))};
     double *size = memory_new(MEMORY_SOLID, n, sizeof *size);
     for (int c = 0; c < 2; c++) {
         cloud.origin[c] = in->origin[c] + t->base[c] * in->spacing;
@@ -53,9 +52,8 @@ void solid_plane_overlap_check(const struct solid_input *in, struct solid_sites 
     qsort(owner, n, sizeof *owner, by_cell);
     for (size_t k = 1; k < n; k++)
         if (by_cell(&owner[k - 1], &owner[k]) == 0)
-            die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap at (%g, %g) m",
-                    in->body[owner[k - 1].body].name, in->body[owner[k].body].name,
-                    in->origin[0] + (owner[k].i + 0.5) * in->spacing,
+            die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap at (%g, %g) m", in->body[owner[k - 1].body].name,
+                    in->body[owner[k].body].name, in->origin[0] + (owner[k].i + 0.5) * in->spacing,
                     in->origin[1] + (owner[k].j + 0.5) * in->spacing);
     memory_free(owner);
 }

@@ -61,8 +61,8 @@ static int by_key(const void *a, const void *b) {
 }
 
 /* A byte a site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and extent. */
-static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *b, const int low[3],
-                             const int n[3], struct solid_sites *t, int top[3]) {
+static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *b, const int low[3], const int n[3],
+                             struct solid_sites *t, int top[3]) {
     uint8_t *inside = memory_new(MEMORY_SOLID, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1), *at = inside;
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
@@ -90,8 +90,7 @@ static int best_shift(const uint8_t *inside, const int n[3]) {
         for (long line = 0; line < (long)n[1] * n[2]; line++)
             for (int from = -shift; from < n[0]; from += ROW) {
                 int any = 0;
-                for (int i = from < 0 ? 0 : from; i < from + ROW && i < n[0]; i++)
-                    any |= inside[line * n[0] + i];
+                for (int i = from < 0 ? 0 : from; i < from + ROW && i < n[0]; i++) any |= inside[line * n[0] + i];
                 rows += any;
             }
         if (fewest < 0 || rows < fewest) {
@@ -141,8 +140,8 @@ static void period_set(const struct solid_input *in, const struct solid_body *b,
                 "solid.spacing = %g: the periodic length %g must be a whole number of spacings, more than %d",
                 in->spacing, in->length[c], reach);
     if (sites > t->wrap[c])
-        die_all(EXIT_CODE_SCENE, "solid body %s is longer than the period %g m and would overlap itself",
-                b->name, in->length[c]);
+        die_all(EXIT_CODE_SCENE, "solid body %s is longer than the period %g m and would overlap itself", b->name,
+                in->length[c]);
 }
 
 static void cut_from_lattice(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t,
@@ -178,8 +177,7 @@ static void number(struct solid_sites *t, struct keyed *key, long n) {
 }
 
 /* The cells of a polygon. */
-static void cut_from_plane(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t,
-                           int reach) {
+static void cut_from_plane(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t, int reach) {
     struct solid_outline_cells *cells = solid_outline_cells(b->outline, b->outlines, in->origin, in->spacing);
     struct keyed *key = memory_new(MEMORY_SOLID, (size_t)cells->n + 1, sizeof *key);
     solid_outline_symmetry_cells(cells);
@@ -220,8 +218,7 @@ static void number_points(const struct solid_input *in, const struct solid_body 
     memory_free(key);
 }
 
-struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first,
-                                    int reach) {
+struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first, int reach) {
     struct solid_sites *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
     t->is_lattice = b->shape != SOLID_POINTS && b->shape != SOLID_POLYGON;
     t->first = first;

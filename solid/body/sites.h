@@ -1,5 +1,5 @@
-/* Which particles a body has and in what order they are numbered. Every rank holds this for the whole body while the solid
- * is set up: a bit per lattice site and one number per row of eight sites. */
+/* Which particles a body has and in what order they are numbered. Every rank holds this for the whole body while the
+ * solid is set up: a bit per lattice site and one number per row of eight sites. */
 #pragma once
 #include "solid/solid.h"
 
@@ -16,15 +16,13 @@ struct solid_sites {
     int filled;    /* rows with a particle */
     int *order;    /* [filled] rows in the order of the numbering */
     /* points, and the cells of a polygon */
-    long *
-        point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
+    long *point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
     int (*cell)[2]; /* polygon: [count] lattice indices, by number */
     double *area;   /* polygon: [count] of the body in the particle's cell and in what goes to it, in cells */
 };
 
 /* First is the id of the body's first particle. Dies (exit 2) on an empty body. Collective (all ranks alike). */
-struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *body, long first,
-                                    int reach);
+struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *body, long first, int reach);
 void solid_sites_free(struct solid_sites *sites);
 /* The global id of a lattice site, across periodic sides, or -1. Not collective. */
 long solid_sites_id(const struct solid_sites *sites, const int site[3]);

@@ -16,8 +16,7 @@ struct crack {
     double period[3];            /* 0: not periodic */
 };
 
-static struct crack crack_of(const struct solid *s, const struct solid_cut *cut,
-                             const struct solid_cloud *cloud) {
+static struct crack crack_of(const struct solid *s, const struct solid_cut *cut, const struct solid_cloud *cloud) {
     const int plane = s->dim == 2;
     struct crack k = {.cut = cut};
     if (plane) k.line = solid_cut_line_new(cut, cloud->origin, cloud->spacing);
@@ -26,8 +25,7 @@ static struct crack crack_of(const struct solid *s, const struct solid_cut *cut,
         k.high[c] = -INFINITY;
         k.period[c] = !s->in.periodic[c] ? 0 : plane ? cloud->period[c] : s->in.length[c];
         for (int p = 0; p < cut->points; p++) {
-            const double x =
-                plane ? (cut->point[p][c] - cloud->origin[c]) / cloud->spacing : cut->point[p][c];
+            const double x = plane ? (cut->point[p][c] - cloud->origin[c]) / cloud->spacing : cut->point[p][c];
             k.low[c] = fmin(k.low[c], x);
             k.high[c] = fmax(k.high[c], x);
         }
@@ -42,8 +40,7 @@ static int is_near(const struct crack *k, int dim, const double at[3], double re
 }
 
 static int crosses(const struct crack *k, const double from[3], const double to[3]) {
-    return k->line ? solid_cut_line_crosses(k->line, from, to)
-                   : solid_cut_plane_crosses(k->cut->point, from, to);
+    return k->line ? solid_cut_line_crosses(k->line, from, to) : solid_cut_plane_crosses(k->cut->point, from, to);
 }
 
 /* Breaks those of h's bonds, as seen from `at`, that the crack meets; returns how many. */
@@ -67,8 +64,7 @@ static long break_from(struct solid *s, const struct crack *k, int h, const doub
 
 /* Bonds across a periodic side are seen from either end, so every place is tried with its images. */
 static long break_in_body(struct solid *s, const struct crack *k, int body, const struct solid_cloud *cloud) {
-    const double reach =
-        (k->line ? 1 : s->in.spacing) * (2 + s->in.material[s->in.body[body].material].horizon_ratio);
+    const double reach = (k->line ? 1 : s->in.spacing) * (2 + s->in.material[s->in.body[body].material].horizon_ratio);
     const int *first = s->family->first;
     int most[3];
     long met = 0;
@@ -107,7 +103,7 @@ void solid_cut_bonds(struct solid *s, struct solid_cloud *const *cloud) {
             solid_cut_line_free(k.line);
         }
         if (par_sum_long(met) == 0)
-            die_all(EXIT_CODE_SCENE,
-                    "solid.cracks[%d] crosses no bond: it lies outside the bodies or along an edge", q);
+            die_all(EXIT_CODE_SCENE, "solid.cracks[%d] crosses no bond: it lies outside the bodies or along an edge",
+                    q);
     }
 }

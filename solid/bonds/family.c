@@ -185,8 +185,7 @@ void solid_family_count(struct solid *s) {
     long intact = 0;
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_lattice *t = f->lattice[b];
-        intact += t ? count_bits(t->lambda, (size_t)t->rows * (size_t)t->stencil->n)
-                    : solid_list_intact(f->list[b]);
+        intact += t ? count_bits(t->lambda, (size_t)t->rows * (size_t)t->stencil->n) : solid_list_intact(f->list[b]);
     }
     s->bonds_broken = s->bonds_total - par_sum_long(intact) / 2;
 }

@@ -1,8 +1,8 @@
 /* The bonds: which particles interact, with what weight, and which are broken.
  *
  * Two stores behind one view. Lattice bodies: rows of eight sites along x, one byte of lambda bits per row and offset,
- * weights shared by all (the fast path, solid/bonds/lattice.c). Anything else: lists of bonds (solid/bonds/list.c). Whatever does not
- * run every sub-step looks at bonds through the view and does not know which store it is. */
+ * weights shared by all (the fast path, solid/bonds/lattice.c). Anything else: lists of bonds (solid/bonds/list.c).
+ * Whatever does not run every sub-step looks at bonds through the view and does not know which store it is. */
 #pragma once
 #include "solid/solid.h"
 
@@ -14,15 +14,15 @@ struct solid_family_view {
     double xi[SOLID_FAMILY_MAX][3];  /* X0_l - X0_h, across periodic sides, m; z of a plate is 0 */
     double weight[SOLID_FAMILY_MAX]; /* Gamma_hl V_l, m3 */
     double alpha[SOLID_FAMILY_MAX];  /* surface correction, symmetric */
-    double micro
-        [SOLID_FAMILY_MAX]; /* micromodulus c of the bond, N/m6: its force on h is alpha c s Gamma V per volume */
+    double
+        micro[SOLID_FAMILY_MAX]; /* micromodulus c of the bond, N/m6: its force on h is alpha c s Gamma V per volume */
     uint8_t intact[SOLID_FAMILY_MAX]; /* lambda */
 };
 
 /* The family of owned particle h. Not collective. */
 void solid_family_view(const struct solid *s, int h, struct solid_family_view *view);
-/* The broken bonds of h: their numbers in its view and their other ends, [SOLID_FAMILY_MAX]; returns how many. Cheaper. Not
- * collective. */
+/* The broken bonds of h: their numbers in its view and their other ends, [SOLID_FAMILY_MAX]; returns how many. Cheaper.
+ * Not collective. */
 int solid_family_broken(const struct solid *s, int h, int *place, int *other);
 /* Break a bond for good, from both its ends where both are owned here (the owner of the other end must call it too for
  * its own particle): the b-th of h's view. Used for initial cracks and tests. Not collective. */
@@ -35,4 +35,4 @@ void solid_family_save(const struct solid *s, int h, uint8_t *bits);
 void solid_family_load(struct solid *s, int h, const uint8_t *bits);
 
 long solid_family_directed(const struct solid *s); /* directed intact and broken bonds of owned particles */
-void solid_family_count(struct solid *s);           /* s->bonds_broken. Collective. */
+void solid_family_count(struct solid *s);          /* s->bonds_broken. Collective. */

@@ -82,8 +82,7 @@ static void rows_new(struct solid_lattice *b, const struct solid_sites *t, long 
         if (!owned_row(t, row, from, to)) continue;
         int site[3];
         site_of_row(t, row, site);
-        const int cell =
-            ((site[2] - b->low[2]) * b->size[1] + site[1] - b->low[1]) * b->size[0] + site[0] - b->low[0];
+        const int cell = ((site[2] - b->low[2]) * b->size[1] + site[1] - b->low[1]) * b->size[0] + site[0] - b->low[0];
         b->row_cell[r] = cell;
         b->row_first[r] = h;
         b->row_owned[r] = t->bits[row];
@@ -134,7 +133,8 @@ static void active_new(struct solid_lattice *b) {
     }
 }
 
-/* Rows that follow each other on a line do so in the boxes; a run that begins in a row that is not held ends in one that is. */
+/* Rows that follow each other on a line do so in the boxes; a run that begins in a row that is not held ends in one
+ * that is. */
 static void places_new(struct solid_lattice *b) {
     const long rows = b->sites / ROW;
     b->place = solid_array((size_t)rows, sizeof *b->place);
@@ -149,8 +149,8 @@ static void places_new(struct solid_lattice *b) {
     }
 }
 
-/* The boxes of doubles stand one behind another, a step apart that leaves no two at the same place of a page: what is loaded
- * and stored together would share the cache's sets and be taken for one another. */
+/* The boxes of doubles stand one behind another, a step apart that leaves no two at the same place of a page: what is
+ * loaded and stored together would share the cache's sets and be taken for one another. */
 static void fields_new(struct solid_lattice *b) {
     enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
     size_t step = (size_t)b->places + 2 * ROW;
@@ -189,15 +189,13 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
 void solid_lattice_free(struct solid_lattice *b) {
     if (!b) return;
     solid_segments_free(b->segments);
-    void *owned[] = {b->row_active, b->active,   b->row_cell,   b->row_first,
-                     b->row_owned,  b->row_bulk, b->lambda,     b->offset,
-                     b->row_of,     b->cell,     b->local,      b->field,
-                     b->place,      b->copy_at,  b->copy_local, b};
+    void *owned[] = {b->row_active, b->active, b->row_cell, b->row_first, b->row_owned, b->row_bulk, b->lambda,
+                     b->offset,     b->row_of, b->cell,     b->local,     b->field,     b->place,    b->copy_at,
+                     b->copy_local, b};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
-long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_sites *t, long from, long to,
-                          long *id) {
+long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_sites *t, long from, long to, long *id) {
     long wanted = 0;
     for (long cell = 0; cell < b->sites; cell++) {
         if (b->local[cell] != NEEDED) continue;
@@ -211,8 +209,7 @@ long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_site
     return wanted;
 }
 
-void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
-                        const struct solid_numbering *numbering) {
+void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t, const struct solid_numbering *numbering) {
     for (long cell = 0; cell < b->sites; cell++) b->copies += b->local[cell] == NEEDED;
     b->copy_at = solid_array((size_t)b->copies, sizeof *b->copy_at);
     b->copy_local = solid_array((size_t)b->copies, sizeof *b->copy_local);
@@ -237,8 +234,7 @@ void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t,
 
 void solid_lattice_made(const struct solid_lattice *b, int row, uint8_t *lambda) {
     for (int o = 0; o < b->stencil->n; o++)
-        lambda[o] =
-            (uint8_t)(b->row_owned[row] & neighbours(b->local, b->row_cell[row] + b->offset[o].shift));
+        lambda[o] = (uint8_t)(b->row_owned[row] & neighbours(b->local, b->row_cell[row] + b->offset[o].shift));
 }
 
 void solid_lattice_volumes(const struct solid_lattice *b, double *family_volume) {
@@ -276,10 +272,6 @@ void solid_lattice_cut(struct solid_lattice *b, int h, int o) {
     solid_lattice_changed(b, h);
 }
 
-void solid_lattice_changed(struct solid_lattice *b, int h) {
-    b->segments->stale[b->segments->of[h - b->first]] = 1;
-}
+void solid_lattice_changed(struct solid_lattice *b, int h) { b->segments->stale[b->segments->of[h - b->first]] = 1; }
 
-void solid_lattice_changed_all(struct solid_lattice *b) {
-    memset(b->segments->stale, 1, (size_t)b->segments->n);
-}
+void solid_lattice_changed_all(struct solid_lattice *b) { memset(b->segments->stale, 1, (size_t)b->segments->n); }

@@ -13,10 +13,10 @@ static void *solid_array(long n, size_t size) { return memory_new(MEMORY_SOLID, 
 void solid_list_free(struct solid_list *b) {
     if (!b) return;
     solid_weight_table_free(b->law.table);
-    void *const own[] = {
-        b->start, b->end,        b->at,        b->step,        b->stiffness, b->large, b->limit,  b->digit,
-        b->power, b->own_volume, b->other_key, b->other_local, b->particle,  b->w,     b->record, b->speed,
-        b->key,   b->scaled,     b->damage,    b->counted,     b->kept,      b};
+    void *const own[] = {b->start,  b->end,   b->at,         b->step,      b->stiffness,   b->large,    b->limit,
+                         b->digit,  b->power, b->own_volume, b->other_key, b->other_local, b->particle, b->w,
+                         b->record, b->speed, b->key,        b->scaled,    b->damage,      b->counted,  b->kept,
+                         b};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -70,12 +70,11 @@ static void records_new(struct solid_list *b, const struct solid_cloud *cloud) {
     b->particle = solid_array(records, sizeof *b->particle);
     b->w = solid_array(records, sizeof *b->w);
     for (int r = 0; r < records; r++)
-        b->particle[r] = solid_cloud_end(
-            cloud, r < b->n ? b->number + r : solid_key_id(b->other_key[r - b->n]) - b->first_id);
+        b->particle[r] =
+            solid_cloud_end(cloud, r < b->n ? b->number + r : solid_key_id(b->other_key[r - b->n]) - b->first_id);
 }
 
-void solid_list_link(struct solid_list *b, const struct solid_cloud *cloud,
-                     const struct solid_numbering *numbering) {
+void solid_list_link(struct solid_list *b, const struct solid_cloud *cloud, const struct solid_numbering *numbering) {
     others_new(b, numbering);
     const struct solid_numbering others = {0, 0, b->others, b->other_key};
     for (int i = 0; i < b->n; i++) {
@@ -84,9 +83,8 @@ void solid_list_link(struct solid_list *b, const struct solid_cloud *cloud,
         for (long j = b->start[i]; j < b->end[i]; j++) {
             const long key = b->key[j];
             if (key < 0) continue;
-            const int record = is_home(b, numbering, key)
-                                   ? (int)(solid_key_id(key) - numbering->from) - b->first
-                                   : b->n + solid_number_local(&others, key);
+            const int record = is_home(b, numbering, key) ? (int)(solid_key_id(key) - numbering->from) - b->first
+                                                          : b->n + solid_number_local(&others, key);
             b->at[j] = b->width * record;
         }
         for (long j = b->end[i]; j < next; j++) b->at[j] = b->width * i;
@@ -117,8 +115,8 @@ static void ratios_set(struct solid_list *b, const double *family_volume, int su
     }
 }
 
-/* A component of a bond force is at most k |xi| g |zeta|/|xi| = k |xi| |s| <= k |xi| |eps|: with k |xi| rounded up to a power of
- * two, and with room for the sum of the family. */
+/* A component of a bond force is at most k |xi| g |zeta|/|xi| = k |xi| |s| <= k |xi| |eps|: with k |xi| rounded up to a
+ * power of two, and with room for the sum of the family. */
 static double digit_of(const struct solid_list *b, int i) {
     double most = 0, xi[3];
     for (long j = b->start[i]; j < b->end[i]; j++)
@@ -130,8 +128,7 @@ void solid_list_weights(struct solid_list *b, const double *family_volume, int s
     ratios_set(b, family_volume, surface_correction);
     for (int i = 0; i < b->n; i++) {
         if (b->scaled[i]) continue;
-        for (long j = b->start[i]; j < b->end[i]; j++)
-            b->stiffness[j] *= solid_list_alpha(b, b->first + i, j);
+        for (long j = b->start[i]; j < b->end[i]; j++) b->stiffness[j] *= solid_list_alpha(b, b->first + i, j);
         b->digit[i] = digit_of(b, i);
     }
 }
@@ -176,8 +173,7 @@ long solid_list_reverse(const struct solid_list *b, int h, long j) {
 double solid_list_micromodulus(const struct solid_list *b, int h, long j) {
     double xi[3];
     solid_list_steps(b, j, xi);
-    return solid_pair_micromodulus(&b->law, xi, &b->particle[h - b->first],
-                                   &b->particle[solid_list_record(b, j)]);
+    return solid_pair_micromodulus(&b->law, xi, &b->particle[h - b->first], &b->particle[solid_list_record(b, j)]);
 }
 
 double solid_list_weight(const struct solid_list *b, int h, long j, double micromodulus) {

@@ -1,11 +1,11 @@
-/* The general store: for each owned particle a list of bonds, in a plate or in space. Nothing is assumed of where particles
- * stand; volume and horizon may differ from one to the next. Order of a family: by xi, z, then y, then x.
+/* The general store: for each owned particle a list of bonds, in a plate or in space. Nothing is assumed of where
+ * particles stand; volume and horizon may differ from one to the next. Order of a family: by xi, z, then y, then x.
  *
- * A bond is 20 bytes in a plate and 24 in space: where the record of its other end is, xi, the stiffness, and whether it is intact in
- * the stiffness's sign. Places are multiples of 2^-20 spacing (solid/body/cloud.h), so xi is exact in single precision, and the
- * same from both ends but for its sign. Families start at multiples of eight bonds and are filled up with broken bonds of a
- * particle with itself. Records hold the displacements of owned particles in their order, then of ghosts and periodic
- * images. */
+ * A bond is 20 bytes in a plate and 24 in space: where the record of its other end is, xi, the stiffness, and whether
+ * it is intact in the stiffness's sign. Places are multiples of 2^-20 spacing (solid/body/cloud.h), so xi is exact in
+ * single precision, and the same from both ends but for its sign. Families start at multiples of eight bonds and are
+ * filled up with broken bonds of a particle with itself. Records hold the displacements of owned particles in their
+ * order, then of ghosts and periodic images. */
 #pragma once
 #include "base/vec.h"
 #include "solid/body/cloud.h"
@@ -25,53 +25,51 @@ enum { SOLID_LIST_SCALED = 1, SOLID_LIST_LINKED = 2 }; /* linked: as well, and t
 struct solid_list {
     struct solid_bond_law law;
     int dim;
-    int width;            /* numbers of a record: d in spacings, 2 in a plate, 3 and nothing in space */
-    double spacing, unit; /* m; m3 in spacings^dim */
-    double period[3];     /* spacings, 0: not periodic */
-    long first_id;        /* global id of the body's number 0 */
-    long number;          /* of the first particle here */
-    int first, n;         /* local indices first .. first+n-1 */
-    int others;           /* ghosts and images */
-    long bonds, room;     /* bonds there are, places for them */
-    long *start, *end;    /* [n] the family's: start[i] .. end[i]-1 */
-    int *at;              /* [room] where in the records the other end's starts */
-    float *step;          /* [room][dim] xi by eights of bonds: x of all, y of all, z of all */
-    double *stiffness;    /* [room] K alpha V_l/(rho |xi|), m/s2; its sign is set when the bond is broken */
-    uint8_t *large;       /* [n] 1: a bond's |eps| was too large for the series */
-    double *limit;        /* [n] the least eps at which a bond of the family breaks */
-    double *digit;        /* [n] a plate's sums (solid/force/sweep_family.h): of the family */
-    double *power;        /* [n] and of the last sweep */
-    double *own_volume;   /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
-    double *damage;       /* [n] as found when .. */
-    int *counted;         /* [n] .. one less of its bonds were intact; 0: not found yet */
-    long *other_key;      /* [others] ascending: global id and image */
-    int *other_local;     /* [others] */
-    struct solid_end *particle; /* [n + others] */
-    double *w;                  /* [n + others] V/V0 */
-    double *record;             /* [n + others][width] */
-    double *speed;              /* [n + others][SOLID_LIST_SPEED] */
-    long *key;                  /* [room] of the other end: its global id and image; while being set up */
-    uint8_t *scaled; /* [n] SOLID_LIST_SCALED: of before the last renewal, alpha is in the stiffness */
+    int width;                     /* numbers of a record: d in spacings, 2 in a plate, 3 and nothing in space */
+    double spacing, unit;          /* m; m3 in spacings^dim */
+    double period[3];              /* spacings, 0: not periodic */
+    long first_id;                 /* global id of the body's number 0 */
+    long number;                   /* of the first particle here */
+    int first, n;                  /* local indices first .. first+n-1 */
+    int others;                    /* ghosts and images */
+    long bonds, room;              /* bonds there are, places for them */
+    long *start, *end;             /* [n] the family's: start[i] .. end[i]-1 */
+    int *at;                       /* [room] where in the records the other end's starts */
+    float *step;                   /* [room][dim] xi by eights of bonds: x of all, y of all, z of all */
+    double *stiffness;             /* [room] K alpha V_l/(rho |xi|), m/s2; its sign is set when the bond is broken */
+    uint8_t *large;                /* [n] 1: a bond's |eps| was too large for the series */
+    double *limit;                 /* [n] the least eps at which a bond of the family breaks */
+    double *digit;                 /* [n] a plate's sums (solid/force/sweep_family.h): of the family */
+    double *power;                 /* [n] and of the last sweep */
+    double *own_volume;            /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
+    double *damage;                /* [n] as found when .. */
+    int *counted;                  /* [n] .. one less of its bonds were intact; 0: not found yet */
+    long *other_key;               /* [others] ascending: global id and image */
+    int *other_local;              /* [others] */
+    struct solid_end *particle;    /* [n + others] */
+    double *w;                     /* [n + others] V/V0 */
+    double *record;                /* [n + others][width] */
+    double *speed;                 /* [n + others][SOLID_LIST_SPEED] */
+    long *key;                     /* [room] of the other end: its global id and image; while being set up */
+    uint8_t *scaled;               /* [n] SOLID_LIST_SCALED: of before the last renewal, alpha is in the stiffness */
     struct solid_pairs_kept *kept; /* while being set up */
 };
 
-/* Set up in four steps: the families of the owned ids; the ids of others that they need; where these are known here; the
- * surface correction, once V_h is known of all. The cloud is borrowed until the last. Not collective. */
+/* Set up in four steps: the families of the owned ids; the ids of others that they need; where these are known here;
+ * the surface correction, once V_h is known of all. The cloud is borrowed until the last. Not collective. */
 struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, long from, long to, int first);
 long solid_list_wanted(const struct solid_list *list, long from, long to, long *id);
-void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
-                     const struct solid_numbering *numbering);
+void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud, const struct solid_numbering *numbering);
 void solid_list_volumes(const struct solid_list *list, double *family_volume); /* m3, of the owned */
 void solid_list_weights(struct solid_list *list, const double *family_volume, int surface_correction);
 void solid_list_free(struct solid_list *list);
 
-/* The first step, when the cloud has changed: old is the list (set up to the end) of the cloud before, was [n of the cloud] the
- * numbers there, -1: new. A rank's old particles keep their order, and its new ones stand behind them. Families within
- * reach of a particle that is new, gone, or has another place, size, volume or horizon are found anew, and a pair that existed keeps its
- * lambda; the others are copied. Not collective. */
+/* The first step, when the cloud has changed: old is the list (set up to the end) of the cloud before, was [n of the
+ * cloud] the numbers there, -1: new. A rank's old particles keep their order, and its new ones stand behind them.
+ * Families within reach of a particle that is new, gone, or has another place, size, volume or horizon are found anew,
+ * and a pair that existed keeps its lambda; the others are copied. Not collective. */
 struct solid_list *solid_list_renew(const struct solid_list *old, const struct solid_cloud *before,
-                                    const struct solid_cloud *cloud, const long *was, long from, long to,
-                                    int first);
+                                    const struct solid_cloud *cloud, const long *was, long from, long to, int first);
 
 int solid_list_longest(const struct solid_list *list);
 long solid_list_intact(const struct solid_list *list); /* directed bonds */
@@ -91,10 +89,9 @@ static inline int solid_list_other(const struct solid_list *t, long j) {
     return solid_list_local(t, solid_list_record(t, j));
 }
 
-static inline int solid_list_is_intact(const struct solid_list *t, long j) {
-    return !signbit(t->stiffness[j]);
-}
-/* The same of eight bonds from j, the first of a block: bit k of bond j + k. What fills a family up counts as broken. */
+static inline int solid_list_is_intact(const struct solid_list *t, long j) { return !signbit(t->stiffness[j]); }
+/* The same of eight bonds from j, the first of a block: bit k of bond j + k. What fills a family up counts as broken.
+ */
 static inline unsigned solid_list_block_intact(const struct solid_list *t, long j) {
     return ~vec_signs(vec_load(t->stiffness + j)) & 0xffu;
 }

@@ -74,8 +74,7 @@ static long key_now(const struct change *k, const struct solid_list *old, int re
 }
 
 /* With the alpha it had. Bonds to owned particles, which keep their order, need no key. */
-static void copy_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i,
-                        int o) {
+static void copy_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o) {
     const long from = old->start[o], to = b->start[i];
     const size_t n = (size_t)(old->end[o] - from),
                  blocks = (n + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK * SOLID_LIST_BLOCK;
@@ -95,8 +94,8 @@ static void copy_family(struct solid_list *b, const struct solid_list *old, cons
 }
 
 /* Without alpha. */
-static void number_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i,
-                          int o, long number) {
+static void number_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o,
+                          long number) {
     const long from = old->start[o], to = b->start[i], n = old->end[o] - from;
     for (long j = 0; j < n; j++) b->key[to + j] = key_now(k, old, solid_list_record(old, from + j));
     solid_list_find_number(b, k->cloud, i, number);
@@ -104,8 +103,7 @@ static void number_family(struct solid_list *b, const struct solid_list *old, co
 }
 
 /* What was broken stays broken. */
-static void keep_broken(struct solid_list *b, const struct solid_list *old, const struct change *k, int i,
-                        int o) {
+static void keep_broken(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o) {
     for (long j = old->start[o]; j < old->end[o]; j++) {
         if (solid_list_is_intact(old, j)) continue;
         const long key = key_now(k, old, solid_list_record(old, j));
@@ -115,8 +113,7 @@ static void keep_broken(struct solid_list *b, const struct solid_list *old, cons
 }
 
 struct solid_list *solid_list_renew(const struct solid_list *old, const struct solid_cloud *before,
-                                    const struct solid_cloud *cloud, const long *was, long from, long to,
-                                    int first) {
+                                    const struct solid_cloud *cloud, const long *was, long from, long to, int first) {
     struct change k = {.before = before, .cloud = cloud, .was = was};
     struct solid_list *b = solid_list_find_begin(cloud, from, to, first);
     struct solid_cloud_near *near = memory_new(MEMORY_SOLID, 1, sizeof *near);
@@ -124,8 +121,7 @@ struct solid_list *solid_list_renew(const struct solid_list *old, const struct s
     for (int i = 0; i < b->n; i++) {
         const long number = b->number + i, o = was[number] - old->number;
         ENSURE(was[number] < 0 || (o >= 0 && o < old->n), "particle %ld was not of this rank", number);
-        b->end[i] =
-            k.family[number] == FRESH ? solid_cloud_near_count(cloud, number) : old->end[o] - old->start[o];
+        b->end[i] = k.family[number] == FRESH ? solid_cloud_near_count(cloud, number) : old->end[o] - old->start[o];
     }
     solid_list_find_room(b);
     for (int i = 0; i < b->n; i++) {

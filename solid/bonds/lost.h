@@ -16,8 +16,7 @@ struct solid_lost {
     int found;        /* of the last solid_lost_find */
     int *h;           /* [found] room for s->n */
     uint16_t *intact; /* [s->n] intact bonds when last looked at */
-    int *
-        row_intact; /* of the lattices' rows, one lattice after another: a row that has lost none is not looked into */
+    int *row_intact; /* of the lattices' rows, one lattice after another: a row that has lost none is not looked into */
 };
 
 struct solid_lost *solid_lost_new(const struct solid *s); /* Not collective. */
@@ -25,5 +24,6 @@ void solid_lost_free(struct solid_lost *lost);
 void solid_lost_copy(struct solid_lost *to, const struct solid_lost *from, const struct solid *s); /* not h */
 /* Whoever has lost a bond is found again. */
 void solid_lost_forget(struct solid_lost *lost, const struct solid *s);
-/* The owned particles that have lost bonds since this was last called, into lost->h; returns how many. Not collective. */
+/* The owned particles that have lost bonds since this was last called, into lost->h; returns how many. Not collective.
+ */
 int solid_lost_find(struct solid_lost *lost, const struct solid *s);

@@ -7,9 +7,8 @@
 struct solid_row {
     const struct solid_lattice *t; /* borrowed */
     const uint8_t *lambda;         /* [offsets of the stencil] bit k: lane k's bond is intact */
-    const uint16_t *bond,
-        *end;       /* the offsets at which some lane has a bond in the unbroken family, ascending */
-    int cell, bulk; /* bulk: alpha = 1 for all */
+    const uint16_t *bond, *end;    /* the offsets at which some lane has a bond in the unbroken family, ascending */
+    int cell, bulk;                /* bulk: alpha = 1 for all */
     vec d[3], w;
 };
 

@@ -14,8 +14,7 @@ static void *solid_array(size_t n, size_t size) { return memory_new(MEMORY_SOLID
 /* Eight consecutive bits from any cell, of what rows of eight hold: of[row], a byte at each stride. */
 static unsigned bits_at(const struct solid_lattice *b, const uint8_t *of, size_t stride, long cell) {
     const int low = b->row_of[cell / ROW], high = b->row_of[cell / ROW + 1], shift = (int)(cell % ROW);
-    const unsigned first = low < 0 ? 0u : of[(size_t)low * stride],
-                   second = high < 0 ? 0u : of[(size_t)high * stride];
+    const unsigned first = low < 0 ? 0u : of[(size_t)low * stride], second = high < 0 ? 0u : of[(size_t)high * stride];
     return (first | second << ROW) >> shift & 0xffu;
 }
 
@@ -57,8 +56,7 @@ static void pack(const struct solid_lattice *b, const struct solid_segments *t, 
                 unsigned lambda;
                 const int strip = window(&left, &lambda) + alone;
                 to->strip[to->n] = (uint8_t)strip;
-                to->far[to->n] =
-                    (int)solid_lattice_place(b, t->cell[g] + solid_strip_site(strip) + b->offset[o].shift);
+                to->far[to->n] = (int)solid_lattice_place(b, t->cell[g] + solid_strip_site(strip) + b->offset[o].shift);
                 to->entry[to->n++] = name | lambda;
             }
         }
@@ -92,8 +90,8 @@ static int has_correction(const struct solid_lattice *b, const struct solid_segm
         for (int i = 0; i < t->count[g][strip]; i++, entry++)
             for (int k = 0; k < ROW; k++) {
                 const long cell = t->cell[g] + solid_strip_site(strip) + k;
-                if ((*entry >> k & 1) && (*solid_lattice_w(b, cell) != 1 ||
-                                          *solid_lattice_w(b, cell + b->offset[*entry >> 8].shift) != 1))
+                if ((*entry >> k & 1) &&
+                    (*solid_lattice_w(b, cell) != 1 || *solid_lattice_w(b, cell + b->offset[*entry >> 8].shift) != 1))
                     return 1;
             }
     return 0;

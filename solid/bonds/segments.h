@@ -1,14 +1,14 @@
-/* A lattice's bonds in the order in which a sweep takes them. Particles along a line of the lattice are covered by segments
- * of eight sites that start wherever the first uncovered particle is, and a segment's bonds at one offset are an entry: the
- * offset and a bit a site. An entry whose bits lie within four sites is a narrow one; the ones with the same four
- * sites make up a strip:
+/* A lattice's bonds in the order in which a sweep takes them. Particles along a line of the lattice are covered by
+ * segments of eight sites that start wherever the first uncovered particle is, and a segment's bonds at one offset are
+ * an entry: the offset and a bit a site. An entry whose bits lie within four sites is a narrow one; the ones with the
+ * same four sites make up a strip:
  *
  *      strip 0, 1     h h h h h h h h            wide
  *      strip 2, 3     h h h h                    narrow, from site 0; 4, 5: from site 1; ... 10, 11: from site 4
  *
- * Even strips hold bonds with both ends owned here (once, at the half of the family that is later in its order): whoever
- * computes them gives the reaction to the other end. Odd ones hold bonds to ghosts and periodic images, which have
- * no one to give it to. All of it follows from lambda, and is packed anew where a bond was cut. */
+ * Even strips hold bonds with both ends owned here (once, at the half of the family that is later in its order):
+ * whoever computes them gives the reaction to the other end. Odd ones hold bonds to ghosts and periodic images, which
+ * have no one to give it to. All of it follows from lambda, and is packed anew where a bond was cut. */
 #pragma once
 #include <stdint.h>
 

@@ -14,13 +14,12 @@ static void cell_of(const struct solid_cells *cells, const double x[3], int cell
 }
 
 static int slot(const struct solid_cells *cells, const int cell[3]) {
-    const unsigned key =
-        (unsigned)cell[0] * 73856093u ^ (unsigned)cell[1] * 19349663u ^ (unsigned)cell[2] * 83492791u;
+    const unsigned key = (unsigned)cell[0] * 73856093u ^ (unsigned)cell[1] * 19349663u ^ (unsigned)cell[2] * 83492791u;
     return (int)((key ^ key >> 15) & (unsigned)cells->mask);
 }
 
 void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x)[3], double reach,
-                      const int periodic[3], const double length[3]) {
+                              const int periodic[3], const double length[3]) {
     cells->n = n;
     cells->x = x;
     for (int c = 0; c < 3; c++) {
@@ -28,8 +27,7 @@ void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x
         cells->size[c] = periodic[c] ? length[c] / cells->count[c] : reach;
     }
     for (cells->mask = 63; cells->mask < 2 * n;) cells->mask = 2 * cells->mask + 1;
-    cells->head =
-        solid_contact_room(cells->head, &cells->head_capacity, cells->mask + 1, sizeof *cells->head);
+    cells->head = solid_contact_room(cells->head, &cells->head_capacity, cells->mask + 1, sizeof *cells->head);
     cells->next = solid_contact_room(cells->next, &cells->next_capacity, n, sizeof *cells->next);
     cells->cell = solid_contact_room(cells->cell, &cells->cell_capacity, n, sizeof *cells->cell);
     for (int k = 0; k <= cells->mask; k++) cells->head[k] = -1;
@@ -69,8 +67,7 @@ int solid_contact_cells_near(const struct solid_cells *cells, const double x[3],
             for (int k = 0; k < number[2]; k++) {
                 const int at[3] = {list[0][i], list[1][j], list[2][k]};
                 for (int p = cells->head[slot(cells, at)]; p >= 0; p = cells->next[p])
-                    if (cells->cell[p][0] == at[0] && cells->cell[p][1] == at[1] &&
-                        cells->cell[p][2] == at[2])
+                    if (cells->cell[p][0] == at[0] && cells->cell[p][1] == at[1] && cells->cell[p][2] == at[2])
                         found[n++] = p;
             }
     return n;

@@ -1,5 +1,5 @@
-/* Points hashed by cells, to find those near a place; periodic where the box is. Filled again and again, its arrays only grow.
- * Inside the room only. */
+/* Points hashed by cells, to find those near a place; periodic where the box is. Filled again and again, its arrays
+ * only grow. Inside the room only. */
 #pragma once
 
 struct solid_cells {
@@ -15,7 +15,7 @@ struct solid_cells {
 
 /* Into cells that were zero or filled before. Not collective. */
 void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x)[3], double reach,
-                      const int periodic[3], const double length[3]);
+                              const int periodic[3], const double length[3]);
 void solid_contact_cells_free(struct solid_cells *cells);
 /* Indices of points in the cells about x, each once, into found (room for n); returns how many. */
 int solid_contact_cells_near(const struct solid_cells *cells, const double x[3], int *found);

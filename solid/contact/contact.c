@@ -24,8 +24,7 @@ double solid_contact_c0(const struct solid *s, const struct solid_material *m) {
 static double quantum_of(const struct solid *s, const struct solid_contact *c) {
     double most = 0, volume = 0;
     for (int h = 0; h < s->n; h++) volume = fmax(volume, s->volume[h]);
-    for (int b = 0; b < s->in.bodies; b++)
-        most = fmax(most, s->in.contact_stiffness * c->c0[b] / c->density[b]);
+    for (int b = 0; b < s->in.bodies; b++) most = fmax(most, s->in.contact_stiffness * c->c0[b] / c->density[b]);
     most *= par_max(volume);
     return most > 0 ? ldexp(1, ilogb(most) - 46) : 1;
 }
@@ -117,8 +116,8 @@ static void begin(struct solid *s) {
     c->any = par_sum_long(listed(c)) > 0;
 }
 
-/* The lists as the state asks for. A bond that has broken since the lists were made may have moved by the rebuilding's limit
- * from where it was then, either way: it is listed from that much further off. Collective. */
+/* The lists as the state asks for. A bond that has broken since the lists were made may have moved by the rebuilding's
+ * limit from where it was then, either way: it is listed from that much further off. Collective. */
 static void keep(struct solid *s, struct solid_contact *c, int broke) {
     double now[2] = {moved2(s, c), broke}; /* the same decision on every rank */
     par_max_array(now, 2);

@@ -28,8 +28,7 @@ void solid_contact_crossing_begin(struct solid_crossing *x) {
     x->arrived = solid_contact_room(x->arrived, &x->room_served[1], n, sizeof *x->arrived);
     x->used = solid_contact_room(x->used, &x->room_served[2], n, 1);
     x->at = solid_contact_room(x->at, &x->room_served[3], n, sizeof *x->at);
-    for (int c = 0; c < 3; c++)
-        x->d[c] = solid_contact_room(x->d[c], &x->room_served[4 + c], n, sizeof *x->d[c]);
+    for (int c = 0; c < 3; c++) x->d[c] = solid_contact_room(x->d[c], &x->room_served[4 + c], n, sizeof *x->d[c]);
     memset(x->used, 0, (size_t)n);
     par_exchange_forward(x->exchange, x->mine, x->other, sizeof *x->mine);
     x->active = par_sum_long(n) > 0;

@@ -32,7 +32,8 @@ struct solid_crossing {
 void solid_contact_crossing_send(struct solid_crossing *x, int h, int rank, const struct solid_other *it);
 /* Everybody's particles to where they go: other [served]. Collective. */
 void solid_contact_crossing_begin(struct solid_crossing *x);
-/* Keeps only what is used there: used [served] as set by the caller; renumbers: at[k] is the new place of served k. Collective. */
+/* Keeps only what is used there: used [served] as set by the caller; renumbers: at[k] is the new place of served k.
+ * Collective. */
 void solid_contact_crossing_keep(struct solid_crossing *x);
 /* d of the served particles. Collective. */
 void solid_contact_crossing_update(const struct solid *s, struct solid_crossing *x);

@@ -44,8 +44,7 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
     int found[SOLID_CONTACT_BLOCK];
     double sum = 0;
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n =
-            solid_contact_pairs_touching(p, s->d, solid_contact_other_d(s, c, kind), from, c->radius, found);
+        const int n = solid_contact_pairs_touching(p, s->d, solid_contact_other_d(s, c, kind), from, c->radius, found);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;

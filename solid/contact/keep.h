@@ -1,7 +1,7 @@
 /* Contact as part of a kept state (solid/keep.h). Inside the room only.
  *
- * Lists that somebody keeps are put away, and not overwritten, when new ones are made; what a bond's breaking has appended to
- * them is cut off again. So keeping costs nothing where the record of torn bonds has not grown. */
+ * Lists that somebody keeps are put away, and not overwritten, when new ones are made; what a bond's breaking has
+ * appended to them is cut off again. So keeping costs nothing where the record of torn bonds has not grown. */
 #pragma once
 #include "solid/contact/list.h"
 

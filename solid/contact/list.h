@@ -1,8 +1,9 @@
 /* The lists of pairs that may touch. Inside the room only.
  *
- * Two sorts of pairs, found in different ways. Torn: two particles of one family whose bond is broken; each goes on record when
- * its bond breaks, and what is near is taken from the record. Strangers: two that never were of one family; they can
- * only meet where one of them has moved by half of what lay between them, or where two bodies' bounds are near. */
+ * Two sorts of pairs, found in different ways. Torn: two particles of one family whose bond is broken; each goes on
+ * record when its bond breaks, and what is near is taken from the record. Strangers: two that never were of one family;
+ * they can only meet where one of them has moved by half of what lay between them, or where two bodies' bounds are
+ * near. */
 #pragma once
 #include "solid/contact/crossing.h"
 
@@ -27,12 +28,12 @@ struct solid_contact_pairs {
     double *xi[3]; /* [n] X0_h - X0_l by the image that was nearest when listed, m; two in a plate */
 };
 
-/* Of each body, lowest and negated highest: positions (0-5), displacements (6-11), m; 12: 0 if a bond has broken; 13: 0 if
- * something of it is held. Over all ranks. */
+/* Of each body, lowest and negated highest: positions (0-5), displacements (6-11), m; 12: 0 if a bond has broken; 13: 0
+ * if something of it is held. Over all ranks. */
 typedef double solid_contact_bounds[14];
 
 struct solid_contact {
-    double radius, skin; /* r_c, how far beyond it pairs are listed, m */
+    double radius, skin;                                            /* r_c, how far beyond it pairs are listed, m */
     double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by body: N/m6, kg/m3 */
     double *built[3];                                               /* [s->n] d when the lists were made, m */
     solid_contact_bounds *bounds;                                   /* [bodies] */
@@ -50,7 +51,8 @@ struct solid_contact {
     struct solid_strangers *strangers;
     struct solid_crossing crossing;
     struct solid_contact_springs *springs; /* work of solid_contact_rate_bound */
-    /* work of solid_contact_force: accelerations, [s->n] m/s2, as multiples of a quantum: sums are the same in any order */
+    /* work of solid_contact_force: accelerations, [s->n] m/s2, as multiples of a quantum: sums are the same in any
+     * order */
     double *push[3], quantum;
 };
 
@@ -61,8 +63,8 @@ void solid_contact_rate_springs_free(struct solid_contact_springs *springs);
 void solid_contact_torn_free(struct solid_contact_pairs *pairs);
 void solid_contact_torn_add(struct solid_contact_pairs *pairs, int h, int l, const double xi[3]);
 
-/* scan: puts all torn bonds of a solid just met on record. news: those torn since the last look, into the lists as well if
- * nearer than reach. list: those on record that are near. Ghosts must be current. Not collective. */
+/* scan: puts all torn bonds of a solid just met on record. news: those torn since the last look, into the lists as well
+ * if nearer than reach. list: those on record that are near. Ghosts must be current. Not collective. */
 void solid_contact_torn_scan(struct solid *s, struct solid_contact *c);
 void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double reach);
 void solid_contact_torn_list(const struct solid *s, struct solid_contact *c);
@@ -81,7 +83,8 @@ int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds
 /* How far apart two of the body that are not of one family were at least at the start, m. */
 double solid_contact_bounds_apart(const struct solid *s, int body);
 
-/* X0 of one particle less that of another, m, as the places of bonds are: to 2^-32 spacing, so that mirror images agree. */
+/* X0 of one particle less that of another, m, as the places of bonds are: to 2^-32 spacing, so that mirror images
+ * agree. */
 static inline double solid_contact_between(const struct solid *s, double x0, double other) {
     return s->in.spacing * (0x1p-32 * __builtin_rint(0x1p32 * ((x0 - other) / s->in.spacing)));
 }

@@ -7,8 +7,7 @@
 enum { SOLID_CONTACT_BLOCK = 256 };
 
 /* Where the displacements of one kind of pair's second ends are. */
-static inline double *const *solid_contact_other_d(const struct solid *s, const struct solid_contact *c,
-                                                   int kind) {
+static inline double *const *solid_contact_other_d(const struct solid *s, const struct solid_contact *c, int kind) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.d : s->d;
 }
 
@@ -19,8 +18,8 @@ static inline void solid_contact_pair_x(const struct solid_contact_pairs *p, dou
     for (int c = 0; c < p->dim; c++) x[c] = p->xi[c][k] + (d[c][p->h[k]] - d_other[c][p->l[k]]);
 }
 
-/* The pairs from .. from + SOLID_CONTACT_BLOCK - 1 nearer than reach, into found; returns how many. First all distances, which
- * is what most pairs cost, then the few. */
+/* The pairs from .. from + SOLID_CONTACT_BLOCK - 1 nearer than reach, into found; returns how many. First all
+ * distances, which is what most pairs cost, then the few. */
 static inline int solid_contact_pairs_touching(const struct solid_contact_pairs *p, double *const d[3],
                                                double *const d_other[3], int from, double reach,
                                                int found[SOLID_CONTACT_BLOCK]) {
@@ -44,13 +43,11 @@ static inline int solid_contact_pairs_touching(const struct solid_contact_pairs 
 }
 
 /* The other end's body and volume. */
-static inline int solid_contact_other_body(const struct solid *s, const struct solid_contact *c, int kind,
-                                           int l) {
+static inline int solid_contact_other_body(const struct solid *s, const struct solid_contact *c, int kind, int l) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].body : s->body[l];
 }
 
-static inline double solid_contact_other_volume(const struct solid *s, const struct solid_contact *c,
-                                                int kind, int l) {
+static inline double solid_contact_other_volume(const struct solid *s, const struct solid_contact *c, int kind, int l) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].volume : s->volume[l];
 }
 
@@ -63,8 +60,8 @@ struct solid_contact_touch {
     double volume, density; /* of the other, m3, kg/m3 */
 };
 
-static inline struct solid_contact_touch
-solid_contact_touch_of(const struct solid *s, const struct solid_contact *c, int kind, int k) {
+static inline struct solid_contact_touch solid_contact_touch_of(const struct solid *s, const struct solid_contact *c,
+                                                                int kind, int k) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     struct solid_contact_touch t = {.h = p->h[k], .l = p->l[k]};
     const int body = solid_contact_other_body(s, c, kind, t.l);
@@ -75,7 +72,6 @@ solid_contact_touch_of(const struct solid *s, const struct solid_contact *c, int
     t.density = c->density[body];
     t.radius = c->radius;
     if (s->refine) /* of the smaller one's cell */
-        t.radius *=
-            fmin(sqrt(fmin(t.volume, s->volume[t.h]) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
+        t.radius *= fmin(sqrt(fmin(t.volume, s->volume[t.h]) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
     return t;
 }

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Pairs count up to this far beyond r_c, in r_c, with a weight that falls from 1 to 0: the bound moves smoothly with the
- * state, and sees a pair before it touches. */
+/* Pairs count up to this far beyond r_c, in r_c, with a weight that falls from 1 to 0: the bound moves smoothly with
+ * the state, and sees a pair before it touches. */
 static const double MARGIN = 0.02;
 
 /* In a crushed block the bound falls by 11 to 14 % in all, and in the turns beyond these by less than 1 %. */
@@ -27,7 +27,8 @@ static void add(double *t, double rate, const double e[3]) {
     t[YZ] += rate * e[1] * e[2];
 }
 
-/* The largest eigenvalue of a symmetric tensor that is not negative: (tr T^p)^{1/p} by squaring, p = 64, at most 2 % high. */
+/* The largest eigenvalue of a symmetric tensor that is not negative: (tr T^p)^{1/p} by squaring, p = 64, at most 2 %
+ * high. */
 static double largest(const double t[TENSOR]) {
     enum { SQUARINGS = 6 };
     double a[TENSOR], trace[SQUARINGS + 1];
@@ -94,10 +95,8 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
     int found[SOLID_CONTACT_BLOCK];
     to->n[kind] = 0;
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n =
-            solid_contact_pairs_touching(p, s->d, solid_contact_other_d(s, c, kind), from, reach, found);
-        to->of[kind] =
-            solid_contact_room(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
+        const int n = solid_contact_pairs_touching(p, s->d, solid_contact_other_d(s, c, kind), from, reach, found);
+        to->of[kind] = solid_contact_room(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_touch_of(s, c, kind, found[k]);
             const double weight = fmin(((1 + MARGIN) * t.radius - t.r) / (MARGIN * t.radius), 1);
@@ -136,8 +135,7 @@ static void sum(struct solid_contact_springs *t) {
             const struct spring *of = &t->of[kind][k];
             const double weight = t->weight[of->h] + other[of->l];
             add(t->tensor + (size_t)of->h * TENSOR, of->on_h * weight, of->e);
-            if (kind == SOLID_CONTACT_OWNED)
-                add(t->tensor + (size_t)of->l * TENSOR, of->on_l * weight, of->e);
+            if (kind == SOLID_CONTACT_OWNED) add(t->tensor + (size_t)of->l * TENSOR, of->on_l * weight, of->e);
         }
     }
 }

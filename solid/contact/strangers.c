@@ -110,9 +110,7 @@ static int does_seek(const struct solid *s, const struct solid_contact *c, const
     return 0;
 }
 
-static int is_candidate(const struct solid *s, int h) {
-    return (s->flag[h] & (SOLID_INTERFACE | SOLID_BROKEN)) != 0;
-}
+static int is_candidate(const struct solid *s, int h) { return (s->flag[h] & (SOLID_INTERFACE | SOLID_BROKEN)) != 0; }
 
 /* Who seeks, and all ranks' boxes. Returns whether anybody does. Collective. */
 static int seek(const struct solid *s, const struct solid_contact *c, struct solid_strangers *t) {
@@ -155,8 +153,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
         for (int r = 0; r < par_size(); r++) {
             const int near_seekers = is_near_box(s, x, t->boxes[r][1].at, near);
             is_point |= near_seekers;
-            if (r == par_rank() ||
-                !(near_seekers || (t->seeks[h] && is_near_box(s, x, t->boxes[r][0].at, near))))
+            if (r == par_rank() || !(near_seekers || (t->seeks[h] && is_near_box(s, x, t->boxes[r][0].at, near))))
                 continue;
             const struct solid_other it = {.x0 = {s->x0[0][h], s->x0[1][h], s->dim > 2 ? s->x0[2][h] : 0},
                                            .x = {x[0], x[1], x[2]},
@@ -174,8 +171,8 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
 }
 
 /* Whether particle h and another, of a body at x0 with a global id, are of one family, broken or not. */
-static int is_family(const struct solid *s, const struct solid_strangers *t, int h, int body,
-                     const double x0[3], long id) {
+static int is_family(const struct solid *s, const struct solid_strangers *t, int h, int body, const double x0[3],
+                     long id) {
     if (body != s->body[h]) return 0;
     if (s->family->lattice[body]) {
         const double reach = solid_contact_bounds_apart(s, body);
@@ -194,8 +191,7 @@ static int is_family(const struct solid *s, const struct solid_strangers *t, int
 }
 
 /* Points i and j, at least one of them owned, onto the list if near and strangers. */
-static void pair_add(const struct solid *s, struct solid_contact *c, const struct solid_strangers *t, int i,
-                     int j) {
+static void pair_add(const struct solid *s, struct solid_contact *c, const struct solid_strangers *t, int i, int j) {
     const double near = c->radius + c->skin;
     const int h = t->point[i], l = t->point[j], is_served = l >= s->n;
     double x0[3], xi[3], r2 = 0;
@@ -211,12 +207,11 @@ static void pair_add(const struct solid *s, struct solid_contact *c, const struc
     const long id = is_served ? c->crossing.other[l - s->n].id : (long)t->id[l];
     if (is_family(s, t, h, body, x0, id)) return;
     solid_contact_torn_add(&c->pairs[is_served ? SOLID_CONTACT_SERVED : SOLID_CONTACT_OWNED], h,
-                            is_served ? l - s->n : l, xi);
+                           is_served ? l - s->n : l, xi);
     if (is_served) c->crossing.used[l - s->n] = 1;
 }
 
-static int seeks(const struct solid *s, const struct solid_contact *c, const struct solid_strangers *t,
-                 int point) {
+static int seeks(const struct solid *s, const struct solid_contact *c, const struct solid_strangers *t, int point) {
     return point < s->n ? t->seeks[point] : c->crossing.other[point - s->n].seeks;
 }
 
@@ -228,7 +223,7 @@ void solid_contact_strangers_list(struct solid *s, struct solid_contact *c) {
     if (!seek(s, c, t)) return;
     gather(s, c, t);
     solid_contact_cells_fill(&t->cells, t->points, (const double(*)[3])t->x, c->radius + c->skin, s->in.periodic,
-                     s->in.length);
+                             s->in.length);
     for (int i = 0; i < t->points; i++) {
         if (!seeks(s, c, t, t->point[i])) continue;
         const int number = solid_contact_cells_near(&t->cells, t->x[i], t->found);

@@ -34,8 +34,7 @@ static void list_if_near(const struct solid *s, struct solid_contact *c, int h, 
         xi[k] = x0 - (x - nearest);
         r2 += nearest * nearest;
     }
-    if (r2 < reach2)
-        solid_contact_torn_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
+    if (r2 < reach2) solid_contact_torn_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
 }
 
 /* Bonds of h that are broken and were not when last looked at. */

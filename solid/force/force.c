@@ -16,8 +16,8 @@ void solid_force_bonds(struct solid *s, int may_break, double damping_relative) 
         if (f->lattice[b]) power += solid_sweep_lattice_begin(s, f->lattice[b], &sweep);
     par_ghost_end(s->ghost);
     for (int b = 0; b < f->bodies; b++)
-        power += f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], &sweep)
-                               : solid_sweep_list(s, f->list[b], &sweep);
+        power +=
+            f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], &sweep) : solid_sweep_list(s, f->list[b], &sweep);
     s->power_damped = power;
     s->sweeps++;
 }
@@ -26,8 +26,8 @@ struct powers {
     double load, damping; /* W */
 };
 
-/* a = bonds + load/rho + gravity - damping v of particles of one density, and the powers of load and damping. [n]; a may be
- * bonds. */
+/* a = bonds + load/rho + gravity - damping v of particles of one density, and the powers of load and damping. [n]; a
+ * may be bonds. */
 static struct powers add_loads(int n, double density, double gravity, double damping, const double *volume,
                                const double *load, const double *v, const double *bonds, double *a) {
     const double inv_density = 1 / density;
@@ -57,9 +57,8 @@ void solid_force_loads(struct solid *s, double *const bonds[3], double damping_a
         const double density = s->in.material[s->in.body[b].material].density;
         const int from = f->first[b], n = f->first[b + 1] - from;
         for (int c = 0; c < s->dim; c++) {
-            const struct powers power =
-                add_loads(n, density, s->in.body_force[c], damping_absolute, s->volume + from,
-                          s->load[c] + from, s->v[c] + from, bonds[c] + from, s->a[c] + from);
+            const struct powers power = add_loads(n, density, s->in.body_force[c], damping_absolute, s->volume + from,
+                                                  s->load[c] + from, s->v[c] + from, bonds[c] + from, s->a[c] + from);
             s->power_load += power.load;
             s->power_damped += power.damping;
         }

@@ -23,8 +23,7 @@
 
 static inline __attribute__((always_inline)) struct solid_range segment(const struct solid_boxes *in,
                                                                         const struct solid_segments *t, int g,
-                                                                        const enum solid_kernel kernel,
-                                                                        double *power) {
+                                                                        const enum solid_kernel kernel, double *power) {
     const uint32_t *entry = t->entry + t->first[g];
     const uint16_t *count = t->count[g];
     const int *far = t->far + t->first[g];
@@ -58,13 +57,12 @@ static inline __attribute__((always_inline)) struct solid_range segment(const st
     return range;
 }
 
-typedef struct solid_range segment_kernel(const struct solid_boxes *, const struct solid_segments *, int,
-                                          double *);
+typedef struct solid_range segment_kernel(const struct solid_boxes *, const struct solid_segments *, int, double *);
 
-#define SEGMENT_KERNEL(kind)                                                                                 \
-    static struct solid_range segment_##kind(const struct solid_boxes *in, const struct solid_segments *t,   \
-                                             int g, double *power) {                                         \
-        return segment(in, t, g, (enum solid_kernel)(kind), power);                                          \
+#define SEGMENT_KERNEL(kind)                                                                                           \
+    static struct solid_range segment_##kind(const struct solid_boxes *in, const struct solid_segments *t, int g,      \
+                                             double *power) {                                                          \
+        return segment(in, t, g, (enum solid_kernel)(kind), power);                                                    \
     }
 SEGMENT_KERNEL(0)
 SEGMENT_KERNEL(1)

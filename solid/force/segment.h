@@ -22,5 +22,5 @@ struct solid_range {
 };
 
 /* Pure. *power += the sum of viscous bond forces times closing speeds, of directed bonds, m2/s3. */
-struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *segments,
-                                       int g, enum solid_kernel kernel, double *power);
+struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *segments, int g,
+                                       enum solid_kernel kernel, double *power);

@@ -28,9 +28,10 @@ static inline REAL NAME(inverse)(REAL e, const int exact) {
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
  *     a_l -= the same                                   the paired ones' reaction
  * d, v, w, a  boxes  m, m/s, -, m/s2    entry, other [n]  of the strip that stands at `at`: what bonds, and where to */
-static inline __attribute__((always_inline)) void
-NAME(strip)(const struct solid_boxes *in, long at, const uint32_t *entry, const int *other, int n,
-            struct NAME(result) * out, const enum solid_kernel kernel, const int paired) {
+static inline __attribute__((always_inline)) void NAME(strip)(const struct solid_boxes *in, long at,
+                                                              const uint32_t *entry, const int *other, int n,
+                                                              struct NAME(result) * out, const enum solid_kernel kernel,
+                                                              const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0;
     const struct solid_boxes box = *in; /* a copy: no store to a box can change it */
@@ -61,8 +62,7 @@ NAME(strip)(const struct solid_boxes *in, long at, const uint32_t *entry, const 
             if (!bulk) stiff = t->elastic_twice / (w + OF(load)(box.w + far));
             REAL f = NAME(g_times)(eps, stiff, exact);
             if (damped) {
-                const REAL closing = (OF(load)(box.v[0] + far) - vx) * zx +
-                                     (OF(load)(box.v[1] + far) - vy) * zy +
+                const REAL closing = (OF(load)(box.v[0] + far) - vx) * zx + (OF(load)(box.v[1] + far) - vy) * zy +
                                      (OF(load)(box.v[2] + far) - vz) * zz;
                 const REAL fd = OF(where)(lambda, closing * t->viscous) * NAME(inverse)(eps, exact);
                 power += fd * closing;

@@ -1,5 +1,5 @@
-/* What the bonds of one particle of a list do to it: the kernel of the general store, for a plate or in space. Inside the
- * room only. */
+/* What the bonds of one particle of a list do to it: the kernel of the general store, for a plate or in space. Inside
+ * the room only. */
 #pragma once
 #include "base/vec.h"
 #include "solid/bonds/family.h"
@@ -27,10 +27,10 @@ static inline vec inverse(vec e, const int exact) {
     return two + two * (e * e * (e * e));
 }
 
-/* In a plate sums are the same to the bit in any order, so that a mirror image gets the mirror image: forces are rounded to
- * multiples of the last digit that leaves room for all of them within 53, by adding a shift of 1.5 2^52 times the digit and
- * taking it away. The digit follows from the power of two at or below the largest |eps| (where there is damping, the largest
- * component of a force), which is mostly that of the sweep before: it is tried. */
+/* In a plate sums are the same to the bit in any order, so that a mirror image gets the mirror image: forces are
+ * rounded to multiples of the last digit that leaves room for all of them within 53, by adding a shift of 1.5 2^52
+ * times the digit and taking it away. The digit follows from the power of two at or below the largest |eps| (where
+ * there is damping, the largest component of a force), which is mostly that of the sweep before: it is tried. */
 
 /* 1.5 2^L, 2^L at least the number of bonds: the shift in powers of two above all components, halved. */
 static inline double force_family_room(const struct solid_list *b, int i) {
@@ -44,11 +44,9 @@ static inline double force_family_room(const struct solid_list *b, int i) {
  *     f += (k_d/c) k/(alpha |xi|) [(v_l - v_h).zeta]/(1 + eps) zeta     1/alpha = (w_h + w_l)/2
  * Lengths in spacings. viscous: k_d/(2 c), s/m. */
 static inline __attribute__((always_inline)) struct force_family
-force_family_of(const struct solid_list *b, int i, double viscous, const int dim, const int exact,
-                const int damped) {
+force_family_of(const struct solid_list *b, int i, double viscous, const int dim, const int exact, const int damped) {
     const double *here = b->record + (long)b->width * i, *speed = b->speed + (long)SOLID_LIST_SPEED * i;
-    const vec zero = vec_set(0),
-              shift = vec_set(b->power[i] * (damped ? force_family_room(b, i) : b->digit[i]));
+    const vec zero = vec_set(0), shift = vec_set(b->power[i] * (damped ? force_family_room(b, i) : b->digit[i]));
     struct force_family of = {{zero, zero, zero}, zero, zero, zero, zero};
     vec d[3], v[3], w = zero;
     for (int c = 0; c < dim; c++) {

@@ -22,8 +22,7 @@ struct sweep {
 /* One component of a field into its box: of the particles owned here and their periodic images; of ghosts. */
 static void fill_owned(const struct solid_lattice *b, const double *restrict from, double *restrict box) {
     for (int r = 0; r < b->rows; r++)
-        vec_store(box + solid_lattice_place(b, b->row_cell[r]),
-                  vec_spread(b->row_owned[r], from + b->row_first[r]));
+        vec_store(box + solid_lattice_place(b, b->row_cell[r]), vec_spread(b->row_owned[r], from + b->row_first[r]));
     for (int i = b->ghosts; i < b->away; i++) box[b->copy_at[i]] = from[b->copy_local[i]];
 }
 
@@ -56,22 +55,20 @@ static void fill_offsets(const struct solid_lattice *b, double damping, struct s
 }
 
 /* The number that decides on a bond. One function, one order of operations: both ends get the same to the bit. */
-static __attribute__((noinline)) double bond_eps(const double xi[3], const double eta[3],
-                                                 double inv_length2) {
+static __attribute__((noinline)) double bond_eps(const double xi[3], const double eta[3], double inv_length2) {
     double q = 0;
     for (int c = 0; c < 3; c++) q += eta[c] * (xi[c] + (xi[c] + eta[c]));
     return q * inv_length2;
 }
 
-/* Breaks the bond of the particle at cell at offset o if it is beyond s0: from both ends where both are owned here, else from
- * this end; the other end finds the same. Returns how many directed bonds. */
+/* Breaks the bond of the particle at cell at offset o if it is beyond s0: from both ends where both are owned here,
+ * else from this end; the other end finds the same. Returns how many directed bonds. */
 static int break_bond(struct solid *s, struct solid_lattice *b, long cell, int o) {
     const struct solid_offset *t = &b->stencil->offset[o];
     const long far = cell + b->offset[o].shift;
     const int h = b->local[cell], l = b->local[far];
     double eta[3];
-    for (int c = 0; c < 3; c++)
-        eta[c] = b->d[c][solid_lattice_place(b, far)] - b->d[c][solid_lattice_place(b, cell)];
+    for (int c = 0; c < 3; c++) eta[c] = b->d[c][solid_lattice_place(b, far)] - b->d[c][solid_lattice_place(b, cell)];
     const double eps = bond_eps(t->xi, eta, t->inv_length2);
     if (!(eps > b->law.eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
     const double stretch = eps / (1 + sqrt(1 + eps)),
@@ -104,8 +101,8 @@ static int break_segment(struct solid *s, struct solid_lattice *b, int g) {
     return broken;
 }
 
-/* Forces of segment g. Where it turns out that bonds must break or that the series does not hold, they are taken back and
- * computed again; it is rare, as segments near either are treated so from the start. */
+/* Forces of segment g. Where it turns out that bonds must break or that the series does not hold, they are taken back
+ * and computed again; it is rare, as segments near either are treated so from the start. */
 static void sweep_segment(struct sweep *w, int g) {
     struct solid_lattice *b = w->b;
     struct solid_segments *t = b->segments;
@@ -130,8 +127,8 @@ static void sweep_segment(struct sweep *w, int g) {
 }
 
 /* Forces of the segments from .. to-1; returns the power of damping, W. */
-static double sweep_segments(struct solid *s, struct solid_lattice *b, const struct solid_sweep *sweep,
-                             int from, int to) {
+static double sweep_segments(struct solid *s, struct solid_lattice *b, const struct solid_sweep *sweep, int from,
+                             int to) {
     struct solid_lattice_offset offset[2 * SOLID_FAMILY_MAX];
     /* the kernels' eps may differ from bond_eps in its last digit: look closer a little below the limit */
     struct sweep w = {.s = s,

@@ -5,16 +5,15 @@
 /* Looked at closer a little below the limit: the kernels' eps may differ from bond_eps in its last digit. */
 static const double NEAR_LIMIT = 1 - 1e-9;
 
-static inline __attribute__((always_inline)) void fill_places(const struct solid *s,
-                                                              const struct solid_list *b, const int dim) {
+static inline __attribute__((always_inline)) void fill_places(const struct solid *s, const struct solid_list *b,
+                                                              const int dim) {
     const int width = dim == 2 ? 2 : 4;
     const double inv_spacing = 1 / b->spacing, *d[3];
     for (int c = 0; c < dim; c++) d[c] = s->d[c];
     for (long r = 0; r < b->n; r++)
         for (int c = 0; c < dim; c++) b->record[width * r + c] = d[c][b->first + r] * inv_spacing;
     for (long r = 0; r < b->others; r++)
-        for (int c = 0; c < dim; c++)
-            b->record[width * (b->n + r) + c] = d[c][b->other_local[r]] * inv_spacing;
+        for (int c = 0; c < dim; c++) b->record[width * (b->n + r) + c] = d[c][b->other_local[r]] * inv_spacing;
 }
 
 void solid_sweep_list_fill(const struct solid *s, const struct solid_list *b) {
@@ -27,17 +26,15 @@ void solid_sweep_list_fill(const struct solid *s, const struct solid_list *b) {
 static void fill(const struct solid *s, const struct solid_list *b, int damped) {
     solid_sweep_list_fill(s, b);
     for (int r = 0; damped && r < b->n + b->others; r++)
-        for (int c = 0; c < b->dim; c++)
-            b->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(b, r)];
+        for (int c = 0; c < b->dim; c++) b->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(b, r)];
 }
 
-/* The families, compiled for a plate and for space, with and without damping, with square roots where the series does not
- * hold (exact) and without. */
+/* The families, compiled for a plate and for space, with and without damping, with square roots where the series does
+ * not hold (exact) and without. */
 typedef struct force_family kernel(const struct solid_list *, int i, double viscous);
-#define KERNEL(name, dim, exact, damped)                                                                     \
-    static __attribute__((noinline)) struct force_family name(const struct solid_list *b, int i,             \
-                                                              double viscous) {                              \
-        return force_family_of(b, i, viscous, dim, exact, damped);                                           \
+#define KERNEL(name, dim, exact, damped)                                                                               \
+    static __attribute__((noinline)) struct force_family name(const struct solid_list *b, int i, double viscous) {     \
+        return force_family_of(b, i, viscous, dim, exact, damped);                                                     \
     }
 KERNEL(plane_series, 2, 0, 0)
 KERNEL(plane_exact, 2, 1, 0)
@@ -48,9 +45,8 @@ KERNEL(space_exact, 3, 1, 0)
 KERNEL(space_damped_series, 3, 0, 1)
 KERNEL(space_damped_exact, 3, 1, 1)
 
-static kernel *const kernels[2][2][2] = {
-    {{plane_series, plane_exact}, {plane_damped_series, plane_damped_exact}},
-    {{space_series, space_exact}, {space_damped_series, space_damped_exact}}};
+static kernel *const kernels[2][2][2] = {{{plane_series, plane_exact}, {plane_damped_series, plane_damped_exact}},
+                                         {{space_series, space_exact}, {space_damped_series, space_damped_exact}}};
 
 /* The number that decides on a bond; both ends get the same to the bit: all signs turn, nothing else. */
 static __attribute__((noinline)) double bond_eps(const double *xi, const double *eta, int dim) {
@@ -70,16 +66,15 @@ static int break_bonds(struct solid *s, struct solid_list *b, int i) {
     for (long j = b->start[i]; j < b->end[i]; j++) {
         const double *there = b->record + b->at[j];
         double xi[3], eta[3] = {0};
-        if (!solid_list_is_intact(b, j) ||
-            ((s->flag[h] | s->flag[solid_list_other(b, j)]) & SOLID_UNBREAKABLE))
+        if (!solid_list_is_intact(b, j) || ((s->flag[h] | s->flag[solid_list_other(b, j)]) & SOLID_UNBREAKABLE))
             continue;
         const double length = solid_list_steps(b, j, xi);
         for (int c = 0; c < b->dim; c++) eta[c] = there[c] - here[c];
         const double eps = bond_eps(xi, eta, b->dim);
         if (!(eps > b->limit[i]) || !(eps > solid_list_limit(b, h, j))) continue;
         const double stretch = eps / (1 + sqrt(1 + eps));
-        s->e_fracture += 0.25 * b->law.density * b->stiffness[j] * length * stretch * stretch *
-                         (length * b->spacing) * s->volume[h];
+        s->e_fracture +=
+            0.25 * b->law.density * b->stiffness[j] * length * stretch * stretch * (length * b->spacing) * s->volume[h];
         solid_list_set(b, j, 0);
         broken++;
     }
@@ -123,8 +118,8 @@ static inline int may_break_here(const struct sweep *k, int i, const struct forc
     return k->may_break && vec_any_above(of->high, k->b->limit[i] * NEAR_LIMIT);
 }
 
-/* A family that is not as it mostly is. Where bonds break or the series does not hold it is computed again; one with large eps
- * starts with square roots. */
+/* A family that is not as it mostly is. Where bonds break or the series does not hold it is computed again; one with
+ * large eps starts with square roots. */
 static __attribute__((noinline)) struct force_family judged(const struct sweep *k, int i) {
     struct solid_list *b = k->b;
     const int exact = b->large[i];
@@ -135,8 +130,7 @@ static __attribute__((noinline)) struct force_family judged(const struct sweep *
     return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
 }
 
-static inline __attribute__((always_inline)) double sweep_all(const struct sweep *k, const int dim,
-                                                              const int damped) {
+static inline __attribute__((always_inline)) double sweep_all(const struct sweep *k, const int dim, const int damped) {
     struct solid *s = k->s;
     struct solid_list *b = k->b;
     double power = 0;
@@ -154,8 +148,8 @@ static inline __attribute__((always_inline)) double sweep_all(const struct sweep
 
 double solid_sweep_list(struct solid *s, struct solid_list *b, const struct solid_sweep *asked) {
     const int damped = asked->damping > 0;
-    const struct sweep k = {
-        s, b, kernels[b->dim - 2][damped], asked->damping / (2 * b->law.c), asked->may_break, damped};
+    const struct sweep k = {s,     b, kernels[b->dim - 2][damped], asked->damping / (2 * b->law.c), asked->may_break,
+                            damped};
     fill(s, b, damped);
     double power;
     if (b->dim == 2)

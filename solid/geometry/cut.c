@@ -38,8 +38,7 @@ static double inner_side(const double (*corner)[3], int k, const double normal[3
 
 static int plane_fault(const struct solid_cut *cut, char *text, size_t size) {
     double normal[3], to[3];
-    if (cut->points != 4)
-        return snprintf(text, size, "a crack in three dimensions has 4 corners, not %d", cut->points);
+    if (cut->points != 4) return snprintf(text, size, "a crack in three dimensions has 4 corners, not %d", cut->points);
     const double extent = normal_of(cut->point, normal);
     for (int k = 1; k < 4; k++) {
         minus(cut->point[k], cut->point[0], to);
@@ -47,11 +46,9 @@ static int plane_fault(const struct solid_cut *cut, char *text, size_t size) {
             return snprintf(text, size, "corner %d of the crack is not in the plane of the others", k + 1);
     }
     for (int k = 0; k < 4; k++)
-        if (dot(normal, normal) == 0 ||
-            inner_side(cut->point, k, normal, cut->point[(k + 2) % 4]) <= PLANE * extent ||
+        if (dot(normal, normal) == 0 || inner_side(cut->point, k, normal, cut->point[(k + 2) % 4]) <= PLANE * extent ||
             inner_side(cut->point, k, normal, cut->point[(k + 3) % 4]) <= PLANE * extent)
-            return snprintf(text, size,
-                            "the corners of the crack are not those of a convex quadrilateral, in order");
+            return snprintf(text, size, "the corners of the crack are not those of a convex quadrilateral, in order");
     return 0;
 }
 
@@ -67,8 +64,7 @@ int solid_cut_fault(const struct solid_cut *cut, int dim, char *text, size_t siz
     return dim == 3 && plane_fault(cut, text, size);
 }
 
-struct solid_cut_line *solid_cut_line_new(const struct solid_cut *cut, const double origin[2],
-                                          double spacing) {
+struct solid_cut_line *solid_cut_line_new(const struct solid_cut *cut, const double origin[2], double spacing) {
     struct solid_cut_line *line = memory_new(MEMORY_SOLID, 1, sizeof *line);
     line->points = cut->points;
     line->point = memory_new(MEMORY_SOLID, (size_t)cut->points, sizeof *line->point);
@@ -90,8 +86,7 @@ void solid_cut_line_free(struct solid_cut_line *line) {
 
 /* On which side of the line from p to q x is: 1, 0, -1. */
 static int side_of(const int64_t p[2], const int64_t q[2], const int64_t x[2]) {
-    const __int128 left = (__int128)(q[0] - p[0]) * (x[1] - p[1]),
-                   right = (__int128)(q[1] - p[1]) * (x[0] - p[0]);
+    const __int128 left = (__int128)(q[0] - p[0]) * (x[1] - p[1]), right = (__int128)(q[1] - p[1]) * (x[0] - p[0]);
     return (left > right) - (left < right);
 }
 

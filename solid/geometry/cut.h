@@ -2,8 +2,8 @@
 #pragma once
 #include "solid/solid.h"
 
-/* 1: the cut is none, and text says why in one sentence. A plate's has two points or more, a solid's four corners of a plane, convex
- * quadrilateral. Tolerances are fractions of its extent. */
+/* 1: the cut is none, and text says why in one sentence. A plate's has two points or more, a solid's four corners of a
+ * plane, convex quadrilateral. Tolerances are fractions of its extent. */
 int solid_cut_fault(const struct solid_cut *cut, int dim, char *text, size_t size);
 
 /* A crack of a plate with its points rounded to multiples of 2^-20 of a lattice's spacing. */
@@ -12,14 +12,13 @@ struct solid_cut_line {
     int64_t (*point)[2]; /* in 2^-32 spacings from the lattice's origin; owned */
 };
 
-struct solid_cut_line *solid_cut_line_new(const struct solid_cut *cut, const double origin[2],
-                                          double spacing);
+struct solid_cut_line *solid_cut_line_new(const struct solid_cut *cut, const double origin[2], double spacing);
 void solid_cut_line_free(struct solid_cut_line *line);
-/* 1: the bond from a to b (in spacings from the origin, multiples of 2^-32) meets the crack. Exact, so that both ends and mirror images
- * agree. Touching counts: a bond that ends on the crack is cut, and a crack through a row of particles cuts all of their
- * bonds. A crack is best led between rows. */
+/* 1: the bond from a to b (in spacings from the origin, multiples of 2^-32) meets the crack. Exact, so that both ends
+ * and mirror images agree. Touching counts: a bond that ends on the crack is cut, and a crack through a row of
+ * particles cuts all of their bonds. A crack is best led between rows. */
 int solid_cut_line_crosses(const struct solid_cut_line *line, const double a[2], const double b[2]);
 
-/* 1: the bond from a to b meets the quadrilateral, to 1e-12 of its extent; touching counts. The same for b to a. In any one
- * unit. */
+/* 1: the bond from a to b meets the quadrilateral, to 1e-12 of its extent; touching counts. The same for b to a. In any
+ * one unit. */
 int solid_cut_plane_crosses(const double (*corner)[3], const double a[3], const double b[3]);

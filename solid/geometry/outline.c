@@ -20,15 +20,12 @@ static double signed_area(const struct solid_outline *o) {
     for (int k = 0; k < o->corners; k++) {
         struct solid_outline_edge piece[SOLID_OUTLINE_PIECES];
         const int pieces = solid_outline_edge_pieces(o, k, o->corner[0], unit, piece);
-        for (int p = 0; p < pieces; p++)
-            sum += solid_outline_edge_integral(&piece[p], piece[p].a, piece[p].b, 0);
+        for (int p = 0; p < pieces; p++) sum += solid_outline_edge_integral(&piece[p], piece[p].a, piece[p].b, 0);
     }
     return (double)sum * unit * unit;
 }
 
-int solid_outline_sense(const struct solid_outline *o) {
-    return (signed_area(o) > 0) != (o->is_hole != 0) ? 1 : -1;
-}
+int solid_outline_sense(const struct solid_outline *o) { return (signed_area(o) > 0) != (o->is_hole != 0) ? 1 : -1; }
 
 double solid_outline_area(const struct solid_outline *outline, int n) {
     double area = 0;
@@ -64,8 +61,7 @@ int solid_outline_parity(const struct solid_outline *outline, int n, const doubl
             struct solid_outline_edge piece[SOLID_OUTLINE_PIECES];
             const int pieces = solid_outline_edge_pieces(&outline[l], k, x, spacing, piece);
             for (int p = 0; p < pieces; p++)
-                if ((piece[p].a[1] <= 0) != (piece[p].b[1] <= 0) &&
-                    solid_outline_edge_at(&piece[p], 1, 0) > 0)
+                if ((piece[p].a[1] <= 0) != (piece[p].b[1] <= 0) && solid_outline_edge_at(&piece[p], 1, 0) > 0)
                     odd ^= 1;
         }
     return odd;
@@ -82,8 +78,7 @@ int solid_outline_contains(const struct solid_outline *outline, int n, const dou
 }
 
 /* Green: the area is the integral of clamp(x, 0, 1) dy over the boundary within 0 <= y <= 1. */
-double solid_outline_area_in(const struct solid_outline *outline, int n, const double centre[2],
-                             double side) {
+double solid_outline_area_in(const struct solid_outline *outline, int n, const double centre[2], double side) {
     const double origin[2] = {centre[0] - side / 2, centre[1] - side / 2};
     const int low[2] = {0, 0}, high[2] = {1, 1};
     double area = 0;
@@ -111,8 +106,8 @@ static int ascending(const void *a, const void *b) {
 }
 
 /* Cut where the segment meets the outlines; each part is in or out as its middle is. */
-static double inside_of_segment(const struct solid_outline *outline, int n, const double a[2],
-                                const double b[2], double spacing, double *at) {
+static double inside_of_segment(const struct solid_outline *outline, int n, const double a[2], const double b[2],
+                                double spacing, double *at) {
     const double length = hypot(b[0] - a[0], b[1] - a[1]), nothing[2] = {0, 0};
     const double end[2] = {(b[0] - a[0]) / spacing, (b[1] - a[1]) / spacing};
     const struct solid_outline_edge segment = solid_outline_edge_straight(nothing, end);

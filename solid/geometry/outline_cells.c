@@ -20,8 +20,7 @@ struct hit {
     int is_on;           /* the centre is on an edge */
 };
 
-static struct hit hit_of(const struct solid_outline_edge *piece, const struct solid_outline_walk *w,
-                         int sense) {
+static struct hit hit_of(const struct solid_outline_edge *piece, const struct solid_outline_walk *w, int sense) {
     const double centre[2] = {w->cell[0] + 0.5, w->cell[1] + 0.5};
     const int crosses = (w->from[1] <= centre[1]) != (w->to[1] <= centre[1]);
     return (struct hit){
@@ -154,23 +153,21 @@ static void hand_over(struct solid_outline_cells *cells) {
 }
 
 /* The box of cells that the outlines reach. */
-static void box_of(const struct solid_outline *outline, int n, const double origin[2], double spacing,
-                   int low[2], int high[2]) {
+static void box_of(const struct solid_outline *outline, int n, const double origin[2], double spacing, int low[2],
+                   int high[2]) {
     double from[2], to[2];
     solid_outline_bounds(outline, n, from, to);
     for (int c = 0; c < 2; c++) {
-        const double first = floor((from[c] - origin[c]) / spacing) - 1,
-                     last = ceil((to[c] - origin[c]) / spacing) + 1;
+        const double first = floor((from[c] - origin[c]) / spacing) - 1, last = ceil((to[c] - origin[c]) / spacing) + 1;
         if (!(fabs(first) < 0x1p30 && fabs(last) < 0x1p30))
-            die_all(EXIT_CODE_SCENE, "a plate from %g m to %g m has too many cells of %g m", from[c], to[c],
-                    spacing);
+            die_all(EXIT_CODE_SCENE, "a plate from %g m to %g m has too many cells of %g m", from[c], to[c], spacing);
         low[c] = (int)first;
         high[c] = (int)last;
     }
 }
 
-struct solid_outline_cells *solid_outline_cells(const struct solid_outline *outline, int n,
-                                                const double origin[2], double spacing) {
+struct solid_outline_cells *solid_outline_cells(const struct solid_outline *outline, int n, const double origin[2],
+                                                double spacing) {
     int low[2], high[2];
     box_of(outline, n, origin, spacing, low, high);
     long hits = hits_of(outline, n, origin, spacing, low, high, NULL);

@@ -88,7 +88,7 @@ int solid_outline_edge_split(const struct solid_outline_edge *e,
 }
 
 int solid_outline_edge_pieces(const struct solid_outline *o, int k, const double origin[2], double spacing,
-                         struct solid_outline_edge piece[SOLID_OUTLINE_PIECES]) {
+                              struct solid_outline_edge piece[SOLID_OUTLINE_PIECES]) {
     const struct solid_outline_edge e = solid_outline_edge(o, k, origin, spacing);
     return solid_outline_edge_split(&e, piece);
 }
@@ -124,8 +124,8 @@ double solid_outline_edge_at(const struct solid_outline_edge *piece, int c, doub
         x = piece->centre[o] + piece->side[o] * sqrtl(fmaxl(rest, 0));
     } else {
         const long double rise = (long double)piece->b[c] - piece->a[c];
-        x = piece->a[o] + ((long double)piece->b[o] - piece->a[o]) *
-                              (rise == 0 ? 0 : ((long double)value - piece->a[c]) / rise);
+        x = piece->a[o] +
+            ((long double)piece->b[o] - piece->a[o]) * (rise == 0 ? 0 : ((long double)value - piece->a[c]) / rise);
     }
     return between(rounded(x), piece->a[o], piece->b[o]);
 }
@@ -135,10 +135,8 @@ static double spanned(const struct solid_outline_edge *piece, const double from[
     return 2 * asin(fmin(hypot(to[0] - from[0], to[1] - from[1]) / (2 * (double)piece->radius), 1));
 }
 
-double solid_outline_edge_length(const struct solid_outline_edge *piece, const double from[2],
-                                 const double to[2]) {
-    return piece->turn ? (double)piece->radius * spanned(piece, from, to)
-                       : hypot(to[0] - from[0], to[1] - from[1]);
+double solid_outline_edge_length(const struct solid_outline_edge *piece, const double from[2], const double to[2]) {
+    return piece->turn ? (double)piece->radius * spanned(piece, from, to) : hypot(to[0] - from[0], to[1] - from[1]);
 }
 
 /* t - sin t without cancellation. */
@@ -149,8 +147,8 @@ static double minus_sine(double t) {
 }
 
 /* Under the chord, and between chord and arc. */
-double solid_outline_edge_integral(const struct solid_outline_edge *piece, const double from[2],
-                                   const double to[2], double x0) {
+double solid_outline_edge_integral(const struct solid_outline_edge *piece, const double from[2], const double to[2],
+                                   double x0) {
     const double chord = 0.5 * ((from[0] - x0) + (to[0] - x0)) * (to[1] - from[1]);
     if (!piece->turn) return chord;
     const double radius = (double)piece->radius;

@@ -1,7 +1,7 @@
 /* Edges of a plate's outline in units of a lattice. Inside the room only.
  *
- * Places are multiples of 2^-48 (or of their last digit, where that is larger), so that sums of the heights of edges within a row
- * of cells are exact: a cell that no edge enters has the area 0 or 1, not nearly so. */
+ * Places are multiples of 2^-48 (or of their last digit, where that is larger), so that sums of the heights of edges
+ * within a row of cells are exact: a cell that no edge enters has the area 0 or 1, not nearly so. */
 #pragma once
 #include "solid/solid.h"
 
@@ -9,10 +9,9 @@ enum { SOLID_OUTLINE_PIECES = 5 }; /* an arc's at most, once split */
 
 struct solid_outline_edge {
     double a[2], b[2];
-    int turn; /* 0: straight, +1: arc counterclockwise, -1: clockwise */
-    long double centre[2], radius, start,
-        sweep;   /* arc: from the angle start by sweep > 0 in the sense of turn */
-    int side[2]; /* piece of an arc: the signs of x - centre */
+    int turn;                                    /* 0: straight, +1: arc counterclockwise, -1: clockwise */
+    long double centre[2], radius, start, sweep; /* arc: from the angle start by sweep > 0 in the sense of turn */
+    int side[2];                                 /* piece of an arc: the signs of x - centre */
 };
 
 /* Edge k of the outline. An arc's centre is moved along the chord until both ends are equally far from it. */
@@ -20,14 +19,12 @@ struct solid_outline_edge solid_outline_edge(const struct solid_outline *o, int 
                                              double spacing);
 struct solid_outline_edge solid_outline_edge_straight(const double a[2], const double b[2]);
 /* The part from one fraction of the edge (0: a, 1: b) to another. */
-struct solid_outline_edge solid_outline_edge_part(const struct solid_outline_edge *e, long double from,
-                                                  long double to);
+struct solid_outline_edge solid_outline_edge_part(const struct solid_outline_edge *e, long double from, long double to);
 /* Pieces that are monotone in x and in y: returns how many. */
-int solid_outline_edge_split(const struct solid_outline_edge *e,
-                             struct solid_outline_edge piece[SOLID_OUTLINE_PIECES]);
+int solid_outline_edge_split(const struct solid_outline_edge *e, struct solid_outline_edge piece[SOLID_OUTLINE_PIECES]);
 /* The same of edge k of the outline. */
 int solid_outline_edge_pieces(const struct solid_outline *o, int k, const double origin[2], double spacing,
-                         struct solid_outline_edge piece[SOLID_OUTLINE_PIECES]);
+                              struct solid_outline_edge piece[SOLID_OUTLINE_PIECES]);
 
 void solid_outline_edge_point(const struct solid_outline_edge *e, long double fraction, double x[2]);
 /* Of the point of the edge's line or circle that is nearest to x; below 0 or above 1 beyond the ends. */
@@ -36,21 +33,21 @@ double solid_outline_edge_distance(const struct solid_outline_edge *e, const dou
 /* Where a piece has the value as its coordinate c, the other one. */
 double solid_outline_edge_at(const struct solid_outline_edge *piece, int c, double value);
 /* Of a part of a piece: integral of (x - x0) dy, and length. */
-double solid_outline_edge_integral(const struct solid_outline_edge *piece, const double from[2],
-                                   const double to[2], double x0);
-double solid_outline_edge_length(const struct solid_outline_edge *piece, const double from[2],
-                                 const double to[2]);
-/* Points that both edges share, to the tolerance: crossings, touching ends, and of an overlap at least one. Returns how many. */
-int solid_outline_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f,
-                            double tolerance, double point[8][2]);
+double solid_outline_edge_integral(const struct solid_outline_edge *piece, const double from[2], const double to[2],
+                                   double x0);
+double solid_outline_edge_length(const struct solid_outline_edge *piece, const double from[2], const double to[2]);
+/* Points that both edges share, to the tolerance: crossings, touching ends, and of an overlap at least one. Returns how
+ * many. */
+int solid_outline_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f, double tolerance,
+                       double point[8][2]);
 
 /* +1: the body is on the left of the outline as it runs, -1: on the right. */
 int solid_outline_sense(const struct solid_outline *o);
 /* 1: an odd number of the outlines is round x. */
 int solid_outline_parity(const struct solid_outline *outline, int n, const double x[2], double spacing);
 
-/* The parts of a piece between lattice lines, in order. Only the lines low .. high of each direction count: cells beyond are one,
- * low - 1 or high. */
+/* The parts of a piece between lattice lines, in order. Only the lines low .. high of each direction count: cells
+ * beyond are one, low - 1 or high. */
 struct solid_outline_walk {
     const struct solid_outline_edge *piece; /* borrowed */
     int cell[2];                            /* of the part */

@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Lengths are compared to this fraction of the outlines' extent, an arc's radii to the second fraction of themselves. */
+/* Lengths are compared to this fraction of the outlines' extent, an arc's radii to the second fraction of themselves.
+ */
 static const double TOUCH = 1e-9, RADII = 1e-6;
 
 static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
@@ -31,23 +32,21 @@ static int is_flat(const struct solid_outline *o, double tolerance) {
 static int curve_fault(const struct solid_outline *o, int number, double extent, char *text, size_t size) {
     const int arcs = has_arc(o), n = o->corners;
     if (n < 3 - arcs)
-        return snprintf(text, size, "outline %d has %d corner%s, and needs at least 3 (2 with an arc)",
-                        number, n, n == 1 ? "" : "s");
+        return snprintf(text, size, "outline %d has %d corner%s, and needs at least 3 (2 with an arc)", number, n,
+                        n == 1 ? "" : "s");
     for (int k = 0; k < n; k++) {
         const int next = (k + 1) % n;
         if (apart(o->corner[k], o->corner[next]) <= TOUCH * extent)
-            return snprintf(text, size, "outline %d: corners %d and %d are the same", number, k + 1,
-                            next + 1);
+            return snprintf(text, size, "outline %d: corners %d and %d are the same", number, k + 1, next + 1);
         if (!arcs || !o->turn[k]) continue;
         const double a = apart(o->corner[k], o->centre[k]), b = apart(o->corner[next], o->centre[k]);
         if (!(fabs(a - b) <= RADII * fmax(a, b)))
             return snprintf(
                 text, size,
-                "outline %d: the arc of edge %d has its centre %g m from corner %d, but %g m from corner %d",
-                number, k + 1, a, k + 1, b, next + 1);
+                "outline %d: the arc of edge %d has its centre %g m from corner %d, but %g m from corner %d", number,
+                k + 1, a, k + 1, b, next + 1);
     }
-    if (!arcs && is_flat(o, TOUCH * extent))
-        return snprintf(text, size, "outline %d encloses no area", number);
+    if (!arcs && is_flat(o, TOUCH * extent)) return snprintf(text, size, "outline %d encloses no area", number);
     return 0;
 }
 
@@ -82,8 +81,8 @@ static const double *corner_of(const struct placed *e, const struct placed *f) {
     return e->outline == f->outline && follows ? f->edge.a : NULL;
 }
 
-/* Whether two edges have a point in common besides the corners that they share. Two arcs that touch there are found to cross within
- * the root of the rounding of their radii. */
+/* Whether two edges have a point in common besides the corners that they share. Two arcs that touch there are found to
+ * cross within the root of the rounding of their radii. */
 static int do_meet(const struct placed *e, const struct placed *f) {
     const double *shared[2] = {corner_of(e, f), corner_of(f, e)};
     const double near = 4 * TOUCH + 1e-8 * (double)fmaxl(e->edge.radius, f->edge.radius);
@@ -117,15 +116,16 @@ static int meeting_fault(const struct placed *edge, long edges, char *text, size
         }
     if (!first) return 0;
     if (first->outline == second->outline)
-        return snprintf(text, size, "outline %d crosses or touches itself: edges %d and %d",
-                        first->outline + 1, first->number + 1, second->number + 1);
+        return snprintf(text, size, "outline %d crosses or touches itself: edges %d and %d", first->outline + 1,
+                        first->number + 1, second->number + 1);
     return snprintf(text, size, "outlines %d and %d cross or touch: edge %d of the one, edge %d of the other",
                     first->outline + 1, second->outline + 1, first->number + 1, second->number + 1);
 }
 
-/* Outlines do not meet, so that a corner says where all of a curve is. Pieces and holes must alternate from the outside in. */
-static int nesting_fault(const struct solid_outline *outline, int n, double (*bounds)[2][2], double extent,
-                         char *text, size_t size) {
+/* Outlines do not meet, so that a corner says where all of a curve is. Pieces and holes must alternate from the outside
+ * in. */
+static int nesting_fault(const struct solid_outline *outline, int n, double (*bounds)[2][2], double extent, char *text,
+                         size_t size) {
     for (int l = 0; l < n; l++) solid_outline_bounds(&outline[l], 1, bounds[l][0], bounds[l][1]);
     for (int l = 0; l < n; l++) {
         int round[2] = {0, 0}, last[2] = {0, 0}; /* pieces and holes that this one is in */
@@ -154,8 +154,7 @@ int solid_outline_fault(const struct solid_outline *outline, int n, char *text, 
     const double *origin = outline[0].corners > 0 ? outline[0].corner[0] : (const double[2]){0, 0};
     for (int l = 0; l < n; l++) {
         edges += outline[l].corners;
-        for (int k = 0; k < outline[l].corners; k++)
-            extent = fmax(extent, apart(outline[l].corner[k], origin));
+        for (int k = 0; k < outline[l].corners; k++) extent = fmax(extent, apart(outline[l].corner[k], origin));
     }
     for (int l = 0; l < n; l++)
         if (curve_fault(&outline[l], l + 1, extent, text, size)) return 1;
@@ -163,8 +162,7 @@ int solid_outline_fault(const struct solid_outline *outline, int n, char *text, 
     double(*bounds)[2][2] = memory_new(MEMORY_SOLID, (size_t)n, sizeof *bounds);
     place(edge, outline, n, origin, extent);
     qsort(edge, (size_t)edges, sizeof *edge, by_low_x);
-    const int fault =
-        meeting_fault(edge, edges, text, size) || nesting_fault(outline, n, bounds, extent, text, size);
+    const int fault = meeting_fault(edge, edges, text, size) || nesting_fault(outline, n, bounds, extent, text, size);
     memory_free(edge);
     memory_free(bounds);
     return fault;

@@ -47,17 +47,16 @@ static void share_out(struct collection *to, int i, int j, double length) {
     for (int k = 0; k < n; k++) give(to, near[k], length / n);
 }
 
-/* The part of an edge between two fractions, cell by cell. An edge along a line of the lattice belongs to the cells on the side where
- * the body is. */
-static void edge_shares(struct collection *to, const struct solid_outline_edge *edge, int sense,
-                        long double from, long double end) {
+/* The part of an edge between two fractions, cell by cell. An edge along a line of the lattice belongs to the cells on
+ * the side where the body is. */
+static void edge_shares(struct collection *to, const struct solid_outline_edge *edge, int sense, long double from,
+                        long double end) {
     const struct solid_outline_edge part = solid_outline_edge_part(edge, from, end);
     const int low[2] = {to->low[0] - 1, to->low[1] - 1}, high[2] = {to->high[0] + 2, to->high[1] + 2};
     struct solid_outline_edge piece[SOLID_OUTLINE_PIECES];
     const int pieces = solid_outline_edge_split(&part, piece);
     for (int p = 0; p < pieces; p++) {
-        const double *a = piece[p].a, *b = piece[p].b,
-                     inward[2] = {sense * (a[1] - b[1]), sense * (b[0] - a[0])};
+        const double *a = piece[p].a, *b = piece[p].b, inward[2] = {sense * (a[1] - b[1]), sense * (b[0] - a[0])};
         struct solid_outline_walk w = solid_outline_walk_begin(&piece[p], low, high);
         while (solid_outline_walk_next(&w)) {
             for (int c = 0; c < 2; c++)
@@ -67,10 +66,10 @@ static void edge_shares(struct collection *to, const struct solid_outline_edge *
     }
 }
 
-/* What a straight edge has in common with the straight line of the length from p: fractions of the edge, the distance along the
- * line returned. */
-static double overlap(const struct solid_outline_edge *edge, const struct solid_outline_edge *line,
-                      double length, long double fraction[2]) {
+/* What a straight edge has in common with the straight line of the length from p: fractions of the edge, the distance
+ * along the line returned. */
+static double overlap(const struct solid_outline_edge *edge, const struct solid_outline_edge *line, double length,
+                      long double fraction[2]) {
     const double *end[2] = {edge->a, edge->b};
     long double at[2], off[2];
     for (int k = 0; k < 2; k++) {
@@ -119,14 +118,12 @@ static int straight(struct collection *to, const struct sensed *edge, long edges
 }
 
 /* a and b are on one arc: shares out what is between them. Returns 0 if they are not. */
-static int arc(struct collection *to, const struct sensed *edge, long edges, const double a[2],
-               const double b[2]) {
+static int arc(struct collection *to, const struct sensed *edge, long edges, const double a[2], const double b[2]) {
     const struct sensed *found = NULL;
     long double fraction[2] = {0, 0};
     for (long k = 0; k < edges; k++) {
         const struct solid_outline_edge *e = &edge[k].edge;
-        if (!e->turn || solid_outline_edge_distance(e, a) > ON_EDGE ||
-            solid_outline_edge_distance(e, b) > ON_EDGE)
+        if (!e->turn || solid_outline_edge_distance(e, a) > ON_EDGE || solid_outline_edge_distance(e, b) > ON_EDGE)
             continue;
         const long double at_a = fminl(fmaxl(solid_outline_edge_fraction(e, a), 0), 1),
                           at_b = fminl(fmaxl(solid_outline_edge_fraction(e, b), 0), 1);
@@ -160,11 +157,9 @@ static void merge(struct solid_outline_lengths *lengths, double spacing) {
     lengths->n = kept;
 }
 
-struct solid_outline_lengths *solid_outline_lengths(const struct solid_outline *outline, int n,
-                                                         const double origin[2], double spacing,
-                                                         const struct solid_outline_cells *cells,
-                                                         const double from[2], const double to[2], char *text,
-                                                         size_t size) {
+struct solid_outline_lengths *solid_outline_lengths(const struct solid_outline *outline, int n, const double origin[2],
+                                                    double spacing, const struct solid_outline_cells *cells,
+                                                    const double from[2], const double to[2], char *text, size_t size) {
     double a[2], b[2];
     long edges = 0;
     for (int c = 0; c < 2; c++) {
@@ -172,8 +167,7 @@ struct solid_outline_lengths *solid_outline_lengths(const struct solid_outline *
         b[c] = (double)(((long double)to[c] - origin[c]) / spacing);
     }
     if (hypot(b[0] - a[0], b[1] - a[1]) <= ON_EDGE) {
-        snprintf(text, size, "from (%g, %g) to (%g, %g) is no length of boundary", from[0], from[1], to[0],
-                 to[1]);
+        snprintf(text, size, "from (%g, %g) to (%g, %g) is no length of boundary", from[0], from[1], to[0], to[1]);
         return NULL;
     }
     if (cells && cells->n == 0) {
@@ -201,8 +195,8 @@ struct solid_outline_lengths *solid_outline_lengths(const struct solid_outline *
         merge(lengths, spacing);
         return lengths;
     }
-    snprintf(text, size, "the boundary does not run straight, or in one arc, from (%g, %g) to (%g, %g)",
-             from[0], from[1], to[0], to[1]);
+    snprintf(text, size, "the boundary does not run straight, or in one arc, from (%g, %g) to (%g, %g)", from[0],
+             from[1], to[0], to[1]);
     solid_outline_lengths_free(lengths);
     return NULL;
 }

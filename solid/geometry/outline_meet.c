@@ -3,10 +3,9 @@
 #include <math.h>
 
 /* Straight lines. */
-static int lines_cross(const struct solid_outline_edge *e, const struct solid_outline_edge *f,
-                       double x[2][2]) {
-    const double ex = e->b[0] - e->a[0], ey = e->b[1] - e->a[1], fx = f->b[0] - f->a[0],
-                 fy = f->b[1] - f->a[1], cross = ex * fy - ey * fx;
+static int lines_cross(const struct solid_outline_edge *e, const struct solid_outline_edge *f, double x[2][2]) {
+    const double ex = e->b[0] - e->a[0], ey = e->b[1] - e->a[1], fx = f->b[0] - f->a[0], fy = f->b[1] - f->a[1],
+                 cross = ex * fy - ey * fx;
     if (cross == 0) return 0;
     const double t = ((f->a[0] - e->a[0]) * fy - (f->a[1] - e->a[1]) * fx) / cross;
     x[0][0] = e->a[0] + t * ex;
@@ -35,8 +34,7 @@ static int line_meets_circle(const struct solid_outline_edge *line, const struct
     return both_sides(foot, d, (arc->radius - off) * (arc->radius + off), x);
 }
 
-static int circles_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f,
-                        double x[2][2]) {
+static int circles_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f, double x[2][2]) {
     const long double apart[2] = {f->centre[0] - e->centre[0], f->centre[1] - e->centre[1]};
     const long double distance = hypotl(apart[0], apart[1]);
     if (distance == 0) return 0;
@@ -47,10 +45,10 @@ static int circles_meet(const struct solid_outline_edge *e, const struct solid_o
     return both_sides(foot, across, (e->radius - a) * (e->radius + a), x);
 }
 
-/* Candidates are the crossings of the lines and circles, and of both edges the ends and the middle: what overlaps has one of
- * these in common. */
-int solid_outline_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f,
-                            double tolerance, double point[8][2]) {
+/* Candidates are the crossings of the lines and circles, and of both edges the ends and the middle: what overlaps has
+ * one of these in common. */
+int solid_outline_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f, double tolerance,
+                       double point[8][2]) {
     double x[8][2];
     int n = e->turn && f->turn ? circles_meet(e, f, x)
             : e->turn          ? line_meets_circle(f, e, x)
@@ -62,8 +60,7 @@ int solid_outline_meet(const struct solid_outline_edge *e, const struct solid_ou
     }
     int kept = 0;
     for (int k = 0; k < n; k++)
-        if (solid_outline_edge_distance(e, x[k]) <= tolerance &&
-            solid_outline_edge_distance(f, x[k]) <= tolerance) {
+        if (solid_outline_edge_distance(e, x[k]) <= tolerance && solid_outline_edge_distance(f, x[k]) <= tolerance) {
             point[kept][0] = x[k][0];
             point[kept++][1] = x[k][1];
         }

@@ -1,7 +1,7 @@
 #include "solid/geometry/outline_near.h"
 
-int solid_outline_near(const struct solid_outline_cells *cells, int i, int j, int reach,
-                             int only_inside, long near[SOLID_OUTLINE_NEAR]) {
+int solid_outline_near(const struct solid_outline_cells *cells, int i, int j, int reach, int only_inside,
+                       long near[SOLID_OUTLINE_NEAR]) {
     long nearest = 0;
     int n = 0;
     for (int dj = -reach; dj <= reach; dj++)

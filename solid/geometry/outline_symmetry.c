@@ -9,7 +9,7 @@ static const double EQUAL = 1e-9;
 static long image_of(const struct solid_outline_cells *cells, int c, long k) {
     const struct solid_outline_cell *at = &cells->cell[k];
     return solid_outline_cells_at(cells, c == 0 ? cells->low[0] + cells->high[0] - at->i : at->i,
-                                 c == 1 ? cells->low[1] + cells->high[1] - at->j : at->j);
+                                  c == 1 ? cells->low[1] + cells->high[1] - at->j : at->j);
 }
 
 static int is_symmetric(const struct solid_outline_cells *cells, int c) {
@@ -59,7 +59,7 @@ static int are_images(const struct solid_outline_cells *cells, int c, double tol
 }
 
 void solid_outline_symmetry_lengths(const struct solid_outline_cells *cells, double spacing,
-                                      struct solid_outline_lengths *const *lengths, int count) {
+                                    struct solid_outline_lengths *const *lengths, int count) {
     for (int c = 0; c < 2; c++) {
         if (!is_symmetric(cells, c)) continue;
         for (int l = 0; l < count; l++)

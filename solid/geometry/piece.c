@@ -17,8 +17,7 @@ double solid_piece_depth(const struct solid_piece *p, const double x[3], double 
     return p->inside * (p->radius - length);
 }
 
-static void add(struct solid_piece *piece, int *n, int mask, int inside, const double centre[3],
-                double radius) {
+static void add(struct solid_piece *piece, int *n, int mask, int inside, const double centre[3], double radius) {
     struct solid_piece *p = &piece[(*n)++];
     *p = (struct solid_piece){{mask & 1, mask >> 1 & 1, mask >> 2 & 1}, inside, {0}, radius};
     memcpy(p->centre, centre, sizeof p->centre);
@@ -41,8 +40,7 @@ static int pieces_of(const struct solid_body *b, const double x[3], struct solid
     }
     if (n > 0 && b->cavity_period > 0) {
         for (int c = 0; c < 3; c++)
-            centre[c] = b->cavity_centre[c] +
-                        rint((x[c] - b->cavity_centre[c]) / b->cavity_period) * b->cavity_period;
+            centre[c] = b->cavity_centre[c] + rint((x[c] - b->cavity_centre[c]) / b->cavity_period) * b->cavity_period;
         add(piece, &n, ALL, -1, centre, b->cavity_radius);
     }
     return n;

@@ -71,13 +71,12 @@ void solid_constraint_flags(struct solid *s) {
 }
 
 /* Dies where no particle of any rank stands in the region of the scene's key. */
-static void region_check(const struct solid *s, const char *key, int k, const double low[3],
-                         const double high[3]) {
+static void region_check(const struct solid *s, const char *key, int k, const double low[3], const double high[3]) {
     long inside = 0;
     for (int h = 0; h < s->n; h++) inside += solid_constraint_inside(s, h, low, high);
     if (par_sum_long(inside) == 0)
-        die_all(EXIT_CODE_SCENE, "solid.%s[%d]: no particle stands between low and high; they are %g m apart",
-                key, k, s->in.spacing);
+        die_all(EXIT_CODE_SCENE, "solid.%s[%d]: no particle stands between low and high; they are %g m apart", key, k,
+                s->in.spacing);
 }
 
 void solid_constraint_check(const struct solid *s) {
@@ -86,8 +85,7 @@ void solid_constraint_check(const struct solid *s) {
     for (int k = 0; k < s->in.unbreakables; k++)
         region_check(s, "unbreakable", k, s->in.unbreakable[k].low, s->in.unbreakable[k].high);
     for (int k = 0; k < s->in.loads; k++)
-        if (s->in.load[k].kind == SOLID_LOAD_REGION)
-            region_check(s, "loads", k, s->in.load[k].low, s->in.load[k].high);
+        if (s->in.load[k].kind == SOLID_LOAD_REGION) region_check(s, "loads", k, s->in.load[k].low, s->in.load[k].high);
 }
 
 void solid_constraint_mark(struct solid *s) {

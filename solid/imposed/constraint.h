@@ -8,8 +8,8 @@ void solid_constraint_mark(struct solid *s);
 void solid_constraint_check(const struct solid *s);
 /* The flags alone, of regions that have got new particles. Not collective. */
 void solid_constraint_flags(struct solid *s);
-/* v of held and driven directions as imposed from t to t + dt (dt = 0: at t); e_constraint takes what that changes in kinetic
- * energy. Where two regions overlap the later one holds. Not collective. */
+/* v of held and driven directions as imposed from t to t + dt (dt = 0: at t); e_constraint takes what that changes in
+ * kinetic energy. Where two regions overlap the later one holds. Not collective. */
 void solid_constraint_velocity(struct solid *s, double t, double dt);
 /* d where a displacement is imposed, as at t. Not collective. */
 void solid_constraint_displacement(struct solid *s, double t);

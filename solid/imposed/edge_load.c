@@ -15,19 +15,17 @@ struct solid_edges {
 };
 
 /* Of a body's cells, the boundary under each load that is along it. */
-static void find_in_body(struct solid_edges *e, const struct solid_input *in, int b, char *text,
-                         size_t size) {
+static void find_in_body(struct solid_edges *e, const struct solid_input *in, int b, char *text, size_t size) {
     const struct solid_body *body = &in->body[b];
-    struct solid_outline_cells *cells =
-        solid_outline_cells(body->outline, body->outlines, in->origin, in->spacing);
+    struct solid_outline_cells *cells = solid_outline_cells(body->outline, body->outlines, in->origin, in->spacing);
     struct solid_outline_lengths **here =
         memory_new(MEMORY_SOLID, (size_t)e->loads + 1, sizeof(struct solid_outline_lengths *));
     int found = 0;
     for (int k = 0; k < e->loads; k++) {
         const struct solid_load *load = &in->load[k];
         if (load->kind != SOLID_LOAD_EDGE || e->lengths[k]) continue;
-        e->lengths[k] = solid_outline_lengths(body->outline, body->outlines, in->origin, in->spacing,
-                                                   cells, load->edge[0], load->edge[1], text, size);
+        e->lengths[k] = solid_outline_lengths(body->outline, body->outlines, in->origin, in->spacing, cells,
+                                              load->edge[0], load->edge[1], text, size);
         e->body[k] = b;
         if (e->lengths[k]) here[found++] = e->lengths[k];
     }
@@ -49,8 +47,8 @@ struct solid_edges *solid_edge_load_new(const struct solid_input *in) {
     for (int k = 0; k < in->loads; k++) {
         const struct solid_load *load = &in->load[k];
         if (load->kind == SOLID_LOAD_EDGE && !e->lengths[k])
-            die_all(EXIT_CODE_SCENE, "solid.loads[%d].edge from (%g, %g) to (%g, %g) m: %s", k,
-                    load->edge[0][0], load->edge[0][1], load->edge[1][0], load->edge[1][1], text);
+            die_all(EXIT_CODE_SCENE, "solid.loads[%d].edge from (%g, %g) to (%g, %g) m: %s", k, load->edge[0][0],
+                    load->edge[0][1], load->edge[1][0], load->edge[1][1], text);
     }
     return e;
 }
@@ -62,10 +60,10 @@ void solid_edge_load_free(struct solid_edges *e) {
     memory_free(e);
 }
 
-/* Over the particles of a body that the edge's length falls to, by their number in it, from id first on: traction length
- * thickness/volume, N/m3. */
-static void over_layer(const struct solid *s, int body, long first, const struct solid_load *load,
-                       const double *length, double *const force[2]) {
+/* Over the particles of a body that the edge's length falls to, by their number in it, from id first on: traction
+ * length thickness/volume, N/m3. */
+static void over_layer(const struct solid *s, int body, long first, const struct solid_load *load, const double *length,
+                       double *const force[2]) {
     const long from = s->first[par_rank()];
     for (int h = 0; h < s->n; h++) {
         if (s->body[h] != body) continue;
@@ -74,8 +72,8 @@ static void over_layer(const struct solid *s, int body, long first, const struct
     }
 }
 
-/* How deep behind the straight edge a particle of the body is, in spacings; negative where it is beside it. To 2^-20: mirror images
- * agree. */
+/* How deep behind the straight edge a particle of the body is, in spacings; negative where it is beside it. To 2^-20:
+ * mirror images agree. */
 static double depth_of(const struct solid *s, const struct solid_load *load, const double x[2]) {
     const double along[2] = {load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]};
     const double at[2] = {x[0] - load->edge[0][0], x[1] - load->edge[0][1]};
@@ -86,8 +84,7 @@ static double depth_of(const struct solid *s, const struct solid_load *load, con
 }
 
 /* Evenly over the volume within the horizon behind the edge. Collective. */
-static void over_horizon(const struct solid *s, int body, const struct solid_load *load,
-                         double *const force[2]) {
+static void over_horizon(const struct solid *s, int body, const struct solid_load *load, double *const force[2]) {
     const double horizon = s->in.material[s->in.body[body].material].horizon_ratio;
     const double length = hypot(load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]);
     const double unit = s->in.spacing * s->in.spacing * s->in.thickness;
@@ -101,14 +98,13 @@ static void over_horizon(const struct solid *s, int body, const struct solid_loa
             const double depth = depth_of(s, load, x);
             if (depth < 0 || depth > horizon) continue;
             if (!pass) cells += lrint(0x1p40 * (s->volume[h] / unit));
-            for (int c = 0; pass && c < 2; c++)
-                force[c][h] += load->traction[c] * (length * s->in.thickness / sum);
+            for (int c = 0; pass && c < 2; c++) force[c][h] += load->traction[c] * (length * s->in.thickness / sum);
         }
     }
 }
 
-void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *e,
-                       int k, double *const force[2]) {
+void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *e, int k,
+                           double *const force[2]) {
     const struct solid_load *load = &s->in.load[k];
     const struct solid_sites *t = sites[e->body[k]];
     const struct solid_outline_lengths *lengths = e->lengths[k];

@@ -8,7 +8,7 @@ struct solid_edges; /* opaque: the boundary under the input's loads */
 struct solid_edges *solid_edge_load_new(const struct solid_input *in);
 void solid_edge_load_free(struct solid_edges *edges);
 /* Adds the k-th load, where its factor is 1, by owned particle: force [s->n] in either direction, N/m3. Collective. */
-void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites,
-                       const struct solid_edges *edges, int k, double *const force[2]);
+void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *edges,
+                           int k, double *const force[2]);
 /* The same of a plate whose particles are not all of one size. Collective. */
 void solid_edge_load_force_refined(const struct solid *s, int k, double *const force[2]);

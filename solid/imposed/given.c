@@ -67,8 +67,7 @@ void solid_given_new(struct solid *s, struct solid_sites *const *sites) {
         else
             of_region(s, &s->in.load[k], force);
         share_new(s, &g->share[k], force);
-        if (par_sum_long(g->share[k].n) == 0)
-            die_all(EXIT_CODE_SCENE, "solid.loads[%d]: no particle takes it up", k);
+        if (par_sum_long(g->share[k].n) == 0) die_all(EXIT_CODE_SCENE, "solid.loads[%d]: no particle takes it up", k);
         for (int i = 0; i < g->share[k].n; i++) touched[g->share[k].h[i]] = 1;
     }
     for (int h = 0; h < s->n; h++)
@@ -141,8 +140,7 @@ int solid_given_set(struct solid *s, double t, double dt) {
     if (!differs) return 0;
     for (int c = 0; c < s->dim; c++) {
         double *load = s->load[c], *sum = g->sum[c];
-        for (int i = 0; i < g->touched;
-             i++) { /* load - sum is 0, and not nearly 0, where nobody else adds to it */
+        for (int i = 0; i < g->touched; i++) { /* load - sum is 0, and not nearly 0, where nobody else adds to it */
             load[g->touch[i]] -= sum[g->touch[i]];
             sum[g->touch[i]] = 0;
         }

@@ -4,17 +4,19 @@
 
 struct solid_given;
 
-/* s->given: the input's loads on the owned particles, added to s->load as they are at s->t; NULL where there are none. Dies (exit 2) on one that
- * no particle takes up. sites: of the bodies; NULL once they are gone, when clouds say where particles are. Collective. */
+/* s->given: the input's loads on the owned particles, added to s->load as they are at s->t; NULL where there are none.
+ * Dies (exit 2) on one that no particle takes up. sites: of the bodies; NULL once they are gone, when clouds say where
+ * particles are. Collective. */
 void solid_given_new(struct solid *s, struct solid_sites *const *sites);
 void solid_given_free(struct solid_given *given);
-/* s->load: the mean over t .. t + dt (dt = 0: as at t) in place of what it held of them. Returns whether that differs. Not
- * collective. */
+/* s->load: the mean over t .. t + dt (dt = 0: as at t) in place of what it held of them. Returns whether that differs.
+ * Not collective. */
 int solid_given_set(struct solid *s, double t, double dt);
-/* They are no longer in s->load, which somebody else has set: to be called before the next solid_given_set. Not collective. */
-void solid_given_forget(struct solid *s);
-/* The factors that s->load holds them with, factor [s->in.loads]; and what s->load is said to hold of them: put back with it. Not
+/* They are no longer in s->load, which somebody else has set: to be called before the next solid_given_set. Not
  * collective. */
+void solid_given_forget(struct solid *s);
+/* The factors that s->load holds them with, factor [s->in.loads]; and what s->load is said to hold of them: put back
+ * with it. Not collective. */
 void solid_given_keep(const struct solid *s, double *factor);
 void solid_given_restore(struct solid *s, const double *factor);
 /* Sets mark [n] to 1 where a load is taken up. Not collective. */

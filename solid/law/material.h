@@ -9,4 +9,4 @@ struct solid_constants {
 
 /* At a horizon, m; thickness (m) is read for plates only. */
 struct solid_constants solid_material_constants(enum solid_model model, double thickness,
-                                          const struct solid_material *material, double horizon);
+                                                const struct solid_material *material, double horizon);

@@ -30,8 +30,8 @@ static double square(const struct solid_bond_law *law, const double *xi) {
     return sum;
 }
 
-/* In space the cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that the disc meets. The ramp
- * ends half a spacing beyond, and a cone's stiffness at the horizon itself. */
+/* In space the cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that the disc
+ * meets. The ramp ends half a spacing beyond, and a cone's stiffness at the horizon itself. */
 int solid_pair_holds(const struct solid_bond_law *law, const double *xi, double delta, double size) {
     const double xi2 = square(law, xi);
     if (law->micromodulus == SOLID_CONICAL && xi2 >= delta * delta * INSIDE) return 0;
@@ -76,10 +76,10 @@ struct half {
     double stiffness, stretch2, gamma;
 };
 
-/* The half that the particle with the horizon brings. Not inlined: its products must not be fused into sums, which would
- * tell the two ends apart. */
-static __attribute__((noinline)) struct half half_of(const struct solid_bond_law *law, const double *xi,
-                                                     double delta, double size) {
+/* The half that the particle with the horizon brings. Not inlined: its products must not be fused into sums, which
+ * would tell the two ends apart. */
+static __attribute__((noinline)) struct half half_of(const struct solid_bond_law *law, const double *xi, double delta,
+                                                     double size) {
     struct half half = {0, stretch2(law, delta), 0};
     if (solid_pair_holds(law, xi, delta, size)) {
         half.gamma = solid_pair_gamma(law, xi, delta, size);
@@ -124,8 +124,7 @@ double solid_pair_micromodulus(const struct solid_bond_law *law, const double *x
     const int here = solid_pair_holds(law, xi, h->horizon, l->size);
     if (h->horizon == l->horizon && h->size == l->size) return here ? micromodulus(law, xi2, h->horizon) : 0;
     const int there = law->horizons == SOLID_DUAL_HORIZON && solid_pair_holds(law, xi, l->horizon, h->size);
-    const double a = here ? micromodulus(law, xi2, h->horizon) : 0,
-                 b = there ? micromodulus(law, xi2, l->horizon) : 0;
+    const double a = here ? micromodulus(law, xi2, h->horizon) : 0, b = there ? micromodulus(law, xi2, l->horizon) : 0;
     return here && there ? 0.5 * (a + b) : a + b;
 }
 
@@ -138,8 +137,7 @@ double solid_pair_rounded(const struct solid_bond_law *law, double delta, double
 
 /* One octant (quadrant) of the family, each cell as often as it is there. */
 double solid_pair_full_volume(const struct solid_bond_law *law, double delta, double size) {
-    const double side = ldexp(1, (int)rint(log2(size))),
-                 cell = law->dim == 3 ? side * side * side : side * side;
+    const double side = ldexp(1, (int)rint(log2(size))), cell = law->dim == 3 ? side * side * side : side * side;
     const int reach = (int)(delta / side + 1);
     double sum = 0;
     for (int k = 0; k <= (law->dim == 3 ? reach : 0); k++)

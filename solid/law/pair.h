@@ -1,11 +1,11 @@
-/* The numbers of one bond, from what stands at its ends. Lengths are in spacings of the lattice, volumes in spacings^dim: nothing
- * here depends on the size of things, and places are exact (solid/body/cloud.h).
+/* The numbers of one bond, from what stands at its ends. Lengths are in spacings of the lattice, volumes in
+ * spacings^dim: nothing here depends on the size of things, and places are exact (solid/body/cloud.h).
  *
- * Every particle has a horizon delta_h, and with it c_h(xi) and s0_h. The half of a bond that h brings is c_h(xi) Gamma_h(l), where l is in
- * the family of h, else 0.
+ * Every particle has a horizon delta_h, and with it c_h(xi) and s0_h. The half of a bond that h brings is c_h(xi)
+ * Gamma_h(l), where l is in the family of h, else 0.
  *
- *     dual horizon:  K_hl = K_lh = (c_h Gamma_h(l) + c_l Gamma_l(h))/2     breaks at s0^2 = sum(c Gamma s0^2)/sum(c Gamma)
- *     one-sided:     K_hl = c_h Gamma_h(l)                                 breaks at s0_h  (000: sec. 1.2.5)
+ *     dual horizon:  K_hl = K_lh = (c_h Gamma_h(l) + c_l Gamma_l(h))/2     breaks at s0^2 = sum(c Gamma s0^2)/sum(c
+ * Gamma) one-sided:     K_hl = c_h Gamma_h(l)                                 breaks at s0_h  (000: sec. 1.2.5)
  *
  * The force density on h is K_hl s e V_l. So a broken bond releases what both halves hold. */
 #pragma once
@@ -55,8 +55,8 @@ double solid_pair_limit(const struct solid_bond_law *law, const double *xi, cons
 /* The mean micromodulus of the halves that exist, N/m6: K = c Gamma with the Gamma that damage and energies see. */
 double solid_pair_micromodulus(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
                                const struct solid_end *l);
-/* V0: the volume of a full family inside a body of particles of one size, spacings^dim. Sizes are taken as the nearest of 1, 1/2, 1/4
- * and so on. */
+/* V0: the volume of a full family inside a body of particles of one size, spacings^dim. Sizes are taken as the nearest
+ * of 1, 1/2, 1/4 and so on. */
 double solid_pair_full_volume(const struct solid_bond_law *law, double horizon, double size);
 /* A part of V_h rounded to some 2^-49 of V0, so that sums of these are exact in any order. */
 double solid_pair_rounded(const struct solid_bond_law *law, double horizon, double volume);

@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-/* Rayleigh's equation in x = (c/c_s)^2 with q = (c_s/c_l)^2:  (2 - x)^2 = 4 sqrt(1 - x) sqrt(1 - q x),  its root between 0.5 and 1. */
+/* Rayleigh's equation in x = (c/c_s)^2 with q = (c_s/c_l)^2:  (2 - x)^2 = 4 sqrt(1 - x) sqrt(1 - q x),  its root
+ * between 0.5 and 1. */
 static double rayleigh(double q) {
     double low = 0.5, high = 1;
     for (int i = 0; i < 60; i++) {
@@ -17,8 +18,7 @@ static double rayleigh(double q) {
 
 struct solid_waves solid_waves_of(enum solid_model model, double e, double density) {
     const double nu = model == SOLID_PLANE_STRESS ? 1. / 3 : 0.25;
-    const double lateral =
-        model == SOLID_PLANE_STRESS ? 1 / (1 - nu * nu) : (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    const double lateral = model == SOLID_PLANE_STRESS ? 1 / (1 - nu * nu) : (1 - nu) / ((1 + nu) * (1 - 2 * nu));
     struct solid_waves w = {sqrt(lateral * e / density), sqrt(e / (2 * (1 + nu) * density)), 0};
     w.rayleigh = w.shear * rayleigh(w.shear * w.shear / (w.longitudinal * w.longitudinal));
     return w;

@@ -77,8 +77,8 @@ struct solid_weight_table *solid_weight_table_new(void) {
 
 void solid_weight_table_free(struct solid_weight_table *table) { memory_free(table); }
 
-double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side,
-                                  double radius, int cells) {
+double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side, double radius,
+                                  int cells) {
     double key[KEY] = {[3] = side, [4] = radius, [5] = cells};
     sort(xi, key);
     const int whole = inside(key, side, radius);
@@ -126,8 +126,8 @@ struct solid_stencil *solid_weight_stencil_new(double spacing, double m) {
                 const int step2 = i * i + j * j + k * k;
                 if (step2 == 0 || step2 >= limit) continue;
                 if (t->n == SOLID_FAMILY_MAX)
-                    die_all(EXIT_CODE_SCENE, "horizon_ratio = %g: a particle would have more than %d bonds",
-                            m, SOLID_FAMILY_MAX);
+                    die_all(EXIT_CODE_SCENE, "horizon_ratio = %g: a particle would have more than %d bonds", m,
+                            SOLID_FAMILY_MAX);
                 const int step[3] = {i, j, k};
                 const double fraction = fraction_of_step(t, step);
                 struct solid_offset *o = &t->offset[t->n++];

@@ -1,16 +1,16 @@
 /* Partial volumes and the stencil of a lattice's family.  (001: sec. 3.3.5; SPEC 2) */
 #pragma once
 
-/* The fraction of a cube (side, centred at xi from the origin, axes along x, y, z) inside the sphere of the radius about
- * the origin. Symmetric under permutations and signs of xi to the bit. Not collective. */
+/* The fraction of a cube (side, centred at xi from the origin, axes along x, y, z) inside the sphere of the radius
+ * about the origin. Symmetric under permutations and signs of xi to the bit. Not collective. */
 double solid_weight_fraction(const double xi[3], double side, double radius, int cells);
 
 /* The same, with what has been computed lately kept in a table: the particles of a lattice have few different ones. */
 struct solid_weight_table; /* opaque */
 struct solid_weight_table *solid_weight_table_new(void);
 void solid_weight_table_free(struct solid_weight_table *table);
-double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side,
-                                  double radius, int cells);
+double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side, double radius,
+                                  int cells);
 
 /* One directed bond of the lattice's family. */
 struct solid_offset {

@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-/* Twice the area under the arc from 0 to the point (x, y) on it; by the angle, which stays exact where the arc is steep. */
+/* Twice the area under the arc from 0 to the point (x, y) on it; by the angle, which stays exact where the arc is
+ * steep. */
 static double under_arc(double x, double y, double r) { return x * y + r * r * atan2(x, y); }
 
 /* The other coordinate of a point of the circle, or 0 beyond it. */

@@ -54,8 +54,7 @@ static void take(struct solid_crack_particles *p, struct entry *list, const doub
 
 void solid_crack_sort(struct solid_crack_particles *p, const double direction[2]) {
     struct entry *list = memory_new(MEMORY_OUTPUT, (size_t)p->n + 1, sizeof *list);
-    for (long i = 0; i < p->n; i++)
-        list[i] = (struct entry){.x = {p->x[i][0], p->x[i][1]}, .size = p->size[i]};
+    for (long i = 0; i < p->n; i++) list[i] = (struct entry){.x = {p->x[i][0], p->x[i][1]}, .size = p->size[i]};
     take(p, list, direction);
     memory_free(list);
 }
@@ -68,9 +67,9 @@ struct solid_crack_particles solid_crack_gather(const struct solid *s, const dou
     mine = 0;
     for (int h = 0; h < s->n; h++) {
         if (!(damage[h] > level)) continue;
-        list[mine++] = (struct entry){.x = {s->x0[0][h], s->x0[1][h]},
-                                      .size = s->dim == 2 ? sqrt(s->volume[h] / solid_depth(&s->in))
-                                                          : cbrt(s->volume[h])};
+        list[mine++] =
+            (struct entry){.x = {s->x0[0][h], s->x0[1][h]},
+                           .size = s->dim == 2 ? sqrt(s->volume[h] / solid_depth(&s->in)) : cbrt(s->volume[h])};
     }
     size_t bytes;
     struct entry *all = par_all_gather_any(list, (size_t)mine * sizeof *list, &bytes);
@@ -94,8 +93,7 @@ static double largest(const struct solid_crack_particles *p) {
 }
 
 /* The first from `from` on that is not farther than i by more than reach, the most that any pair may have. */
-static long first_within(const struct solid_crack_particles *p, const double d[2], long from, long i,
-                         double reach) {
+static long first_within(const struct solid_crack_particles *p, const double d[2], long from, long i, double reach) {
     while (along(p->x[from], d) - along(p->x[i], d) > reach) from++;
     return from;
 }
@@ -112,8 +110,7 @@ static long place_in(const struct solid_crack_particles *all, const double x[2],
 
 /* The damaged particles that hang together with an initial one. */
 static struct solid_crack_particles connected(const struct solid_crack_particles *damaged,
-                                              const struct solid_crack_particles *initial,
-                                              const double d[2]) {
+                                              const struct solid_crack_particles *initial, const double d[2]) {
     const long n = damaged->n + initial->n;
     struct solid_crack_particles all = particles_new(n), kept = particles_new(damaged->n);
     long *parent = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *parent);
@@ -157,8 +154,8 @@ static int follows(const struct solid_crack_particles *p, const double d[2], lon
            fabs(aside(p->x[j], d) - aside(p->x[i], d)) <= TOUCH * size;
 }
 
-/* Particles join those before them in the list's order, the farthest first. A tree is born at a peak and ends where it meets one
- * that was born farther; it is a front if it was long enough by then. */
+/* Particles join those before them in the list's order, the farthest first. A tree is born at a peak and ends where it
+ * meets one that was born farther; it is a front if it was long enough by then. */
 static int count_fronts(const struct solid_crack_particles *p, const double d[2]) {
     long *parent = memory_new(MEMORY_OUTPUT, 2 * (size_t)p->n + 1, sizeof *parent), *last = parent + p->n;
     const double reach = NEAR * largest(p);
@@ -176,15 +173,13 @@ static int count_fronts(const struct solid_crack_particles *p, const double d[2]
         }
     }
     for (long i = 0; i < p->n; i++)
-        if (parent[i] == i)
-            fronts += i == 0 || along(p->x[i], d) - along(p->x[last[i]], d) > STANDS_OUT * p->size[i];
+        if (parent[i] == i) fronts += i == 0 || along(p->x[i], d) - along(p->x[last[i]], d) > STANDS_OUT * p->size[i];
     memory_free(parent);
     return fronts;
 }
 
 /* The farthest particle on a side of the axis (sign 0: anywhere), the mean of those equally far. 0: none. */
-static int farthest(const struct solid_crack_particles *p, const double d[2], double axis, int sign,
-                    double x[2]) {
+static int farthest(const struct solid_crack_particles *p, const double d[2], double axis, int sign, double x[2]) {
     double sum[2] = {0, 0}, first = NAN;
     int n = 0;
     for (long i = 0; i < p->n; i++) {
@@ -199,8 +194,8 @@ static int farthest(const struct solid_crack_particles *p, const double d[2], do
 }
 
 struct solid_crack_tips solid_crack_tips_of(const struct solid_crack_particles *damaged,
-                                            const struct solid_crack_particles *initial,
-                                            const double direction[2], const double *axis) {
+                                            const struct solid_crack_particles *initial, const double direction[2],
+                                            const double *axis) {
     struct solid_crack_particles some = {0};
     if (initial->n > 0) some = connected(damaged, initial, direction);
     const struct solid_crack_particles *p = initial->n > 0 ? &some : damaged;

@@ -1,7 +1,7 @@
 /* The crack of a plate, read off its damage: where its tips are, how many fronts it has.  (000: sec. 3.1)
  *
- * Particles stand where they stood at the start (X0): a crack is in the material. One is damaged when its damage is above
- * a level. "Far" is along a direction given; a body in 3D is seen along z. */
+ * Particles stand where they stood at the start (X0): a crack is in the material. One is damaged when its damage is
+ * above a level. "Far" is along a direction given; a body in 3D is seen along z. */
 #pragma once
 #include "solid/solid.h"
 
@@ -28,8 +28,9 @@ struct solid_crack_tips {
                [2]; /* the farthest to the left and to the right of the axis, it included; NaN: none */
 };
 
-/* Tips of the damaged particles that hang together with an initially damaged one (gaps of up to two particles are passed); of all
- * where initial is empty. axis: a point of it, m; NULL: it goes through the tip. Both lists sorted. Pure. */
+/* Tips of the damaged particles that hang together with an initially damaged one (gaps of up to two particles are
+ * passed); of all where initial is empty. axis: a point of it, m; NULL: it goes through the tip. Both lists sorted.
+ * Pure. */
 struct solid_crack_tips solid_crack_tips_of(const struct solid_crack_particles *damaged,
-                                            const struct solid_crack_particles *initial,
-                                            const double direction[2], const double *axis);
+                                            const struct solid_crack_particles *initial, const double direction[2],
+                                            const double *axis);

@@ -6,7 +6,8 @@
 
 /* A chord's length in particles: long beside the hops of a tip from row to row, short beside a crack's bends. */
 static const double CHORD = 5;
-/* Lattice distances are often equal: what decides between them must not be the last digit, which a table does not keep. */
+/* Lattice distances are often equal: what decides between them must not be the last digit, which a table does not keep.
+ */
 static const double TIE = 1e-9;
 enum { SIDES = SOLID_CRACK_SIDES };
 
@@ -71,7 +72,8 @@ static int fronts_of(const struct solid_crack_track *k, const double side[SIDES]
     return n;
 }
 
-/* Chords up to the fronts; those of the first sample begin a crack each. Returns the length with what is beyond the last knots. */
+/* Chords up to the fronts; those of the first sample begin a crack each. Returns the length with what is beyond the
+ * last knots. */
 static double lengthen(struct solid_crack_track *k, const double side[SIDES][2]) {
     const int begins = k->knots == 0;
     double front[SIDES][2], rest[SIDES] = {0, 0};
@@ -99,8 +101,7 @@ static const struct sample *window_ago(struct solid_crack_track *k, double t) {
 }
 
 struct solid_crack_motion solid_crack_track_add(struct solid_crack_track *k, double t,
-                                                const struct solid_crack_tips *tips,
-                                                const double direction[2]) {
+                                                const struct solid_crack_tips *tips, const double direction[2]) {
     struct solid_crack_motion m = {NAN, {NAN, NAN}, k->length};
     if (!tips->found) return m;
     const struct sample *old = window_ago(k, t);

@@ -8,8 +8,7 @@
 #include <math.h>
 
 /* Stretch of the b-th bond of h:  s = eps/(1 + sqrt(1 + eps)),  eps = (2 xi.eta + eta.eta)/|xi|^2 */
-static double stretch_of(const struct solid *s, int h, const struct solid_family_view *view, int b,
-                         double *length) {
+static double stretch_of(const struct solid *s, int h, const struct solid_family_view *view, int b, double *length) {
     double xi2 = 0, q = 0;
     for (int c = 0; c < s->dim; c++) {
         const double xi = view->xi[b][c], eta = s->d[c][view->l[b]] - s->d[c][h];
@@ -33,8 +32,8 @@ static double of_view(const struct solid *s, int h, const struct solid_family_vi
     return 0.25 * sum;
 }
 
-/* The same of the i-th particle of a list, whose stiffness is alpha c Gamma V_l/(rho |xi|) with |xi| in spacings; *most: the largest
- * stretch, -1 where no bond is left. */
+/* The same of the i-th particle of a list, whose stiffness is alpha c Gamma V_l/(rho |xi|) with |xi| in spacings;
+ * *most: the largest stretch, -1 where no bond is left. */
 static double of_bonds(const struct solid *s, const struct solid_list *t, int i, double *most) {
     const double scale = 1 / t->spacing;
     double sum = 0;
@@ -70,8 +69,8 @@ static inline vec square_of_stretch(vec e, int small) {
 }
 
 /* The energy density of the i-th particle of a list, eight bonds at a time, by its records. *largest: of |eps|. */
-static inline __attribute__((always_inline)) double of_family(const struct solid_list *t, int i, int dim,
-                                                              int small, vec *largest) {
+static inline __attribute__((always_inline)) double of_family(const struct solid_list *t, int i, int dim, int small,
+                                                              vec *largest) {
     const double *here = t->record + (long)t->width * i;
     vec sum = vec_set(0);
     for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK) {
@@ -101,11 +100,10 @@ static double of_list(const struct solid_list *t, int i) {
     return t->dim == 2 ? of_family(t, i, 2, 0, &largest) : of_family(t, i, 3, 0, &largest);
 }
 
-/* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), whose displacements stand in its dense
- * box. *largest: of |eps|. */
+/* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), whose displacements stand
+ * in its dense box. *largest: of |eps|. */
 static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *t, long cell, int n,
-                                                          const uint32_t *entry, int bulk, int small,
-                                                          vec *largest) {
+                                                          const uint32_t *entry, int bulk, int small, vec *largest) {
     const long at = solid_lattice_place(t, cell);
     const vec x = vec_load(t->d[0] + at), y = vec_load(t->d[1] + at), z = vec_load(t->d[2] + at);
     const vec w = vec_load(t->w + at);
@@ -114,8 +112,7 @@ static inline __attribute__((always_inline)) vec of_strip(const struct solid_lat
         const struct solid_lattice_offset *bond = &t->offset[entry[i] >> 8];
         const struct solid_offset *from = &t->stencil->offset[entry[i] >> 8];
         const long far = solid_lattice_place(t, cell + bond->shift);
-        const vec ex = vec_load(t->d[0] + far) - x, ey = vec_load(t->d[1] + far) - y,
-                  ez = vec_load(t->d[2] + far) - z;
+        const vec ex = vec_load(t->d[0] + far) - x, ey = vec_load(t->d[1] + far) - y, ez = vec_load(t->d[2] + far) - z;
         const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
         const vec eps = vec_where(entry[i] & 0xffu, q * bond->inv_length2);
         const vec e = square_of_stretch(eps, small) * (from->length * from->weight);

@@ -12,7 +12,8 @@
 
 enum { ROW = VEC_LANES };
 
-/* Pieces of particles that intact bonds join, of those known here, owned or ghost. parent: a tree each, roots the smallest. */
+/* Pieces of particles that intact bonds join, of those known here, owned or ghost. parent: a tree each, roots the
+ * smallest. */
 static int find(int *parent, int h) {
     while (parent[h] != h) h = parent[h] = parent[parent[h]];
     return h;
@@ -25,10 +26,9 @@ static int join(int *parent, int a, int b) {
     return parent[a] = parent[b] = root;
 }
 
-/* Joins a row's particles with their neighbours at offset o. piece [sites]: of the site's particle, perhaps of late: those
- * that seem to be of two pieces are looked at. */
-static inline void join_at(const struct solid_lattice *t, int cell, int o, unsigned intact, int *piece,
-                           int *parent) {
+/* Joins a row's particles with their neighbours at offset o. piece [sites]: of the site's particle, perhaps of late:
+ * those that seem to be of two pieces are looked at. */
+static inline void join_at(const struct solid_lattice *t, int cell, int o, unsigned intact, int *piece, int *parent) {
     const long at = cell + t->offset[o].shift;
     for (unsigned lanes = intact & vec_differ(piece + cell, piece + at); lanes; lanes &= lanes - 1) {
         const int k = __builtin_ctz(lanes);
@@ -36,15 +36,15 @@ static inline void join_at(const struct solid_lattice *t, int cell, int o, unsig
     }
 }
 
-/* All bonds of a segment (solid/bonds/segments.h): those between particles owned here from one end, those to others from here. */
+/* All bonds of a segment (solid/bonds/segments.h): those between particles owned here from one end, those to others
+ * from here. */
 static void join_segment(const struct solid_lattice *t, int g, int *piece, int *parent) {
     const struct solid_segments *all = t->segments;
     if (all->stale[g]) solid_segments_pack(t, g);
     const uint32_t *entry = all->entry + all->first[g];
     for (int strip = 0; strip < SOLID_STRIPS; strip++)
         for (int i = 0; i < all->count[g][strip]; i++, entry++)
-            join_at(t, all->cell[g] + solid_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece,
-                    parent);
+            join_at(t, all->cell[g] + solid_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece, parent);
 }
 
 /* Nearest neighbours first: most of a body is then one piece, and further bonds have nothing to join. */
@@ -66,8 +66,7 @@ static void join_list(const struct solid_list *t, int *parent) {
     for (int i = 0; i < t->n; i++)
         for (long j = t->start[i]; j < t->end[i]; j++) {
             const int l = solid_list_other(t, j);
-            if (solid_list_is_intact(t, j) && parent[t->first + i] != parent[l])
-                join(parent, t->first + i, l);
+            if (solid_list_is_intact(t, j) && parent[t->first + i] != parent[l]) join(parent, t->first + i, l);
         }
 }
 
@@ -84,13 +83,13 @@ static void pieces(const struct solid *s, int *parent) {
     for (int h = 0; h < n; h++) parent[h] = find(parent, h);
 }
 
-/* The smallest global id of each fragment, in label[n + n_ghost]: a piece takes the smallest label that one of its ghosts has
- * where it is owned, until no rank finds a smaller one. A piece without an owned particle says nothing to anybody. */
+/* The smallest global id of each fragment, in label[n + n_ghost]: a piece takes the smallest label that one of its
+ * ghosts has where it is owned, until no rank finds a smaller one. A piece without an owned particle says nothing to
+ * anybody. */
 static void spread(struct solid *s, const int *parent, double *label) {
     const long from = s->first[par_rank()];
     const int n = s->n + s->n_ghost;
-    for (int h = 0; h < s->n; h++)
-        label[h] = (double)(from + parent[h]); /* of its root, which is owned too */
+    for (int h = 0; h < s->n; h++) label[h] = (double)(from + parent[h]); /* of its root, which is owned too */
     for (long changed = 1; changed;) {
         changed = 0;
         par_ghost_update(s->ghost, 1, &label, s->n);

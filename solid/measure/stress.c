@@ -14,8 +14,8 @@ static void add(double t[6], const double x[3], const double y[3], double w) {
     }
 }
 
-/* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any deformation,
- * in the frame of space.  (Lehoucq & Silling 2008, for forces along the bonds) */
+/* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any
+ * deformation, in the frame of space.  (Lehoucq & Silling 2008, for forces along the bonds) */
 static void stress_of_view(const struct solid *s, int h, const struct solid_family_view *view, double t[6]) {
     for (int k = 0; k < 6; k++) t[k] = 0;
     for (int b = 0; b < view->n; b++) {
@@ -29,8 +29,7 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
             q += eta * (xi + zeta[c]);
         }
         const double length = sqrt(xi2), now = sqrt(zeta2), stretch = q / (length * (now + length));
-        if (now > 0)
-            add(t, zeta, zeta, 0.5 * view->alpha[b] * view->micro[b] * stretch / now * view->weight[b]);
+        if (now > 0) add(t, zeta, zeta, 0.5 * view->alpha[b] * view->micro[b] * stretch / now * view->weight[b]);
     }
     if (s->in.model == SOLID_PLANE_STRAIN) t[2] = 0.25 * (t[0] + t[1]);
 }
@@ -79,8 +78,8 @@ struct moments {
     vec shape[6], mixed[3][3];
 };
 
-static void moments_of_view(const struct solid *s, int h, const struct solid_family_view *view,
-                            struct moments *m, int lane) {
+static void moments_of_view(const struct solid *s, int h, const struct solid_family_view *view, struct moments *m,
+                            int lane) {
     double shape[6] = {0}, mixed[3][3] = {{0}};
     for (int b = 0; b < view->n; b++) {
         if (!view->intact[b]) continue;
@@ -114,8 +113,8 @@ static void moments_of_row(const struct solid_row *row, struct moments *m) {
     }
 }
 
-/* Green's strain (G + G^T + G^T G)/2 in the undeformed frame: nothing under rigid rotation, however large, and the small
- * strain where displacements are small. A family that leaves a direction without bonds has no strain in it. */
+/* Green's strain (G + G^T + G^T G)/2 in the undeformed frame: nothing under rigid rotation, however large, and the
+ * small strain where displacements are small. A family that leaves a direction without bonds has no strain in it. */
 static void strain_of(const struct moments *m, vec strain[6]) {
     vec inverse[6], g[3][3];
     solid_tensors_inverse(m->shape, 1e-6, inverse);

@@ -10,7 +10,8 @@ static inline vec choose(vec_mask m, vec a, vec b) { return (vec)((m & (vec_mask
 
 static inline vec size_of(vec a) { return vec_max(a, -a); }
 
-/* Turns the plane (p, q) so that a[p][q] = 0; v holds the turns so far, by columns. Returns the lanes that had to turn. */
+/* Turns the plane (p, q) so that a[p][q] = 0; v holds the turns so far, by columns. Returns the lanes that had to turn.
+ */
 static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
     const int r = 3 - p - q;
     const vec apq = a[p][q], apr = a[p][r], aqr = a[q][r], one = vec_set(1);

@@ -35,8 +35,7 @@ struct change {
 };
 
 /* Values of the particles before that new ones take theirs from: of each its owner's. */
-static void sources_gather(const struct solid *s, const struct change *k, double (*value)[CARRIED],
-                           long *row) {
+static void sources_gather(const struct solid *s, const struct change *k, double (*value)[CARRIED], long *row) {
     const struct solid_refine_plan *p = k->plan;
     const long from = s->first[par_rank()] - p->cloud->first;
     double *field[CARRIED];
@@ -88,10 +87,8 @@ void solid_refine_apply_room(struct solid *s, int n) {
     if (n + 1 < s->refine->room) return;
     const size_t room = (size_t)(s->refine->room = n + n / 8 + 256), owned = (size_t)s->n;
     for (int c = 0; c < s->dim; c++) {
-        double **const of[] = {&s->x0[c],   &s->d[c],     &s->v[c],    &s->a[c],
-                               &s->load[c], &s->v_old[c], &s->a_old[c]};
-        for (size_t k = 0; k < sizeof of / sizeof *of; k++)
-            *of[k] = grown(*of[k], owned, room, sizeof(double));
+        double **const of[] = {&s->x0[c], &s->d[c], &s->v[c], &s->a[c], &s->load[c], &s->v_old[c], &s->a_old[c]};
+        for (size_t k = 0; k < sizeof of / sizeof *of; k++) *of[k] = grown(*of[k], owned, room, sizeof(double));
     }
     s->volume = grown(s->volume, owned, room, sizeof(double));
     s->family_volume = grown(s->family_volume, owned, room, sizeof(double));
@@ -110,8 +107,7 @@ static void carry(struct solid *s, const struct change *change, const int *old_f
         const long number = s->first[par_rank()] + first[b] - k->cloud->first;
         for (int f = 0; f < CARRIED; f++) {
             memmove(field[f] + first[b], field[f] + old_first[b], (size_t)stay * sizeof(double));
-            for (int i = stay; i < n; i++)
-                field[f][first[b] + i] = k->born[k->was[number + i] - k->plan->before][f];
+            for (int i = stay; i < n; i++) field[f][first[b] + i] = k->born[k->was[number + i] - k->plan->before][f];
         }
         memmove(s->flag + first[b], s->flag + old_first[b], (size_t)stay);
         memset(s->flag + first[b] + stay, 0, (size_t)(n - stay));
@@ -149,8 +145,7 @@ static void lists_renew(struct solid *s, struct change *change) {
         struct change *k = &change[b];
         long *was = memory_new(MEMORY_SOLID, (size_t)k->cloud->n + 1, sizeof *was);
         for (long i = 0; i < k->cloud->n; i++) was[i] = k->was[i] < k->plan->before ? k->was[i] : -1;
-        struct solid_list *list =
-            solid_list_renew(f->list[b], f->cloud[b], k->cloud, was, from, to, f->first[b]);
+        struct solid_list *list = solid_list_renew(f->list[b], f->cloud[b], k->cloud, was, from, to, f->first[b]);
         solid_refine_torn_inherit(k->torn, list, k->cloud, k->was);
         solid_list_free(f->list[b]);
         solid_cloud_free(f->cloud[b]);

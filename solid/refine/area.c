@@ -122,15 +122,13 @@ static double area_of(const struct solid_refine_plan *p, const int x[2], int sid
     const struct solid_cloud *t = p->cloud;
     double centre[2];
     for (int c = 0; c < 2; c++) centre[c] = t->origin[c] + (double)x[c] / UNIT * t->spacing;
-    return solid_outline_area_in(p->body->outline, p->body->outlines, centre,
-                                 (double)side / UNIT * t->spacing) /
+    return solid_outline_area_in(p->body->outline, p->body->outlines, centre, (double)side / UNIT * t->spacing) /
            (t->spacing * t->spacing);
 }
 
 static void give_area(struct walk *w, const struct owners *to, const int x[2], int level) {
     const int side = solid_refine_spacing(level) / 2;
-    const double full = (double)side * side / (UNIT * UNIT),
-                 area = w->is_full ? full : area_of(w->plan, x, side);
+    const double full = (double)side * side / (UNIT * UNIT), area = w->is_full ? full : area_of(w->plan, x, side);
     if (area > NOTHING * full && to->n > 0)
         for (int k = 0; k < to->n; k++) w->sum[to->owner[k]] += rounded(area / to->n);
 }
@@ -146,8 +144,7 @@ static double cell_area(const struct solid_refine_plan *p, struct solid_refine_c
 }
 
 /* Marks the cells within so many of the marked ones, across periodic sides. */
-static void dilate(const struct solid_refine_plan *p, const struct solid_refine_cells *k, uint8_t *mark,
-                   int value) {
+static void dilate(const struct solid_refine_plan *p, const struct solid_refine_cells *k, uint8_t *mark, int value) {
     for (int j = 0; j < k->n[1]; j++)
         for (int i = 0; i < k->n[0]; i++) {
             if (mark[(long)j * k->n[0] + i] != value - 1 || value < 2) continue;
@@ -202,8 +199,7 @@ void solid_refine_area(const struct solid_refine_plan *p, struct solid_refine_ce
     for (long i = 0; i < p->n; i++) {
         const int m = *mark_of(k, mark, p->at[i]);
         if (p->level[i] == 0 && m != 1 && m != 2) continue;
-        if (i >= p->before || fabs(sum[i] - volume[i]) > EQUAL * ldexp(1, -2 * p->level[i]))
-            volume[i] = sum[i];
+        if (i >= p->before || fabs(sum[i] - volume[i]) > EQUAL * ldexp(1, -2 * p->level[i])) volume[i] = sum[i];
     }
     memory_free(mark);
     memory_free(sum);
@@ -216,11 +212,11 @@ static void give_place(struct walk *w, const struct owners *to, const int x[2], 
 }
 
 int solid_refine_area_length(const struct solid_refine_plan *p, const double from[2], const double to[2],
-                        double *length, char *text, size_t size) {
+                             double *length, char *text, size_t size) {
     const int side = solid_refine_spacing(p->in->levels) / 2;
     const double step = p->cloud->spacing * side / UNIT;
-    struct solid_outline_lengths *l = solid_outline_lengths(
-        p->body->outline, p->body->outlines, p->cloud->origin, step, NULL, from, to, text, size);
+    struct solid_outline_lengths *l =
+        solid_outline_lengths(p->body->outline, p->body->outlines, p->cloud->origin, step, NULL, from, to, text, size);
     if (!l) return 0;
     for (long k = 0; k < l->n; k++) {
         const int at[2] = {solid_outline_key_i(l->share[k].cell) * side + side / 2,

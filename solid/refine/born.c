@@ -1,16 +1,15 @@
 /* Where a new particle takes its place and motion from.  (000: eq. 37, sec. 2.1.3) */
 #include "solid/refine/plan.h"
 
-/* A new particle's value from the eight places about it of the coarser lattice: midway between two it is their mean; in the middle of
- * four theirs, or that of the two across from one another where one of the others is missing. At an edge of the body what
- * stands there is carried on by the one behind it. Sums are of two pairs, each image of the other. */
+/* A new particle's value from the eight places about it of the coarser lattice: midway between two it is their mean; in
+ * the middle of four theirs, or that of the two across from one another where one of the others is missing. At an edge
+ * of the body what stands there is carried on by the one behind it. Sums are of two pairs, each image of the other. */
 static void source_add(struct solid_refine_born *b, int k, long source, double weight) {
     b->source[k] = source;
     b->weight[k] = weight;
 }
 
-static void midway(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int dx,
-                   int dy) {
+static void midway(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int dx, int dy) {
     const long one = solid_refine_plan_at(p, at[0] - dx, at[1] - dy),
                two = solid_refine_plan_at(p, at[0] + dx, at[1] + dy);
     if (one >= 0 && two >= 0) {
@@ -29,8 +28,8 @@ static long corner(const struct solid_refine_plan *p, const int at[2], int h, in
 }
 
 /* The edge runs along one direction (dx, dy): two stand on this side of it, (sx, sy) from the middle of the four. */
-static void at_edge(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h,
-                    int along, int side) {
+static void at_edge(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h, int along,
+                    int side) {
     for (int k = 0; k < 2; k++) {
         const int s = 2 * k - 1;
         const long here = along == 0 ? corner(p, at, h, s, side) : corner(p, at, h, side, s),
@@ -40,10 +39,9 @@ static void at_edge(const struct solid_refine_plan *p, struct solid_refine_born 
     }
 }
 
-static void at_corner(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h,
-                      int x, int y) {
-    const long here = corner(p, at, h, x, y),
-               beside[2] = {corner(p, at, h, 3 * x, y), corner(p, at, h, x, 3 * y)};
+static void at_corner(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h, int x,
+                      int y) {
+    const long here = corner(p, at, h, x, y), beside[2] = {corner(p, at, h, 3 * x, y), corner(p, at, h, x, 3 * y)};
     source_add(b, 0, here, 1 + 0.5 * (beside[0] >= 0) + 0.5 * (beside[1] >= 0));
     for (int k = 0; k < 2; k++)
         if (beside[k] >= 0) source_add(b, 1 + k, beside[k], -0.5);
@@ -52,8 +50,7 @@ static void at_corner(const struct solid_refine_plan *p, struct solid_refine_bor
 static void amid(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h) {
     long q[2][2];
     int there = 0;
-    for (int k = 0; k < 4; k++)
-        there += (q[k / 2][k % 2] = corner(p, at, h, 2 * (k % 2) - 1, 2 * (k / 2) - 1)) >= 0;
+    for (int k = 0; k < 4; k++) there += (q[k / 2][k % 2] = corner(p, at, h, 2 * (k % 2) - 1, 2 * (k / 2) - 1)) >= 0;
     if (there == 4) {
         source_add(b, 0, q[0][0], 0.25);
         source_add(b, 1, q[1][1], 0.25);

@@ -41,8 +41,8 @@ static long *order_of(const struct solid *s, const struct solid_refine_plan *p, 
     return was;
 }
 
-struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const struct solid_refine_plan *p,
-                                       long first, long **was, long *count) {
+struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const struct solid_refine_plan *p, long first,
+                                       long **was, long *count) {
     const struct solid_cloud *t = p->cloud;
     const size_t n = (size_t)p->n + 1;
     double *of[5], *volume = memory_new(MEMORY_SOLID, n, sizeof *volume);
@@ -57,8 +57,7 @@ struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const st
     }
     for (long k = 0; k < p->n; k++) {
         const long i = (*was)[k];
-        for (int c = 0; c < 2; c++)
-            of[c][k] = i < p->before ? t->place[c][i] : (double)p->at[i][c] / SOLID_REFINE_UNIT;
+        for (int c = 0; c < 2; c++) of[c][k] = i < p->before ? t->place[c][i] : (double)p->at[i][c] / SOLID_REFINE_UNIT;
         of[2][k] = is_lattice ? ldexp(1, -p->level[i]) : t->size[i];
         of[3][k] = is_lattice ? solid_refine_plan_horizon(p, i) : t->horizon[i];
         of[4][k] = volume[i];

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A sum of numbers not below 0 that is the same in any order: of multiples of a digit that leaves room for 2^9 of the largest, rounded
- * by the last digit of a number that large. */
+/* A sum of numbers not below 0 that is the same in any order: of multiples of a digit that leaves room for 2^9 of the
+ * largest, rounded by the last digit of a number that large. */
 static double sum_of(const double *term, int n) {
     double most = 0, sum = 0;
     for (int k = 0; k < n; k++) most = term[k] > most ? term[k] : most;
@@ -37,8 +37,7 @@ static double energy_of(const struct solid_list *t, int i) {
     vec most = vec_set(0);
     for (long k = 0; k < n; k += VEC_LANES) {
         const long j = t->start[i] + k;
-        const vec x = vec_load_floats(solid_list_step(t, j, 0)),
-                  y = vec_load_floats(solid_list_step(t, j, 1));
+        const vec x = vec_load_floats(solid_list_step(t, j, 0)), y = vec_load_floats(solid_list_step(t, j, 1));
         const vec stiffness = vec_load(t->stiffness + j), length2 = x * x + y * y;
         vec there[2];
         vec_gather2(t->record, t->at + j, there);
@@ -53,14 +52,13 @@ static double energy_of(const struct solid_list *t, int i) {
     return largest > 0 ? 0.25 * t->law.density * t->spacing * sum_of_blocks(term, n, largest) : 0;
 }
 
-/* No less than energy_of says where a list's last sweep, without damping, was at the present displacements: of its largest |eps| it
- * knows the power of two, of k |xi| the family's digit. INFINITY: nothing is known. */
+/* No less than energy_of says where a list's last sweep, without damping, was at the present displacements: of its
+ * largest |eps| it knows the power of two, of k |xi| the family's digit. INFINITY: nothing is known. */
 static double energy_bound(const struct solid_list *t, int i) {
     const double eps = 2 * t->power[i];
     if (!(eps > 0) || eps > 0.03) return INFINITY;
     const double force = t->digit[i] / force_family_room(t, i), reach = t->law.horizon + 1;
-    return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach *
-           (0.26 * eps * eps);
+    return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach * (0.26 * eps * eps);
 }
 
 void solid_refine_look_energy(const struct solid *s, double *energy) {
@@ -86,7 +84,8 @@ static double damage_of(const struct solid *s, int h) {
     return all > 0 ? sum_of(lost, broken) / all : 0;
 }
 
-/* Of the particles that mark says, and the largest of them; where less than part of that is certain, 0 and not looked at. */
+/* Of the particles that mark says, and the largest of them; where less than part of that is certain, 0 and not looked
+ * at. */
 static double energy_where(const struct solid *s, const uint8_t *mark, double part, double *energy) {
     const int is_bound = s->a_holds && s->stage_of_a.damping_relative == 0;
     double most = 0;
@@ -131,8 +130,7 @@ long solid_refine_look(struct solid *s) {
     if (in->energy > 0) most = energy_where(s, mark, in->energy, energy);
     for (int h = 0; h < s->n; h++) {
         if (!mark[h]) continue;
-        mark[h] = ((most > 0 && energy[h] >= in->energy * most) ||
-                   (in->damage > 0 && damage_of(s, h) > in->damage)) &&
+        mark[h] = ((most > 0 && energy[h] >= in->energy * most) || (in->damage > 0 && damage_of(s, h) > in->damage)) &&
                   solid_refine_level(s, h) < in->levels;
     }
     return solid_refine_marked(s, mark);

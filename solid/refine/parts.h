@@ -20,8 +20,9 @@ struct solid_refine {
 int solid_refine_is_possible(const struct solid *s, int body);
 /* The body's particles as they are, to be planned with. kept [cloud->n] or NULL. Not collective. */
 struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int body, const uint8_t *kept);
-/* The cloud that a plan makes, its new particles with their parents' ranks: a rank's old particles keep their order, and its new ones
- * stand behind them. was [n] (owned by the caller): numbers in the plan; count [size]: particles by rank. Not collective. */
+/* The cloud that a plan makes, its new particles with their parents' ranks: a rank's old particles keep their order,
+ * and its new ones stand behind them. was [n] (owned by the caller): numbers in the plan; count [size]: particles by
+ * rank. Not collective. */
 struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const struct solid_refine_plan *plan,
                                        long first, long **was, long *count);
 /* All of the solid by the plans of its bodies (some NULL: as they are). Collective. */
@@ -29,17 +30,16 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan);
 /* Makes arrays that hold n particles, owned and ghosts; what owned ones have stays. Not collective. */
 void solid_refine_apply_room(struct solid *s, int n);
 
-/* Bonds that were broken, of which one end is an ancestor: particles before that a new one has among its parents' parents and so on.
- * Numbers in the cloud before. */
+/* Bonds that were broken, of which one end is an ancestor: particles before that a new one has among its parents'
+ * parents and so on. Numbers in the cloud before. */
 struct solid_refine_torn;
-struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body,
-                                                const struct solid_refine_plan *plan);
+struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body, const struct solid_refine_plan *plan);
 void solid_refine_torn_free(struct solid_refine_torn *torn);
 /* Breaks the bonds of new particles, and to them, whose parents' were. was: numbers in the plan. Not collective. */
 struct solid_list;
 void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct solid_list *list,
                                const struct solid_cloud *cloud, const long *was);
 
-/* Adds the boundary from one point to the other by number in the body's cloud, m; 0 where it does not run so. Not collective. */
-int solid_refine_lengths(const struct solid *s, int body, const double from[2], const double to[2],
-                         double *length);
+/* Adds the boundary from one point to the other by number in the body's cloud, m; 0 where it does not run so. Not
+ * collective. */
+int solid_refine_lengths(const struct solid *s, int body, const double from[2], const double to[2], double *length);

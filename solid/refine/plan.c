@@ -56,13 +56,10 @@ static void make_room(struct solid_refine_plan *p, long n) {
     for (long i = 0; i < p->n; i++) enter(p, i);
 }
 
-struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud,
-                                                const struct solid_body *body,
-                                                const struct solid_refinement *in, double ratio,
-                                                const uint8_t *kept) {
+struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
+                                                const struct solid_refinement *in, double ratio, const uint8_t *kept) {
     struct solid_refine_plan *p = memory_new(MEMORY_SOLID, 1, sizeof *p);
-    *p = (struct solid_refine_plan){
-        .cloud = cloud, .body = body, .in = in, .ratio = ratio, .before = cloud->n};
+    *p = (struct solid_refine_plan){.cloud = cloud, .body = body, .in = in, .ratio = ratio, .before = cloud->n};
     for (int c = 0; c < 2; c++) p->period[c] = (int)lrint(cloud->period[c] * SOLID_REFINE_UNIT);
     make_room(p, cloud->n);
     for (; p->n < cloud->n; p->n++) {
@@ -96,8 +93,7 @@ double solid_refine_plan_horizon(const struct solid_refine_plan *p, long i) {
     const double reach = reach_of(p, level);
     if (!p->in->interface_corrected || level == 0) return reach;
     for (int k = 0; k < 9; k++) {
-        const long near =
-            solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
+        const long near = solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
         if (near >= 0 && p->level[near] < level) return M_SQRT2 * reach;
     }
     return reach;
@@ -105,8 +101,7 @@ double solid_refine_plan_horizon(const struct solid_refine_plan *p, long i) {
 
 static int is_inside(const struct solid_refine_plan *p, const int at[2]) {
     double x[2];
-    for (int c = 0; c < 2; c++)
-        x[c] = p->cloud->origin[c] + (double)at[c] / SOLID_REFINE_UNIT * p->cloud->spacing;
+    for (int c = 0; c < 2; c++) x[c] = p->cloud->origin[c] + (double)at[c] / SOLID_REFINE_UNIT * p->cloud->spacing;
     return solid_outline_contains(p->body->outline, p->body->outlines, x, p->cloud->spacing);
 }
 
@@ -170,14 +165,14 @@ static void want_enclosed(const struct solid_refine_plan *p, uint8_t *wanted) {
     for (long i = p->before; i < p->n; i++) {
         const int h = solid_refine_spacing(p->level[i]);
         for (int k = 0; k < 9; k++) {
-            const long near =
-                solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
+            const long near = solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
             if (near >= 0 && p->level[near] < p->level[i] && is_enclosed(p, near)) wanted[near] = 1;
         }
     }
 }
 
-/* Refines those wanted that have no coarser ones within their horizon; coarser ones are wanted first. Returns how many. */
+/* Refines those wanted that have no coarser ones within their horizon; coarser ones are wanted first. Returns how many.
+ */
 static long refine_wanted(struct solid_refine_plan *p, uint8_t *wanted) {
     const long before = p->refined, n = p->n;
     for (int level = p->in->levels - 1; level >= 0; level--)

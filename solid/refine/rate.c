@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-/* u.K u = 1/2 sum over bonds of k (e.(u_h - u_l))^2 <= 2 sum u_h.T_h u_h,  T_h = sum k e e. With halves that differ (one-sided) a guide
- * only. */
+/* u.K u = 1/2 sum over bonds of k (e.(u_h - u_l))^2 <= 2 sum u_h.T_h u_h,  T_h = sum k e e. With halves that differ
+ * (one-sided) a guide only. */
 static double rate2_of(const struct solid_list *t, int i) {
     vec xx = vec_set(0), yy = vec_set(0), xy = vec_set(0);
     for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK) {
@@ -30,16 +30,15 @@ double solid_refine_rate_bound(const struct solid *s) {
     return par_max(most);
 }
 
-/* Of a wave exp(i k.x) on an endless lattice: the largest eigenvalue of sum K V/(rho |xi|) (1 - cos k.xi) e e, here in spacings; the largest
- * of all waves is looked for in a quarter of the zone. */
+/* Of a wave exp(i k.x) on an endless lattice: the largest eigenvalue of sum K V/(rho |xi|) (1 - cos k.xi) e e, here in
+ * spacings; the largest of all waves is looked for in a quarter of the zone. */
 enum { WAVES = 48 };
 
 struct lattice_bond {
     double xi[2], xx, yy, xy; /* spacings; k e e */
 };
 
-static int bonds_of(const struct solid_bond_law *law, double horizon, double side,
-                    struct lattice_bond *bond) {
+static int bonds_of(const struct solid_bond_law *law, double horizon, double side, struct lattice_bond *bond) {
     const struct solid_end end = {side, horizon, side * side};
     const int reach = (int)(horizon / side + 1);
     int n = 0;
@@ -47,10 +46,9 @@ static int bonds_of(const struct solid_bond_law *law, double horizon, double sid
         for (int i = -reach; i <= reach; i++) {
             const double xi[3] = {i * side, j * side, 0}, length2 = xi[0] * xi[0] + xi[1] * xi[1];
             if (length2 == 0 || n == SOLID_NEAR_MAX || !solid_pair_exists(law, xi, &end, &end)) continue;
-            const double k = solid_pair_of(law, xi, &end, &end).stiffness * end.volume /
-                             (law->density * length2 * sqrt(length2));
-            bond[n++] = (struct lattice_bond){
-                {xi[0], xi[1]}, k * xi[0] * xi[0], k * xi[1] * xi[1], k * xi[0] * xi[1]};
+            const double k =
+                solid_pair_of(law, xi, &end, &end).stiffness * end.volume / (law->density * length2 * sqrt(length2));
+            bond[n++] = (struct lattice_bond){{xi[0], xi[1]}, k * xi[0] * xi[0], k * xi[1] * xi[1], k * xi[0] * xi[1]};
         }
     return n;
 }
@@ -76,8 +74,8 @@ double solid_refine_rate_lattice(const struct solid *s, int level) {
         const int n = solid_refine_is_possible(s, b) ? bonds_of(&t->law, horizon, side, bond) : 0;
         for (int i = 0; n > 0 && i <= WAVES; i++)
             for (int j = 0; j <= WAVES; j++)
-                most = fmax(most, unit * t->spacing *
-                                      of_wave(bond, n, M_PI / side * i / WAVES, M_PI / side * j / WAVES));
+                most =
+                    fmax(most, unit * t->spacing * of_wave(bond, n, M_PI / side * i / WAVES, M_PI / side * j / WAVES));
     }
     return most;
 }

@@ -30,8 +30,7 @@ static void own_outlines(struct solid_body *b) {
 
 static void own_cuts(struct solid_input *in) {
     struct solid_cut *cut = copied(in->cut, (size_t)in->cuts, sizeof *cut);
-    for (int q = 0; q < in->cuts; q++)
-        cut[q].point = copied(cut[q].point, (size_t)cut[q].points, sizeof *cut[q].point);
+    for (int q = 0; q < in->cuts; q++) cut[q].point = copied(cut[q].point, (size_t)cut[q].points, sizeof *cut[q].point);
     in->cut = cut;
 }
 
@@ -102,8 +101,7 @@ int solid_refine_finest(const struct solid *s) {
 
 long solid_refine_events(const struct solid *s) { return s->refine ? s->refine->events : 0; }
 
-int solid_refine_lengths(const struct solid *s, int b, const double from[2], const double to[2],
-                         double *length) {
+int solid_refine_lengths(const struct solid *s, int b, const double from[2], const double to[2], double *length) {
     char text[256];
     if (!solid_refine_is_possible(s, b)) return 0;
     struct solid_refine_plan *plan = solid_refine_plan_of(s, b, NULL);
@@ -122,8 +120,7 @@ static uint8_t *kept_of(const struct solid *s, int b) {
     size_t bytes;
     solid_given_mark(s, here);
     for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++)
-        if (here[h] || (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)))
-            id[n++] = from + h - t->first;
+        if (here[h] || (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z))) id[n++] = from + h - t->first;
     long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);
     for (size_t k = 0; k < bytes / sizeof *id; k++) kept[all[k]] = 1;
     free(all);

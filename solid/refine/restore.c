@@ -51,8 +51,7 @@ static struct solid_cloud *cloud_of(const struct solid *s, const struct solid_cl
 }
 
 /* In place of the body's cloud. */
-static void cloud_replace(struct solid *s, int b, long from, long to, const uint8_t *level,
-                          const double (*place)[3]) {
+static void cloud_replace(struct solid *s, int b, long from, long to, const uint8_t *level, const double (*place)[3]) {
     struct solid_cloud **cloud = &s->family->cloud[b], *was = *cloud;
     struct solid_refine_cells *cells = &s->refine->cells[b];
     if (!cells->area) solid_refine_area_new(cells, was);
@@ -68,8 +67,8 @@ static void cloud_replace(struct solid *s, int b, long from, long to, const uint
 }
 
 /* Whether the particles are in the order of the bodies, and within them. first [bodies + 1] */
-static int fits(const struct solid *s, long n, const uint8_t *body, const uint8_t *level,
-                const double (*place)[3], long *first) {
+static int fits(const struct solid *s, long n, const uint8_t *body, const uint8_t *level, const double (*place)[3],
+                long *first) {
     for (long i = 0; i < n; i++) {
         if (body[i] >= s->in.bodies || (i > 0 && body[i] < body[i - 1]) || level[i] > s->refine->in.levels ||
             !(place[i][2] > 0))
@@ -78,8 +77,7 @@ static int fits(const struct solid *s, long n, const uint8_t *body, const uint8_
     }
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_cloud *t = s->family->cloud[b];
-        if (first[b + 1] <= first[b] || (!solid_refine_is_possible(s, b) && first[b + 1] - first[b] != t->n))
-            return 0;
+        if (first[b + 1] <= first[b] || (!solid_refine_is_possible(s, b) && first[b + 1] - first[b] != t->n)) return 0;
         for (long i = first[b]; i < first[b + 1]; i++)
             for (int c = 0; c < 2; c++)
                 if (!(place[i][c] > t->cells.low[c] - 2 &&
@@ -101,8 +99,7 @@ static void lists_new(struct solid *s) {
     s->n = (int)(to - from);
 }
 
-int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uint8_t *level,
-                         const double (*place)[3]) {
+int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uint8_t *level, const double (*place)[3]) {
     const int size = par_size();
     long *first = memory_new(MEMORY_SOLID, (size_t)s->in.bodies + 1, sizeof *first);
     const int good = s->refine && fits(s, n, body, level, place, first);

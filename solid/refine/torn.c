@@ -45,8 +45,7 @@ static long number_of(const struct solid_list *t, int record) {
 }
 
 /* The owned ones, into pair where not NULL. */
-static long find(const struct solid *s, const struct solid_list *t, const uint8_t *is_ancestor,
-                 struct pair *pair) {
+static long find(const struct solid *s, const struct solid_list *t, const uint8_t *is_ancestor, struct pair *pair) {
     long n = 0;
     for (int i = 0; i < t->n; i++) {
         if (!(s->flag[t->first + i] & SOLID_BROKEN)) continue;
@@ -61,8 +60,7 @@ static long find(const struct solid *s, const struct solid_list *t, const uint8_
     return n;
 }
 
-struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body,
-                                                const struct solid_refine_plan *p) {
+struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body, const struct solid_refine_plan *p) {
     const struct solid_list *list = s->family->list[body];
     struct solid_refine_torn *torn = memory_new(MEMORY_SOLID, 1, sizeof *torn);
     uint8_t *is_ancestor = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
@@ -79,8 +77,7 @@ struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body,
     torn->pairs = (long)(bytes / sizeof *pair);
     qsort(torn->pair, (size_t)torn->pairs, sizeof *pair, by_pair);
     torn->is_end = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
-    for (long k = 0; k < torn->pairs; k++)
-        torn->is_end[torn->pair[k].one] = torn->is_end[torn->pair[k].two] = 1;
+    for (long k = 0; k < torn->pairs; k++) torn->is_end[torn->pair[k].one] = torn->is_end[torn->pair[k].two] = 1;
     memory_free(pair);
     memory_free(is_ancestor);
     return torn;

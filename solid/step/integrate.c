@@ -47,8 +47,8 @@ static double speed_given(const struct solid *s) {
     return speed + (push + force / lightest) * s->t;
 }
 
-/* Nothing moves faster than waves do and what drives it; well beyond that the numbers have no meaning, though they may still be
- * finite. */
+/* Nothing moves faster than waves do and what drives it; well beyond that the numbers have no meaning, though they may
+ * still be finite. */
 enum { SPEEDS_ALLOWED = 100 };
 
 static double speed_limit(const struct solid *s) {

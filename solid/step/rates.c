@@ -39,8 +39,7 @@ static uint8_t *whole_new(const struct solid_family *f, int b) {
     const struct solid_list *list = f->list[b];
     if (list) {
         uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)list->room + SOLID_LIST_BLOCK, 1);
-        for (int i = 0; i < list->n; i++)
-            memset(intact + list->start[i], 1, (size_t)(list->end[i] - list->start[i]));
+        for (int i = 0; i < list->n; i++) memset(intact + list->start[i], 1, (size_t)(list->end[i] - list->start[i]));
         return intact;
     }
     const struct solid_lattice *t = f->lattice[b];
@@ -63,7 +62,8 @@ struct operator{
     double stiffness, damping; /* 1, s */
 };
 
-/* a = (stiffness K + damping D) u/m by one sweep turned about, at displacements so small (1e-7 spacings) that bonds are linear. */
+/* a = (stiffness K + damping D) u/m by one sweep turned about, at displacements so small (1e-7 spacings) that bonds are
+ * linear. */
 static void apply(struct solid *s, double *const u[3], struct operator of) {
     double most = 0;
     for (int c = 0; c < s->dim; c++)

@@ -7,9 +7,9 @@
 
 #include <math.h>
 
-/* Adaptive dynamic relaxation (Underwood 1983; Kilic and Madenci 2010): central differences with the damping critical for
- * the frequency in which the solid deforms at present, Rayleigh's quotient of its displacement since the start.
- *     v = ((2 - c dt) v + 2 dt a)/(2 + c dt)      d += dt v      c = 2 sqrt(-u.M a_bonds / u.M u) */
+/* Adaptive dynamic relaxation (Underwood 1983; Kilic and Madenci 2010): central differences with the damping critical
+ * for the frequency in which the solid deforms at present, Rayleigh's quotient of its displacement since the start. v =
+ * ((2 - c dt) v + 2 dt a)/(2 + c dt)      d += dt v      c = 2 sqrt(-u.M a_bonds / u.M u) */
 
 static const double OF_STABLE_STEP = 0.9;
 

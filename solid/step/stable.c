@@ -13,8 +13,8 @@ static const double RK3_REAL = 2.5127453266; /* |R(-z)| = 1 */
 /* |R(z)|, R = 1 + z + z^2/2 + z^3/6: a step of RK3 multiplies a mode exp(lambda t) by R(lambda dt). */
 static double rk3_gain(double complex z) { return cabs(1 + z * (1 + z * (0.5 + z / 6))); }
 
-/* Along the ray z = dt lambda from 0, |R| first exceeds 1 between sqrt(3), where the imaginary axis leaves the region, and
- * 2.54, where it bulges most. Two real roots: the faster decides. */
+/* Along the ray z = dt lambda from 0, |R| first exceeds 1 between sqrt(3), where the imaginary axis leaves the region,
+ * and 2.54, where it bulges most. Two real roots: the faster decides. */
 static double rk3_limit(double w, double g) {
     const double half = 0.5 * g, root2 = w - half * half;
     if (!(w > 0) || root2 <= 0) return g > 0 ? RK3_REAL / (half + sqrt(fmax(-root2, 0))) : INFINITY;
@@ -30,8 +30,8 @@ static double rk3_limit(double w, double g) {
     return low / sqrt(w);
 }
 
-/* Velocity Verlet whose damping sees the velocity v + theta dt a: the first root to leave the unit circle does so at -1, where
- * v = 0, d = -dt^2 a/4 and a (1 - theta g dt) = a w dt^2/4. So w dt^2/4 + (theta g) dt <= 1. */
+/* Velocity Verlet whose damping sees the velocity v + theta dt a: the first root to leave the unit circle does so at
+ * -1, where v = 0, d = -dt^2 a/4 and a (1 - theta g dt) = a w dt^2/4. So w dt^2/4 + (theta g) dt <= 1. */
 static double verlet_limit(double w, double theta_g) {
     return w > 0 || theta_g > 0 ? 2 / (theta_g + sqrt(theta_g * theta_g + w)) : INFINITY;
 }
@@ -49,8 +49,8 @@ static double polygon_limit(const struct solid_rates *r, enum solid_integrator i
         const double x = k <= SAMPLES ? (double)k / SAMPLES : fmin(fmax(corner[k - SAMPLES - 1], 0), 1);
         const double y = fmin(fmin(1, r->difference + x), r->sum - x);
         if (y >= 0)
-            least = fmin(least, solid_stable_oscillator(integrator, y * r->stiffness + contact,
-                                                        x * r->damping, r->absolute));
+            least = fmin(least,
+                         solid_stable_oscillator(integrator, y * r->stiffness + contact, x * r->damping, r->absolute));
     }
     const double fastest = r->damping + r->absolute;
     return integrator == SOLID_RK3 && fastest > 0 ? fmin(least, RK3_REAL / fastest) : least;

@@ -22,8 +22,7 @@ void solid_verlet_keep(struct solid *s) {
 
 /* d += dt v + dt^2/2 a, v += theta dt a; returns the sum of (load + weight) volume times the step of d, J. [n] */
 static double predict(int n, double dt, double theta, double weight, const double *restrict volume,
-                      const double *restrict load, const double *restrict a, double *restrict d,
-                      double *restrict v) {
+                      const double *restrict load, const double *restrict a, double *restrict d, double *restrict v) {
     vec work = vec_set(0);
     int h = 0;
     for (; h + VEC_LANES <= n; h += VEC_LANES) {
@@ -57,10 +56,10 @@ void solid_verlet_begin(struct solid *s) {
     }
 }
 
-/* Velocity Verlet with one sweep a step. Pairwise damping sees the velocity at theta = SOLID_VERLET_PAIRWISE of the step, what else
- * depends on velocity the one predicted for its end:
- *     v^ = v + theta dt a      v* = v + dt a      d += dt v + dt^2/2 a      a' = a(d, v^, v*)      v = v* + dt/2 (a' - a)
- * Work of the load over the displacement, the other energies by the trapezoidal rule. */
+/* Velocity Verlet with one sweep a step. Pairwise damping sees the velocity at theta = SOLID_VERLET_PAIRWISE of the
+ * step, what else depends on velocity the one predicted for its end: v^ = v + theta dt a      v* = v + dt a      d +=
+ * dt v + dt^2/2 a      a' = a(d, v^, v*)      v = v* + dt/2 (a' - a) Work of the load over the displacement, the other
+ * energies by the trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;
@@ -69,8 +68,8 @@ void solid_verlet_step(struct solid *s, double dt) {
         const int from = first[b], n = first[b + 1] - from;
         const double density = s->in.material[s->in.body[b].material].density;
         for (int c = 0; c < s->dim; c++)
-            s->work_load += predict(n, dt, theta, density * s->in.body_force[c], s->volume + from,
-                                    s->load[c] + from, s->a[c] + from, s->d[c] + from, s->v[c] + from);
+            s->work_load += predict(n, dt, theta, density * s->in.body_force[c], s->volume + from, s->load[c] + from,
+                                    s->a[c] + from, s->d[c] + from, s->v[c] + from);
     }
     solid_constraint_displacement(s, s->t + dt);
     swap(s->a, s->a_old);

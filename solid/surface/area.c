@@ -22,8 +22,7 @@ static void add_away(double sum[3], const double site[3], const double x[3], dou
 }
 
 /* |n_f.e| at the face towards the void site in direction f. */
-static double facing_of(const struct solid_family_view *view, const struct solid_facing *start, int f,
-                        double spacing) {
+static double facing_of(const struct solid_family_view *view, const struct solid_facing *start, int f, double spacing) {
     const double self[3] = {0, 0, 0}, reach = 2 * spacing * (1 + 1e-9);
     double site[3], seen[3] = {0, 0, 0}, e[3], r2 = 0, mean2 = 0;
     solid_sector_axis(f, e);
@@ -41,7 +40,7 @@ static double facing_of(const struct solid_family_view *view, const struct solid
 }
 
 double solid_surface_area_share(const struct solid *s, int h, const struct solid_family_view *view,
-                           const struct solid_facing *start) {
+                                const struct solid_facing *start) {
     const double square = solid_surface_area_fresh(s, h);
     if (s->in.body[s->body[h]].shape == SOLID_POINTS) return (start->two_sided ? 2 : 1) * square;
     double share = 0;
@@ -51,7 +50,7 @@ double solid_surface_area_share(const struct solid *s, int h, const struct solid
 }
 
 void solid_surface_area_restrict(struct solid *s, struct solid_surface *surface, const double low[3],
-                            const double high[3]) {
+                                 const double high[3]) {
     double sum[2] = {0, 0}; /* area, wetted faces */
     for (int h = 0; h < s->n; h++) {
         if (!(s->flag[h] & SOLID_FIRST)) continue;

@@ -49,8 +49,7 @@ static void face(const struct sums *sum, double spacing, unsigned open, struct s
 }
 
 /* Two intact bonds: the longest, and the one furthest out of its line. */
-static void feel(const struct solid *s, int h, const struct solid_family_view *view,
-                 struct solid_facing *out) {
+static void feel(const struct solid *s, int h, const struct solid_family_view *view, struct solid_facing *out) {
     double best[2] = {0, 0};
     const double *first = view->xi[0];
     out->l[0] = out->l[1] = -1;
@@ -74,8 +73,8 @@ static void feel(const struct solid *s, int h, const struct solid_family_view *v
         for (int c = 0; c < 3; c++) out->moved[k][c] = out->l[k] < 0 ? 0 : s->d[c][out->l[k]] - s->d[c][h];
 }
 
-void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view,
-                             unsigned open, struct solid_facing *out) {
+void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                             struct solid_facing *out) {
     struct sums sum = {0};
     for (int b = 0; b < view->n; b++) add(&sum, view->xi[b], view->weight[b]);
     *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double reach = 1.5; /* spacings: between the first shell of six and the second along an axis */
+static const double reach = 1.5;    /* spacings: between the first shell of six and the second along an axis */
 static const double rim = 1 - 1e-9; /* bonds at 45 degrees belong to no cone */
 
 int solid_sector_of(const double xi[3], double spacing) {
@@ -24,8 +24,7 @@ double solid_sector_spacing(const struct solid *s, int h) {
     return s->in.body[s->body[h]].shape == SOLID_POINTS ? cbrt(s->volume[h]) : s->in.spacing;
 }
 
-void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view,
-                       struct solid_watch *w) {
+void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w) {
     const double spacing = solid_sector_spacing(s, h);
     unsigned intact = 0, broken = 0, any = 0;
     memset(w, 0, sizeof *w);

@@ -1,11 +1,12 @@
 /* Sectors of solid angle about a particle, in the undeformed frame.  (001: sec. 3.3.7; SPEC 2)
  *
- * In a plane, N_v = 2 consecutive of N_s = 8 sectors open 90 degrees. In 3D the sectors of the coordinate planes on either
- * side of an axis, void together, leave a cone of 45 degrees about that axis: six cones f = 0..5 for +x -x +y -y +z -z.
+ * In a plane, N_v = 2 consecutive of N_s = 8 sectors open 90 degrees. In 3D the sectors of the coordinate planes on
+ * either side of an axis, void together, leave a cone of 45 degrees about that axis: six cones f = 0..5 for +x -x +y -y
+ * +z -z.
  *
  *          \  +y  /
- *           \    /        A cone reaches 1.5 spacings, to the first shell: what stands behind a void site does not fill it,
- *       -x    h    +x     so that a pore one particle wide is found. Its rim is not part of it: on the lattice it holds
+ *           \    /        A cone reaches 1.5 spacings, to the first shell: what stands behind a void site does not fill
+ * it, -x    h    +x     so that a pore one particle wide is found. Its rim is not part of it: on the lattice it holds
  *           /    \        exactly the nearest site.
  *          /  -y  \
  *
@@ -33,9 +34,9 @@ void solid_sector_axis(int f, double e[3]);
 /* Edge of particle h's cube: the lattice's spacing, or volume^(1/3) off the lattice, m. */
 double solid_sector_spacing(const struct solid *s, int h);
 
-void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view,
-                       struct solid_watch *w);
-/* The same on a lattice, where a cone holds one site, the nearest; near: its offsets in the stencil; intact: bonds left. */
+void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w);
+/* The same on a lattice, where a cone holds one site, the nearest; near: its offsets in the stencil; intact: bonds
+ * left. */
 void solid_sector_look_near(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
                             struct solid_watch *w);
 struct solid_stencil;

@@ -90,7 +90,7 @@ void solid_surface_state_keep_take(struct solid_surface_keep *k, const struct so
 }
 
 void solid_surface_state_keep_restore(const struct solid_surface_keep *k, struct solid *s, struct solid_surface *f,
-                                const struct solid_lost *lost) {
+                                      const struct solid_lost *lost) {
     const struct solid_facing *kept = k->facing;
     for (int h = 0; h < s->n; h++)
         if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *kept++;

@@ -110,7 +110,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
     if (s->in.shape_surface) f->shaped = solid_shaped_new(s, f);
     solid_surface_gather(s, f);
     solid_surface_area_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
-                           (double[]){INFINITY, INFINITY, INFINITY});
+                                (double[]){INFINITY, INFINITY, INFINITY});
     solid_surface_count(f, 0);
     clock_end(CLOCK_INTERFACE);
     return f;
@@ -164,8 +164,8 @@ static int look_where_broken(struct solid *s, struct solid_surface *f) {
     return normals;
 }
 
-/* The watched particles: those whose cracks have opened or closed. Returns the number that came or went, and adds to that of
- * normals looked at. */
+/* The watched particles: those whose cracks have opened or closed. Returns the number that came or went, and adds to
+ * that of normals looked at. */
 static int look_where_open(struct solid *s, struct solid_surface *f, int *normals) {
     struct solid_family_view view;
     int changes = 0;

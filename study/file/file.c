@@ -68,8 +68,7 @@ static void read_study(struct study *s, const struct study_key *k) {
     check_methods(s, k->problems);
 }
 
-struct study *study_file_parse(const char *path, const char *text, size_t bytes,
-                               struct scene_problems *problems) {
+struct study *study_file_parse(const char *path, const char *text, size_t bytes, struct scene_problems *problems) {
     static const struct scene_yaml_what what = {"study", "scene: ..., methods: ..., levels: ..."};
     problems->file = path;
     struct scene_node *root = scene_yaml_parse_as(&what, text, bytes, problems);
@@ -93,8 +92,7 @@ struct study *study_file_new(const char *path) {
     errno = 0;
     const size_t bytes = fread(text, 1, BYTES_MAX + 1, in);
     if (ferror(in)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
-    if (bytes > BYTES_MAX)
-        die_all(EXIT_CODE_SCENE, "%s: the study is larger than %d MB", path, BYTES_MAX >> 20);
+    if (bytes > BYTES_MAX) die_all(EXIT_CODE_SCENE, "%s: the study is larger than %d MB", path, BYTES_MAX >> 20);
     fclose(in);
     struct study *s = study_file_parse(path, text, bytes, &problems);
     free(text);

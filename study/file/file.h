@@ -61,6 +61,5 @@ struct study {
 /* Reads the file; says every mistake, one line each, and dies with exit code 2. */
 struct study *study_file_new(const char *path);
 /* The same from a text; NULL where there are problems. */
-struct study *study_file_parse(const char *path, const char *text, size_t bytes,
-                               struct scene_problems *problems);
+struct study *study_file_parse(const char *path, const char *text, size_t bytes, struct scene_problems *problems);
 void study_file_free(struct study *s);

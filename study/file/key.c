@@ -12,11 +12,11 @@ static const struct scene_node *find(const struct study_key *k, const char *key)
     return scene_node_child(k->mapping, key);
 }
 
-#define SAY(k, node, key, ...)                                                                               \
-    do {                                                                                                     \
-        char *whole_path = study_key_path(k, key);                                                           \
-        scene_problem_value((k)->problems, node, whole_path, __VA_ARGS__);                                   \
-        free(whole_path);                                                                                    \
+#define SAY(k, node, key, ...)                                                                                         \
+    do {                                                                                                               \
+        char *whole_path = study_key_path(k, key);                                                                     \
+        scene_problem_value((k)->problems, node, whole_path, __VA_ARGS__);                                             \
+        free(whole_path);                                                                                              \
     } while (0)
 
 int study_key_known(const struct study_key *k, int n, const char *const *word) {
@@ -54,15 +54,13 @@ static int number_of(const struct scene_node *node, double *value) {
     return *end == '\0' && isfinite(*value);
 }
 
-double study_key_number(const struct study_key *k, const char *key, enum study_key_range range,
-                        double fallback) {
+double study_key_number(const struct study_key *k, const char *key, enum study_key_range range, double fallback) {
     static const char *const allowed[] = {"", ", greater than 0", ", at least 0"};
     const struct scene_node *node = find(k, key);
     double value;
     if (!node) return fallback;
     const int form = number_of(node, &value);
-    if (form && (range == STUDY_KEY_ANY || value > 0 || (range == STUDY_KEY_NOT_NEGATIVE && value == 0)))
-        return value;
+    if (form && (range == STUDY_KEY_ANY || value > 0 || (range == STUDY_KEY_NOT_NEGATIVE && value == 0))) return value;
     SAY(k, node, key, "must be a number%s", allowed[range]);
     return fallback;
 }
@@ -76,8 +74,7 @@ int study_key_whole(const struct study_key *k, const char *key, int low, int hig
     return fallback;
 }
 
-int study_key_choice(const struct study_key *k, const char *key, int n, const char *const *word,
-                     int fallback) {
+int study_key_choice(const struct study_key *k, const char *key, int n, const char *const *word, int fallback) {
     const struct scene_node *node = find(k, key);
     if (!node) return fallback;
     char *all = scene_node_text("%s", "");

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define KNOWN(k, ...)                                                                                        \
-    study_key_known(k, (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *)),                   \
+#define KNOWN(k, ...)                                                                                                  \
+    study_key_known(k, (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *)),                             \
                     (const char *const[]){__VA_ARGS__})
 
 static void read_reference(struct study_reference *r, const struct scene_node *node, const char *path,
@@ -42,8 +42,8 @@ static void read_column(struct study_quantity *q, const struct study_key *k) {
         scene_problem_key(k->problems, k->mapping, k->path,
                           "above goes with at: time, the time when the column is first above it");
     if (q->after > q->before)
-        scene_problem_key(k->problems, k->mapping, k->path, "after %g and before %g leave no time between",
-                          q->after, q->before);
+        scene_problem_key(k->problems, k->mapping, k->path, "after %g and before %g leave no time between", q->after,
+                          q->before);
 }
 
 /* Keys that belong to a kind of quantity other than this one's. */
@@ -52,8 +52,7 @@ static void refuse_others(const struct study_quantity *q, const struct study_key
     for (int i = 0; i < 4 && !q->column; i++)
         if (scene_node_child(k->mapping, of_series[i]))
             scene_problem_key(k->problems, k->mapping, k->path, "%s goes with column only", of_series[i]);
-    if (q->row && !q->file)
-        scene_problem_key(k->problems, k->mapping, k->path, "quantity goes with file only");
+    if (q->row && !q->file) scene_problem_key(k->problems, k->mapping, k->path, "quantity goes with file only");
     if (q->file && !q->row)
         scene_problem_key(k->problems, k->mapping, k->path, "quantity is missing: which of the file's");
 }
@@ -63,8 +62,8 @@ static void read_quantity(struct study_quantity *q, const struct scene_node *nod
     const struct study_key k = {node, path, problems};
     *q = (struct study_quantity){.line = node->line, .factor = 1};
     q->reference.scale = q->reference.order = NAN;
-    if (!KNOWN(&k, "name", "unit", "column", "at", "after", "before", "above", "file", "quantity", "command",
-               "factor", "reference"))
+    if (!KNOWN(&k, "name", "unit", "column", "at", "after", "before", "above", "file", "quantity", "command", "factor",
+               "reference"))
         return;
     q->column = study_key_text(&k, "column", NULL);
     q->file = study_key_text(&k, "file", NULL);
@@ -100,17 +99,15 @@ static void share_reference(struct study *s, const struct scene_node *root, stru
     }
     const struct scene_node *value = node ? scene_node_find(node, "value") : NULL;
     if (value && s->quantities > 1)
-        scene_problem_key(problems, node, "reference",
-                          "has one value for %d quantities: give each quantity its own", s->quantities);
+        scene_problem_key(problems, node, "reference", "has one value for %d quantities: give each quantity its own",
+                          s->quantities);
 }
 
 void study_quantities_read(struct study *s, const struct scene_node *root, struct scene_problems *problems) {
     const struct study_key k = {root, "", problems};
-    const struct scene_node *one = scene_node_child(root, "quantity"),
-                            *many = study_key_list(&k, "quantities", 0);
+    const struct scene_node *one = scene_node_child(root, "quantity"), *many = study_key_list(&k, "quantities", 0);
     if (!one == !scene_node_child(root, "quantities")) {
-        scene_problem_key(problems, one ? one : root, "quantity",
-                          "give quantity, or a list quantities, and not both");
+        scene_problem_key(problems, one ? one : root, "quantity", "give quantity, or a list quantities, and not both");
         return;
     }
     if (!one && !many) return;
@@ -120,8 +117,7 @@ void study_quantities_read(struct study *s, const struct scene_node *root, struc
         char *path = one ? scene_node_text("quantity") : scene_node_text("quantities[%d]", i);
         read_quantity(&s->quantity[i], one ? one : many->child[i], path, problems);
         for (int j = 0; j < i; j++)
-            if (s->quantity[i].name && s->quantity[j].name &&
-                !strcmp(s->quantity[i].name, s->quantity[j].name))
+            if (s->quantity[i].name && s->quantity[j].name && !strcmp(s->quantity[i].name, s->quantity[j].name))
                 scene_problem_key(problems, many->child[i], path, "two are called %s", s->quantity[i].name);
         free(path);
     }

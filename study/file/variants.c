@@ -42,8 +42,8 @@ static void read_variant(struct study_variant *v, const struct study_key *k, int
     }
 }
 
-static void read_list(struct study_variants *v, const struct scene_node *list, const char *path,
-                      int with_size, struct scene_problems *problems) {
+static void read_list(struct study_variants *v, const struct scene_node *list, const char *path, int with_size,
+                      struct scene_problems *problems) {
     for (int i = 0; i < list->n; i++) {
         char *its = scene_node_text("%s[%d]", path, i);
         const struct study_key k = {list->child[i], its, problems};
@@ -67,15 +67,14 @@ static void multiply(struct study_variants *a, const struct study_variants *b, c
             study_sets_join(&p->sets, &x->sets);
             study_sets_join(&p->sets, &y->sets);
             if (!isnan(x->size) && !isnan(y->size) && i + j == 0)
-                scene_problem_key(problems, node, path,
-                                  "size is given in two lists of the product: give it in one");
+                scene_problem_key(problems, node, path, "size is given in two lists of the product: give it in one");
         }
     study_variants_free(a);
     *a = product;
 }
 
-static void read_product(struct study_variants *v, const struct scene_node *node, const char *path,
-                         int with_size, struct scene_problems *problems) {
+static void read_product(struct study_variants *v, const struct scene_node *node, const char *path, int with_size,
+                         struct scene_problems *problems) {
     static const char *const word[] = {"product"};
     const struct study_key k = {node, path, problems};
     if (!study_key_known(&k, 1, word)) return;
@@ -111,15 +110,15 @@ static void check_sizes(const struct study_variants *v, const struct scene_node 
             return;
         }
         if (y->size > x->size) {
-            scene_problem_key(problems, &place, path, "must go from coarse to fine: size %g follows %g",
-                              y->size, x->size);
+            scene_problem_key(problems, &place, path, "must go from coarse to fine: size %g follows %g", y->size,
+                              x->size);
             return;
         }
     }
 }
 
-void study_variants_read(struct study_variants *v, const struct scene_node *node, const char *path,
-                         int with_size, struct scene_problems *problems) {
+void study_variants_read(struct study_variants *v, const struct scene_node *node, const char *path, int with_size,
+                         struct scene_problems *problems) {
     if (node->kind == SCENE_NODE_MAPPING)
         read_product(v, node, path, with_size, problems);
     else if (node->kind == SCENE_NODE_LIST && node->n > 0)

@@ -20,8 +20,7 @@ struct rung {
     int method, level;
 };
 
-static struct rung rung_of(const struct study_result *r, const struct study_table *t, double at,
-                           double *work) {
+static struct rung rung_of(const struct study_result *r, const struct study_table *t, double at, double *work) {
     const struct study *s = r->plan->study;
     struct rung best = {.at = at, .time = NAN, .method = -1, .level = -1};
     for (int m = 0; m < s->methods.n; m++) {
@@ -78,10 +77,8 @@ static char *counted(const struct other *other, int n, const char *error) {
     char from[DIGITS], to[DIGITS];
     two_digits(least, from);
     two_digits(most, to);
-    if (reached == 1)
-        return scene_node_text("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
-    return scene_node_text("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from,
-                      to);
+    if (reached == 1) return scene_node_text("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
+    return scene_node_text("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from, to);
 }
 
 static char *named(const struct other *other, int n, const char *error) {
@@ -89,16 +86,15 @@ static char *named(const struct other *other, int n, const char *error) {
     for (int k = 0; k < n; k++) {
         const char *comma = k ? "," : "", *name = other[k].method;
         char times[DIGITS];
-        text = joined(text, isfinite(other[k].factor) ? scene_node_text("%s %s takes %s times as long", comma,
-                                                                   name, two_digits(other[k].factor, times))
+        text = joined(text, isfinite(other[k].factor) ? scene_node_text("%s %s takes %s times as long", comma, name,
+                                                                        two_digits(other[k].factor, times))
                                                       : scene_node_text("%s %s does not get there", comma, name));
     }
     return text;
 }
 
 /* What the other methods would have cost at the last rung's error; nothing is said of the reference's own run. */
-static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last,
-                    double *work) {
+static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last, double *work) {
     const struct study_variants *methods = &r->plan->study->methods;
     const int levels = r->plan->study->levels.n;
     struct other *other = malloc((size_t)methods->n * sizeof *other);
@@ -126,7 +122,7 @@ static char *of_reference(const struct study_result *r, const struct study_table
     if (level < 0) return scene_node_text("%s", "");
     two_digits(study_result_point(r, t, t->method, level)->wall, seconds);
     return scene_node_text("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
-                      s->levels.variant[level].name, seconds);
+                           s->levels.variant[level].name, seconds);
 }
 
 char *study_advice_write(const struct study_result *r, const struct study_table *t) {
@@ -146,10 +142,9 @@ char *study_advice_write(const struct study_result *r, const struct study_table 
     char *text = scene_node_text("%s", "");
     for (int k = 0; k < rungs; k++) {
         char *error = error_text(t, rung[k].at), seconds[DIGITS];
-        text = joined(text,
-                      scene_node_text(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
-                                 two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
-                                 s->levels.variant[rung[k].level].name));
+        text = joined(text, scene_node_text(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
+                                            two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
+                                            s->levels.variant[rung[k].level].name));
         free(error);
     }
     if (rungs && s->methods.n > 1) text = joined(text, others(r, t, &rung[rungs - 1], work));

@@ -6,11 +6,9 @@
 #include <stdlib.h>
 
 /* A method's curve: its points that have an error and a time. Arrays are owned by the caller. */
-static struct postproc_curve curve_new(const struct study_result *r, const struct study_table *t,
-                                       int method) {
+static struct postproc_curve curve_new(const struct study_result *r, const struct study_table *t, int method) {
     const struct study *s = r->plan->study;
-    double *time = malloc((size_t)s->levels.n * sizeof *time),
-           *error = malloc((size_t)s->levels.n * sizeof *error);
+    double *time = malloc((size_t)s->levels.n * sizeof *time), *error = malloc((size_t)s->levels.n * sizeof *error);
     const char **label = malloc((size_t)s->levels.n * sizeof *label);
     long n = 0;
     for (int l = 0; l < s->levels.n; l++) {
@@ -23,8 +21,8 @@ static struct postproc_curve curve_new(const struct study_result *r, const struc
     const struct study_curve *c = &t->curve[method];
     char *title = isnan(c->gain)    ? scene_node_text("%s", s->methods.variant[method].name)
                   : isnan(c->order) ? scene_node_text("%s: slope %.2f", s->methods.variant[method].name, c->gain)
-                                    : scene_node_text("%s: slope %.2f, order %.2f",
-                                                 s->methods.variant[method].name, c->gain, c->order);
+                                    : scene_node_text("%s: slope %.2f, order %.2f", s->methods.variant[method].name,
+                                                      c->gain, c->order);
     return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label};
 }
 
@@ -49,23 +47,22 @@ static int draw(const struct study_result *r, struct study_table *t, const char 
     }
     const struct postproc_level level = {t->uncertainty / t->scale, "uncertainty of the reference"};
     char *name = study_report_name(r, t), *title = scene_node_text("%s: %s", s->title, t->quantity->name);
-    const enum postproc_plot_status status = curves == 0
-                                                 ? POSTPROC_PLOT_DONE
-                                                 : postproc_plot_draw(&(struct postproc_plot){
-                                                       .folder = out,
-                                                       .name = name,
-                                                       .title = title,
-                                                       .xlabel = "wall time of the steps  [s], median",
-                                                       .ylabel = t->has_scale ? "relative error" : "error",
-                                                       .curves = curves,
-                                                       .curve = curve,
-                                                       .levels = level.y > 0,
-                                                       .level = &level,
-                                                       .log_x = 1,
-                                                       .log_y = 1,
-                                                       .x_low = NAN,
-                                                       .x_high = NAN,
-                                                   });
+    const enum postproc_plot_status status = curves == 0 ? POSTPROC_PLOT_DONE
+                                                         : postproc_plot_draw(&(struct postproc_plot){
+                                                               .folder = out,
+                                                               .name = name,
+                                                               .title = title,
+                                                               .xlabel = "wall time of the steps  [s], median",
+                                                               .ylabel = t->has_scale ? "relative error" : "error",
+                                                               .curves = curves,
+                                                               .curve = curve,
+                                                               .levels = level.y > 0,
+                                                               .level = &level,
+                                                               .log_x = 1,
+                                                               .log_y = 1,
+                                                               .x_low = NAN,
+                                                               .x_high = NAN,
+                                                           });
     for (int k = 0; k < curves; k++) curve_free(&curve[k]);
     free(curve);
     free(name);

@@ -29,10 +29,10 @@ static void put(FILE *f, double x, int digits) {
 
 static void put_head(FILE *f, const struct study_result *r, const struct study_maker *m) {
     const struct study *s = r->plan->study;
-    fprintf(f, "# %s\n# machine: %s, %d cores\n# compiler: %s, %s\n", s->title, m->processor, m->cores,
-            m->compiler, m->flags);
-    fprintf(f, "# frana: %s, revision %s\n# libraries: %s, FFTW %s\n# date: %s\n", m->version, m->revision,
-            m->mpi, m->fftw, m->date);
+    fprintf(f, "# %s\n# machine: %s, %d cores\n# compiler: %s, %s\n", s->title, m->processor, m->cores, m->compiler,
+            m->flags);
+    fprintf(f, "# frana: %s, revision %s\n# libraries: %s, FFTW %s\n# date: %s\n", m->version, m->revision, m->mpi,
+            m->fftw, m->date);
     for (int q = 0; q < r->tables; q++) {
         char *reference = study_report_reference(r, &r->table[q]);
         fprintf(f, "# reference of %s: %s\n", r->table[q].quantity->name, reference);
@@ -48,8 +48,7 @@ static void put_head(FILE *f, const struct study_result *r, const struct study_m
           f);
 }
 
-static void put_row(FILE *f, const struct study_result *r, const struct study_table *t, int method,
-                    int level) {
+static void put_row(FILE *f, const struct study_result *r, const struct study_table *t, int method, int level) {
     const struct study *s = r->plan->study;
     const struct study_point *p = study_result_point(r, t, method, level);
     char status[32];

@@ -64,9 +64,8 @@ static void put_table(FILE *f, const struct study_result *r, const struct study_
             "| method | level | %s%s%s%s | error | order | wall s, median | min | quartiles apart | set-up s "
             "| steps "
             "|%s%s memory MB | ranks | repeats | status |\n",
-            t->quantity->name, *t->quantity->unit ? " [" : "", t->quantity->unit,
-            *t->quantity->unit ? "]" : "", cells ? " ns a cell and step |" : "",
-            bonds ? " ns a directed bond and sweep |" : "");
+            t->quantity->name, *t->quantity->unit ? " [" : "", t->quantity->unit, *t->quantity->unit ? "]" : "",
+            cells ? " ns a cell and step |" : "", bonds ? " ns a directed bond and sweep |" : "");
     for (int c = 0; c < columns + 1; c++) fputs(c < 2 || c == columns ? "|---" : "|--:", f);
     fputs("|\n", f);
     int unresolved = 0;
@@ -95,17 +94,15 @@ static void put_fits(FILE *f, const struct study_result *r, const struct study_t
         if (c->finest < 0)
             fputs(" no value", f);
         else if (isfinite(e->order))
-            fprintf(
-                f,
-                " its finest levels converge %s with order %.2f to %.8g, and the grid convergence index of "
-                "%s is %.2g",
-                e->kind == STUDY_MONOTONE ? "monotonely" : "in oscillations", e->order, e->extrapolated,
-                levels->variant[c->finest].name, e->gci);
+            fprintf(f,
+                    " its finest levels converge %s with order %.2f to %.8g, and the grid convergence index of "
+                    "%s is %.2g",
+                    e->kind == STUDY_MONOTONE ? "monotonely" : "in oscillations", e->order, e->extrapolated,
+                    levels->variant[c->finest].name, e->gci);
         else if (e->kind == STUDY_UNKNOWN)
             fputs(" too few levels with a size to extrapolate", f);
         else
-            fprintf(f, " its finest levels are %s: nothing can be extrapolated",
-                    study_richardson_name(e->kind));
+            fprintf(f, " its finest levels are %s: nothing can be extrapolated", study_richardson_name(e->kind));
         fputs(".\n", f);
     }
 }
@@ -136,8 +133,8 @@ static void put_reached(FILE *f, const struct study_variants *methods, struct re
 }
 
 /* At one error; 0, and nothing is said, where fewer than two methods reach it or all do at their coarsest. */
-static int put_iso(FILE *f, const struct study_result *r, const struct study_table *t, double at,
-                   double *work, struct reach *reach) {
+static int put_iso(FILE *f, const struct study_result *r, const struct study_table *t, double at, double *work,
+                   struct reach *reach) {
     const struct study_variants *methods = &r->plan->study->methods;
     const int levels = r->plan->study->levels.n;
     const double floor = t->uncertainty > 0 ? t->uncertainty / t->scale : 0;
@@ -202,8 +199,7 @@ void study_page_write(const struct study_result *r, const struct study_maker *m,
             "# %s\n\nMeasured on %s, %d cores, by frana %s (%s), %s with %s, %s, FFTW %s, %s. Wall seconds "
             "are of the "
             "steps; set-up is apart.\n",
-            s->title, m->processor, m->cores, m->version, m->revision, m->compiler, m->flags, m->mpi, m->fftw,
-            m->date);
+            s->title, m->processor, m->cores, m->version, m->revision, m->compiler, m->flags, m->mpi, m->fftw, m->date);
     for (int q = 0; q < r->tables; q++) put_quantity(a.file, r, &r->table[q]);
     aside_end(&a);
 }

@@ -16,10 +16,9 @@ int study_chart_draw(struct study_result *r, const char *out);
 
 /* NAME, or NAME_QUANTITY where there are several; malloc'ed. */
 char *study_report_name(const struct study_result *r, const struct study_table *t);
-const char *study_report_status(const struct study_point *p,
-                                char status[32]); /* "done", "failed 3", "no value" */
+const char *study_report_status(const struct study_point *p, char status[32]); /* "done", "failed 3", "no value" */
 /* What the reference is, in words; malloc'ed. */
 char *study_report_reference(const struct study_result *r, const struct study_table *t);
-/* What a user can act on, in one sentence: what run gets below each of the smallest round errors that were reached, its wall
- * time, and what the other methods would have cost. Empty where no run does; malloc'ed. */
+/* What a user can act on, in one sentence: what run gets below each of the smallest round errors that were reached, its
+ * wall time, and what the other methods would have cost. Empty where no run does; malloc'ed. */
 char *study_advice_write(const struct study_result *r, const struct study_table *t);

@@ -12,8 +12,8 @@ static const double order_low = 0.5, order_high = 8;
 static int levels_of(const struct study_result *r) { return r->plan->study->levels.n; }
 static int methods_of(const struct study_result *r) { return r->plan->study->methods.n; }
 
-const struct study_point *study_result_point(const struct study_result *r, const struct study_table *t,
-                                             int method, int level) {
+const struct study_point *study_result_point(const struct study_result *r, const struct study_table *t, int method,
+                                             int level) {
     return &t->point[method * levels_of(r) + level];
 }
 
@@ -42,8 +42,7 @@ static double memory_of(const struct study_run *run, int q) { return (void)q, ru
 
 static double median(const struct column *c) { return study_statistic_quantile(c->n, c->x, 0.5); }
 
-static void point_fill(struct study_point *p, const struct study_plan *plan, int at, int quantity,
-                       struct column *c) {
+static void point_fill(struct study_point *p, const struct study_plan *plan, int at, int quantity, struct column *c) {
     *p = (struct study_point){.ranks = plan->at[at].ranks, .error = NAN, .relative = NAN, .order = NAN};
     for (int i = at; i < plan->runs; i += plan->cases) {
         const struct study_outcome *o = &plan->run[i].outcome;
@@ -59,8 +58,7 @@ static void point_fill(struct study_point *p, const struct study_plan *plan, int
     p->wall = median(c);
     p->wall_min = study_statistic_quantile(c->n, c->x, 0);
     p->wall_iqr =
-        c->n < 2 ? NAN
-                 : study_statistic_quantile(c->n, c->x, 0.75) - study_statistic_quantile(c->n, c->x, 0.25);
+        c->n < 2 ? NAN : study_statistic_quantile(c->n, c->x, 0.75) - study_statistic_quantile(c->n, c->x, 0.25);
     gather(c, plan, at, quantity, setup_of);
     p->setup = median(c);
     gather(c, plan, at, quantity, cell_of);

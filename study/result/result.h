@@ -47,8 +47,8 @@ struct study_result {
 struct study_result *study_result_new(const struct study_plan *plan);
 void study_result_free(struct study_result *r);
 /* Of a table: the point of a method at a level. */
-const struct study_point *study_result_point(const struct study_result *r, const struct study_table *t,
-                                             int method, int level);
+const struct study_point *study_result_point(const struct study_result *r, const struct study_table *t, int method,
+                                             int level);
 /* A method's error (relative, in units of the scale) and wall time, level by level; NAN where there is none. */
 void study_result_curve(const struct study_result *r, const struct study_table *t, int method, double *error,
                         double *time);

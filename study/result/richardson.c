@@ -7,8 +7,8 @@ enum { BISECTIONS = 80, ORDER_MAX = 64 };
 /* 1.25 with an observed order, 3 with an assumed one.  (Roache 1994) */
 static const double safety_observed = 1.25, safety_assumed = 3;
 
-static struct study_richardson extrapolate(enum study_convergence kind, const double *f, const double *h,
-                                           double p, double safety) {
+static struct study_richardson extrapolate(enum study_convergence kind, const double *f, const double *h, double p,
+                                           double safety) {
     const double gain = pow(h[1] / h[0], p) - 1;
     return (struct study_richardson){.kind = kind,
                                      .order = p,
@@ -44,8 +44,7 @@ static double order_of(double ratio, double r21, double r32) {
 
 struct study_richardson study_richardson_three(const double f[3], const double h[3]) {
     const double e21 = f[1] - f[0], e32 = f[2] - f[1];
-    if (!isfinite(e21) || !isfinite(e32) || !(h[0] > 0 && h[1] > h[0] && h[2] > h[1]))
-        return without(STUDY_UNKNOWN);
+    if (!isfinite(e21) || !isfinite(e32) || !(h[0] > 0 && h[1] > h[0] && h[2] > h[1])) return without(STUDY_UNKNOWN);
     if (e21 == 0) return without(STUDY_FLAT);
     if (e32 == 0) return without(STUDY_DIVERGENT);
     const double p = order_of(e32 / e21, h[1] / h[0], h[2] / h[1]);
@@ -54,8 +53,7 @@ struct study_richardson study_richardson_three(const double f[3], const double h
 }
 
 struct study_richardson study_richardson_two(const double f[2], const double h[2], double order) {
-    if (!isfinite(f[0]) || !isfinite(f[1]) || !(h[0] > 0 && h[1] > h[0] && order > 0))
-        return without(STUDY_UNKNOWN);
+    if (!isfinite(f[0]) || !isfinite(f[1]) || !(h[0] > 0 && h[1] > h[0] && order > 0)) return without(STUDY_UNKNOWN);
     if (f[0] == f[1]) return without(STUDY_FLAT);
     return extrapolate(STUDY_MONOTONE, f, h, order, safety_assumed);
 }

@@ -2,6 +2,6 @@
 #pragma once
 
 void study_statistic_sort(int n, double *x); /* ascending, in place */
-/* The q-quantile, 0 <= q <= 1, of x [n] in ascending order, linear between neighbours (Hyndman and Fan 1996, type 7); NAN
- * for n = 0. */
+/* The q-quantile, 0 <= q <= 1, of x [n] in ascending order, linear between neighbours (Hyndman and Fan 1996, type 7);
+ * NAN for n = 0. */
 double study_statistic_quantile(int n, const double *x, double q);

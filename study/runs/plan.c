@@ -14,8 +14,7 @@
 /* What the case's scene resolves to; NULL, and its mistakes said, where it is refused. */
 static char *resolve(const struct study *s, const struct study_case *c, const char *text) {
     struct scene_problems problems = {0};
-    const struct study_variant *method = &s->methods.variant[c->method],
-                               *level = &s->levels.variant[c->level];
+    const struct study_variant *method = &s->methods.variant[c->method], *level = &s->levels.variant[c->level];
     struct scene *scene =
         scene_read(s->scene, text, strlen(text), c->sets.n, (const char *const *)c->sets.text, 1, &problems);
     for (int i = 0; i < problems.n; i++)
@@ -48,8 +47,8 @@ static void check_slugs(const struct study *s, const struct study_variants *v) {
             free(a);
             free(b);
             if (same)
-                die_all(EXIT_CODE_SCENE, "%s:%d: the names %s and %s differ only in signs that no folder has",
-                        s->path, v->variant[i].line, v->variant[j].name, v->variant[i].name);
+                die_all(EXIT_CODE_SCENE, "%s:%d: the names %s and %s differ only in signs that no folder has", s->path,
+                        v->variant[i].line, v->variant[j].name, v->variant[i].name);
         }
 }
 
@@ -105,8 +104,8 @@ void study_plan_look(const struct study_plan *p, struct study_run *run) {
     char path[FOLDER_PATH];
     struct study_outcome o = study_outcome_read(run->folder);
     char *resolved = study_text_of(folder_path(path, run->folder, "scene.resolved.yaml"));
-    run->kept = o.state != STUDY_TODO && o.same_build && o.ranks == c->ranks && resolved &&
-                !strcmp(resolved, c->resolved);
+    run->kept =
+        o.state != STUDY_TODO && o.same_build && o.ranks == c->ranks && resolved && !strcmp(resolved, c->resolved);
     if (run->kept) run->outcome = o;
     free(resolved);
 }

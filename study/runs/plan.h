@@ -33,6 +33,6 @@ void study_plan_free(struct study_plan *p);
 
 /* Looks at what the folder of the run holds: keeps it if it is the same scene, ranks and build, and has ended. */
 void study_plan_look(const struct study_plan *p, struct study_run *run);
-/* Wall seconds, set-up included, that the runs still to do from the first will take, after those that are done: of the same
- * case where there is one, else of the mean; NAN where nothing is known. */
+/* Wall seconds, set-up included, that the runs still to do from the first will take, after those that are done: of the
+ * same case where there is one, else of the mean; NAN where nothing is known. */
 double study_plan_left(const struct study_plan *p, int first);

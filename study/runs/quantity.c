@@ -12,11 +12,10 @@
 
 #define WHY(...) (*why = scene_node_text(__VA_ARGS__))
 
-static void no_column(const struct study_quantity *q, const struct table_data *d, const char *path,
-                      char **why) {
+static void no_column(const struct study_quantity *q, const struct table_data *d, const char *path, char **why) {
     const char *nearest = scene_problem_nearest(q->column, d->columns, (const char *const *)d->name);
-    WHY("%s has no column %s%s%s%s", path, q->column, nearest ? "; did you mean " : "",
-        nearest ? nearest : "", nearest ? "?" : "");
+    WHY("%s has no column %s%s%s%s", path, q->column, nearest ? "; did you mean " : "", nearest ? nearest : "",
+        nearest ? "?" : "");
 }
 
 static double of_series(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
@@ -120,8 +119,7 @@ static double of_command(const struct study_quantity *q, const char *folder, cha
     }
     free(text);
     if (code != 0)
-        WHY("%s: the command of %s ended with exit code %d; what it said is in screen.log", folder, q->name,
-            code);
+        WHY("%s: the command of %s ended with exit code %d; what it said is in screen.log", folder, q->name, code);
     else if (!isfinite(value))
         WHY("%s: the last line of the command of %s is not a number; it is in %s", folder, q->name, said);
     return value;

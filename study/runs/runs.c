@@ -47,8 +47,7 @@ static void start(const struct study_plan *p, struct study_run *run, const char 
     folder_path(said, run->folder, "screen.log");
     const int code = study_child_run(&(struct study_child){word, NULL, said, said});
     if (code == 127)
-        die_all(EXIT_CODE_FILE, "%s cannot be started%s%s", word[0], errno ? ": " : "",
-                errno ? strerror(errno) : "");
+        die_all(EXIT_CODE_FILE, "%s cannot be started%s%s", word[0], errno ? ": " : "", errno ? strerror(errno) : "");
     run->outcome = study_outcome_read(run->folder);
     if (code != 0 || run->outcome.state != STUDY_DONE) {
         run->outcome.state = STUDY_FAILED;

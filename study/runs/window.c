@@ -2,8 +2,7 @@
 
 #include <math.h>
 
-double study_window(const struct study_samples *s, enum study_at at, double after, double before,
-                    double above) {
+double study_window(const struct study_samples *s, enum study_at at, double after, double before, double above) {
     double last = NAN, most = NAN, least = NAN, time = NAN, area = 0, length = 0, t_last = NAN;
     for (long i = 0; i < s->n; i++) {
         const double t = s->t[i * s->stride], x = s->x[i * s->stride];

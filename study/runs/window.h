@@ -9,5 +9,4 @@ struct study_samples {
 
 /* last, max, min, mean over time (trapezium rule), or the time when x is first above the limit, over the samples of
  * after <= t <= before; NAN where there are none. */
-double study_window(const struct study_samples *s, enum study_at at, double after, double before,
-                    double above);
+double study_window(const struct study_samples *s, enum study_at at, double after, double before, double above);

@@ -41,7 +41,8 @@ static void a_second_interrupt_is_the_systems(void **state) {
     assert_true(action.sa_handler != SIG_DFL);
 }
 
-/* A write beyond the limit on files' sizes fails instead of ending the program, and so does one to a reader who is gone. */
+/* A write beyond the limit on files' sizes fails instead of ending the program, and so does one to a reader who is
+ * gone. */
 static void a_write_that_is_refused_only_fails(void **state) {
     (void)state;
     struct rlimit was;

@@ -57,7 +57,8 @@ static void ghosts(void **state) {
     par_ghost_free(g);
 }
 
-/* 6 x 4 x 5 cells a rank, ranks along z, two fields, one layer, periodic: planes of 8 x 6 cells, ghosts included, both ways. */
+/* 6 x 4 x 5 cells a rank, ranks along z, two fields, one layer, periodic: planes of 8 x 6 cells, ghosts included, both
+ * ways. */
 static void halo(void **state) {
     (void)state;
     const int size = par_size();
@@ -89,8 +90,8 @@ static void reductions(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(exchange), cmocka_unit_test(ghosts),
-                                       cmocka_unit_test(halo), cmocka_unit_test(reductions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(exchange), cmocka_unit_test(ghosts), cmocka_unit_test(halo),
+                                       cmocka_unit_test(reductions)};
     par_begin(&argc, &argv);
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -32,8 +32,8 @@ static void sleep_in_forcing(void *with) {
     clock_end(CLOCK_FORCING);
 }
 
-/* A call that sleeps takes at least its sleep, on the wall clock and on its part's, though one rank alone sleeps; two calls are
- * told apart; repeats last as long as asked. What a busy machine adds is not limited here. */
+/* A call that sleeps takes at least its sleep, on the wall clock and on its part's, though one rank alone sleeps; two
+ * calls are told apart; repeats last as long as asked. What a busy machine adds is not limited here. */
 static void sleeps(void **state) {
     (void)state;
     struct nap nap[2] = {{.seconds = 2e-3}, {.seconds = 8e-3}};
@@ -65,8 +65,7 @@ static void limits(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(medians), cmocka_unit_test(sleeps),
-                                       cmocka_unit_test(limits)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(medians), cmocka_unit_test(sleeps), cmocka_unit_test(limits)};
     par_begin(&argc, &argv);
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -1,6 +1,6 @@
-/* How the fluid answers when a porous block is set in motion as a whole within one step and then kept going: the probes' force in
- * each of the next steps, times the step, over the block's momentum. The sum over the steps, less the drag that stays, is the added
- * mass as the coupled step feels it, in units of the solid's mass (docs/design.md).
+/* How the fluid answers when a porous block is set in motion as a whole within one step and then kept going: the
+ * probes' force in each of the next steps, times the step, over the block's momentum. The sum over the steps, less the
+ * drag that stays, is the added mass as the coupled step feels it, in units of the solid's mass (docs/design.md).
  * usage: measure_added_mass SCENE.yaml [--set-like overrides]...   one rank; the scene's first stage must be elastic */
 #include "base/par.h"
 #include "coupling/run.h"
@@ -26,11 +26,10 @@ int main(int argc, char **argv) {
     printf("step, force dt/(m V)\n");
     for (int n = 0; n < STEPS; n++) {
         for (int c = 0; c < 3; c++)
-            for (int h = 0; h < s->n; h++)
-                r->v_last[c][h] = s->v[c][h]; /* the carried part is not looked at */
+            for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h]; /* the carried part is not looked at */
         interface_markers_update(r);
-        ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x,
-                    (const double *const *)r->markers.v, r->markers.volume);
+        ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
+                        r->markers.volume);
         for (int stage = 0; stage < 3; stage++) {
             fluid_predict(r->fluid, stage, r->dt);
             ibm_forcing_stage(r->ibm, stage, r->dt);

@@ -199,8 +199,8 @@ struct course {
     int breaks, meets; /* what must have come about */
 };
 
-/* before steps; keep; after steps: A. As many again; back; after steps: A again. NaN; back; after steps: A again. And with a
- * second guard kept on the way, and the first put back over it. */
+/* before steps; keep; after steps: A. As many again; back; after steps: A again. NaN; back; after steps: A again. And
+ * with a second guard kept on the way, and the first put back over it. */
 static void go(const struct course *q) {
     struct scene *scene = scene_of(q->scene, "", q->settings, q->set);
     struct run *r = run_new(scene);

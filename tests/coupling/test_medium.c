@@ -43,9 +43,7 @@ static void deposit_shared(struct medium *m) {
     medium_deposit(m, n, x, volume);
 }
 
-static double overlap(double low, double high, double a, double b) {
-    return fmax(0, fmin(high, b) - fmax(low, a));
-}
+static double overlap(double low, double high, double a, double b) { return fmax(0, fmin(high, b) - fmax(low, a)); }
 
 /* The share of cell (i,j,k) by summing over every particle and its periodic images. */
 static double fraction_brute(const struct fluid_grid *g, int i, int j, int k) {
@@ -109,8 +107,8 @@ static void test_volume_is_kept(void **state) {
     fluid_grid_free(g);
 }
 
-/* Every cell and its nearest ghosts against brute force; x and z closed, and cubes up to five cells wide standing in and
- * out of the domain. */
+/* Every cell and its nearest ghosts against brute force; x and z closed, and cubes up to five cells wide standing in
+ * and out of the domain. */
 static void test_every_cell(void **state) {
     (void)state;
     const int n[3] = {9, 12, 12}, periodic[3] = {0, 1, 0};
@@ -171,8 +169,7 @@ static void test_cavity_lattice(void **state) {
                 if (i >= 6 && i < 10 && solid_at(i, j, k)) narrow += i == 6 ? 1 : 2; /* half of cell 6 */
                 const int lj = j - g->lo[1], lk = k - g->lo[2];
                 if (lj < 0 || lj >= g->m[1] || lk < 0 || lk >= g->m[2]) continue;
-                worst =
-                    fmax(worst, fabs(medium_fraction(m)[fluid_grid_at(g, i, lj, lk)] - solid_at(i, j, k)));
+                worst = fmax(worst, fabs(medium_fraction(m)[fluid_grid_at(g, i, lj, lk)] - solid_at(i, j, k)));
             }
     assert_true(par_max(worst) < 1e-12);
     assert_true(fabs(medium_measure_porosity(m) - (1 - (double)inside / 4096)) < 1e-13);
@@ -293,10 +290,8 @@ static double effective_brute(int periodic_y, int periodic_z) {
                         int joined = i == (face ? M - 1 : 0);
                         for (int b = -1; b <= 1; b += 2) {
                             if (i + b >= 0 && i + b < M) joined |= reached[face][k][j][i + b];
-                            if (periodic_y || (j + b >= 0 && j + b < M))
-                                joined |= reached[face][k][(j + b + M) % M][i];
-                            if (periodic_z || (k + b >= 0 && k + b < M))
-                                joined |= reached[face][(k + b + M) % M][j][i];
+                            if (periodic_y || (j + b >= 0 && j + b < M)) joined |= reached[face][k][(j + b + M) % M][i];
+                            if (periodic_z || (k + b >= 0 && k + b < M)) joined |= reached[face][(k + b + M) % M][j][i];
                         }
                         if (joined) reached[face][k][j][i] = 1, changed = 1;
                     }
@@ -335,8 +330,7 @@ static void test_random_media(void **state) {
 /* Two channels from y_low: one turns, across the periodic sides of x, and comes to y_high; one ends. */
 static void test_cut_off(void **state) {
     (void)state;
-    const int n[3] = {M, M, M}, y_high[3][2] = {{0, 0}, {0, 1}, {0, 0}},
-              y_low[3][2] = {{0, 0}, {1, 0}, {0, 0}};
+    const int n[3] = {M, M, M}, y_high[3][2] = {{0, 0}, {0, 1}, {0, 0}}, y_low[3][2] = {{0, 0}, {1, 0}, {0, 0}};
     const double L[3] = {M, M, M};
     memset(map, 1, sizeof map);
     for (int j = 0; j < M; j++) map[5][j][j < 6 ? 0 : M - 1] = map[8][j][3] = 0;

@@ -16,8 +16,7 @@ static struct fluid *channel(int periodic_x) {
         .n = {NX, NY, NZ}, .length = {NX * d, NY * d, NZ * d}, .density = density, .viscosity = viscosity};
     in.side[1][0].type = in.side[1][1].type = FLUID_WALL;
     if (!periodic_x) {
-        in.side[0][0] =
-            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.1};
+        in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.1};
         in.side[0][1].type = FLUID_OUTFLOW;
     } else {
         in.driving = (struct fluid_driving){.type = FLUID_DRIVING_GRADIENT, .direction = 0, .value = 3.0};
@@ -57,8 +56,7 @@ static double parabola_mean(int j, double low, double high, double factor) {
 }
 
 static void assert_close(double ours, double expected, double tolerance) {
-    if (!(fabs(ours - expected) <= tolerance * fabs(expected)))
-        print_error("%.17g, expected %.17g\n", ours, expected);
+    if (!(fabs(ours - expected) <= tolerance * fabs(expected))) print_error("%.17g, expected %.17g\n", ours, expected);
     assert_true(fabs(ours - expected) <= tolerance * fabs(expected));
 }
 
@@ -119,8 +117,8 @@ static void test_slit_between_plates(void **state) {
     fluid_free(f);
 }
 
-/* The flow that the fluid itself settles to under a pressure gradient: on n cells h^2/12 (1 + 2/n^2), exactly. It starts from
- * the continuous parabola, 1.4 % slower; the slowest mode has decayed by 1e-7 at the end. */
+/* The flow that the fluid itself settles to under a pressure gradient: on n cells h^2/12 (1 + 2/n^2), exactly. It
+ * starts from the continuous parabola, 1.4 % slower; the slowest mode has decayed by 1e-7 at the end. */
 static void test_poiseuille_by_the_fluid(void **state) {
     (void)state;
     struct fluid *f = channel(1);

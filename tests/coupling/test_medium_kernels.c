@@ -96,9 +96,7 @@ static void test_flood(void **state) {
     for (int j = 0; j < 3; j++)
         for (int i = 0; i < 4; i++) {
             const uint8_t c = cell[(row * 5) + (j + 1) * row + i + 1];
-            assert_int_equal(c, map[j][i] == '#'   ? MEDIUM_WALL
-                                : map[j][i] == 'x' ? MEDIUM_PORE
-                                                   : MEDIUM_FRONT);
+            assert_int_equal(c, map[j][i] == '#' ? MEDIUM_WALL : map[j][i] == 'x' ? MEDIUM_PORE : MEDIUM_FRONT);
         }
     /* the second level goes only where the first has been */
     stack[0] = (row * 5) + 3 * row + 3;

@@ -80,7 +80,8 @@ static void test_finite_end(void **state) {
     quasi_newton_free(q);
 }
 
-/* What one step has taught serves the next, unless it is told to be forgotten on any rank, or the unknowns have changed. */
+/* What one step has taught serves the next, unless it is told to be forgotten on any rank, or the unknowns have
+ * changed. */
 static void test_learns(void **state) {
     (void)state;
     struct quasi_newton *q = least_squares();

@@ -23,8 +23,7 @@ static void test_a_plate(void **state) {
     assert_true(in->model == SOLID_PLANE_STRESS && in->thickness == 0.002);
     assert_true(in->partial == SOLID_PARTIAL_RAMP && in->horizons == SOLID_ONE_SIDED);
     assert_true(in->origin[0] == 0.25 * 0.001 && in->origin[1] == -0.5 * 0.001 && in->origin[2] == 0);
-    assert_true(in->material[0].micromodulus == SOLID_CONICAL &&
-                in->material[1].micromodulus == SOLID_CONSTANT);
+    assert_true(in->material[0].micromodulus == SOLID_CONICAL && in->material[1].micromodulus == SOLID_CONSTANT);
     assert_true(in->cuts == 1 && in->cut[0].points == 3 && in->cut[0].point[2][1] == 0.021);
     const struct solid_body *plate = &in->body[0];
     assert_true(plate->shape == SOLID_POLYGON && plate->outlines == 4 && plate->outline[0].corners == 6);
@@ -85,8 +84,7 @@ static void test_plates_that_bound_no_body(void **state) {
     static const char *const fault[][2] = {
         {"solid.bodies.plate.outline=[[0, 0], [0.05, 0.04], [0.05, 0], [0, 0.04]]",
          "solid.bodies[0] (plate): outline 1 crosses or touches itself"},
-        {"solid.bodies.ring.holes[0].high=[0.1, 0.032]",
-         "solid.bodies[1] (ring): outlines 1 and 2 cross or touch"},
+        {"solid.bodies.ring.holes[0].high=[0.1, 0.032]", "solid.bodies[1] (ring): outlines 1 and 2 cross or touch"},
         {"solid.bodies.ring.holes=[{shape: disc, centre: [0.05, 0.01], radius: 0.001}]",
          "(outline 1 is the body's own, 2 its hole)"},
         {"solid.cracks.notch.points=[[0.065, 0.0325], [0.068, 0.0325]]",
@@ -98,8 +96,7 @@ static void test_plates_that_bound_no_body(void **state) {
                                                 "disc, centre: [0.068, 0.037], radius: 0.001}"};
         const int code = leaves_with(SCENES "plate.yaml", 2, set, 0, said, sizeof said);
         snprintf(sentence, sizeof sentence, "%s", said);
-        if (code != EXIT_CODE_SCENE || !strstr(said, fault[i][1]) ||
-            strchr(said, '\n') != strrchr(said, '\n'))
+        if (code != EXIT_CODE_SCENE || !strstr(said, fault[i][1]) || strchr(said, '\n') != strrchr(said, '\n'))
             fail_msg("%s: exit %d, \"%s\"", fault[i][0], code, sentence);
     }
     assert_int_equal(leaves_with(SCENES "plate.yaml", 0, NULL, 1, said, sizeof said), 0);
@@ -124,8 +121,7 @@ static void test_broken_point_files(void **state) {
         FILE *out = fopen(path, "w");
         fputs(file[i][0], out);
         fclose(out);
-        const int code =
-            leaves_with(SCENES "plate.yaml", 1, (const char *const[]){set}, 1, said, sizeof said);
+        const int code = leaves_with(SCENES "plate.yaml", 1, (const char *const[]){set}, 1, said, sizeof said);
         if (code != EXIT_CODE_FILE || !strstr(said, file[i][1])) {
             unlink(path);
             fail_msg("%s: exit %d, \"%s\"", file[i][0], code, said);

@@ -1,5 +1,5 @@
-/* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together from
- * what the stage needs. */
+/* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together
+ * from what the stage needs. */
 #include "coupling/run.h"
 #include "ball.h"
 #include "scene_of.h"
@@ -15,7 +15,8 @@ static const char *const drift = "stages:\n"
 static const char *const rigid = "stages:\n"
                                  "  - {name: flow, steps: 5, time_step: 2.0e-3, solid: rigid}\n";
 
-/* 40 steps at a tenth of a cell each: four cells. Velocities must stay the flow's, bonds unstretched.  (REFERENCES 5.2.4) */
+/* 40 steps at a tenth of a cell each: four cells. Velocities must stay the flow's, bonds unstretched.
+ * (REFERENCES 5.2.4) */
 static void test_moves_with_flow(void **state) {
     (void)state;
     const double velocity[3] = {0.1, 0.05, -0.02};
@@ -113,8 +114,7 @@ static void test_set_free(void **state) {
         fluid_measures_momentum(r->fluid, momentum);
         assert_true(fabs(momentum[0] + mass * (velocity - start)) < 1e-12 * mass * start);
         if (n == 0) { /* the forcing's later passes see less of a difference: at most a tenth of it here */
-            const double rate = (before - velocity) / r->dt / start,
-                         stokes = 3 * M_PI * 1.0 * diameter / mass;
+            const double rate = (before - velocity) / r->dt / start, stokes = 3 * M_PI * 1.0 * diameter / mass;
             assert_true(rate < stokes && rate > 0.85 * stokes);
         }
     }
@@ -126,8 +126,7 @@ static void test_set_free(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_moves_with_flow), cmocka_unit_test(test_parts),
-                                       cmocka_unit_test(test_substeps_converge),
-                                       cmocka_unit_test(test_set_free)};
+                                       cmocka_unit_test(test_substeps_converge), cmocka_unit_test(test_set_free)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,5 +1,5 @@
-/* The iterated step: its answer does not depend on how it is found, a body that moves with the flow needs no iterations, and
- * steps that do not converge are counted. */
+/* The iterated step: its answer does not depend on how it is found, a body that moves with the flow needs no
+ * iterations, and steps that do not converge are counted. */
 #include "coupling/run.h"
 #include "ball.h"
 #include "scene_of.h"
@@ -56,8 +56,7 @@ static void test_one_answer_of_verlet(void **state) {
     double a[3], b[3], shake, shake_b;
     const struct strong_count newton = ball_after(1, set, a, &shake), other = ball_after(2, set, b, &shake_b);
     assert_int_equal(newton.unconverged + other.unconverged, 0);
-    assert_true(newton.iterations !=
-                other.iterations); /* so the state was put back another number of times */
+    assert_true(newton.iterations != other.iterations); /* so the state was put back another number of times */
     for (int c = 0; c < 3; c++) assert_true(fabs(a[c] - b[c]) < 1e-6 * 0.1);
     assert_true(fabs(shake - shake_b) < 1e-5 * 0.1);
 }
@@ -73,8 +72,7 @@ static void test_with_the_flow(void **state) {
     while (r->stage_step < scene->stage[0].steps) step_advance(r);
     double error = 0;
     for (int c = 0; c < 3; c++)
-        for (int h = 0; h < r->solid->n; h++)
-            error = fmax(error, fabs(r->solid->d[c][h] - velocity[c] * r->t) / r->t);
+        for (int h = 0; h < r->solid->n; h++) error = fmax(error, fabs(r->solid->d[c][h] - velocity[c] * r->t) / r->t);
     assert_true(par_max(error) < 1e-8 * 0.1);
     run_free(r);
     scene_free(scene);
@@ -92,9 +90,8 @@ static void test_too_few_iterations(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_answer), cmocka_unit_test(test_one_answer_of_verlet),
-        cmocka_unit_test(test_with_the_flow), cmocka_unit_test(test_too_few_iterations)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_one_answer), cmocka_unit_test(test_one_answer_of_verlet),
+                                       cmocka_unit_test(test_with_the_flow), cmocka_unit_test(test_too_few_iterations)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,5 +1,5 @@
-/* One run at a time in a folder, by the system's locks and without them. The linker turns die_all and fcntl to this file: a
- * refusal comes back, and locks can be made to be missing. */
+/* One run at a time in a folder, by the system's locks and without them. The linker turns die_all and fcntl to this
+ * file: a refusal comes back, and locks can be made to be missing. */
 #include "base/error.h"
 #include "tests/files/files.h"
 
@@ -125,8 +125,7 @@ static void a_run_at_work_is_named(void **state) {
     for (int k = 0; k < 2; k++) {
         if (par_rank() == 0) child = other_begin(bytes[k]);
         assert_int_equal(hold(), EXIT_CODE_FILE);
-        snprintf(text, sizeof text, "run folder %s: another run is at work there (process 4711 on there)",
-                 folder);
+        snprintf(text, sizeof text, "run folder %s: another run is at work there (process 4711 on there)", folder);
         assert_string_equal(sentence, text);
         if (par_rank() == 0) other_end(child);
         par_barrier();

@@ -23,8 +23,7 @@ static void of_any_division(void **state) {
     for (size_t row = 1; row <= BYTES; row++) {
         const uint64_t whole = seal_sum(value, 40, row, 0);
         for (size_t cut = 0; cut <= 40; cut++)
-            assert_true(seal_sum(value, cut, row, 0) + seal_sum(value + cut * row, 40 - cut, row, cut) ==
-                        whole);
+            assert_true(seal_sum(value, cut, row, 0) + seal_sum(value + cut * row, 40 - cut, row, cut) == whole);
     }
 }
 
@@ -86,8 +85,8 @@ static int read_all(const char *path) {
                     store_read_range(s, "d", STORE_DOUBLE, 3, N, 0, N, d) || /* all of it on every rank */
                     store_read_range(s, "lambda", STORE_BYTE, BYTES, N, first, count, lambda) ||
                     store_read_range(s, "flag", STORE_BYTE, 1, N, first, count, flag) ||
-                    store_read_range(s, "nothing", STORE_DOUBLE, 3, 0, 0, 0, NULL) ||
-                    store_read_double(s, "t", &t) || store_read_text(s, "stage", stage, sizeof stage);
+                    store_read_range(s, "nothing", STORE_DOUBLE, 3, 0, 0, 0, NULL) || store_read_double(s, "t", &t) ||
+                    store_read_text(s, "stage", stage, sizeof stage);
     store_read_close(s);
     return bad;
 }

@@ -1,6 +1,6 @@
 /* Writes a checkpoint of about `mebibytes`; disk_full.py looks at what is left when the disk says no.
- * usage: test_store_full FOLDER NAME MEBIBYTES [LIMIT_MEBIBYTES [amid]]   the limit is on a file's size, from the start or amid the
- * file */
+ * usage: test_store_full FOLDER NAME MEBIBYTES [LIMIT_MEBIBYTES [amid]]   the limit is on a file's size, from the start
+ * or amid the file */
 #include "base/memory.h"
 #include "base/par.h"
 #include "files/store.h"

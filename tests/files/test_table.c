@@ -92,8 +92,7 @@ static void what_was_written_reads_back(void **state) {
     assert_int_equal(table_read_column(d, "Dp"), -1);
     for (long r = 0; r < d->rows; r++) {
         assert_true(d->value[3 * r + 1] == (double)(r + 1));
-        assert_true(fabs(d->value[3 * r] - 0.1 * (double)(r + 1)) <=
-                    1e-15 * 0.1 * (double)(r + 1) * 5); /* 15 digits */
+        assert_true(fabs(d->value[3 * r] - 0.1 * (double)(r + 1)) <= 1e-15 * 0.1 * (double)(r + 1) * 5); /* 15 digits */
     }
     table_read_free(d);
     par_barrier();
@@ -107,8 +106,7 @@ static void what_was_written_reads_back(void **state) {
 
 static void no_table_is_told(void **state) {
     (void)state;
-    const char *const bad[] = {
-        "", "a,b\n", "a,b\n1,2\n", "a,b\n#s\n1,2\n", "#a,b\n#s,s\n", "a,b\n#s,s\n1,x\n"};
+    const char *const bad[] = {"", "a,b\n", "a,b\n1,2\n", "a,b\n#s\n1,2\n", "#a,b\n#s,s\n", "a,b\n#s,s\n1,x\n"};
     for (int k = 0; k < 6; k++) {
         const char *error = NULL;
         if (par_rank() == 0) remove(path);

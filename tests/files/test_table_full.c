@@ -20,8 +20,7 @@ int main(int argc, char **argv) {
     const char *const name[] = {"step", argv[2]}, *const unit[] = {"1", "Pa"};
     const long resume = atol(argv[3]);
     struct table *t = table_new(folder_path(path, argv[1], "series.csv"), 2, name, unit, resume);
-    for (long k = 1; k <= atol(argv[4]); k++)
-        table_row(t, (double[]){(double)((resume < 0 ? 0 : resume) + k), 0.5});
+    for (long k = 1; k <= atol(argv[4]); k++) table_row(t, (double[]){(double)((resume < 0 ? 0 : resume) + k), 0.5});
     table_free(t);
     par_end();
     return 0;

@@ -82,8 +82,7 @@ static void image_reads_back(void **state) {
 static void write_points(const char *path, long n, int empty) {
     long first, count;
     files_split(n, empty, &first, &count);
-    double(*x)[3] = malloc((size_t)(count + 1) * sizeof *x),
-    *stress = malloc((size_t)(6 * count + 1) * sizeof *stress);
+    double(*x)[3] = malloc((size_t)(count + 1) * sizeof *x), *stress = malloc((size_t)(6 * count + 1) * sizeof *stress);
     int64_t *id = malloc((size_t)(count + 1) * sizeof *id);
     uint8_t *body = malloc((size_t)count + 1);
     for (long i = 0; i < count; i++) {
@@ -93,8 +92,8 @@ static void write_points(const char *path, long n, int empty) {
         id[i] = g + (1L << 40);
         body[i] = (uint8_t)(g % 251);
     }
-    struct vtkhdf *f = vtkhdf_points_begin(&(struct vtkhdf_points_input){
-        .path = path, .time = 2, .step = 7, .n = count, .x = (const double(*)[3])x});
+    struct vtkhdf *f = vtkhdf_points_begin(
+        &(struct vtkhdf_points_input){.path = path, .time = 2, .step = 7, .n = count, .x = (const double(*)[3])x});
     vtkhdf_add_long(f, "id", 1, id);
     vtkhdf_add_byte(f, "body", 1, body);
     vtkhdf_add(f, "stress", 6, stress);

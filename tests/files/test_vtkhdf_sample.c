@@ -13,8 +13,7 @@ enum { NX = 6, NY = 4, NZ = 5, POINTS = 37 };
 static void fluid(const char *folder, int step, double time) {
     char path[FOLDER_PATH], name[64];
     const int rank = par_rank(), lo = NZ * rank / par_size(), m = NZ * (rank + 1) / par_size() - lo;
-    double(*u)[3] = malloc((size_t)(m * NX * NY + 1) * sizeof *u),
-    *p = malloc((size_t)(m * NX * NY + 1) * sizeof *p);
+    double(*u)[3] = malloc((size_t)(m * NX * NY + 1) * sizeof *u), *p = malloc((size_t)(m * NX * NY + 1) * sizeof *p);
     for (int k = 0; k < m; k++)
         for (int j = 0; j < NY; j++)
             for (int i = 0; i < NX; i++) {
@@ -25,15 +24,14 @@ static void fluid(const char *folder, int step, double time) {
                 p[at] = i + 10 * j + 100 * (lo + k);
             }
     snprintf(name, sizeof name, "fields/fluid_%08d.hdf", step);
-    struct vtkhdf *f =
-        vtkhdf_image_begin(&(struct vtkhdf_image_input){.path = folder_path(path, folder, name),
-                                                        .time = time,
-                                                        .step = step,
-                                                        .n = {NX, NY, NZ},
-                                                        .origin = {0.05, 0.1, 0.15},
-                                                        .spacing = {0.1, 0.2, 0.3},
-                                                        .lo = {0, 0, lo},
-                                                        .m = {NX, NY, m}});
+    struct vtkhdf *f = vtkhdf_image_begin(&(struct vtkhdf_image_input){.path = folder_path(path, folder, name),
+                                                                       .time = time,
+                                                                       .step = step,
+                                                                       .n = {NX, NY, NZ},
+                                                                       .origin = {0.05, 0.1, 0.15},
+                                                                       .spacing = {0.1, 0.2, 0.3},
+                                                                       .lo = {0, 0, lo},
+                                                                       .m = {NX, NY, m}});
     vtkhdf_add(f, "velocity", 3, (const double *)u);
     vtkhdf_add(f, "pressure", 1, p);
     vtkhdf_end(f);
@@ -44,8 +42,7 @@ static void fluid(const char *folder, int step, double time) {
 
 static void solid(const char *folder, int step, double time) {
     char path[FOLDER_PATH], name[64];
-    const int rank = par_rank(), first = POINTS * rank / par_size(),
-              n = POINTS * (rank + 1) / par_size() - first;
+    const int rank = par_rank(), first = POINTS * rank / par_size(), n = POINTS * (rank + 1) / par_size() - first;
     double x[POINTS][3], damage[POINTS], stress[POINTS][6];
     int64_t id[POINTS];
     uint8_t body[POINTS];
@@ -58,12 +55,8 @@ static void solid(const char *folder, int step, double time) {
         body[i] = g % 2;
     }
     snprintf(name, sizeof name, "fields/solid_%08d.hdf", step);
-    struct vtkhdf *f =
-        vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, folder, name),
-                                                          .time = time,
-                                                          .step = step,
-                                                          .n = n,
-                                                          .x = (const double(*)[3])x});
+    struct vtkhdf *f = vtkhdf_points_begin(&(struct vtkhdf_points_input){
+        .path = folder_path(path, folder, name), .time = time, .step = step, .n = n, .x = (const double(*)[3])x});
     vtkhdf_add_long(f, "id", 1, id);
     vtkhdf_add_byte(f, "body", 1, body);
     vtkhdf_add(f, "damage", 1, damage);

@@ -33,22 +33,22 @@ static inline double *component(struct fluid *f, int c) {
     return c == 0 ? s->u : c == 1 ? s->v : c == 2 ? s->w : s->p;
 }
 
-#define assert_near(a, b, tolerance)                                                                         \
-    do {                                                                                                     \
-        const double a_ = (a), b_ = (b), t_ = (tolerance);                                                   \
-        if (!(fabs(a_ - b_) <= t_)) fail_msg("%s = %.17g, expected %.17g within %g", #a, a_, b_, t_);        \
+#define assert_near(a, b, tolerance)                                                                                   \
+    do {                                                                                                               \
+        const double a_ = (a), b_ = (b), t_ = (tolerance);                                                             \
+        if (!(fabs(a_ - b_) <= t_)) fail_msg("%s = %.17g, expected %.17g within %g", #a, a_, b_, t_);                  \
     } while (0)
-#define assert_below(a, b)                                                                                   \
-    do {                                                                                                     \
-        const double a_ = (a), b_ = (b);                                                                     \
-        if (!(a_ < b_)) fail_msg("%s = %g, not below %g", #a, a_, b_);                                       \
+#define assert_below(a, b)                                                                                             \
+    do {                                                                                                               \
+        const double a_ = (a), b_ = (b);                                                                               \
+        if (!(a_ < b_)) fail_msg("%s = %g, not below %g", #a, a_, b_);                                                 \
     } while (0)
 
-#define FLUID_TEST_MAIN(...)                                                                                 \
-    int main(int argc, char **argv) {                                                                        \
-        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                     \
-        par_begin(&argc, &argv);                                                                             \
-        const int failed = cmocka_run_group_tests(tests, NULL, NULL);                                        \
-        par_end();                                                                                           \
-        return failed;                                                                                       \
+#define FLUID_TEST_MAIN(...)                                                                                           \
+    int main(int argc, char **argv) {                                                                                  \
+        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
+        par_begin(&argc, &argv);                                                                                       \
+        const int failed = cmocka_run_group_tests(tests, NULL, NULL);                                                  \
+        par_end();                                                                                                     \
+        return failed;                                                                                                 \
     }

@@ -9,8 +9,7 @@ static double extremum(const double *line, int sign) {
     int at = 1;
     for (int i = 1; i < N - 1; i++)
         if (sign * line[i] > sign * line[at]) at = i;
-    const double slope = 0.5 * (line[at + 1] - line[at - 1]),
-                 bend = line[at + 1] - 2 * line[at] + line[at - 1];
+    const double slope = 0.5 * (line[at + 1] - line[at - 1]), bend = line[at + 1] - 2 * line[at] + line[at - 1];
     return line[at] - 0.5 * slope * slope / bend;
 }
 
@@ -39,8 +38,7 @@ static void reynolds_100(void **state) {
     assert_near(extremum(v, 1), 0.1795728, 0.028 * 0.1795728);
     assert_near(extremum(v, -1), -0.2538030, 0.028 * 0.2538030);
     if (par_rank() == 0)
-        print_message("u min %.6f, v max %.6f, v min %.6f\n", extremum(u, -1), extremum(v, 1),
-                      extremum(v, -1));
+        print_message("u min %.6f, v max %.6f, v min %.6f\n", extremum(u, -1), extremum(v, 1), extremum(v, -1));
     fluid_free(f);
 }
 

@@ -1,5 +1,5 @@
-/* Laminar flows with known solutions. Between walls at 0 and H the scheme holds, at the cell centres, the parabola plus a
- * constant: u = G/(2 mu) (y (H - y) + dy^2/4). */
+/* Laminar flows with known solutions. Between walls at 0 and H the scheme holds, at the cell centres, the parabola plus
+ * a constant: u = G/(2 mu) (y (H - y) + dy^2/4). */
 #include "fluid_case.h"
 
 /* A channel along `stream` between walls along `across`, thin in the third direction. */
@@ -21,8 +21,7 @@ static double parabola(const struct fluid_grid *g, int across, int j, double gra
 /* Largest distance from the parabola of gradient G over the largest velocity, and largest cross flow. */
 static double off_parabola(struct fluid *f, int stream, int across, double gradient) {
     const struct fluid_grid *g = fluid_grid_of(f);
-    const double mu = fluid_input_of(f)->viscosity * fluid_input_of(f)->density,
-                 most = fabs(gradient) / (8 * mu);
+    const double mu = fluid_input_of(f)->viscosity * fluid_input_of(f)->density, most = fabs(gradient) / (8 * mu);
     double worst = 0;
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < g->m[2]; k++)
@@ -51,14 +50,14 @@ static void poiseuille_by_gradient(void **state) {
         }
 }
 
-/* The centreline and quarter heights at nu t/h^2, h the half height, in units of the final centre velocity.  (series solution) */
+/* The centreline and quarter heights at nu t/h^2, h the half height, in units of the final centre velocity.  (series
+ * solution) */
 static void start_up(void **state) {
     (void)state;
     static const double time[] = {0.05, 0.1, 0.2, 0.5, 1, 2};
     static const double centre[] = {.099956, .197746, .370386, .699455, .912477, .992578};
     static const double quarter[] = {.096298, .176878, .304159, .537481, .688112, .744752};
-    struct fluid_input in =
-        channel(0, 1, 33); /* odd: the centre is a cell's; y = h/2 lies a quarter cell off one */
+    struct fluid_input in = channel(0, 1, 33); /* odd: the centre is a cell's; y = h/2 lies a quarter cell off one */
     in.driving.type = FLUID_DRIVING_GRADIENT;
     in.driving.value = 8 * in.density * in.viscosity; /* centre velocity 1 */
     struct fluid *f = fluid_new(&in);
@@ -81,8 +80,8 @@ static void start_up(void **state) {
     fluid_free(f);
 }
 
-/* Started and fed with the developed profile, a channel with an outflow stays as it is, with the exact pressure gradient,
- * and the uniform one becomes it. */
+/* Started and fed with the developed profile, a channel with an outflow stays as it is, with the exact pressure
+ * gradient, and the uniform one becomes it. */
 static void inflow_and_outflow(void **state) {
     (void)state;
     for (int uniform = 0; uniform < 2; uniform++)
@@ -93,8 +92,8 @@ static void inflow_and_outflow(void **state) {
                 const double mean = reverse ? -1 : 1, mu = in.density * in.viscosity;
                 in.n[stream] = 12;
                 in.length[stream] = 2;
-                in.side[stream][reverse] = (struct fluid_side){
-                    .type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 1};
+                in.side[stream][reverse] =
+                    (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 1};
                 in.side[stream][!reverse].type = FLUID_OUTFLOW;
                 in.initial_poiseuille = !uniform;
                 in.initial_velocity[stream] = mean;
@@ -139,18 +138,18 @@ static void between_pressures(void **state) {
         }
 }
 
-/* Couette flow by a moving wall, and the same by a side whose conditions are given one by one, against a shear stress given
- * as a gradient on the other side. */
+/* Couette flow by a moving wall, and the same by a side whose conditions are given one by one, against a shear stress
+ * given as a gradient on the other side. */
 static void couette(void **state) {
     (void)state;
     for (int general = 0; general < 2; general++) {
         struct fluid_input in = channel(0, 1, 6);
         in.side[1][1] = (struct fluid_side){.type = FLUID_WALL, .velocity = {1.5, 0, 0.5}};
         if (general)
-            in.side[1][1] = (struct fluid_side){
-                .type = FLUID_GENERAL,
-                .velocity = {1.5, 0, 0.5},
-                .condition = {FLUID_NEUMANN, FLUID_DIRICHLET, FLUID_NEUMANN, FLUID_NEUMANN}};
+            in.side[1][1] =
+                (struct fluid_side){.type = FLUID_GENERAL,
+                                    .velocity = {1.5, 0, 0.5},
+                                    .condition = {FLUID_NEUMANN, FLUID_DIRICHLET, FLUID_NEUMANN, FLUID_NEUMANN}};
         struct fluid *f = fluid_new(&in);
         const struct fluid_grid *g = fluid_grid_of(f);
         const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
@@ -207,8 +206,7 @@ static void square_duct(void **state) {
             assert_near(rate, duct_modes(cells[r]), 1e-7 * rate);
             if (r == 0) continue;
             const double order = log(error[r - 1] / error[r]) / log((double)cells[r] / cells[r - 1]);
-            if (!(order > 1.95 && order < 2.05))
-                fail_msg("order %g (errors %g %g)", order, error[r - 1], error[r]);
+            if (!(order > 1.95 && order < 2.05)) fail_msg("order %g (errors %g %g)", order, error[r - 1], error[r]);
         }
     }
 }

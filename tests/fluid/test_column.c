@@ -13,8 +13,7 @@ static const enum fluid_end ends[ENDS][2] = {
     {FLUID_END_NEUMANN, FLUID_END_NEUMANN},   {FLUID_END_DIRICHLET, FLUID_END_NEUMANN},
     {FLUID_END_NEUMANN, FLUID_END_DIRICHLET}, {FLUID_END_FACE, FLUID_END_FACE}};
 
-static const double lambda[COLUMNS] = {0,   -1e-6, -1e-4, -1e-2, -0.1, -1,   -3,
-                                       -10, -100,  -1e3,  -1e4,  -1e6, -1e-3};
+static const double lambda[COLUMNS] = {0, -1e-6, -1e-4, -1e-2, -0.1, -1, -3, -10, -100, -1e3, -1e4, -1e6, -1e-3};
 
 /* One column whole, as a dense system. */
 static void reference(int n, double d, int pair, double l, const double *b, double *q) {
@@ -97,11 +96,11 @@ static void against_lapack(int n, double d, int pair) {
             worst = worse(worst, q[i * n + k] - expected[k]);
             most = fmax(most, fabs(expected[k]));
         }
-        /* round-off times the condition of the system, at most that of the whole operator over its smallest eigenvalue */
+        /* round-off times the condition of the system, at most that of the whole operator over its smallest eigenvalue
+         */
         const double smallest = fmax(-lambda[i], singular ? 0 : 1 / (n * d * n * d));
         const double tolerance = 1e-14 + 1e-15 * (4 / (d * d) - lambda[i]) / smallest;
-        if (!(worst < tolerance * most))
-            fail_msg("ends %d, lambda %g: %g of %g", pair, lambda[i], worst, most);
+        if (!(worst < tolerance * most)) fail_msg("ends %d, lambda %g: %g of %g", pair, lambda[i], worst, most);
     }
     free(y);
     free(q);
@@ -135,5 +134,5 @@ static void one_plane_each(void **state) {
     for (int pair = 0; pair < ENDS; pair++) against_lapack(par_size() > 1 ? par_size() : 2, 0.4, pair);
 }
 
-FLUID_TEST_MAIN(cmocka_unit_test(short_columns), cmocka_unit_test(long_columns),
-                cmocka_unit_test(flat_and_steep), cmocka_unit_test(one_plane_each))
+FLUID_TEST_MAIN(cmocka_unit_test(short_columns), cmocka_unit_test(long_columns), cmocka_unit_test(flat_and_steep),
+                cmocka_unit_test(one_plane_each))

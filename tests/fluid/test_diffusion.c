@@ -1,5 +1,5 @@
-/* Implicit diffusion: Helmholtz's equation for every pair of conditions, flows that it must hold exactly, its order in time, and
- * that no step is too large for it. */
+/* Implicit diffusion: Helmholtz's equation for every pair of conditions, flows that it must hold exactly, its order in
+ * time, and that no step is too large for it. */
 #include "fluid/poisson/poisson.h"
 #include "fluid_case.h"
 
@@ -16,9 +16,7 @@ static double beyond(const double *line, int n, int stride, int i, const enum fl
     if (i >= 0 && i < n) return line[i * stride];
     const enum fluid_end e = end[i < 0 ? 0 : 1];
     const int inside = e == FLUID_END_PERIODIC ? (i + n) % n : i < 0 ? 0 : n - 1;
-    return e == FLUID_END_FACE        ? 0
-           : e == FLUID_END_DIRICHLET ? -line[inside * stride]
-                                      : line[inside * stride];
+    return e == FLUID_END_FACE ? 0 : e == FLUID_END_DIRICHLET ? -line[inside * stride] : line[inside * stride];
 }
 
 /* The last value of a line between faces is the side's own. */
@@ -29,8 +27,8 @@ static int is_unknown(const int n[3], const int pair[3], const int at[3]) {
 }
 
 /* Largest residual of lap q - shift q = b over the terms that it is the difference of. */
-static double residual(struct fluid_poisson *p, const struct fluid_poisson_input *in,
-                       const struct fluid_grid *g, const int pair[3], int which, double shift) {
+static double residual(struct fluid_poisson *p, const struct fluid_poisson_input *in, const struct fluid_grid *g,
+                       const int pair[3], int which, double shift) {
     const int *n = in->n, stride[3] = {1, n[0], n[0] * n[1]};
     const int count = n[0] * n[1] * n[2];
     double *b = malloc((size_t)count * sizeof *b), *all = calloc((size_t)count, sizeof *all);
@@ -53,8 +51,7 @@ static double residual(struct fluid_poisson *p, const struct fluid_poisson_input
         for (int j = 0; j < g->m[1] && k < g->m[2]; j++)
             for (int i = 0; i < n[0]; i++) {
                 const int at[3] = {i, j + g->lo[1], k + g->lo[2]};
-                all[at[2] * stride[2] + at[1] * stride[1] + i] =
-                    is_unknown(n, pair, at) ? plane[j * in->row + i] : 0;
+                all[at[2] * stride[2] + at[1] * stride[1] + i] = is_unknown(n, pair, at) ? plane[j * in->row + i] : 0;
             }
     }
     par_sum_array(all, count);
@@ -80,8 +77,7 @@ static double residual(struct fluid_poisson *p, const struct fluid_poisson_input
 /* With shifts from a step far below the viscous limit to one a hundred thousand times above it, kept side by side. */
 static void check(const int n[3], const int pair[3]) {
     const double length[3] = {1.0, 0.7, 1.3};
-    struct fluid_grid *g =
-        fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1);
+    struct fluid_grid *g = fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1);
     struct fluid_poisson_input in = {.row = g->row, .shifts = 3};
     for (int d = 0; d < 3; d++) {
         in.n[d] = n[d];
@@ -101,8 +97,7 @@ static void check(const int n[3], const int pair[3]) {
 }
 
 static void every_pair(const int n[3]) {
-    for (int c = 0; c < PAIRS * PAIRS * PAIRS; c++)
-        check(n, (int[3]){c % PAIRS, c / PAIRS % PAIRS, c / PAIRS / PAIRS});
+    for (int c = 0; c < PAIRS * PAIRS * PAIRS; c++) check(n, (int[3]){c % PAIRS, c / PAIRS % PAIRS, c / PAIRS / PAIRS});
 }
 
 static void helmholtz_of_every_pair(void **state) {
@@ -115,11 +110,8 @@ static void helmholtz_of_every_pair(void **state) {
 }
 
 static struct fluid_input box(int n, double length, double viscosity) {
-    struct fluid_input in = {.n = {n, n, n},
-                             .length = {length, length, length},
-                             .density = 2,
-                             .viscosity = viscosity,
-                             .implicit = 1};
+    struct fluid_input in = {
+        .n = {n, n, n}, .length = {length, length, length}, .density = 2, .viscosity = viscosity, .implicit = 1};
     for (int d = 0; d < 3; d++) all_sides(&in, d, FLUID_PERIODIC);
     return in;
 }
@@ -153,8 +145,8 @@ static void poiseuille(void **state) {
         }
 }
 
-/* Taylor and Green's vortices in a plane of faces (slip sides) or periodic: the amplitude after a time, over the exact decay of
- * the semi-discrete equations. */
+/* Taylor and Green's vortices in a plane of faces (slip sides) or periodic: the amplitude after a time, over the exact
+ * decay of the semi-discrete equations. */
 static double decay_error(enum fluid_side_type sides, int steps) {
     struct fluid_input in = box(12, 1, 0.02);
     all_sides(&in, 0, sides);
@@ -222,8 +214,8 @@ static void same_steady_flow_as_explicit(void **state) {
     }
 }
 
-/* Noise in a box of walls with one that moves, at nu dt/d^2 from 0.1 to 1e4: energy falls to that of the flow the wall drives,
- * and the momentum's balance closes. */
+/* Noise in a box of walls with one that moves, at nu dt/d^2 from 0.1 to 1e4: energy falls to that of the flow the wall
+ * drives, and the momentum's balance closes. */
 static void no_step_is_too_large(void **state) {
     (void)state;
     for (int power = -1; power <= 4; power++) {
@@ -236,8 +228,7 @@ static void no_step_is_too_large(void **state) {
             for (int k = 0; k < g->m[2]; k++)
                 for (int j = 0; j < g->m[1]; j++)
                     for (int i = 0; i < g->m[0]; i++)
-                        component(f, c)[fluid_grid_at(g, i, j, k)] =
-                            1e-3 * random_at(i, j + g->lo[1], k + g->lo[2], c);
+                        component(f, c)[fluid_grid_at(g, i, j, k)] = 1e-3 * random_at(i, j + g->lo[1], k + g->lo[2], c);
         fluid_state_refresh(f);
         const double dt = pow(10, power) / 64;
         double before[3], after[3], force[3];

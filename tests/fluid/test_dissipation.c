@@ -7,8 +7,7 @@ static void fill(struct fluid *f) {
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++)
                 for (int i = 0; i < g->m[0]; i++)
-                    component(f, c)[fluid_grid_at(g, i, j, k)] =
-                        random_at(i + g->lo[0], j + g->lo[1], k + g->lo[2], c);
+                    component(f, c)[fluid_grid_at(g, i, j, k)] = random_at(i + g->lo[0], j + g->lo[1], k + g->lo[2], c);
     fluid_state_refresh(f);
 }
 
@@ -37,7 +36,8 @@ static void between_all_kinds_of_sides(void **state) {
     balances(FLUID_SLIP, FLUID_PERIODIC, FLUID_WALL);
 }
 
-/* A uniform shear between a wall at rest and a moving one: rho nu (U/h)^2 V, and no more for the half cells beside the walls. */
+/* A uniform shear between a wall at rest and a moving one: rho nu (U/h)^2 V, and no more for the half cells beside the
+ * walls. */
 static void of_a_shear(void **state) {
     (void)state;
     for (int across = 0; across < 3; across++) {

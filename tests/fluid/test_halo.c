@@ -36,8 +36,7 @@ static void fill_gives_images(void **state) {
                                 outside |= local[d] < -layers || local[d] >= g->m[d] + layers;
                             }
                             const double expected =
-                                outside ? 77
-                                        : random_at(wrap(at[0], NX), wrap(at[1], NY), wrap(at[2], NZ), f);
+                                outside ? 77 : random_at(wrap(at[0], NX), wrap(at[1], NY), wrap(at[2], NZ), f);
                             assert_true(q[f][fluid_grid_at(g, i, j, k)] == expected);
                         }
             free(q[0]);
@@ -46,20 +45,20 @@ static void fill_gives_images(void **state) {
         }
 }
 
-/* <fill a, b> = <a, add b> over all arrays, for a that lives in the cells and b that lives in cells and ghosts alike. */
+/* <fill a, b> = <a, add b> over all arrays, for a that lives in the cells and b that lives in cells and ghosts alike.
+ */
 static void add_is_adjoint(void **state) {
     (void)state;
     for (int mask = 0; mask < 8; mask++)
         for (int layers = 1; layers <= HALO; layers++) {
             struct fluid_grid *g = grid(mask & 1, mask >> 1 & 1, mask >> 2 & 1);
-            double *a = calloc(g->size, sizeof *a), *b = calloc(g->size, sizeof *b), left = 0, right = 0,
-                   scale = 0, ghosts = 0;
+            double *a = calloc(g->size, sizeof *a), *b = calloc(g->size, sizeof *b), left = 0, right = 0, scale = 0,
+                   ghosts = 0;
             for (int k = -layers; k < g->m[2] + layers; k++)
                 for (int j = -layers; j < g->m[1] + layers; j++)
                     for (int i = -layers; i < g->m[0] + layers; i++) {
                         const size_t n = fluid_grid_at(g, i, j, k);
-                        const int owned =
-                            i >= 0 && i < g->m[0] && j >= 0 && j < g->m[1] && k >= 0 && k < g->m[2];
+                        const int owned = i >= 0 && i < g->m[0] && j >= 0 && j < g->m[1] && k >= 0 && k < g->m[2];
                         if (owned) a[n] = random_at(i, j + g->lo[1], k + g->lo[2], 1);
                         b[n] = random_at(i, j, k, par_rank() + 2);
                     }
@@ -93,8 +92,7 @@ static void rank_of_finds_the_owner(void **state) {
     for (int k = 0; k < NZ; k++)
         for (int j = 0; j < NY; j++) {
             const double x[3] = {-0.3, (j + 0.4) / NY, (k + 0.4) / NZ + 2};
-            const int mine =
-                j >= g->lo[1] && j < g->lo[1] + g->m[1] && k >= g->lo[2] && k < g->lo[2] + g->m[2];
+            const int mine = j >= g->lo[1] && j < g->lo[1] + g->m[1] && k >= g->lo[2] && k < g->lo[2] + g->m[2];
             assert_int_equal(mine, fluid_grid_rank_of(g, x) == par_rank());
             assert_int_equal(par_sum_long(mine), 1);
         }

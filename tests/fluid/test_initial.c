@@ -9,7 +9,8 @@ static struct fluid_input box(const int n[3], const double length[3]) {
     return in;
 }
 
-/* Largest distance from V sin X cos Y cos Z, -h V cos X sin Y cos Z and the mean, X ... along a, b and, in space, the third. */
+/* Largest distance from V sin X cos Y cos Z, -h V cos X sin Y cos Z and the mean, X ... along a, b and, in space, the
+ * third. */
 static double distance(struct fluid *f, int a, int b, int space, double h, const double mean[3]) {
     const struct fluid_grid *g = fluid_grid_of(f);
     const double v = fluid_input_of(f)->vortices.velocity;
@@ -20,8 +21,7 @@ static double distance(struct fluid *f, int a, int b, int space, double h, const
                 for (int i = 0; i < g->m[0]; i++) {
                     const int at[3] = {i, j, k}, z = 3 - a - b;
                     double x[3];
-                    for (int d = 0; d < 3; d++)
-                        x[d] = 2 * M_PI * (at[d] + g->lo[d] + (d == c ? 1.0 : 0.5)) / g->n[d];
+                    for (int d = 0; d < 3; d++) x[d] = 2 * M_PI * (at[d] + g->lo[d] + (d == c ? 1.0 : 0.5)) / g->n[d];
                     const double third = space ? cos(x[z]) : 1;
                     const double expected = c == a   ? v * sin(x[a]) * cos(x[b]) * third
                                             : c == b ? -h * v * cos(x[a]) * sin(x[b]) * third
@@ -47,8 +47,8 @@ static void in_every_plane_and_in_space(void **state) {
     }
 }
 
-/* On oblong cells the second component's height is not length_b/length_a but what continuity of the cells asks for, so that the
- * projection has nothing to do. */
+/* On oblong cells the second component's height is not length_b/length_a but what continuity of the cells asks for, so
+ * that the projection has nothing to do. */
 static void on_oblong_cells(void **state) {
     (void)state;
     struct fluid_input in = box((int[3]){8, 12, 6}, (double[3]){1, 3, 2});

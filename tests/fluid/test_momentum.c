@@ -3,8 +3,7 @@
 
 static struct fluid_input mixed(int sides) {
     struct fluid_input in = {.n = {12, 10, 9}, .length = {1.2, 1, 0.9}, .density = 1.3, .viscosity = 0.02};
-    in.side[0][0] =
-        (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.7};
+    in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.7};
     in.side[0][1].type = FLUID_OUTFLOW;
     all_sides(&in, 1, FLUID_WALL);
     in.side[1][1].velocity[2] = 0.4;
@@ -18,15 +17,14 @@ static struct fluid_input mixed(int sides) {
         in.driving = (struct fluid_driving){FLUID_DRIVING_GRADIENT, 2, 0.5};
     }
     if (sides == 2) {
-        in.side[1][0] =
-            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_UNIFORM, .bulk_velocity = 0.2};
+        in.side[1][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_UNIFORM, .bulk_velocity = 0.2};
         in.side[2][0].type = FLUID_OUTFLOW;
     }
     return in;
 }
 
-/* d/dt of the momentum is the force on the box: over one short step its mean of both ends, with an error that falls with
- * the step. */
+/* d/dt of the momentum is the force on the box: over one short step its mean of both ends, with an error that falls
+ * with the step. */
 static void box_force_changes_the_momentum(void **state) {
     (void)state;
     for (int sides = 0; sides < 3; sides++) {
@@ -48,7 +46,8 @@ static void box_force_changes_the_momentum(void **state) {
             }
             fluid_free(f);
         }
-        /* the body force alone is 0.14 to 0.42 N; the pressure is that of the last stage, early by a part of the step */
+        /* the body force alone is 0.14 to 0.42 N; the pressure is that of the last stage, early by a part of the step
+         */
         assert_below(error[1], 1e-3);
         if (!(error[0] > 1.8 * error[1])) fail_msg("sides %d: errors %g %g", sides, error[0], error[1]);
     }
@@ -89,7 +88,8 @@ static void limits(void **state) {
     fluid_free(f);
 }
 
-/* A NaN is found by the rank that has it, with its place and name; so is a speed beyond reason; a sound state passes. */
+/* A NaN is found by the rank that has it, with its place and name; so is a speed beyond reason; a sound state passes.
+ */
 static void check_finds_a_nan(void **state) {
     (void)state;
     const struct fluid_input in = mixed(0);
@@ -113,6 +113,5 @@ static void check_finds_a_nan(void **state) {
     fluid_free(f);
 }
 
-FLUID_TEST_MAIN(cmocka_unit_test(box_force_changes_the_momentum),
-                cmocka_unit_test(box_force_vanishes_when_steady), cmocka_unit_test(limits),
-                cmocka_unit_test(check_finds_a_nan))
+FLUID_TEST_MAIN(cmocka_unit_test(box_force_changes_the_momentum), cmocka_unit_test(box_force_vanishes_when_steady),
+                cmocka_unit_test(limits), cmocka_unit_test(check_finds_a_nan))

@@ -7,8 +7,7 @@ static struct fluid_input stream_in(int d, int reverse, int n, double viscosity)
     for (int c = 0; c < 3; c++) all_sides(&in, c, FLUID_SLIP);
     in.n[d] = 2 * n;
     in.length[d] = 2;
-    in.side[d][reverse] =
-        (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_UNIFORM, .bulk_velocity = 1};
+    in.side[d][reverse] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_UNIFORM, .bulk_velocity = 1};
     in.side[d][!reverse].type = FLUID_OUTFLOW;
     in.initial_velocity[d] = reverse ? -1 : 1;
     return in;
@@ -20,17 +19,15 @@ static double imbalance(struct fluid *f) {
     double net = 0, in = 0;
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
-            const int at_end = side ? g->lo[d] + g->m[d] == g->n[d] : g->lo[d] == 0, a = d == 0,
-                      b = d == 2 ? 1 : 2;
+            const int at_end = side ? g->lo[d] + g->m[d] == g->n[d] : g->lo[d] == 0, a = d == 0, b = d == 2 ? 1 : 2;
             for (int l = 0; at_end && l < g->m[b]; l++)
                 for (int j = 0; j < g->m[a]; j++) {
                     int at[3];
                     at[d] = side ? g->m[d] - 1 : -1;
                     at[a] = j;
                     at[b] = l;
-                    const double q = (side ? 1 : -1) *
-                                     component(f, d)[fluid_grid_at(g, at[0], at[1], at[2])] * g->d[a] *
-                                     g->d[b];
+                    const double q =
+                        (side ? 1 : -1) * component(f, d)[fluid_grid_at(g, at[0], at[1], at[2])] * g->d[a] * g->d[b];
                     net += q;
                     in += fabs(q);
                 }
@@ -57,8 +54,7 @@ static void vortex_leaves(void **state) {
         for (int reverse = 0; reverse < 2; reverse++) {
             const int across = (d + 1) % 3;
             const double mean = reverse ? -1 : 1, s = 0.12;
-            struct fluid_input in =
-                stream_in(d, reverse, 32, 2e-3); /* resolved: a cell Peclet number of 16 */
+            struct fluid_input in = stream_in(d, reverse, 32, 2e-3); /* resolved: a cell Peclet number of 16 */
             in.n[(d + 2) % 3] = 4;
             in.length[(d + 2) % 3] = 0.125;
             struct fluid *f = fluid_new(&in);
@@ -71,8 +67,7 @@ static void vortex_leaves(void **state) {
                             const int at[3] = {i, j, k};
                             double x[3];
                             for (int e = 0; e < 3; e++)
-                                x[e] = (at[e] + g->lo[e] + (e == c ? 1.0 : 0.5)) * g->d[e] -
-                                       (e == d ? 1.0 : 0.5);
+                                x[e] = (at[e] + g->lo[e] + (e == c ? 1.0 : 0.5)) * g->d[e] - (e == d ? 1.0 : 0.5);
                             const double psi = 0.05 * exp(-(x[d] * x[d] + x[across] * x[across]) / (s * s));
                             double *q = component(f, c) + fluid_grid_at(g, i, j, k);
                             const int end = at[c] + g->lo[c] == g->n[c] - 1;

@@ -26,8 +26,8 @@ static void gather(const struct fluid_grid *g, const double *mine, double *all) 
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++)
             for (int i = 0; i < g->m[0]; i++)
-                all[((size_t)(k + g->lo[2]) * (size_t)g->n[1] + (size_t)(j + g->lo[1])) * (size_t)g->n[0] +
-                    (size_t)i] = mine[fluid_grid_at(g, i, j, k)];
+                all[((size_t)(k + g->lo[2]) * (size_t)g->n[1] + (size_t)(j + g->lo[1])) * (size_t)g->n[0] + (size_t)i] =
+                    mine[fluid_grid_at(g, i, j, k)];
     par_sum_array(all, (int)count);
 }
 
@@ -47,8 +47,7 @@ static void foresee(struct fluid_poisson *p, const int pair[3], double mean[3][2
 
 static struct error solve(const int n[3], const int pair[3]) {
     const double length[3] = {1.0, 0.7, n[2] > 100 ? 0.1 * n[2] : 1.3}, wanted = 0.01;
-    struct fluid_grid *g =
-        fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1);
+    struct fluid_grid *g = fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1);
     struct fluid_poisson_input in = {.row = g->row};
     struct error error = {0, 0, 0, 0};
     int free_mean = 1;
@@ -61,15 +60,13 @@ static struct error solve(const int n[3], const int pair[3]) {
     }
     struct fluid_poisson *p = fluid_poisson_new(&in);
     const size_t count = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];
-    double *q = calloc(g->size, sizeof *q), *all = malloc(count * sizeof *all),
-           *b = malloc(count * sizeof *b), sum = 0;
+    double *q = calloc(g->size, sizeof *q), *all = malloc(count * sizeof *all), *b = malloc(count * sizeof *b), sum = 0;
     for (size_t i = 0; i < count; i++) sum += b[i] = random_at((long)i, pair[0], pair[1], pair[2]);
     for (size_t i = 0; i < count && free_mean; i++) b[i] -= sum / (double)count;
     for (int k = 0; k < g->m[2]; k++) {
         double *plane = fluid_poisson_plane(p, k);
         for (int j = 0; j < g->m[1]; j++)
-            for (int i = 0; i < n[0]; i++)
-                plane[j * n[0] + i] = b[((k + g->lo[2]) * n[1] + j + g->lo[1]) * n[0] + i];
+            for (int i = 0; i < n[0]; i++) plane[j * n[0] + i] = b[((k + g->lo[2]) * n[1] + j + g->lo[1]) * n[0] + i];
         fluid_poisson_plane_forward(p, k);
     }
     double foreseen[3][2] = {{0}}, section[3][2] = {{0}};
@@ -93,8 +90,7 @@ static struct error solve(const int n[3], const int pair[3]) {
         largest = fmax(largest, fabs(all[c]));
         mean += all[c] / (double)count;
         for (int d = 0; d < 3; d++)
-            if (at[d] == 0 || at[d] == n[d] - 1)
-                section[d][at[d] > 0] += all[c] * n[d] / ((double)n[0] * n[1] * n[2]);
+            if (at[d] == 0 || at[d] == n[d] - 1) section[d][at[d] > 0] += all[c] * n[d] / ((double)n[0] * n[1] * n[2]);
     }
     for (int j = 0; j < g->m[1]; j++)
         for (int i = 0; i < n[0]; i++) {
@@ -107,8 +103,7 @@ static struct error solve(const int n[3], const int pair[3]) {
     if (free_mean) error.mean = fabs(mean - wanted) / largest;
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2 && free_mean && pair[d] == NN; side++)
-            error.section_mean =
-                worse(error.section_mean, (section[d][side] - wanted - foreseen[d][side]) / largest);
+            error.section_mean = worse(error.section_mean, (section[d][side] - wanted - foreseen[d][side]) / largest);
     free(q);
     free(all);
     free(b);
@@ -121,21 +116,20 @@ static void check(const int n[3], const int pair[3]) {
     const struct error e = solve(n, pair);
     if (!(e.residual < 1e-12)) fail_msg("pairs %d %d %d: residual %g", pair[0], pair[1], pair[2], e.residual);
     if (!(e.mean < 1e-13)) fail_msg("pairs %d %d %d: mean %g", pair[0], pair[1], pair[2], e.mean);
-    if (!(e.beyond < 1e-13))
-        fail_msg("pairs %d %d %d: beyond the last plane %g", pair[0], pair[1], pair[2], e.beyond);
+    if (!(e.beyond < 1e-13)) fail_msg("pairs %d %d %d: beyond the last plane %g", pair[0], pair[1], pair[2], e.beyond);
     if (!(e.section_mean < 1e-13))
         fail_msg("pairs %d %d %d: section mean %g", pair[0], pair[1], pair[2], e.section_mean);
 }
 
 static void every_pair(const int n[3]) {
-    for (int c = 0; c < PAIRS * PAIRS * PAIRS; c++)
-        check(n, (int[3]){c % PAIRS, c / PAIRS % PAIRS, c / PAIRS / PAIRS});
+    for (int c = 0; c < PAIRS * PAIRS * PAIRS; c++) check(n, (int[3]){c % PAIRS, c / PAIRS % PAIRS, c / PAIRS / PAIRS});
 }
 
 static void odd(void **state) { (void)state, every_pair((int[3]){9, 11, 13}); }
 static void thin(void **state) { (void)state, every_pair((int[3]){6, 5, 7}); }
 
-/* Powers of two and larger grids take other paths through the transforms; long columns reach where powers of r vanish. */
+/* Powers of two and larger grids take other paths through the transforms; long columns reach where powers of r vanish.
+ */
 static void larger(void **state) {
     (void)state;
     for (int c = 0; c < PAIRS; c++) {

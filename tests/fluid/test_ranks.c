@@ -1,4 +1,5 @@
-/* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare.  Two fluids live side by side. */
+/* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare.  Two fluids live side by
+ * side. */
 #include "fluid_case.h"
 
 #include <stdio.h>
@@ -20,15 +21,13 @@ static struct fluid_input scene(int which) {
     all_sides(&in, 2, FLUID_PERIODIC);
     in.initial_velocity[0] = 0.5;
     if (which != 1) {
-        in.side[0][0] =
-            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
+        in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
         in.side[0][1].type = FLUID_OUTFLOW;
     } else {
         in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, 0.5};
     }
     if (which == 2) {
-        in.side[2][1] =
-            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.3};
+        in.side[2][1] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.3};
         in.side[2][0].type = FLUID_OUTFLOW;
         in.immersed = 1;
     }
@@ -46,8 +45,7 @@ static void stir(struct fluid *f) {
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++)
                 for (int i = 0; i < g->m[0]; i++)
-                    component(f, c)[fluid_grid_at(g, i, j, k)] +=
-                        0.1 * random_at(i, j + g->lo[1], k + g->lo[2], c);
+                    component(f, c)[fluid_grid_at(g, i, j, k)] += 0.1 * random_at(i, j + g->lo[1], k + g->lo[2], c);
     fluid_state_refresh(f);
 }
 

@@ -10,8 +10,7 @@ static struct fluid_input scene(int which) {
         .n = {NX, NY, NZ}, .length = {1.2, 1.4, 1.7}, .density = 1.2, .viscosity = 0.01, .immersed = 1};
     for (int d = 0; d < 3; d++) all_sides(&in, d, d == which ? FLUID_WALL : FLUID_PERIODIC);
     if (which == 3) {
-        in.side[0][0] =
-            (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
+        in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
         in.side[0][1].type = FLUID_OUTFLOW;
         in.side[1][0].type = FLUID_SLIP;
         in.side[1][1] = (struct fluid_side){.type = FLUID_WALL, .velocity = {0.2, 0, 0.1}};
@@ -87,8 +86,7 @@ static void near_is_full_inside(void **state) {
             for (int layers = 1; layers <= 3; layers++) {
                 int low[3], high[3];
                 for (int d = 0; d < 3; d++) { /* from layers beyond one side to layers beyond the other */
-                    const double a = random_at(trial, d, which, 1) + 0.5,
-                                 b = random_at(trial, d, which, 2) + 0.5;
+                    const double a = random_at(trial, d, which, 1) + 0.5, b = random_at(trial, d, which, 2) + 0.5;
                     low[d] = -layers + (int)(a * (in.n[d] + layers));
                     high[d] = low[d] + 1 + (int)(b * (in.n[d] + layers - low[d]));
                 }

@@ -1,5 +1,5 @@
-/* A mesh that does not admit the ranks, and sides that contradict each other, are refused: run with a name, this program must
- * leave with the scene's exit code and its sentence. */
+/* A mesh that does not admit the ranks, and sides that contradict each other, are refused: run with a name, this
+ * program must leave with the scene's exit code and its sentence. */
 #include "base/par.h"
 #include "fluid/fluid.h"
 

@@ -1,5 +1,5 @@
-/* The momentum equation's stage against its formula written out face by face, in arrays of its own and in place, on a plane
- * of one block of rows and of several, of whole and broken eights, small and large enough to be streamed. */
+/* The momentum equation's stage against its formula written out face by face, in arrays of its own and in place, on a
+ * plane of one block of rows and of several, of whole and broken eights, small and large enough to be streamed. */
 #include "fluid/momentum/momentum.h"
 #include "base/memory.h"
 #include "fluid_case.h"
@@ -53,12 +53,10 @@ static double rate_at(const struct fluid_momentum_stage *s, const double *const 
 }
 
 /* Whether the face of component c in cell i is advanced. */
-static int is_advanced(const struct fluid_momentum_stage *s, int c, const int at[3]) {
-    return at[c] < s->faces[c];
-}
+static int is_advanced(const struct fluid_momentum_stage *s, int c, const int at[3]) { return at[c] < s->faces[c]; }
 
-static void compare(const struct fluid_momentum_stage *s, const struct fields *before,
-                    const struct fields *after, int in_place) {
+static void compare(const struct fluid_momentum_stage *s, const struct fields *before, const struct fields *after,
+                    int in_place) {
     const struct fluid_grid *g = s->grid;
     const ptrdiff_t stride[3] = {1, g->row, g->plane};
     const double *const q[3] = {before->q[0], before->q[1], before->q[2]};
@@ -72,13 +70,13 @@ static void compare(const struct fluid_momentum_stage *s, const struct fields *b
                     if (!is_advanced(s, c, (int[3]){i, j, k})) {
                         untouched = worse(untouched, after->rate[c][n] - old);
                         if (c > 0)
-                            untouched = worse(untouched, after->predicted[c][n] -
-                                                             (in_place ? q[c][n] : before->predicted[c][n]));
+                            untouched = worse(untouched,
+                                              after->predicted[c][n] - (in_place ? q[c][n] : before->predicted[c][n]));
                         continue;
                     }
                     const double gradient = (before->p[n + stride[c]] - before->p[n]) / g->d[c];
-                    const double next = q[c][n] + s->a * now + s->b * old +
-                                        s->c * (s->source[c] - s->inverse_density * gradient);
+                    const double next =
+                        q[c][n] + s->a * now + s->b * old + s->c * (s->source[c] - s->inverse_density * gradient);
                     worst = worse(worst, after->predicted[c][n] - next);
                     worst_rate = worse(worst_rate, after->rate[c][n] - (s->keep ? now : old));
                 }
@@ -96,8 +94,8 @@ static void stage_is_its_formula(void **state) {
         for (int kind = 0; kind < 12; kind++) {
             const int in_place = kind % 2, sides = kind / 2 % 2, r = kind / 4;
             struct fluid_grid *g = fluid_grid_new(
-                cells[size], (double[3]){0.9 * cells[size][0], 1.1 * cells[size][1], 1.0 * cells[size][2]},
-                periodic, 1);
+                cells[size], (double[3]){0.9 * cells[size][0], 1.1 * cells[size][1], 1.0 * cells[size][2]}, periodic,
+                1);
             struct fields before = new_fields(g, 0), after = new_fields(g, in_place);
             struct fluid_momentum_stage s = {.grid = g,
                                              .faces = {g->m[0] - sides, g->m[1] - sides, g->m[2] - sides},

@@ -12,8 +12,7 @@ static double exact(const struct fluid_grid *g, int c, int a, int b, const int a
     return mean[c];
 }
 
-static double error(int n, double nu, double dt, int steps, int a, int b, const double mean[3],
-                    double *divergence) {
+static double error(int n, double nu, double dt, int steps, int a, int b, const double mean[3], double *divergence) {
     const double l = 2 * M_PI;
     struct fluid_input in = {.n = {4, 4, 4}, .length = {1, 1, 1}, .density = 2.5, .viscosity = nu};
     in.n[a] = in.n[b] = n;
@@ -28,8 +27,7 @@ static double error(int n, double nu, double dt, int steps, int a, int b, const 
             for (int k = 0; k < g->m[2]; k++)
                 for (int j = 0; j < g->m[1]; j++)
                     for (int i = 0; i < g->m[0]; i++) {
-                        const double value =
-                            exact(g, c, a, b, (int[3]){i, j, k}, rate, pass ? steps * dt : 0, mean);
+                        const double value = exact(g, c, a, b, (int[3]){i, j, k}, rate, pass ? steps * dt : 0, mean);
                         double *q = component(f, c) + fluid_grid_at(g, i, j, k);
                         if (pass)
                             worst = worse(worst, (*q - value));
@@ -63,16 +61,15 @@ static void decays_exactly_in_every_plane(void **state) {
 static void third_order_in_time(void **state) {
     (void)state;
     double divergence, e[3];
-    for (int i = 0; i < 3; i++)
-        e[i] = error(16, 1.0, 0.05 / (1 << i) * 0.5, 20 << i, 0, 1, still, &divergence);
+    for (int i = 0; i < 3; i++) e[i] = error(16, 1.0, 0.05 / (1 << i) * 0.5, 20 << i, 0, 1, still, &divergence);
     for (int i = 0; i < 2; i++) {
         const double order = log2(e[i] / e[i + 1]);
         if (!(order > 2.7 && order < 3.3)) fail_msg("order %g (errors %g %g)", order, e[i], e[i + 1]);
     }
 }
 
-/* A uniform flow across the plane changes nothing; one within the plane carries the vortices, with an error that falls with
- * the square of the cell. */
+/* A uniform flow across the plane changes nothing; one within the plane carries the vortices, with an error that falls
+ * with the square of the cell. */
 static void carried_by_a_mean_flow(void **state) {
     (void)state;
     for (int p = 0; p < 3; p++) {

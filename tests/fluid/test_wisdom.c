@@ -1,4 +1,5 @@
-/* Wisdom kept in a cache folder: written after planning, read before it, on all ranks; without a folder nothing happens. */
+/* Wisdom kept in a cache folder: written after planning, read before it, on all ranks; without a folder nothing
+ * happens. */
 #include "fluid/poisson/transform.h"
 #include "fluid/poisson/wisdom.h"
 #include "fluid_case.h"

@@ -83,7 +83,8 @@ void fuzz_expect(int holds, const char *what) {
 void __lsan_disable(void) __attribute__((weak));
 void __lsan_enable(void) __attribute__((weak));
 
-/* MPI is never ended: what its modules hold would look like leaks once they are unloaded. What it loses in beginning is not ours. */
+/* MPI is never ended: what its modules hold would look like leaks once they are unloaded. What it loses in beginning is
+ * not ours. */
 int LLVMFuzzerInitialize(int *argc, char ***argv) {
     if (__lsan_disable) __lsan_disable();
     par_begin(argc, argv);

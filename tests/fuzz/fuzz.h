@@ -1,6 +1,6 @@
-/* What the fuzz targets share. Each target reads one kind of a user's file from given bytes; libFuzzer makes the bytes, or
- * replay.c takes them from the corpus. The linker turns die, die_all and ensure_failed to fuzz.c: a refusal comes back to the
- * target, a bug of ours aborts. */
+/* What the fuzz targets share. Each target reads one kind of a user's file from given bytes; libFuzzer makes the bytes,
+ * or replay.c takes them from the corpus. The linker turns die, die_all and ensure_failed to fuzz.c: a refusal comes
+ * back to the target, a bug of ours aborts. */
 #pragma once
 #include <stddef.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
-/* A scene's text, and after a byte 1 the values that are set in it (--set), each ended by a byte 1. What is accepted must be
- * accepted again as it was resolved: that is what the other ranks and a resumed run read. */
+/* A scene's text, and after a byte 1 the values that are set in it (--set), each ended by a byte 1. What is accepted
+ * must be accepted again as it was resolved: that is what the other ranks and a resumed run read. */
 #include "scene/read.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,6 +1,7 @@
 /* Time of the forcing and the probe by part, in the steps of a scene whose particles are all on the move:
  *     bench_forcing SCENE.yaml [stage, from 0]
- * Medians of the slowest rank, and in brackets of the fastest, ms: what lies between is the load that ranks do not share. */
+ * Medians of the slowest rank, and in brackets of the fastest, ms: what lies between is the load that ranks do not
+ * share. */
 #include "base/par.h"
 #include "coupling/run.h"
 #include "ibm/state.h"
@@ -14,13 +15,13 @@ static double seconds[PARTS_MAX][REPEATS];
 static const char *name[PARTS_MAX];
 static int parts, repeat;
 
-#define TIME(what, ...)                                                                                      \
-    do {                                                                                                     \
-        par_barrier();                                                                                       \
-        const double begun = par_seconds();                                                                  \
-        __VA_ARGS__;                                                                                         \
-        seconds[parts][repeat] = par_seconds() - begun;                                                      \
-        name[parts++] = what;                                                                                \
+#define TIME(what, ...)                                                                                                \
+    do {                                                                                                               \
+        par_barrier();                                                                                                 \
+        const double begun = par_seconds();                                                                            \
+        __VA_ARGS__;                                                                                                   \
+        seconds[parts][repeat] = par_seconds() - begun;                                                                \
+        name[parts++] = what;                                                                                          \
     } while (0)
 
 static int rising(const void *a, const void *b) {
@@ -104,8 +105,7 @@ int main(int argc, char **argv) {
         qsort(seconds[p], REPEATS, sizeof(double), rising);
         const double median = seconds[p][REPEATS / 2];
         const double slow = par_max(median), fast = par_min(median), best = par_max(seconds[p][0]);
-        if (par_rank() == 0)
-            printf("%-24s %8.3f  (%.3f, best %.3f) ms\n", name[p], 1e3 * slow, 1e3 * fast, 1e3 * best);
+        if (par_rank() == 0) printf("%-24s %8.3f  (%.3f, best %.3f) ms\n", name[p], 1e3 * slow, 1e3 * fast, 1e3 * best);
     }
     run_free(r);
     scene_free(scene);

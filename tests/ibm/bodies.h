@@ -56,8 +56,8 @@ static inline void body_finish(struct body *b, double area, double dx) {
 
 /* Outer layer of a sphere cut from the lattice lattice[] + i dx: sites within the radius that have a site outside among
  * their six neighbours; normals radial; every marker moved outward by shift. */
-static inline struct body body_sphere_lattice(const double centre[3], double radius, double dx,
-                                              const double lattice[3], double shift) {
+static inline struct body body_sphere_lattice(const double centre[3], double radius, double dx, const double lattice[3],
+                                              double shift) {
     static const int neighbour[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     const int reach = (int)(radius / dx) + 2;
     struct body b = body_new(8L * (2 * reach + 1) * (2 * reach + 1) + 64);

@@ -20,8 +20,8 @@ static inline struct fluid *flow_periodic_box(const int n[3], double dx, double 
 
 /* Marches at a fraction of the viscous limit, 1.65 dx^2 / (12 nu), until the drag changes by less than tolerance
  * over a time of `interval`. */
-static inline struct flow_result flow_march(struct fluid *f, const struct body *body, int iterations,
-                                            double fraction, double interval, double tolerance) {
+static inline struct flow_result flow_march(struct fluid *f, const struct body *body, int iterations, double fraction,
+                                            double interval, double tolerance) {
     const double dx = fluid_grid_of(f)->d[0], dt = fraction * 1.65 * dx * dx / 12;
     const long every = (long)ceil(interval / dt);
     struct ibm *b = ibm_new(f, iterations);
@@ -53,11 +53,10 @@ static inline struct flow_result flow_march(struct fluid *f, const struct body *
 #define ARRAY_RADIUS 0.31017524 /* (3 c / 4 pi)^(1/3) L */
 
 struct array_case {
-    int n;             /* cells across the box, L = 1 */
-    int even;          /* evenly spread markers instead of a lattice's outer layer */
-    double retraction; /* r_d, cells */
-    double sphere[3],
-        lattice[3]; /* centre of the sphere, and the lattice's site, relative to a cell's centre, cells */
+    int n;                        /* cells across the box, L = 1 */
+    int even;                     /* evenly spread markers instead of a lattice's outer layer */
+    double retraction;            /* r_d, cells */
+    double sphere[3], lattice[3]; /* centre of the sphere, and the lattice's site, relative to a cell's centre, cells */
     int iterations;
     double fraction; /* of the time-step limit */
 };
@@ -84,9 +83,9 @@ static inline double array_permeability(const struct array_case *c, struct flow_
     return result->velocity / result->drag;
 }
 
-/* Two sheets of markers `height` cells apart in a periodic box twice as high, driven along x: fluid on both sides. Returns
- * by how many cells the wall that the flow feels stands out from the markers, e: mean velocity = G (H - 2 e)^3 / (12 mu H).
- * area: A_h / dx^2 of a marker. */
+/* Two sheets of markers `height` cells apart in a periodic box twice as high, driven along x: fluid on both sides.
+ * Returns by how many cells the wall that the flow feels stands out from the markers, e: mean velocity = G (H - 2 e)^3
+ * / (12 mu H). area: A_h / dx^2 of a marker. */
 static inline double sheets_shift(int height, double offset, double area, int iterations, double fraction,
                                   struct flow_result *result) {
     const int n[3] = {4, 2 * height, 4};
@@ -118,8 +117,8 @@ static inline double walls_mean(struct fluid *f, int j) {
     return par_sum(sum) / (g->n[0] * g->n[2]);
 }
 
-/* Two thick walls, each a pair of sheets with fluid at rest (in the wall's frame) behind them; one moves along x. Returns
- * e of the wall at rest, cells: where the line through the shear flow between them reaches zero. */
+/* Two thick walls, each a pair of sheets with fluid at rest (in the wall's frame) behind them; one moves along x.
+ * Returns e of the wall at rest, cells: where the line through the shear flow between them reaches zero. */
 static inline double walls_shift(double offset, double area, int iterations, double fraction) {
     enum { GAP = 12, WALL = 6, HEIGHT = 2 * (GAP + WALL) };
     static const int low[4] = {WALL / 2, WALL / 2 + GAP, WALL / 2 + GAP + WALL, HEIGHT - WALL / 2};
@@ -132,11 +131,9 @@ static inline double walls_shift(double offset, double area, int iterations, dou
     const double up[3] = {0, 1, 0}, speed = 1e-3, dt = fraction * 1.65 / 12;
     for (int sheet = 0; sheet < 4; sheet++)
         for (int k = 0; k < 4; k++)
-            for (int i = 0; i < 4; i++)
-                body_add(&body, (double[3]){i + 0.5, low[sheet] + offset, k + 0.5}, up);
+            for (int i = 0; i < 4; i++) body_add(&body, (double[3]){i + 0.5, low[sheet] + offset, k + 0.5}, up);
     body_finish(&body, 64 * area, 1);
-    for (int h = 0; h < body.n; h++)
-        body.v[0][h] = body.x[1][h] > low[1] - 1 && body.x[1][h] < low[2] + 1 ? speed : 0;
+    for (int h = 0; h < body.n; h++) body.v[0][h] = body.x[1][h] > low[1] - 1 && body.x[1][h] < low[2] + 1 ? speed : 0;
     for (int k = 0; k < g->m[2]; k++) /* near the answer: the shear flow between sharp walls */
         for (int j = 0; j < g->m[1]; j++)
             for (int i = 0; i < g->m[0]; i++) {

@@ -1,5 +1,5 @@
-/* measure_retraction [largest mesh, default 48 [smallest, default 24]]: the tables of docs/retraction.md, as Markdown. Minutes on
- * one core. */
+/* measure_retraction [largest mesh, default 48 [smallest, default 24]]: the tables of docs/retraction.md, as Markdown.
+ * Minutes on one core. */
 #include "flows.h"
 
 #include <stdio.h>
@@ -7,12 +7,12 @@
 
 static int largest = 48, smallest = 24;
 
-#define SAY(...)                                                                                             \
-    do {                                                                                                     \
-        if (par_rank() == 0) {                                                                               \
-            printf(__VA_ARGS__);                                                                             \
-            fflush(stdout);                                                                                  \
-        }                                                                                                    \
+#define SAY(...)                                                                                                       \
+    do {                                                                                                               \
+        if (par_rank() == 0) {                                                                                         \
+            printf(__VA_ARGS__);                                                                                       \
+            fflush(stdout);                                                                                            \
+        }                                                                                                              \
     } while (0)
 
 static void planes(void) {
@@ -35,8 +35,7 @@ static void planes(void) {
         }
         SAY(" %.3f |", spread);
         for (int o = 0; o <= 5; o += 5)
-            SAY(" %.3f |",
-                sheets_shift(16, 0.1 * o, how[n].area, how[n].iterations, how[n].fraction, &result));
+            SAY(" %.3f |", sheets_shift(16, 0.1 * o, how[n].area, how[n].iterations, how[n].fraction, &result));
         SAY(" %.1e |\n", result.slip);
     }
 }
@@ -62,10 +61,9 @@ static void array_row(struct array_case c, const char *name) {
         }
         *(value < 0 ? &a : &b) = r;
     }
-    SAY("| %d | %s | %d | %g | %ld | %+.2f | %+.2f | %+.2f | %.3f | %.1e | %ld | %.0f |\n", c.n, name,
-        c.iterations, c.fraction, result[1].markers, 100 * error[0], 100 * error[1], 100 * error[2],
-        0.5 * (a + b), result[1].slip, result[1].steps,
-        result[0].seconds + result[1].seconds + result[2].seconds);
+    SAY("| %d | %s | %d | %g | %ld | %+.2f | %+.2f | %+.2f | %.3f | %.1e | %ld | %.0f |\n", c.n, name, c.iterations,
+        c.fraction, result[1].markers, 100 * error[0], 100 * error[1], 100 * error[2], 0.5 * (a + b), result[1].slip,
+        result[1].steps, result[0].seconds + result[1].seconds + result[2].seconds);
 }
 
 static void arrays(void) {

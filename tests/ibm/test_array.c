@@ -1,5 +1,5 @@
-/* Permeability of a simple cubic array of spheres as bodies are made here: markers at the outer layer of a lattice, with the
- * frozen retraction. k / L^2 = 0.0398542 at a solid fraction of 1/8 (Zick and Homsy 1982: K = 4.292). */
+/* Permeability of a simple cubic array of spheres as bodies are made here: markers at the outer layer of a lattice,
+ * with the frozen retraction. k / L^2 = 0.0398542 at a solid fraction of 1/8 (Zick and Homsy 1982: K = 4.292). */
 #include "flows.h"
 
 #include <setjmp.h>
@@ -12,8 +12,8 @@ static double error_of(int n, const double sphere[3], const double lattice[3]) {
     for (int d = 0; d < 3; d++) c.sphere[d] = sphere[d], c.lattice[d] = lattice[d];
     struct flow_result result;
     const double error = array_permeability(&c, &result) / ARRAY_PERMEABILITY - 1;
-    print_message("%d^3: k %+.2f %%, slip %.2g of the mean velocity, %ld markers, %ld steps, %.1f s\n", n,
-                  100 * error, result.slip, result.markers, result.steps, result.seconds);
+    print_message("%d^3: k %+.2f %%, slip %.2g of the mean velocity, %ld markers, %ld steps, %.1f s\n", n, 100 * error,
+                  result.slip, result.markers, result.steps, result.seconds);
     assert_true(result.slip < 0.05);
     return error;
 }
@@ -28,8 +28,7 @@ static void wherever_the_body_stands(void **state) {
         if (!(fabs(e) < 0.03)) fail_msg("k is %g %% off", 100 * e);
         low = fmin(low, e), high = fmax(high, e);
     }
-    if (!(high - low < 0.02))
-        fail_msg("k varies by %g %% with the body's place on the grid", 100 * (high - low));
+    if (!(high - low < 0.02)) fail_msg("k varies by %g %% with the body's place on the grid", 100 * (high - low));
 }
 
 /* Other lattice sites inside the same sphere: another rough surface. */

@@ -1,7 +1,8 @@
-/* Taylor-Couette flow with both cylinders immersed, R2 = 2 R1, the inner one turning: u = A r + B/r between them, A = -Omega/3,
- * B = 4 Omega R1^2/3, and a torque of 4 pi mu Omega R1^2/(1 - 1/4) = 16.755161 mu Omega R1^2 a length. Markers stand as deep in the
- * material as a plane asks for, (1/2 + 2 phi(t-1) phi(t+1))/2 cells in the mean over places t on the grid (test_planes.c). What is
- * within the inner cylinder turns as a whole; what is outside the outer one is at rest but for what leaks through. */
+/* Taylor-Couette flow with both cylinders immersed, R2 = 2 R1, the inner one turning: u = A r + B/r between them, A =
+ * -Omega/3, B = 4 Omega R1^2/3, and a torque of 4 pi mu Omega R1^2/(1 - 1/4) = 16.755161 mu Omega R1^2 a length.
+ * Markers stand as deep in the material as a plane asks for, (1/2 + 2 phi(t-1) phi(t+1))/2 cells in the mean over
+ * places t on the grid (test_planes.c). What is within the inner cylinder turns as a whole; what is outside the outer
+ * one is at rest but for what leaks through. */
 #include "flows.h"
 
 #include <setjmp.h>
@@ -13,12 +14,11 @@ enum { ACROSS = 6, DEPTH = 3 }; /* the box, inner radii; cells along the cylinde
 static const double RETRACTION = 0.266, OMEGA = 1e-3, RADIUS = 1;
 
 struct couette {
-    double torque
-        [2]; /* of the cylinders on the fluid about their axis, per length, over mu Omega R1^2: inner, outer */
-    double seam;  /* what the box's periodic sides take, the same */
-    double rate;  /* d/dt of the fluid's angular momentum over the last step, the same */
-    double error; /* of u between the cylinders, root mean square over Omega R1 */
-    double slip;  /* over Omega R1 */
+    double torque[2]; /* of the cylinders on the fluid about their axis, per length, over mu Omega R1^2: inner, outer */
+    double seam;      /* what the box's periodic sides take, the same */
+    double rate;      /* d/dt of the fluid's angular momentum over the last step, the same */
+    double error;     /* of u between the cylinders, root mean square over Omega R1 */
+    double slip;      /* over Omega R1 */
 };
 
 static double centre(void) { return 0.5 * ACROSS * RADIUS; }
@@ -91,7 +91,8 @@ static double angular(struct fluid *f, double *error) {
     return sum * g->d[0] * g->d[1] / DEPTH;
 }
 
-/* The torque that friction and convection take across the periodic sides, a length: x and y leap by the box's width there. */
+/* The torque that friction and convection take across the periodic sides, a length: x and y leap by the box's width
+ * there. */
 static double across_seam(struct fluid *f) {
     const struct fluid_grid *g = fluid_grid_of(f);
     const double *u = fluid_state_of(f)->u, *v = fluid_state_of(f)->v, d = g->d[0];
@@ -137,8 +138,7 @@ static struct couette turn(int cells, int iterations, double time) {
     ibm_forcing_by_marker(ibm, dt, force);
     for (int i = 0; i < body.n; i++)
         c.torque[i >= body.n - (int)lrint(2 * 2 * M_PI * RADIUS / dx) * DEPTH] +=
-            ((body.x[0][i] - centre()) * force[1][i] - (body.x[1][i] - centre()) * force[0][i]) /
-            (DEPTH * dx) / unit;
+            ((body.x[0][i] - centre()) * force[1][i] - (body.x[1][i] - centre()) * force[0][i]) / (DEPTH * dx) / unit;
     c.rate = (angular(f, &c.error) - before) / dt / unit;
     c.seam = seam / unit;
     c.slip = ibm_forcing_slip(ibm) / (OMEGA * RADIUS);

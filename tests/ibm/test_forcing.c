@@ -163,9 +163,7 @@ static double grid_sum(struct fluid *f, int c, int torque_arm) {
             for (int i = 0; i < g->m[0]; i++) {
                 const int at[3] = {i, j, k};
                 const double arm =
-                    torque_arm < 0
-                        ? 1
-                        : (at[torque_arm] + g->lo[torque_arm] + (torque_arm == c ? 1.0 : 0.5)) * dx;
+                    torque_arm < 0 ? 1 : (at[torque_arm] + g->lo[torque_arm] + (torque_arm == c ? 1.0 : 0.5)) * dx;
                 sum += arm * fluid_predicted(f)[c][fluid_grid_at(g, i, j, k)];
             }
     return par_sum(sum) * dx * dx * dx;
@@ -305,8 +303,7 @@ static void walls_are_left_alone(void **state) {
     double on_wall = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int i = 0; i < g->m[0]; i++) {
-            if (g->lo[1] == 0)
-                on_wall = fmax(on_wall, fabs(fluid_predicted(f)[1][fluid_grid_at(g, i, -1, k)]));
+            if (g->lo[1] == 0) on_wall = fmax(on_wall, fabs(fluid_predicted(f)[1][fluid_grid_at(g, i, -1, k)]));
             if (g->lo[1] + g->m[1] == NY)
                 on_wall = fmax(on_wall, fabs(fluid_predicted(f)[1][fluid_grid_at(g, i, g->m[1] - 1, k)]));
         }

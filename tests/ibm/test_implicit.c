@@ -1,5 +1,5 @@
-/* Forcing with implicit diffusion: one steady flow for every step and number of ranks, the explicit scheme's; momentum; bodies that
- * move, sides with conditions. */
+/* Forcing with implicit diffusion: one steady flow for every step and number of ranks, the explicit scheme's; momentum;
+ * bodies that move, sides with conditions. */
 #include "flows.h"
 
 #include <setjmp.h>
@@ -69,8 +69,7 @@ static double permeability(int implicit, double dt, int steps) {
 /* Within what a stage's tolerance leaves, 2e-3 of a slip that is itself a tenth of k. */
 static void same_for_every_step(void **state) {
     (void)state;
-    const double huge = permeability(1, 1e4, 12), large = permeability(1, 100, 12),
-                 small = permeability(1, 8, 60);
+    const double huge = permeability(1, 1e4, 12), large = permeability(1, 100, 12), small = permeability(1, 8, 60);
     print_message("k/L^2 = %.7f (nu dt/d^2 = 1e4), %.7f (100), %.7f (8)\n", huge, large, small);
     assert_true(fabs(large / huge - 1) < 3e-4);
     assert_true(fabs(small / huge - 1) < 3e-4);
@@ -80,8 +79,7 @@ static void same_for_every_step(void **state) {
 static void explicit_scheme_agrees(void **state) {
     (void)state;
     if (par_size() > 1) return;
-    const double implicit = permeability(1, 1e3, 8), limit = 1.65 / 12,
-                 explicit = permeability(0, limit, 2000);
+    const double implicit = permeability(1, 1e3, 8), limit = 1.65 / 12, explicit = permeability(0, limit, 2000);
     print_message("k/L^2 = %.6f implicit, %.6f explicit at its limit\n", implicit, explicit);
     assert_true(fabs(implicit / explicit - 1) < 0.01);
 }
@@ -112,8 +110,9 @@ static void markers_share_the_force(void **state) {
     body_free(&body);
 }
 
-/* A sphere dragged along between walls, from an inflow to an outflow, through cells and over ranks, at nu dt/d^2 from 0.1 to 1e4: the
- * flow stays of the order of the speeds that are given, and what moves with the sphere moves as it does. */
+/* A sphere dragged along between walls, from an inflow to an outflow, through cells and over ranks, at nu dt/d^2 from
+ * 0.1 to 1e4: the flow stays of the order of the speeds that are given, and what moves with the sphere moves as it
+ * does. */
 static void a_moving_body_between_walls(void **state) {
     (void)state;
     for (int power = -1; power <= 4; power++) {
@@ -180,10 +179,10 @@ static void demand_is_handed_on(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_for_every_step), cmocka_unit_test(explicit_scheme_agrees),
-        cmocka_unit_test(markers_share_the_force), cmocka_unit_test(a_moving_body_between_walls),
-        cmocka_unit_test(demand_is_handed_on)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(same_for_every_step), cmocka_unit_test(explicit_scheme_agrees),
+                                       cmocka_unit_test(markers_share_the_force),
+                                       cmocka_unit_test(a_moving_body_between_walls),
+                                       cmocka_unit_test(demand_is_handed_on)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

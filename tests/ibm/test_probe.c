@@ -60,11 +60,10 @@ static void set_state(struct fluid *f, const struct flow *flow) {
 /* An orthonormal frame that depends on a number only. */
 static void set_frame(double e[3][3], double angle) {
     const double a = angle, b = 1.3 * angle + 0.4, c = 0.7 * angle - 1;
-    const double turn[3][3] = {{cos(a) * cos(b), sin(a) * cos(b), -sin(b)},
-                               {cos(a) * sin(b) * sin(c) - sin(a) * cos(c),
-                                sin(a) * sin(b) * sin(c) + cos(a) * cos(c), cos(b) * sin(c)},
-                               {cos(a) * sin(b) * cos(c) + sin(a) * sin(c),
-                                sin(a) * sin(b) * cos(c) - cos(a) * sin(c), cos(b) * cos(c)}};
+    const double turn[3][3] = {
+        {cos(a) * cos(b), sin(a) * cos(b), -sin(b)},
+        {cos(a) * sin(b) * sin(c) - sin(a) * cos(c), sin(a) * sin(b) * sin(c) + cos(a) * cos(c), cos(b) * sin(c)},
+        {cos(a) * sin(b) * cos(c) + sin(a) * sin(c), sin(a) * sin(b) * cos(c) - cos(a) * sin(c), cos(b) * cos(c)}};
     memcpy(e, turn, sizeof turn);
 }
 
@@ -129,11 +128,10 @@ static void linear_velocity(const double y[3], double u[3]) {
 }
 static const double rate[3][3] = {{1.1, -0.7, 0.2}, {0.4, 0.5, -0.9}, {0.8, 0.6, -1.6}};
 static const double slope[3] = {2.5, -1.5, 0.8};
-static double linear_pressure(const double y[3]) {
-    return 7 + slope[0] * y[0] + slope[1] * y[1] + slope[2] * y[2];
-}
+static double linear_pressure(const double y[3]) { return 7 + slope[0] * y[0] + slope[1] * y[1] + slope[2] * y[2]; }
 
-/* Velocity and pressure linear in space, root accelerated as that pressure asks: exact for any angle, place and normal. */
+/* Velocity and pressure linear in space, root accelerated as that pressure asks: exact for any angle, place and normal.
+ */
 static void exact_on_linear_fields(void **state) {
     (void)state;
     const int n = 18;
@@ -143,8 +141,7 @@ static void exact_on_linear_fields(void **state) {
     const double dx = 1.0 / n, mu = density * viscosity;
     for (int angle = 0; angle < 10; angle++) { /* each in both forms */
         p.to_wall = angle % 2;
-        struct flow flow = {
-            .o = {0.47, 0.52, 0.55}, .velocity = linear_velocity, .pressure = linear_pressure};
+        struct flow flow = {.o = {0.47, 0.52, 0.55}, .velocity = linear_velocity, .pressure = linear_pressure};
         set_frame(flow.e, 0.9 * angle);
         set_state(f, &flow);
         double normal[100][3]; /* in the flow's frame */
@@ -178,8 +175,7 @@ static void exact_on_linear_fields(void **state) {
                     across += mu * rate[a][c] * normal[h][a] * normal[h][c];
                 }
             }
-            for (int a = 0; a < 3 && p.to_wall; a++)
-                stress[a] -= across * normal[h][a]; /* no slip: there is none */
+            for (int a = 0; a < 3 && p.to_wall; a++) stress[a] -= across * normal[h][a]; /* no slip: there is none */
             for (int d = 0; d < 3; d++) {
                 double t = 0;
                 for (int a = 0; a < 3; a++) t += stress[a] * flow.e[a][d];
@@ -206,8 +202,7 @@ static double stagnation_error(int n, int to_wall) {
     struct ibm *b = ibm_new(f, 1);
     struct probes p = probes_new(100);
     p.to_wall = to_wall;
-    struct flow flow = {
-        .o = {0.51, 0.46, 0.53}, .velocity = stagnation_velocity, .pressure = stagnation_pressure};
+    struct flow flow = {.o = {0.51, 0.46, 0.53}, .velocity = stagnation_velocity, .pressure = stagnation_pressure};
     set_frame(flow.e, 0.6);
     set_state(f, &flow);
     for (int h = par_rank(); h < 60; h += par_size()) {
@@ -238,8 +233,7 @@ static double stagnation_error(int n, int to_wall) {
 /* The stress is taken at the tip, 2 dx off the wall: first order. */
 static void first_order_on_stagnation_flow(void **state) {
     (void)state;
-    const double coarse = stagnation_error(24, 0), fine = stagnation_error(48, 0),
-                 order = log2(coarse / fine);
+    const double coarse = stagnation_error(24, 0), fine = stagnation_error(48, 0), order = log2(coarse / fine);
     if (!(order > 0.9 && order < 1.3)) fail_msg("errors %g, %g: order %g", coarse, fine, order);
     assert_true(fine < 0.2 * density * viscosity);
 }
@@ -250,7 +244,8 @@ static void exact_on_stagnation_flow_at_the_wall(void **state) {
     close_to(stagnation_error(24, 1), 0, 1e-11);
 }
 
-/* Stokes' flow past a sphere at rest, of velocity 1 along y0 far away; p over mu. Drawn on inside to half the radius. */
+/* Stokes' flow past a sphere at rest, of velocity 1 along y0 far away; p over mu. Drawn on inside to half the radius.
+ */
 static const double sphere_radius = 0.25;
 static double sphere_r(const double y[3]) {
     return fmax(sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]), 0.5 * sphere_radius);
@@ -304,8 +299,8 @@ static void stokes_drag(void **state) {
     }
     const double order_tip = log2(tip[1] / tip[2]), order_wall = log2(wall[1] / wall[2]);
     if (!(order_tip > 0.5 && order_tip < 1.2 && order_wall > 2))
-        fail_msg("tip %g, %g, %g: order %g; wall %g, %g, %g: order %g", tip[0], tip[1], tip[2], order_tip,
-                 wall[0], wall[1], wall[2], order_wall);
+        fail_msg("tip %g, %g, %g: order %g; wall %g, %g, %g: order %g", tip[0], tip[1], tip[2], order_tip, wall[0],
+                 wall[1], wall[2], order_wall);
     close_to(wall[1], 0, 0.03);
     close_to(wall[2], 0, 0.015);
 }
@@ -318,14 +313,14 @@ static const double gravity = -9.81;
 static double hydrostatic(const double y[3]) { return density * gravity * y[2]; } /* p = -rho |g| z */
 
 /* A fluid at rest under gravity lifts what is in it by the weight of its volume: signs of p_m, of the body force at the
- * root, and of the traction. A box with roots on its faces exactly; a sphere cut from a lattice within its area's error. */
+ * root, and of the traction. A box with roots on its faces exactly; a sphere cut from a lattice within its area's
+ * error. */
 static void hydrostatics_lifts(void **state) {
     (void)state;
     const int n = 24;
     struct fluid *f = walled_box(n, 1, (double[3]){0, 0, gravity});
     struct ibm *b = ibm_new(f, 1);
-    const struct flow flow = {
-        .e = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .velocity = rest, .pressure = hydrostatic};
+    const struct flow flow = {.e = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .velocity = rest, .pressure = hydrostatic};
     const double dx = 1.0 / n;
     set_state(f, &flow);
     for (int form = 0; form < 4; form++) {
@@ -367,8 +362,7 @@ static void hydrostatics_lifts(void **state) {
             for (int d = 0; d < 3; d++) lift[d] += p.traction[d][h] * body.area[h];
         par_sum_array(lift, 3);
         const double weight = density * -gravity * volume;
-        for (int d = 0; d < 3; d++)
-            close_to(lift[d], d == 2 ? weight : 0, (shape == 0 ? 1e-12 : 0.03) * weight);
+        for (int d = 0; d < 3; d++) close_to(lift[d], d == 2 ? weight : 0, (shape == 0 ? 1e-12 : 0.03) * weight);
         probes_free(&p);
         body_free(&body);
     }
@@ -390,8 +384,7 @@ static void driving_gradient_pushes(void **state) {
         for (int end = 0; end < 2; end++) {
             p.x[0][end] = end ? 1.2 : 0.3, p.x[1][end] = 0.5, p.x[2][end] = 0.93;
             p.normal[0][end] = end ? 1 : -1;
-            p.acceleration[end] =
-                (end ? 1 : -1) * 3.0 / density; /* as the fluid at rest is about to move: dp/dn = 0 */
+            p.acceleration[end] = (end ? 1 : -1) * 3.0 / density; /* as the fluid at rest is about to move: dp/dn = 0 */
             p.n++;
         }
     probes_run(b, &p);
@@ -421,8 +414,7 @@ static void tips_outside_are_inactive(void **state) {
     }
     probes_run(b, &p);
     assert_true(p.active[0] && !p.active[1]);
-    assert_true(p.traction[0][1] == 0 && p.traction[1][1] == 0 && p.traction[2][1] == 0 &&
-                p.pressure[1] == 0);
+    assert_true(p.traction[0][1] == 0 && p.traction[1][1] == 0 && p.traction[2][1] == 0 && p.pressure[1] == 0);
     assert_true(p.pressure[0] != 0);
     probes_free(&p);
     ibm_free(b);

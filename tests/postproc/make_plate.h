@@ -1,5 +1,5 @@
-/* A run folder of a plate whose crack is known: it starts at 6 us, runs at 1500 m/s along the middle, and parts at x = 67 mm into
- * branches of 28 degrees to the left and 12 to the right, of 1200 m/s. */
+/* A run folder of a plate whose crack is known: it starts at 6 us, runs at 1500 m/s along the middle, and parts at x =
+ * 67 mm into branches of 28 degrees to the left and 12 to the right, of 1200 m/s. */
 #pragma once
 #include "files/folder.h"
 #include "base/memory.h"
@@ -45,17 +45,16 @@ static double plate_damage(double t, const double x[2], double h) {
 static void plate_scene(const char *folder, double h) {
     char path[FOLDER_PATH];
     FILE *f = fopen(folder_path(path, folder, "scene.yaml"), "w");
-    fprintf(
-        f,
-        "title: A made-up plate that cracks\n"
-        "domain: {size: [0.1, 0.04]}\n"
-        "solid:\n  spacing: %g\n  model: plane_stress\n  thickness: 0.002\n"
-        "  materials:\n    - {name: glass, youngs_modulus: 7.2e10, density: 2440, fracture_energy: 135}\n"
-        "  bodies:\n    - {name: plate, material: glass, shape: rectangle, low: [0, 0], high: [0.1, 0.04]}\n"
-        "  cracks:\n    - {name: notch, points: [[0, 0.02], [0.05, 0.02]]}\n"
-        "stages:\n  - {name: pull, steps: %d, integrator: verlet, time_step: %g}\n"
-        "output:\n  crack: {damage: 0.35, direction: [1, 0], window: 2.0e-6, every: %d}\n",
-        h, PLATE_STEPS, plate_dt, PLATE_EVERY);
+    fprintf(f,
+            "title: A made-up plate that cracks\n"
+            "domain: {size: [0.1, 0.04]}\n"
+            "solid:\n  spacing: %g\n  model: plane_stress\n  thickness: 0.002\n"
+            "  materials:\n    - {name: glass, youngs_modulus: 7.2e10, density: 2440, fracture_energy: 135}\n"
+            "  bodies:\n    - {name: plate, material: glass, shape: rectangle, low: [0, 0], high: [0.1, 0.04]}\n"
+            "  cracks:\n    - {name: notch, points: [[0, 0.02], [0.05, 0.02]]}\n"
+            "stages:\n  - {name: pull, steps: %d, integrator: verlet, time_step: %g}\n"
+            "output:\n  crack: {damage: 0.35, direction: [1, 0], window: 2.0e-6, every: %d}\n",
+            h, PLATE_STEPS, plate_dt, PLATE_EVERY);
     fclose(f);
     struct scene *scene = scene_new(path, 0, NULL);
     f = fopen(folder_path(path, folder, "scene.resolved.yaml"), "w");
@@ -66,19 +65,16 @@ static void plate_scene(const char *folder, double h) {
 
 /* As a run writes them, the speeds known. */
 static void plate_tables(const char *folder) {
-    static const char *const name[] = {"step",    "t",          "tip_x",           "tip_y",
-                                       "speed",   "left_x",     "left_y",          "left_speed",
-                                       "right_x", "right_y",    "right_speed",     "fronts",
-                                       "length",  "e_fracture", "energy_per_area", "energy_over_g0"};
+    static const char *const name[] = {
+        "step",    "t",       "tip_x",       "tip_y",  "speed",  "left_x",     "left_y",          "left_speed",
+        "right_x", "right_y", "right_speed", "fronts", "length", "e_fracture", "energy_per_area", "energy_over_g0"};
     static const char *const unit[] = {"1", "s", "m",   "m", "m/s", "m", "m",    "m/s",
                                        "m", "m", "m/s", "1", "m",   "J", "J/m2", "1"};
-    static const char *const series_name[] = {"step",     "t",          "e_kinetic_solid",
-                                              "e_strain", "e_fracture", "bonds_broken"};
+    static const char *const series_name[] = {"step", "t", "e_kinetic_solid", "e_strain", "e_fracture", "bonds_broken"};
     static const char *const series_unit[] = {"1", "s", "J", "J", "J", "1"};
     char path[FOLDER_PATH];
     struct table *crack = table_new(folder_path(path, folder, "crack.csv"), 16, name, unit, -1);
-    struct table *series =
-        table_new(folder_path(path, folder, "series.csv"), 6, series_name, series_unit, -1);
+    struct table *series = table_new(folder_path(path, folder, "series.csv"), 6, series_name, series_unit, -1);
     for (long step = 0; step <= PLATE_STEPS; step += PLATE_EVERY) {
         const double t = (double)step * plate_dt;
         double left[2], right[2];
@@ -135,13 +131,12 @@ static void plate_field(const char *folder, long step, double h) {
     char name[64], path[FOLDER_PATH], file[96];
     snprintf(name, sizeof name, "solid_%08ld.hdf", step);
     snprintf(file, sizeof file, "fields/%s", name);
-    struct vtkhdf *f =
-        vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, folder, file),
-                                                          .time = t,
-                                                          .step = step,
-                                                          .n = n,
-                                                          .x = (const double(*)[3])x,
-                                                          .wide = 0});
+    struct vtkhdf *f = vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, folder, file),
+                                                                         .time = t,
+                                                                         .step = step,
+                                                                         .n = n,
+                                                                         .x = (const double(*)[3])x,
+                                                                         .wide = 0});
     static const char *const field[4] = {"damage", "stretch_max", "energy_density", "volume"};
     vtkhdf_add(f, "displacement", 3, &u[0][0]);
     for (int k = 0; k < 4; k++) vtkhdf_add(f, field[k], 1, value + k * n);

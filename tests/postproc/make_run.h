@@ -1,5 +1,5 @@
-/* A run folder such as frana leaves, made up: a porous block that cracks from the back, so that what frana post should find
- * is known beforehand. */
+/* A run folder such as frana leaves, made up: a porous block that cracks from the back, so that what frana post should
+ * find is known beforehand. */
 #pragma once
 #include "files/folder.h"
 #include "files/json.h"
@@ -33,23 +33,20 @@ static double make_time(long step) {
 }
 
 /* 0 until half of the last stage, then growing to 1. */
-static double make_progress(long step) {
-    return fmax(0, (double)(step - 5 * MAKE_STEPS / 2) / (0.5 * MAKE_STEPS));
-}
+static double make_progress(long step) { return fmax(0, (double)(step - 5 * MAKE_STEPS / 2) / (0.5 * MAKE_STEPS)); }
 
 static void make_scene(const struct make_run *in) {
     char path[FOLDER_PATH];
     const double d = 0.1 / in->cells;
     FILE *f = fopen(folder_path(path, in->folder, "scene.yaml"), "w");
-    fprintf(
-        f,
-        "title: \"A made-up block: it's \\\"cracked\\\" | from <the> back\"\n"
-        "domain: {size: [0.2, 0.1, 0.1], cells: [%d, %d, %d]}\n"
-        "fluid:\n  density: 1000\n  viscosity: 1.0e-3\n  initial: {velocity: [0.1, 0, 0]}\n  sides:\n"
-        "    x_low: {type: inflow, profile: poiseuille, bulk_velocity: 0.1}\n    x_high: {type: outflow}\n"
-        "    y_low: {type: wall}\n    y_high: {type: wall}\n    z_low: {type: periodic}\n    z_high: {type: "
-        "periodic}\n",
-        2 * in->cells, in->cells, in->cells);
+    fprintf(f,
+            "title: \"A made-up block: it's \\\"cracked\\\" | from <the> back\"\n"
+            "domain: {size: [0.2, 0.1, 0.1], cells: [%d, %d, %d]}\n"
+            "fluid:\n  density: 1000\n  viscosity: 1.0e-3\n  initial: {velocity: [0.1, 0, 0]}\n  sides:\n"
+            "    x_low: {type: inflow, profile: poiseuille, bulk_velocity: 0.1}\n    x_high: {type: outflow}\n"
+            "    y_low: {type: wall}\n    y_high: {type: wall}\n    z_low: {type: periodic}\n    z_high: {type: "
+            "periodic}\n",
+            2 * in->cells, in->cells, in->cells);
     if (!in->no_solid)
         fprintf(f,
                 "solid:\n  materials:\n    - {name: ceramic, youngs_modulus: 1.0e8, density: 3000, "
@@ -148,12 +145,11 @@ static void make_solid(const struct make_run *in, long step) {
     char name[64], path[FOLDER_PATH], file[96];
     snprintf(name, sizeof name, "solid_%08ld.hdf", step);
     snprintf(file, sizeof file, "fields/%s", name);
-    struct vtkhdf *f =
-        vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, in->folder, file),
-                                                          .time = make_time(step),
-                                                          .step = step,
-                                                          .n = m,
-                                                          .x = (const double(*)[3])x});
+    struct vtkhdf *f = vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, in->folder, file),
+                                                                         .time = make_time(step),
+                                                                         .step = step,
+                                                                         .n = m,
+                                                                         .x = (const double(*)[3])x});
     vtkhdf_add_byte(f, "held", 1, held);
     vtkhdf_add(f, "displacement", 3, &u[0][0]);
     vtkhdf_add(f, "damage", 1, damage);
@@ -183,14 +179,13 @@ static void make_fluid(const struct make_run *in, long step) {
     char name[64], path[FOLDER_PATH], file[96];
     snprintf(name, sizeof name, "fluid_%08ld.hdf", step);
     snprintf(file, sizeof file, "fields/%s", name);
-    struct vtkhdf *f =
-        vtkhdf_image_begin(&(struct vtkhdf_image_input){.path = folder_path(path, in->folder, file),
-                                                        .time = make_time(step),
-                                                        .step = step,
-                                                        .n = {n[0], n[1], n[2]},
-                                                        .origin = {0.5 * d, 0.5 * d, 0.5 * d},
-                                                        .spacing = {d, d, d},
-                                                        .m = {n[0], n[1], n[2]}});
+    struct vtkhdf *f = vtkhdf_image_begin(&(struct vtkhdf_image_input){.path = folder_path(path, in->folder, file),
+                                                                       .time = make_time(step),
+                                                                       .step = step,
+                                                                       .n = {n[0], n[1], n[2]},
+                                                                       .origin = {0.5 * d, 0.5 * d, 0.5 * d},
+                                                                       .spacing = {d, d, d},
+                                                                       .m = {n[0], n[1], n[2]}});
     vtkhdf_add(f, "pressure", 1, pressure);
     if (!in->no_solid) vtkhdf_add(f, "solid_fraction", 1, solid);
     vtkhdf_end(f);

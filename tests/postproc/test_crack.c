@@ -13,7 +13,8 @@
 #include "tests/postproc/close.h"
 
 /* c_R/c_s = 0.919402 for nu = 1/4, and for a plate in plane stress with nu = 1/3, which has the same c_d/c_s = sqrt 3;
- * 0.955313 for an incompressible solid (Rayleigh 1885), near which nu = 0.4999 is. Then the materials of the documents. */
+ * 0.955313 for an incompressible solid (Rayleigh 1885), near which nu = 0.4999 is. Then the materials of the documents.
+ */
 static void rayleigh(void **state) {
     (void)state;
     const struct postproc_waves solid = postproc_waves_of(2.5, 0.25, 1, 0),
@@ -74,21 +75,20 @@ static void holes_and_open_lines(void **state) {
     assert_close(postproc_contour_area(c), M_PI * (0.16 - 0.04), 2e-4);
     postproc_contour_free(c);
     c = postproc_contour_new(g, -0.3);
-    assert_int_equal(c->lines,
-                     4); /* the outer circle is cut by the four sides; the hole is a point at the middle */
+    assert_int_equal(c->lines, 4); /* the outer circle is cut by the four sides; the hole is a point at the middle */
     postproc_contour_free(c);
     g->value[80 * 161 + 80 + 64] = NAN; /* on the outer line: it opens */
     c = postproc_contour_new(g, -0.1);
     assert_int_equal(c->lines, 2);
     int open = 0;
-    for (int k = 0; k < c->lines; k++)
-        open += memcmp(c->x[c->first[k]], c->x[c->first[k + 1] - 1], sizeof *c->x) != 0;
+    for (int k = 0; k < c->lines; k++) open += memcmp(c->x[c->first[k]], c->x[c->first[k + 1] - 1], sizeof *c->x) != 0;
     assert_int_equal(open, 1);
     postproc_contour_free(c);
     postproc_grid_free(g);
 }
 
-/* High corners 0 and 2. Their mean above the level: they are joined, and the lines go round the low corners; below: apart. */
+/* High corners 0 and 2. Their mean above the level: they are joined, and the lines go round the low corners; below:
+ * apart. */
 static void saddle(void **state) {
     (void)state;
     for (int joined = 0; joined < 2; joined++) {
@@ -100,7 +100,8 @@ static void saddle(void **state) {
         assert_int_equal(c->lines, 2);
         for (int k = 0; k < 2; k++) {
             const double *a = c->x[c->first[k]], *b = c->x[c->first[k + 1] - 1];
-            /* both ends are nearest to the corner that is cut off: (0,0) and (1,1) when apart, (1,0) and (0,1) when joined */
+            /* both ends are nearest to the corner that is cut off: (0,0) and (1,1) when apart, (1,0) and (0,1) when
+             * joined */
             const double x = 0.5 * (a[0] + b[0]) > 0.5, y = 0.5 * (a[1] + b[1]) > 0.5;
             assert_true(joined ? x != y : x == y);
             /* what is above is to the left */
@@ -131,12 +132,8 @@ static void grid_of_two_levels(void **state) {
             value[n] = plane(x[n]);
             n++;
         }
-    struct postproc_grid_input in = {.n = n,
-                                     .x = (const double(*)[2])x,
-                                     .value = value,
-                                     .stride = 1,
-                                     .spacing = 0.5,
-                                     .first = {0.25, 0.25}};
+    struct postproc_grid_input in = {
+        .n = n, .x = (const double(*)[2])x, .value = value, .stride = 1, .spacing = 0.5, .first = {0.25, 0.25}};
     struct postproc_grid *g = postproc_grid_new(&in);
     assert_close(g->h, 0.25, 1e-15);
     assert_int_equal(g->n[0], 63);
@@ -276,8 +273,7 @@ static void branches_of_a_fork(void **state) {
 static void no_branches(void **state) {
     (void)state;
     const double h = 0.5e-3;
-    const struct segment s[3] = {
-        {{0, 0.02}, {0.08, 0.02}}, {{0, 0.03}, {0.08, 0.03}}, {{0.07, 0.005}, {0.09, 0.005}}};
+    const struct segment s[3] = {{{0, 0.02}, {0.08, 0.02}}, {{0, 0.03}, {0.08, 0.03}}, {{0.07, 0.005}, {0.09, 0.005}}};
     struct postproc_grid *g = plate_of(h, 3, s);
     struct postproc_grid *one = postproc_crack_shape_connected(g, 0.35, (double[]){0.05, 0.02});
     assert_false(postproc_crack_branch_of(one, 5e-3).found);
@@ -293,8 +289,7 @@ static void no_branches(void **state) {
 static void chord_of_a_kinked_crack(void **state) {
     (void)state;
     const double h = 0.5e-3, a = 68 * M_PI / 180, l = 0.015;
-    const struct segment s[2] = {{{0, 0.02}, {0.05, 0.02}},
-                                 {{0.05, 0.02}, {0.05 + l * cos(a), 0.02 + l * sin(a)}}};
+    const struct segment s[2] = {{{0, 0.02}, {0.05, 0.02}}, {{0.05, 0.02}, {0.05 + l * cos(a), 0.02 + l * sin(a)}}};
     struct postproc_grid *g = plate_of(h, 2, s);
     struct postproc_grid *crack = postproc_crack_shape_connected(g, 0.35, (double[]){0.05, 0.02});
     struct postproc_tip tip[2];

@@ -47,8 +47,7 @@ static void normal_law(void **state) {
     assert_close(p.deviation, 0.5, 1e-3); /* the quantiles cut the tails off: 2e-4 at this n */
     /* the rule: 2 IQR n^(-1/3), IQR = 1.34898 sigma */
     assert_close(p.width, 2 * 1.34898 * 0.5 / cbrt(N), 0.02 * p.width);
-    for (int i = 0; i < p.bins;
-         i++) { /* the density itself; an erf over the bin, off by one sample at most */
+    for (int i = 0; i < p.bins; i++) { /* the density itself; an erf over the bin, off by one sample at most */
         const double a = (p.low + i * p.width - 3) / 0.5, b = a + p.width / 0.5;
         const double exact = 0.5 * (erf(b / M_SQRT2) - erf(a / M_SQRT2)) / p.width;
         assert_close(p.density[i], exact, 1.01 / (N * p.width));

@@ -31,8 +31,7 @@ static double summary(const char *quantity) {
     snprintf(quoted, sizeof quoted, "\"%s\",", quantity);
     while (f && fgets(line, sizeof line, f)) {
         const size_t plain = strlen(quantity);
-        if (strncmp(line, quoted, plain + 3) == 0 ||
-            (strncmp(line, quantity, plain) == 0 && line[plain] == ','))
+        if (strncmp(line, quoted, plain + 3) == 0 || (strncmp(line, quantity, plain) == 0 && line[plain] == ','))
             value = strtod(strrchr(line, ',') + 1, NULL);
     }
     if (f) fclose(f);
@@ -79,8 +78,7 @@ static void whole_plate(void **state) {
     const double x = summary("branching, x"), branch = plate_start + 0.017 / 1500;
     assert_true(x > plate_branch - h && x < plate_branch + 6 * h);
     assert_close(summary("branching, y"), plate_middle, 1.5 * h);
-    assert_close(summary("branching: tip passes the place, t"), branch + (x - plate_branch) / 1200,
-                 2 * h / 1200);
+    assert_close(summary("branching: tip passes the place, t"), branch + (x - plate_branch) / 1200, 2 * h / 1200);
     assert_close(summary("branching: fronts apart from then on, t"), branch + 0.004 / 1200, 0.3e-6);
     assert_close(summary("angle of the branch to the left, at first"), 28, 2.5);
     assert_close(summary("angle of the branch to the right, at last"), 12, 2.5);
@@ -89,8 +87,7 @@ static void whole_plate(void **state) {
 static void options_are_kept(void **state) {
     (void)state;
     make_plate(folder_path(folder, base, "asked"), 1e-3);
-    const struct postproc_options o = {
-        .film = 1, .film_quantity = POSTPROC_DISPLACEMENT_Y, .level = 0.2, .magnify = 5};
+    const struct postproc_options o = {.film = 1, .film_quantity = POSTPROC_DISPLACEMENT_Y, .level = 0.2, .magnify = 5};
     assert_int_equal(postproc_post(folder, &o), EXIT_CODE_DONE);
     assert_close(summary("level of the damage contour"), 0.2, 1e-12);
     assert_true(size_of("post/film/displacement_y_0003.png") > 100);
@@ -138,8 +135,7 @@ static void plate_as_it_was_written(void **state) {
         assert_close(p->size[k], 1e-3, 1e-9);
     }
     assert_close(p->high[0], 0.1, 1e-8);
-    assert_close(h->s0, sqrt(4 * M_PI * 135 / (9 * 7.2e10 * 3e-3)),
-                 1e-12); /* 003: eq. 2.10, its integral in 2D */
+    assert_close(h->s0, sqrt(4 * M_PI * 135 / (9 * 7.2e10 * 3e-3)), 1e-12); /* 003: eq. 2.10, its integral in 2D */
     postproc_plate_free(p);
     postproc_history_free(h);
 }
@@ -147,11 +143,8 @@ static void plate_as_it_was_written(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_plate),
-        cmocka_unit_test(options_are_kept),
-        cmocka_unit_test(fields_alone),
-        cmocka_unit_test(compared),
-        cmocka_unit_test(plate_as_it_was_written),
+        cmocka_unit_test(whole_plate), cmocka_unit_test(options_are_kept),        cmocka_unit_test(fields_alone),
+        cmocka_unit_test(compared),    cmocka_unit_test(plate_as_it_was_written),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

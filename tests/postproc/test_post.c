@@ -44,8 +44,7 @@ static double summary(const char *run, const char *quantity) {
     snprintf(quoted, sizeof quoted, "\"%s\",", quantity);
     while (f && fgets(line, sizeof line, f)) {
         const size_t plain = strlen(quantity);
-        if (strncmp(line, quoted, plain + 3) == 0 ||
-            (strncmp(line, quantity, plain) == 0 && line[plain] == ','))
+        if (strncmp(line, quoted, plain + 3) == 0 || (strncmp(line, quantity, plain) == 0 && line[plain] == ','))
             value = strtod(strrchr(line, ',') + 1, NULL);
     }
     if (f) fclose(f);
@@ -77,12 +76,10 @@ enum { FILES = sizeof files_of_whole_run / sizeof *files_of_whole_run };
 static void whole_run(void **state) {
     (void)state;
     const char *cells = getenv("FRANA_TEST_CELLS"); /* 64 to look at the pictures of the main case */
-    make_run(&(struct make_run){
-        .folder = named("whole"), .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS});
+    make_run(&(struct make_run){.folder = named("whole"), .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS});
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     for (int k = 0; k < FILES; k++)
-        if (size_of(folder, files_of_whole_run[k]) < 100)
-            fail_msg("%s is missing or empty", files_of_whole_run[k]);
+        if (size_of(folder, files_of_whole_run[k]) < 100) fail_msg("%s is missing or empty", files_of_whole_run[k]);
     /* rho U^2 = 10 Pa; settled to 1900 Pa at step 200, half of it at the end; t0 = 0.1 m / 0.1 m/s */
     assert_close(summary(folder, "p0 = rho_f U_b^2"), 10, 1e-9);
     assert_close(summary(folder, "dp/(rho_f U_b^2), before"), 190 * (1 - exp(-10)), 1e-6);
@@ -109,8 +106,7 @@ static void whole_run(void **state) {
 static void scales_are_the_scenes(void **state) {
     (void)state;
     char error[512];
-    make_run(
-        &(struct make_run){.folder = named("scales"), .cells = 64, .stop = 3 * MAKE_STEPS, .no_fields = 1});
+    make_run(&(struct make_run){.folder = named("scales"), .cells = 64, .stop = 3 * MAKE_STEPS, .no_fields = 1});
     struct postproc_history *h = postproc_history_new(folder, error, sizeof error);
     assert_non_null(h);
     assert_close(h->s0, 1.8856e-4, 1e-8);
@@ -215,8 +211,7 @@ static void refused(void **state) {
     assert_int_equal(unlink(folder_path(path, folder, "series.csv")), 0);
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_FILE);
     /* series that is no series: a row with a word, then one too short in the middle */
-    static const char *const bad[3] = {"#no names\n", "step,t\n#1,s\n1,0.1\n2,word\n",
-                                       "step,t\n#1,s\n1\n2,0.2\n"};
+    static const char *const bad[3] = {"#no names\n", "step,t\n#1,s\n1,0.1\n2,word\n", "step,t\n#1,s\n1\n2,0.2\n"};
     for (int k = 0; k < 3; k++) {
         FILE *f = fopen(folder_path(path, folder, "series.csv"), "w");
         fputs(bad[k], f);

@@ -19,9 +19,7 @@
 enum { WIDTH = 400, HEIGHT = 300 };
 static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
 
-static const float *pixel(const struct postproc_canvas *c, int i, int j) {
-    return c->rgb + 3 * (j * c->width + i);
-}
+static const float *pixel(const struct postproc_canvas *c, int i, int j) { return c->rgb + 3 * (j * c->width + i); }
 
 static struct postproc_canvas *drawn(const double toward[3], struct postproc_cubes *cubes,
                                      struct postproc_camera *camera, long *faces) {
@@ -75,7 +73,8 @@ static void front_hides_back(void **state) {
     }
 }
 
-/* Of a solid block of 4^3 only the outer faces towards the eye are drawn; one pushed out shows its neighbours' again. */
+/* Of a solid block of 4^3 only the outer faces towards the eye are drawn; one pushed out shows its neighbours' again.
+ */
 static void inner_faces_left_out(void **state) {
     (void)state;
     double x[64][3];
@@ -93,8 +92,7 @@ static void inner_faces_left_out(void **state) {
     long faces;
     postproc_canvas_free(drawn(toward, &cubes, &camera, &faces));
     assert_int_equal(faces, 48);
-    x[3 + 4 + 16][0] +=
-        0.04; /* a particle of the face x = max, not on an edge: it no longer covers, nor is covered */
+    x[3 + 4 + 16][0] += 0.04; /* a particle of the face x = max, not on an edge: it no longer covers, nor is covered */
     postproc_canvas_free(drawn(toward, &cubes, &camera, &faces));
     assert_true(faces > 48 && faces <= 54);
 }
@@ -206,8 +204,7 @@ static void colours_at_the_ends(void **state) {
             last = l;
         }
     }
-    for (int i = 0; i <= 10; i++)
-        assert_close(postproc_colour_srgb(postproc_colour_linear(i / 10.0)), i / 10.0, 1e-6);
+    for (int i = 0; i <= 10; i++) assert_close(postproc_colour_srgb(postproc_colour_linear(i / 10.0)), i / 10.0, 1e-6);
 }
 
 static void text_leaves_ink(void **state) {

@@ -1,6 +1,7 @@
 /* Wall seconds of what stands around the step: checks, guard, the parts of a sample, fields, checkpoints.
  * usage: [mpiexec -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]...
- * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median of the repeats, the slowest rank's. */
+ * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median
+ * of the repeats, the slowest rank's. */
 #include "base/par.h"
 #include "base/signals.h"
 #include "program/checkpoint.h"
@@ -57,9 +58,7 @@ static void deposit(struct bench *b) {
     b->run->deposited = -1;
     run_deposit(b->run);
 }
-static void medium(struct bench *b) {
-    medium_measure(b->run->medium, b->run->fluid, b->run->surface->immersed_area);
-}
+static void medium(struct bench *b) { medium_measure(b->run->medium, b->run->fluid, b->run->surface->immersed_area); }
 static void effective(struct bench *b) { medium_connect_porosity(b->run->medium); }
 static void divergence(struct bench *b) { fluid_measures_divergence_max(b->run->fluid); }
 static void courant(struct bench *b) { fluid_limits_cfl(b->run->fluid, b->run->dt); }
@@ -126,8 +125,7 @@ int main(int argc, char **argv) {
             seconds[i] = par_max(par_seconds() - start);
         }
         qsort(seconds, REPEATS, sizeof *seconds, rising);
-        if (par_rank() == 0)
-            printf("%-20s %10.3f %10.3f\n", all[k].name, 1e3 * seconds[0], 1e3 * seconds[REPEATS / 2]);
+        if (par_rank() == 0) printf("%-20s %10.3f %10.3f\n", all[k].name, 1e3 * seconds[0], 1e3 * seconds[REPEATS / 2]);
     }
     free(b.tensor);
     free(b.work);

@@ -58,8 +58,7 @@ static inline int sample_check_broken(size_t n, const struct sample_broken *tabl
         struct scene *s = sample_read(text, 0, NULL, &problems);
         char *said = problems.n ? sample_problem(&problems, 0) : scene_node_text("nothing");
         if (problems.n != 1 || strcmp(said, b->line) != 0) {
-            fprintf(stderr, "%s: \"%s\" -> \"%s\": %d mistakes:\n", b->sample, b->find, b->replace,
-                    problems.n);
+            fprintf(stderr, "%s: \"%s\" -> \"%s\": %d mistakes:\n", b->sample, b->find, b->replace, problems.n);
             for (int k = 0; k < problems.n; k++) fprintf(stderr, "    %s\n", problems.text[k]);
             fprintf(stderr, "  should be exactly:\n    %s\n", b->line);
             wrong++;

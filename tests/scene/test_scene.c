@@ -23,8 +23,7 @@ static void test_values_are_read(void **state) {
     assert_string_equal(s->path, SCENES "coupled.yaml");
     assert_vector(s->domain.size, 0.04, 0.02, 0.02);
     assert_int_equal(s->domain.cells[0], 40);
-    assert_true(s->fluid->density == 1000 && s->fluid->viscosity == 1e-3 &&
-                s->fluid->initial_poiseuille == 1);
+    assert_true(s->fluid->density == 1000 && s->fluid->viscosity == 1e-3 && s->fluid->initial_poiseuille == 1);
     assert_vector(s->fluid->initial_velocity, 0.1, 0, 0);
     assert_int_equal(s->fluid->side[0][0].type, SCENE_INFLOW);
     assert_int_equal(s->fluid->side[0][0].profile, SCENE_POISEUILLE);
@@ -40,8 +39,7 @@ static void test_values_are_read(void **state) {
     assert_int_equal(solid->bodies, 3);
     assert_string_equal(solid->material[1].name, "glass");
     assert_true(solid->material[0].fracture_energy == 0.05 && solid->material[1].horizon_ratio == 2);
-    assert_true(solid->body[0].has_cavities && solid->body[0].cavity_radius == 0.002 &&
-                !solid->body[1].has_cavities);
+    assert_true(solid->body[0].has_cavities && solid->body[0].cavity_radius == 0.002 && !solid->body[1].has_cavities);
     assert_int_equal(solid->body[1].shape, SCENE_SPHERE);
     assert_int_equal(solid->body[2].shape, SCENE_CYLINDER);
     assert_int_equal(solid->body[2].axis, 2);
@@ -61,11 +59,10 @@ static void test_values_are_read(void **state) {
 
 static void test_vortices_and_places_of_a_fluid(void **state) {
     (void)state;
-    const char *const set[] = {
-        "fluid.initial.taylor_green={velocity: 2, axes: xz}", "fluid.sides.x_low={type: slip}",
-        "fluid.sides.x_high={type: slip}",
-        "fluid.driving={type: pressure_gradient, direction: z, value: 3, frequency: 0.25}",
-        "output.fluid_probes={lines: [{from: [0, 0, 0], to: [1, 2, 0.5], points: 3}]}"};
+    const char *const set[] = {"fluid.initial.taylor_green={velocity: 2, axes: xz}", "fluid.sides.x_low={type: slip}",
+                               "fluid.sides.x_high={type: slip}",
+                               "fluid.driving={type: pressure_gradient, direction: z, value: 3, frequency: 0.25}",
+                               "output.fluid_probes={lines: [{from: [0, 0, 0], to: [1, 2, 0.5], points: 3}]}"};
     struct scene *s = read_or_fail("fluid.yaml", 5, set);
     assert_true(s->fluid->has_taylor_green && s->fluid->taylor_green_velocity == 2);
     assert_int_equal(s->fluid->taylor_green_axes, SCENE_XZ);
@@ -95,11 +92,9 @@ static void test_defaults_are_filled_in(void **state) {
     assert_int_equal(s->coupling->load, SCENE_LOAD_PROBE);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
     assert_int_equal(s->coupling->scheme, SCENE_EXPLICIT);
-    assert_true(s->stage[2].solid == SCENE_SOLID_ELASTIC && s->stage[2].time_step == 0 &&
-                s->stage[2].cfl == 0.9);
+    assert_true(s->stage[2].solid == SCENE_SOLID_ELASTIC && s->stage[2].time_step == 0 && s->stage[2].cfl == 0.9);
     assert_true(s->stage[2].breakage == 1 && s->stage[1].substeps == 0 && s->stage[1].safety == 0.95);
-    assert_true(s->output.checkpoint_every == 1000 && s->output.fields_every == 0 &&
-                s->output.log_every == 100);
+    assert_true(s->output.checkpoint_every == 1000 && s->output.fields_every == 0 && s->output.log_every == 100);
     assert_true(s->output.stress == 1);
     scene_free(s);
 }
@@ -140,9 +135,8 @@ static void test_medium_is_the_bodies_within_the_domain(void **state) {
     struct scene *s = sample_read(text, 0, NULL, &problems);
     assert_non_null(s);
     assert_true(s->coupling->has_box);
-    assert_vector(s->coupling->box_low, 0.005 - 0.002, 0, 0); /* the rod's, the domain's, the domain's */
-    assert_vector(s->coupling->box_high, 0.03 + 0.004, 0.01 + 0.004,
-                  0.02); /* the ball's, the ball's, the block's */
+    assert_vector(s->coupling->box_low, 0.005 - 0.002, 0, 0);               /* the rod's, the domain's, the domain's */
+    assert_vector(s->coupling->box_high, 0.03 + 0.004, 0.01 + 0.004, 0.02); /* the ball's, the ball's, the block's */
     scene_free(s);
     free(text);
     free(sample);
@@ -200,20 +194,16 @@ static void test_wrong_settings_are_refused(void **state) {
         {"stages.flow.stepz=10", "--set stages.flow.stepz: unknown key; did you mean steps?"},
         {"stages.flwo.steps=10", "--set stages.flwo.steps: there is no entry named flwo; did you mean flow?"},
         {"stages[3].steps=10", "--set stages[3].steps: there is no entry 3: stages has 0 to 2"},
-        {"stages..steps=10",
-         "--set stages..steps: not a path: write it as stages[0].steps or stages.flow.steps"},
-        {"stages[0.steps=10",
-         "--set stages[0.steps: not a path: write it as stages[0].steps or stages.flow.steps"},
+        {"stages..steps=10", "--set stages..steps: not a path: write it as stages[0].steps or stages.flow.steps"},
+        {"stages[0.steps=10", "--set stages[0.steps: not a path: write it as stages[0].steps or stages.flow.steps"},
         {"=10", "--set : not a path: write it as stages[0].steps or stages.flow.steps"},
         {"fluid.density", "--set fluid.density: needs a value: --set key.path=value"},
         {"fluid.density=", "--set fluid.density: must be a number, greater than 0 (kg/m3)"},
         {"fluid.density=-1", "--set fluid.density = -1: must be greater than 0"},
         {"fluid.density.low=1", "--set fluid.density.low: density is a value: nothing is in it"},
-        {"domain.cells=[40, 20",
-         "--set domain.cells: not valid YAML: while parsing a flow sequence: did not find "
-         "expected ',' or ']'"},
-        {"domain.cells=[40, 20, 0]",
-         "--set domain.cells: domain.cells[2] = 0: must be between 1 and 1000000"},
+        {"domain.cells=[40, 20", "--set domain.cells: not valid YAML: while parsing a flow sequence: did not find "
+                                 "expected ',' or ']'"},
+        {"domain.cells=[40, 20, 0]", "--set domain.cells: domain.cells[2] = 0: must be between 1 and 1000000"},
         {"fluyd.density=1", "--set fluyd.density: unknown key; did you mean fluid?"},
         {"coupling.medium={low: [0, 0, 0]}", "--set coupling.medium: coupling.medium.high: missing (m)"}};
     char *text = sample_text(SCENES "coupled.yaml");
@@ -245,8 +235,7 @@ static void test_a_plate_is_read(void **state) {
     assert_vector(p->crack[0].point[2], 0.02, 0.021, 0);
     const struct scene_constraint *held = &p->constraint[0], *pulled = &p->constraint[1];
     assert_true(!held->has_displacement && !held->direction[0] && held->direction[1] && held->time.n == 0);
-    assert_true(pulled->has_displacement && pulled->direction[0] && pulled->direction[1] &&
-                !pulled->direction[2]);
+    assert_true(pulled->has_displacement && pulled->direction[0] && pulled->direction[1] && !pulled->direction[2]);
     assert_vector(pulled->displacement, 0, 1e-5, 0);
     assert_vector(pulled->velocity, 0, 0, 0);
     assert_true(pulled->time.n == 2 && pulled->time.t[1] == 1e-6 && pulled->time.factor[1] == 1);
@@ -262,8 +251,7 @@ static void test_a_plate_is_read(void **state) {
     assert_true(!r->horizon_kept && !r->interface_corrected && r->held_refine && r->starts == 1);
     assert_vector(r->high, 0.08, 0.03, 0);
     assert_true(r->start[0].level == 2 && r->start[0].low[1] == 0.015);
-    assert_true(s->output.crack->damage == 0.4 && s->output.crack->window == 2e-6 &&
-                s->output.crack->every == 4);
+    assert_true(s->output.crack->damage == 0.4 && s->output.crack->window == 2e-6 && s->output.crack->every == 4);
     assert_vector(s->output.crack->direction, 1, 1, 0);
     assert_true(s->output.probes->places == 2 && s->output.probes->every == 2);
     assert_vector(s->output.probes->at[1], 0.01, 0.03, 0);
@@ -282,8 +270,7 @@ static void test_outlines_are_curves(void **state) {
     const struct scene_outline *piece = &plate->outline[1], *disc = &plate->outline[2];
     assert_true(piece->corners == 4 && !piece->is_hole && piece->corner[2].at[0] == 0.095 &&
                 piece->corner[2].at[1] == 0.01 && piece->corner[3].at[0] == 0.085);
-    assert_true(disc->corners == 2 && disc->is_hole && disc->corner[0].turn == 1 &&
-                disc->corner[1].turn == 1);
+    assert_true(disc->corners == 2 && disc->is_hole && disc->corner[0].turn == 1 && disc->corner[1].turn == 1);
     assert_true(disc->corner[0].at[0] == 0.02 - 0.004 && disc->corner[1].at[0] == 0.02 + 0.004);
     assert_true(plate->outline[3].is_hole && plate->outline[3].corner[1].turn == -1);
     assert_true(ring->outlines == 2 && !ring->outline[0].is_hole && ring->outline[1].is_hole);
@@ -335,8 +322,7 @@ static void test_defaults_of_a_plate(void **state) {
     assert_true(r->levels == 1 && r->energy == 0.4 && r->damage == 0 && r->from == 0 && r->every == 10);
     assert_true(!r->horizon_kept && !r->interface_corrected && !r->held_refine && r->starts == 0);
     for (int d = 0; d < 3; d++) assert_true(r->low[d] == -INFINITY && r->high[d] == INFINITY);
-    assert_true(s->output.crack->damage == 0.35 && s->output.crack->window == 2e-6 &&
-                s->output.crack->every == 10);
+    assert_true(s->output.crack->damage == 0.35 && s->output.crack->window == 2e-6 && s->output.crack->every == 10);
     assert_vector(s->output.crack->direction, 1, 0, 0);
     assert_true(s->output.probes->places == 1 && s->output.probes->every == 10);
     scene_free(s);

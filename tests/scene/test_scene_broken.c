@@ -351,14 +351,12 @@ static int leaves_with(const char *path, int n, const char *const *set, char *sa
 static void test_leaves_with_code_2(void **state) {
     (void)state;
     char said[4096];
-    const char *const bad[] = {"fluid.viscosity=-1", "stages.flow.stepz=1"}, *const good[] = {
-                                                                                 "fluid.viscosity=1"};
+    const char *const bad[] = {"fluid.viscosity=-1", "stages.flow.stepz=1"}, *const good[] = {"fluid.viscosity=1"};
     assert_int_equal(leaves_with(SCENES "coupled.yaml", 2, bad, said, sizeof said), 2);
     assert_string_equal(said, "frana: --set fluid.viscosity = -1: must be greater than 0\n"
                               "frana: --set stages.flow.stepz: unknown key; did you mean steps?\n");
     assert_int_equal(leaves_with(SCENES "none.yaml", 0, NULL, said, sizeof said), 2);
-    assert_string_equal(said,
-                        "frana: " SCENES "none.yaml: the scene cannot be read: No such file or directory\n");
+    assert_string_equal(said, "frana: " SCENES "none.yaml: the scene cannot be read: No such file or directory\n");
     assert_int_equal(leaves_with(SCENES, 0, NULL, said, sizeof said), 2);
     assert_string_equal(said, "frana: " SCENES ": the scene cannot be read: Is a directory\n");
     assert_int_equal(leaves_with(SCENES "coupled.yaml", 1, good, said, sizeof said), 0);
@@ -370,10 +368,9 @@ int main(int argc, char **argv) {
     const struct CMUnitTest leaving[] = {cmocka_unit_test(test_leaves_with_code_2)};
     int failed = cmocka_run_group_tests(leaving, NULL, NULL);
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_mistake_has_its_line),
-                                       cmocka_unit_test(test_all_mistakes_at_once),
-                                       cmocka_unit_test(test_nothing_to_run_and_no_text),
-                                       cmocka_unit_test(test_garbled_scenes_do_not_crash)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_mistake_has_its_line), cmocka_unit_test(test_all_mistakes_at_once),
+        cmocka_unit_test(test_nothing_to_run_and_no_text), cmocka_unit_test(test_garbled_scenes_do_not_crash)};
     failed += cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

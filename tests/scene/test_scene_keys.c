@@ -50,8 +50,7 @@ static void test_every_key_has_a_rule(void **state) {
 
 static void test_paths_find_their_rule(void **state) {
     (void)state;
-    assert_string_equal(scene_rule_find("solid.bodies[12].cavities.radius")->path,
-                        "solid.bodies[].cavities.radius");
+    assert_string_equal(scene_rule_find("solid.bodies[12].cavities.radius")->path, "solid.bodies[].cavities.radius");
     assert_string_equal(scene_rule_find("fluid.sides.z_high")->path, "fluid.sides.SIDE");
     assert_string_equal(scene_rule_find("fluid.sides.y_low.u")->path, "fluid.sides.SIDE.u");
     assert_null(scene_rule_find("fluid.sides.y_low.q"));
@@ -60,8 +59,8 @@ static void test_paths_find_their_rule(void **state) {
     assert_null(scene_rule_find("solid.bodies.radius"));
 }
 
-/* | `path` | unit | default | range | ...: default is none where a key may stay out, needed where it may not, or text in
- * brackets where it rests on other keys. */
+/* | `path` | unit | default | range | ...: default is none where a key may stay out, needed where it may not, or text
+ * in brackets where it rests on other keys. */
 static void test_the_reference_has_every_key(void **state) {
     (void)state;
     struct keys keys = {0};
@@ -73,14 +72,12 @@ static void test_the_reference_has_every_key(void **state) {
         const char *at = strstr(text, row);
         if (!at) fail_msg("docs/scene.md lacks \"%s\"", row);
         at += strlen(row);
-        const char *given = rule->fallback                      ? rule->fallback
-                            : !keys.optional[i] || rule->needed ? "needed"
-                                                                : "";
+        const char *given = rule->fallback ? rule->fallback : !keys.optional[i] || rule->needed ? "needed" : "";
         if (strncmp(at, given, strlen(given)) != 0 || (*given && strncmp(at + strlen(given), " |", 2) != 0))
             fail_msg("docs/scene.md: the default of %s is %s", rule->path, given);
         char *range = scene_rule_range(rule),
              *cell = scene_node_text(" | %s%s%s |", range ? range : "", rule->word ? ", or " : "",
-                                rule->word ? rule->word : "");
+                                     rule->word ? rule->word : "");
         const size_t end = strcspn(at, "\n"), found = range ? (size_t)(strstr(at, cell) - at) : 0;
         if (range && (!strstr(at, cell) || found > end))
             fail_msg("docs/scene.md: the range of %s is%s", rule->path, cell);
@@ -119,7 +116,8 @@ static void test_largest_horizon_fits_a_family(void **state) {
     assert_int_equal(within + on, 514);
 }
 
-/* In a plate the largest is the last whole number with which a family, |xi| < m + 1/2 spacings, has at most 512 bonds. */
+/* In a plate the largest is the last whole number with which a family, |xi| < m + 1/2 spacings, has at most 512 bonds.
+ */
 static void test_largest_horizon_of_a_plate(void **state) {
     (void)state;
     int bonds[2] = {-1, -1};
@@ -134,12 +132,10 @@ static void test_largest_horizon_of_a_plate(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_key_has_a_rule),
-                                       cmocka_unit_test(test_paths_find_their_rule),
-                                       cmocka_unit_test(test_the_reference_has_every_key),
-                                       cmocka_unit_test(test_nearest_word),
-                                       cmocka_unit_test(test_largest_horizon_fits_a_family),
-                                       cmocka_unit_test(test_largest_horizon_of_a_plate)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_key_has_a_rule),          cmocka_unit_test(test_paths_find_their_rule),
+        cmocka_unit_test(test_the_reference_has_every_key),   cmocka_unit_test(test_nearest_word),
+        cmocka_unit_test(test_largest_horizon_fits_a_family), cmocka_unit_test(test_largest_horizon_of_a_plate)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,5 +1,5 @@
-/* Odd scenes: numbers that look like numbers, texts that are no YAML, keys of other parts, kinds of values that are not meant. Each
- * mistake gives its own one line. Files as other systems write them are read. */
+/* Odd scenes: numbers that look like numbers, texts that are no YAML, keys of other parts, kinds of values that are not
+ * meant. Each mistake gives its own one line. Files as other systems write them are read. */
 #include "base/par.h"
 #include "scene_sample.h"
 
@@ -205,14 +205,11 @@ static char *as_elsewhere(const char *text, const char *mark, const char *end) {
 
 static void test_other_systems_files_are_read(void **state) {
     (void)state;
-    static const char *const form[][2] = {
-        {"", "\r\n"}, {"\357\273\277", "\n"}, {"\357\273\277", "\r\n"}, {"", "\r"}};
+    static const char *const form[][2] = {{"", "\r\n"}, {"\357\273\277", "\n"}, {"\357\273\277", "\r\n"}, {"", "\r"}};
     for (int k = 0; k < 4; k++) {
-        char *sample = sample_text(SCENES "coupled.yaml"),
-             *text = as_elsewhere(sample, form[k][0], form[k][1]);
+        char *sample = sample_text(SCENES "coupled.yaml"), *text = as_elsewhere(sample, form[k][0], form[k][1]);
         struct scene_problems problems;
-        struct scene *as_is = sample_read(sample, 0, NULL, &problems),
-                     *s = sample_read(text, 0, NULL, &problems);
+        struct scene *as_is = sample_read(sample, 0, NULL, &problems), *s = sample_read(text, 0, NULL, &problems);
         if (!s) fail_msg("form %d: %s", k, problems.n ? problems.text[0] : "no scene");
         assert_string_equal(s->resolved, as_is->resolved);
         scene_free(s);
@@ -228,14 +225,13 @@ static void test_too_much_of_a_thing(void **state) {
     enum { MANY = 20000 };
     static const struct {
         const char *sample, *find, *begin, *entry, *end, *says;
-    } heap[] = {{"fluid", "[8, 16, 4]", "[", "8, ", "4]", "domain.cells = [8, 8, 8, "},
-                {"solid", "  body_force: [0, 0, -9.81]\n", "  cracks: [", "{points: [[0, 0, 0]]}, ", "{}]\n",
-                 "solid.cracks"},
-                {"coupled", "  bodies:\n", "  bodies:\n",
-                 "    - {shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.001}\n", "",
-                 "solid.bodies: has "},
-                {"fluid", "density: 1", "", "k", ": 1", "it.yaml:3: not valid YAML"},
-                {"fluid", "start-up", "", "n", "", "stages[0].name = nnnnnnn"}};
+    } heap[] = {
+        {"fluid", "[8, 16, 4]", "[", "8, ", "4]", "domain.cells = [8, 8, 8, "},
+        {"solid", "  body_force: [0, 0, -9.81]\n", "  cracks: [", "{points: [[0, 0, 0]]}, ", "{}]\n", "solid.cracks"},
+        {"coupled", "  bodies:\n", "  bodies:\n", "    - {shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.001}\n",
+         "", "solid.bodies: has "},
+        {"fluid", "density: 1", "", "k", ": 1", "it.yaml:3: not valid YAML"},
+        {"fluid", "start-up", "", "n", "", "stages[0].name = nnnnnnn"}};
     for (size_t k = 0; k < sizeof heap / sizeof *heap; k++) {
         const size_t entry = strlen(heap[k].entry);
         char *sample = scene_node_text("%s%s.yaml", SCENES, heap[k].sample), *from = sample_text(sample);

@@ -36,8 +36,7 @@ static void assert_same_body(const struct scene_body *a, const struct scene_body
     assert_same_parts(a->holes, a->hole, b->hole);
     assert_int_equal(a->outlines, b->outlines);
     for (int i = 0; i < a->outlines; i++) {
-        assert_true(a->outline[i].corners == b->outline[i].corners &&
-                    a->outline[i].is_hole == b->outline[i].is_hole);
+        assert_true(a->outline[i].corners == b->outline[i].corners && a->outline[i].is_hole == b->outline[i].is_hole);
         assert_same_corners(a->outline[i].corners, a->outline[i].corner, b->outline[i].corner);
     }
 }
@@ -55,8 +54,7 @@ static void assert_same_solid(const struct scene_solid *s, const struct scene_so
     for (int b = 0; b < s->bodies; b++) assert_same_body(&s->body[b], &t->body[b]);
     for (int i = 0; i < s->cracks; i++) {
         assert_memory_equal(&s->crack[i], &t->crack[i], offsetof(struct scene_crack, point));
-        assert_same_array(s->crack[i].point, t->crack[i].point, s->crack[i].points,
-                          sizeof *s->crack[i].point);
+        assert_same_array(s->crack[i].point, t->crack[i].point, s->crack[i].points, sizeof *s->crack[i].point);
     }
     for (int i = 0; i < s->constraints; i++) {
         assert_memory_equal(&s->constraint[i], &t->constraint[i], offsetof(struct scene_constraint, time));
@@ -117,8 +115,7 @@ static void test_resolved_says_the_same(void **state) {
     for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
         struct scene *s = scene_new(name[i], 0, NULL);
         struct scene_problems problems = {0};
-        struct scene *again =
-            scene_read("elsewhere.yaml", s->resolved, strlen(s->resolved), 0, NULL, 1, &problems);
+        struct scene *again = scene_read("elsewhere.yaml", s->resolved, strlen(s->resolved), 0, NULL, 1, &problems);
         assert_int_equal(problems.n, 0);
         assert_same(s, again);
         scene_free(s);
@@ -128,9 +125,8 @@ static void test_resolved_says_the_same(void **state) {
 
 static void test_texts_survive_the_resolved_scene(void **state) {
     (void)state;
-    const char *const title[] = {
-        "plain",           "'it''s: \"quoted\" # no remark'", "\"true\"", "\"12\"",
-        "\"two\\nlines\"", "\"\\u0394x = \\u03bb\"",          "'- dash'", "\"  blanks  \""};
+    const char *const title[] = {"plain",           "'it''s: \"quoted\" # no remark'", "\"true\"", "\"12\"",
+                                 "\"two\\nlines\"", "\"\\u0394x = \\u03bb\"",          "'- dash'", "\"  blanks  \""};
     const char *const is[] = {
         "plain",     "it's: \"quoted\" # no remark", "true", "12", "two\nlines", "\u0394x = \u03bb", "- dash",
         "  blanks  "};

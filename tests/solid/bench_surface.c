@@ -1,6 +1,6 @@
-/* Milliseconds a step of the surface's update on the main case's block: intact, at rest or moving; with bonds broken, and while
- * a few break in every step; and of detection from scratch.  [mpiexec -n N] bench_surface
- * Best and median of the repeats, the slowest rank's. */
+/* Milliseconds a step of the surface's update on the main case's block: intact, at rest or moving; with bonds broken,
+ * and while a few break in every step; and of detection from scratch.  [mpiexec -n N] bench_surface Best and median of
+ * the repeats, the slowest rank's. */
 #include "base/par.h"
 #include "solid/bonds/family.h"
 #include "solid/surface/surface.h"
@@ -97,8 +97,7 @@ int main(int argc, char **argv) {
     struct solid_surface *f = solid_surface_new(s);
     const double scratch = par_max(par_seconds() - start);
     if (par_rank() == 0)
-        printf("%ld particles, %d ranks\n%-34s %8.3f ms\n", s->n_global, par_size(), "from scratch",
-               1e3 * scratch);
+        printf("%ld particles, %d ranks\n%-34s %8.3f ms\n", s->n_global, par_size(), "from scratch", 1e3 * scratch);
     const double part[] = {0.001, 0.05, 0.25};
     measure("intact, at rest", s, f, 0, 0);
     measure("intact, moving", s, f, 1e-3, 0);

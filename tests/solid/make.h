@@ -13,11 +13,11 @@
 #include <cmocka.h>
 
 /* |value - expected| <= tolerance, or the test says all three. */
-#define assert_near(value, expected, tolerance)                                                              \
-    do {                                                                                                     \
-        const double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                     \
-        if (!(fabs(value_ - expected_) <= tolerance_))                                                       \
-            fail_msg("%s = %.15g, expected %.15g within %.3g", #value, value_, expected_, tolerance_);       \
+#define assert_near(value, expected, tolerance)                                                                        \
+    do {                                                                                                               \
+        const double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                               \
+        if (!(fabs(value_ - expected_) <= tolerance_))                                                                 \
+            fail_msg("%s = %.15g, expected %.15g within %.3g", #value, value_, expected_, tolerance_);                 \
     } while (0)
 
 static const double SPACING = 1.5625e-3, YOUNG = 1e8, DENSITY = 3000;
@@ -39,8 +39,8 @@ struct make {
 
 static inline struct solid *make(struct make m) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {
-        YOUNG, DENSITY, m.fracture_energy > 0 ? m.fracture_energy : INFINITY, 3, SOLID_CONSTANT};
+    const struct solid_material material = {YOUNG, DENSITY, m.fracture_energy > 0 ? m.fracture_energy : INFINITY, 3,
+                                            SOLID_CONSTANT};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &body,
@@ -94,8 +94,7 @@ static inline double energy_of(const struct solid *s, double *kinetic) {
                 q += eta * (2 * view.xi[b][c] + eta);
             }
             const double eps = q / length2, stretch = eps / (1 + sqrt(1 + eps));
-            sum[0] +=
-                0.25 * c0 * view.alpha[b] * stretch * stretch * sqrt(length2) * view.weight[b] * s->volume[h];
+            sum[0] += 0.25 * c0 * view.alpha[b] * stretch * stretch * sqrt(length2) * view.weight[b] * s->volume[h];
         }
         for (int c = 0; c < 3; c++) sum[1] += 0.5 * DENSITY * s->volume[h] * s->v[c][h] * s->v[c][h];
     }

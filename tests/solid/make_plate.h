@@ -14,11 +14,11 @@
 #include <string.h>
 #include <cmocka.h>
 
-#define assert_near(value, expected, tolerance)                                                              \
-    do {                                                                                                     \
-        const double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                     \
-        if (!(fabs(value_ - expected_) <= tolerance_))                                                       \
-            fail_msg("%s = %.15g, expected %.15g within %.3g", #value, value_, expected_, tolerance_);       \
+#define assert_near(value, expected, tolerance)                                                                        \
+    do {                                                                                                               \
+        const double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                               \
+        if (!(fabs(value_ - expected_) <= tolerance_))                                                                 \
+            fail_msg("%s = %.15g, expected %.15g within %.3g", #value, value_, expected_, tolerance_);                 \
     } while (0)
 
 static const double SPACING = 1e-3, YOUNG = 72e9, DENSITY = 2440, G0 = 135, THICKNESS = 2e-3;
@@ -68,8 +68,8 @@ static inline struct solid *make(struct make m) {
         body.outlines = m.outlines;
         body.outline = m.outline;
     }
-    const struct solid_material material = {YOUNG, DENSITY, m.brittle ? G0 : INFINITY,
-                                            m.ratio > 0 ? m.ratio : 3, m.micromodulus};
+    const struct solid_material material = {YOUNG, DENSITY, m.brittle ? G0 : INFINITY, m.ratio > 0 ? m.ratio : 3,
+                                            m.micromodulus};
     struct solid_input in = {.model = m.model == SOLID_3D ? SOLID_PLANE_STRESS : m.model,
                              .thickness = THICKNESS,
                              .partial = m.partial,
@@ -103,8 +103,7 @@ static inline struct solid *make(struct make m) {
     for (long p = 0; p < points; p++) {
         const uint64_t key = (uint64_t)p;
         x[p] = m.shift[0] + SPACING * ((double)(p % m.sites[0]) + 0.5 + m.irregular * noise_of(key, 0));
-        x[points + p] =
-            m.shift[1] + SPACING * ((double)(p / m.sites[0]) + 0.5 + m.irregular * noise_of(key, 1));
+        x[points + p] = m.shift[1] + SPACING * ((double)(p / m.sites[0]) + 0.5 + m.irregular * noise_of(key, 1));
         x[2 * points + p] = SPACING * SPACING * (1 + m.irregular * noise_of(key, 2));
     }
     if (points) {
@@ -142,7 +141,7 @@ static inline double balance_of(struct solid *s, double *size) {
     double sum[4] = {s->e_damped, s->e_fracture, s->work_load, s->e_constraint};
     par_sum_array(sum, 4);
     if (size)
-        *size = fmax(fmax(e.kinetic, e.strain),
-                     fmax(fmax(fabs(sum[0]), fabs(sum[1])), fmax(fabs(sum[2]), fabs(sum[3]))));
+        *size =
+            fmax(fmax(e.kinetic, e.strain), fmax(fmax(fabs(sum[0]), fabs(sum[1])), fmax(fabs(sum[2]), fabs(sum[3]))));
     return e.kinetic + e.strain + sum[0] + sum[1] - sum[2] - sum[3];
 }

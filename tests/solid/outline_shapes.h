@@ -53,8 +53,7 @@ static inline void shape_disc(struct shape *s, int is_hole, double x, double y, 
 }
 
 /* Corners in all directions from the middle, near and far in turn at random: very concave. Some edges are arcs. */
-static inline void shape_star(struct shape *s, int is_hole, double x, double y, double r, int corners,
-                              int arcs) {
+static inline void shape_star(struct shape *s, int is_hole, double x, double y, double r, int corners, int arcs) {
     shape_outline(s, is_hole);
     const double turned = uniform(0, 1);
     const int l = s->n - 1;

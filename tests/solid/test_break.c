@@ -38,8 +38,7 @@ static void test_critical_stretch(void **state) {
 
 static uint64_t name_of(const struct solid *s, int h) {
     uint64_t z = 7;
-    for (int c = 0; c < 3; c++)
-        z = (z ^ (uint64_t)lrint(s->x0[c][h] / SPACING * 2)) * 0x9e3779b97f4a7c15u + 12345;
+    for (int c = 0; c < 3; c++) z = (z ^ (uint64_t)lrint(s->x0[c][h] / SPACING * 2)) * 0x9e3779b97f4a7c15u + 12345;
     return z ^ z >> 31;
 }
 
@@ -65,8 +64,8 @@ static void test_symmetric(void **state) {
     (void)state;
     for (int list = 0; list < 2; list++)
         for (int tough = 0; tough < 2; tough++) {
-            struct solid *s = make(
-                (struct make){.sites = {12, 11, 13}, .list = list, .fracture_energy = tough ? 225. : 0.05});
+            struct solid *s =
+                make((struct make){.sites = {12, 11, 13}, .list = list, .fracture_energy = tough ? 225. : 0.05});
             const double s0 = solid_material_critical_stretch(s->in.material, SPACING);
             for (int h = 0; h < s->n; h++)
                 for (int c = 0; c < 3; c++) s->d[c][h] = 6 * s0 * SPACING * noise(s, h, c);
@@ -103,11 +102,8 @@ static void test_unbreakable(void **state) {
     static struct solid_family_view view;
     const struct solid_region low = {{-1, -1, -1}, {1, 4 * SPACING, 1}};
     for (int list = 0; list < 2; list++) {
-        struct solid *s = make((struct make){.sites = {9, 10, 8},
-                                             .list = list,
-                                             .fracture_energy = 0.05,
-                                             .unbreakables = 1,
-                                             .unbreakable = &low});
+        struct solid *s = make((struct make){
+            .sites = {9, 10, 8}, .list = list, .fracture_energy = 0.05, .unbreakables = 1, .unbreakable = &low});
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) s->d[c][h] = 0.01 * s->x0[c][h];
         solid_ghosts_update(s);
@@ -121,8 +117,7 @@ static void test_unbreakable(void **state) {
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++)
-                assert_int_equal(view.intact[b],
-                                 s->x0[1][h] < 4 * SPACING || s->x0[1][view.l[b]] < 4 * SPACING);
+                assert_int_equal(view.intact[b], s->x0[1][h] < 4 * SPACING || s->x0[1][view.l[b]] < 4 * SPACING);
         }
         solid_free(s);
     }

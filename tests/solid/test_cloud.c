@@ -1,4 +1,5 @@
-/* Bonds made of what stands at their ends: partial areas, constants of materials, sums over lattices, pairs of different horizons. */
+/* Bonds made of what stands at their ends: partial areas, constants of materials, sums over lattices, pairs of
+ * different horizons. */
 #include "make.h"
 
 #include "solid/law/material.h"
@@ -15,14 +16,12 @@ static void test_areas(void **state) {
     (void)state;
     srand(3);
     for (int trial = 0; trial < 200; trial++) {
-        const double radius = uniform(0.3, 6), side = uniform(0.1, 2),
-                     shift[2] = {uniform(0, 1), uniform(0, 1)};
+        const double radius = uniform(0.3, 6), side = uniform(0.1, 2), shift[2] = {uniform(0, 1), uniform(0, 1)};
         const int reach = (int)(radius / side + 2);
         double area = 0;
         for (int j = -reach; j <= reach; j++)
             for (int i = -reach; i <= reach; i++) {
-                const double xi[2] = {side * (i + shift[0]), side * (j + shift[1])},
-                             turned[2] = {-xi[1], xi[0]};
+                const double xi[2] = {side * (i + shift[0]), side * (j + shift[1])}, turned[2] = {-xi[1], xi[0]};
                 const double part = solid_weight_plane_fraction(xi, side, radius);
                 assert_true(part >= 0 && part <= 1);
                 assert_true(part == solid_weight_plane_fraction(turned, side, radius));
@@ -72,10 +71,10 @@ struct sums {
     double c11, c12, nu, w, g; /* over the continuum's */
 };
 
-/* C_ijkl = (1/2) sum c xi_i xi_j xi_k xi_l/|xi|^3 Gamma V, and the energy of the bonds across a line x = const, in a full family of
- * one size and horizon.  (000: eqs 9, 16) */
-static struct sums sums_of(enum solid_model model, enum solid_partial partial,
-                           enum solid_micromodulus_kind kind, double m) {
+/* C_ijkl = (1/2) sum c xi_i xi_j xi_k xi_l/|xi|^3 Gamma V, and the energy of the bonds across a line x = const, in a
+ * full family of one size and horizon.  (000: eqs 9, 16) */
+static struct sums sums_of(enum solid_model model, enum solid_partial partial, enum solid_micromodulus_kind kind,
+                           double m) {
     const struct solid_material material = {YOUNG, DENSITY, 0.05, m, kind};
     const struct solid_input in = {.model = model, .thickness = 0.7, .spacing = 1, .partial = partial};
     const struct solid_bond_law law = solid_pair_law(&in, &material);
@@ -114,8 +113,8 @@ static void test_lattice_sums(void **state) {
     for (int model = SOLID_PLANE_STRESS; model <= SOLID_PLANE_STRAIN; model++)
         for (int k = 0; k < 2; k++) {
             const struct sums expected = k ? ramp : exact;
-            const struct sums is = sums_of((enum solid_model)model,
-                                           k ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT, SOLID_CONSTANT, 3);
+            const struct sums is =
+                sums_of((enum solid_model)model, k ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT, SOLID_CONSTANT, 3);
             assert_int_equal(is.bonds, expected.bonds);
             assert_near(is.c11, expected.c11, 1e-5);
             assert_near(is.c12, expected.c12, 1e-5);
@@ -125,8 +124,8 @@ static void test_lattice_sums(void **state) {
         }
 }
 
-/* With more particles in the horizon all of it goes to the continuum's, whatever the model and the micromodulus; at m = 3.5 and 4 the
- * constants are within some percent. */
+/* With more particles in the horizon all of it goes to the continuum's, whatever the model and the micromodulus; at m
+ * = 3.5 and 4 the constants are within some percent. */
 static void test_fine_sums(void **state) {
     (void)state;
     for (int model = SOLID_3D; model <= SOLID_PLANE_STRAIN; model++)
@@ -134,9 +133,9 @@ static void test_fine_sums(void **state) {
             if (model == SOLID_3D && kind == SOLID_CONSTANT) continue; /* tests/solid/test_lattice.c */
             const double m[3] = {3.5, 4, model == SOLID_3D ? 8 : 20}, within[3] = {0.08, 0.05, 0.015};
             for (int k = 0; k < 3; k++) {
-                const struct sums is = sums_of((enum solid_model)model,
-                                               model == SOLID_3D ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
-                                               (enum solid_micromodulus_kind)kind, m[k]);
+                const struct sums is =
+                    sums_of((enum solid_model)model, model == SOLID_3D ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
+                            (enum solid_micromodulus_kind)kind, m[k]);
                 assert_near(is.c11, 1, within[k]);
                 assert_near(is.w, 1, within[k]);
                 assert_near(is.g, 1, within[k]);
@@ -144,8 +143,8 @@ static void test_fine_sums(void **state) {
         }
 }
 
-/* Different horizons: both ends find the same numbers to the bit, a half is missing where an end is out of the other's reach, and a bond
- * releases what its halves hold. In one horizon both couplings are the same. */
+/* Different horizons: both ends find the same numbers to the bit, a half is missing where an end is out of the other's
+ * reach, and a bond releases what its halves hold. In one horizon both couplings are the same. */
 static void test_pairs(void **state) {
     (void)state;
     srand(17);
@@ -166,11 +165,9 @@ static void test_pairs(void **state) {
         assert_int_equal(solid_pair_exists(&dual, xi, &a, &b), ab || ba);
         assert_int_equal(solid_pair_exists(&dual, back, &b, &a), ab || ba);
         if (!ab && !ba) continue;
-        const struct solid_pair there = solid_pair_of(&dual, xi, &a, &b),
-                                here = solid_pair_of(&dual, back, &b, &a);
+        const struct solid_pair there = solid_pair_of(&dual, xi, &a, &b), here = solid_pair_of(&dual, back, &b, &a);
         assert_true(there.stiffness == here.stiffness && there.limit == here.limit);
-        const struct solid_pair half[2] = {solid_pair_of(&single, xi, &a, &b),
-                                           solid_pair_of(&single, back, &b, &a)};
+        const struct solid_pair half[2] = {solid_pair_of(&single, xi, &a, &b), solid_pair_of(&single, back, &b, &a)};
         assert_near(there.stiffness, 0.5 * (half[0].stiffness + half[1].stiffness), 1e-15 * there.stiffness);
         double energy = 0;
         for (int k = 0; k < 2; k++) energy += 0.5 * half[k].stiffness * pow(sqrt(1 + half[k].limit) - 1, 2);
@@ -181,9 +178,8 @@ static void test_pairs(void **state) {
         if (!solid_pair_exists(&single, xi, &like, &same)) continue;
         assert_true(solid_pair_of(&dual, xi, &like, &same).stiffness ==
                     solid_pair_of(&single, xi, &like, &same).stiffness);
-        assert_near(solid_pair_of(&dual, xi, &like, &same).limit /
-                        solid_pair_of(&single, xi, &like, &same).limit,
-                    1, 0);
+        assert_near(solid_pair_of(&dual, xi, &like, &same).limit / solid_pair_of(&single, xi, &like, &same).limit, 1,
+                    0);
     }
     assert_true(one_half > 1000);
 }
@@ -211,9 +207,8 @@ static void test_full_volume(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),        cmocka_unit_test(test_constants),
-        cmocka_unit_test(test_lattice_sums), cmocka_unit_test(test_fine_sums),
-        cmocka_unit_test(test_pairs),        cmocka_unit_test(test_full_volume),
+        cmocka_unit_test(test_areas),     cmocka_unit_test(test_constants), cmocka_unit_test(test_lattice_sums),
+        cmocka_unit_test(test_fine_sums), cmocka_unit_test(test_pairs),     cmocka_unit_test(test_full_volume),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -55,7 +55,8 @@ static void clear(struct solid *s) {
     for (int c = 0; c < 3; c++) memset(s->a[c], 0, (size_t)s->n * sizeof(double));
 }
 
-/* solid_contact_force against brute force, momentum, and the sense along x of the two halves' forces (mass-weighted). */
+/* solid_contact_force against brute force, momentum, and the sense along x of the two halves' forces (mass-weighted).
+ */
 static void check_force(struct solid *s, int (*joined)(long, long)) {
     double sum[4] = {0, 0, 0, 0};
     gather(s);
@@ -157,8 +158,7 @@ static void two_bodies(void **state) {
                 if (s->body[h] == 1) total += s->a[0][h];
             assert_true(par_sum(total) * (periodic ? -1 : 1) > 0);
             /* a little further without new lists */
-            for (int h = 0; h < s->n; h++)
-                s->d[1][h] += 0.1 * SPACING * (bodies_random(bodies_id(s, h), 5) - 0.5);
+            for (int h = 0; h < s->n; h++) s->d[1][h] += 0.1 * SPACING * (bodies_random(bodies_id(s, h), 5) - 0.5);
             solid_ghosts_update(s);
             check_force(s, same_body);
             solid_surface_free(f);
@@ -281,9 +281,8 @@ static void bounce(void **state) {
     }
     velocity = par_sum(velocity);
     momentum = par_sum(momentum);
-    print_message(
-        "bounce: energy out by %.2e, at most %.2f of it in contact, velocity after %.3f of that before\n",
-        worst / start, touching / start, velocity / speed);
+    print_message("bounce: energy out by %.2e, at most %.2f of it in contact, velocity after %.3f of that before\n",
+                  worst / start, touching / start, velocity / speed);
     assert_true(touching > 0.02 * start);
     assert_true(solid_contact_force_energy(s) == 0);
     assert_true(velocity > 0.3 * speed);

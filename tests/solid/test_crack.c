@@ -94,8 +94,7 @@ static void spur_is_no_front(void **state) {
 static void tip_hangs_on_the_cut(void **state) {
     (void)state;
     static double initial_place[64][2], initial_size[64];
-    struct solid_crack_particles p = list_begin(), none = {0},
-                                 initial = {.x = initial_place, .size = initial_size};
+    struct solid_crack_particles p = list_begin(), none = {0}, initial = {.x = initial_place, .size = initial_size};
     for (int i = 0; i < 10; i++)
         for (int side = -1; side <= 1; side += 2) put(&initial, i + 0.5, 0.5 * side, 1);
     put_line(&p, 1, 0, 0, 10, 0);
@@ -114,8 +113,8 @@ static void tip_hangs_on_the_cut(void **state) {
     assert_near(solid_crack_tips_of(&p, &initial, X, NULL).tip[0], 11.75, 0);
 }
 
-/* One front along y = 0 at 1500 until x = 30, then two at 30 degrees at 1200, quantised to a lattice; the lead changes from
- * one branch to the other now and then. */
+/* One front along y = 0 at 1500 until x = 30, then two at 30 degrees at 1200, quantised to a lattice; the lead changes
+ * from one branch to the other now and then. */
 static void speed_and_length_of_a_moving_tip(void **state) {
     (void)state;
     const double h = 0.5e-3, window = 2e-6, dt = 1e-7, c = cos(M_PI / 6), s = sin(M_PI / 6), turn = 20e-6;

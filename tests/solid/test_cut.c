@@ -52,8 +52,8 @@ static void test_bonds(void **state) {
     }
 }
 
-/* Between two rows a crack of ten particles' length cuts the bonds across; through a row, all of the row's too. A lattice whose
- * lines are at multiples of a tenth decides as one of whole numbers does. */
+/* Between two rows a crack of ten particles' length cuts the bonds across; through a row, all of the row's too. A
+ * lattice whose lines are at multiples of a tenth decides as one of whole numbers does. */
 static void test_rows(void **state) {
     (void)state;
     const double origin[2] = {-0.3, 0.7}, spacing = 0.1, ten[2][3] = {{0, 1.2}, {1.0, 1.2}},
@@ -152,8 +152,7 @@ static void refuses(int points, int dim, const double (*point)[3], const char *s
 static void test_faults(void **state) {
     (void)state;
     const double square[4][3] = {{0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}},
-                 warped[4][3] = {{0}, {2, 0}, {2, 2, 1e-3}, {0, 2}},
-                 swapped[4][3] = {{0}, {2, 0}, {0, 2}, {2, 2}},
+                 warped[4][3] = {{0}, {2, 0}, {2, 2, 1e-3}, {0, 2}}, swapped[4][3] = {{0}, {2, 0}, {0, 2}, {2, 2}},
                  dented[4][3] = {{0}, {2, 0}, {0.5, 0.5}, {0, 2}}, flat[4][3] = {{0}, {1, 0}, {2, 0}, {3, 0}},
                  twice[3][3] = {{0}, {1, 2, 3}, {1, 2, 4}};
     refuses(1, 2, square, "a crack needs at least 2 points");
@@ -181,8 +180,7 @@ static void test_length_inside(void **state) {
     } crack[] = {{{2, through}, 2}, {{4, bent}, 2 - sqrt(0.75)}, {{3, outside}, 0},
                  {{2, rim}, 4},     {{2, tangent}, 4},           {{2, in_hole}, 0}};
     for (size_t k = 0; k < sizeof crack / sizeof crack[0]; k++)
-        assert_true(fabs(solid_outline_length_inside(s.outline, s.n, &crack[k].cut, 0.1) - crack[k].length) <
-                    1e-9);
+        assert_true(fabs(solid_outline_length_inside(s.outline, s.n, &crack[k].cut, 0.1) - crack[k].length) < 1e-9);
 }
 
 int main(int argc, char **argv) {

@@ -48,8 +48,7 @@ static void test_takes_energy(void **state) {
             for (int c = 0; c < 3; c++) {
                 const int d = (c + 1) % 3, e = (c + 2) % 3;
                 damped->d[c][h] = 0;
-                damped->v[c][h] =
-                    3 + c + (e + 1) * damped->x0[d][h] / SPACING - (d + 1) * damped->x0[e][h] / SPACING;
+                damped->v[c][h] = 3 + c + (e + 1) * damped->x0[d][h] / SPACING - (d + 1) * damped->x0[e][h] / SPACING;
             }
         solid_ghosts_update(damped);
         solid_force(damped, 0);
@@ -63,8 +62,7 @@ static void test_takes_energy(void **state) {
 /* A uniform motion decays as exp(-k_a t): errors of the velocity and of the energy taken out. */
 static void decay(int verlet, int steps, double error[2]) {
     struct solid *s = make((struct make){.sites = {8, 8, 8}, .periodic = {1, 1, 1}});
-    s->stage =
-        (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .damping_absolute = ABSOLUTE};
+    s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .damping_absolute = ABSOLUTE};
     for (int h = 0; h < s->n; h++) s->v[1][h] = 2;
     const double time = step_of(40), kinetic = 0.5 * DENSITY * 512 * pow(SPACING, 3) * 4;
     solid_integrate(s, time / steps, steps);
@@ -90,10 +88,7 @@ static void test_decay(void **state) {
 static double imbalance(int verlet, int list, int steps, double fracture_energy, int *broke) {
     const struct solid_constraint constraint[2] = {
         {.low = {-1, -1, -1}, .high = {1, 3 * SPACING, 1}, .direction = {1, 1, 1}},
-        {.low = {-1, 9 * SPACING, -1},
-         .high = {1, 1, 1},
-         .direction = {0, 1, 1},
-         .velocity = {0, 0.02, -0.01}}};
+        {.low = {-1, 9 * SPACING, -1}, .high = {1, 1, 1}, .direction = {0, 1, 1}, .velocity = {0, 0.02, -0.01}}};
     struct solid *s = make((struct make){.sites = {8, 12, 7},
                                          .list = list,
                                          .constraints = 2,

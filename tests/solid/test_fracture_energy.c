@@ -17,7 +17,8 @@ static double cleaved(const struct solid *s, struct solid_family_view *view, int
     return sum;
 }
 
-/* A plane cut through the block cuts the bonds across it and no others: the sum over pairs equals the sum over one family. */
+/* A plane cut through the block cuts the bonds across it and no others: the sum over pairs equals the sum over one
+ * family. */
 static void test_bonds_across_a_plane(void **state) {
     (void)state;
     static struct solid_family_view view;
@@ -73,8 +74,7 @@ static void test_released(void **state) {
                 const double now[3] = {xi[0], xi[1], xi[2] + open};
                 const double stretch = length_of(now) / length_of(xi) - 1;
                 held += 0.25 * c0 * stretch * stretch * length_of(xi) * view.weight[b] * s->volume[h];
-                if (xi[UP] > 0 && fabs(s->x0[UP][h] - 3.5 * SPACING) < 0.1 * SPACING)
-                    across += xi[UP] / SPACING;
+                if (xi[UP] > 0 && fabs(s->x0[UP][h] - 3.5 * SPACING) < 0.1 * SPACING) across += xi[UP] / SPACING;
             }
         }
         solid_force(s, 1);

@@ -8,8 +8,7 @@ static const double mass = DENSITY * SPACING * SPACING * SPACING;
 static void bar_in_three(void **state) {
     (void)state;
     const struct solid_body body = bodies_box(0, 0, 0, 5, 6, 30);
-    const struct solid_constraint hold = {
-        .low = {-1, -1, -1}, .high = {1, 1, 2.1e-3}, .direction = {0, 1, 0}};
+    const struct solid_constraint hold = {.low = {-1, -1, -1}, .high = {1, 1, 2.1e-3}, .direction = {0, 1, 0}};
     for (int general = 0; general < 2; general++) {
         struct solid_input in = bodies_input(1, &body);
         in.general_bonds = general;

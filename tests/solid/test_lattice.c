@@ -73,8 +73,7 @@ static void test_correction(void **state) {
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++)
-                assert_near(view.alpha[b], 2 * full / (s->family_volume[h] + s->family_volume[view.l[b]]),
-                            1e-4);
+                assert_near(view.alpha[b], 2 * full / (s->family_volume[h] + s->family_volume[view.l[b]]), 1e-4);
         }
         solid_free(s);
     }
@@ -88,12 +87,8 @@ static void test_porous_count(void **state) {
     body.cavity_period = 16 * SPACING;
     body.cavity_radius = 9.2 * SPACING;
     const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-    const struct solid_input in = {.spacing = SPACING,
-                                   .bodies = 1,
-                                   .body = &body,
-                                   .materials = 1,
-                                   .material = &material,
-                                   .surface_correction = 1};
+    const struct solid_input in = {
+        .spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material, .surface_correction = 1};
     struct solid *s = solid_new(&in);
     assert_int_equal(s->n_global, 54720);
     assert_int_equal(par_sum_long(s->n), 54720);
@@ -107,11 +102,8 @@ static void test_porous_count(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_constants_lattice),
-        cmocka_unit_test(test_constants_list),
-        cmocka_unit_test(test_depth),
-        cmocka_unit_test(test_correction),
-        cmocka_unit_test(test_porous_count),
+        cmocka_unit_test(test_constants_lattice), cmocka_unit_test(test_constants_list), cmocka_unit_test(test_depth),
+        cmocka_unit_test(test_correction),        cmocka_unit_test(test_porous_count),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -9,8 +9,8 @@
 
 enum { NX = 9, NY = 8, NZ = 10, POINTS = NX * NY * NZ };
 
-/* A block of points moved from a lattice by up to a fifth of the spacing, of unequal volumes, periodic along z and, where
- * asked, far from the origin. */
+/* A block of points moved from a lattice by up to a fifth of the spacing, of unequal volumes, periodic along z and,
+ * where asked, far from the origin. */
 static struct solid *cloud_new(double away) {
     static double x[3][POINTS], volume[POINTS];
     srand(11);
@@ -20,11 +20,8 @@ static struct solid *cloud_new(double away) {
             x[c][p] = (site[c] + 0.5 + 0.2 * (2. * rand() / RAND_MAX - 1) + (c == 0 ? away : 0)) * SPACING;
         volume[p] = pow(SPACING, 3) * (1 + 0.2 * (2. * rand() / RAND_MAX - 1));
     }
-    const struct solid_body body = {.name = "cloud",
-                                    .shape = SOLID_POINTS,
-                                    .points = POINTS,
-                                    .point = {x[0], x[1], x[2]},
-                                    .point_volume = volume};
+    const struct solid_body body = {
+        .name = "cloud", .shape = SOLID_POINTS, .points = POINTS, .point = {x[0], x[1], x[2]}, .point_volume = volume};
     const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
     const struct solid_input in = {.spacing = SPACING,
                                    .bodies = 1,
@@ -104,8 +101,8 @@ static void test_by_hand(void **state) {
     solid_free(s);
 }
 
-/* Each bond breaks from both its ends at once, across ranks and the periodic side, near and far from the origin: what the one
- * end counts the other takes away. */
+/* Each bond breaks from both its ends at once, across ranks and the periodic side, near and far from the origin: what
+ * the one end counts the other takes away. */
 static void test_both_ends(void **state) {
     (void)state;
     static struct solid_family_view view;
@@ -124,10 +121,8 @@ static void test_both_ends(void **state) {
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++) {
-                const long i = lrint(id[h]), l = lrint(id[view.l[b]]), low = i < l ? i : l,
-                           high = i + l - low;
-                for (int c = 0; c < 3; c++)
-                    turned += (uint64_t)(c + 1) * (uint64_t)llrint(view.xi[b][c] * 0x1p58);
+                const long i = lrint(id[h]), l = lrint(id[view.l[b]]), low = i < l ? i : l, high = i + l - low;
+                for (int c = 0; c < 3; c++) turned += (uint64_t)(c + 1) * (uint64_t)llrint(view.xi[b][c] * 0x1p58);
                 if (view.intact[b]) continue;
                 broken++;
                 odd += (i < l ? 1 : -1) * ((low * 7919 + high * high * 31) % 10007);

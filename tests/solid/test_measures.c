@@ -14,8 +14,7 @@ static struct solid *cube_new(int n, int general, int correction) {
 /* d = g X0. */
 static void strain_affine(struct solid *s, double g[3][3]) {
     for (int h = 0; h < s->n; h++)
-        for (int i = 0; i < 3; i++)
-            s->d[i][h] = g[i][0] * s->x0[0][h] + g[i][1] * s->x0[1][h] + g[i][2] * s->x0[2][h];
+        for (int i = 0; i < 3; i++) s->d[i][h] = g[i][0] * s->x0[0][h] + g[i][1] * s->x0[1][h] + g[i][2] * s->x0[2][h];
     solid_ghosts_update(s);
 }
 
@@ -53,7 +52,8 @@ static void stress_of_uniform_strain(void **state) {
     }
 }
 
-/* Exact for affine displacements at every particle, faces, edges and corners too, whatever is broken; none in a turn. */
+/* Exact for affine displacements at every particle, faces, edges and corners too, whatever is broken; none in a turn.
+ */
 static void strain_of_affine_fields(void **state) {
     (void)state;
     struct solid *s = cube_new(7, 0, 1);
@@ -85,8 +85,7 @@ static void strain_of_affine_fields(void **state) {
         for (int h = 0; h < s->n; h++) { /* and half of the bonds along a diagonal */
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++)
-                if (view.intact[b] && fabs(view.xi[b][0] - view.xi[b][1]) < 0.1 * SPACING)
-                    solid_family_break(s, h, b);
+                if (view.intact[b] && fabs(view.xi[b][0] - view.xi[b][1]) < 0.1 * SPACING) solid_family_break(s, h, b);
         }
     }
     free(strain);
@@ -121,16 +120,15 @@ static struct solid *cube_uneven(int general, double by) {
     for (int h = 0; h < s->n; h++) {
         int p[3];
         bodies_site(s, h, p);
-        for (int c = 0; c < 3; c++)
-            s->d[c][h] += by * SPACING * (bodies_random(p[0] + 9 * (p[1] + 9 * p[2]), c) - 0.5);
+        for (int c = 0; c < 3; c++) s->d[c][h] += by * SPACING * (bodies_random(p[0] + 9 * (p[1] + 9 * p[2]), c) - 0.5);
     }
     bodies_cut(s, 2, 4);
     solid_ghosts_update(s);
     return s;
 }
 
-/* Both stores, and the view's own sum with s = |zeta|/|xi| - 1, in an uneven deformation with broken bonds, large or so small
- * that the sum has but ten digits. */
+/* Both stores, and the view's own sum with s = |zeta|/|xi| - 1, in an uneven deformation with broken bonds, large or so
+ * small that the sum has but ten digits. */
 static void strain_energy_of_any_deformation(void **state) {
     (void)state;
     double energy[2], sum = 0;
@@ -169,8 +167,7 @@ static void tensors_of_both_stores(void **state) {
     for (int general = 0; general < 2; general++) {
         struct solid *s = cube_uneven(general, 0.05);
         double(*stress)[6] = malloc(((size_t)s->n + 1) * sizeof *stress),
-        (*strain)[6] = malloc(((size_t)s->n + 1) * sizeof *strain),
-        *phi = malloc(((size_t)s->n + 1) * sizeof *phi),
+        (*strain)[6] = malloc(((size_t)s->n + 1) * sizeof *strain), *phi = malloc(((size_t)s->n + 1) * sizeof *phi),
         *largest = malloc(((size_t)s->n + 1) * sizeof *largest);
         solid_stress_measure(s, stress);
         solid_stress_strain(s, strain);
@@ -215,8 +212,8 @@ static void kinetic_energy(void **state) {
     solid_free(s);
 }
 
-/* Beside a cut, layer by layer: what a flat face's families have lost. Of a full family's .98989 V0 are left .6142, .8341,
- * .9704. */
+/* Beside a cut, layer by layer: what a flat face's families have lost. Of a full family's .98989 V0 are left .6142,
+ * .8341, .9704. */
 static void damage_beside_a_cut(void **state) {
     (void)state;
     for (int general = 0; general < 2; general++) {
@@ -272,8 +269,7 @@ static void invariants(void **state) {
         assert_true(fabs(value[0] * value[0] + value[1] * value[1] + value[2] * value[2] - norm) < 1e-14);
         for (int i = 0; i < 3; i++) {
             const double *v = vector[i];
-            const double tv[3] = {t[0] * v[0] + t[3] * v[1] + t[5] * v[2],
-                                  t[3] * v[0] + t[1] * v[1] + t[4] * v[2],
+            const double tv[3] = {t[0] * v[0] + t[3] * v[1] + t[5] * v[2], t[3] * v[0] + t[1] * v[1] + t[4] * v[2],
                                   t[5] * v[0] + t[4] * v[1] + t[2] * v[2]};
             for (int c = 0; c < 3; c++) assert_true(fabs(tv[c] - value[i] * v[c]) < 1e-14);
             for (int j = 0; j < 3; j++) {

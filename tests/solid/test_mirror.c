@@ -1,8 +1,10 @@
-/* A mirror-symmetric plate stays mirror-symmetric to the bit while it is loaded and breaks, on one rank and wherever it lies. */
+/* A mirror-symmetric plate stays mirror-symmetric to the bit while it is loaded and breaks, on one rank and wherever it
+ * lies. */
 #include "make_plate.h"
 #include "solid/contact/contact.h"
 
-/* Of every particle the one that is its mirror image about the plate's middle line across c, by lattice indices; and by number. */
+/* Of every particle the one that is its mirror image about the plate's middle line across c, by lattice indices; and by
+ * number. */
 static int *mirror_of(const struct solid *s, const struct make *m, int axis) {
     int *at = malloc(((size_t)m->sites[0] * (size_t)m->sites[1] + 1) * sizeof *at),
         *mirror = malloc(((size_t)s->n + 1) * sizeof *mirror);
@@ -53,9 +55,8 @@ static void assert_mirrored(const struct solid *s, const struct make *m, int axi
             for (int k = 0; k < 2; k++) {
                 const double image = c == axis ? -of[k][mirror[h]] : of[k][mirror[h]];
                 if (of[k][h] != image)
-                    fail_msg("%s %d of particle %d: %.17g and %.17g (%llx, %llx)", k ? "v" : "d", c, h,
-                             of[k][h], image, (unsigned long long)bits_of(of[k][h]),
-                             (unsigned long long)bits_of(image));
+                    fail_msg("%s %d of particle %d: %.17g and %.17g (%llx, %llx)", k ? "v" : "d", c, h, of[k][h], image,
+                             (unsigned long long)bits_of(of[k][h]), (unsigned long long)bits_of(image));
             }
         }
         assert_bonds_mirrored(s, h, mirror[h], axis);
@@ -63,8 +64,8 @@ static void assert_mirrored(const struct solid *s, const struct make *m, int axi
     free(mirror);
 }
 
-/* A plate torn apart along y from a crack in the middle of its left side (mirror image about y), or from cracks on both sides
- * (about x). Returns how many bonds broke besides these. */
+/* A plate torn apart along y from a crack in the middle of its left side (mirror image about y), or from cracks on both
+ * sides (about x). Returns how many bonds broke besides these. */
 static long tear(int axis, int sites_y, double shift, int verlet, int damped) {
     struct make m = {.sites = {41, sites_y}, .brittle = 1, .contact = 1, .shift = {shift, -0.37 * shift}};
     const double left = shift, bottom = -0.37 * shift, width = 41 * SPACING, height = sites_y * SPACING;
@@ -74,11 +75,10 @@ static long tear(int axis, int sites_y, double shift, int verlet, int damped) {
     const struct solid_cut cut[2] = {{2, line[0]}, {2, line[1]}};
     const double t[2] = {0, 2e-6}, factor[2] = {0, 1};
     const struct solid_time time = {2, t, factor};
-    const struct solid_load load[2] = {{SOLID_LOAD_EDGE, .edge = {{left, bottom}, {left + width, bottom}},
-                                        .traction = {0, -6e7}, .time = time},
-                                       {SOLID_LOAD_EDGE,
-                                        .edge = {{left, bottom + height}, {left + width, bottom + height}},
-                                        .traction = {0, 6e7}, .over_horizon = 1, .time = time}};
+    const struct solid_load load[2] = {
+        {SOLID_LOAD_EDGE, .edge = {{left, bottom}, {left + width, bottom}}, .traction = {0, -6e7}, .time = time},
+        {SOLID_LOAD_EDGE, .edge = {{left, bottom + height}, {left + width, bottom + height}}, .traction = {0, 6e7},
+         .over_horizon = 1, .time = time}};
     struct solid_load both[2] = {load[0], load[1]};
     both[0].over_horizon = both[1].over_horizon = axis; /* in turn one layer and the horizon */
     m.cuts = 1 + (axis == 0);
@@ -86,9 +86,8 @@ static long tear(int axis, int sites_y, double shift, int verlet, int damped) {
     m.loads = 2;
     m.load = both;
     struct solid *s = make(m);
-    s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3,
-                                    .breakage = 1,
-                                    .damping_relative = damped ? 1e16 : 0};
+    s->stage = (struct solid_stage){
+        .integrator = verlet ? SOLID_VERLET : SOLID_RK3, .breakage = 1, .damping_relative = damped ? 1e16 : 0};
     solid_family_count(s);
     const long before = s->bonds_broken;
     for (int i = 0; i < 60; i++) {
@@ -111,8 +110,7 @@ static void test_across_y(void **state) {
 static void test_across_x(void **state) {
     (void)state;
     for (int verlet = 0; verlet < 2; verlet++)
-        for (int far = 0; far < 2; far++)
-            assert_true(tear(0, 21, far ? -0.1 * M_E : 0, verlet, verlet) > 200);
+        for (int far = 0; far < 2; far++) assert_true(tear(0, 21, far ? -0.1 * M_E : 0, verlet, verlet) > 200);
 }
 
 int main(int argc, char **argv) {

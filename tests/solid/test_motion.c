@@ -94,8 +94,7 @@ static void test_energy_order(void **state) {
 /* A step that starts from the acceleration kept, with a new load, is the step that starts afresh. */
 static void test_verlet_keeps(void **state) {
     (void)state;
-    struct solid *kept = make((struct make){.sites = {9, 8, 7}}),
-                 *fresh = make((struct make){.sites = {9, 8, 7}});
+    struct solid *kept = make((struct make){.sites = {9, 8, 7}}), *fresh = make((struct make){.sites = {9, 8, 7}});
     for (int i = 0; i < 4; i++) {
         struct solid *const both[2] = {kept, fresh};
         for (int k = 0; k < 2; k++) {
@@ -135,9 +134,8 @@ static void test_check(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pair_forces),  cmocka_unit_test(test_momentum),
-        cmocka_unit_test(test_energy_order), cmocka_unit_test(test_verlet_keeps),
-        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_pair_forces),  cmocka_unit_test(test_momentum), cmocka_unit_test(test_energy_order),
+        cmocka_unit_test(test_verlet_keeps), cmocka_unit_test(test_check),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

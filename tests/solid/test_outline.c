@@ -94,8 +94,7 @@ static void test_total_area(void **state) {
             assert_true(of_cell == 1 || fabs(of_cell - 1) > 1e-12 || !is_deep(cells, &cells->cell[k]));
         }
         const double cells_area = (double)sum * spacing * spacing;
-        if (fabs(cells_area / area - 1) > 1e-12 ||
-            fabs(solid_outline_area(s.outline, s.n) / area - 1) > 1e-12)
+        if (fabs(cells_area / area - 1) > 1e-12 || fabs(solid_outline_area(s.outline, s.n) / area - 1) > 1e-12)
             fail_msg("kind %d, spacing %g: %.3g in cells, %.3g as a whole", trial % KINDS, spacing,
                      cells_area / area - 1, solid_outline_area(s.outline, s.n) / area - 1);
         solid_outline_cells_free(cells);
@@ -147,9 +146,8 @@ static void test_particles(void **state) {
             }
         assert_int_equal(particles, cells->n);
         for (long k = 1; k < cells->n; k++)
-            assert_true(
-                cells->cell[k].j > cells->cell[k - 1].j ||
-                (cells->cell[k].j == cells->cell[k - 1].j && cells->cell[k].i > cells->cell[k - 1].i));
+            assert_true(cells->cell[k].j > cells->cell[k - 1].j ||
+                        (cells->cell[k].j == cells->cell[k - 1].j && cells->cell[k].i > cells->cell[k - 1].i));
         solid_outline_cells_free(cells);
     }
     assert_true(alone > 20 && halves > 20);
@@ -166,8 +164,7 @@ static void test_crumbs(void **state) {
     struct solid_outline_cells *cells = solid_outline_cells(s.outline, s.n, origin, 1);
     assert_int_equal(cells->n, 10);
     const long crumb = solid_outline_cells_at(cells, 6, 1);
-    assert_true(crumb >= 0 && !cells->cell[crumb].is_inside &&
-                fabs(cells->cell[crumb].area / 1e-10 - 1) < 1e-9);
+    assert_true(crumb >= 0 && !cells->cell[crumb].is_inside && fabs(cells->cell[crumb].area / 1e-10 - 1) < 1e-9);
     for (long k = 0; k < cells->n; k++) assert_true(k == crumb || cells->cell[k].area == 1);
     solid_outline_cells_free(cells);
 }
@@ -183,8 +180,7 @@ static double clipped(const double (*corner)[2], int n, const double low[2], con
         int kept = 0;
         for (int k = 0; k < n; k++) {
             const double *a = p[now][k], *b = p[now][(k + 1) % n];
-            const int a_in = keep_above ? a[c] >= line : a[c] <= line,
-                      b_in = keep_above ? b[c] >= line : b[c] <= line;
+            const int a_in = keep_above ? a[c] >= line : a[c] <= line, b_in = keep_above ? b[c] >= line : b[c] <= line;
             if (a_in) memcpy(p[!now][kept++], a, sizeof p[0][0]);
             if (a_in != b_in) {
                 p[!now][kept][c] = line;
@@ -218,14 +214,14 @@ static void test_area_in_square(void **state) {
         const double area = solid_outline_area_in(s.outline, 1, centre, side);
         assert_true(fabs(area - clipped(s.outline[0].corner, n, low, high)) < 1e-13);
     }
-    /* a disc of radius 1: a quarter; a square within; one that the rim cuts in x = sqrt(1 - 1/4); one that it only bulges into */
+    /* a disc of radius 1: a quarter; a square within; one that the rim cuts in x = sqrt(1 - 1/4); one that it only
+     * bulges into */
     struct shape disc = {0};
     shape_disc(&disc, 0, 5, 7, 1, -1);
     const double quarter[2] = {6, 8}, within[2] = {5, 7}, right[2] = {6, 7}, bulge[2] = {6.4, 7};
     assert_true(fabs(solid_outline_area_in(disc.outline, 1, quarter, 2) - M_PI / 4) < 1e-14);
     assert_true(fabs(solid_outline_area_in(disc.outline, 1, within, 1.4) - 1.96) < 1e-14);
-    assert_true(fabs(solid_outline_area_in(disc.outline, 1, right, 1) - (sqrt(3) / 4 + M_PI / 6 - 0.5)) <
-                1e-14);
+    assert_true(fabs(solid_outline_area_in(disc.outline, 1, right, 1) - (sqrt(3) / 4 + M_PI / 6 - 0.5)) < 1e-14);
     const double phi = 2 * acos(0.9);
     assert_true(fabs(solid_outline_area_in(disc.outline, 1, bulge, 1) - (phi - sin(phi)) / 2) < 1e-14);
     /* an L about its inner corner, whose boundary runs through the middle of the square: three quarters */
@@ -340,8 +336,7 @@ static int is_simple(int n, double (*x)[2]) {
             if (q == p + 1 ? on_segment(a, b, d) || on_segment(c, d, a)
                 : p == 0 && q == n - 1
                     ? on_segment(a, b, c) || on_segment(c, d, b)
-                    : on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) ||
-                          on_segment(c, d, b) ||
+                    : on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) || on_segment(c, d, b) ||
                           (side_of(a, b, c) != side_of(a, b, d) && side_of(c, d, a) != side_of(c, d, b)))
                 return 0;
         }
@@ -386,8 +381,7 @@ static void test_aligned(void **state) {
             for (int i = -12; i < 18; i++) {
                 const double x[2] = {origin[0] + i + 0.5, origin[1] + j + 0.5};
                 const long k = solid_outline_cells_at(cells, i, j);
-                assert_int_equal(k >= 0 && cells->cell[k].is_inside,
-                                 solid_outline_contains(s.outline, 1, x, 1));
+                assert_int_equal(k >= 0 && cells->cell[k].is_inside, solid_outline_contains(s.outline, 1, x, 1));
             }
         solid_outline_cells_free(cells);
     }
@@ -405,8 +399,7 @@ static void test_cusps(void **state) {
         shape_outline(&s, 0);
         for (int k = 0; k < 3; k++)
             for (int c = 0; c < 2; c++)
-                at[k][c] =
-                    2 / sqrt(3) * r * (c ? sin(turned + 2 * M_PI * k / 3) : cos(turned + 2 * M_PI * k / 3));
+                at[k][c] = 2 / sqrt(3) * r * (c ? sin(turned + 2 * M_PI * k / 3) : cos(turned + 2 * M_PI * k / 3));
         for (int k = 0; k < 3; k++) {
             const double *a = at[k], *b = at[(k + 1) % 3];
             shape_corner(&s, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
@@ -416,9 +409,9 @@ static void test_cusps(void **state) {
         assert_true(fabs(solid_outline_area(s.outline, 1) / (r * r * (sqrt(3) - M_PI / 2)) - 1) < 1e-12);
         const double large = exp(uniform(0, 7)), rise = 0.5 / (large + sqrt(large * large - 0.25)) / 2;
         const double c = cos(turned), d = sin(turned);
-        one_outline(&s, 3,
-                    (const double[][2]){
-                        {0, 0}, {c / 2 + d * rise, d / 2 - c * rise}, {c / 2 - d * rise, d / 2 + c * rise}});
+        one_outline(
+            &s, 3,
+            (const double[][2]){{0, 0}, {c / 2 + d * rise, d / 2 - c * rise}, {c / 2 - d * rise, d / 2 + c * rise}});
         s.turn[0][0] = s.turn[0][2] = -1;
         for (int k = 0; k < 3; k++) {
             s.centre[0][k][0] = (k ? -large : large) * d;
@@ -462,8 +455,7 @@ static void test_turned_and_mirrored(void **state) {
             for (int k = 0; k < s.outline[l].corners; k++) {
                 const double *x = s.corner[l][k], *c = s.centre[l][k];
                 shape_corner(&t, mirror ? -x[0] : -x[1], mirror ? x[1] : x[0]);
-                shape_arc(&t, mirror ? -c[0] : -c[1], mirror ? c[1] : c[0],
-                          mirror ? -s.turn[l][k] : s.turn[l][k]);
+                shape_arc(&t, mirror ? -c[0] : -c[1], mirror ? c[1] : c[0], mirror ? -s.turn[l][k] : s.turn[l][k]);
             }
         }
         const double origin[2] = {0, 0}, spacing = 1. / 32;
@@ -485,8 +477,7 @@ static void test_symmetrise(void **state) {
     (void)state;
     for (int trial = 0; trial < 40; trial++) {
         struct shape s = {0};
-        const double x = uniform(-9, 9), y = uniform(-9, 9), r = uniform(0.1, 0.3),
-                     off = trial % 4 == 3 ? 1e-3 : 0;
+        const double x = uniform(-9, 9), y = uniform(-9, 9), r = uniform(0.1, 0.3), off = trial % 4 == 3 ? 1e-3 : 0;
         const double spacing = 2. / (trial % 2 ? 41 : 40);
         shape_box(&s, 0, x - 1, y - 0.7, x + 1, y + 0.7);
         shape_disc(&s, 1, x - 0.4, y, r, 1);

@@ -24,8 +24,7 @@ static struct loaded load(const struct shape *s, double x0, double y0, double sp
                           const double to[2]) {
     const double origin[2] = {x0, y0};
     struct loaded l = {.cells = solid_outline_cells(s->outline, s->n, origin, spacing)};
-    l.lengths = solid_outline_lengths(s->outline, s->n, origin, spacing, l.cells, from, to, l.text,
-                                           sizeof l.text);
+    l.lengths = solid_outline_lengths(s->outline, s->n, origin, spacing, l.cells, from, to, l.text, sizeof l.text);
     return l;
 }
 
@@ -57,12 +56,7 @@ static void test_square(void **state) {
         const double *a = corner[side % 4], *b = corner[(side + 1) % 4];
         struct loaded l = load(&s, 0, 0, 0.5, side < 4 ? a : b, side < 4 ? b : a); /* either way */
         assert_int_equal(l.lengths->n, 4);
-        const int i = side % 4 == 1   ? 5
-                      : side % 4 == 3 ? 2
-                                      : -1,
-                  j = side % 4 == 0   ? 2
-                      : side % 4 == 2 ? 5
-                                      : -1;
+        const int i = side % 4 == 1 ? 5 : side % 4 == 3 ? 2 : -1, j = side % 4 == 0 ? 2 : side % 4 == 2 ? 5 : -1;
         for (int k = 2; k < 6; k++) assert_true(at(&l, i < 0 ? k : i, j < 0 ? k : j) == 0.5);
         loaded_free(&l);
     }
@@ -98,8 +92,7 @@ static void test_halves(void **state) {
     struct loaded l = load(&s, 0, 0, 1, corner[3], corner[4]);
     /* cell 1, 1 has 0.8 of the edge, and 0.36 of area; next to it are 0, 1 and 1, 0 */
     assert_int_equal(l.lengths->n, 3);
-    assert_true(fabs(at(&l, 0, 1) - 0.4) < 1e-15 && fabs(at(&l, 1, 0) - 0.4) < 1e-15 &&
-                fabs(at(&l, 0, 2) - 1) < 1e-15);
+    assert_true(fabs(at(&l, 0, 1) - 0.4) < 1e-15 && fabs(at(&l, 1, 0) - 0.4) < 1e-15 && fabs(at(&l, 0, 2) - 1) < 1e-15);
     const struct solid_outline_cell *arm = &l.cells->cell[solid_outline_cells_at(l.cells, 1, 0)];
     assert_true(fabs(arm->area - (1 + 0.18)) < 1e-15);
     loaded_free(&l);
@@ -130,8 +123,7 @@ static void test_totals(void **state) {
                      other[2] = {x + 9 + r * cos(M_PI / 2 + phi * half / 1.5),
                                  y + r * sin(M_PI / 2 + phi * half / 1.5)};
         l = load(&s, uniform(-1, 1), uniform(-1, 1), spacing, one, other);
-        assert_true(fabs(total(l.lengths) / (r * fabs(phi - phi * half / 1.5)) - 1) <
-                    1e-9); /* of the points given */
+        assert_true(fabs(total(l.lengths) / (r * fabs(phi - phi * half / 1.5)) - 1) < 1e-9); /* of the points given */
         loaded_free(&l);
         /* a diameter: upper half and lower half of the disc, by the sense; the hole's the other way */
         const double left[2] = {x + 9 - r, y}, right[2] = {x + 9 + r, y};
@@ -139,8 +131,7 @@ static void test_totals(void **state) {
         assert_true(fabs(total(l.lengths) / (M_PI * r) - 1) < 1e-12);
         double moment = 0;
         for (long k = 0; k < l.lengths->n; k++)
-            moment += l.lengths->share[k].length *
-                      ((l.cells->cell[l.lengths->share[k].cell].j + 0.5) * spacing - y);
+            moment += l.lengths->share[k].length * ((l.cells->cell[l.lengths->share[k].cell].j + 0.5) * spacing - y);
         if (spacing < r / 3) assert_true(trial % 4 < 2 ? moment < 0 : moment > 0);
         loaded_free(&l);
     }
@@ -195,8 +186,8 @@ static void test_symmetrise(void **state) {
         struct solid_outline_lengths *l[4];
         char text[200];
         for (int k = 0; k < 4; k++)
-            l[k] = solid_outline_lengths(s.outline, s.n, origin, spacing, cells, corner[k],
-                                              corner[(k + 1) % 4], text, sizeof text);
+            l[k] = solid_outline_lengths(s.outline, s.n, origin, spacing, cells, corner[k], corner[(k + 1) % 4], text,
+                                         sizeof text);
         solid_outline_symmetry_lengths(cells, spacing, l, 4);
         for (int k = 0; k < 4; k++) {
             assert_true(fabs(total(l[k]) / (k % 2 ? 1.4 : 2) - 1) < 1e-12);

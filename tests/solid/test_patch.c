@@ -32,8 +32,7 @@ static void test_affine(void **state) {
             double outside = 0;
             for (int h = 0; h < s->n; h++) {
                 for (int c = 0; c < 3; c++) {
-                    if (interior(s, h, sites, 6))
-                        assert_near(s->a[c][h] / (strain * force_scale(s)), 0, 1e-12);
+                    if (interior(s, h, sites, 6)) assert_near(s->a[c][h] / (strain * force_scale(s)), 0, 1e-12);
                     outside = fmax(outside, fabs(s->a[c][h]));
                 }
                 seen += interior(s, h, sites, 6);
@@ -66,8 +65,7 @@ static void test_quadratic(void **state) {
         }
 }
 
-static void rotate(const struct solid *s, int h, double angle,
-                   double x[3]) { /* Rodrigues, about (1,2,3)/sqrt(14) */
+static void rotate(const struct solid *s, int h, double angle, double x[3]) { /* Rodrigues, about (1,2,3)/sqrt(14) */
     const double k[3] = {1 / sqrt(14), 2 / sqrt(14), 3 / sqrt(14)};
     const double r[3] = {s->x0[0][h], s->x0[1][h], s->x0[2][h]};
     const double dot = k[0] * r[0] + k[1] * r[1] + k[2] * r[2];
@@ -106,8 +104,7 @@ static void test_rotation(void **state) {
 static void test_objective(void **state) {
     (void)state;
     for (int large = 0; large < 2; large++) {
-        struct solid *s = make((struct make){.sites = {9, 8, 7}}),
-                     *turned = make((struct make){.sites = {9, 8, 7}});
+        struct solid *s = make((struct make){.sites = {9, 8, 7}}), *turned = make((struct make){.sites = {9, 8, 7}});
         const double strain = large ? 0.02 : 2e-4, angle = 1.1;
         for (int h = 0; h < s->n; h++) {
             double before[3], x[3];
@@ -129,8 +126,7 @@ static void test_objective(void **state) {
         double most = 0;
         for (int h = 0; h < s->n; h++) {
             double a2 = 0, b2 = 0;
-            for (int c = 0; c < 3; c++)
-                a2 += s->a[c][h] * s->a[c][h], b2 += turned->a[c][h] * turned->a[c][h];
+            for (int c = 0; c < 3; c++) a2 += s->a[c][h] * s->a[c][h], b2 += turned->a[c][h] * turned->a[c][h];
             assert_near((sqrt(a2) - sqrt(b2)) / force_scale(s), 0, 1e-13);
             most = fmax(most, sqrt(a2));
         }

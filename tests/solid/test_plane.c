@@ -1,4 +1,5 @@
-/* Lists of a plate: points of unequal size and horizon, mirror images to the bit, both ends of a bond, ranks, and a body that changes. */
+/* Lists of a plate: points of unequal size and horizon, mirror images to the bit, both ends of a bond, ranks, and a
+ * body that changes. */
 #include "make.h"
 
 #include "base/memory.h"
@@ -11,8 +12,8 @@
 
 enum { HALF_X = 13, HALF_Y = 11, POINTS = 4 * HALF_X * HALF_Y };
 
-/* A rectangle of points mirror-symmetric in x and y: moved from a lattice by up to a fifth of the spacing, in steps of 2^-8, with volumes
- * and horizons of their own, and a hole. */
+/* A rectangle of points mirror-symmetric in x and y: moved from a lattice by up to a fifth of the spacing, in steps of
+ * 2^-8, with volumes and horizons of their own, and a hole. */
 struct plate {
     int n;
     double x[2][POINTS], volume[POINTS], horizon[POINTS];
@@ -25,8 +26,7 @@ static struct plate plate_of(double shift) {
     srand(23);
     for (int j = 0; j < HALF_Y; j++)
         for (int i = 0; i < HALF_X; i++) {
-            const double at[2] = {i + 0.5 + rint(random_in(-51, 51)) / 256,
-                                  j + 0.5 + rint(random_in(-51, 51)) / 256};
+            const double at[2] = {i + 0.5 + rint(random_in(-51, 51)) / 256, j + 0.5 + rint(random_in(-51, 51)) / 256};
             const double volume = random_in(0.6, 1.2), horizon = random_in(2.5, 3.5);
             if ((at[0] - 5) * (at[0] - 5) + at[1] * at[1] < 6) continue;
             for (int side = 0; side < 4; side++) {
@@ -122,8 +122,8 @@ static struct found *collect(const struct solid *s, double shift) {
     return all;
 }
 
-/* All four quarters get the same bits, in the elastic and in the damped kernel, with small and with large stretches, while bonds
- * break, wherever the plate stands, and on any number of ranks. */
+/* All four quarters get the same bits, in the elastic and in the damped kernel, with small and with large stretches,
+ * while bonds break, wherever the plate stands, and on any number of ranks. */
 static void test_mirror(void **state) {
     (void)state;
     const double shifts[2] = {0, 1.37 * M_SQRT2};
@@ -148,8 +148,7 @@ static void test_mirror(void **state) {
                     }
                 if (!far) {
                     char path[512];
-                    snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_plane_%d%d.data", large,
-                             damped);
+                    snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_plane_%d%d.data", large, damped);
                     const size_t n = (size_t)s->n_global;
                     struct found *one = calloc(n, sizeof *one);
                     FILE *file = fopen(path, par_size() == 1 ? "wb" : "rb");
@@ -188,14 +187,14 @@ static void by_hand(const struct solid *s, int h, double damping, double a[2]) {
             closing += (s->v[c][view.l[b]] - s->v[c][h]) * zeta[c];
         }
         const double kv = view.micro[b] * view.weight[b] / DENSITY;
-        const double f = kv * (view.alpha[b] * (sqrt(zeta2 / xi2) - 1) / sqrt(zeta2) +
-                               damping / t->law.c * closing / zeta2);
+        const double f =
+            kv * (view.alpha[b] * (sqrt(zeta2 / xi2) - 1) / sqrt(zeta2) + damping / t->law.c * closing / zeta2);
         for (int c = 0; c < 2; c++) a[c] += f * zeta[c];
     }
 }
 
-/* The sweep against bonds one by one, in both couplings; and forces equal and opposite with dual horizons. zeta^2 by hand loses digits to
- * cancellation, 1e-16 of a bond's length in 1e-4 of it. */
+/* The sweep against bonds one by one, in both couplings; and forces equal and opposite with dual horizons. zeta^2 by
+ * hand loses digits to cancellation, 1e-16 of a bond's length in 1e-4 of it. */
 static void test_by_hand(void **state) {
     (void)state;
     const struct plate p = plate_of(0);
@@ -206,11 +205,10 @@ static void test_by_hand(void **state) {
                 double most[2] = {0}, total[3] = {0};
                 s->stage.damping_relative = damped ? 1e11 : 0;
                 shake(s, large ? 2e-2 : 1e-4, 0);
-                for (int h = 0; h < s->n;
-                     h++) /* no mirror image: all forces together do not vanish by themselves */
+                for (int h = 0; h < s->n; h++) /* no mirror image: all forces together do not vanish by themselves */
                     for (int c = 0; c < 2; c++)
-                        s->d[c][h] += (large ? 1e-2 : 5e-5) * SPACING *
-                                      sin(2e3 * (s->x0[0][h] + 0.3 * s->x0[1][h]) + 1 + c);
+                        s->d[c][h] +=
+                            (large ? 1e-2 : 5e-5) * SPACING * sin(2e3 * (s->x0[0][h] + 0.3 * s->x0[1][h]) + 1 + c);
                 solid_ghosts_update(s);
                 solid_force(s, 0);
                 for (int h = 0; h < s->n; h++) {
@@ -238,8 +236,7 @@ static void test_by_hand(void **state) {
 }
 
 /* Bonds of a list set up to the end, on this rank's share of the ids. */
-static struct solid_list *finished(struct solid_list *list, const struct solid_cloud *cloud,
-                                   const long *first) {
+static struct solid_list *finished(struct solid_list *list, const struct solid_cloud *cloud, const long *first) {
     const long from = first[par_rank()], to = first[par_rank() + 1];
     const long n = solid_list_wanted(list, from, to, NULL);
     long *id = calloc((size_t)n + 1, sizeof *id);
@@ -280,8 +277,8 @@ static void add(struct cells *k, double x, double y, double size, long was) {
     k->was[k->n++] = was;
 }
 
-/* A lattice in rows, shared out among ranks; refined: particles in a part of it are made smaller, and three more of their
- * size stand behind all others of the rank. */
+/* A lattice in rows, shared out among ranks; refined: particles in a part of it are made smaller, and three more of
+ * their size stand behind all others of the rank. */
 static void cells_of(struct cells *k, int refined) {
     k->n = 0;
     for (int rank = 0; rank < par_size(); rank++) {
@@ -321,7 +318,8 @@ static int is_cut(long a, long b) {
     return (low * 7919 + high * 104729) % 7 == 0;
 }
 
-/* A list that is renewed where its cloud has changed is the one that is made anew, with what was broken still broken. */
+/* A list that is renewed where its cloud has changed is the one that is made anew, with what was broken still broken.
+ */
 static void test_renew(void **state) {
     (void)state;
     static struct cells coarse, fine;
@@ -339,8 +337,7 @@ static void test_renew(void **state) {
                 if (is_cut(old->number + i, number_of(old, j))) solid_list_set(old, j, 0);
         struct solid_list *made =
             finished(solid_list_find_new(after, first[1][r], first[1][r + 1], 0), after, first[1]);
-        struct solid_list *begun =
-            solid_list_renew(old, before, after, fine.was, first[1][r], first[1][r + 1], 0);
+        struct solid_list *begun = solid_list_renew(old, before, after, fine.was, first[1][r], first[1][r + 1], 0);
         long copied = 0, broken = 0;
         for (int i = 0; i < begun->n; i++) copied += begun->scaled[i];
         struct solid_list *renewed = finished(begun, after, first[1]);
@@ -358,8 +355,8 @@ static void test_renew(void **state) {
                     assert_true(*solid_list_step(made, j, c) == *solid_list_step(renewed, j, c));
                 assert_true(fabs(renewed->stiffness[j]) == made->stiffness[j]);
                 int cut = 0; /* the pair had a bond, and it was broken */
-                for (long q = was < 0 ? 0 : old->start[was - old->number];
-                     was >= 0 && q < old->end[was - old->number]; q++)
+                for (long q = was < 0 ? 0 : old->start[was - old->number]; was >= 0 && q < old->end[was - old->number];
+                     q++)
                     cut |= number_of(old, q) == other && !solid_list_is_intact(old, q);
                 assert_int_equal(solid_list_is_intact(renewed, j), !cut);
                 broken += cut;

@@ -19,8 +19,8 @@ static double most_of(const struct solid *s, double *const a[3], double inset) {
     return par_max(most);
 }
 
-/* No force inside under any small affine displacement of a lattice, and nowhere in a turn of any plate. The scale is the force of one row
- * of bonds alone. */
+/* No force inside under any small affine displacement of a lattice, and nowhere in a turn of any plate. The scale is
+ * the force of one row of bonds alone. */
 static void test_patch(void **state) {
     (void)state;
     const double scale = YOUNG / (DENSITY * SPACING);
@@ -34,8 +34,7 @@ static void test_patch(void **state) {
         deform(s, g);
         solid_force(s, 0);
         assert_true(most_of(s, s->a, 0) > 1e-3 * scale * 1e-6);
-        assert_near(most_of(s, s->a, 4 * SPACING) / (scale * 1e-6), 0,
-                    2e-5); /* of second order in the strain */
+        assert_near(most_of(s, s->a, 4 * SPACING) / (scale * 1e-6), 0, 2e-5); /* of second order in the strain */
         solid_free(s);
     }
     for (int irregular = 0; irregular < 2; irregular++) {
@@ -72,8 +71,7 @@ static void test_momentum(void **state) {
     for (int irregular = 0; irregular < 2; irregular++)
         for (int verlet = 0; verlet < 2; verlet++) {
             struct solid *s = make((struct make){.sites = {17, 12}, .irregular = 0.2 * irregular});
-            s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3,
-                                            .damping_relative = 1e16};
+            s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .damping_relative = 1e16};
             shake(s, 1e-3, 1);
             double before[3], after[3], size;
             totals(s, before, &size);
@@ -86,8 +84,8 @@ static void test_momentum(void **state) {
         }
 }
 
-/* What is not accounted for over what is, of a plate that is loaded on an edge and in a region, driven at two ends, damped, for a given
- * time in so many steps; and how much was driven in. */
+/* What is not accounted for over what is, of a plate that is loaded on an edge and in a region, driven at two ends,
+ * damped, for a given time in so many steps; and how much was driven in. */
 static double unbalanced(double irregular, int verlet, int steps) {
     const double width = 16 * SPACING;
     const double t[3] = {0, 2e-6, 9e-6}, factor[3] = {0, 1, -0.5};
@@ -101,8 +99,7 @@ static double unbalanced(double irregular, int verlet, int steps) {
          .displacement = {1e-6, 2e-6},
          .time = time}};
     const struct solid_load load[2] = {
-        {SOLID_LOAD_REGION, .low = {5 * SPACING, 0}, .high = {9 * SPACING, 1}, .force = {1e9, 2e9},
-         .time = time},
+        {SOLID_LOAD_REGION, .low = {5 * SPACING, 0}, .high = {9 * SPACING, 1}, .force = {1e9, 2e9}, .time = time},
         {SOLID_LOAD_REGION, .low = {0, 0}, .high = {1, 1}, .force = {0, -1e8}}};
     struct solid *s = make((struct make){.sites = {16, 10},
                                          .irregular = irregular,
@@ -168,14 +165,14 @@ static void test_driven(void **state) {
     }
 }
 
-/* All of a traction arrives, over one layer and over three, and pulls nothing askew; also on an edge that cuts through cells. */
+/* All of a traction arrives, over one layer and over three, and pulls nothing askew; also on an edge that cuts through
+ * cells. */
 static void test_traction(void **state) {
     (void)state;
     for (int over = 0; over < 2; over++)
         for (int part = 0; part < 2; part++) {
             const double from = part ? 3.3 * SPACING : 0, to = part ? 11.9 * SPACING : 16 * SPACING;
-            const struct solid_load load = {SOLID_LOAD_EDGE,
-                                            .edge = {{from, 10 * SPACING}, {to, 10 * SPACING}},
+            const struct solid_load load = {SOLID_LOAD_EDGE, .edge = {{from, 10 * SPACING}, {to, 10 * SPACING}},
                                             .traction = {2e6, 5e6}, .over_horizon = over};
             struct solid *s = make((struct make){.sites = {16, 10}, .loads = 1, .load = &load});
             double sum[4] = {0};
@@ -230,8 +227,8 @@ static void test_stable(void **state) {
         }
 }
 
-/* A plate pulled at both ends at rest, as wide as a period so that it cannot contract: its middle is stretched as C11 of the lattice
- * says. */
+/* A plate pulled at both ends at rest, as wide as a period so that it cannot contract: its middle is stretched as C11
+ * of the lattice says. */
 static void test_relaxed(void **state) {
     (void)state;
     const double w = 40 * SPACING, h = 8 * SPACING, pull = 1e6, c11 = 1.02200 * 9 / 8 * YOUNG;

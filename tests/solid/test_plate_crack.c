@@ -1,9 +1,11 @@
-/* Cracks of a plate: initial ones, what a straight one releases, contact of its lips, stress and strain on the way there. */
+/* Cracks of a plate: initial ones, what a straight one releases, contact of its lips, stress and strain on the way
+ * there. */
 #include "make_plate.h"
 #include "solid/contact/contact.h"
 
-/* Sum of (1/2) c s0^2 |xi| Gamma V V of the bonds that a cut across a periodic plate has broken, over its area and G0: the lattice's
- * G(10)/G0 (m = 3: exact areas 1.02801, ramp 1.03424). A bond is broken from both ends, is damage, and has released nothing. */
+/* Sum of (1/2) c s0^2 |xi| Gamma V V of the bonds that a cut across a periodic plate has broken, over its area and G0:
+ * the lattice's G(10)/G0 (m = 3: exact areas 1.02801, ramp 1.03424). A bond is broken from both ends, is damage, and
+ * has released nothing. */
 static void test_straight_cut(void **state) {
     (void)state;
     static struct solid_family_view view;
@@ -29,8 +31,8 @@ static void test_straight_cut(void **state) {
                 assert_int_equal(view.intact[b], from * to > 0);
                 lost += !view.intact[b];
                 if (!view.intact[b])
-                    sum += 0.25 * view.micro[b] * view.alpha[b] * strain2 *
-                           hypot(view.xi[b][0], view.xi[b][1]) * view.weight[b] * s->volume[h];
+                    sum += 0.25 * view.micro[b] * view.alpha[b] * strain2 * hypot(view.xi[b][0], view.xi[b][1]) *
+                           view.weight[b] * s->volume[h];
             }
             assert_true((lost > 0) == (phi[h] > 0.01) && (phi[h] > 0 || !(s->flag[h] & SOLID_BROKEN)));
         }
@@ -94,9 +96,8 @@ static void test_meeting(void **state) {
         {10 * SPACING, 0}, {18 * SPACING, 0}, {18 * SPACING, 10 * SPACING}, {10 * SPACING, 10 * SPACING}};
     const signed char turn[4] = {0};
     const struct solid_outline outline[2] = {{0, 4, low, low, turn}, {0, 4, high, high, turn}};
-    const struct solid_body body[2] = {
-        {.name = "a", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[0]},
-        {.name = "b", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[1]}};
+    const struct solid_body body[2] = {{.name = "a", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[0]},
+                                       {.name = "b", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[1]}};
     const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, SOLID_CONSTANT};
     const struct solid_input in = {.model = SOLID_PLANE_STRAIN,
                                    .thickness = THICKNESS,
@@ -130,15 +131,14 @@ static void test_meeting(void **state) {
     solid_free(s);
 }
 
-/* Stress of a uniform strain in the bulk (m = 3, exact areas: C11 = 1.02200, C12 = 0.98967 of the continuum's), and the component
- * across the plate that keeps it plane; strain exact everywhere. */
+/* Stress of a uniform strain in the bulk (m = 3, exact areas: C11 = 1.02200, C12 = 0.98967 of the continuum's), and the
+ * component across the plate that keeps it plane; strain exact everywhere. */
 static void test_tensors(void **state) {
     (void)state;
     for (int strain = 0; strain < 2; strain++) {
         struct solid *s =
             make((struct make){.sites = {16, 16}, .model = strain ? SOLID_PLANE_STRAIN : SOLID_PLANE_STRESS});
-        const double c11 = 1.02200 * (strain ? 1.2 : 9. / 8) * YOUNG,
-                     c12 = 0.98967 * (strain ? 0.4 : 3. / 8) * YOUNG;
+        const double c11 = 1.02200 * (strain ? 1.2 : 9. / 8) * YOUNG, c12 = 0.98967 * (strain ? 0.4 : 3. / 8) * YOUNG;
         const double g[3] = {3e-7, -1e-7, 2e-7}; /* xx, yy, xy */
         double(*t)[6] = malloc(((size_t)s->n + 1) * sizeof *t);
         for (int h = 0; h < s->n; h++) {
@@ -172,8 +172,7 @@ static void test_tensors(void **state) {
 static void test_bonds(void **state) {
     (void)state;
     struct solid *s = make((struct make){.sites = {16, 9}, .irregular = 0.2, .micromodulus = SOLID_CONICAL});
-    double *w = malloc(((size_t)s->n + 1) * sizeof *w), *most = malloc(((size_t)s->n + 1) * sizeof *most),
-           sum;
+    double *w = malloc(((size_t)s->n + 1) * sizeof *w), *most = malloc(((size_t)s->n + 1) * sizeof *most), sum;
     for (double stretch = 1e-3; stretch < 0.05; stretch *= 10) { /* by the series, and beyond it */
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 2; c++) s->d[c][h] = stretch * s->x0[c][h];

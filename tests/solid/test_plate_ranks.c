@@ -1,5 +1,5 @@
-/* A plate that is driven, loaded, damped, torn and pressed together moves alike to the bit on any number of ranks. One rank leaves what it
- * found in a file; more ranks compare with it. */
+/* A plate that is driven, loaded, damped, torn and pressed together moves alike to the bit on any number of ranks. One
+ * rank leaves what it found in a file; more ranks compare with it. */
 #include "make_plate.h"
 #include "solid/contact/contact.h"
 
@@ -28,8 +28,8 @@ static struct solid *run(int verlet) {
                                          .constraint = constraint,
                                          .loads = 1,
                                          .load = &load});
-    s->stage = (struct solid_stage){
-        .integrator = verlet ? SOLID_VERLET : SOLID_RK3, .breakage = 1, .damping_relative = 1e16};
+    s->stage =
+        (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .breakage = 1, .damping_relative = 1e16};
     for (int i = 0; i < 100; i++) {
         solid_contact_update(s);
         solid_integrate(s, step_of(0.3), 2);
@@ -80,8 +80,8 @@ static void test_ranks(void **state) {
             fclose(file);
             for (size_t i = 0; i < n; i++)
                 if (all[i] != before[i])
-                    fail_msg("value %zu of particle %zu: %.17g, on one rank %.17g", i % VALUES, i / VALUES,
-                             all[i], before[i]);
+                    fail_msg("value %zu of particle %zu: %.17g, on one rank %.17g", i % VALUES, i / VALUES, all[i],
+                             before[i]);
             free(before);
         }
         free(all);

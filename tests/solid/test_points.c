@@ -33,12 +33,8 @@ static struct solid *solid_of(const struct cloud *cloud, const int periodic[3], 
                                     .point = {cloud->x[0], cloud->x[1], cloud->x[2]},
                                     .point_volume = cloud->volume};
     const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-    struct solid_input in = {.spacing = SPACING,
-                             .bodies = 1,
-                             .body = &body,
-                             .materials = 1,
-                             .material = &material,
-                             .surface_correction = 1};
+    struct solid_input in = {
+        .spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material, .surface_correction = 1};
     for (int c = 0; c < 3; c++) {
         in.periodic[c] = periodic[c];
         in.length[c] = sites[c] * SPACING;
@@ -90,8 +86,7 @@ static void test_points_anywhere(void **state) {
     assert_int_equal(s->n_global, 720);
     double volume = 0, moment = 0, cloud_volume = 0, cloud_moment = 0;
     for (int h = 0; h < s->n; h++) volume += s->volume[h], moment += s->volume[h] * s->x0[0][h];
-    for (long p = 0; p < cloud.n; p++)
-        cloud_volume += cloud.volume[p], cloud_moment += cloud.volume[p] * cloud.x[0][p];
+    for (long p = 0; p < cloud.n; p++) cloud_volume += cloud.volume[p], cloud_moment += cloud.volume[p] * cloud.x[0][p];
     assert_near(par_sum(volume) / cloud_volume, 1, 1e-12);
     /* places are rounded to 2^-20 of the spacing */
     assert_near((par_sum(moment) - cloud_moment) / (cloud_volume * SPACING), 0, 0x1p-21);
@@ -130,10 +125,7 @@ static void test_bodies(void **state) {
          .axis = 2,
          .length = 12 * l,
          .material = 1},
-        {.name = "slab",
-         .shape = SOLID_BOX,
-         .low = {-8 * l, -8 * l, -8 * l},
-         .high = {8 * l, -5 * l, 8 * l}}};
+        {.name = "slab", .shape = SOLID_BOX, .low = {-8 * l, -8 * l, -8 * l}, .high = {8 * l, -5 * l, 8 * l}}};
     const struct solid_material material[2] = {{1e8, 3000, 0.05, 3, SOLID_CONSTANT},
                                                {2e8, 1500, 0.1, 2, SOLID_CONSTANT}};
     for (int list = 0; list < 2; list++) {

@@ -1,5 +1,5 @@
-/* The same motion on any number of ranks and in either store: a body that is loaded, damped, driven and breaks. One rank
- * leaves what it found in a file; more ranks compare with it. */
+/* The same motion on any number of ranks and in either store: a body that is loaded, damped, driven and breaks. One
+ * rank leaves what it found in a file; more ranks compare with it. */
 #include "make.h"
 
 #include <stdio.h>

@@ -14,8 +14,7 @@ static struct solid_refinement levels(int n) {
 static uint8_t *near(const struct solid *s, double x, double y, double r, int level) {
     uint8_t *mark = calloc((size_t)s->n + 1, 1);
     for (int h = 0; h < s->n; h++)
-        mark[h] = solid_refine_level(s, h) == level &&
-                  hypot(s->x0[0][h] / SPACING - x, s->x0[1][h] / SPACING - y) < r;
+        mark[h] = solid_refine_level(s, h) == level && hypot(s->x0[0][h] / SPACING - x, s->x0[1][h] / SPACING - y) < r;
     return mark;
 }
 
@@ -33,8 +32,8 @@ static double area_of(const struct solid *s) {
     return par_sum(sum);
 }
 
-/* One refined family: coarse particles beside it have 000's areas (eq. 38), fine ones a quarter. Two or four fine neighbours, as there, are
- * only where a place at an edge of the body has no particle; here all have. */
+/* One refined family: coarse particles beside it have 000's areas (eq. 38), fine ones a quarter. Two or four fine
+ * neighbours, as there, are only where a place at an edge of the body has no particle; here all have. */
 static void test_eq38(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(1);
@@ -69,8 +68,7 @@ static struct solid *disc(const struct solid_refinement *refinement) {
     static const double hole[2][2] = {{x - q, y}, {x + q, y}}, middle[2][2] = {{x, y}, {x, y}};
     static const signed char turn[2] = {1, 1};
     const struct solid_outline outline[2] = {{0, 2, corner, centre, turn}, {1, 2, hole, middle, turn}};
-    return make(
-        (struct make){.sites = {24, 24}, .outlines = 2, .outline = outline, .refinement = refinement});
+    return make((struct make){.sites = {24, 24}, .outlines = 2, .outline = outline, .refinement = refinement});
 }
 
 static void test_total(void **state) {
@@ -105,8 +103,7 @@ static void test_levels(void **state) {
         of_level[(int)rint(-log2(t->size[i]))]++;
         int about = 0;
         for (long j = 0; j < t->n; j++) {
-            const double dx = fabs(t->place[0][j] - t->place[0][i]),
-                         dy = fabs(t->place[1][j] - t->place[1][i]);
+            const double dx = fabs(t->place[0][j] - t->place[0][i]), dy = fabs(t->place[1][j] - t->place[1][i]);
             if (hypot(dx, dy) <= 3 * t->size[i] && t->size[j] < t->size[i])
                 assert_true(hypot(dx, dy) > 3 * t->size[j] || t->size[j] == t->size[i] / 2);
             about += j != i && fmax(dx, dy) <= t->size[i] / 2;
@@ -145,8 +142,7 @@ static void test_momentum(void **state) {
     for (int verlet = 0; verlet < 2; verlet++) {
         const struct solid_refinement refinement = levels(2);
         struct solid *s = make((struct make){.sites = {20, 16}, .refinement = &refinement});
-        s->stage =
-            (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .damping_relative = 1e16};
+        s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .damping_relative = 1e16};
         shake(s, 1e-3, 1);
         for (int level = 0; level < 2; level++) {
             assert_true(refine_near(s, 9, 7, 1.2, level) > 0);
@@ -173,9 +169,9 @@ static void test_held(void **state) {
     for (int over = 0; over < 2; over++) {
         struct solid_refinement refinement = levels(2);
         refinement.held_refine = 1;
-        const struct solid_load load = {
-            SOLID_LOAD_EDGE, .edge = {{3.3 * SPACING, 10 * SPACING}, {11.9 * SPACING, 10 * SPACING}},
-            .traction = {2e6, 5e6}, .over_horizon = over};
+        const struct solid_load load = {SOLID_LOAD_EDGE,
+                                        .edge = {{3.3 * SPACING, 10 * SPACING}, {11.9 * SPACING, 10 * SPACING}},
+                                        .traction = {2e6, 5e6}, .over_horizon = over};
         const struct solid_constraint constraint = {.high = {1, 3 * SPACING}, .direction = {1, 1}};
         struct solid *s = make((struct make){.sites = {16, 10},
                                              .loads = 1,
@@ -203,8 +199,8 @@ static void test_held(void **state) {
     /* kept: particles under constraints stay as they are */
     const struct solid_refinement refinement = levels(2);
     const struct solid_constraint constraint = {.high = {1, 3 * SPACING}, .direction = {1, 1}};
-    struct solid *s = make((struct make){
-        .sites = {16, 10}, .constraints = 1, .constraint = &constraint, .refinement = &refinement});
+    struct solid *s =
+        make((struct make){.sites = {16, 10}, .constraints = 1, .constraint = &constraint, .refinement = &refinement});
     assert_int_equal(refine_near(s, 8, 1, 0.8, 0), 0);
     assert_true(refine_near(s, 8, 5, 1, 0) > 0);
     for (int h = 0; h < s->n; h++)
@@ -218,8 +214,8 @@ static void test_crack(void **state) {
     const double point[2][3] = {{-SPACING, 8 * SPACING}, {9.99 * SPACING, 8 * SPACING}};
     const struct solid_cut cut = {2, point};
     const struct solid_refinement refinement = levels(2);
-    struct solid *s = make(
-        (struct make){.sites = {20, 16}, .brittle = 1, .cuts = 1, .cut = &cut, .refinement = &refinement});
+    struct solid *s =
+        make((struct make){.sites = {20, 16}, .brittle = 1, .cuts = 1, .cut = &cut, .refinement = &refinement});
     struct solid_family_view view;
     for (int level = 0; level < 2; level++) {
         assert_true(refine_near(s, 9.5, 7.5, 0.8, level) > 0);
@@ -227,8 +223,7 @@ static void test_crack(void **state) {
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++) {
-                const double y = s->x0[1][h] / SPACING - 8, y2 = y + view.xi[b][1] / SPACING,
-                             f = y / (y - y2);
+                const double y = s->x0[1][h] / SPACING - 8, y2 = y + view.xi[b][1] / SPACING, f = y / (y - y2);
                 const double x = (s->x0[0][h] + f * view.xi[b][0]) / SPACING;
                 if ((y < -1e-9 && y2 > 1e-9) || (y > 1e-9 && y2 < -1e-9)) {
                     if (x < 9.98) assert_int_equal(view.intact[b], 0);
@@ -245,7 +240,8 @@ static void test_crack(void **state) {
     solid_free(s);
 }
 
-/* Refined from the start, with the horizon kept or scaled: the displacement given is that of each place. Periodic sides are none. */
+/* Refined from the start, with the horizon kept or scaled: the displacement given is that of each place. Periodic sides
+ * are none. */
 static void test_start(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
@@ -257,11 +253,8 @@ static void test_start(void **state) {
         refinement.start = &start;
         const struct solid_initial initial = {
             .along = 0, .centre = 7.2 * SPACING, .width = 3 * SPACING, .displacement = {1e-5, -2e-5}};
-        struct solid *s = make((struct make){.sites = {16, 10},
-                                             .periodic = {0, 1},
-                                             .initials = 1,
-                                             .initial = &initial,
-                                             .refinement = &refinement});
+        struct solid *s = make((struct make){
+            .sites = {16, 10}, .periodic = {0, 1}, .initials = 1, .initial = &initial, .refinement = &refinement});
         const struct solid_cloud *t = s->family->cloud[0];
         /* columns 0 to 6 and what stands between them and beside: 15 columns, 20 rows and not 21 */
         assert_int_equal(s->n_global, 160 - 70 + 15 * 20);
@@ -269,8 +262,7 @@ static void test_start(void **state) {
         for (long i = 0; i < t->n; i++) {
             const int fine = t->place[0][i]<7.1, last = t->place[0][i]> 6.9;
             assert_true(t->size[i] == (fine ? 0.5 : 1));
-            assert_near(t->horizon[i], !fine || kind == 0 ? 3 : 1.5 * (kind == 2 && last ? M_SQRT2 : 1),
-                        1e-15);
+            assert_near(t->horizon[i], !fine || kind == 0 ? 3 : 1.5 * (kind == 2 && last ? M_SQRT2 : 1), 1e-15);
             assert_near(t->volume[i],
                         fine                    ? (t->place[0][i] == 0 ? 0.125 : 0.25)
                         : t->place[0][i] == 7.5 ? 0.75

@@ -8,8 +8,7 @@
 #include <stdio.h>
 
 static struct solid_refinement levels(int n) {
-    return (struct solid_refinement){
-        .levels = n, .energy = 0.5, .damage = 0.05, .low = {-1, -1}, .high = {1, 1}};
+    return (struct solid_refinement){.levels = n, .energy = 0.5, .damage = 0.05, .low = {-1, -1}, .high = {1, 1}};
 }
 
 /* A particle on every rank, by its place. */
@@ -49,8 +48,7 @@ static struct particle *gather(const struct solid *s) {
 }
 
 /* Torn at both ends, cracked in its middle. */
-static struct solid *torn(const struct solid_refinement *refinement, int verlet,
-                          enum solid_horizons horizons) {
+static struct solid *torn(const struct solid_refinement *refinement, int verlet, enum solid_horizons horizons) {
     static const double point[2][3] = {{10.5 * SPACING, 8 * SPACING}, {17.5 * SPACING, 8 * SPACING}};
     const struct solid_cut cut = {2, point};
     const struct solid_load load[2] = {
@@ -84,8 +82,7 @@ static void test_symmetry(void **state) {
         struct solid *s = torn(&refinement, 1, SOLID_DUAL_HORIZON);
         tear(s, 0, 16);
         solid_family_count(s);
-        assert_true(solid_refine_events(s) >= 2 && solid_refine_finest(s) == 1 + two &&
-                    par_sum(s->e_fracture) > 0);
+        assert_true(solid_refine_events(s) >= 2 && solid_refine_finest(s) == 1 + two && par_sum(s->e_fracture) > 0);
         struct particle *all = gather(s);
         for (int c = 0; c < 2; c++)
             for (long i = 0; i < s->n_global; i++) {
@@ -93,8 +90,7 @@ static void test_symmetry(void **state) {
                 image.place[c] = (c ? 16 : 28) - image.place[c];
                 const struct particle *p = bsearch(&image, all, (size_t)s->n_global, sizeof *all, by_place);
                 assert_non_null(p);
-                assert_true(p->level == image.level && p->volume == image.volume &&
-                            p->intact == image.intact);
+                assert_true(p->level == image.level && p->volume == image.volume && p->intact == image.intact);
                 for (int k = 0; k < 2; k++) {
                     const double sign = k == c ? -1 : 1;
                     assert_true(p->d[k] == sign * image.d[k] && p->v[k] == sign * image.v[k]);
@@ -106,15 +102,14 @@ static void test_symmetry(void **state) {
 }
 
 /* Every number but the last `left`, to the tolerance, in terms of the column's largest; 0: to the bit. */
-static void compare(const struct solid *s, const struct particle *all, long n,
-                    const struct particle *expected, double tolerance, int left) {
+static void compare(const struct solid *s, const struct particle *all, long n, const struct particle *expected,
+                    double tolerance, int left) {
     const double *one = (const double *)(const void *)all, *two = (const double *)(const void *)expected;
     assert_int_equal(s->n_global, n);
     for (int k = 0; k < NUMBERS - left; k++) {
         double most = 0;
         for (long i = 0; i < n; i++) most = fmax(most, fabs(two[i * NUMBERS + k]));
-        for (long i = 0; i < n; i++)
-            assert_near(one[i * NUMBERS + k], two[i * NUMBERS + k], tolerance * most);
+        for (long i = 0; i < n; i++) assert_near(one[i * NUMBERS + k], two[i * NUMBERS + k], tolerance * most);
     }
 }
 
@@ -206,8 +201,8 @@ static void put_back(struct solid *s, struct kept *k) {
     for (int q = 0; q < 5; q++) free(own[q]);
 }
 
-/* Stopped in the middle and put back into another solid, on ranks divided anew: the same to the last digits (a family that has been much
- * stretched starts with square roots, which is not put back). */
+/* Stopped in the middle and put back into another solid, on ranks divided anew: the same to the last digits (a family
+ * that has been much stretched starts with square roots, which is not put back). */
 static void test_resume(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(2);
@@ -227,23 +222,22 @@ static void test_resume(void **state) {
     solid_free(t);
 }
 
-/* How much of the strain energy of a smooth field a refinement makes or takes, and how far from 0 the forces of an affine one are across
- * levels, in terms of those of one row of bonds. */
+/* How much of the strain energy of a smooth field a refinement makes or takes, and how far from 0 the forces of an
+ * affine one are across levels, in terms of those of one row of bonds. */
 static void test_jumps(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
         struct solid_refinement refinement = levels(2);
         refinement.interface_corrected = kind == 2;
-        struct solid *s = make((struct make){.sites = {40, 40},
-                                             .horizons = kind ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON,
-                                             .refinement = &refinement});
+        struct solid *s = make((struct make){
+            .sites = {40, 40}, .horizons = kind ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON, .refinement = &refinement});
         uint8_t *mark = calloc(100000, 1);
         double before = 0, jump = 0, most = 0;
         for (int level = 0; level < 2; level++) {
             for (int c = 0; c < 2; c++)
                 for (int h = 0; h < s->n; h++)
-                    s->d[c][h] = 1e-6 * SPACING *
-                                 cos(2 * M_PI / 40 * (s->x0[0][h] + (2 * c - 1) * s->x0[1][h]) / SPACING);
+                    s->d[c][h] =
+                        1e-6 * SPACING * cos(2 * M_PI / 40 * (s->x0[0][h] + (2 * c - 1) * s->x0[1][h]) / SPACING);
             before = solid_energy_measure(s).strain;
             for (int h = 0; h < s->n; h++)
                 mark[h] = solid_refine_level(s, h) == level &&

@@ -1,13 +1,12 @@
 /* Static equilibrium by adaptive dynamic relaxation. */
 #include "make.h"
 
-/* A wide cantilever (plane strain: periodic across; clamped over the horizon) under a load P a breadth spread over its last
- * layer: deflection there in units of Timoshenko's, w E/P = 4 (1 - nu^2) (L/h)^3 + 2 (1 + nu)/kappa L/h with nu = 1/4,
- * kappa = 5/6. */
+/* A wide cantilever (plane strain: periodic across; clamped over the horizon) under a load P a breadth spread over its
+ * last layer: deflection there in units of Timoshenko's, w E/P = 4 (1 - nu^2) (L/h)^3 + 2 (1 + nu)/kappa L/h with nu =
+ * 1/4, kappa = 5/6. */
 static double cantilever(int uncorrected) {
     const int height = 8, breadth = 4, length = 40;
-    const struct solid_constraint clamp = {
-        .low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
+    const struct solid_constraint clamp = {.low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
     struct solid *s = make((struct make){.sites = {length + 3, height, breadth},
                                          .periodic = {0, 0, 1},
                                          .constraints = 1,
@@ -39,9 +38,9 @@ static void test_cantilever(void **state) {
     assert_true(cantilever(1) > 1.1); /* without the surface correction it is too soft */
 }
 
-/* The modulus of an infinite bar whose cross-section is strained alike: the least energy over Poisson's ratio. The real one
- * may deform its section too and is a little softer. (At eight spacings the volume method makes it 18 % stiffer than the
- * material, without it it is 14 % softer.) */
+/* The modulus of an infinite bar whose cross-section is strained alike: the least energy over Poisson's ratio. The real
+ * one may deform its section too and is a little softer. (At eight spacings the volume method makes it 18 % stiffer
+ * than the material, without it it is 14 % softer.) */
 static double bar_modulus(int width, int uncorrected) {
     static struct solid_family_view view;
     struct solid *s =
@@ -68,8 +67,7 @@ static double bar_modulus(int width, int uncorrected) {
 static void test_hanging_bar(void **state) {
     (void)state;
     const int length = 34, width = 8;
-    const struct solid_constraint clamp = {
-        .low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
+    const struct solid_constraint clamp = {.low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}};
     for (int uncorrected = 0; uncorrected < 2; uncorrected++) {
         struct solid *s = make((struct make){.sites = {length + 3, width, width},
                                              .constraints = 1,

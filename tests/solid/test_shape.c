@@ -111,8 +111,7 @@ static void cylinder(void **state) {
             axis[2] = x[2];
             if (!at_end) assert_true(fabs(distance(x, axis) - 5.7) < 1e-12 && f->normal[2][i] == 0);
             if (at_end && !on_side)
-                assert_true(fabs(fabs(f->normal[2][i]) - 1) < 1e-12 &&
-                            fabs(f->depth[i] / SPACING - 0.5) < 1e-9);
+                assert_true(fabs(fabs(f->normal[2][i]) - 1) < 1e-12 && fabs(f->depth[i] / SPACING - 0.5) < 1e-9);
             if (at_end && on_side) assert_true(f->depth[i] == 0.5 * SPACING && fabs(f->normal[2][i]) < 0.99);
         }
         give_up(s, f);
@@ -185,8 +184,8 @@ static void cavity_and_crack(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ball), cmocka_unit_test(cylinder),
-                                       cmocka_unit_test(box), cmocka_unit_test(cavity_and_crack)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ball), cmocka_unit_test(cylinder), cmocka_unit_test(box),
+                                       cmocka_unit_test(cavity_and_crack)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -14,8 +14,7 @@ struct damping {
 /* One step of the integrators' own formulas for a = -w d - g v; state d, v and, for Verlet, a. */
 static void step(enum solid_integrator integrator, double w, struct damping g, double dt, double q[3]) {
     if (integrator == SOLID_VERLET) {
-        const double d = q[0] + dt * (q[1] + 0.5 * dt * q[2]), early = q[1] + 0.4 * dt * q[2],
-                     late = q[1] + dt * q[2];
+        const double d = q[0] + dt * (q[1] + 0.5 * dt * q[2]), early = q[1] + 0.4 * dt * q[2], late = q[1] + dt * q[2];
         const double a = -w * d - g.pairwise * early - g.absolute * late;
         q[1] += 0.5 * dt * (q[2] + a);
         q[0] = d;
@@ -66,8 +65,7 @@ static void test_oscillator(void **state) {
             const double w = 2.5e9, all = 2 * ratio[k] * sqrt(w);
             const struct damping g = {share[i % 3] * all, (1 - share[i % 3]) * all};
             const double limit = solid_stable_oscillator(method, w, g.pairwise, g.absolute);
-            for (double part = 0.05; part < 1; part += 0.05)
-                assert_true(log_gain(method, w, g, part * limit) < 2e-3);
+            for (double part = 0.05; part < 1; part += 0.05) assert_true(log_gain(method, w, g, part * limit) < 2e-3);
             assert_true(log_gain(method, w, g, 0.999 * limit) < 2e-3);
             assert_true(log_gain(method, w, g, 1.01 * limit) > 4e-3);
         }
@@ -94,8 +92,8 @@ static void test_damps_what_is_asked(void **state) {
 static double growth(enum solid_integrator integrator, const double damping[2], double of_limit, int periodic,
                      enum solid_bound *bound) {
     struct solid *s = make((struct make){.sites = {10, 9, 8}, .periodic = {periodic, periodic, periodic}});
-    s->stage = (struct solid_stage){
-        .integrator = integrator, .damping_relative = damping[0], .damping_absolute = damping[1]};
+    s->stage =
+        (struct solid_stage){.integrator = integrator, .damping_relative = damping[0], .damping_absolute = damping[1]};
     struct solid_rates rates;
     solid_rates_of(s, &rates);
     const double dt = of_limit * solid_stable_of(&rates, integrator, 0, bound);
@@ -155,8 +153,7 @@ static struct solid *crushed(double strain) {
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++)
             if (view.intact[b] && is_torn(s, h, view.xi[b])) solid_family_break(s, h, b);
-        for (int c = 0; c < 3; c++)
-            s->d[c][h] = (c == 0 ? -strain * s->x0[0][h] : 0) + 1e-3 * SPACING * noise(s, h, c);
+        for (int c = 0; c < 3; c++) s->d[c][h] = (c == 0 ? -strain * s->x0[0][h] : 0) + 1e-3 * SPACING * noise(s, h, c);
     }
     solid_ghosts_update(s);
     solid_contact_update(s);
@@ -206,8 +203,8 @@ static double largest_rate(struct solid *s) {
 
 static int always(const void *with, double rate2) { return !with && rate2 > 0; }
 
-/* Bonds and present contacts together are no faster than the bound, and the bound is no more than 1.38 times what is there: equal
- * weights for all give 1.41. */
+/* Bonds and present contacts together are no faster than the bound, and the bound is no more than 1.38 times what is
+ * there: equal weights for all give 1.41. */
 static void test_contact_bound(void **state) {
     (void)state;
     const double strain[3] = {0.001, 0.03, 0.15};
@@ -217,8 +214,8 @@ static void test_contact_bound(void **state) {
         assert_non_null(s->contact);
         solid_rates_of(s, &rates);
         const double contact = solid_contact_rate_bound(s, NULL, NULL), there = largest_rate(s);
-        print_message("strain %.3f: bonds %.3g, contact %.3g, together %.3g 1/s2\n", strain[k],
-                      rates.stiffness, contact, there);
+        print_message("strain %.3f: bonds %.3g, contact %.3g, together %.3g 1/s2\n", strain[k], rates.stiffness,
+                      contact, there);
         assert_true(solid_contact_rate_bound(s, always, NULL) > contact); /* the first one */
         assert_true(there > 1.3 * rates.stiffness);
         assert_true(there < rates.stiffness + contact);
@@ -231,7 +228,8 @@ static void test_contact_bound(void **state) {
     }
 }
 
-/* Two particles alone: the bound is the pair's own frequency, 2 n_c k_c V/(r_c rho) at r_c; it fades beyond, and is 0 apart. */
+/* Two particles alone: the bound is the pair's own frequency, 2 n_c k_c V/(r_c rho) at r_c; it fades beyond, and is 0
+ * apart. */
 static void test_one_pair(void **state) {
     (void)state;
     struct solid *s = make((struct make){.sites = {2, 1, 1}});

@@ -52,9 +52,7 @@ static double normal_error(const struct solid_surface *surface, int i, double x,
     return r;
 }
 
-static int cube(const int p[3]) {
-    return p[0] >= 0 && p[0] < 9 && p[1] >= 0 && p[1] < 9 && p[2] >= 0 && p[2] < 9;
-}
+static int cube(const int p[3]) { return p[0] >= 0 && p[0] < 9 && p[1] >= 0 && p[1] < 9 && p[2] >= 0 && p[2] < 9; }
 
 static void faces_edges_and_corners(void **state) {
     (void)state;
@@ -79,8 +77,7 @@ static void faces_edges_and_corners(void **state) {
             }
             /* where the family sees nothing but this face, edge or corner; the corner's three faces are 9 apart */
             if (ends + middles == 3)
-                assert_true(normal_error(surface, i, e[0] / sqrt(ends), e[1] / sqrt(ends),
-                                         e[2] / sqrt(ends)) < 1e-13);
+                assert_true(normal_error(surface, i, e[0] / sqrt(ends), e[1] / sqrt(ends), e[2] / sqrt(ends)) < 1e-13);
         }
         solid_surface_free(surface);
         solid_free(s);
@@ -176,8 +173,8 @@ static struct solid *ball_new(double centre) {
     return solid_new(&in);
 }
 
-/* A cavity's and a ball's outer layer, its area and its normals along the radius: a lattice's family is a cut of the true
- * one, which tilts normals by a few degrees. */
+/* A cavity's and a ball's outer layer, its area and its normals along the radius: a lattice's family is a cut of the
+ * true one, which tilts normals by a few degrees. */
 static void cavity_and_ball(void **state) {
     (void)state;
     for (ball_is_void = 0; ball_is_void < 2; ball_is_void++) {
@@ -201,8 +198,7 @@ static void cavity_and_ball(void **state) {
         }
         par_sum_array(sum, 2);
         least = par_min(least);
-        const double area =
-            surface->immersed_area / (4 * M_PI * ball_radius * ball_radius * SPACING * SPACING);
+        const double area = surface->immersed_area / (4 * M_PI * ball_radius * ball_radius * SPACING * SPACING);
         print_message("%s: area %.4f of the sphere's, normals: least cosine %.4f, mean %.5f\n",
                       ball_is_void ? "cavity" : "ball", area, least, 1 - sum[0] / sum[1]);
         assert_true(fabs(area - 1) < 0.015);
@@ -262,11 +258,8 @@ static void points(void **state) {
         for (int c = 0; c < 3; c++) x[c][i] = (p[c] + 0.5 + 0.2 * (bodies_random(i, c) - 0.5)) * SPACING;
         volume[i] = SPACING * SPACING * SPACING;
     }
-    const struct solid_body body = {.name = "points",
-                                    .shape = SOLID_POINTS,
-                                    .points = N,
-                                    .point = {x[0], x[1], x[2]},
-                                    .point_volume = volume};
+    const struct solid_body body = {
+        .name = "points", .shape = SOLID_POINTS, .points = N, .point = {x[0], x[1], x[2]}, .point_volume = volume};
     const struct solid_input in = bodies_input(1, &body);
     struct solid *s = solid_new(&in);
     struct solid_surface *surface = solid_surface_new(s);

@@ -88,6 +88,5 @@ static inline void bodies_turn(struct solid *s, double angle, double shift) {
     const double r[3][3] = {{c + t, t - w, t + w}, {t + w, c + t, t - w}, {t - w, t + w, c + t}};
     for (int h = 0; h < s->n; h++)
         for (int i = 0; i < 3; i++)
-            s->d[i][h] =
-                r[i][0] * s->x0[0][h] + r[i][1] * s->x0[1][h] + r[i][2] * s->x0[2][h] + shift - s->x0[i][h];
+            s->d[i][h] = r[i][0] * s->x0[0][h] + r[i][1] * s->x0[1][h] + r[i][2] * s->x0[2][h] + shift - s->x0[i][h];
 }

@@ -34,7 +34,8 @@ static void check_against_scratch(struct solid *s, const struct solid_surface *f
     free(flag);
 }
 
-/* A plane crack across each direction: hidden up to delta between the two layers, both layers beyond, hidden when closed. */
+/* A plane crack across each direction: hidden up to delta between the two layers, both layers beyond, hidden when
+ * closed. */
 static void crack(void **state) {
     (void)state;
     for (int axis = 0; axis < 3; axis++)

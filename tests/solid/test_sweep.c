@@ -1,5 +1,6 @@
-/* A lattice's sweep against lists of bonds and against other numbers of ranks, on bodies of odd shapes, where a sweep begins with
- * kernels that turn out to be the wrong ones: the body is at rest, then far beyond what its bonds or the series stand. */
+/* A lattice's sweep against lists of bonds and against other numbers of ranks, on bodies of odd shapes, where a sweep
+ * begins with kernels that turn out to be the wrong ones: the body is at rest, then far beyond what its bonds or the
+ * series stand. */
 #include "make.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/segments.h"
@@ -26,8 +27,7 @@ enum { SHAPES = sizeof shapes / sizeof shapes[0], SITES = 13 * 12 * 11, NUMBERS 
 
 static struct solid *body(const struct shape *shape, int list, double fracture_energy) {
     struct solid_body block = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, shape->horizon_ratio,
-                                            SOLID_CONSTANT};
+    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, shape->horizon_ratio, SOLID_CONSTANT};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &block,
@@ -134,8 +134,7 @@ static void test_jumps(void **state) {
     static double all[NUMBERS], again[NUMBERS], list[NUMBERS], list_again[NUMBERS], expected[NUMBERS];
     for (int k = 0; k < SHAPES; k++)
         for (int kind = 0; kind < (int)(sizeof kinds / sizeof kinds[0]); kind++) {
-            const double energy = kinds[kind].fracture_energy, size = kinds[kind].size,
-                         damping = kinds[kind].damping;
+            const double energy = kinds[kind].fracture_energy, size = kinds[kind].size, damping = kinds[kind].damping;
             jump(&shapes[k], 0, INFINITY, size, damping, again, all); /* as if nothing broke */
             const double scale = largest(again) + 1e-300;
             jump(&shapes[k], 0, energy, size, damping, all, again);

@@ -22,8 +22,7 @@ static void test_dispersion(void **state) {
     const int waves[9] = {1, 2, 4, 6, 8, 10, 12, 16, 20};
     const double longitudinal[9] = {.172999,  .341125,  .644758,  .881005, 1.033505,
                                     1.102373, 1.103324, 1.010403, .954998};
-    const double transverse[9] = {.099498, .197327, .381681, .542044, .670947,
-                                  .765425, .827164, .877415, .883340};
+    const double transverse[9] = {.099498, .197327, .381681, .542044, .670947, .765425, .827164, .877415, .883340};
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {40, 4, 4}, .periodic = {1, 1, 1}, .list = list});
         for (int i = 0; i < 9; i++) {
@@ -78,8 +77,7 @@ static void test_stability_by_stepping(void **state) {
     (void)state;
     assert_true(growth(SOLID_RK3, step_of(1.569 * 0.98)) < 3);
     assert_true(growth(SOLID_RK3, step_of(1.569 * 1.02)) > 100);
-    assert_true(growth(SOLID_VERLET, step_of(1.812 * 0.98)) <
-                30); /* amplitudes of 1/sqrt(1 - (omega dt/2)^2) */
+    assert_true(growth(SOLID_VERLET, step_of(1.812 * 0.98)) < 30); /* amplitudes of 1/sqrt(1 - (omega dt/2)^2) */
     assert_true(growth(SOLID_VERLET, step_of(1.812 * 1.02)) > 1e6);
 }
 

@@ -94,12 +94,11 @@ static void defaults(void **state) {
 
 static void products(void **state) {
     (void)state;
-    struct study *s =
-        good(SCENE QUANTITY
-             "methods:\n  product:\n    - [{name: rk3, set: {i: rk3}}, {name: verlet, set: {i: verlet}}]\n"
-             "    - [{name: n2, set: {n: 2}}, {name: n4, ranks: 3, set: {n: 4}}, {name: n8}]\n"
-             "levels:\n  product:\n    - [{name: only, set: {k: 1}}]\n"
-             "    - [{name: coarse, size: 2}, {name: fine, size: 1}]\n");
+    struct study *s = good(
+        SCENE QUANTITY "methods:\n  product:\n    - [{name: rk3, set: {i: rk3}}, {name: verlet, set: {i: verlet}}]\n"
+                       "    - [{name: n2, set: {n: 2}}, {name: n4, ranks: 3, set: {n: 4}}, {name: n8}]\n"
+                       "levels:\n  product:\n    - [{name: only, set: {k: 1}}]\n"
+                       "    - [{name: coarse, size: 2}, {name: fine, size: 1}]\n");
     assert_int_equal(s->methods.n, 6);
     assert_string_equal(s->methods.variant[0].name, "rk3 n2");
     assert_string_equal(s->methods.variant[4].name, "verlet n4");
@@ -135,16 +134,13 @@ static void broken(void **state) {
         {SCENE "quantities: [{column: a}]\n" QUANTITY VARIED, ":3: quantity: give quantity, or a list"},
         {SCENE "quantities: []\n" VARIED, ":2: quantities = []: must be a list that is not empty"},
         {SCENE "quantity: {column: a}\n" VARIED, ":2: reference: a has no reference"},
-        {SCENE "quantity: {at: last}\nreference: {value: 1}\n" VARIED,
-         ":2: quantity: needs one of column, file and"},
-        {SCENE "quantity: {column: a, command: b}\nreference: {value: 1}\n" VARIED,
-         ":2: quantity: needs one of"},
+        {SCENE "quantity: {at: last}\nreference: {value: 1}\n" VARIED, ":2: quantity: needs one of column, file and"},
+        {SCENE "quantity: {column: a, command: b}\nreference: {value: 1}\n" VARIED, ":2: quantity: needs one of"},
         {SCENE "quantity: {column: a, at: lst}\nreference: {value: 1}\n" VARIED,
          ":2: quantity.at = lst: must be one of last, max, min, mean, time"},
         {SCENE "quantity: {column: a, at: time}\nreference: {value: 1}\n" VARIED,
          ":2: quantity: above goes with at: time"},
-        {SCENE "quantity: {column: a, above: 1}\nreference: {value: 1}\n" VARIED,
-         ":2: quantity: above goes with"},
+        {SCENE "quantity: {column: a, above: 1}\nreference: {value: 1}\n" VARIED, ":2: quantity: above goes with"},
         {SCENE "quantity: {column: a, after: 2, before: 1}\nreference: {value: 1}\n" VARIED,
          ":2: quantity: after 2 and before 1"},
         {SCENE "quantity: {file: a}\nreference: {value: 1}\n" VARIED, ":2: quantity: quantity is missing"},
@@ -152,12 +148,9 @@ static void broken(void **state) {
          ":2: quantity: after goes with column only"},
         {SCENE "quantity: {column: a, factor: nan}\nreference: {value: 1}\n" VARIED,
          ":2: quantity.factor = nan: must be a number"},
-        {SCENE "quantity: {column: a}\nreference: {source: b}\n" VARIED,
-         ":3: reference: needs value, or finest: true"},
-        {SCENE "quantity: {column: a}\nreference: {value: 1, finest: true}\n" VARIED,
-         ":3: reference: needs value, or"},
-        {SCENE "quantity: {column: a}\nreference: {value: 1, order: 2}\n" VARIED,
-         ":3: reference: method and order go"},
+        {SCENE "quantity: {column: a}\nreference: {source: b}\n" VARIED, ":3: reference: needs value, or finest: true"},
+        {SCENE "quantity: {column: a}\nreference: {value: 1, finest: true}\n" VARIED, ":3: reference: needs value, or"},
+        {SCENE "quantity: {column: a}\nreference: {value: 1, order: 2}\n" VARIED, ":3: reference: method and order go"},
         {SCENE "quantity: {column: a}\nreference: {finest: true, source: b}\n" VARIED,
          ":3: reference: uncertainty and"},
         {SCENE "quantity: {column: a}\nreference: {value: 1, uncertainty: -1}\n" VARIED,
@@ -169,12 +162,10 @@ static void broken(void **state) {
         {SCENE "quantities: [{column: a}, {column: a}]\nreference: {finest: true}\n" VARIED,
          ":2: quantities[1]: two are called a"},
         {SCENE QUANTITY "levels: [{name: x}]\n", ":1: methods: is missing"},
-        {SCENE QUANTITY "methods: []\nlevels: [{name: x}]\n",
-         ":4: methods = []: must be a list that is not empty"},
+        {SCENE QUANTITY "methods: []\nlevels: [{name: x}]\n", ":4: methods = []: must be a list that is not empty"},
         {SCENE QUANTITY "methods: [a]\nlevels: [{name: x}]\n", ":4: methods[0] = a: must be a mapping"},
         {SCENE QUANTITY "methods: [{set: {a: 1}}]\nlevels: [{name: x}]\n", ":4: methods[0].name: is missing"},
-        {SCENE QUANTITY "methods: [{name: a, size: 1}]\nlevels: [{name: x}]\n",
-         ":4: methods[0].size = 1: unknown key"},
+        {SCENE QUANTITY "methods: [{name: a, size: 1}]\nlevels: [{name: x}]\n", ":4: methods[0].size = 1: unknown key"},
         {SCENE QUANTITY "methods:\n  - {name: a}\n  - {name: a}\nlevels: [{name: x}]\n",
          ":6: methods: two are called a"},
         {SCENE QUANTITY "methods: [{name: a}]\nlevels:\n  - {name: x, size: 0}\n",
@@ -183,12 +174,10 @@ static void broken(void **state) {
          ":5: levels: give size for all or for none"},
         {SCENE QUANTITY "methods: [{name: a}]\nlevels:\n  - {name: x, size: 1}\n  - {name: y, size: 2}\n",
          ":7: levels: must go from coarse to fine: size 2 follows 1"},
-        {SCENE QUANTITY "methods: {products: []}\nlevels: [{name: x}]\n",
-         ":4: methods.products = []: unknown key"},
+        {SCENE QUANTITY "methods: {products: []}\nlevels: [{name: x}]\n", ":4: methods.products = []: unknown key"},
         {SCENE QUANTITY "methods: {product: [{name: a}]}\nlevels: [{name: x}]\n",
          ":4: methods.product[0]: must be a list"},
-        {SCENE QUANTITY
-         "methods: [{name: a}]\nlevels: {product: [[{name: x, size: 1}], [{name: y, size: 1}]]}\n",
+        {SCENE QUANTITY "methods: [{name: a}]\nlevels: {product: [[{name: x, size: 1}], [{name: y, size: 1}]]}\n",
          ":5: levels: size is given in two lists of the product"},
     };
     for (size_t k = 0; k < sizeof mistake / sizeof *mistake; k++) {
@@ -204,7 +193,7 @@ static void broken(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(whole), cmocka_unit_test(defaults),
-                                       cmocka_unit_test(products), cmocka_unit_test(broken)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(whole), cmocka_unit_test(defaults), cmocka_unit_test(products),
+                                       cmocka_unit_test(broken)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* Statistics, orders, extrapolation and times at equal error, against numbers worked by hand or printed in the papers. */
+/* Statistics, orders, extrapolation and times at equal error, against numbers worked by hand or printed in the papers.
+ */
 #include "study/result/iso.h"
 #include "study/result/order.h"
 #include "study/result/richardson.h"
@@ -68,8 +69,8 @@ static void richardson_exact(void **state) {
     near(two.gci, 3 * 3 * pow(0.1, 1.7), 1e-12);
 }
 
-/* The three worked examples of Celik et al. 2008, table 1, to the digits printed there. Cells 18000, 8000, 4500 and 18000,
- * 4500, 980 in two dimensions. */
+/* The three worked examples of Celik et al. 2008, table 1, to the digits printed there. Cells 18000, 8000, 4500 and
+ * 18000, 4500, 980 in two dimensions. */
 static void richardson_celik(void **state) {
     (void)state;
     static const struct {

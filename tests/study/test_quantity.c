@@ -67,8 +67,7 @@ static void near(struct study_quantity q, double value) {
     q.factor = q.factor ? q.factor : 1;
     q.name = (char *)(size_t) "some name";
     const double ours = study_quantity_value(&q, FOLDER, &why, &wrong);
-    if (!(fabs(ours - value) <= 1e-14 * fabs(value)))
-        fail_msg("%.15g, not %.15g: %s", ours, value, why ? why : "");
+    if (!(fabs(ours - value) <= 1e-14 * fabs(value))) fail_msg("%.15g, not %.15g: %s", ours, value, why ? why : "");
     assert_null(why);
 }
 

@@ -1,4 +1,5 @@
-/* What the runs of a study say together, of runs that were made up: errors, orders, medians, the finest as reference. */
+/* What the runs of a study say together, of runs that were made up: errors, orders, medians, the finest as reference.
+ */
 #include "study/report/report.h"
 #include "study/result/result.h"
 
@@ -14,7 +15,8 @@
 enum { METHODS = 2, LEVELS = 3, REPEATS = 3, CASES = METHODS * LEVELS, RUNS = CASES * REPEATS };
 #define TEXT(x) ((char *)(size_t)(x))
 
-/* Method m at level l has the value 10 (1 + c h^p), c and p its own, and takes (1, 3, 2) 2^l (1 + m) s in its repeats. */
+/* Method m at level l has the value 10 (1 + c h^p), c and p its own, and takes (1, 3, 2) 2^l (1 + m) s in its repeats.
+ */
 struct made {
     struct study study;
     struct study_variant method[METHODS], level[LEVELS];
@@ -33,8 +35,7 @@ static double value_of(int m, int l) {
 static struct made *make(struct study_reference reference) {
     static const double wall[REPEATS] = {1, 3, 2};
     struct made *x = calloc(1, sizeof *x);
-    for (int m = 0; m < METHODS; m++)
-        x->method[m] = (struct study_variant){.name = TEXT(m ? "cubic" : "square")};
+    for (int m = 0; m < METHODS; m++) x->method[m] = (struct study_variant){.name = TEXT(m ? "cubic" : "square")};
     for (int l = 0; l < LEVELS; l++)
         x->level[l] = (struct study_variant){.name = TEXT(l == 0   ? "one"
                                                           : l == 1 ? "half"
@@ -55,22 +56,18 @@ static struct made *make(struct study_reference reference) {
         const struct study_case *c = &x->at[i % CASES];
         x->value[i] = value_of(c->method, c->level);
         x->run[i] = (struct study_run){.at = i % CASES, .repeat = i / CASES, .value = &x->value[i]};
-        x->run[i].outcome =
-            (struct study_outcome){.state = STUDY_DONE,
-                                   .wall = wall[i / CASES] * (1 << c->level) * (1 + c->method),
-                                   .setup = 0.25,
-                                   .cell_step = NAN,
-                                   .bond_sweep = 0.5,
-                                   .memory = 2e6,
-                                   .steps = 100};
+        x->run[i].outcome = (struct study_outcome){.state = STUDY_DONE,
+                                                   .wall = wall[i / CASES] * (1 << c->level) * (1 + c->method),
+                                                   .setup = 0.25,
+                                                   .cell_step = NAN,
+                                                   .bond_sweep = 0.5,
+                                                   .memory = 2e6,
+                                                   .steps = 100};
     }
     return x;
 }
 
-static const struct study_reference known = {.kind = STUDY_REFERENCE_VALUE,
-                                             .value = 10,
-                                             .scale = NAN,
-                                             .order = NAN},
+static const struct study_reference known = {.kind = STUDY_REFERENCE_VALUE, .value = 10, .scale = NAN, .order = NAN},
                                     finest = {.kind = STUDY_REFERENCE_FINEST, .scale = NAN, .order = NAN};
 
 static void near(double ours, double theirs, double tolerance) {
@@ -121,8 +118,7 @@ static void advice(void **state) {
     struct made *x = make(known);
     advises(x, "3 % costs 4 s (square at half), 1 % 8 s (square at quarter), 0.1 % 16 s (cubic at quarter); "
                "at 0.1 % square does not get there");
-    for (int i = 4; i < RUNS; i += CASES)
-        x->value[i] = 10.9; /* the finest of square is worse: chance before */
+    for (int i = 4; i < RUNS; i += CASES) x->value[i] = 10.9; /* the finest of square is worse: chance before */
     advises(x, "10 % costs 2 s (square at one), 1 % 8 s (cubic at half), 0.1 % 16 s (cubic at quarter); "
                "at 0.1 % square does not get there");
     x->quantity.reference.uncertainty = 0.02; /* nothing is said below 0.2 % */
@@ -154,8 +150,7 @@ static void reference_apart(void **state) {
 static void many_methods(void **state) {
     (void)state;
     enum { N = 7 };
-    static const double values[N] = {10.1, 10.2, 10.01, 10.005, 11, 10.001, 10.3},
-                        walls[N] = {1, 2, 2, 3, 1, 8, 9};
+    static const double values[N] = {10.1, 10.2, 10.01, 10.005, 11, 10.001, 10.3}, walls[N] = {1, 2, 2, 3, 1, 8, 9};
     struct made *x = make(known);
     struct study_variant method[N];
     struct study_case at[N];
@@ -173,10 +168,8 @@ static void many_methods(void **state) {
     x->study.levels.n = 1;
     x->plan = (struct study_plan){&x->study, N, at, N, run};
     x->quantity.reference.uncertainty = 0.008; /* nothing is said below 0.08 % */
-    advises(
-        x,
-        "1 % costs 1 s (first at one), 0.1 % 2 s (third at one); 2 of the 6 others get to 0.1 %, in 1.5 to 4 "
-        "times the time");
+    advises(x, "1 % costs 1 s (first at one), 0.1 % 2 s (third at one); 2 of the 6 others get to 0.1 %, in 1.5 to 4 "
+               "times the time");
     value[5] = 12;
     advises(x, "1 % costs 1 s (first at one), 0.1 % 2 s (third at one); 1 of the 6 others gets to 0.1 %, in "
                "1.5 times "
