@@ -1,5 +1,5 @@
 #include "base/clock.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/par.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 #include "base/par_exchange.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "base/par_count.h"
 

@@ -1,6 +1,6 @@
 #include "base/par_pencil.h"
 #include "base/clock.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_count.h"

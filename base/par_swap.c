@@ -1,5 +1,5 @@
 #include "base/par_swap.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/par_count.h"
 
 #include <mpi.h>

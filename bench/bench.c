@@ -1,5 +1,5 @@
 #include "bench/bench.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "base/par.h"
 #include "bench/parts.h"
 

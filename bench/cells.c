@@ -1,5 +1,6 @@
 #include "bench/cells.h"
-#include "base/error.h"
+#include "base/die.h"
+#include "base/ensure.h"
 
 #include <errno.h>
 #include <math.h>

@@ -2,9 +2,12 @@
 #include "base/par.h"
 #include "bench/parts.h"
 #include "bench/scene.h"
+#include "coupling/interface.h"
 #include "coupling/run.h"
-#include "solid/contact/contact.h"
+#include "coupling/step.h"
 #include "solid/bonds/family.h"
+#include "solid/contact/contact.h"
+#include "solid/step/integrate.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 #include "bench/measure.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/par.h"
 
 #include <math.h>

@@ -4,7 +4,9 @@
 #include "bench/parts.h"
 #include "bench/scene.h"
 #include "coupling/run.h"
+#include "coupling/step.h"
 #include "solid/bonds/family.h"
+#include "solid/solid.h"
 
 static double held(enum memory_part part) { return par_sum((double)memory_bytes(part)); }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "bench/row.h"
 #include "fluid/fluid.h"
-#include "solid/solid.h"
+#include "solid/state.h"
 
 struct bench {
     struct bench_effort effort;

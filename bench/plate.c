@@ -2,6 +2,7 @@
 #include "base/par.h"
 #include "bench/parts.h"
 #include "solid/bonds/family.h"
+#include "solid/solid.h"
 
 #include <math.h>
 

@@ -1,9 +1,11 @@
 /* Looks at a plate's energies, and refinements of a few particles far from one another. */
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "bench/parts.h"
 #include "solid/bonds/family.h"
 #include "solid/refine/refine.h"
+#include "solid/solid.h"
 
 #include <math.h>
 

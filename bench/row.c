@@ -1,8 +1,8 @@
 #include "bench/row.h"
-#include "base/error.h"
-#include "files/folder.h"
+#include "base/die.h"
 #include "base/par.h"
 #include "base/par_count.h"
+#include "files/folder.h"
 
 #include <errno.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 #include "bench/scene.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "scene/read.h"
 
 #include <stdio.h>

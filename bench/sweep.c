@@ -1,5 +1,7 @@
 #include "bench/parts.h"
 #include "solid/bonds/family.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* The page docs/performance.md and the tables of docs/scaling.md, from what the bench has measured before. */
-#include "base/error.h"
+#include "base/die.h"
 #include "bench/bench.h"
 #include "bench/cells.h"
 #include "bench/whole.h"

@@ -1,5 +1,5 @@
 #include "bench/whole.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "files/folder.h"
 
 #include <stdio.h>

@@ -1,8 +1,11 @@
 #include "coupling/adapt.h"
-#include "files/log.h"
+#include "base/die.h"
 #include "base/par.h"
+#include "base/step_status.h"
 #include "coupling/run.h"
+#include "files/log.h"
 #include "solid/contact/contact.h"
+#include "solid/step/stable.h"
 
 #include <math.h>
 #include <stdio.h>

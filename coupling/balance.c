@@ -10,6 +10,7 @@
  * before. So is the acceleration of the carried mass, which is the probes' too: a step gives back, body by body, just
  * what the one before has taken, so that nothing is lost where normals turn or particles come off meanwhile. */
 #include "coupling/balance.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "solid/imposed/given.h"
 

@@ -1,8 +1,9 @@
 /* The last good state in memory.  (program/checkpoint.h) */
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/memory.h"
-#include "program/checkpoint.h"
 #include "coupling/forcing_guess.h"
+#include "coupling/guard.h"
 #include "solid/keep.h"
 #include "solid/refine/refine.h"
 

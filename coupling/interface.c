@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/balance.h"
+#include "coupling/interface.h"
 #include "coupling/run.h"
 #include "solid/imposed/given.h"
 

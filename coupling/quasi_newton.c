@@ -1,5 +1,5 @@
 #include "coupling/quasi_newton.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 

@@ -1,8 +1,12 @@
 /* Refinement within a run: when it is looked for, and what step the solid takes afterwards. */
 #include "base/clock.h"
-#include "files/log.h"
+#include "coupling/refinement.h"
 #include "coupling/run.h"
+#include "files/log.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/refine/refine.h"
+#include "solid/step/rates.h"
+#include "solid/step/stable.h"
 
 #include <math.h>
 

@@ -1,7 +1,10 @@
 #include "coupling/run.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/interface.h"
 #include "coupling/setup/given.h"
+#include "solid/solid.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,14 +1,14 @@
 /* A run: the parts a scene needs, where it stands, and the step that is put together from them. */
 #pragma once
-#include "scene/scene.h"
 #include "coupling/adapt.h"
 #include "coupling/medium/medium.h"
 #include "coupling/setup/setup.h"
 #include "coupling/strong.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
+#include "scene/scene.h"
 #include "solid/force/added_mass.h"
-#include "solid/solid.h"
+#include "solid/state.h"
 #include "solid/step/stable.h"
 #include "solid/surface/surface.h"
 
@@ -86,24 +86,5 @@ struct run {
 struct run *run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only shows when it is made. */
 void run_free(struct run *r);
 
-/* Puts the step of the present stage together. Collective. */
-void step_begin_stage(struct run *r);
-/* One step: every part in turn. Collective. */
-void step_advance(struct run *r);
-/* Tractions at the interface and their sum, from the present fields (samples in stages whose step has no probe).
- * Collective. */
-void interface_probe(struct run *r);
 /* The particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);
-/* Looks whether particles are to be refined, if it is due, and does it; the substeps follow. Collective. */
-void refinement_look(struct run *r);
-/* The rates of a plate that is, or may be, refined. Collective. */
-void refinement_rates(struct run *r);
-/* NaN or beyond reason on this rank. Unless `whole`, of the fluid one plane of p is looked at only, for NaN: the
- * Poisson solve carries one to every cell, while a velocity beyond reason may hide. Not collective (agree with
- * step_status_agree). */
-int step_check(const struct run *r, int whole, struct step_status *status);
-
-/* Markers and probes from the surface's present state. Not collective. */
-void interface_markers_update(struct run *r);
-void interface_markers_free(struct run *r);

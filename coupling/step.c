@@ -1,12 +1,22 @@
 /* The time step, put together from the parts that the stage needs.  (001: sec. 4.3; SPEC 5) */
-#include "files/log.h"
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/step_status.h"
 #include "coupling/balance.h"
 #include "coupling/forcing_guess.h"
+#include "coupling/interface.h"
+#include "coupling/refinement.h"
 #include "coupling/run.h"
+#include "coupling/step.h"
+#include "files/log.h"
 #include "solid/contact/contact.h"
 #include "solid/refine/refine.h"
+#include "solid/step/integrate.h"
+#include "solid/step/rates.h"
+#include "solid/step/relax.h"
+#include "solid/step/stable.h"
 
 #include <math.h>
 

@@ -1,10 +1,12 @@
 #include "coupling/strong.h"
-#include "files/log.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "program/checkpoint.h"
+#include "coupling/guard.h"
+#include "coupling/interface.h"
 #include "coupling/quasi_newton.h"
 #include "coupling/run.h"
+#include "files/log.h"
+#include "solid/step/integrate.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 #include "files/aside.h"
-#include "base/error.h"
+#include "base/die.h"
 
 #include <errno.h>
 #include <fcntl.h>

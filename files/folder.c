@@ -1,5 +1,5 @@
 #include "files/folder.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "base/par.h"
 
 #include <dirent.h>

@@ -1,9 +1,9 @@
 /* One run at a time in a folder. Each rank of a run locks a byte of its file run.lock; the system takes locks back
  * however a process ends, so a folder is held until the last rank is gone, and no longer. Where the file system has no
  * locks, the file's own words must do: the host and the process that wrote it. */
-#include "base/error.h"
-#include "files/folder.h"
+#include "base/die.h"
 #include "base/par.h"
+#include "files/folder.h"
 
 #include <errno.h>
 #include <fcntl.h>

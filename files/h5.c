@@ -1,7 +1,7 @@
 #include "files/h5.h"
-#include "files/aside.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "base/par.h"
+#include "files/aside.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,6 +1,5 @@
-#include "files/h5.h"
-#include "base/error.h"
 #include "base/par.h"
+#include "files/h5.h"
 
 #include <errno.h>
 #include <stdio.h>

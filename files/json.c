@@ -1,6 +1,6 @@
 #include "files/json.h"
+#include "base/ensure.h"
 #include "files/aside.h"
-#include "base/error.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 #include "files/log.h"
-#include "base/error.h"
+#include "base/die.h"
+#include "base/par.h"
 #include "files/folder.h"
 #include "files/log_terminal.h"
-#include "base/par.h"
 
 #include <errno.h>
 #include <stdarg.h>

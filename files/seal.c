@@ -1,5 +1,5 @@
 #include "files/seal.h"
-#include "base/error.h"
+#include "base/ensure.h"
 
 #include <string.h>
 

@@ -1,10 +1,10 @@
 #include "files/store.h"
-#include "files/aside.h"
 #include "base/clock.h"
-#include "base/error.h"
-#include "files/folder.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "files/aside.h"
+#include "files/folder.h"
 #include "files/store_private.h"
 
 #include <ctype.h>

@@ -1,6 +1,6 @@
-#include "files/store.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "files/store.h"
 #include "files/store_private.h"
 
 #include <stdio.h>

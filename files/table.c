@@ -1,8 +1,8 @@
 #include "files/table.h"
-#include "files/aside.h"
 #include "base/clock.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "base/par.h"
+#include "files/aside.h"
 
 #include <errno.h>
 #include <math.h>

@@ -1,8 +1,8 @@
 #include "files/vtkhdf.h"
 #include "base/clock.h"
-#include "files/h5.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "files/h5.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,3 @@
-#include "base/error.h"
 #include "files/h5.h"
 #include "files/vtkhdf.h"
 

@@ -1,5 +1,5 @@
-#include "files/aside.h"
 #include "base/par.h"
+#include "files/aside.h"
 #include "files/vtkhdf.h"
 
 #include <math.h>

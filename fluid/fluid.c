@@ -1,10 +1,11 @@
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
-#include "fluid/momentum/correction.h"
-#include "fluid/internal.h"
-#include "fluid/momentum/momentum.h"
 #include "fluid/grid/outflow.h"
 #include "fluid/grid/reach.h"
+#include "fluid/internal.h"
+#include "fluid/momentum/correction.h"
+#include "fluid/momentum/momentum.h"
 #include "fluid/poisson/wisdom.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The fluid: what it is made from, its state, and the calls that a time step is put together from.  (001: ch. 3.4, 4.1)
  */
 #pragma once
-#include "base/error.h"
+#include "base/step_status.h"
 #include "fluid/grid/grid.h"
 
 /* Conditions of one side. Each stands for a Dirichlet or Neumann condition on u, v, w and the pressure correction. */

@@ -1,7 +1,7 @@
 /* The velocity that a run starts from, before it is made to obey the sides and continuity. */
 #include "base/memory.h"
-#include "fluid/internal.h"
 #include "fluid/grid/profile.h"
+#include "fluid/internal.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* What the fluid's files share. Not for other rooms. */
 #pragma once
+#include "fluid/fluid.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/momentum/diffusion.h"
-#include "fluid/fluid.h"
 #include "fluid/poisson/poisson.h"
 
 /* The box's force on its way through a step. */

@@ -1,4 +1,5 @@
 #include "base/par.h"
+#include "base/step_status.h"
 #include "fluid/internal.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 #include "base/clock.h"
 #include "base/par_halo.h"
+#include "fluid/grid/outflow.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
-#include "fluid/grid/outflow.h"
 
 #include <math.h>
 

@@ -1,10 +1,10 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "base/par_halo.h"
-#include "fluid/momentum/correction.h"
-#include "fluid/internal.h"
-#include "fluid/momentum/momentum.h"
 #include "fluid/grid/outflow.h"
+#include "fluid/internal.h"
+#include "fluid/momentum/correction.h"
+#include "fluid/momentum/momentum.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Markers: sent to the ranks that serve them, and their weights renewed where they have moved. */
 #include "base/clock.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_pencil.h"

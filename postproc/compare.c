@@ -1,7 +1,7 @@
 /* Several runs over one another: curves, PDFs at the end, a table of their numbers. */
-#include "base/error.h"
-#include "files/folder.h"
+#include "base/die.h"
 #include "base/memory.h"
+#include "files/folder.h"
 #include "postproc/data/pdf.h"
 #include "postproc/post.h"
 #include "postproc/report.h"

@@ -1,5 +1,5 @@
 #include "postproc/post.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "files/folder.h"
 #include "postproc/report.h"
 #include "postproc/sections/sections.h"

@@ -1,15 +1,19 @@
 /* frana check: what a run will hold, what it leaves out and why, its stable steps, memory and groups. Steps nothing. */
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/blocked.h"
+#include "coupling/run.h"
+#include "coupling/step.h"
 #include "program/program.h"
 #include "program/record.h"
-#include "coupling/run.h"
-#include "solid/contact/contact.h"
 #include "solid/bonds/family.h"
+#include "solid/contact/contact.h"
 #include "solid/law/material.h"
-#include "solid/refine/refine.h"
 #include "solid/law/waves.h"
+#include "solid/refine/refine.h"
+#include "solid/step/rates.h"
+#include "solid/step/stable.h"
 
 #include <math.h>
 #include <stdarg.h>

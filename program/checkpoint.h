@@ -10,13 +10,3 @@ void checkpoint_write_stage(struct run *r, const char *folder);
  * read, 5 when it does not fit the scene. Leaves the run at the beginning of, or within, the stage it had reached.
  * Collective. */
 void checkpoint_read(struct run *r, const char *folder, const char *file);
-
-/* The state kept in memory as the last one known to be good; what a run that has gone unstable leaves behind. */
-struct guard; /* opaque */
-struct guard *guard_new(const struct run *r);
-void guard_free(struct guard *g);
-void guard_keep(struct guard *g, struct run *r); /* Collective. */
-/* 0: the solid has been refined since the guard was made, which is to be made anew. Not collective. */
-int guard_fits(const struct guard *g, const struct run *r);
-/* Puts the kept state back; returns its step, or -1 when none was kept that fits the particles of now. Collective. */
-long guard_restore(struct guard *g, struct run *r);

@@ -1,5 +1,5 @@
 #include "program/command.h"
-#include "base/error.h"
+#include "base/die.h"
 
 #include <getopt.h>
 #include <stdio.h>

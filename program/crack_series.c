@@ -1,11 +1,11 @@
 #include "program/crack_series.h"
 #include "base/clock.h"
-#include "files/folder.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "files/folder.h"
 #include "files/table.h"
 #include "solid/measure/crack_track.h"
-#include "solid/measure/measures.h"
+#include "solid/measure/damage.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,15 @@
 #include "program/fields.h"
 #include "base/clock.h"
-#include "files/folder.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "files/folder.h"
 #include "files/vtkhdf.h"
-#include "solid/measure/measures.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/measure/damage.h"
+#include "solid/measure/energy.h"
+#include "solid/measure/fragments.h"
+#include "solid/measure/stress.h"
+#include "solid/measure/tensors.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>

@@ -1,8 +1,9 @@
 #include "program/fluid_probes.h"
 #include "base/clock.h"
-#include "files/folder.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "files/folder.h"
 #include "files/table.h"
 
 #include <stdlib.h>

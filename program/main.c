@@ -1,12 +1,12 @@
-#include "base/error.h"
+#include "base/die.h"
 #include "base/par.h"
-#include "scene/scene.h"
 #include "bench/bench.h"
+#include "coupling/setup/setup.h"
+#include "postproc/post.h"
 #include "program/command.h"
 #include "program/program.h"
 #include "program/record.h"
-#include "coupling/setup/setup.h"
-#include "postproc/post.h"
+#include "scene/scene.h"
 #include "study/study.h"
 
 #include <stdio.h>

@@ -1,10 +1,13 @@
 #include "program/probes.h"
 #include "base/clock.h"
-#include "files/folder.h"
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "files/folder.h"
 #include "files/table.h"
-#include "solid/measure/measures.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/measure/energy.h"
 
 #include <math.h>
 #include <stdlib.h>

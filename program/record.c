@@ -1,12 +1,12 @@
 #include "program/record.h"
 #include "base/clock.h"
-#include "files/folder.h"
-#include "files/json.h"
 #include "base/libraries.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_count.h"
 #include "base/version.h"
+#include "files/folder.h"
+#include "files/json.h"
 #include "solid/bonds/family.h"
 
 #include <stdio.h>

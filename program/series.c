@@ -1,11 +1,14 @@
 #include "program/series.h"
 #include "base/clock.h"
-#include "files/folder.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/interface.h"
+#include "files/folder.h"
 #include "files/table.h"
 #include "solid/bonds/family.h"
-#include "solid/measure/measures.h"
+#include "solid/measure/damage.h"
+#include "solid/measure/energy.h"
+#include "solid/measure/fragments.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>

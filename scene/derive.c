@@ -1,5 +1,5 @@
 #include "scene/derive.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "scene/check/check.h"
 #include "scene/outline.h"
 

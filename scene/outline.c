@@ -1,5 +1,5 @@
 #include "scene/outline.h"
-#include "base/error.h"
+#include "base/die.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
-#include "base/error.h"
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "scene/derive.h"
 #include "scene/read.h"

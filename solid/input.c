@@ -1,4 +1,5 @@
 #include "solid/input.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "solid/imposed/time.h"
 

@@ -1,12 +1,14 @@
 #include "solid/keep.h"
+#include "base/ensure.h"
 #include "base/memory.h"
-#include "solid/contact/keep.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
-#include "solid/imposed/given.h"
-#include "solid/bonds/segments.h"
 #include "solid/bonds/lost.h"
+#include "solid/bonds/segments.h"
+#include "solid/contact/keep.h"
+#include "solid/force/sweep_lattice.h"
+#include "solid/imposed/given.h"
 #include "solid/surface/state.h"
 
 #include <string.h>

@@ -1,18 +1,21 @@
 #include "solid/solid.h"
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
-#include "solid/build.h"
-#include "solid/imposed/constraint.h"
-#include "solid/contact/contact.h"
-#include "solid/bonds/cut_bonds.h"
-#include "solid/bonds/family.h"
-#include "solid/input.h"
-#include "solid/bonds/lattice.h"
-#include "solid/bonds/list.h"
-#include "solid/imposed/given.h"
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
+#include "solid/bonds/cut_bonds.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+#include "solid/build.h"
+#include "solid/contact/contact.h"
+#include "solid/imposed/constraint.h"
+#include "solid/imposed/given.h"
+#include "solid/input.h"
+#include "solid/law/material.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>
@@ -86,30 +89,6 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
     ENSURE(f->first[f->bodies] == s->n, "%d particles in the stores, %d owned", f->first[f->bodies], s->n);
 }
 
-void solid_build_ghosts(struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
-    struct solid_family *f = s->family;
-    const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
-    long n = 0;
-    for (int b = 0; b < f->bodies; b++)
-        n += f->lattice[b] ? solid_lattice_wanted(f->lattice[b], sites[b], from, to, NULL)
-                           : solid_list_wanted(f->list[b], from, to, NULL);
-    long *id = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *id);
-    n = 0;
-    for (int b = 0; b < f->bodies; b++)
-        n += f->lattice[b] ? solid_lattice_wanted(f->lattice[b], sites[b], from, to, id + n)
-                           : solid_list_wanted(f->list[b], from, to, id + n);
-    s->n_ghost = solid_number_unique(id, n);
-    s->ghost = par_ghost_new(s->first, s->n_ghost, id);
-    const struct solid_numbering numbering = {from, to, s->n_ghost, id};
-    for (int b = 0; b < f->bodies; b++) {
-        if (f->lattice[b])
-            solid_lattice_link(f->lattice[b], sites[b], &numbering);
-        else
-            solid_list_link(f->list[b], cloud[b], &numbering);
-    }
-    memory_free(id);
-}
-
 static void arrays_new(struct solid *s) {
     const size_t all = (size_t)(s->n + s->n_ghost) + 1, owned = (size_t)s->n + 1;
     for (int c = 0; c < s->dim; c++) {
@@ -127,57 +106,6 @@ static void arrays_new(struct solid *s) {
     s->flag = memory_new(MEMORY_SOLID, all, 1);
 }
 
-static void cloud_place(struct solid *s, const struct solid_cloud *t, int first, int n) {
-    const long from = s->first[par_rank()] + first - t->first;
-    for (int i = 0; i < n; i++) {
-        for (int c = 0; c < s->dim; c++) s->x0[c][first + i] = solid_cloud_x(t, c, from + i);
-        s->volume[first + i] = t->volume[from + i] * t->unit;
-    }
-}
-
-static void lattice_place(struct solid *s, const struct solid_sites *t) {
-    const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
-    const double spacing = s->in.spacing;
-    for (int q = 0; q < t->filled; q++) {
-        const int row = t->order[q];
-        if (t->start[row] < from || t->start[row] >= to) continue;
-        const int site[3] = {t->low[0] + 8 * (row % t->rows[0]), t->low[1] + row / t->rows[0] % t->rows[1],
-                             t->low[2] + row / t->rows[0] / t->rows[1]};
-        int h = (int)(t->start[row] - from);
-        for (int k = 0; k < 8; k++) {
-            if (!(t->bits[row] >> k & 1)) continue;
-            for (int c = 0; c < 3; c++) s->x0[c][h] = s->in.origin[c] + (site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
-            s->volume[h++] = spacing * spacing * spacing;
-        }
-    }
-}
-
-void solid_build_places(struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
-    const struct solid_family *f = s->family;
-    for (int b = 0; b < f->bodies; b++) {
-        const int first = f->first[b], n = f->first[b + 1] - first;
-        if (sites && sites[b]->is_lattice)
-            lattice_place(s, sites[b]);
-        else
-            cloud_place(s, cloud[b], first, n);
-        for (int h = first; h < first + n; h++) s->body[h] = (uint8_t)b;
-        if (f->lattice[b])
-            solid_lattice_volumes(f->lattice[b], s->family_volume);
-        else
-            solid_list_volumes(f->list[b], s->family_volume);
-    }
-    double *const field[] = {s->volume, s->family_volume};
-    par_ghost_update(s->ghost, s->dim, s->x0, s->n);
-    par_ghost_update(s->ghost, 2, field, s->n);
-    par_ghost_update_bytes(s->ghost, s->body, s->n);
-    for (int b = 0; b < f->bodies; b++) {
-        if (f->lattice[b])
-            solid_lattice_weights(f->lattice[b], s->family_volume, s->in.surface_correction);
-        else
-            solid_list_weights(f->list[b], s->family_volume, s->in.surface_correction);
-    }
-}
-
 /* Coordinates beside the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the bit. */
 static void initial_set(struct solid *s) {
     for (int k = 0; k < s->in.initials; k++) {
@@ -189,40 +117,6 @@ static void initial_set(struct solid *s) {
             for (int c = 0; c < s->dim; c++) s->d[c][h] += i->displacement[c] * part;
         }
     }
-}
-
-static void plate_edges(struct solid *s, const struct solid_list *t) {
-    struct solid_end last = {0};
-    double full = 0;
-    for (int i = 0; i < t->n; i++) {
-        const struct solid_end *p = &t->particle[i];
-        if (p->size != last.size || p->horizon != last.horizon)
-            full = solid_pair_full_volume(&t->law, p->horizon, p->size);
-        last = *p;
-        if (t->own_volume[i] < (1 - 1e-6) * full) s->flag[t->first + i] |= SOLID_INTERFACE;
-    }
-}
-
-/* Until a surface is looked for, which only a fluid asks for, whatever lacks a part of its family may touch a stranger;
- * of points on no lattice in space nobody knows what a whole family is. */
-void solid_build_edges(struct solid *s) {
-    const struct solid_family *f = s->family;
-    for (int b = 0; s->dim == 2 && b < f->bodies; b++) plate_edges(s, f->list[b]);
-    for (int h = 0; s->dim == 3 && h < s->n; h++) {
-        const struct solid_lattice *t = f->lattice[s->body[h]];
-        struct solid_family_view view;
-        if (t) solid_family_view(s, h, &view);
-        if (!t || view.n < t->stencil->n) s->flag[h] |= SOLID_INTERFACE;
-    }
-}
-
-void solid_build_counts(struct solid *s) {
-    struct solid_family *f = s->family;
-    double longest = 0;
-    for (int b = 0; b < f->bodies; b++)
-        longest = fmax(longest, f->lattice[b] ? f->lattice[b]->stencil->n : solid_list_longest(f->list[b]));
-    f->bytes = ((int)par_max(fmax(longest, 1)) + 7) / 8;
-    s->bonds_total = par_sum_long(solid_family_directed(s)) / 2;
 }
 
 struct solid *solid_new(const struct solid_input *in) {
@@ -321,18 +215,4 @@ void solid_free(struct solid *s) {
     solid_given_free(s->given);
     par_ghost_free(s->ghost);
     memory_free(s);
-}
-
-void solid_ghosts_begin(struct solid *s) {
-    double *field[6];
-    for (int c = 0; c < s->dim; c++) {
-        field[c] = s->d[c];
-        field[s->dim + c] = s->v[c];
-    }
-    par_ghost_begin(s->ghost, s->stage.damping_relative > 0 ? 2 * s->dim : s->dim, field, s->n);
-}
-
-void solid_ghosts_update(struct solid *s) {
-    solid_ghosts_begin(s);
-    par_ghost_end(s->ghost);
 }

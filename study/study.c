@@ -1,8 +1,8 @@
 #include "study/study.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "scene/text/node.h"
-#include "study/runs/child.h"
 #include "study/report/report.h"
+#include "study/runs/child.h"
 #include "study/runs/runs.h"
 
 #include <stdio.h>

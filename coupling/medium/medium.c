@@ -1,5 +1,6 @@
 #include "coupling/medium/medium.h"
 #include "base/clock.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"

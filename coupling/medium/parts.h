@@ -1,7 +1,7 @@
 /* What a medium is made of: for coupling/medium*.c only. */
 #pragma once
-#include "coupling/medium/medium.h"
 #include "coupling/medium/kernels.h"
+#include "coupling/medium/medium.h"
 
 struct par_exchange;
 

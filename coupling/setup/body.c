@@ -1,4 +1,5 @@
 /* Bodies and cracks. */
+#include "base/ensure.h"
 #include "base/par.h"
 #include "coupling/setup/parts.h"
 

@@ -1,4 +1,6 @@
 /* What only the geometry of a plate shows to be wrong. */
+#include "base/die.h"
+#include "base/ensure.h"
 #include "coupling/setup/parts.h"
 #include "solid/geometry/outline.h"
 

@@ -1,4 +1,5 @@
 #include "coupling/setup/given.h"
+#include "base/ensure.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  */
 #pragma once
 #include "scene/scene.h"
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* Into the input that setup_solid has made; before setup_solid_free, given_free. Times are borrowed from the scene. */
 void given_add(const struct scene *scene, struct solid_input *in);

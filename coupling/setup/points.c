@@ -1,7 +1,9 @@
 /* Particles of a point file: x y z volume [horizon] a line, of a plate x y area [horizon]. */
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/par.h"
-#include "scene/text/node.h"
 #include "coupling/setup/parts.h"
+#include "scene/text/node.h"
 
 #include <math.h>
 #include <stdio.h>

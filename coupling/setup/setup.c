@@ -1,4 +1,5 @@
 #include "coupling/setup/setup.h"
+#include "base/ensure.h"
 #include "coupling/setup/parts.h"
 
 #include <math.h>

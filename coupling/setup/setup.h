@@ -1,8 +1,8 @@
 /* From the scene to the inputs of the rooms. */
 #pragma once
-#include "scene/scene.h"
 #include "fluid/fluid.h"
-#include "solid/solid.h"
+#include "scene/scene.h"
+#include "solid/state.h"
 
 /* Dies (exit 2) on a plate whose outlines bound no body, and on cracks outside; makes nothing. */
 void setup_check(const struct scene *scene);

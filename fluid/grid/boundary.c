@@ -1,4 +1,5 @@
 #include "fluid/grid/boundary.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"

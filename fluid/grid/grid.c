@@ -1,5 +1,5 @@
 #include "fluid/grid/grid.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"

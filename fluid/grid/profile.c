@@ -1,4 +1,6 @@
 #include "fluid/grid/profile.h"
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "fluid/grid/boundary.h"

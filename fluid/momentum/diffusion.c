@@ -1,5 +1,6 @@
 #include "fluid/momentum/diffusion.h"
 #include "base/clock.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
 #include "fluid/internal.h"

@@ -1,5 +1,5 @@
 #include "fluid/poisson/column_ends.h"
-#include "base/error.h"
+#include "base/ensure.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 #include "fluid/poisson/poisson.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par_pencil.h"
 #include "fluid/poisson/column.h"

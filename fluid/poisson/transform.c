@@ -1,5 +1,5 @@
 #include "fluid/poisson/transform.h"
-#include "base/error.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "fluid/poisson/transform_pair.h"
 

@@ -1,7 +1,7 @@
 /* The plots of a run's series: one run's, or several over one another. */
 #pragma once
-#include "postproc/data/history.h"
 #include "postproc/charts/plot.h"
+#include "postproc/data/history.h"
 
 /* What has been drawn: names of the plots ("pressure_drop"), for the report. */
 enum { POSTPROC_CHARTS = 24 };

@@ -1,5 +1,5 @@
-#include "postproc/data/crack_shape.h"
 #include "base/memory.h"
+#include "postproc/data/crack_shape.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The shape of a crack, read off the damage on a grid: the level that encloses the initial crack, branches, angles. */
 #pragma once
-#include "scene/scene.h"
 #include "postproc/data/grid.h"
+#include "scene/scene.h"
 
 /* The ends of the initial cracks that are in the plate's inside: where they may grow from. */
 struct postproc_tip {

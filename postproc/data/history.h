@@ -1,10 +1,10 @@
 /* What a run folder holds, and the scales in which it is shown. */
 #pragma once
-#include "scene/scene.h"
 #include "files/table.h"
 #include "files/vtkhdf.h"
-#include "postproc/tree.h"
 #include "postproc/data/waves.h"
+#include "postproc/tree.h"
+#include "scene/scene.h"
 
 struct postproc_fields {
     int n;                             /* files that are there, in order of time */

@@ -1,8 +1,8 @@
 /* A picture of a plate: its particles as squares of their own size where they are now, contours over them. */
 #pragma once
-#include "postproc/draw/colour.h"
 #include "postproc/data/contour.h"
 #include "postproc/data/plate.h"
+#include "postproc/draw/colour.h"
 
 struct postproc_flat {
     const char *path;

@@ -1,5 +1,5 @@
-#include "files/folder.h"
 #include "base/memory.h"
+#include "files/folder.h"
 #include "postproc/data/pdf.h"
 #include "postproc/sections/sections.h"
 

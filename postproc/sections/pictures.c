@@ -1,5 +1,5 @@
-#include "files/folder.h"
 #include "base/memory.h"
+#include "files/folder.h"
 #include "postproc/draw/picture.h"
 #include "postproc/sections/sections.h"
 

@@ -1,7 +1,7 @@
 /* The parts of a report, each of which adds its numbers, files and plots. A part that the run lacks adds nothing. */
 #pragma once
-#include "postproc/data/body.h"
 #include "postproc/charts/charts.h"
+#include "postproc/data/body.h"
 #include "postproc/facts.h"
 #include "postproc/options.h"
 

@@ -1,6 +1,6 @@
 /* The tree against the schema and the rules. */
+#include "base/ensure.h"
 #include "scene/check/check.h"
-#include "base/error.h"
 #include "scene/rules/walk.h"
 #include "scene/text/yaml.h"
 

@@ -1,5 +1,5 @@
 #include "scene/rules/walk.h"
-#include "base/error.h"
+#include "base/ensure.h"
 
 #include <float.h>
 #include <limits.h>

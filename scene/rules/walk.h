@@ -1,8 +1,8 @@
 /* The walk over a scene's keys: what its parts share. */
 #pragma once
-#include "scene/text/problem.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
+#include "scene/text/problem.h"
 
 enum { SCENE_WALK_KEYS = 32 }; /* the most that a mapping or a choice may have */
 

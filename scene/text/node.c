@@ -1,5 +1,5 @@
 #include "scene/text/node.h"
-#include "base/error.h"
+#include "base/die.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
 #include "scene/text/yaml.h"
-#include "base/error.h"
+#include "base/die.h"
+#include "base/ensure.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
 #include "solid/body/cloud.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "solid/body/sites.h"
 #include "solid/law/weight.h"

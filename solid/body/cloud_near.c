@@ -1,3 +1,4 @@
+#include "base/die.h"
 #include "solid/body/cloud.h"
 #include "solid/bonds/family.h"
 

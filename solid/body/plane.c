@@ -1,4 +1,5 @@
 #include "solid/body/plane.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/geometry/outline.h"

@@ -1,7 +1,7 @@
 /* A plate cut out of the plane's lattice: polygons. Inside the room only. */
 #pragma once
-#include "solid/body/sites.h"
 #include "solid/body/cloud.h"
+#include "solid/body/sites.h"
 
 /* The particles of a polygon, numbered as the sites say. Collective (all ranks alike). */
 struct solid_cloud *solid_plane_cloud(const struct solid_input *in, const struct solid_body *body,

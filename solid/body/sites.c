@@ -1,4 +1,5 @@
 #include "solid/body/sites.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "solid/geometry/curve.h"
 #include "solid/geometry/outline.h"

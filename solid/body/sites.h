@@ -1,7 +1,7 @@
 /* Which particles a body has and in what order they are numbered. Every rank holds this for the whole body while the
  * solid is set up: a bit per lattice site and one number per row of eight sites. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 struct solid_sites {
     int is_lattice;

@@ -1,9 +1,10 @@
 #include "solid/bonds/cut_bonds.h"
+#include "base/die.h"
 #include "base/par.h"
-#include "solid/geometry/cut.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/store.h"
+#include "solid/geometry/cut.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
 #include "solid/bonds/family.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"

@@ -4,7 +4,7 @@
  * weights shared by all (the fast path, solid/bonds/lattice.c). Anything else: lists of bonds (solid/bonds/list.c).
  * Whatever does not run every sub-step looks at bonds through the view and does not know which store it is. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 enum { SOLID_FAMILY_MAX = 512 };
 

@@ -1,4 +1,5 @@
 #include "solid/bonds/lattice.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "solid/bonds/segments.h"
 

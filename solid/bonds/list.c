@@ -1,8 +1,9 @@
 #include "solid/bonds/list.h"
+#include "base/ensure.h"
 #include "base/memory.h"
-#include "solid/force/sweep_family.h"
-#include "solid/bonds/list_find.h"
 #include "solid/body/number.h"
+#include "solid/bonds/list_find.h"
+#include "solid/force/sweep_family.h"
 #include "solid/law/weight.h"
 
 #include <math.h>

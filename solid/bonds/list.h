@@ -133,8 +133,3 @@ double solid_list_weight(const struct solid_list *list, int h, long j, double mi
 double solid_list_damage(struct solid_list *list, int h);
 /* eps at which it breaks. */
 double solid_list_limit(const struct solid_list *list, int h, long j);
-
-/* Puts the displacements into the records. Not collective. */
-void solid_sweep_list_fill(const struct solid *s, const struct solid_list *list);
-/* As solid_sweep_lattice_begin and _end in one. */
-double solid_sweep_list(struct solid *s, struct solid_list *list, const struct solid_sweep *sweep);

@@ -1,5 +1,6 @@
-#include "solid/bonds/list_find.h"
+#include "base/ensure.h"
 #include "base/memory.h"
+#include "solid/bonds/list_find.h"
 
 #include <math.h>
 #include <string.h>

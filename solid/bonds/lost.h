@@ -1,7 +1,7 @@
 /* Which particles have lost bonds since somebody last asked. s->broke is a set of bits: the force sweep sets it to
  * SOLID_BROKE_NEW; each reader takes its own note of it, so that none hides the news from the other. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 enum solid_broke {
     SOLID_BROKE_NEW = 1,     /* nobody has looked yet */

@@ -1,4 +1,5 @@
 #include "solid/bonds/segments.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/vec.h"
 #include "solid/bonds/family.h"

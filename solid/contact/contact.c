@@ -8,6 +8,7 @@
 #include "solid/bonds/family.h"
 #include "solid/law/material.h"
 #include "solid/bonds/lost.h"
+#include "solid/bonds/ghosts.h"
 
 #include <math.h>
 #include <string.h>

@@ -8,7 +8,7 @@
  * among interface and broken particles of all ranks. Lists hold pairs within r_c + a skin of half a spacing, and are
  * made anew when a particle has moved 0.2 spacings; a bond that breaks near contact joins its list at once. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* Whether contact can come about in the present stage: bonds may break, or some are broken, or there are other bodies.
  * Collective. */

@@ -1,6 +1,6 @@
 /* Particles near other ranks' particles, seen from there: strangers on different ranks. Inside the room only. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 struct par_exchange;
 

@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
 #include "solid/contact/room.h"

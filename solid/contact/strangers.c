@@ -1,11 +1,11 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/store.h"
 #include "solid/contact/cells.h"
 #include "solid/contact/list.h"
 #include "solid/contact/room.h"
-#include "solid/bonds/family.h"
-#include "solid/bonds/store.h"
 
 #include <math.h>
 #include <string.h>

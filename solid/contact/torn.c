@@ -1,8 +1,8 @@
 #include "base/memory.h"
-#include "solid/contact/list.h"
-#include "solid/contact/room.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"
+#include "solid/contact/list.h"
+#include "solid/contact/room.h"
 
 #include <string.h>
 

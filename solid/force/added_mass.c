@@ -1,5 +1,5 @@
 #include "solid/force/added_mass.h"
-#include "solid/solid.h"
+#include "solid/state.h"
 
 void solid_added_mass_apply(struct solid *s) {
     const struct solid_added_mass *m = s->added;

@@ -1,12 +1,14 @@
 #include "solid/force/force.h"
 #include "base/par_exchange.h"
 #include "base/vec.h"
-#include "solid/force/added_mass.h"
-#include "solid/imposed/constraint.h"
-#include "solid/contact/contact.h"
-#include "solid/step/integrate.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/contact/contact.h"
+#include "solid/force/added_mass.h"
+#include "solid/force/sweep_lattice.h"
+#include "solid/force/sweep_list.h"
+#include "solid/imposed/constraint.h"
+#include "solid/step/integrate.h"
 
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative) {
     const struct solid_sweep sweep = {.may_break = may_break, .damping = damping_relative};

@@ -1,6 +1,12 @@
-/* The parts of a force sweep, for the integrators. Inside the room only. */
+/* The force sweep, and its parts for the integrators.  (001: eq. 3.29) */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
+
+/* One force sweep at the present d, v: a = (bonds + load + contact + damping)/rho, constraints applied; breaks bonds
+ * when asked to and the stage allows it. The integrators ask in the first stage of a substep only, so that a bond is
+ * judged on the state of a full step, never on an inner Runge-Kutta stage. Ghosts must be current. Collective only
+ * through contact. */
+void solid_force(struct solid *s, int may_break);
 
 /* a = (bonds + pairwise damping k_d)/rho of all bodies; power_damped. Ends the exchange of ghosts, if one is
  * underway: what does without them is computed before. Collective then. */

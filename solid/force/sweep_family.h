@@ -3,8 +3,8 @@
 #pragma once
 #include "base/vec.h"
 #include "solid/bonds/family.h"
-#include "solid/force/series.h"
 #include "solid/bonds/list.h"
+#include "solid/force/series.h"
 
 struct force_family {
     vec sum[3];    /* of bond forces over the density, lane by lane, m/s2 */

@@ -1,7 +1,8 @@
 #include "base/vec.h"
 #include "solid/bonds/family.h"
-#include "solid/force/series.h"
 #include "solid/force/segment.h"
+#include "solid/force/series.h"
+#include "solid/force/sweep_lattice.h"
 
 #include <math.h>
 

@@ -1,4 +1,5 @@
 #include "solid/force/sweep_family.h"
+#include "solid/force/sweep_list.h"
 
 #include <math.h>
 

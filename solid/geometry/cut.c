@@ -1,4 +1,5 @@
 #include "solid/geometry/cut.h"
+#include "base/die.h"
 #include "base/memory.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Which bonds an initial crack breaks. Not collective.  (003: ch. 3, cracks as polylines) */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* 1: the cut is none, and text says why in one sentence. A plate's has two points or more, a solid's four corners of a
  * plane, convex quadrilateral. Tolerances are fractions of its extent. */

@@ -3,7 +3,7 @@
  *
  * The cells of a lattice are [i, i+1] x [j, j+1] in units of the spacing, from the origin. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* 1: the outlines bound no body, and text says why in one sentence (outlines, corners and edges counted from 1, edge k
  * starts at corner k). A body may have pieces inside the holes of others; outlines may not touch. All that follows

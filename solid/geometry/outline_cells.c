@@ -1,5 +1,6 @@
-#include "solid/geometry/outline.h"
+#include "base/die.h"
 #include "base/memory.h"
+#include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"
 #include "solid/geometry/outline_near.h"
 

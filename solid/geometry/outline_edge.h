@@ -3,7 +3,7 @@
  * Places are multiples of 2^-48 (or of their last digit, where that is larger), so that sums of the heights of edges
  * within a row of cells are exact: a cell that no edge enters has the area 0 or 1, not nearly so. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 enum { SOLID_OUTLINE_PIECES = 5 }; /* an arc's at most, once split */
 

@@ -1,5 +1,5 @@
-#include "solid/geometry/outline.h"
 #include "base/memory.h"
+#include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* The surface of the shape that a body was cut from: ball, cylinder, box, cavities. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* A smooth piece of it: the points whose distance from centre, in the directions of the mask alone, is radius. Three
  * directions: a ball or a cavity; two: the side of a cylinder; one: a pair of planes. */

@@ -1,4 +1,5 @@
 #include "solid/imposed/constraint.h"
+#include "base/die.h"
 #include "base/par.h"
 #include "solid/imposed/time.h"
 

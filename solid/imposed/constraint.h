@@ -1,6 +1,6 @@
 /* Held and driven layers, unbreakable regions.  (001: sec. 3.3.8) */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* Flags of the owned particles from the regions, and what is imposed at the start. Not collective. */
 void solid_constraint_mark(struct solid *s);

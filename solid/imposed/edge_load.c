@@ -1,10 +1,11 @@
 #include "solid/imposed/edge_load.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/body/cloud.h"
+#include "solid/bonds/store.h"
 #include "solid/geometry/outline.h"
 #include "solid/refine/parts.h"
-#include "solid/bonds/store.h"
 
 #include <math.h>
 

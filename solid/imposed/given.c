@@ -1,4 +1,5 @@
 #include "solid/imposed/given.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/imposed/constraint.h"

@@ -1,6 +1,6 @@
 /* Factors that vary in time (struct solid_time). Inside the room only. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 double solid_time_factor(const struct solid_time *f, double t);
 /* The mean over from .. to; the factor itself where these are equal. */

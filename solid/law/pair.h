@@ -9,7 +9,7 @@
  *
  * The force density on h is K_hl s e V_l. So a broken bond releases what both halves hold. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* One end. */
 struct solid_end {

@@ -1,6 +1,6 @@
 /* Wave speeds of the solid that the bonds stand for. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 struct solid_waves {
     double longitudinal, shear, rayleigh; /* m/s */

@@ -1,5 +1,5 @@
 #include "solid/law/weight.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "solid/bonds/family.h"
 

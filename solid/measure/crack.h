@@ -3,7 +3,7 @@
  * Particles stand where they stood at the start (X0): a crack is in the material. One is damaged when its damage is
  * above a level. "Far" is along a direction given; a body in 3D is seen along z. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 /* Damaged particles of all ranks, the farthest first; those equally far from the direction's right to its left. */
 struct solid_crack_particles {

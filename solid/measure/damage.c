@@ -1,6 +1,6 @@
 #include "solid/bonds/list.h"
-#include "solid/measure/measures.h"
 #include "solid/bonds/rows.h"
+#include "solid/measure/damage.h"
 
 /* sum(Gamma V) of a row's intact bonds. */
 static vec intact_of(const struct solid_row *row) {

@@ -1,9 +1,11 @@
 #include "base/par.h"
 #include "solid/bonds/family.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/bonds/list.h"
-#include "solid/measure/measures.h"
 #include "solid/bonds/rows.h"
 #include "solid/bonds/segments.h"
+#include "solid/force/sweep_list.h"
+#include "solid/measure/energy.h"
 
 #include <math.h>
 

@@ -1,3 +1,4 @@
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
@@ -5,8 +6,8 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
-#include "solid/measure/measures.h"
 #include "solid/bonds/segments.h"
+#include "solid/measure/fragments.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 #include "solid/bonds/family.h"
-#include "solid/measure/measures.h"
 #include "solid/bonds/rows.h"
+#include "solid/measure/stress.h"
 #include "solid/measure/tensors.h"
 
 #include <math.h>

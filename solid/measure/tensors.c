@@ -1,7 +1,5 @@
 #include "solid/measure/tensors.h"
 
-#include "solid/measure/measures.h"
-
 #include <math.h>
 
 static const double nothing = 1e-18; /* beside the diagonal: a turn would change no digit */

@@ -1,9 +1,9 @@
 /* What is to be refined.  (000: sec. 2.1.1) */
 #include "base/memory.h"
 #include "base/par.h"
-#include "solid/imposed/constraint.h"
 #include "solid/force/sweep_family.h"
-#include "solid/measure/measures.h"
+#include "solid/force/sweep_list.h"
+#include "solid/imposed/constraint.h"
 #include "solid/refine/parts.h"
 
 #include <math.h>

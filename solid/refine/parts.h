@@ -1,7 +1,7 @@
 /* Refinement's own state and steps. Inside the room only. */
 #pragma once
-#include "solid/refine/refine.h"
 #include "solid/refine/area.h"
+#include "solid/refine/refine.h"
 
 struct solid_refine {
     struct solid_refinement in;       /* the start regions are owned */

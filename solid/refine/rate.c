@@ -1,9 +1,9 @@
 /* How fast finer particles can move. */
 #include "base/par.h"
-#include "solid/imposed/constraint.h"
 #include "solid/bonds/list.h"
-#include "solid/refine/parts.h"
 #include "solid/bonds/store.h"
+#include "solid/imposed/constraint.h"
+#include "solid/refine/parts.h"
 
 #include <math.h>
 

@@ -1,10 +1,12 @@
-#include "solid/refine/parts.h"
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "solid/imposed/constraint.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
+#include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/refine/parts.h"
 
 #include <math.h>
 #include <stdlib.h>

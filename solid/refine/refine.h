@@ -9,7 +9,7 @@
  * crosses an initial crack. No energy is released. So bonds_total and bonds_broken count the bonds of the present
  * families, inherited ones included, and damage is the broken part of the present family. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 enum { SOLID_REFINE_LEVELS = 4 };
 

@@ -1,3 +1,4 @@
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/bonds/list_find.h"

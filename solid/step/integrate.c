@@ -1,6 +1,7 @@
 #include "solid/step/integrate.h"
 #include "base/clock.h"
 #include "base/par.h"
+#include "base/step_status.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 

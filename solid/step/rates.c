@@ -1,11 +1,14 @@
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
-#include "solid/imposed/constraint.h"
 #include "solid/bonds/family.h"
-#include "solid/force/force.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/force/force.h"
+#include "solid/imposed/constraint.h"
+#include "solid/step/rates.h"
 #include "solid/step/stable.h"
 
 #include <lapacke.h>

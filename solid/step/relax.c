@@ -1,9 +1,12 @@
 #include "base/clock.h"
 #include "base/par.h"
-#include "solid/imposed/constraint.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
+#include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/step/rates.h"
+#include "solid/step/relax.h"
 
 #include <math.h>
 

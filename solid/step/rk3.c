@@ -1,3 +1,5 @@
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
 #include "solid/step/integrate.h"
 

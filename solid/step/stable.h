@@ -11,7 +11,7 @@
  *
  * Contact adds to w alone, an absolute damping to g alone. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 struct solid_rates {
     double stiffness;       /* W of the intact bonds, 1/s2 */
@@ -23,8 +23,6 @@ struct solid_rates {
 enum solid_bound { SOLID_BOUND_NONE, SOLID_BOUND_BONDS, SOLID_BOUND_DAMPING, SOLID_BOUND_CONTACT };
 extern const char *const solid_stable_bound_name[]; /* by enum solid_bound */
 
-/* By Lanczos's iteration on the intact body, for the stage's damping; good to about 1e-3. Collective. */
-void solid_rates_of(struct solid *s, struct solid_rates *rates);
 /* The largest stable step with `contact` 1/s2 of the contacts' stiffness on top, s; *bound: what makes it as small as
  * it is. */
 double solid_stable_of(const struct solid_rates *rates, enum solid_integrator integrator, double contact,

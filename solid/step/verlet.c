@@ -1,9 +1,10 @@
 #include "base/par.h"
 #include "base/vec.h"
-#include "solid/imposed/constraint.h"
-#include "solid/force/force.h"
-#include "solid/step/integrate.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/bonds/store.h"
+#include "solid/force/force.h"
+#include "solid/imposed/constraint.h"
+#include "solid/step/integrate.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 #include "solid/surface/shaped.h"
 #include "base/memory.h"
-#include "solid/surface/normal.h"
 #include "solid/geometry/piece.h"
+#include "solid/surface/normal.h"
 
 #include <math.h>
 

@@ -2,9 +2,9 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/bonds/family.h"
-#include "solid/surface/normal.h"
-#include "solid/surface/lists.h"
 #include "solid/bonds/lost.h"
+#include "solid/surface/lists.h"
+#include "solid/surface/normal.h"
 #include "solid/surface/sector.h"
 
 #include <string.h>

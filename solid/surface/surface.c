@@ -10,6 +10,7 @@
 #include "solid/surface/lists.h"
 #include "solid/bonds/lost.h"
 #include "solid/surface/sector.h"
+#include "solid/bonds/ghosts.h"
 
 #include <math.h>
 #include <string.h>

@@ -12,7 +12,7 @@
  * lattice has volume^(2/3). A_h = immersed_area / wetted faces, for all that are on the interface at the start (a
  * two-sided particle has two faces, each of area A_h); spacing^2, or volume^(2/3), for those exposed later. */
 #pragma once
-#include "solid/solid.h"
+#include "solid/state.h"
 
 struct solid_lost;
 struct solid_watch;

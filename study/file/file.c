@@ -1,8 +1,8 @@
 #include "study/file/file.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "scene/text/yaml.h"
-#include "study/file/parts.h"
 #include "study/file/key.h"
+#include "study/file/parts.h"
 
 #include <errno.h>
 #include <stdio.h>

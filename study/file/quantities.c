@@ -1,6 +1,6 @@
 /* What a study measures, and what it is held against. */
-#include "study/file/parts.h"
 #include "study/file/key.h"
+#include "study/file/parts.h"
 
 #include <math.h>
 #include <stdlib.h>

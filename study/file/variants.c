@@ -1,6 +1,6 @@
 /* Methods and levels of a study: a list of them, or the product of several lists. */
-#include "study/file/parts.h"
 #include "study/file/key.h"
+#include "study/file/parts.h"
 
 #include <math.h>
 #include <stdlib.h>

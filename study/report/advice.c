@@ -1,6 +1,6 @@
 /* What a user can act on: the cheapest setting for each round error, in one sentence. */
-#include "study/result/iso.h"
 #include "study/report/report.h"
+#include "study/result/iso.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* NAME.md: tables, and run times at equal error in words. */
 #include "files/aside.h"
 #include "files/folder.h"
-#include "study/result/iso.h"
 #include "study/report/report.h"
+#include "study/result/iso.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* What the runs of a study say together: errors, orders and times, quantity by quantity. */
 #pragma once
-#include "study/runs/plan.h"
 #include "study/result/richardson.h"
+#include "study/runs/plan.h"
 
 /* A quantity by a method at a level. NAN where there is no such number. */
 struct study_point {

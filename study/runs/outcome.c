@@ -1,6 +1,6 @@
 #include "study/runs/outcome.h"
-#include "files/folder.h"
 #include "base/version.h"
+#include "files/folder.h"
 #include "study/text.h"
 
 #include <math.h>

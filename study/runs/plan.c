@@ -1,8 +1,8 @@
 #include "study/runs/plan.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "files/folder.h"
-#include "scene/scene.h"
 #include "scene/read.h"
+#include "scene/scene.h"
 #include "study/file/parts.h"
 #include "study/text.h"
 

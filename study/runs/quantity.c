@@ -2,8 +2,8 @@
 #include "files/folder.h"
 #include "files/table.h"
 #include "study/runs/child.h"
-#include "study/text.h"
 #include "study/runs/window.h"
+#include "study/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 #include "study/runs/runs.h"
-#include "base/error.h"
+#include "base/die.h"
 #include "files/folder.h"
 #include "study/runs/child.h"
 #include "study/runs/quantity.h"

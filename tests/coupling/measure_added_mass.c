@@ -2,8 +2,11 @@
  * probes' force in each of the next steps, times the step, over the block's momentum. The sum over the steps, less the
  * drag that stays, is the added mass as the coupled step feels it, in units of the solid's mass (docs/design.md).
  * usage: measure_added_mass SCENE.yaml [--set-like overrides]...   one rank; the scene's first stage must be elastic */
+#include "base/die.h"
 #include "base/par.h"
+#include "coupling/interface.h"
 #include "coupling/run.h"
+#include "coupling/step.h"
 
 #include <stdio.h>
 

@@ -1,11 +1,13 @@
 /* The state kept in memory: the same steps from it are the same to the bit, whatever has been in between. */
-#include "program/checkpoint.h"
 #include "coupling/forcing_guess.h"
+#include "coupling/guard.h"
 #include "coupling/run.h"
-#include "solid/contact/contact.h"
-#include "solid/bonds/family.h"
-#include "solid/refine/refine.h"
+#include "coupling/step.h"
+#include "program/checkpoint.h"
 #include "scene_of.h"
+#include "solid/bonds/family.h"
+#include "solid/contact/contact.h"
+#include "solid/refine/refine.h"
 
 #include <math.h>
 #include <stdio.h>

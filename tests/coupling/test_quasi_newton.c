@@ -1,6 +1,6 @@
 /* Roots of maps that plain iteration runs away from, on vectors spread unevenly over the ranks. */
-#include "coupling/quasi_newton.h"
 #include "base/par.h"
+#include "coupling/quasi_newton.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,4 +1,5 @@
 /* A plate's scene as the solid's input, point files, and the plates that bound no body. */
+#include "base/die.h"
 #include "base/par.h"
 #include "coupling/setup/setup.h"
 

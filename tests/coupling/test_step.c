@@ -1,7 +1,8 @@
 /* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together
  * from what the stage needs. */
-#include "coupling/run.h"
 #include "ball.h"
+#include "coupling/run.h"
+#include "coupling/step.h"
 #include "scene_of.h"
 
 #include <math.h>

@@ -1,7 +1,8 @@
 /* The iterated step: its answer does not depend on how it is found, a body that moves with the flow needs no
  * iterations, and steps that do not converge are counted. */
-#include "coupling/run.h"
 #include "ball.h"
+#include "coupling/run.h"
+#include "coupling/step.h"
 #include "scene_of.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* A folder of its own for each test program and number of ranks. */
 #pragma once
-#include "files/folder.h"
 #include "base/par.h"
+#include "files/folder.h"
 
 #include <stdio.h>
 #include <sys/stat.h>

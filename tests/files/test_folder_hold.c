@@ -1,6 +1,6 @@
 /* One run at a time in a folder, by the system's locks and without them. The linker turns die_all and fcntl to this
  * file: a refusal comes back, and locks can be made to be missing. */
-#include "base/error.h"
+#include "base/die.h"
 #include "tests/files/files.h"
 
 #include <errno.h>

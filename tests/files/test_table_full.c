@@ -1,7 +1,7 @@
 /* Writes a series of so many rows with a column of the given name; disk_full.py looks at what is left when it cannot.
  * usage: test_table_full FOLDER COLUMN RESUME_STEP ROWS [LIMIT_BYTES]   the limit is on a file's size */
-#include "files/folder.h"
 #include "base/par.h"
+#include "files/folder.h"
 #include "files/table.h"
 
 #include <signal.h>

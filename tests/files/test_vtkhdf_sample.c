@@ -1,7 +1,7 @@
 /* Writes a run folder's fields as a run does, for a real VTK reader to look at (vtk_reads.py knows the same formulas).
  * usage: test_vtkhdf_sample FOLDER */
-#include "files/folder.h"
 #include "base/par.h"
+#include "files/folder.h"
 #include "files/vtkhdf.h"
 
 #include <stdint.h>

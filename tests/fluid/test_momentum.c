@@ -1,4 +1,5 @@
 /* The momentum of the box, what changes it, and what the checks of a state see. */
+#include "base/step_status.h"
 #include "fluid_case.h"
 
 static struct fluid_input mixed(int sides) {

@@ -1,6 +1,6 @@
 /* The direct Poisson solver against the discrete operator, for every pair of conditions in every direction. */
-#include "fluid_case.h"
 #include "fluid/poisson/poisson.h"
+#include "fluid_case.h"
 
 #include <stdlib.h>
 

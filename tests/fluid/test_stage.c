@@ -1,7 +1,7 @@
 /* The momentum equation's stage against its formula written out face by face, in arrays of its own and in place, on a
  * plane of one block of rows and of several, of whole and broken eights, small and large enough to be streamed. */
-#include "fluid/momentum/momentum.h"
 #include "base/memory.h"
+#include "fluid/momentum/momentum.h"
 #include "fluid_case.h"
 
 #include <stdlib.h>

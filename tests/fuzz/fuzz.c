@@ -1,5 +1,6 @@
 #include "tests/fuzz/fuzz.h"
-#include "base/error.h"
+#include "base/die.h"
+#include "base/ensure.h"
 #include "base/par.h"
 
 #include <fcntl.h>

@@ -1,9 +1,10 @@
 /* A checkpoint that is not as it was written. The first byte chooses a scene and how the others are meant: as the file
  * itself, as the place where a good file ends, or as bits turned over in it, three bytes of place and one of bits each.
  * Every change must be told, and what is unchanged must be read. */
+#include "coupling/step.h"
 #include "files/folder.h"
-#include "scene/read.h"
 #include "program/checkpoint.h"
+#include "scene/read.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <stdio.h>

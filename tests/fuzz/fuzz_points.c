@@ -1,6 +1,6 @@
 /* A point file, of a plate and of a body in space. */
-#include "scene/scene.h"
 #include "coupling/setup/parts.h"
+#include "scene/scene.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <math.h>

@@ -2,8 +2,11 @@
  *     bench_forcing SCENE.yaml [stage, from 0]
  * Medians of the slowest rank, and in brackets of the fastest, ms: what lies between is the load that ranks do not
  * share. */
+#include "base/die.h"
 #include "base/par.h"
+#include "coupling/interface.h"
 #include "coupling/run.h"
+#include "coupling/step.h"
 #include "ibm/state.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* Forcing with implicit diffusion: one steady flow for every step and number of ranks, the explicit scheme's; momentum;
  * bodies that move, sides with conditions. */
+#include "base/step_status.h"
 #include "flows.h"
 
 #include <setjmp.h>

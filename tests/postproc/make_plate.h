@@ -1,11 +1,11 @@
 /* A run folder of a plate whose crack is known: it starts at 6 us, runs at 1500 m/s along the middle, and parts at x =
  * 67 mm into branches of 28 degrees to the left and 12 to the right, of 1200 m/s. */
 #pragma once
-#include "files/folder.h"
 #include "base/memory.h"
-#include "scene/scene.h"
+#include "files/folder.h"
 #include "files/table.h"
 #include "files/vtkhdf.h"
+#include "scene/scene.h"
 
 #include <math.h>
 #include <stdio.h>

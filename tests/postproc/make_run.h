@@ -1,12 +1,12 @@
 /* A run folder such as frana leaves, made up: a porous block that cracks from the back, so that what frana post should
  * find is known beforehand. */
 #pragma once
+#include "base/memory.h"
 #include "files/folder.h"
 #include "files/json.h"
-#include "base/memory.h"
-#include "scene/scene.h"
 #include "files/table.h"
 #include "files/vtkhdf.h"
+#include "scene/scene.h"
 
 #include <math.h>
 #include <stdio.h>

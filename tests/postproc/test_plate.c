@@ -1,5 +1,5 @@
 /* frana post on the run of a plate. */
-#include "base/error.h"
+#include "base/die.h"
 #include "base/par.h"
 #include "postproc/data/plate.h"
 #include "postproc/post.h"

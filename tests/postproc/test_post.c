@@ -1,9 +1,9 @@
 /* frana post as a whole, on run folders made up for it. */
-#include "base/error.h"
+#include "base/die.h"
 #include "base/par.h"
 #include "postproc/data/body.h"
-#include "postproc/post.h"
 #include "postproc/data/profile.h"
+#include "postproc/post.h"
 #include "tests/postproc/make_run.h"
 
 #include <setjmp.h>

@@ -2,13 +2,20 @@
  * usage: [mpiexec -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]...
  * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median
  * of the repeats, the slowest rank's. */
+#include "base/die.h"
 #include "base/par.h"
 #include "base/signals.h"
+#include "base/step_status.h"
+#include "coupling/guard.h"
+#include "coupling/step.h"
 #include "program/checkpoint.h"
 #include "program/fields.h"
 #include "program/series.h"
 #include "solid/bonds/family.h"
-#include "solid/measure/measures.h"
+#include "solid/measure/damage.h"
+#include "solid/measure/energy.h"
+#include "solid/measure/fragments.h"
+#include "solid/measure/stress.h"
 
 #include <stdio.h>
 #include <stdlib.h>

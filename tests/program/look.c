@@ -1,7 +1,7 @@
 /* Reads every finished file of a run folder from end to end: whatever happened to the run, none may be damaged. Says
  * which are. usage: look RUNDIR */
-#include "files/folder.h"
 #include "base/par.h"
+#include "files/folder.h"
 #include "files/seal.h"
 #include "files/table.h"
 #include "files/vtkhdf.h"

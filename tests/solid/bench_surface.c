@@ -3,6 +3,7 @@
  * the repeats, the slowest rank's. */
 #include "base/par.h"
 #include "solid/bonds/family.h"
+#include "solid/solid.h"
 #include "solid/surface/surface.h"
 
 #include <math.h>

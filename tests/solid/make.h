@@ -2,6 +2,8 @@
 #pragma once
 #include "base/par.h"
 #include "solid/bonds/family.h"
+#include "solid/state.h"
+#include "solid/law/material.h"
 #include "solid/solid.h"
 
 #include <math.h>

@@ -2,7 +2,9 @@
 #pragma once
 #include "base/par.h"
 #include "solid/bonds/family.h"
-#include "solid/measure/measures.h"
+#include "solid/state.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/measure/energy.h"
 #include "solid/solid.h"
 
 #include <math.h>

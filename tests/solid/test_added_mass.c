@@ -1,7 +1,9 @@
 /* Added mass: one face, two opposite faces, and the energy that goes into it. */
 #include "base/par.h"
 #include "solid/force/added_mass.h"
+#include "solid/force/force.h"
 #include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 #include <math.h>
 #include <setjmp.h>

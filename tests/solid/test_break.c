@@ -1,5 +1,9 @@
 /* Bonds that break, and those that must not. */
 #include "make.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/law/material.h"
+#include "solid/solid.h"
 
 /* Every bond stretched by the same s: below s0 none breaks, above it all do, and they release what they held. */
 static void dilate(struct make m, double of_s0, int expect_broken) {

@@ -1,6 +1,10 @@
 /* Repulsion of particles that no bond joins. */
+#include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
-#include "solid/measure/measures.h"
+#include "solid/law/material.h"
+#include "solid/measure/energy.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 

@@ -1,7 +1,8 @@
 /* Tips, fronts, speed and length of cracks that are known beforehand. */
-#include "solid/measure/crack.h"
 #include "base/memory.h"
+#include "solid/measure/crack.h"
 #include "solid/measure/crack_track.h"
+#include "solid/solid.h"
 #include "tests/solid/make.h"
 
 #include <stdlib.h>

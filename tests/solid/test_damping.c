@@ -1,5 +1,9 @@
 /* Damping takes energy, and the budget closes with load, driven layers, damping and fracture in it. */
 #include "make.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 static const double PAIRWISE = 2e13,
                     ABSOLUTE = 1e3; /* k_d, k_a: a few percent of critical at the lattice's frequency */

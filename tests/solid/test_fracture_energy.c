@@ -1,5 +1,9 @@
 /* What a cleaved block gives up is, a unit of area, what its bonds hold at the critical stretch.  (001: eq. 3.26) */
 #include "make.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/law/material.h"
+#include "solid/solid.h"
 
 static const double FRACTURE_ENERGY = 0.05;
 enum { SITES = 8, UP = 2 };

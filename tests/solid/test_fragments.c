@@ -1,5 +1,6 @@
 /* Connected components of intact bonds. */
-#include "solid/measure/measures.h"
+#include "solid/measure/fragments.h"
+#include "solid/solid.h"
 #include "test_surface_bodies.h"
 
 static const double mass = DENSITY * SPACING * SPACING * SPACING;

@@ -1,5 +1,7 @@
 /* What the lattice's family adds up to. */
 #include "make.h"
+#include "solid/law/material.h"
+#include "solid/solid.h"
 
 static double ball(void) { return 4. / 3 * M_PI * pow(3 * SPACING, 3); }
 

@@ -4,6 +4,10 @@
 #include "base/memory.h"
 #include "base/par_exchange.h"
 #include "base/vec.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/law/material.h"
+#include "solid/solid.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,11 @@
 /* Energies, damage, stress, strain and their invariants. */
-#include "solid/measure/measures.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/law/material.h"
+#include "solid/measure/damage.h"
+#include "solid/measure/energy.h"
+#include "solid/measure/stress.h"
 #include "solid/measure/tensors.h"
+#include "solid/solid.h"
 #include "test_surface_bodies.h"
 
 static struct solid *cube_new(int n, int general, int correction) {

@@ -2,6 +2,8 @@
  * lies. */
 #include "make_plate.h"
 #include "solid/contact/contact.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 /* Of every particle the one that is its mirror image about the plate's middle line across c, by lattice indices; and by
  * number. */

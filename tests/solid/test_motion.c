@@ -1,5 +1,10 @@
 /* What a free body keeps. */
+#include "base/step_status.h"
 #include "make.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 static void shake(struct solid *s, double strain, double speed) {
     for (int h = 0; h < s->n; h++)

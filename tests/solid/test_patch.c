@@ -1,5 +1,9 @@
 /* Fields for which the bonds' force is known exactly. */
 #include "make.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/law/material.h"
+#include "solid/solid.h"
 
 /* Force density if every bond of a full family were stretched to twice its length. */
 static double force_scale(const struct solid *s) {

@@ -6,6 +6,9 @@
 #include "base/par_exchange.h"
 #include "solid/bonds/list.h"
 #include "solid/body/number.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/solid.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,13 @@
 /* A plate in motion: what it keeps, what it is given, and where its energy goes. Regular and irregular. */
-#include "make_plate.h"
 #include "base/memory.h"
+#include "make_plate.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/measure/stress.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
+#include "solid/step/rates.h"
+#include "solid/step/relax.h"
 
 /* d = g X0 + shift. */
 static void deform(struct solid *s, double g[2][2]) {

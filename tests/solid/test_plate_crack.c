@@ -1,7 +1,14 @@
 /* Cracks of a plate: initial ones, what a straight one releases, contact of its lips, stress and strain on the way
  * there. */
 #include "make_plate.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
+#include "solid/force/force.h"
+#include "solid/measure/damage.h"
+#include "solid/measure/energy.h"
+#include "solid/measure/stress.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 /* Sum of (1/2) c s0^2 |xi| Gamma V V of the bonds that a cut across a periodic plate has broken, over its area and G0:
  * the lattice's G(10)/G0 (m = 3: exact areas 1.02801, ramp 1.03424). A bond is broken from both ends, is damage, and

@@ -2,6 +2,8 @@
  * rank leaves what it found in a file; more ranks compare with it. */
 #include "make_plate.h"
 #include "solid/contact/contact.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,9 @@
 /* Bodies of points on no lattice, shapes, several bodies. */
 #include "make.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/solid.h"
+#include "solid/step/rates.h"
 
 #include <stdlib.h>
 

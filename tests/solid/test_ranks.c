@@ -1,6 +1,8 @@
 /* The same motion on any number of ranks and in either store: a body that is loaded, damped, driven and breaks. One
  * rank leaves what it found in a file; more ranks compare with it. */
 #include "make.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 #include <stdio.h>
 #include <stdlib.h>

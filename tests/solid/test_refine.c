@@ -1,10 +1,13 @@
 /* Where refined particles stand, what area, load and motion they get, and what a refinement leaves as it was. */
 #include "make_plate.h"
-#include "solid/imposed/constraint.h"
-#include "solid/bonds/family.h"
-#include "solid/refine/refine.h"
-#include "solid/bonds/store.h"
 #include "solid/body/cloud.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/bonds/store.h"
+#include "solid/imposed/constraint.h"
+#include "solid/refine/refine.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
 
 static struct solid_refinement levels(int n) {
     return (struct solid_refinement){.levels = n, .low = {-1, -1}, .high = {1, 1}};

@@ -1,9 +1,15 @@
 /* Plates that are refined while they move and break: symmetry, ranks, checkpoints, energies, the stable step. */
 #include "make_plate.h"
 #include "solid/body/cloud.h"
-#include "solid/refine/refine.h"
-#include "solid/step/stable.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/bonds/store.h"
+#include "solid/force/force.h"
+#include "solid/measure/energy.h"
+#include "solid/refine/refine.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
+#include "solid/step/rates.h"
+#include "solid/step/stable.h"
 
 #include <stdio.h>
 

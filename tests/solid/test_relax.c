@@ -1,5 +1,9 @@
 /* Static equilibrium by adaptive dynamic relaxation. */
 #include "make.h"
+#include "solid/force/force.h"
+#include "solid/law/material.h"
+#include "solid/solid.h"
+#include "solid/step/relax.h"
 
 /* A wide cantilever (plane strain: periodic across; clamped over the horizon) under a load P a breadth spread over its
  * last layer: deflection there in units of Timoshenko's, w E/P = 4 (1 - nu^2) (L/h)^3 + 2 (1 + nu)/kappa L/h with nu =

@@ -1,4 +1,5 @@
 /* The surface of the shapes that bodies are cut from: places and normals of the interface particles. */
+#include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 

@@ -1,7 +1,14 @@
 /* The stable step: of one oscillator, of a damped block, and with contact. */
-#include "solid/step/stable.h"
+#include "base/step_status.h"
 #include "make.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
+#include "solid/force/force.h"
+#include "solid/law/material.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
+#include "solid/step/rates.h"
+#include "solid/step/stable.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,5 @@
 /* The interface of unbroken bodies, its normals and areas. */
+#include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/par.h"
 #include "solid/bonds/family.h"
-#include "solid/solid.h"
+#include "solid/state.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,6 +1,7 @@
 /* The interface after bonds have broken and the solid has moved. */
-#include "solid/surface/surface.h"
 #include "solid/keep.h"
+#include "solid/solid.h"
+#include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 
 static struct solid *block_new(int nx, int ny, int nz, int general) {

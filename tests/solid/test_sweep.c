@@ -2,8 +2,11 @@
  * begins with kernels that turn out to be the wrong ones: the body is at rest, then far beyond what its bonds or the
  * series stand. */
 #include "make.h"
+#include "solid/bonds/ghosts.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/segments.h"
+#include "solid/force/force.h"
+#include "solid/solid.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,11 @@
 /* Dispersion and the stable step. */
+#include "base/step_status.h"
 #include "make.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/force/force.h"
+#include "solid/solid.h"
+#include "solid/step/integrate.h"
+#include "solid/step/rates.h"
 
 /* omega of a plane wave along x in units of sqrt(E/rho)/spacing, by projecting the force on it. */
 static double omega(struct solid *s, int waves, int direction) {

@@ -1,0 +1,6 @@
+/* Damage of particles.  (SPEC 2) */
+#pragma once
+#include "solid/state.h"
+
+void solid_damage_measure(const struct solid *s,
+                          double *phi); /* [n], 1 - sum(lambda Gamma V)/sum(Gamma V). Not collective. */

@@ -1,0 +1,89 @@
+/* The solid: bond-based peridynamics on material particles.  (001: ch. 3.3)
+ *
+ * Numbering: each body's particles are numbered along a space-filling curve, bodies one after another; a rank owns the
+ * global ids first[rank] .. first[rank+1]-1 and knows them as 0..n-1. Behind them stand n_ghost copies of other ranks'
+ * particles that some family here needs. State is displacement d = X - X0, never X: stretches of 1e-4 keep their
+ * digits. */
+#pragma once
+#include "solid/input.h"
+
+struct par_ghost;
+struct solid_family; /* opaque: the bonds, solid/bonds/family.h */
+struct solid_contact;
+struct solid_added_mass;
+struct solid_given;  /* opaque: the loads of the input, solid/imposed/given.h */
+struct solid_refine; /* opaque: what refinement needs, solid/refine/refine.h */
+
+enum solid_integrator { SOLID_RK3, SOLID_VERLET };
+
+/* Set at the start of each stage of a run. */
+struct solid_stage {
+    enum solid_integrator integrator;
+    int breakage;            /* 0: nothing breaks */
+    double damping_relative; /* k_d, N s/m^7 (pairwise, along the bond), 0: off */
+    double damping_absolute; /* k_a, 1/s, 0: off */
+};
+
+enum solid_flag {
+    SOLID_HELD_X = 1,
+    SOLID_HELD_Y = 2,
+    SOLID_HELD_Z = 4,      /* velocity imposed in the direction */
+    SOLID_UNBREAKABLE = 8, /* in an unbreakable region */
+    SOLID_BROKEN = 16,     /* has lost a bond */
+    SOLID_INTERFACE = 32,
+    SOLID_FIRST = 64 /* was on the interface at the start */
+};
+
+struct solid {
+    struct solid_input in; /* the copied numbers; body, material and the like point to owned copies */
+    int dim;               /* 2: a plate, [2] of x0, d, v, a, load, v_old, a_old are NULL; 3 */
+    struct solid_stage stage;
+    long n_global;
+    long *first; /* [size+1] */
+    int n, n_ghost;
+    struct par_ghost *ghost;
+    /* parameters, [n + n_ghost] */
+    double *x0[3];         /* m */
+    double *volume;        /* m3 */
+    double *family_volume; /* V_h = sum Gamma V of the unbroken family, m3 (ghosts too) */
+    uint8_t *body;
+    uint8_t *flag; /* enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
+    /* state, [n + n_ghost]; with the bonds' lambda and t, what a checkpoint stores */
+    double t;     /* s; moved on by the integrators, set by who knows better */
+    double *d[3]; /* displacement X - X0, m */
+    double *v[3]; /* velocity, m/s */
+    /* work, [n] */
+    double *a[3];    /* acceleration of the last force sweep, m/s2 */
+    double *load[3]; /* external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
+    struct solid_given *given;            /* NULL: none */
+    const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
+    struct solid_family *family;
+    struct solid_contact *contact; /* NULL until something can touch */
+    struct solid_refine *refine;   /* NULL: nothing is refined */
+    /* counters and energies, this rank's share */
+    long bonds_total;    /* undirected, whole solid, of the families as made, or remade by a refinement */
+    long bonds_broken;   /* undirected, whole solid; valid after solid_family_count */
+    int broke;           /* 1: a bond of an owned particle broke since the flag was last cleared */
+    double e_damped;     /* J taken out by damping so far */
+    double e_fracture;   /* J released by broken bonds so far: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
+    double e_constraint; /* J put in by driven layers so far */
+    double work_load;    /* J put in by load and body force so far */
+    /* of the last force sweep, this rank's share, W */
+    double power_damped, power_load, power_constraint;
+    double power_added; /* the part of power_load that is the added mass's */
+    long sweeps;        /* force sweeps so far */
+    long versions;      /* numbers given so far to states of the bonds and of contact's record (solid/keep.h) */
+    long bonds_version; /* another one whenever kept bonds are put back */
+    /* work of the integrators, [n]: rates of the stage before (RK3); bonds' and contact's part of a, a before (Verlet)
+     */
+    double *v_old[3], *a_old[3];
+    int a_holds; /* 1: a is of the present d, v and bonds (Verlet); whoever changes one of them clears it */
+    struct solid_stage stage_of_a;
+    double power_pairwise; /* of the sweep that v_old belongs to, W (Verlet) */
+};
+
+/* The current position X0 + d; z of a plate is 0. */
+static inline void solid_position(const struct solid *s, int h, double x[3]) {
+    x[2] = 0;
+    for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h] + s->d[c][h];
+}
