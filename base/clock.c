@@ -1,3 +1,4 @@
+/* Wall time by part of the program, with nested clocks. */
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Ends the program with one sentence and an exit code. */
 #include "base/die.h"
 #include "base/par.h"
 

@@ -1,3 +1,4 @@
+/* Says which condition of our own failed and where, and aborts all ranks. */
 #include "base/ensure.h"
 #include "base/par.h"
 

@@ -1,3 +1,4 @@
+/* Names and versions of the MPI, HDF5 and FFTW libraries in use. */
 #include "base/libraries.h"
 
 #include <fftw3.h>

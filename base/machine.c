@@ -1,3 +1,4 @@
+/* Processor name and number of cores of this machine. */
 #include "base/machine.h"
 
 #include <stdio.h>

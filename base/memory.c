@@ -1,3 +1,4 @@
+/* Aligned allocation of arrays, counted by part of the program. */
 #include "base/memory.h"
 #include "base/die.h"
 

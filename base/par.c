@@ -1,3 +1,4 @@
+/* MPI basics: start, ranks, reductions, broadcasts, gathers, wall clock. */
 #include "base/par.h"
 #include "base/par_count.h"
 

@@ -1,3 +1,4 @@
+/* Exchanges values of z columns that are divided over ranks, each column with the rank that solves it. */
 #include "base/par_column.h"
 #include "base/clock.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Counts messages, collective calls and bytes by kind of exchange. */
 #include "base/par_count.h"
 
 static struct par_count count[PAR_COUNT_KINDS];

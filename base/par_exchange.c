@@ -1,3 +1,4 @@
+/* Exchange of items between two distributions over ranks, and of ghost copies of particles. */
 #include "base/par_exchange.h"
 #include "base/ensure.h"
 #include "base/par.h"

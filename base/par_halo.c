@@ -1,3 +1,4 @@
+/* Exchange of ghost layers on the staggered grid: filling them, and adding them back to their owners. */
 #include "base/par_halo.h"
 #include "base/clock.h"
 #include "base/ensure.h"

@@ -1,3 +1,4 @@
+/* Transposes between x pencils and y pencils. */
 #include "base/par_pencil.h"
 #include "base/clock.h"
 #include "base/ensure.h"

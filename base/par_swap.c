@@ -1,3 +1,4 @@
+/* Exchange of values that pairs of ranks share in a common order. */
 #include "base/par_swap.h"
 #include "base/ensure.h"
 #include "base/par_count.h"

@@ -1,3 +1,4 @@
+/* Stops a run at a signal, at --max-wall or at the batch system's limit, on all ranks together. */
 #include "base/signals.h"
 #include "base/ensure.h"
 #include "base/par.h"

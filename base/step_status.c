@@ -1,3 +1,4 @@
+/* Makes the lowest failing rank's status everybody's. */
 #include "base/step_status.h"
 #include "base/par.h"
 

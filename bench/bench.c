@@ -1,3 +1,4 @@
+/* frana bench: chooses the parts to measure and runs them. */
 #include "bench/bench.h"
 #include "base/die.h"
 #include "base/par.h"

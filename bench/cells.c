@@ -1,3 +1,4 @@
+/* Reads a CSV table of measured times. */
 #include "bench/cells.h"
 #include "base/die.h"
 #include "base/ensure.h"

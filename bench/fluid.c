@@ -1,4 +1,4 @@
-/* Steps of a fluid alone, and what its parts take of them. */
+/* Measures a step of the fluid alone and its parts, with the bytes and flops that they need. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"

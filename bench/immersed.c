@@ -1,4 +1,4 @@
-/* The main case: the parts of a coupled step one by one, and whole steps of an intact and of a broken block. */
+/* Measures the parts of a coupled step and whole steps of the porous block, intact and broken. */
 #include "base/par.h"
 #include "bench/parts.h"
 #include "bench/scene.h"

@@ -1,3 +1,4 @@
+/* Measures the machine's limits: memory bandwidth and floating-point rate. */
 #include "bench/limits.h"
 #include "base/memory.h"
 #include "base/par.h"

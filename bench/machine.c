@@ -1,3 +1,4 @@
+/* Describes the machine and the program for a table's rows. */
 #include "bench/machine.h"
 #include "base/libraries.h"
 #include "base/machine.h"

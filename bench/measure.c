@@ -1,3 +1,4 @@
+/* Times a call by repeated runs: median and extremes, by clock and slowest rank. */
 #include "bench/measure.h"
 #include "base/ensure.h"
 #include "base/par.h"

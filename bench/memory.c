@@ -1,4 +1,4 @@
-/* Bytes held a cell, a bond and a marker. */
+/* Measures the memory held for each cell, bond and marker. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "bench/parts.h"

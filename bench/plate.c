@@ -1,4 +1,4 @@
-/* Force sweeps over the bonds of a plate with holes. */
+/* Measures force sweeps over the bonds of a plate with holes. */
 #include "base/par.h"
 #include "bench/parts.h"
 #include "solid/bonds/family.h"

@@ -1,4 +1,4 @@
-/* Looks at a plate's energies, and refinements of a few particles far from one another. */
+/* Measures the search for particles to refine and single refinements of a plate. */
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Writes rows of measured times and traffic to the screen and to CSV files. */
 #include "bench/row.h"
 #include "base/die.h"
 #include "base/par.h"

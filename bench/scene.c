@@ -1,3 +1,4 @@
+/* Scene of the main case's porous block, for the bench. */
 #include "bench/scene.h"
 #include "base/ensure.h"
 #include "scene/read.h"

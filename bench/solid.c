@@ -1,4 +1,4 @@
-/* Force sweeps over blocks of bonds. */
+/* Measures force sweeps over lattice blocks, with either bond store. */
 #include "base/par.h"
 #include "bench/parts.h"
 #include "solid/bonds/family.h"

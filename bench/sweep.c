@@ -1,3 +1,4 @@
+/* Strained state and force sweep that the solid's benches time. */
 #include "bench/parts.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"

@@ -1,4 +1,4 @@
-/* The page docs/performance.md and the tables of docs/scaling.md, from what the bench has measured before. */
+/* Writes docs/performance.md and the tables of docs/scaling.md from measured times. */
 #include "base/die.h"
 #include "bench/bench.h"
 #include "bench/cells.h"

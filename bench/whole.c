@@ -1,3 +1,4 @@
+/* Reads the run time of a whole run from its run.json. */
 #include "bench/whole.h"
 #include "base/die.h"
 #include "files/folder.h"

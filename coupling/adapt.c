@@ -1,3 +1,4 @@
+/* Chooses the time step and the number of solid substeps, and judges whether a taken step holds. */
 #include "coupling/adapt.h"
 #include "base/die.h"
 #include "base/par.h"

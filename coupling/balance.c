@@ -1,3 +1,4 @@
+/* Corrects the probes' loads so that each body receives the force that the forcing takes from the fluid. */
 /* The probes say where on a body the fluid pulls, but their sum is only as good as the cells resolve the body. The
  * forcing's sum is the fluid's own. For the markers' shell and the fluid within, which moves with the body,
  *

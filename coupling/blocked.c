@@ -1,3 +1,4 @@
+/* Finds prescribed inflows and driven directions from which no path through pore cells leads out. */
 #include "coupling/blocked.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* Carries the implicit forcing's starting guess between markers and particles, for checkpoints and restarts. */
 #include "coupling/forcing_guess.h"
 #include "base/memory.h"
 

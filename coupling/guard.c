@@ -1,4 +1,4 @@
-/* The last good state in memory.  (program/checkpoint.h) */
+/* Keeps the last good state of a run in memory and restores it. */
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/memory.h"

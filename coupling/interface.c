@@ -1,3 +1,4 @@
+/* Sets markers and probes from the interface, and turns traction into loads.  (001: secs 3.5.2, 3.5.3) */
 /* Markers and probes from the interface, and the load that the probes bring back.  (001: secs 3.5.2, 3.5.3; SPEC 3, 4)
  */
 #include "base/clock.h"

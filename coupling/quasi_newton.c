@@ -1,3 +1,4 @@
+/* Fixed-point acceleration by Aitken's relaxation or interface quasi-Newton with least squares. */
 #include "coupling/quasi_newton.h"
 #include "base/ensure.h"
 #include "base/memory.h"

@@ -1,4 +1,4 @@
-/* Refinement within a run: when it is looked for, and what step the solid takes afterwards. */
+/* Refines the solid's plates during a run, and renews the rates that bound its stable step. */
 #include "base/clock.h"
 #include "coupling/refinement.h"
 #include "coupling/run.h"

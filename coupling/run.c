@@ -1,3 +1,4 @@
+/* Creates and frees a run: the fluid, solid, interface and medium that the scene needs. */
 #include "coupling/run.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,4 +1,4 @@
-/* The time step, put together from the parts that the stage needs.  (001: sec. 4.3; SPEC 5) */
+/* The time step: the list of parts that a stage needs, and the loop over it.  (001: sec. 4.3) */
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"

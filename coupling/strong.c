@@ -1,3 +1,4 @@
+/* Strongly coupled step: iterates fluid and solid until the interface's velocity has converged. */
 #include "coupling/strong.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Writes a file under a temporary name and renames it once it is complete and on disk. */
 #include "files/aside.h"
 #include "base/die.h"
 

@@ -1,3 +1,4 @@
+/* Makes, clears and inspects the run folder. */
 #include "files/folder.h"
 #include "base/die.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Locks the run folder so that only one run at a time writes there. */
 /* One run at a time in a folder. Each rank of a run locks a byte of its file run.lock; the system takes locks back
  * however a process ends, so a folder is held until the last rank is gone, and no longer. Where the file system has no
  * locks, the file's own words must do: the host and the process that wrote it. */

@@ -1,3 +1,4 @@
+/* Writes HDF5 files from all ranks, with disk space reserved first and errors as sentences. */
 #include "files/h5.h"
 #include "base/die.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Reads arrays, texts and attributes from HDF5 files on all ranks or on one. */
 #include "base/par.h"
 #include "files/h5.h"
 

@@ -1,3 +1,4 @@
+/* Writes a JSON file value by value. */
 #include "files/json.h"
 #include "base/ensure.h"
 #include "files/aside.h"

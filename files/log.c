@@ -1,3 +1,4 @@
+/* Log lines to the screen and to run.log, and the progress bar. */
 #include "files/log.h"
 #include "base/die.h"
 #include "base/par.h"

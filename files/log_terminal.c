@@ -1,3 +1,4 @@
+/* Width of the terminal, also behind mpiexec. */
 #include "files/log_terminal.h"
 
 #include <fcntl.h>

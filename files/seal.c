@@ -1,3 +1,4 @@
+/* Checksums of arrays, independent of how these are divided over ranks. */
 #include "files/seal.h"
 #include "base/ensure.h"
 

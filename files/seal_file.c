@@ -1,4 +1,4 @@
-/* Seals of files. One rank's affair, by plain reading and writing. */
+/* Writes and checks the seal of a checkpoint: checksums and positions of all its arrays. */
 #include "files/seal.h"
 
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* Writes checkpoint files, names the latest, and deletes the oldest. */
 #include "files/store.h"
 #include "base/clock.h"
 #include "base/die.h"

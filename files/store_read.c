@@ -1,3 +1,4 @@
+/* Opens the newest whole checkpoint and reads its arrays with their checksums verified. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "files/store.h"

@@ -1,3 +1,4 @@
+/* Writes a CSV table row by row, and cuts it back to a step on resume. */
 #include "files/table.h"
 #include "base/clock.h"
 #include "base/die.h"

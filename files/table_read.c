@@ -1,3 +1,4 @@
+/* Reads a CSV table. */
 #include "files/table.h"
 
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* Writes VTKHDF files of cell fields or particles from all ranks. */
 #include "files/vtkhdf.h"
 #include "base/clock.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Reads VTKHDF files back on one rank. */
 #include "files/h5.h"
 #include "files/vtkhdf.h"
 

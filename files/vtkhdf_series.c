@@ -1,3 +1,4 @@
+/* Keeps the index file of a series of VTKHDF files: file names and times. */
 #include "base/par.h"
 #include "files/aside.h"
 #include "files/vtkhdf.h"

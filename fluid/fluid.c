@@ -1,3 +1,4 @@
+/* Creates and frees the fluid, gives access to its state, and steps it without immersed bodies. */
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par_halo.h"

@@ -1,4 +1,4 @@
-/* The velocity that a run starts from, before it is made to obey the sides and continuity. */
+/* Initial velocity: uniform flow or developed profile, plus Taylor-Green vortices. */
 #include "base/memory.h"
 #include "fluid/grid/profile.h"
 #include "fluid/internal.h"

@@ -1,3 +1,4 @@
+/* Stability limits of the fluid's time step, and the check for NaN and too large velocities. */
 #include "base/par.h"
 #include "base/step_status.h"
 #include "fluid/internal.h"

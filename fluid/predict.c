@@ -1,3 +1,4 @@
+/* Predictor of a Runge-Kutta stage: u* from the explicit momentum equation.  (001: eq. 3.66) */
 #include "base/clock.h"
 #include "base/par_halo.h"
 #include "fluid/grid/outflow.h"

@@ -1,3 +1,4 @@
+/* Projection of a stage: pressure solve, divergence-free velocity, new pressure.  (001: eqs 3.71-3.73) */
 #include "base/clock.h"
 #include "base/par.h"
 #include "base/par_halo.h"

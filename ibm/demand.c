@@ -1,4 +1,4 @@
-/* What the implicit forcing goes on from, carried over when markers are sorted anew or a run is resumed. */
+/* Starting guess of the implicit forcing, kept by particle over a new sort of the markers or a restart. */
 #include "ibm/state.h"
 
 #include <math.h>

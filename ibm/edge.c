@@ -1,3 +1,4 @@
+/* Markers whose kernel reaches over the boundary of this rank's cells: pieces, weights, sums. */
 /* Markers whose blocks reach over a side of this rank's piece: cut by ranks and periodic sides, folded at the others.
  */
 #include "ibm/state.h"

@@ -1,3 +1,4 @@
+/* Forcing with implicit diffusion: solves for the markers' forces by conjugate gradients. */
 /* Forcing where diffusion is implicit.
  *
  * A large step smears what a marker gives over sqrt(nu dt), so that giving what is missing, as ibm_forcing_stage does,

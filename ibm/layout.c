@@ -1,3 +1,4 @@
+/* Sorts the markers that arrived at a rank by slab and row, so that a slab's sweep stays in the cache. */
 /* What has arrived, put in order: inner markers by slab, row and place in the row, so that what a slab touches stays in
  * a core's own cache; then edges whose pieces all lie in one slab; then the far ones, whose sums are complete only with
  * another slab's or another rank's. */

@@ -1,4 +1,4 @@
-/* Markers: sent to the ranks that serve them, and their weights renewed where they have moved. */
+/* Sends markers to the ranks whose cells they reach, and renews their kernel weights when they move. */
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Normal probe: pressure and stress at the wall from the flow at the probe's tip.  (001: sec. 3.5.3) */
 /* The normal probe: pressure and stress at the root m, from the flow about the tip e = m + dl n.  (001: sec. 3.5.3)
  *
  * In both forms p|m = p|e - dl/2 (dp/dn|m + dp/dn|e). That of the paper is a boundary layer's: dp/dn|m = rho (f -

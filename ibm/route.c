@@ -1,4 +1,4 @@
-/* From the particles' layout to the fluid's and back. */
+/* Buffers and exchange plan that carry items from the particles' ranks to the fluid's ranks and back. */
 #include "base/memory.h"
 #include "ibm/state.h"
 

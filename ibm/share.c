@@ -1,4 +1,4 @@
-/* Markers that several ranks serve: who they are, and the sums over their blocks. */
+/* Finds the ranks that share a marker, and completes the sums over their cells. */
 #include "ibm/state.h"
 
 #include <string.h>

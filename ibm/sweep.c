@@ -1,4 +1,4 @@
-/* The two sweeps over the inner markers: their blocks' velocity, and their increments given to the blocks. */
+/* Interpolates velocity at the inner markers and spreads their force increments.  (001: eqs 3.79-3.82) */
 #include "ibm/state.h"
 
 /* What a marker's y and z weights are, by alignment, for the three components: x faces, y faces, z faces. */

@@ -1,3 +1,4 @@
+/* Pressure, velocity and their gradients at a probe's tip.  (001: eqs 3.83, 3.84, 3.86) */
 /* What a probe measures at its tip e: pressure and velocity with their gradients.  (001: eqs 3.83, 3.84, 3.86)
  *
  * On the 2 x 2 x 2 stencil of one cell about e, p and u are interpolated by the kernel and differenced. All of it is a

@@ -1,4 +1,4 @@
-/* Several runs over one another: curves, PDFs at the end, a table of their numbers. */
+/* frana post with several runs: common curves, distributions at the end, a table of their numbers. */
 #include "base/die.h"
 #include "base/memory.h"
 #include "files/folder.h"

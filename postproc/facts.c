@@ -1,3 +1,4 @@
+/* List of named quantities with units, and its CSV file. */
 #include "postproc/facts.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Names of the quantities that can be drawn. */
 #include "postproc/options.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* frana post for one run: makes the folders, runs each section, writes the report. */
 #include "postproc/post.h"
 #include "base/die.h"
 #include "files/folder.h"

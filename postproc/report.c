@@ -1,3 +1,4 @@
+/* Writes the report as Markdown and as HTML. */
 #include "postproc/report.h"
 #include "files/folder.h"
 

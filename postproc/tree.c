@@ -1,3 +1,4 @@
+/* Reads values from a JSON file by path. */
 #include "postproc/tree.h"
 
 #include <math.h>

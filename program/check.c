@@ -1,4 +1,4 @@
-/* frana check: what a run will hold, what it leaves out and why, its stable steps, memory and groups. Steps nothing. */
+/* frana check: parts of the run, stable steps and their limits, memory, dimensionless groups. Steps nothing. */
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Writes a run's whole state to a checkpoint and reads it back on any number of ranks. */
 #include "program/checkpoint.h"
 #include "base/clock.h"
 #include "base/die.h"

@@ -1,3 +1,4 @@
+/* Parses the command line. */
 #include "program/command.h"
 #include "base/die.h"
 

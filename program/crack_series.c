@@ -1,3 +1,4 @@
+/* Writes crack.csv: tips, speed, length and released energy of the crack during the run. */
 #include "program/crack_series.h"
 #include "base/clock.h"
 #include "base/memory.h"

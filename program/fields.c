@@ -1,3 +1,4 @@
+/* Writes the fluid's and the solid's fields for ParaView. */
 #include "program/fields.h"
 #include "base/clock.h"
 #include "base/memory.h"

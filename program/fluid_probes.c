@@ -1,3 +1,4 @@
+/* Writes fluid_probes.csv: velocity and pressure at given points and along lines during the run. */
 #include "program/fluid_probes.h"
 #include "base/clock.h"
 #include "base/ensure.h"

@@ -1,3 +1,4 @@
+/* Program entry: calls the command that the command line names. */
 #include "base/die.h"
 #include "base/par.h"
 #include "bench/bench.h"

@@ -1,3 +1,4 @@
+/* Writes probes.csv: displacement, velocity and damage of single particles during the run. */
 #include "program/probes.h"
 #include "base/clock.h"
 #include "base/die.h"

@@ -1,4 +1,4 @@
-/* frana run: stages, samples, fields, checkpoints, and every way in which a run may end. */
+/* frana run: steps through the stages, writes samples, fields and checkpoints, and handles every end of a run. */
 #include "program/program.h"
 #include "base/die.h"
 #include "base/par.h"

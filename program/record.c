@@ -1,3 +1,4 @@
+/* Writes run.json: version, machine, run times by part, traffic, and what was left out. */
 #include "program/record.h"
 #include "base/clock.h"
 #include "base/libraries.h"

@@ -1,3 +1,4 @@
+/* Writes series.csv: measures the run's integral quantities and appends one row a sample. */
 #include "program/series.h"
 #include "base/clock.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Fills in defaults that follow from other values: spacing, Poisson's ratio, retraction, measurement box. */
 #include "scene/default.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Sets the scene's members that follow from others: dimension, periodicity, time tables, outlines. */
 #include "scene/derive.h"
 #include "base/die.h"
 #include "scene/check/check.h"

@@ -1,3 +1,4 @@
+/* Makes outlines of a plate body from rectangles, discs and polygons, and finds their bounds. */
 #include "scene/outline.h"
 #include "base/die.h"
 

@@ -1,3 +1,4 @@
+/* Reads a scene from text: parses, applies --set, checks, loads, fills in defaults, writes it resolved. */
 #include "scene/read.h"
 #include "scene/check/check.h"
 #include "scene/default.h"

@@ -1,3 +1,4 @@
+/* Loads the scene on rank 0, reports its mistakes, and gives the resolved text to all ranks. */
 #include "scene/scene.h"
 #include "base/die.h"
 #include "base/ensure.h"

@@ -1,3 +1,4 @@
+/* Applies --set key.path=value to the scene's tree. */
 #include "scene/set.h"
 #include "scene/text/yaml.h"
 

@@ -1,3 +1,4 @@
+/* Builds the parts of a solid that a body with changed particles goes through again: ghosts, places, counts. */
 #include "solid/build.h"
 #include "base/memory.h"
 #include "base/par.h"

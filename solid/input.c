@@ -1,3 +1,4 @@
+/* Checks a solid's input and copies it for as long as the solid lives. */
 #include "solid/input.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Keeps the solid's whole state in memory and restores it, to the bit. */
 #include "solid/keep.h"
 #include "base/ensure.h"
 #include "base/memory.h"

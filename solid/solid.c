@@ -1,3 +1,4 @@
+/* Builds and frees the solid: particles, ghosts, bonds, weights, initial state; exchange of ghost values. */
 #include "solid/solid.h"
 #include "base/die.h"
 #include "base/ensure.h"

@@ -1,3 +1,4 @@
+/* frana study: plans the runs, makes them, reports the results. */
 #include "study/study.h"
 #include "base/die.h"
 #include "scene/text/node.h"

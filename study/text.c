@@ -1,3 +1,4 @@
+/* Reads files and numbers as text, and turns names into folder names. */
 #include "study/text.h"
 #include "scene/text/yaml.h"
 

@@ -1,3 +1,4 @@
+/* Connected porosity by a flood fill over all ranks. */
 /* Connected porosity, by flood fill: each rank floods its own cells, hands its outer cells to its neighbours, and goes
  * on where the flood has come over from them, until it comes to nobody any more. */
 #include "base/par.h"

@@ -1,4 +1,4 @@
-/* Whether fluid can leave from where it comes into the domain, as far as the cells tell. */
+/* Part of a side's cells that no path through pore cells joins to an outlet. */
 #include "base/par.h"
 #include "coupling/medium/parts.h"
 

@@ -1,3 +1,4 @@
+/* Kernels of the medium: deposition of a cube into cells, sums over the box, flood fill of one rank. */
 #include "coupling/medium/kernels.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Porosity, and what the flow through the medium says of it. */
+/* Porosity, pressure drop, permeability and tortuosity of the medium.  (001: sec. 2.1) */
 #include "base/clock.h"
 #include "base/par.h"
 #include "coupling/medium/parts.h"

@@ -1,3 +1,4 @@
+/* Measurement box of a porous medium, and the solid fraction of every cell in it. */
 #include "coupling/medium/medium.h"
 #include "base/clock.h"
 #include "base/die.h"

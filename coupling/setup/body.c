@@ -1,4 +1,4 @@
-/* Bodies and cracks. */
+/* Translates bodies, outlines and cracks of the scene into the solid's input. */
 #include "base/ensure.h"
 #include "base/par.h"
 #include "coupling/setup/parts.h"

@@ -1,4 +1,4 @@
-/* What only the geometry of a plate shows to be wrong. */
+/* Checks a plate's outlines and cracks by their geometry before anything is written. */
 #include "base/die.h"
 #include "base/ensure.h"
 #include "coupling/setup/parts.h"

@@ -1,3 +1,4 @@
+/* Translates loads, imposed and initial displacements and refinement from the scene to the solid's input. */
 #include "coupling/setup/given.h"
 #include "base/ensure.h"
 

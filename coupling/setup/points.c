@@ -1,4 +1,4 @@
-/* Particles of a point file: x y z volume [horizon] a line, of a plate x y area [horizon]. */
+/* Reads the particles of a body from a point file: x y z volume [horizon], in a plate x y area [horizon]. */
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"

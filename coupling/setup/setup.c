@@ -1,3 +1,4 @@
+/* Translates the scene into the inputs of fluid and solid. */
 #include "coupling/setup/setup.h"
 #include "base/ensure.h"
 #include "coupling/setup/parts.h"

@@ -1,3 +1,4 @@
+/* Boundary conditions of the six sides: values on the sides' faces and in the ghost cells.  (001: sec. 3.4.2) */
 #include "fluid/grid/boundary.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Divides the cells over the ranks and lays out the arrays of the staggered grid. */
 #include "fluid/grid/grid.h"
 #include "base/die.h"
 #include "base/memory.h"

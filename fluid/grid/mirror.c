@@ -1,3 +1,4 @@
+/* How u* continues beyond a side, for a reader without ghost cells. */
 #include "fluid/internal.h"
 
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side) {

@@ -1,3 +1,4 @@
+/* Velocity profiles through a section: inflow profiles and the developed channel or duct flow. */
 #include "fluid/grid/profile.h"
 #include "base/die.h"
 #include "base/ensure.h"

@@ -1,3 +1,4 @@
+/* Finds which ghost cells of this rank lie in a given box of cells. */
 #include "fluid/grid/reach.h"
 
 #include <string.h>

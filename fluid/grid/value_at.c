@@ -1,4 +1,4 @@
-/* The flow at a place: linear in each direction between the nearest faces or centres. */
+/* Velocity and pressure at a point by linear interpolation. */
 #include "base/par.h"
 #include "fluid/internal.h"
 

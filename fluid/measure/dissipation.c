@@ -1,3 +1,4 @@
+/* Viscous dissipation of kinetic energy, consistent with the discrete equations. */
 /* What viscosity takes out of the kinetic energy: q times nu lap q, summed by parts over the faces that are advanced,
  *     epsilon = rho nu V sum_c sum_d w ((q_c(+1) - q_c)/d_d)^2,
  * over the pairs of neighbours along d; w = 1/2 for a pair across a side, whose other end is a ghost: half a cell

@@ -1,3 +1,4 @@
+/* Integral measures of the flow: divergence, energy, bulk velocity, momentum, force on the box. */
 #include "base/par.h"
 #include "base/par_halo.h"
 #include "fluid/internal.h"

@@ -1,3 +1,4 @@
+/* Applies the pressure correction to velocity and pressure, plane by plane.  (001: eqs 3.72-3.73) */
 #include "fluid/momentum/correction.h"
 #include "base/memory.h"
 #include "base/par_halo.h"

@@ -1,3 +1,4 @@
+/* Implicit diffusion: one Helmholtz equation for each velocity component in each stage. */
 #include "fluid/momentum/diffusion.h"
 #include "base/clock.h"
 #include "base/die.h"

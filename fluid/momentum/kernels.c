@@ -1,3 +1,4 @@
+/* Divergence of u* and correction by the pressure gradient, for one plane.  (001: eqs 3.71-3.73) */
 #include "fluid/momentum/momentum.h"
 
 void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],

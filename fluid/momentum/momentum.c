@@ -1,3 +1,4 @@
+/* Explicit stage of the momentum equation in one pass over the grid.  (001: eqs 3.64-3.68) */
 #include "fluid/momentum/momentum.h"
 #include "fluid/momentum/flux.h"
 

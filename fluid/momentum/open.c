@@ -1,3 +1,4 @@
+/* Explicit stage of the momentum equation for the normal velocity on an open side. */
 #include "fluid/momentum/momentum.h"
 
 /* What a row of one component needs: strides of its own direction s and of the other two a, b; the advecting components

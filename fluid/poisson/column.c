@@ -1,3 +1,4 @@
+/* Solves the Poisson or Helmholtz equation along z, column by column, with z divided over ranks. */
 #include "fluid/poisson/column.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Closes a column's recurrences for each pair of end conditions. */
 #include "fluid/poisson/column_ends.h"
 #include "base/ensure.h"
 

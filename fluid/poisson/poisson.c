@@ -1,3 +1,4 @@
+/* Direct Poisson and Helmholtz solver: transforms along x and y, recurrences along z.  (001: secs 3.4.3, 4.1.1) */
 #include "fluid/poisson/poisson.h"
 #include "base/ensure.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Real transforms of one direction by FFTW, for each pair of end conditions, and their eigenvalues. */
 #include "fluid/poisson/transform.h"
 #include "base/ensure.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Transforms two real lines at once as one complex line, for periodic, Neumann and Dirichlet ends. */
 #include "fluid/poisson/transform_pair.h"
 #include "base/memory.h"
 

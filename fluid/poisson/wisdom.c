@@ -1,3 +1,4 @@
+/* Reads FFTW's measured plans from the user's cache folder and stores new ones there. */
 #include "fluid/poisson/wisdom.h"
 #include "base/par.h"
 

@@ -1,3 +1,4 @@
+/* Draws curves of the series over time, of one run or of several. */
 #include "postproc/charts/charts.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Draws curves of crack.csv: the crack's speed, length, path and released energy. */
 #include "postproc/charts/charts.h"
 
 #include <math.h>

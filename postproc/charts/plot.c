@@ -1,3 +1,4 @@
+/* Writes a gnuplot script and runs it. */
 #include "postproc/charts/plot.h"
 #include "files/folder.h"
 

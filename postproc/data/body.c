@@ -1,3 +1,4 @@
+/* Reads the particles of a block at one time, and finds where its damage begins. */
 #include "postproc/data/body.h"
 #include "base/memory.h"
 

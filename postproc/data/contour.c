@@ -1,3 +1,4 @@
+/* Contour lines of a field on a grid, and their CSV and VTK files. */
 #include "postproc/data/contour.h"
 #include "base/memory.h"
 

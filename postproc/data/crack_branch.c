@@ -1,3 +1,4 @@
+/* Finds the branching of a crack in a damage field and the angles of its branches. */
 #include "base/memory.h"
 #include "postproc/data/crack_shape.h"
 

@@ -1,3 +1,4 @@
+/* Tips of the initial cracks, the damage level of a crack, and the chord from tip to end. */
 #include "postproc/data/crack_shape.h"
 #include "base/memory.h"
 

@@ -1,3 +1,4 @@
+/* Interpolates particle values of a plate onto a regular grid. */
 #include "postproc/data/grid.h"
 #include "base/memory.h"
 

@@ -1,3 +1,4 @@
+/* Opens a run folder: scene, series, field files, and the scales that results are divided by. */
 #include "postproc/data/history.h"
 #include "files/folder.h"
 

@@ -1,3 +1,4 @@
+/* Probability density of a sample, with its moments and tail. */
 #include "postproc/data/pdf.h"
 #include "base/memory.h"
 

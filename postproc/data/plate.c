@@ -1,3 +1,4 @@
+/* Reads a plate's particles at one time. */
 #include "postproc/data/plate.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Pressure and porosity averaged over cross sections along x. */
 #include "postproc/data/profile.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Wave speeds of an isotropic solid from modulus, Poisson's ratio and density. */
 #include "postproc/data/waves.h"
 
 #include <math.h>

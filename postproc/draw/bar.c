@@ -1,3 +1,4 @@
+/* Draws a colour bar with its ticks and labels. */
 #include "postproc/draw/bar.h"
 #include "postproc/draw/font.h"
 

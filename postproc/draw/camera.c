@@ -1,3 +1,4 @@
+/* Parallel projection of space onto a picture. */
 #include "postproc/draw/camera.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Picture in linear light with a depth buffer: background, lines, rectangles, PNG output. */
 #include "postproc/draw/canvas.h"
 #include "base/memory.h"
 #include "postproc/draw/colour.h"

@@ -1,3 +1,4 @@
+/* Colour maps, and conversion between sRGB and linear light. */
 #include "postproc/draw/colour.h"
 
 #include <math.h>

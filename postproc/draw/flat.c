@@ -1,3 +1,4 @@
+/* Draws a deformed plate as coloured squares with its damage contour. */
 #include "postproc/draw/flat.h"
 #include "base/memory.h"
 #include "postproc/draw/bar.h"

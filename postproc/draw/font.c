@@ -1,3 +1,4 @@
+/* Stroke font for text in pictures. */
 #include "postproc/draw/font.h"
 
 #include <math.h>

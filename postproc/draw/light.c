@@ -1,3 +1,4 @@
+/* Lighting of a picture: a lamp and the sky, with shadows by ray marching through voxels. */
 #include "postproc/draw/light.h"
 #include "base/memory.h"
 

@@ -1,3 +1,4 @@
+/* Draws a picture of a porous block: lit cubes, domain box, flow arrow, colour bar. */
 #include "postproc/draw/picture.h"
 #include "base/memory.h"
 #include "postproc/draw/bar.h"

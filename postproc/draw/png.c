@@ -1,3 +1,4 @@
+/* Writes a PNG file. */
 #include "postproc/draw/png.h"
 
 #include <png.h>

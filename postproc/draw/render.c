@@ -1,3 +1,4 @@
+/* Draws particles as lit cubes, and the edges of a box. */
 #include "postproc/draw/render.h"
 #include "postproc/draw/light.h"
 #include "postproc/draw/voxels.h"

@@ -1,3 +1,4 @@
+/* Sorts particles into voxels, and marches rays through them. */
 #include "postproc/draw/voxels.h"
 #include "base/memory.h"
 

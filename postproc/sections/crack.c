@@ -1,3 +1,4 @@
+/* Section of the report on a plate's crack: tips, speeds, branching, contour. */
 #include "files/folder.h"
 #include "postproc/data/contour.h"
 #include "postproc/data/crack_shape.h"

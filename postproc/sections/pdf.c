@@ -1,3 +1,4 @@
+/* Section of the report with distributions of principal stress and strain. */
 #include "base/memory.h"
 #include "files/folder.h"
 #include "postproc/data/pdf.h"

@@ -1,3 +1,4 @@
+/* Section of the report with pictures of a porous block. */
 #include "base/memory.h"
 #include "files/folder.h"
 #include "postproc/draw/picture.h"

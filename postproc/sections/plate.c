@@ -1,3 +1,4 @@
+/* Section of the report with pictures and a film of a plate. */
 #include "base/memory.h"
 #include "files/folder.h"
 #include "postproc/draw/flat.h"

@@ -1,3 +1,4 @@
+/* Section of the report with the pressure along the channel. */
 #include "files/folder.h"
 #include "postproc/data/profile.h"
 #include "postproc/sections/sections.h"

@@ -1,3 +1,4 @@
+/* Sections of the report: the run, the medium, fracture, wall time. */
 #include "postproc/sections/sections.h"
 
 #include <errno.h>

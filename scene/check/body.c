@@ -1,4 +1,4 @@
-/* Bodies: materials and names that are there and their own, curves that enclose something, a place in the domain. */
+/* Checks the scene's bodies: materials and names, closed outlines, position in the domain. */
 #include "scene/check/check.h"
 #include "scene/outline.h"
 

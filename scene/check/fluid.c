@@ -1,4 +1,4 @@
-/* Sides, driving and initial flow that fit together. */
+/* Checks that the fluid's sides, driving, initial flow and diffusion scheme fit together. */
 #include "scene/check/check.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* The tree against the schema and the rules. */
+/* Checks the scene's tree against the schema and the rules: unknown, missing and wrong keys, ranges, types. */
 #include "base/ensure.h"
 #include "scene/check/check.h"
 #include "scene/rules/walk.h"

@@ -1,4 +1,4 @@
-/* Which parts a scene has, and what fluid and solid ask of each other. */
+/* Checks which parts a scene has, its output requests, and that fluid and solid fit together. */
 #include "scene/check/check.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Checks constraints, loads, cracks, initial displacements and refinement regions: whether they reach a body. */
 /* What is imposed where: regions, edges, cracks, initial displacements and refinement that reach a body and say one
  * thing. */
 #include "scene/check/check.h"

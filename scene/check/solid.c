@@ -1,4 +1,4 @@
-/* Materials that the model can have, a lattice that goes on across periodic sides. */
+/* Checks the materials against the model, and that the lattice fits periodic sides. */
 #include "scene/check/check.h"
 
 #include <math.h>

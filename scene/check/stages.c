@@ -1,4 +1,4 @@
-/* Stages that can be told apart and run with the parts the scene has. */
+/* Checks that stages have distinct names and run with the parts the scene has. */
 #include "scene/check/check.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Table of the scene's rules: unit, default, range and place of every key. */
 #include "scene/rules/rule.h"
 #include "scene/text/node.h"
 

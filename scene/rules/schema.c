@@ -1,3 +1,4 @@
+/* libcyaml schema of the scene, except for the section solid. */
 #include "scene/rules/schema.h"
 #include "scene/rules/schema_parts.h"
 #include "scene/text/node.h"

@@ -1,4 +1,4 @@
-/* The section solid. */
+/* libcyaml schema of the scene's section solid. */
 #include "scene/rules/schema_parts.h"
 
 static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};

@@ -1,3 +1,4 @@
+/* Checks of single scene values: numbers, choices, texts. */
 #include "scene/rules/walk.h"
 #include "base/ensure.h"
 

@@ -1,4 +1,4 @@
-/* Where a key makes sense: beside which others, in which scenes, in a plate or in 3D. */
+/* Decides where a key may appear: together with which other keys, in which scenes, in a plate or in 3D. */
 #include "scene/rules/walk.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Tree of the scene's YAML: scalars, lists and mappings; creation, search and removal of nodes. */
 #include "scene/text/node.h"
 #include "base/die.h"
 

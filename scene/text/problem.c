@@ -1,3 +1,4 @@
+/* Collects the scene's mistakes as sentences with file, line, key and value, and finds the nearest word. */
 #include "scene/text/problem.h"
 #include "base/die.h"
 

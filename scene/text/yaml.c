@@ -1,3 +1,4 @@
+/* Parses YAML into the scene's tree and writes the tree as YAML. */
 #include "scene/text/yaml.h"
 #include "base/die.h"
 #include "base/ensure.h"

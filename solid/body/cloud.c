@@ -1,3 +1,4 @@
+/* Particles of a body that is not on the fast lattice: places, sizes, volumes, horizons, and a cell grid. */
 #include "solid/body/cloud.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Divides the global particle ids over the ranks by work, and finds a particle's local index. */
 #include "solid/body/number.h"
 #include "base/par.h"
 

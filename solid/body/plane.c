@@ -1,3 +1,4 @@
+/* The particles of a polygonal plate as a cloud, and the check that no two plates overlap. */
 #include "solid/body/plane.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Finds the lattice sites, cells or points that belong to a body and numbers them along a space-filling curve. */
 #include "solid/body/sites.h"
 #include "base/die.h"
 #include "base/memory.h"

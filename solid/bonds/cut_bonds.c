@@ -1,3 +1,4 @@
+/* Breaks the bonds that the initial cracks cross.  (003: ch. 3) */
 #include "solid/bonds/cut_bonds.h"
 #include "base/die.h"
 #include "base/par.h"

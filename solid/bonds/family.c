@@ -1,3 +1,4 @@
+/* One view of a particle's bonds for both bond stores: list, break, count, save and load them. */
 #include "solid/bonds/family.h"
 #include "base/ensure.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Copies displacements and velocities to other ranks' ghosts. */
 #include "solid/bonds/ghosts.h"
 #include "base/par_exchange.h"
 

@@ -1,3 +1,4 @@
+/* Fast bond store: the box of lattice sites around a rank's particles, its rows, bond bits and weights. */
 #include "solid/bonds/lattice.h"
 #include "base/ensure.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* General bond store: links the bond lists to local particles and weighs them; access to single bonds. */
 #include "solid/bonds/list.h"
 #include "base/ensure.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Builds the bond list of each particle from a cloud: finds the family, computes stiffness and limit. */
 #include "solid/bonds/list_find.h"
 #include "base/memory.h"
 #include "solid/law/weight.h"

@@ -1,3 +1,4 @@
+/* Rebuilds the bond lists near changed particles and copies the others, after a refinement. */
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "solid/bonds/list_find.h"

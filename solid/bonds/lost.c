@@ -1,3 +1,4 @@
+/* Finds the particles that have lost bonds since the last look. */
 #include "solid/bonds/lost.h"
 
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Orders a lattice's bonds into segments and strips for the force sweep, and repacks them where bonds broke. */
 #include "solid/bonds/segments.h"
 #include "base/ensure.h"
 #include "base/memory.h"

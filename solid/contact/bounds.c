@@ -1,3 +1,4 @@
+/* Bounds of the bodies' positions and displacements, and whether anything could touch within them. */
 #include "base/par.h"
 #include "solid/contact/list.h"
 

@@ -1,3 +1,4 @@
+/* Hashes points into cells and finds those near a place; periodic where the box is. */
 #include "solid/contact/cells.h"
 
 #include "base/memory.h"

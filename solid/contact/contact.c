@@ -1,3 +1,4 @@
+/* Contact's life cycle: creates it when something can touch, renews its pair lists, frees it. */
 #include "solid/contact/contact.h"
 
 #include "base/clock.h"

@@ -1,3 +1,4 @@
+/* Sends particles that may touch another rank's particles to that rank, and keeps their positions current. */
 #include "solid/contact/crossing.h"
 
 #include "base/memory.h"

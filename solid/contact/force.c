@@ -1,3 +1,4 @@
+/* Short-range repulsion of the listed pairs: accelerations and potential energy.  (001: eq. 3.40) */
 #include "base/clock.h"
 #include "base/par.h"
 #include "solid/contact/contact.h"

@@ -1,3 +1,4 @@
+/* Contact's pair lists and record of torn bonds as part of a state kept in memory. */
 #include "solid/contact/keep.h"
 
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Upper bound of the largest eigenvalue of the contacts' stiffness over mass, for the stable step. */
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Finds near pairs of particles that never shared a bond, also pairs on different ranks. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"

@@ -1,3 +1,4 @@
+/* Records particle pairs whose bond broke, and lists those near enough to touch. */
 #include "base/memory.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"

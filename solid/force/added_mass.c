@@ -1,3 +1,4 @@
+/* Added mass of wetted faces as part of a particle's mass, face by face with the Sherman-Morrison formula. */
 #include "solid/force/added_mass.h"
 #include "solid/state.h"
 

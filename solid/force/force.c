@@ -1,3 +1,4 @@
+/* Assembles the accelerations: bonds, contact, loads, damping, added mass, constraints. */
 #include "solid/force/force.h"
 #include "base/par_exchange.h"
 #include "base/vec.h"

@@ -1,3 +1,4 @@
+/* Bond forces of one segment of eight lattice sites: the kernels in their compiled variants. */
 #include "solid/force/segment.h"
 #include "base/vec.h"
 #include "solid/force/series.h"

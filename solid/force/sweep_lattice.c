@@ -1,3 +1,4 @@
+/* Sweeps the bonds of a lattice body: fills the boxes, computes the segments' forces, breaks bonds. */
 #include "base/vec.h"
 #include "solid/bonds/family.h"
 #include "solid/force/segment.h"

@@ -1,3 +1,4 @@
+/* Sweeps the bonds of a body with bond lists: one kernel per dimension, series and damping; breaks bonds. */
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 

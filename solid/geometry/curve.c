@@ -1,3 +1,4 @@
+/* Position of a lattice brick along the Hilbert curve, the key by which particles are numbered. */
 #include "solid/geometry/curve.h"
 
 /* Skilling (2004), Programming the Hilbert curve: undo the excess rotations from the top bit down, then Gray-encode;

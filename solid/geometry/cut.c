@@ -1,3 +1,4 @@
+/* Checks an initial crack's geometry, and tests exactly whether a bond crosses it. */
 #include "solid/geometry/cut.h"
 #include "base/die.h"
 #include "base/memory.h"

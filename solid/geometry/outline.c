@@ -1,3 +1,4 @@
+/* Area, bounds and point membership of a plate's outline, and the length of a crack inside it. */
 #include "solid/geometry/outline.h"
 #include "base/memory.h"
 #include "solid/geometry/outline_edge.h"

@@ -1,3 +1,4 @@
+/* Cuts a plate's outline into lattice cells and finds each particle's area by Green's theorem. */
 #include "base/die.h"
 #include "base/memory.h"
 #include "solid/geometry/outline.h"

@@ -1,3 +1,4 @@
+/* One edge of an outline, straight or an arc: points, parts, monotone pieces, distance, length, area integral. */
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>

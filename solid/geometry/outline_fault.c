@@ -1,3 +1,4 @@
+/* Checks that the outlines bound a plate: closed curves that do not touch, pieces and holes nested in turn. */
 #include "base/memory.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"

@@ -1,3 +1,4 @@
+/* Shares the boundary between two points of an outline out to the particles next to it. */
 #include "base/memory.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"

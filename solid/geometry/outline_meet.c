@@ -1,3 +1,4 @@
+/* Points that two edges of outlines have in common. */
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>

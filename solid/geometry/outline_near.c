@@ -1,3 +1,4 @@
+/* The particles nearest to a cell that has no particle. */
 #include "solid/geometry/outline_near.h"
 
 int solid_outline_near(const struct solid_outline_cells *cells, int i, int j, int reach, int only_inside,

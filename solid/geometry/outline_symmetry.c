@@ -1,3 +1,4 @@
+/* Makes the areas and edge lengths of mirror-image particles equal to the bit. */
 #include "solid/geometry/outline.h"
 
 #include <math.h>

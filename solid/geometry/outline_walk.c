@@ -1,3 +1,4 @@
+/* Walks along a monotone piece of an edge from lattice cell to lattice cell. */
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Turns a traction on a plate's edge into forces on the particles of the outer layer or of a horizon's depth. */
 #include "solid/imposed/edge_load.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* The input's loads over time, as forces per unit volume on their particles. */
 #include "solid/imposed/given.h"
 #include "base/die.h"
 #include "base/memory.h"

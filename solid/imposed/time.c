@@ -1,3 +1,4 @@
+/* Piecewise linear factor of time: value, mean over an interval, copy. */
 #include "solid/imposed/time.h"
 #include "base/memory.h"
 

@@ -1,3 +1,4 @@
+/* Micromodulus and critical stretch from a material's constants.  (001: eqs 3.21, 3.28; 000: eqs 9, 10, 16, 17) */
 #include "solid/law/material.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Stiffness, breaking limit and partial volume of one bond from its two ends.  (000: sec. 1.2.5) */
 #include "solid/law/pair.h"
 #include "solid/law/material.h"
 #include "solid/law/weight.h"

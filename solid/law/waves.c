@@ -1,3 +1,4 @@
+/* Longitudinal, shear and Rayleigh wave speeds of a material. */
 #include "solid/law/waves.h"
 
 #include <math.h>

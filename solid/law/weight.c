@@ -1,3 +1,4 @@
+/* Partial volumes of cubic cells in the horizon's sphere, and a lattice family's stencil.  (001: sec. 3.3.5) */
 #include "solid/law/weight.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Partial areas: part of a square cell inside the horizon's disc, in closed form.  (000: eq. 22) */
 #include "solid/law/weight_plane.h"
 
 #include <math.h>

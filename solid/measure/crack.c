@@ -1,3 +1,4 @@
+/* Reads tips and fronts of a plate's crack from the damaged particles.  (000: sec. 3.1) */
 #include "solid/measure/crack.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Follows a crack's tips in time: speed over a window and length of all branches.  (000: eq. 41) */
 #include "solid/measure/crack_track.h"
 #include "base/memory.h"
 

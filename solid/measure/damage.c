@@ -1,3 +1,4 @@
+/* Damage of each particle: the broken part of its family's volume. */
 #include "solid/bonds/list.h"
 #include "solid/bonds/rows.h"
 #include "solid/measure/damage.h"

@@ -1,3 +1,4 @@
+/* Strain and kinetic energy; energy and largest stretch of each particle's bonds.  (001: eq. 3.23) */
 #include "base/par.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"

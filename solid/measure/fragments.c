@@ -1,3 +1,4 @@
+/* Finds the fragments: connected components of intact bonds over all ranks, with mass, centre and velocity. */
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Stress from the flux of bond forces and strain by least squares over the family.  (Lehoucq and Silling 2008) */
 #include "solid/bonds/family.h"
 #include "solid/bonds/rows.h"
 #include "solid/measure/stress.h"

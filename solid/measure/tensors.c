@@ -1,3 +1,4 @@
+/* Eigenvalues, pseudo-inverse, principal values and von Mises of symmetric tensors, eight at a time. */
 #include "solid/measure/tensors.h"
 
 #include <math.h>

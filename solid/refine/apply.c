@@ -1,4 +1,4 @@
-/* The solid with other particles: numbers, what they carry, bonds. */
+/* Carries out a refinement: renumbers the particles, moves their state and renews their bonds. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"

@@ -1,3 +1,4 @@
+/* Areas and edge lengths of a plate's particles of different levels.  (000: eq. 38) */
 #include "solid/refine/area.h"
 #include "base/memory.h"
 #include "solid/geometry/outline.h"

@@ -1,4 +1,4 @@
-/* Where a new particle takes its place and motion from.  (000: eq. 37, sec. 2.1.3) */
+/* Interpolates displacement and velocity of a new particle from its neighbours.  (000: eq. 37, sec. 2.1.3) */
 #include "solid/refine/plan.h"
 
 /* A new particle's value from the eight places about it of the coarser lattice: midway between two it is their mean; in

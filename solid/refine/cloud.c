@@ -1,4 +1,4 @@
-/* The cloud that a plan makes. */
+/* Makes a body's cloud from a refinement plan, and assigns the new particles to ranks. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/refine/parts.h"

@@ -1,4 +1,4 @@
-/* What is to be refined.  (000: sec. 2.1.1) */
+/* Marks the particles that the energy and damage triggers select for refinement.  (000: sec. 2.1.1) */
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/force/sweep_family.h"

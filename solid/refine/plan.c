@@ -1,3 +1,4 @@
+/* Plans a refinement: new particles, their levels, and which neighbours must be refined too.  (000: sec. 2.1.2) */
 #include "solid/refine/plan.h"
 #include "base/memory.h"
 #include "solid/geometry/outline.h"

@@ -1,4 +1,4 @@
-/* How fast finer particles can move. */
+/* Bounds of the largest stiffness over mass of a refined plate, for the stable step. */
 #include "base/par.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/store.h"

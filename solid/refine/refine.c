@@ -1,3 +1,4 @@
+/* Refinement of plates: plans it from marked particles or start regions, and has the plans carried out. */
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"

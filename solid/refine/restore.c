@@ -1,4 +1,4 @@
-/* The particles of a checkpoint. */
+/* Stores a refined body's particles in a checkpoint, and restores the solid to them. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"

@@ -1,3 +1,4 @@
+/* New bonds inherit breaks: a bond is broken if one between its ends' parents was. */
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Advances the solid by substeps with the stage's integrator, and checks it for NaN and too large speeds. */
 #include "solid/step/integrate.h"
 #include "base/clock.h"
 #include "base/par.h"

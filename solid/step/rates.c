@@ -1,3 +1,4 @@
+/* Largest eigenvalues of stiffness and damping over mass by Lanczos's iteration, for the stable step. */
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+/* Adaptive dynamic relaxation to static equilibrium.  (Underwood 1983; Kilic and Madenci 2010) */
 #include "base/clock.h"
 #include "base/par.h"
 #include "solid/bonds/ghosts.h"

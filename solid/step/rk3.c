@@ -1,3 +1,4 @@
+/* Low-storage third-order Runge-Kutta substep of the solid.  (001: eqs 3.47-3.48) */
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"

@@ -1,3 +1,4 @@
+/* Stable step of either integrator from the largest rates of stiffness, damping and contact. */
 #include "solid/step/stable.h"
 #include "solid/contact/contact.h"
 #include "solid/step/integrate.h"

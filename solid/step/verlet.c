@@ -1,3 +1,4 @@
+/* Velocity Verlet substep of the solid with one force sweep, and the reuse of its last acceleration. */
 #include "base/par.h"
 #include "base/vec.h"
 #include "solid/bonds/ghosts.h"

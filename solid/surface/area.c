@@ -1,3 +1,4 @@
+/* Wetted area of each interface particle.  (001: sec. 3.5.4) */
 #include "solid/surface/area.h"
 
 #include "base/par.h"

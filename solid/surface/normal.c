@@ -1,3 +1,4 @@
+/* Outward normal of an interface particle from its intact bonds.  (001: eq. 3.46) */
 #include "solid/surface/normal.h"
 #include "solid/surface/surface.h"
 

@@ -1,3 +1,4 @@
+/* Tests which of six cones about a particle are void.  (001: sec. 3.3.7) */
 #include "solid/surface/sector.h"
 #include "solid/bonds/lattice.h"
 

@@ -1,3 +1,4 @@
+/* Depth and normal of interface particles by the shape they were cut from, turned along with the deformation. */
 #include "solid/surface/shaped.h"
 #include "base/memory.h"
 #include "solid/geometry/piece.h"

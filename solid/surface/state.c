@@ -1,3 +1,4 @@
+/* The surface's normals as stored in a checkpoint and in a kept state. */
 #include "solid/surface/state.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,3 +1,4 @@
+/* Finds the interface between solid and void and keeps it current: members, normals, areas.  (001: sec. 3.3.7) */
 #include "solid/surface/surface.h"
 
 #include "base/clock.h"

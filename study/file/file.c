@@ -1,3 +1,4 @@
+/* Reads a study's file. */
 #include "study/file/file.h"
 #include "base/die.h"
 #include "scene/text/yaml.h"

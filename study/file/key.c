@@ -1,3 +1,4 @@
+/* Reads keys of a mapping in a study's file by type and reports what is wrong with them. */
 #include "study/file/key.h"
 
 #include <math.h>

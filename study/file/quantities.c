@@ -1,4 +1,4 @@
-/* What a study measures, and what it is held against. */
+/* Reads the quantities and references of a study's file. */
 #include "study/file/key.h"
 #include "study/file/parts.h"
 

@@ -1,3 +1,4 @@
+/* Reads values to set in the scene from a study's file, as --set arguments. */
 #include "study/file/parts.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Methods and levels of a study: a list of them, or the product of several lists. */
+/* Reads the methods and levels of a study's file: a list, or the product of several lists. */
 #include "study/file/key.h"
 #include "study/file/parts.h"
 

@@ -1,4 +1,4 @@
-/* What a user can act on: the cheapest setting for each round error, in one sentence. */
+/* Writes one sentence for the user: the cheapest setting for each error. */
 #include "study/report/report.h"
 #include "study/result/iso.h"
 

@@ -1,4 +1,4 @@
-/* The plots of a study. */
+/* Plots error against run time. */
 #include "postproc/charts/plot.h"
 #include "study/report/report.h"
 

@@ -1,4 +1,4 @@
-/* NAME.csv: a row a method, level and quantity. */
+/* Writes NAME.csv: one row for each method, level and quantity. */
 #include "files/aside.h"
 #include "files/folder.h"
 #include "study/report/report.h"

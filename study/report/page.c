@@ -1,4 +1,4 @@
-/* NAME.md: tables, and run times at equal error in words. */
+/* Writes NAME.md: tables, fits, and run times at equal error. */
 #include "files/aside.h"
 #include "files/folder.h"
 #include "study/report/report.h"

@@ -1,3 +1,4 @@
+/* Names, machine description and status texts that the CSV file and the page share. */
 #include "study/report/report.h"
 #include "base/libraries.h"
 #include "base/machine.h"

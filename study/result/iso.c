@@ -1,3 +1,4 @@
+/* Run time at a given error, by interpolation between levels. */
 #include "study/result/iso.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Observed order of convergence, from two levels or by a fit over all. */
 #include "study/result/order.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Computes errors, orders and times from the runs of a study. */
 #include "study/result/result.h"
 #include "study/result/order.h"
 #include "study/result/statistic.h"

@@ -1,3 +1,4 @@
+/* Richardson extrapolation from two or three levels, with the grid convergence index.  (Roache 1994) */
 #include "study/result/richardson.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Sorting and quantiles. */
 #include "study/result/statistic.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Runs another program and waits for it or for a signal. */
 #include "study/runs/child.h"
 
 #include <errno.h>

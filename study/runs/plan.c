@@ -1,3 +1,4 @@
+/* Lists the runs of a study, with their scenes and folders, and finds those that exist already. */
 #include "study/runs/plan.h"
 #include "base/die.h"
 #include "files/folder.h"

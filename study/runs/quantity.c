@@ -1,3 +1,4 @@
+/* Reads a measured quantity from a run folder: from the series, a file, or a command's output. */
 #include "study/runs/quantity.h"
 #include "files/folder.h"
 #include "files/table.h"

@@ -1,3 +1,4 @@
+/* Starts the missing runs of a study one after another and measures their quantities. */
 #include "study/runs/runs.h"
 #include "base/die.h"
 #include "files/folder.h"

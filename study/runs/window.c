@@ -1,3 +1,4 @@
+/* Reduces a sampled curve within a time window to its last, largest, least or mean value, or a time. */
 #include "study/runs/window.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* A signal that one rank gets stops all; so do the limits of time. */
+/* A signal on one rank, --max-wall and the batch limit stop all ranks. */
 #include "base/par.h"
 #include "base/signals.h"
 

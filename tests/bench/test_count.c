@@ -1,4 +1,4 @@
-/* What is counted is what is sent: exchanges, halos, ghosts and reductions that are known by hand. */
+/* Counted messages and bytes equal those of exchanges known by hand. */
 #include "base/par.h"
 #include "base/par_count.h"
 #include "base/par_exchange.h"

@@ -1,4 +1,4 @@
-/* The measuring itself: medians, and times that are known. */
+/* Medians, and measured times of calls whose duration is known. */
 #include "base/clock.h"
 #include "base/par.h"
 #include "bench/limits.h"

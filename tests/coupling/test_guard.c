@@ -1,4 +1,4 @@
-/* The state kept in memory: the same steps from it are the same to the bit, whatever has been in between. */
+/* Steps repeated from a state kept in memory are the same to the bit. */
 #include "coupling/forcing_guess.h"
 #include "coupling/guard.h"
 #include "coupling/run.h"

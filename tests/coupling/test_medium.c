@@ -1,4 +1,4 @@
-/* Deposition, porosity and connected porosity, against serial brute force that every rank does for itself. */
+/* Deposition, porosity and connected porosity against a serial brute-force computation. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/medium/medium.h"

@@ -1,4 +1,4 @@
-/* Pressure drop, permeability and tortuosity of flows whose answers are known. */
+/* Pressure drop, permeability and tortuosity of flows with known solutions. */
 #include "base/par.h"
 #include "coupling/medium/medium.h"
 

@@ -1,4 +1,4 @@
-/* Deposition of one box and flooding of one rank's cells, against hand-made answers. */
+/* Deposition of one cube and flood fill of one rank against results worked by hand. */
 #include "base/par.h"
 #include "coupling/medium/kernels.h"
 

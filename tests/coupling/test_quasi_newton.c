@@ -1,4 +1,4 @@
-/* Roots of maps that plain iteration runs away from, on vectors spread unevenly over the ranks. */
+/* Fixed points of maps for which plain iteration diverges, on unevenly divided vectors. */
 #include "base/par.h"
 #include "coupling/quasi_newton.h"
 

@@ -1,4 +1,4 @@
-/* A plate's scene as the solid's input, point files, and the plates that bound no body. */
+/* Translation of a scene into the solid's input; plates and point files that are refused. */
 #include "base/die.h"
 #include "base/par.h"
 #include "coupling/setup/setup.h"

@@ -1,3 +1,4 @@
+/* Coupled step: no force on a body that moves with the flow, momentum balance, parts of a stage. */
 /* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together
  * from what the stage needs. */
 #include "ball.h"

@@ -1,3 +1,4 @@
+/* Strongly coupled step: one answer for every relaxation, no iterations where none are needed. */
 /* The iterated step: its answer does not depend on how it is found, a body that moves with the flow needs no
  * iterations, and steps that do not converge are counted. */
 #include "ball.h"

@@ -1,4 +1,4 @@
-/* The run folder itself, and run.json's writer. */
+/* Run folder and run.json: made, cleared, and written as JSON's grammar asks. */
 #include "files/json.h"
 #include "tests/files/files.h"
 

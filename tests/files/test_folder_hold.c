@@ -1,3 +1,4 @@
+/* Only one run at a time holds a folder, with the system's file locks and without them. */
 /* One run at a time in a folder, by the system's locks and without them. The linker turns die_all and fcntl to this
  * file: a refusal comes back, and locks can be made to be missing. */
 #include "base/die.h"

@@ -1,4 +1,4 @@
-/* What goes to the screen, with and without a terminal, and what to run.log. */
+/* Log lines and progress bar, with and without a terminal. */
 #include "files/log.h"
 #include "tests/files/files.h"
 

@@ -1,4 +1,4 @@
-/* Checkpoints that are not as they were written: every changed bit is told, and where it is. */
+/* Every changed bit of a checkpoint is detected, and the damaged array is named. */
 #include "files/seal.h"
 #include "files/store.h"
 #include "tests/files/files.h"

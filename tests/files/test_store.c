@@ -1,4 +1,4 @@
-/* Checkpoints: written by one division of the arrays, read by another. */
+/* Checkpoints written on one division of the arrays are read on any other. */
 #include "files/seal.h"
 #include "files/store.h"
 #include "tests/files/files.h"

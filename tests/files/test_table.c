@@ -1,4 +1,4 @@
-/* The series: what is written, what a resume cuts away, what is read back. */
+/* The series table: rows as written, cut back on resume, read back. */
 #include "files/table.h"
 #include "tests/files/files.h"
 

@@ -1,4 +1,4 @@
-/* Fields written by all ranks and read back by one. */
+/* VTKHDF files written by all ranks are read back by one. */
 #include "base/memory.h"
 #include "files/vtkhdf.h"
 #include "tests/files/files.h"

@@ -1,3 +1,4 @@
+/* Implicit diffusion: Helmholtz solutions, exact steady flows, order in time, large steps. */
 /* Implicit diffusion: Helmholtz's equation for every pair of conditions, flows that it must hold exactly, its order in
  * time, and that no step is too large for it. */
 #include "fluid/poisson/poisson.h"

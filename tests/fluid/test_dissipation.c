@@ -1,4 +1,4 @@
-/* What the kinetic energy loses is what fluid_dissipation says: convection and pressure do no work. */
+/* The loss of kinetic energy equals fluid_dissipation: convection and pressure do no work. */
 #include "fluid_case.h"
 
 static void fill(struct fluid *f) {

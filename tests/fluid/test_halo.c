@@ -1,4 +1,4 @@
-/* par_halo: every ghost is the periodic image of its owner, and the adding is the filling's adjoint. */
+/* Halo exchange: each ghost is its owner's image, and adding back is the adjoint of filling. */
 #include "base/par_halo.h"
 #include "fluid_case.h"
 

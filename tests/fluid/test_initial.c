@@ -1,4 +1,4 @@
-/* Taylor and Green's vortices as a run starts from them: their values on the faces, without divergence on any cells. */
+/* Initial Taylor-Green vortices: their values on the faces, and zero discrete divergence. */
 #include "fluid_case.h"
 
 static struct fluid_input box(const int n[3], const double length[3]) {

@@ -1,4 +1,4 @@
-/* The momentum of the box, what changes it, and what the checks of a state see. */
+/* The box's force equals the change of its momentum; stability limits; detection of NaN. */
 #include "base/step_status.h"
 #include "fluid_case.h"
 

@@ -1,4 +1,4 @@
-/* The convective outflow: mass to round-off at every step, vortices leave, and either end of any direction will do. */
+/* Convective outflow: mass conserved at every step, vortices leave, all directions alike. */
 #include "fluid_case.h"
 
 /* A uniform stream, or a developing one between walls, along any direction, forwards or backwards. */

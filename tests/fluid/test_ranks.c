@@ -1,3 +1,4 @@
+/* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare. */
 /* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare.  Two fluids live side by
  * side. */
 #include "fluid_case.h"

@@ -1,4 +1,4 @@
-/* Ghosts near a box: equal to the full refresh inside it, untouched on sides that the box does not reach. */
+/* Partial ghost refresh near a box: equal to the full one inside, nothing touched beyond its reach. */
 #include "fluid_case.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Momentum stage against its formula written out face by face, for every memory layout of the kernel. */
 /* The momentum equation's stage against its formula written out face by face, in arrays of its own and in place, on a
  * plane of one block of rows and of several, of whole and broken eights, small and large enough to be streamed. */
 #include "base/memory.h"

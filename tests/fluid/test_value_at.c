@@ -1,4 +1,4 @@
-/* A flow that is linear in x, y, z is read exactly anywhere, and by one rank. */
+/* A velocity field linear in x, y and z is interpolated exactly, by one rank. */
 #include "fluid_case.h"
 
 static double linear(int q, const double x[3]) { return q + 1 + 2 * x[0] - 3 * x[1] + (q + 0.5) * x[2]; }

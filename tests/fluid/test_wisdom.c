@@ -1,3 +1,4 @@
+/* FFTW's plans in the cache folder: read before planning, written after it, none without a folder. */
 /* Wisdom kept in a cache folder: written after planning, read before it, on all ranks; without a folder nothing
  * happens. */
 #include "fluid/poisson/transform.h"

@@ -1,3 +1,4 @@
+/* Fuzz target: a changed checkpoint must be detected, an unchanged one must be read. */
 /* A checkpoint that is not as it was written. The first byte chooses a scene and how the others are meant: as the file
  * itself, as the place where a good file ends, or as bits turned over in it, three bytes of place and one of bits each.
  * Every change must be told, and what is unchanged must be read. */

@@ -1,4 +1,4 @@
-/* A point file, of a plate and of a body in space. */
+/* Fuzz target: a point file of a plate and of a body in space. */
 #include "coupling/setup/parts.h"
 #include "scene/scene.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,4 +1,4 @@
-/* A study's text. */
+/* Fuzz target: a study's file. */
 #include "study/file/file.h"
 #include "tests/fuzz/fuzz.h"
 

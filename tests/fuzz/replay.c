@@ -1,4 +1,4 @@
-/* Gives every file of the named folders to the target, in place of libFuzzer. */
+/* Runs a fuzz target on every file of the given folders, in place of libFuzzer. */
 #include "tests/fuzz/fuzz.h"
 
 #include <dirent.h>

@@ -1,3 +1,4 @@
+/* Times the parts of forcing and probe in a scene whose particles all move. */
 /* Time of the forcing and the probe by part, in the steps of a scene whose particles are all on the move:
  *     bench_forcing SCENE.yaml [stage, from 0]
  * Medians of the slowest rank, and in brackets of the fastest, ms: what lies between is the load that ranks do not

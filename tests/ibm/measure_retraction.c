@@ -1,3 +1,4 @@
+/* Measures the tables of docs/retraction.md: how far inside the wetted face a marker must stand. */
 /* measure_retraction [largest mesh, default 48 [smallest, default 24]]: the tables of docs/retraction.md, as Markdown.
  * Minutes on one core. */
 #include "flows.h"

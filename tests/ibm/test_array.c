@@ -1,3 +1,4 @@
+/* Permeability of a cubic array of spheres against Zick and Homsy (1982). */
 /* Permeability of a simple cubic array of spheres as bodies are made here: markers at the outer layer of a lattice,
  * with the frozen retraction. k / L^2 = 0.0398542 at a solid fraction of 1/8 (Zick and Homsy 1982: K = 4.292). */
 #include "flows.h"

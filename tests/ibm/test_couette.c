@@ -1,3 +1,4 @@
+/* Taylor-Couette flow between immersed cylinders: torque and velocity against the exact solution. */
 /* Taylor-Couette flow with both cylinders immersed, R2 = 2 R1, the inner one turning: u = A r + B/r between them, A =
  * -Omega/3, B = 4 Omega R1^2/3, and a torque of 4 pi mu Omega R1^2/(1 - 1/4) = 16.755161 mu Omega R1^2 a length.
  * Markers stand as deep in the material as a plane asks for, (1/2 + 2 phi(t-1) phi(t+1))/2 cells in the mean over

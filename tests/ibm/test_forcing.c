@@ -1,4 +1,4 @@
-/* Markers and forcing, against plain sums over the whole grid and all markers that every rank makes for itself. */
+/* Markers and forcing against plain sums over the whole grid. */
 #include "base/par.h"
 #include "bodies.h"
 

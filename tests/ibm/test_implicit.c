@@ -1,3 +1,4 @@
+/* Implicit forcing: one steady flow for every step, the explicit scheme's; momentum; moving bodies. */
 /* Forcing with implicit diffusion: one steady flow for every step and number of ranks, the explicit scheme's; momentum;
  * bodies that move, sides with conditions. */
 #include "base/step_status.h"

@@ -1,4 +1,4 @@
-/* Roma's kernel and the sweeps built from it. */
+/* Roma's kernel: moments, known values, and the sweeps built from its weights. */
 #include "base/par.h"
 #include "ibm/ibm.h"
 #include "ibm/kernel.h"

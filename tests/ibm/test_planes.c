@@ -1,3 +1,4 @@
+/* Effective position of a plane wall of markers against its offset from the grid. */
 /* Where the flow feels a plane wall of markers, against the offset from the grid.
  * A force spread over three cells bends the profile there: u_i - U = s sum_j phi_j |i - j| on both sides, and the
  * markers' own velocity is the mean of u with the same weights. So the far profile reaches the wall's velocity e =

@@ -1,4 +1,4 @@
-/* The normal probe on fields that are known, at any angle and offset. */
+/* Normal probe on known fields: exact where it must be, observed order elsewhere. */
 #include "base/par.h"
 #include "bodies.h"
 

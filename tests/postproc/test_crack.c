@@ -1,4 +1,4 @@
-/* Waves, grids, contours and the shapes of cracks that are known beforehand. */
+/* Wave speeds, grids, contours and crack shapes against known answers. */
 #include "base/par.h"
 #include "postproc/data/contour.h"
 #include "postproc/data/crack_shape.h"

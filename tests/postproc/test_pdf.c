@@ -1,3 +1,4 @@
+/* Probability densities of samples with known laws: bins, moments, tails, degenerate samples. */
 #include "base/par.h"
 #include "postproc/data/pdf.h"
 

@@ -1,4 +1,4 @@
-/* frana post on the run of a plate. */
+/* frana post on a made-up run of a plate. */
 #include "base/die.h"
 #include "base/par.h"
 #include "postproc/data/plate.h"

@@ -1,4 +1,4 @@
-/* frana post as a whole, on run folders made up for it. */
+/* frana post on made-up run folders: whole, incomplete, damaged, several at once. */
 #include "base/die.h"
 #include "base/par.h"
 #include "postproc/data/body.h"

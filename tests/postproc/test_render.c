@@ -1,3 +1,4 @@
+/* Rendering: silhouettes, hidden faces, shading, colours, text and the PNG file. */
 #include "base/par.h"
 #include "postproc/draw/colour.h"
 #include "postproc/draw/font.h"

@@ -1,3 +1,4 @@
+/* Reads every finished file of a run folder and names the damaged ones. */
 /* Reads every finished file of a run folder from end to end: whatever happened to the run, none may be damaged. Says
  * which are. usage: look RUNDIR */
 #include "base/par.h"

@@ -1,4 +1,4 @@
-/* What is read, what is filled in, and what --set changes. */
+/* A scene's values are read, defaults are filled in, and --set changes them. */
 #include "base/par.h"
 #include "scene/outline.h"
 #include "scene_sample.h"

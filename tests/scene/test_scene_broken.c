@@ -1,4 +1,4 @@
-/* Each mistake gives its own one line; a scene full of them gives all of them. */
+/* Each mistake in a scene is reported in its own line, and all of them at once. */
 #include "base/par.h"
 #include "scene_sample.h"
 

@@ -1,4 +1,4 @@
-/* Schema, rules and the reference in docs/scene.md name the same keys, units, defaults and ranges. */
+/* Schema, rules and docs/scene.md name the same keys, units, defaults and ranges. */
 #include "base/par.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"

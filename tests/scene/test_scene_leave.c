@@ -1,4 +1,4 @@
-/* A program that asks for a scene and says what it got: run on several ranks by scene_leave.sh. */
+/* Loads a scene and reports its number of stages; scene_leave.sh runs it on several ranks. */
 #include "base/par.h"
 #include "scene/scene.h"
 

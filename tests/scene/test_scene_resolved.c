@@ -1,4 +1,4 @@
-/* The resolved scene says the same. */
+/* The resolved scene reads back as the same scene. */
 #include "base/par.h"
 #include "scene_sample.h"
 

@@ -1,4 +1,4 @@
-/* Added mass: one face, two opposite faces, and the energy that goes into it. */
+/* Added mass of one face and of two opposite faces, and the energy that goes into it. */
 #include "base/par.h"
 #include "solid/force/added_mass.h"
 #include "solid/force/force.h"

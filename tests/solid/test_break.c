@@ -1,4 +1,4 @@
-/* Bonds that break, and those that must not. */
+/* Bonds break at the critical stretch from both ends, and unbreakable ones do not. */
 #include "make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"

@@ -1,3 +1,4 @@
+/* Bonds from their two ends: partial areas, material constants, family sums, unequal horizons. */
 /* Bonds made of what stands at their ends: partial areas, constants of materials, sums over lattices, pairs of
  * different horizons. */
 #include "make.h"

@@ -1,4 +1,4 @@
-/* Repulsion of particles that no bond joins. */
+/* Contact: repulsion between unbonded particles against brute force, and its energy. */
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/law/material.h"

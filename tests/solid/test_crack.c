@@ -1,4 +1,4 @@
-/* Tips, fronts, speed and length of cracks that are known beforehand. */
+/* Tips, fronts, speed and length of made-up cracks. */
 #include "base/memory.h"
 #include "solid/measure/crack.h"
 #include "solid/measure/crack_track.h"

@@ -1,4 +1,4 @@
-/* Cracks that cut bonds: through tips, along rows and between them; in space; how much of one lies in a plate. */
+/* Which bonds initial cracks cut, in a plate and in space, and the length of a crack inside a plate. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "outline_shapes.h"

@@ -1,4 +1,4 @@
-/* Damping takes energy, and the budget closes with load, driven layers, damping and fracture in it. */
+/* Damping takes energy, and the energy budget closes with all sources and sinks. */
 #include "make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"

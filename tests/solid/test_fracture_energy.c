@@ -1,4 +1,4 @@
-/* What a cleaved block gives up is, a unit of area, what its bonds hold at the critical stretch.  (001: eq. 3.26) */
+/* Energy released by a cleaved block per area against the bonds' sum.  (001: eq. 3.26) */
 #include "make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"

@@ -1,4 +1,4 @@
-/* Connected components of intact bonds. */
+/* Fragments of a broken body: sizes, masses, centres, velocities. */
 #include "solid/measure/fragments.h"
 #include "solid/solid.h"
 #include "test_surface_bodies.h"

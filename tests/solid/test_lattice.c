@@ -1,4 +1,4 @@
-/* What the lattice's family adds up to. */
+/* Sums over a lattice's family: constants, horizon depth, surface correction, bond counts. */
 #include "make.h"
 #include "solid/law/material.h"
 #include "solid/solid.h"

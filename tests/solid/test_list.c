@@ -1,4 +1,4 @@
-/* Lists of bonds: the sweep against bonds one by one, both ends of a bond, memory. */
+/* Bond lists: the sweep against single bonds, both ends of a bond, memory. */
 #include "make.h"
 
 #include "base/memory.h"

@@ -1,4 +1,4 @@
-/* Energies, damage, stress, strain and their invariants. */
+/* Energies, damage, stress, strain and tensor invariants of known states. */
 #include "solid/bonds/ghosts.h"
 #include "solid/law/material.h"
 #include "solid/measure/damage.h"

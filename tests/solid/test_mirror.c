@@ -1,3 +1,4 @@
+/* A mirror-symmetric plate stays symmetric to the bit while it is loaded and breaks. */
 /* A mirror-symmetric plate stays mirror-symmetric to the bit while it is loaded and breaks, on one rank and wherever it
  * lies. */
 #include "make_plate.h"

@@ -1,4 +1,4 @@
-/* What a free body keeps. */
+/* A free body conserves momentum and energy. */
 #include "base/step_status.h"
 #include "make.h"
 #include "solid/bonds/ghosts.h"

@@ -1,4 +1,4 @@
-/* Plates: validity, areas in squares, the particles they are cut into. */
+/* Outlines of plates: validity, areas in squares, cells and particles. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "outline_shapes.h"

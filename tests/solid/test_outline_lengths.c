@@ -1,4 +1,4 @@
-/* Boundary shared out to particles: edges on and between lattice lines, arcs, what is no boundary. */
+/* Boundary lengths shared out to particles: on and between lattice lines, along arcs. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "outline_shapes.h"

@@ -1,4 +1,4 @@
-/* Fields for which the bonds' force is known exactly. */
+/* Bond forces of fields for which they are known exactly: affine, quadratic, rotated. */
 #include "make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"

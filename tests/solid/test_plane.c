@@ -1,3 +1,4 @@
+/* Bond lists of a plate of unequal points: mirror symmetry to the bit, both ends, ranks, renewal. */
 /* Lists of a plate: points of unequal size and horizon, mirror images to the bit, both ends of a bond, ranks, and a
  * body that changes. */
 #include "make.h"

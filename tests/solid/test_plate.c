@@ -1,4 +1,4 @@
-/* A plate in motion: what it keeps, what it is given, and where its energy goes. Regular and irregular. */
+/* A plate in motion: conservation, loads, driven layers, energy, regular and irregular points. */
 #include "base/memory.h"
 #include "make_plate.h"
 #include "solid/bonds/ghosts.h"

@@ -1,3 +1,4 @@
+/* Cracks of a plate: initial cuts, released energy, contact of the faces, stress and strain. */
 /* Cracks of a plate: initial ones, what a straight one releases, contact of its lips, stress and strain on the way
  * there. */
 #include "make_plate.h"

@@ -1,4 +1,4 @@
-/* Bodies of points on no lattice, shapes, several bodies. */
+/* Bodies of points on no lattice, and several bodies. */
 #include "make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"

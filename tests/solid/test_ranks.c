@@ -1,3 +1,4 @@
+/* The same motion on any number of ranks and with either bond store. */
 /* The same motion on any number of ranks and in either store: a body that is loaded, damped, driven and breaks. One
  * rank leaves what it found in a file; more ranks compare with it. */
 #include "make.h"

@@ -1,4 +1,4 @@
-/* Where refined particles stand, what area, load and motion they get, and what a refinement leaves as it was. */
+/* Refinement: places, areas, loads and motion of new particles, and what stays unchanged. */
 #include "make_plate.h"
 #include "solid/body/cloud.h"
 #include "solid/bonds/family.h"

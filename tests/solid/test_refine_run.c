@@ -1,4 +1,4 @@
-/* Plates that are refined while they move and break: symmetry, ranks, checkpoints, energies, the stable step. */
+/* Plates refined while they move and break: symmetry, ranks, checkpoints, energy, stable step. */
 #include "make_plate.h"
 #include "solid/body/cloud.h"
 #include "solid/bonds/ghosts.h"

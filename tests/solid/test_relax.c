@@ -1,4 +1,4 @@
-/* Static equilibrium by adaptive dynamic relaxation. */
+/* Static equilibrium by relaxation: cantilever and hanging bar against beam theory. */
 #include "make.h"
 #include "solid/force/force.h"
 #include "solid/law/material.h"

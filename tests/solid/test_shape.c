@@ -1,4 +1,4 @@
-/* The surface of the shapes that bodies are cut from: places and normals of the interface particles. */
+/* Depth and normal of interface particles against the shapes that bodies are cut from. */
 #include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"

@@ -1,4 +1,4 @@
-/* The stable step: of one oscillator, of a damped block, and with contact. */
+/* Stable step of one oscillator, of a damped block, and with contact. */
 #include "base/step_status.h"
 #include "make.h"
 #include "solid/bonds/ghosts.h"

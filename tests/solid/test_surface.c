@@ -1,4 +1,4 @@
-/* The interface of unbroken bodies, its normals and areas. */
+/* Interface, normals and areas of unbroken bodies. */
 #include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"

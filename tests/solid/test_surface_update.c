@@ -1,4 +1,4 @@
-/* The interface after bonds have broken and the solid has moved. */
+/* Interface after bonds have broken and the solid has moved, against detection from scratch. */
 #include "solid/keep.h"
 #include "solid/solid.h"
 #include "solid/surface/surface.h"

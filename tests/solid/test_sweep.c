@@ -1,3 +1,4 @@
+/* Lattice sweep against bond lists and other numbers of ranks, with sudden large displacements. */
 /* A lattice's sweep against lists of bonds and against other numbers of ranks, on bodies of odd shapes, where a sweep
  * begins with kernels that turn out to be the wrong ones: the body is at rest, then far beyond what its bonds or the
  * series stand. */

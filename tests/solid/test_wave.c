@@ -1,4 +1,4 @@
-/* Dispersion and the stable step. */
+/* Dispersion of plane waves, and the stable step by stepping beyond it. */
 #include "base/step_status.h"
 #include "make.h"
 #include "solid/bonds/ghosts.h"

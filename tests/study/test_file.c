@@ -1,4 +1,4 @@
-/* A study's file: what is read from a good one, and the one sentence that each mistake gets, with its line. */
+/* A study's file: values read from good ones, and the sentence for each mistake. */
 #include "study/file/file.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Statistics, orders, extrapolation and times at equal error against hand-worked and published numbers. */
 /* Statistics, orders, extrapolation and times at equal error, against numbers worked by hand or printed in the papers.
  */
 #include "study/result/iso.h"

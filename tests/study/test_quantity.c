@@ -1,4 +1,4 @@
-/* The number that a study measures: windows of a series, tables, JSON, commands. */
+/* Measured quantities: windows of a series, tables, JSON, commands. */
 #include "study/runs/child.h"
 #include "study/runs/quantity.h"
 #include "study/runs/window.h"

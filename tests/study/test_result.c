@@ -1,3 +1,4 @@
+/* Errors, orders, medians and references from made-up runs of a study. */
 /* What the runs of a study say together, of runs that were made up: errors, orders, medians, the finest as reference.
  */
 #include "study/report/report.h"
