@@ -1,6 +1,7 @@
 /* The sample scenes of tests/scene/scenes, as texts, with one piece of them exchanged for another. */
 #pragma once
 #include "scene/read.h"
+#include "tests/check.h"
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +18,7 @@ static inline char *sample_text(const char *path) {
     FILE *in = fopen(path, "rb");
     assert_non_null(in);
     char *text = calloc(1, 1 << 16);
-    assert_true(fread(text, 1, (1 << 16) - 1, in) > 0);
+    check_above(fread(text, 1, (1 << 16) - 1, in), 0);
     fclose(in);
     return text;
 }

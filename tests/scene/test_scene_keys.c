@@ -3,6 +3,7 @@
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
 #include "scene_sample.h"
+#include "tests/check.h"
 
 struct keys {
     int n;
@@ -22,7 +23,7 @@ static void collect(struct keys *keys, const cyaml_schema_value_t *v, const char
         char *inner =
             is_side ? scene_node_text("fluid.sides.SIDE") : scene_node_text("%s%s%s", path, *path ? "." : "", f->key);
         if (!is_side || !strcmp(f->key, "x_low")) {
-            assert_true(keys->n < 256);
+            check_below(keys->n, 256);
             keys->path[keys->n] = scene_node_text("%s", inner);
             keys->optional[keys->n++] = (f->value.flags & CYAML_FLAG_OPTIONAL) != 0;
             collect(keys, &f->value, inner);
@@ -39,7 +40,7 @@ static void test_every_key_has_a_rule(void **state) {
     (void)state;
     struct keys keys = {0};
     collect(&keys, &scene_schema, "");
-    assert_true(keys.n > 160);
+    check_above(keys.n, 160);
     int rules = 0;
     while (scene_rule_table[rules].path) rules++;
     assert_int_equal(keys.n, rules);
@@ -127,7 +128,7 @@ static void test_largest_horizon_of_a_plate(void **state) {
             for (int j = -14; j <= 14; j++) bonds[more] += i * i + j * j < r * r;
     }
     assert_int_equal(bonds[0], 488);
-    assert_true(bonds[1] > 512);
+    check_above(bonds[1], 512);
 }
 
 int main(int argc, char **argv) {

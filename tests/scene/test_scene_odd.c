@@ -3,6 +3,7 @@
  * meant. Each mistake gives its own one line. Files as other systems write them are read. */
 #include "base/par.h"
 #include "scene_sample.h"
+#include "tests/check.h"
 
 /* clang-format off */
 static const struct sample_broken table[] = {
@@ -242,7 +243,7 @@ static void test_too_much_of_a_thing(void **state) {
         char *text = sample_with(from, heap[k].find, more);
         struct scene_problems problems;
         assert_null(sample_read(text, 0, NULL, &problems));
-        assert_true(problems.n > 0);
+        check_above(problems.n, 0);
         int says = 0;
         for (int i = 0; i < problems.n; i++) says |= strstr(problems.text[i], heap[k].says) != NULL;
         if (!says) fail_msg("%s: %s", heap[k].says, problems.text[0]);
