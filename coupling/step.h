@@ -1,4 +1,4 @@
-/* The time step, put together from the parts that a stage needs.  (001: sec. 4.3; SPEC 5) */
+/* The time step, put together from the parts that a stage needs.  (001: sec. 4.3) */
 #pragma once
 #include "coupling/run.h"
 

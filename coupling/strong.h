@@ -1,5 +1,5 @@
 /* The strongly coupled step: fluid, probe and solid again and again from the state at t_n, until the interface's
- * velocity that the fluid is given for t_{n+1} is the one that the solid answers with.  (SPEC 5) */
+ * velocity that the fluid is given for t_{n+1} is the one that the solid answers with.  (Kuettler and Wall 2008) */
 #pragma once
 
 struct run;

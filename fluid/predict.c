@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-/* Low-storage Runge-Kutta of third order.  (001: eq. 3.66; Wesseling 2001) */
+/* Low-storage Runge-Kutta of third order.  (001: eq. 3.70; Wesseling 2001) */
 const double fluid_alpha[3] = {8.0 / 15, 5.0 / 12, 3.0 / 4};
 const double fluid_beta[3] = {0, -17.0 / 60, -5.0 / 12};
 const double fluid_gamma[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};

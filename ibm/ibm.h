@@ -3,7 +3,7 @@
 #include "fluid/fluid.h"
 #include <stdint.h>
 
-/* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.79) */
+/* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.78) */
 double ibm_kernel(double t);
 
 /* The frozen retraction r_d: how far a marker stands inside the true wetted face, in cells. A particle's centre stands
@@ -45,9 +45,9 @@ ibm_forcing_slip(struct ibm *b); /* root mean square of V_h - U_h after the last
  * include the linear part of a driving pressure gradient, -G x (x as given, not wrapped), so that it pushes on a body
  * as on the fluid. Tractions at n points with outward unit normals, from the fluid's state, whose ghosts are refreshed
  * here as far as the tips read them. acceleration_n [n]: dV_h/dt . n at the root, m/s2, may be NULL (at rest). A point
- * whose tip lies outside the domain gets 0 and active[i] = 0. Collective.  (001: eqs 3.83-3.95, signs as in SPEC 4)
- * Given the wall's velocity, pressure and stress are carried from the tip to the wall in second order (ibm/probe.c);
- * without it the tip's stress stands for the wall's, and the pressure is that of a boundary layer. */
+ * whose tip lies outside the domain gets 0 and active[i] = 0. Collective.  (001: eqs 3.83-3.95; 3.85, 3.87, 3.93
+ * mended) Given the wall's velocity, pressure and stress are carried from the tip to the wall in second order
+ * (ibm/probe.c); without it the tip's stress stands for the wall's, and the pressure is that of a boundary layer. */
 struct ibm_probe_input {
     int n;
     const double *x[3], *normal[3]; /* [n] root m on the interface, outward unit normal */

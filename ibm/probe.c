@@ -115,7 +115,7 @@ void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const tr
             push_n += push[d] * in->normal[d][h];
             drive += gradient[d] * in->x[d][h];
         }
-        /* dp/dn|m, signs for n outward  (001: eq. 3.85) */
+        /* dp/dn|m, signs for n outward  (001: eqs 3.85, 3.87, mended) */
         double at_root = push_n - (in->is_carried ? 0 : fluid->density * acceleration);
         if (in->velocity[0]) at_root += viscous(e, fluid->density, push_n, acceleration);
         pressure[h] = e[0] - 0.5 * dl * (at_root + e[IBM_TIP_SLOPE]) - drive;

@@ -1,4 +1,4 @@
-/* The command line.  (SPEC 9) */
+/* The command line. */
 #pragma once
 
 enum command_verb {

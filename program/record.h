@@ -1,4 +1,4 @@
-/* run.json: what ran, where, how long by part, and what was left out.  (SPEC 9) */
+/* run.json: what ran, where, how long by part, and what was left out.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
 

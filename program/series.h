@@ -1,4 +1,4 @@
-/* series.csv: the columns a scene has, and one sample of them.  (SPEC 9) */
+/* series.csv: the columns a scene has, and one sample of them.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
 

@@ -10,10 +10,10 @@ enum solid_model { SOLID_3D, SOLID_PLANE_STRESS, SOLID_PLANE_STRAIN };
 /* c(xi) = c0, or c1 (1 - xi/delta).  (000: eqs 9, 10) */
 enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL };
 
-/* Gamma: the exact fraction of a particle's cell inside the horizon, or the linear ramp.  (SPEC 2; 000: eq. 22) */
+/* Gamma: the exact part of a particle's cell in the horizon, or a ramp.  (001: eq. 3.33, mended; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
 
-/* Bonds between particles of different horizons: both ends' halves (Ren, Zhuang and Rabczuk 2016), or each end by its
+/* Bonds between particles of different horizons: both ends' halves (Ren et al. 2016), or each end by its
  * own horizon alone (000: sec. 1.2.5). */
 enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
 

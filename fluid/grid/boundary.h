@@ -1,4 +1,4 @@
-/* Conditions of the six sides, by ghost cells.  (001: sec. 3.4.2)
+/* Conditions of the six sides, by ghost cells.  (001: secs 3.4.3, 4.1)
  *
  * A value at cell centres is extended about the side's face oddly for a Dirichlet, evenly for a Neumann condition:
  *     ghost(l) = 2 value - inner(l)         ghost(l) = inner(l) + (2l - 1) d gradient         l = 1 .. layers

@@ -1,4 +1,4 @@
-/* Implicit diffusion: what a stage's viscous term becomes where nu dt/d^2 would rule the step.  (SPEC 1)
+/* Implicit diffusion: what a stage's viscous term becomes where nu dt/d^2 would rule the step.
  *
  * With R = -div(uu) alone in the explicit part, a stage is
  *     (I - b_r dt nu lap)(u* - u) = dt (alpha R + beta R_old + gamma (nu lap u - grad p/rho + source + force)) ,

@@ -1,7 +1,7 @@
 /* Direct solution of the discrete Poisson equation on cell centres: x and y by fast transforms, plane by plane, z by
  * recurrences over the planes that z's ranks share (fluid/poisson/column.h). The transforms of a plane are done while
  * it is in the cache, between whatever makes its right-hand side and whatever uses its solution. With a shift,
- * Helmholtz's equation by the same means.  (001: secs 3.4.3, 4.1.1) */
+ * Helmholtz's equation by the same means.  (001: secs 3.4.3, 4.1) */
 #pragma once
 #include "fluid/poisson/transform.h"
 #include <stddef.h>

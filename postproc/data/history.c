@@ -49,7 +49,7 @@ static double bulk_velocity(const struct scene_fluid *f) {
     return size > 0 ? size : NAN;
 }
 
-/* E delta s0^2 / G0.  (001: eq. 3.28; of a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
+/* E delta s0^2 / G0.  (001: eq. 3.26; of a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
  * 48 E/(5 pi delta^3) in plane strain; conical: c1 = 4 c0, G0 = c1 s0^2 delta^4/20) */
 static double factor(const struct scene *s, const struct scene_material *m) {
     if (s->dimension != 2) return 5 / 6.;

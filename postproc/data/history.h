@@ -18,7 +18,7 @@ struct postproc_history {
     struct table_data *series;    /* series.csv, or NULL */
     struct table_data *crack;     /* crack.csv, or NULL */
     struct postproc_fields solid, fluid;
-    /* The time origin: the start of the last stage that the run has come to.  (001: sec. 5.2) */
+    /* The time origin: the start of the last stage that the run has come to.  (001: sec. 6.4.1) */
     const char *stage; /* its name */
     long origin_step;
     double origin; /* s */

@@ -3,7 +3,7 @@
 #include "solid/body/sites.h"
 #include "solid/law/weight.h"
 
-/* The bonds' law in a body.  (001: eqs 3.21, 3.28) */
+/* The bonds' law in a body.  (001: eqs 3.21, 3.27) */
 struct solid_law {
     double c0;        /* N/m6 */
     double density;   /* kg/m3 */

@@ -1,4 +1,4 @@
-/* Short-range repulsion of particles that no intact bond joins.  (001: eq. 3.40, mended; SPEC 2)
+/* Short-range repulsion of particles that no intact bond joins.  (001: eq. 3.40, mended)
  *
  *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, the shortest across periodic
  * sides

@@ -4,7 +4,7 @@
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
 
-/* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40) */
+/* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40, mended) */
 static double repulsion(double r, double rc, double exponent) {
     return (exponent == 1 ? rc / r : pow(rc / r, exponent)) - 1;
 }

@@ -22,7 +22,7 @@ static inline REAL NAME(inverse)(REAL e, const int exact) {
     return two + two * (e2 * e2);
 }
 
-/* Adds to a  (SPEC 2; 001: eqs 3.20, 3.41), each bond once if it is paired, from one end if not,
+/* Adds to a  (001: eqs 3.20, 3.41 mended), each bond once if it is paired, from one end if not,
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2 = (1 + s)^2 - 1
  *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2

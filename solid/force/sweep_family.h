@@ -38,7 +38,7 @@ static inline double force_family_room(const struct solid_list *b, int i) {
     return 1.5 * VEC_LANES * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);
 }
 
-/* The bond forces of the i-th particle, eight bonds at a time  (SPEC 2; 001: eqs 3.20, 3.41),
+/* The bond forces of the i-th particle, eight bonds at a time  (001: eqs 3.20, 3.41 mended),
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2      k = alpha K V/(rho |xi|)
  *     f  = k g(eps) zeta
  *     f += (k_d/c) k/(alpha |xi|) [(v_l - v_h).zeta]/(1 + eps) zeta     1/alpha = (w_h + w_l)/2

@@ -1,5 +1,5 @@
 /* The order in which particles are numbered: along Hilbert's curve, so that near particles have near ids.  (001:
- * sec. 4.2) */
+ * sec. 4.4) */
 #pragma once
 #include <stdint.h>
 

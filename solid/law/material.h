@@ -1,4 +1,4 @@
-/* The numbers of a material's bonds.  (001: eqs 3.21, 3.28; 000: eqs 9, 10, 16, 17) */
+/* The numbers of a material's bonds.  (001: eqs 3.21, 3.27; 000: eqs 9, 10, 16, 17) */
 #pragma once
 #include "solid/input.h"
 
@@ -11,6 +11,6 @@ struct solid_constants {
 struct solid_constants solid_material_constants(enum solid_model model, double thickness,
                                                 const struct solid_material *material, double horizon);
 
-/* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.28) */
+/* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.26) */
 double solid_material_micromodulus(const struct solid_material *m, double spacing);
 double solid_material_critical_stretch(const struct solid_material *m, double spacing);

@@ -1,4 +1,4 @@
-/* Energies of the solid, whole and by particle; computed only when written.  (SPEC 7) */
+/* Energies of the solid, whole and by particle; computed only when written.  (001: eq. 3.23) */
 #pragma once
 #include "solid/state.h"
 

@@ -1,4 +1,4 @@
-/* The solid in time: substeps of the integrators.  (001: eqs 3.47, 3.48; SPEC 2) */
+/* The solid in time: substeps of the integrators.  (001: eqs 3.47, 3.48, mended) */
 #pragma once
 #include "base/step_status.h"
 #include "solid/state.h"

@@ -1,4 +1,4 @@
-/* Sectors of solid angle about a particle, in the undeformed frame.  (001: sec. 3.3.7; SPEC 2)
+/* Sectors of solid angle about a particle, in the undeformed frame.  (001: sec. 3.3.7)
  *
  * In a plane, N_v = 2 consecutive of N_s = 8 sectors open 90 degrees. In 3D the sectors of the coordinate planes on
  * either side of an axis, void together, leave a cone of 45 degrees about that axis: six cones f = 0..5 for +x -x +y -y

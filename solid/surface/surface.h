@@ -1,4 +1,4 @@
-/* The interface between solid and void, and what is read off the bonds there.  (001: secs 3.3.7, 3.3.9; SPEC 2)
+/* The interface between solid and void, and what is read off the bonds there.  (001: secs 3.3.7, 3.3.9)
  *
  * What is guaranteed: on a lattice the interface is exactly the set of particles with a void site among their six
  * nearest (solid/surface/sector.h). A site is void when it never held a particle bonded to this one, or when that bond

@@ -19,8 +19,7 @@ static const char *const drift = "stages:\n"
 static const char *const rigid = "stages:\n"
                                  "  - {name: flow, steps: 5, time_step: 2.0e-3, solid: rigid}\n";
 
-/* 40 steps at a tenth of a cell each: four cells. Velocities must stay the flow's, bonds unstretched.
- * (REFERENCES 5.2.4) */
+/* 40 steps at a tenth of a cell each: four cells. Velocities must stay the flow's, bonds unstretched. */
 static void test_moves_with_flow(void **state) {
     (void)state;
     const double velocity[3] = {0.1, 0.05, -0.02};

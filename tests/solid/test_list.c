@@ -48,7 +48,7 @@ static void shake(struct solid *s, double size) {
     solid_ghosts_update(s);
 }
 
-/* The acceleration of particle h from its bonds, with square roots and divisions  (SPEC 2). */
+/* The acceleration of particle h from its bonds, with square roots and divisions  (001: eqs 3.20, 3.39). */
 static void by_hand(const struct solid *s, int h, double damping, double a[3], double *power) {
     static struct solid_family_view view;
     const double c0 = solid_material_micromodulus(s->in.material, s->in.spacing);

@@ -178,7 +178,7 @@ static void test_mirror(void **state) {
             }
 }
 
-/* The acceleration of particle h from its bonds, with square roots and divisions  (SPEC 2). */
+/* The acceleration of particle h from its bonds, with square roots and divisions  (001: eqs 3.20, 3.39). */
 static void by_hand(const struct solid *s, int h, double damping, double a[2]) {
     static struct solid_family_view view;
     const struct solid_list *t = s->family->list[0];
