@@ -13,7 +13,7 @@ void solid_integrate(struct solid *s, double dt, int substeps);
 struct step_status solid_integrate_check(const struct solid *s);
 
 /* The part of a Verlet step at which pairwise damping sees the velocity. A later one damps the fastest waves more than
- * it is asked to, an earlier one less, and takes longer steps (solid/step/stable.c; docs/design.md). */
+ * it is asked to, an earlier one less, and takes longer steps (solid/step/stable.c; docs/design/solid.md). */
 #define SOLID_VERLET_PAIRWISE 0.4
 
 void solid_rk3_step(struct solid *s, double dt); /* Collective. */
