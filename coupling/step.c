@@ -114,7 +114,7 @@ void step_begin_stage(struct run *r) {
     if (elastic) {
         setup_stage(stage, &r->solid->stage);
         if (!stage->relax) stable_step(r);
-        if (r->stage_step > 0) solid_verlet_resume(r->solid);
+        if (r->stage_step > 0) solid_integrate_resume(r->solid);
         if (!r->fluid && r->dt <= 0 && !isfinite(r->solid_stable))
             die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);
         if (!r->fluid && r->dt <= 0) r->dt = dt > 0 ? dt : stage->safety * r->solid_stable;
@@ -161,7 +161,7 @@ void step_advance(struct run *r) {
     r->step++;
     r->stage_step++;
     r->fluid_cell_steps += r->fluid ? (long)fluid_cells(r->fluid) : 0;
-    r->solid_sweeps += (long)r->substeps * (r->solid && r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
+    r->solid_sweeps += r->solid ? solid_integrate_sweeps(r->solid, r->substeps) : 0;
 }
 
 /* 1: something in a plane of p is no number. */
