@@ -97,6 +97,7 @@ struct step_status solid_integrate_check(const struct solid *s) {
         if (h < 0) continue;
         const int bad_d = !isfinite(s->d[c][h]);
         status.failed = 1;
+        status.seen_in = STEP_STATUS_SOLID;
         status.rank = par_rank();
         status.value = bad_d ? s->d[c][h] : s->v[c][h];
         for (int k = 0; k < s->dim; k++) status.x[k] = s->x0[k][h];
