@@ -1,12 +1,20 @@
 /* A fault of the numerics: a value that all ranks agree on and the caller answers. */
 #pragma once
 
+/* What has seen a fault of the numerics. */
+enum step_status_place {
+    STEP_STATUS_FLUID,    /* the fluid's fields */
+    STEP_STATUS_SOLID,    /* the solid's particles */
+    STEP_STATUS_COUPLING, /* the judgement of a step's length (coupling/adapt.c) */
+};
+
 /* What a step found, the same on every rank once agreed (step_status_agree). */
 struct step_status {
-    int failed;     /* 0: fine */
-    int rank;       /* the rank that saw it first */
-    double x[3];    /* where, m */
-    char field[16]; /* which field: "u", "p", "velocity", ... */
+    int failed;                     /* 0: fine */
+    enum step_status_place seen_in; /* of that rank */
+    int rank;                       /* the rank that saw it first */
+    double x[3];                    /* where, m */
+    char field[16];                 /* which field: "u", "p", "velocity", ... */
     double value;
 };
 

@@ -2,6 +2,15 @@
 #pragma once
 #include "coupling/run.h"
 
+/* A line of the box: a stage has the part if it has all needs of `with` and none of `without` (coupling/stage.h). */
+struct step_part {
+    const char *name;
+    unsigned with, without;
+    run_part *run;
+};
+/* The parts of a step with these needs, in order; returns how many. Not collective. */
+int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]);
+
 /* Puts the step of the present stage together. Collective. */
 void step_begin_stage(struct run *r);
 /* One step: every part in turn. Collective. */

@@ -12,6 +12,7 @@
 #include "solid/law/material.h"
 #include "solid/law/waves.h"
 #include "solid/refine/refine.h"
+#include "solid/step/integrate.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
 
@@ -86,9 +87,10 @@ static void say_levels(struct run *r) {
         struct solid_rates finer = rates;
         char name[64];
         finer.stiffness = fmax(rates.stiffness, solid_refine_rate_lattice(r->solid, level));
-        for (int k = 0; k < 2; k++) {
-            snprintf(name, sizeof name, "solid, bonds of level %d, %s", level, k ? "velocity Verlet" : "RK3");
-            say("  %-42s %.6g\n", name, solid_stable_of(&finer, k ? SOLID_VERLET : SOLID_RK3, 0, NULL));
+        for (int k = 0; k < SOLID_INTEGRATORS; k++) {
+            const enum solid_integrator integrator = (enum solid_integrator)k;
+            snprintf(name, sizeof name, "solid, bonds of level %d, %s", level, solid_integrate_kind(integrator)->name);
+            say("  %-42s %.6g\n", name, solid_stable_of(&finer, integrator, 0, NULL));
         }
     }
 }

@@ -2,7 +2,7 @@
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
-#include "solid/step/integrate.h"
+#include "solid/step/rk3.h"
 
 /* Low-storage Runge-Kutta of the fluid, for d and v and for the energies.  (001: eqs 3.47, 3.48, mended) */
 static const double ALPHA[3] = {8. / 15, 5. / 12, 3. / 4};

@@ -1,7 +1,7 @@
 /* Stable step of either integrator from the largest rates of stiffness, damping and contact. */
 #include "solid/step/stable.h"
 #include "solid/contact/contact.h"
-#include "solid/step/integrate.h"
+#include "solid/step/verlet.h"
 
 #include <complex.h>
 #include <math.h>

@@ -108,6 +108,7 @@ static void check_finds_a_nan(void **state) {
             assert_int_equal(s.failed, par_rank() == par_size() - 1);
             assert_true(step_status_agree(&s));
             assert_int_equal(s.rank, par_size() - 1);
+            assert_int_equal(s.seen_in, STEP_STATUS_FLUID);
             assert_string_equal(s.field, c == 0 ? "u" : c == 1 ? "v" : c == 2 ? "w" : "p");
             check_close(s.x[0], c == 0 ? 0.6 : 0.55, 1e-12);
             *q = keep;

@@ -121,6 +121,22 @@ static void test_verlet_keeps(void **state) {
     solid_free(fresh);
 }
 
+/* The force sweeps of a substep, as many as the integrator's line in the table says. */
+static void test_sweeps(void **state) {
+    (void)state;
+    for (int k = 0; k < SOLID_INTEGRATORS; k++) {
+        struct solid *s = make((struct make){.sites = {9, 8, 7}});
+        s->stage.integrator = (enum solid_integrator)k;
+        shake(s, 1e-4, 1e-3);
+        solid_integrate(s, step_of(0.5), 1);
+        const long before = s->sweeps; /* Verlet's first acceleration takes one more */
+        solid_integrate(s, step_of(0.5), 4);
+        assert_int_equal(s->sweeps - before, solid_integrate_sweeps(s, 4));
+        assert_int_equal(solid_integrate_sweeps(s, 4), k == SOLID_RK3 ? 12 : 4);
+        solid_free(s);
+    }
+}
+
 /* A particle that is nowhere is found, with its place. */
 static void test_check(void **state) {
     (void)state;
@@ -131,6 +147,7 @@ static void test_check(void **state) {
         const struct step_status status = solid_integrate_check(s);
         assert_int_equal(status.failed, 1);
         assert_int_equal(status.rank, par_rank());
+        assert_int_equal(status.seen_in, STEP_STATUS_SOLID);
         assert_string_equal(status.field, "solid velocity");
         for (int c = 0; c < 3; c++) check_equal(status.x[c], s->x0[c][3]);
     }
@@ -141,7 +158,7 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_pair_forces),  cmocka_unit_test(test_momentum), cmocka_unit_test(test_energy_order),
-        cmocka_unit_test(test_verlet_keeps), cmocka_unit_test(test_check),
+        cmocka_unit_test(test_verlet_keeps), cmocka_unit_test(test_sweeps),   cmocka_unit_test(test_check),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -208,7 +208,7 @@ static void put_back(struct solid *s, struct kept *k) {
         solid_family_load(s, h, k->bits + i * k->bytes);
     }
     solid_ghosts_update(s);
-    solid_verlet_resume(s);
+    solid_integrate_resume(s);
     void *const own[] = {k->body, k->level, k->bits, k->place, k->motion};
     for (int q = 0; q < 5; q++) free(own[q]);
 }

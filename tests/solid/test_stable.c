@@ -9,6 +9,7 @@
 #include "solid/step/integrate.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
+#include "solid/step/verlet.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
