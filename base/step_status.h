@@ -1,14 +1,14 @@
-/* A fault of the numerics: a value that all ranks agree on and the caller answers. */
+/* The result of a step: which numerical fault it found, a value that the caller answers. */
 #pragma once
 
-/* What a step found, the same on every rank once agreed (step_status_agree). */
+/* The result of a step; the same on every rank after step_status_agree. */
 struct step_status {
-    int failed;     /* 0: fine */
-    int rank;       /* the rank that saw it first */
+    int failed;     /* 0: no fault */
+    int rank;       /* the rank that found it */
     double x[3];    /* where, m */
     char field[16]; /* which field: "u", "p", "velocity", ... */
     double value;
 };
 
-/* Makes the lowest failing rank's status everybody's. Returns whether any failed. Collective. */
+/* Gives all ranks the status of the lowest rank that failed. Returns whether any failed. Collective. */
 int step_status_agree(struct step_status *status);
