@@ -224,7 +224,7 @@ const struct scene_rule scene_rule_table[] = {
     {.path = NULL}};
 /* clang-format on */
 
-/* Whether the path is one that the pattern stands for: [] for [3], SIDE for a word. */
+/* Whether the path matches the pattern: [] matches [3], SIDE matches a word. */
 static int matches(const char *pattern, const char *path) {
     while (*pattern) {
         if (*pattern == 'S' && !strncmp(pattern, "SIDE", 4)) {
