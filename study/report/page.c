@@ -167,7 +167,7 @@ static void put_isos(FILE *f, const struct study_result *r, const struct study_t
     free(reach);
 }
 
-/* Writes which repeats gave different values. */
+/* Writes by how much the values of repeats differ. */
 static void put_spread(FILE *f, const struct study_result *r, const struct study_table *t) {
     double worst = 0;
     for (int i = 0; i < r->plan->cases; i++)
