@@ -17,8 +17,8 @@ struct command {
     enum command_verb verb;
     int files;               /* scene; study; run folders for post; tables and run.json for bench --table */
     const char *const *file; /* borrowed from argv */
-    char out[512];           /* run: the run folder; post with several folders: where the comparison goes;
-                              bench, study: where the tables go */
+    char out[512];           /* run: the run folder; post with several folders: the folder of the comparison; bench,
+                              * study: the folder of the tables */
     int sets;
     const char **set;        /* owned: --set key.path=value */
     int resume;              /* --resume: 1 */
@@ -26,17 +26,17 @@ struct command {
     double max_wall;         /* s; 0: no limit */
     int quiet;
     int fresh; /* study: --fresh */
-    /* post, of plates */
+    /* post, for plates */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */
     double level, magnify;     /* 0: not given */
     /* bench */
     int quick, repeats;
-    enum command_table table; /* of tables measured before, nothing is measured */
-    const char *only, *sizes; /* lists of words with commas, or NULL: all, the standard ones */
+    enum command_table table; /* writes tables from earlier measurements, measures nothing */
+    const char *only, *sizes; /* comma-separated lists, or NULL: all parts, the standard sizes */
 };
 
-/* Dies (exit 2) in one sentence on a line it does not understand. Collective. */
+/* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */
 struct command *command_new(int argc, char **argv);
 void command_free(struct command *c);
 const char *command_usage(void);
