@@ -42,7 +42,7 @@ static void part_markers(struct run *r) {
     forcing_guess_hand_on(r);
 }
 
-/* Fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.65-3.69, 3.80-3.82) */
+/* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.65-3.69, 3.80-3.82) */
 static void part_fluid_forced(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
@@ -52,7 +52,8 @@ static void part_fluid_forced(struct run *r) {
     }
 }
 
-/* The same with implicit diffusion: what was forced a stage ago diffuses with the rest, and what it lacks is added. */
+/* The same with implicit diffusion: the force of the last stage diffuses with the velocity, then the rest of the force
+ * is added. */
 static void part_fluid_implicit(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
@@ -105,7 +106,7 @@ static void stable_step(struct run *r) {
 void step_begin_stage(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
-    const double dt = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0; /* of before a refinement */
+    const double dt = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0; /* that before a refinement */
     r->parts = 0;
     adapt_begin(r);
     if (stage->time_step > 0 || !r->fluid || r->stage_step == 0) r->dt = stage->time_step;
@@ -133,7 +134,8 @@ void step_begin_stage(struct run *r) {
     if (elastic && r->strong) {
         if (touches) add(r, part_contact, "contact");
         if (follows) add(r, adapt_substeps, "number of substeps");
-        strong_parts(r->strong, part_markers, part_fluid_forced); /* never implicit: the scene saw to it */
+        strong_parts(r->strong, part_markers, part_fluid_forced); /* never with implicit diffusion: the scene's checks
+                                                                   * refuse it */
         add(r, strong_step, "fluid, probe and solid, iterated");
         add(r, part_surface, "surface");
         return;
@@ -141,7 +143,7 @@ void step_begin_stage(struct run *r) {
     if (r->ibm && elastic)
         add(r, part_markers, "markers");
     else if (r->ibm)
-        part_markers(r); /* at rest: once a stage */
+        part_markers(r); /* a solid at rest: once a stage */
     if (r->fluid && r->ibm && fluid_input_of(r->fluid)->implicit)
         add(r, part_fluid_implicit, "fluid with forcing, implicit diffusion");
     else if (r->fluid)
@@ -164,20 +166,21 @@ void step_advance(struct run *r) {
     r->solid_sweeps += (long)r->substeps * (r->solid && r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
 }
 
-/* 1: something in a plane of p is no number. */
+/* 1: a value in one plane of p is NaN or infinite. */
 static int pressure_lost(const struct run *r) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const double *plane = fluid_state_of(r->fluid)->p + fluid_grid_at(g, 0, 0, (int)(r->step % g->m[2]));
     double sum = 0;
     for (int j = 0; j < g->m[1]; j++)
         for (int i = 0; i < g->m[0]; i++) sum += 0 * plane[j * g->row + i];
-    return !(sum == 0); /* 0 times Inf, or NaN */
+    return !(sum == 0); /* 0 times infinity, or NaN */
 }
 
 int step_check(const struct run *r, int whole, struct step_status *status) {
     *status = (struct step_status){0};
     if (r->fluid && (whole || pressure_lost(r))) *status = fluid_limits_check(r->fluid);
-    const int may_differ = r->solid && (whole || r->moved == r->step); /* a solid at rest stays what it is */
+    const int may_differ = r->solid && (whole || r->moved == r->step); /* the state of a solid at rest does not
+                                                                        * change */
     if (may_differ && !status->failed) *status = solid_integrate_check(r->solid);
     if (status->failed) status->rank = par_rank();
     return status->failed;

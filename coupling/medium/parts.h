@@ -1,4 +1,4 @@
-/* The members of struct medium: for coupling/medium/*.c only. */
+/* The members of struct medium: for the files of coupling/medium only. */
 #pragma once
 #include "coupling/medium/kernels.h"
 #include "coupling/medium/medium.h"

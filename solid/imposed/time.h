@@ -5,6 +5,6 @@
 double solid_time_factor(const struct solid_time *f, double t);
 /* The mean over from .. to; the factor itself if both are equal. */
 double solid_time_mean(const struct solid_time *f, double from, double to);
-/* Deep copy, in place, for solid_new. */
+/* Replaces the borrowed arrays by copies, for solid_new. */
 void solid_time_copy(struct solid_time *f);
 void solid_time_free(struct solid_time *f);

@@ -1,4 +1,4 @@
-/* Parts of a study's file: each reads the value of a key and reports its mistakes. For study/file/*.c only. */
+/* Parts of a study's file: each reads the value of a key and reports its mistakes. For the files of study/file only. */
 #pragma once
 #include "study/file/file.h"
 
