@@ -1,6 +1,6 @@
 /* Checks constraints, loads, cracks, initial displacements and refinement regions: whether they reach a body. */
-/* What is imposed where: regions, edges, cracks, initial displacements and refinement that reach a body and say one
- * thing. */
+/* Checks the data given for a part of the solid: regions, edges, cracks, initial displacements and refinement must
+ * reach a body, and must not contradict each other. */
 #include "scene/check/check.h"
 
 #include <math.h>
@@ -144,8 +144,8 @@ static void check_crack(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, path.text, "no body reaches to this crack");
 }
 
-/* A family must have room for the bonds to refined neighbours: those of the next level if the horizon is scaled, those
- * of all levels if it is kept. */
+/* A family must have capacity for the bonds to refined neighbours: those of the next level if the horizon is scaled,
+ * those of all levels if it is kept. */
 static void check_levels(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_refinement *r = s->refinement;

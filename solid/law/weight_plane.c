@@ -10,13 +10,13 @@ static double under_arc(double x, double y, double r) { return x * y + r * r * a
 /* The other coordinate of a point of the circle; 0 outside it. */
 static double on_circle(double x, double r) { return x < r ? sqrt((r - x) * (r + x)) : 0; }
 
-/* Of the rectangle [x0, x1] x [y0, y1] in the first quadrant:
+/* Area of the disc inside the rectangle [x0, x1] x [y0, y1] in the first quadrant:
  *
  *      y1 +-----.--------+
  *         |      \       |     full height up to the abscissa where the circle leaves through the top,
  *         | full  \      |     under the arc from there to where it leaves through the bottom
  *      y0 +--------\-----+
- *        x0      a  b    x1                                                                                  */
+ *        x0      a  b    x1 */
 static double area_in_quadrant(double x0, double x1, double y0, double y1, double r) {
     const double top = on_circle(y1, r), bottom = on_circle(y0, r);
     if (bottom <= x0) return 0;

@@ -94,7 +94,7 @@ static char *named(const struct other *other, int n, const char *error) {
     return text;
 }
 
-/* What the other methods would have cost at the last run's error; the reference's own run is left out. */
+/* Text on what the other methods would have cost at the last run's error; the reference's own run is left out. */
 static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last, double *work) {
     const struct study_variants *methods = &r->plan->study->methods;
     const int levels = r->plan->study->levels.n;
