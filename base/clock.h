@@ -12,7 +12,7 @@ enum clock_part {
     CLOCK_INTERFACE,
     CLOCK_OUTPUT,
     CLOCK_PARTS,
-    /* details, which count in their part as well */
+    /* details of a part: their time also counts in that part */
     CLOCK_FORWARD = CLOCK_PARTS, /* of poisson: divergence and forward transforms */
     CLOCK_COLUMNS,               /* of poisson: the last direction's solve */
     CLOCK_BACKWARD,              /* of poisson: backward transforms and correction */

@@ -1,4 +1,4 @@
-/* Ends the program with one sentence and an exit code. */
+/* Ends the program with one sentence and an exit code: on all ranks together, or from one rank. */
 #include "base/die.h"
 #include "base/par.h"
 

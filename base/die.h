@@ -1,4 +1,4 @@
-/* The user's mistake: one sentence, and the program ends with its exit code. */
+/* A mistake of the user: the program prints one sentence and ends with an exit code. */
 #pragma once
 
 enum exit_code {
@@ -10,8 +10,8 @@ enum exit_code {
     EXIT_CODE_REQUEUE = 75    /* stopped early with a checkpoint */
 };
 
-/* A mistake that every rank has met alike: rank 0 says one sentence, all ranks leave with the code. Collective. */
+/* For a fault that all ranks have found: rank 0 prints one sentence, and all ranks exit with the code. Collective. */
 _Noreturn void die_all(enum exit_code code, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A fault that one rank has met: it says the sentence and takes the others with it. Not collective. */
+/* For a fault that only this rank has found: it prints the sentence and aborts all ranks. Not collective. */
 _Noreturn void die(enum exit_code code, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -1,4 +1,4 @@
-/* Says which condition of our own failed and where, and aborts all ranks. */
+/* Prints which internal condition failed and where, and aborts all ranks. */
 #include "base/ensure.h"
 #include "base/par.h"
 

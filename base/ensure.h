@@ -1,7 +1,7 @@
-/* Our own bug: ENSURE. */
+/* ENSURE: checks a condition that only a bug of this program can break. */
 #pragma once
 
-/* Our own bug: aborts with rank, file, line. Not collective. */
+/* If cond is false: prints rank, file, line and the message, and aborts all ranks. Not collective. */
 #define ENSURE(cond, ...)                                                                                              \
     do {                                                                                                               \
         if (!(cond)) ensure_failed(__FILE__, __LINE__, #cond, __VA_ARGS__);                                            \

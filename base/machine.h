@@ -1,7 +1,7 @@
-/* What the program runs on. Not collective. */
+/* The processor of this machine. Not collective. */
 #pragma once
 #include <stddef.h>
 
-/* The processor's model, as /proc/cpuinfo names it; the architecture where it does not. */
+/* The processor's model name from /proc/cpuinfo; without it, the architecture. */
 void machine_processor(char *to, size_t size);
-int machine_cores(void); /* that are online */
+int machine_cores(void); /* cores that are online */

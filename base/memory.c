@@ -8,9 +8,9 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
-/* Large arrays start at different places of the caches: with the same start, what is at the same index of ten arrays
- * would meet in one set of eight lines. The step is 197 lines, in 11 turns about the 128 KB after which a second-level
- * cache repeats. */
+/* Large arrays start at different offsets from a huge page's start: arrays with equal alignment would map equal indices
+ * to one set of an eight-way cache. The offset grows by 197 cache lines an array and repeats after 11 arrays: 11 x
+ * 197 lines is about 128 KB, after which the sets of a second-level cache repeat. */
 enum { ALIGNMENT = 64, HUGE_PAGE = 2 << 20, STAGGER = 197 * ALIGNMENT, TURNS = 11 };
 
 struct header {

@@ -4,7 +4,7 @@
 
 enum memory_part { MEMORY_FLUID, MEMORY_SOLID, MEMORY_IBM, MEMORY_COUPLING, MEMORY_OUTPUT, MEMORY_PARTS };
 
-/* Zeroed. Dies with exit code 4 when there is none left. Not collective. */
+/* Zeroed. Dies with exit code 4 when there is no memory left. Not collective. */
 void *memory_new(enum memory_part part, size_t count, size_t size);
 /* Scratch: NaN-filled in debug builds, zeroed (touched) otherwise. Not collective. */
 double *memory_new_work(enum memory_part part, size_t count);

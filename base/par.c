@@ -41,7 +41,7 @@ int par_size(void) {
     return size;
 }
 
-/* A call that all ranks take part in. */
+/* Counts one call that all ranks take part in. */
 static void note(size_t bytes) {
     if (par_size() > 1) par_count_collective(PAR_COUNT_REDUCTION, bytes);
 }

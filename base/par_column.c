@@ -48,7 +48,8 @@ void par_column_own(const struct par_column *c, int *low, int *count) {
     *count = count_of(c, c->place);
 }
 
-/* Blocks go between packed (by columns' owner) and of_all (by the rank that they are about). */
+/* Exchanges the blocks of packed (one for each owner of columns) with those of of_all (one for each rank whose values
+ * they hold). back: the direction, 0 from packed to of_all. */
 static void swap(struct par_column *c, double *packed, double *of_all, int back) {
     const int own = c->values * count_of(c, c->place);
     int requests = 0;

@@ -1,4 +1,4 @@
-/* Counts messages, collective calls and bytes by kind of exchange. */
+/* Counts messages, collective calls and bytes by kind of communication. */
 #include "base/par_count.h"
 
 static struct par_count count[PAR_COUNT_KINDS];

@@ -1,5 +1,5 @@
-/* What this rank has said to others: messages, bytes and collectives, by kind. Counted inside base/par*.c where
- * something is sent; a rank's pieces to itself do not count. */
+/* Counters of what this rank has sent: messages, bytes and collective calls, by kind. Counted in base/par*.c where
+ * something is sent; copies that stay on the rank do not count. */
 #pragma once
 #include <stddef.h>
 
@@ -15,10 +15,10 @@ enum par_count_kind {
 struct par_count {
     long messages;    /* to one other rank each */
     long collectives; /* calls that all ranks of a communicator take part in */
-    long bytes;       /* that this rank has put into either */
+    long bytes;       /* sent by this rank in both */
 };
 
-/* Not collective, all of them. */
+/* Not collective, all of these. */
 void par_count_message(enum par_count_kind kind, size_t bytes);
 void par_count_collective(enum par_count_kind kind, size_t bytes);
 struct par_count par_count_of(enum par_count_kind kind); /* since the start of the program */

@@ -12,11 +12,11 @@ struct par_exchange {
     int sent, served;                        /* copies sent, items served */
     int *order, capacity;                    /* [sent] the item of each copy, by destination */
     int *to, *to_at, *from, *from_at, *next; /* [size] counts and offsets */
-    int in_order;                            /* nothing but the items as they stand, to this rank */
+    int in_order;                            /* 1: all items stay on this rank, in their order */
     char *buffer;
     size_t buffer_bytes;
     MPI_Request *request;     /* [2 size] */
-    enum par_count_kind kind; /* what its messages count as */
+    enum par_count_kind kind; /* the kind that its messages count as */
 };
 
 static char *reserve(struct par_exchange *x, size_t bytes) {
@@ -97,7 +97,7 @@ void par_exchange_free(struct par_exchange *x) {
 
 int par_exchange_count(const struct par_exchange *x) { return x->served; }
 
-/* Pieces of unequal size between all ranks but this one to itself, empty ones not sent: begun, to be waited for. */
+/* Begins the exchange of pieces of unequal size between all ranks; empty pieces and this rank's own are not sent. */
 static int begin(struct par_exchange *x, const char *send, const int *to, const int *to_at, char *recv, const int *from,
                  const int *from_at, size_t bytes) {
     const int size = par_size(), rank = par_rank();
@@ -115,7 +115,7 @@ static int begin(struct par_exchange *x, const char *send, const int *to, const 
     return requests;
 }
 
-/* What goes out is packed and sent first; what stays is copied while it travels. */
+/* Packs and sends what goes to other ranks first, then copies this rank's own items while the messages travel. */
 void par_exchange_forward(struct par_exchange *x, const void *mine, void *served, size_t bytes) {
     const int size = par_size(), rank = par_rank();
     if (x->in_order) {
@@ -153,9 +153,9 @@ void par_exchange_backward(struct par_exchange *x, const void *served, void *min
 enum { GHOST_FIELDS = 8 };
 
 struct par_ghost {
-    struct par_exchange *wish; /* the wanting ranks' items; the owners serve them */
+    struct par_exchange *wish; /* the copies wanted here; the owning ranks serve them */
     int n, served;
-    int *index;    /* [served] owned index wanted by others */
+    int *index;    /* [served] the owned index of each item that another rank wants */
     double *value; /* [served][fields] */
     int capacity;
     /* of the update underway */
@@ -191,7 +191,7 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id) {
     return g;
 }
 
-/* Until what was sent last has left. */
+/* Waits until the messages of the update before have left. */
 static void settle(struct par_ghost *g) {
     MPI_Waitall(g->sending, g->wish->request + g->receiving, MPI_STATUSES_IGNORE);
     g->sending = 0;

@@ -1,23 +1,23 @@
-/* Items that travel between two layouts: each rank names, for each of its items, the rank that serves it; the plan is
- * built once and executed often, there (forward) and back (backward). The item's order is kept: what comes back stands
- * where it was sent from. */
+/* Exchange of items between two layouts. Each rank names the rank that serves each of its items. The plan is built once
+ * and executed often: to the serving ranks (forward) and back (backward). The order is kept: an item comes back to the
+ * place that it was sent from. */
 #pragma once
 #include <stddef.h>
 
 struct par_exchange; /* opaque, owned by the caller */
 
-/* dest[n]: the rank that serves item i, or -1 for an item that stays out of it. Collective. */
+/* dest[n]: the rank that serves item i; -1: the item is not exchanged. Collective. */
 struct par_exchange *par_exchange_new(int n, const int *dest);
-/* The same for a plan that changes often, in the memory of the old one (x, may be NULL): copy c of n sends item[c]
- * (NULL: c) to dest[c], so that an item may go to several ranks. Collective. */
+/* The same for a plan that changes often. It reuses the memory of the old plan x (may be NULL). Copy c of n sends
+ * item[c] (item NULL: c) to dest[c], so that an item may go to several ranks. Collective. */
 struct par_exchange *par_exchange_renew(struct par_exchange *x, int n, const int *item, const int *dest);
 void par_exchange_free(struct par_exchange *x);
 int par_exchange_count(const struct par_exchange *x); /* items this rank serves */
 
 /* mine [n] items of bytes each -> served [count] items. Collective. */
 void par_exchange_forward(struct par_exchange *x, const void *mine, void *served, size_t bytes);
-/* served [count] items -> mine [n] items; items that stayed out are left untouched, an item served by several gets what
- * one of them sends. Collective. */
+/* served [count] items -> mine [n] items. Items with dest -1 are left untouched; an item served by several ranks gets
+ * the value of one of them. Collective. */
 void par_exchange_backward(struct par_exchange *x, const void *served, void *mine, size_t bytes);
 
 /* Ghosts: each rank owns the ids first[rank] .. first[rank+1]-1 and wants copies of others'. */
@@ -28,8 +28,9 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id);
 void par_ghost_free(struct par_ghost *g);
 /* For each of the fields: field[f][n_owned .. n_owned+n-1] <- the owners' values. Collective. */
 void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int n_owned);
-/* The same in two halves, with work between: what is sent is the fields' values at begin, what arrives stands in them
- * after end (which does nothing if none was begun). Nobody waits for what he sent. Collective. */
+/* The same in two halves, with computation between them. The values sent are those at begin; the values received are in
+ * the fields after end. end does nothing if no update was begun, and does not wait for this rank's own messages to
+ * leave. Collective. */
 void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int n_owned);
 void par_ghost_end(struct par_ghost *g);
 void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned);

@@ -13,9 +13,9 @@
 struct par_halo {
     struct par_halo_input in;
     int coordinate[3];
-    int neighbour[3]
-                 [2]; /* [direction][low, high] rank, this one's own number where it meets itself, -1 beyond a side */
-    double *buffer;   /* [4][capacity]: sent low and high, received low and high */
+    int neighbour[3][2]; /* [direction][low, high] the neighbour's rank: this rank where it is its own neighbour, -1
+                          * beyond a side */
+    double *buffer;      /* [4][capacity]: sent low and high, received low and high */
     size_t capacity;
 };
 
@@ -117,14 +117,14 @@ static void reserve(struct par_halo *h, size_t doubles) {
     h->buffer = memory_new(MEMORY_FLUID, 4 * doubles, sizeof(double));
 }
 
-/* sent[side] goes to the neighbour at that side, received[side] comes from it, `count` doubles each, where the flags
- * say. */
+/* Sends sent[side] to the neighbour at that side and receives received[side] from it, `count` doubles each, at the
+ * sides that the flags select. */
 static void swap(struct par_halo *h, int direction, double *const sent[2], double *const received[2],
                  const int sends[2], const int receives[2], size_t count) {
     MPI_Request request[4];
     int requests = 0;
     for (int side = 0; side < 2; side++)
-        if (receives[side]) /* what arrives from the low side was sent to the high one */
+        if (receives[side]) /* the values from the low neighbour are those that it sent to its high side */
             MPI_Irecv(received[side], (int)count, MPI_DOUBLE, h->neighbour[direction][side], 80 + !side, MPI_COMM_WORLD,
                       &request[requests++]);
     for (int side = 0; side < 2; side++)
@@ -136,7 +136,7 @@ static void swap(struct par_halo *h, int direction, double *const sent[2], doubl
     MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
 }
 
-/* A periodic direction with one rank: each side's ghosts are the other side's cells. */
+/* A periodic direction with one rank: the cells at each side are copied to the ghosts at the other side. */
 static void wrap(const struct par_halo *h, int direction, int fields, double *const *field,
                  const struct par_halo_part *part) {
     for (int side = 0; side < 2; side++) {
@@ -155,7 +155,7 @@ static void wrap(const struct par_halo *h, int direction, int fields, double *co
     }
 }
 
-/* Owned layers to the neighbours' ghosts. */
+/* Copies owned layers to the neighbours' ghosts. */
 static void fill(struct par_halo *h, int direction, int fields, double *const *field,
                  const struct par_halo_part *part) {
     int sends[2], receives[2];
@@ -183,7 +183,7 @@ static void fill(struct par_halo *h, int direction, int fields, double *const *f
     }
 }
 
-/* Ghosts to the layers that own them, added there. */
+/* Adds ghost layers to the ranks that own them. */
 static void add(struct par_halo *h, int direction, int fields, double *const *field, const struct par_halo_part *part) {
     const struct box any = layers_at(h, direction, 0, part, 1);
     const size_t count = box_cells(&any) * (size_t)fields;

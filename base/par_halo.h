@@ -1,6 +1,6 @@
 /* Halos: the ghost layers of arrays of [m_z+2h][m_y+2h][m_x+2h] cells, exchanged between ranks in y and z, and copied
  * across periodic sides that stay on a rank. The process grid is ranks[0] = 1 by ranks[1] by ranks[2], y fastest: rank
- * = c_z ranks[1] + c_y. Ghosts beyond sides that are not periodic are left alone by the filling. */
+ * = c_z ranks[1] + c_y. Filling leaves ghosts beyond sides that are not periodic as they are. */
 #pragma once
 #include <stddef.h>
 
@@ -14,9 +14,9 @@ struct par_halo_input {
     ptrdiff_t first, row, plane; /* where cell 0,0,0 is in an array; strides of y and z */
 };
 
-/* The ghosts that a filling is wanted for, and nothing else of it: `layers` deep, within cells low .. high-1 (ghosts
- * counted as -1, -2, .. and m, m+1, ..) of the directions across. wanted [direction][side]: this rank's ghosts there;
- * asked: its own cells there are wanted by the neighbour, which must have said so. */
+/* The part of the ghosts that a filling has to fill: `layers` deep, within cells low .. high-1 (ghosts counted as -1,
+ * -2, .. and m, m+1, ..) of the other two directions. wanted [direction][side]: this rank needs its ghosts there.
+ * asked: the neighbour needs its ghosts there, copies of this rank's cells; it must then have set wanted. */
 struct par_halo_part {
     int layers;
     int low[3], high[3];
@@ -31,14 +31,14 @@ void par_halo_free(struct par_halo *h);
 void par_halo_fill(struct par_halo *h, int fields, double *const *field, int layers);
 /* The same for one direction only, so that a side's conditions can be set between them. Collective. */
 void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers);
-/* One direction's ghosts in part; ranks beside each other in that direction have the same bounds across it. Collective.
- */
+/* Fills one direction's ghosts in part. Neighbours in that direction must give the same bounds across it.
+ * Collective. */
 void par_halo_fill_part(struct par_halo *h, int direction, int fields, double *const *field,
                         const struct par_halo_part *part);
 /* All of the nearest `layers` ghosts, as a part. Not collective. */
 struct par_halo_part par_halo_whole(const struct par_halo *h, int layers);
-/* The adjoint of the filling: what stands in the nearest `layers` ghosts is added to the owners' cells; ghosts beyond
- * sides that are not periodic are dropped; those ghosts are then zero. Collective. */
+/* The adjoint of the filling: the nearest `layers` ghosts are added to the owners' cells, then set to zero. Ghosts
+ * beyond sides that are not periodic are dropped. Collective. */
 void par_halo_add(struct par_halo *h, int fields, double *const *field, int layers);
 /* Whether this rank's low (side 0) or high (side 1) end of the direction is an end of the domain that is not periodic.
  */

@@ -12,9 +12,9 @@
 
 struct par_pencil {
     struct par_pencil_input in;
-    int place, first;        /* along y; the rank of place 0 */
-    int m_x, m_y, m_z;       /* of the y pencil, of the x pencil, of both */
-    double *packed, *landed; /* boxes of the x pencil, peer after peer; of the y pencil */
+    int place, first;        /* this rank's place along y; the rank of place 0 */
+    int m_x, m_y, m_z;       /* of the y pencil; of the x pencil; of both */
+    double *packed, *landed; /* the blocks of the x pencil, one for each rank; those of the y pencil */
     MPI_Request *request;
 };
 
@@ -85,7 +85,7 @@ static void copy_y_box(const struct par_pencil *p, int q, int planes, double *ar
              piece(n, p, q), planes, out);
 }
 
-/* The blocks of packed go to those of landed of the peers (back = 0), or the other way. */
+/* Sends the blocks of packed to the other ranks' landed (back = 0), or those of landed to the others' packed. */
 static void swap(struct par_pencil *p, int planes, int back) {
     const int parts = p->in.ranks[1];
     int requests = 0;

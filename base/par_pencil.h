@@ -1,12 +1,12 @@
 /* Transposes between x and y pencils of a box of n[0] x n[1] x n[2] values over a process grid ranks[1] x ranks[2]:
  *
- *     x pencil  [planes][m_y][n_x]     the home of the fluid: y cut in ranks[1], z in ranks[2]
+ *     x pencil  [planes][m_y][n_x]     the fluid's layout: y cut in ranks[1], z in ranks[2]
  *     y pencil  [planes][n_y][m_x]     x cut in ranks[1], z in ranks[2]
  *
  * both tight, x fastest. With slabs, ranks[1] = 1, no transpose is needed: the two pencils have one shape then. */
 #pragma once
 
-/* First of the cells that piece c of `pieces` holds of n; c = pieces gives n. */
+/* First of the cells of piece c, of n cells cut into `pieces` pieces; c = pieces gives n. */
 static inline int par_piece_low(int n, int pieces, int c) { return (int)((long)n * c / pieces); }
 /* The piece that holds cell i. */
 static inline int par_piece_of(int n, int pieces, int i) { return (int)((((long)i + 1) * pieces - 1) / n); }
@@ -16,16 +16,16 @@ struct par_pencil; /* opaque, owned by the caller */
 struct par_pencil_input {
     int n[3];     /* values of the whole box */
     int ranks[3]; /* ranks[0] = 1; rank = c_z ranks[1] + c_y */
-    int extra;    /* planes beyond this rank's own that a transpose may bring along */
+    int extra;    /* planes beyond this rank's own that a transpose may include */
 };
 
 struct par_pencil *par_pencil_new(const struct par_pencil_input *in); /* Collective. */
 void par_pencil_free(struct par_pencil *p);
-/* Shapes on this rank: the extents of the x and y pencil, of its own planes. Not collective. */
+/* Shapes on this rank: extents of the x pencil and of the y pencil. Not collective. */
 void par_pencil_shape(const struct par_pencil *p, int x_pencil[3], int y_pencil[3]);
 /* First global x of the y pencil's piece. Not collective. */
 int par_pencil_low(const struct par_pencil *p);
-/* Whether the two are the same. Not collective. */
+/* Whether both pencils have the same shape. Not collective. */
 int par_pencil_same(const struct par_pencil *p);
 
 /* x -> y pencil, and back. from and to do not overlap. Collective. */

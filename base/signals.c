@@ -24,7 +24,7 @@ void signals_begin(double max_wall) {
     sigaction(SIGUSR1, &action, NULL);
     action.sa_flags = SA_RESTART | SA_RESETHAND;
     sigaction(SIGINT, &action, NULL);
-    signal(SIGXFSZ, SIG_IGN); /* a limit on files, or a screen that is gone, is for who writes to tell */
+    signal(SIGXFSZ, SIG_IGN); /* a write beyond a file size limit or to a closed terminal returns an error instead */
     signal(SIGPIPE, SIG_IGN);
     caught = 0;
     wall_deadline = max_wall > 0 ? par_seconds() + max_wall : 0;
@@ -38,7 +38,7 @@ static double since_1970(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* The reasons' order is no matter: a signal, where some rank has one, then the limits. */
+/* A signal on any rank is reported before a time limit. One reduction finds all of it. */
 enum signals_reason signals_stop_also(double reserve, double *also, int n) {
     enum { REASONS = 3 };
     double has[REASONS + SIGNALS_ALSO];

@@ -8,14 +8,14 @@ enum signals_reason {
     SIGNALS_BATCH     /* the batch system's limit, SLURM_JOB_END_TIME (seconds since 1970) */
 };
 
-/* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once; SIGXFSZ and SIGPIPE no longer
- * do: what writes then fails. Not collective. */
+/* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once. SIGXFSZ and SIGPIPE are
+ * ignored: the write fails instead. Not collective. */
 void signals_begin(double max_wall);
-/* Whether to stop now: the strongest reason any rank has. reserve: seconds that a last step and the checkpoint will
- * take; limits are met that much earlier. The same on every rank. Collective. */
+/* The reason to stop now, if any rank has one; a signal comes before a time limit. reserve: seconds that a last step
+ * and the checkpoint will take; time limits are reached that much earlier. The same on every rank. Collective. */
 enum signals_reason signals_stop(double reserve);
-/* The same; n numbers travel along and become the largest of all ranks. Collective. */
+/* The same; each of also[n] becomes the largest of all ranks. Collective. */
 enum { SIGNALS_ALSO = 8 };
 enum signals_reason signals_stop_also(double reserve, double *also, int n);
-/* A word for the log: "SIGTERM", "--max-wall", ... Not collective. */
+/* The reason's name for the log: "SIGTERM", "--max-wall", ... Not collective. */
 const char *signals_name(enum signals_reason reason);

@@ -1,4 +1,4 @@
-/* Makes the lowest failing rank's status everybody's. */
+/* Gives all ranks the status of the lowest rank that failed. */
 #include "base/step_status.h"
 #include "base/par.h"
 

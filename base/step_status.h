@@ -1,4 +1,4 @@
-/* A fault of the numerics: a value that all ranks agree on and the caller answers. */
+/* The result of a step: which numerical fault it found, a value that the caller answers. */
 #pragma once
 
 /* What has seen a fault of the numerics. */
@@ -18,5 +18,5 @@ struct step_status {
     double value;
 };
 
-/* Makes the lowest failing rank's status everybody's. Returns whether any failed. Collective. */
+/* Gives all ranks the status of the lowest rank that failed. Returns whether any failed. Collective. */
 int step_status_agree(struct step_status *status);

@@ -1,6 +1,6 @@
-/* Eight doubles at once (vec) and four (vec4), by the compilers' vector extensions: gcc and clang lower them to
- * whatever the machine has, and the few intrinsics of the room stand here. With FRANA_SCALAR there are none of these,
- * and vec4 is one double: who uses it takes VEC4_LANES places at a time. */
+/* Eight doubles at once (vec) and four (vec4), by the vector extensions of gcc and clang, which compile to the
+ * machine's instructions. The program's few intrinsics are all here. With FRANA_SCALAR there are none, and vec4 is one
+ * double: loops over vec4 advance by VEC4_LANES. */
 #pragma once
 #include <stdint.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #    define VEC_AVX512 0
 #endif
 
-enum { VEC_LANES = 8, VEC_IS_NATIVE = VEC_AVX512 }; /* native: one register */
+enum { VEC_LANES = 8, VEC_IS_NATIVE = VEC_AVX512 }; /* native: a vec is one register */
 typedef double vec __attribute__((vector_size(64)));
 typedef int64_t vec_mask __attribute__((vector_size(64)));
 #ifdef FRANA_SCALAR
@@ -36,7 +36,7 @@ static inline vec4 vec4_load(const double *p) {
 static inline void vec_store(double *p, vec v) { memcpy(p, &v, sizeof v); }
 static inline void vec4_store(double *p, vec4 v) { memcpy(p, &v, sizeof v); }
 
-/* Past the caches, for what is not read again before they have been filled by other things; p aligned to 64 bytes. */
+/* Non-temporal store (past the caches), for values that are not read again soon; p aligned to 64 bytes. */
 static inline void vec_stream(double *p, vec v) {
 #if VEC_AVX512
     _mm512_stream_pd(p, (__m512d)v);
@@ -47,7 +47,7 @@ static inline void vec_stream(double *p, vec v) {
 
 static inline vec vec_set(double a) { return (vec){a, a, a, a, a, a, a, a}; }
 
-/* Lane k: lane k-1 of here; lane 0: the last of before. */
+/* Shifts by one lane: lane k of the result is lane k-1 of here; lane 0 is the last lane of before. */
 static inline vec vec_before(vec before, vec here) {
 #if defined __clang__ || __GNUC__ >= 12
     return __builtin_shufflevector(before, here, 7, 8, 9, 10, 11, 12, 13, 14);
@@ -56,7 +56,7 @@ static inline vec vec_before(vec before, vec here) {
 #endif
 }
 
-/* Bit k of bits -> lane k all ones. */
+/* Lane k is all ones where bit k of bits is set, else 0. */
 static inline vec_mask vec_mask_of_bits(unsigned bits) {
     const vec_mask bit = {1, 2, 4, 8, 16, 32, 64, 128};
     const vec_mask all = {bits, bits, bits, bits, bits, bits, bits, bits};
@@ -169,10 +169,10 @@ static inline double vec4_sum(vec4 a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
 #endif
 
-/* 1/a to a unit in the last place or two, a normal number; a division costs three times as much. */
+/* 1/a to one or two units in the last place, for a normal number a; a division takes three times as long. */
 static inline vec vec_reciprocal(vec a) {
 #if VEC_AVX512
-    vec r = (vec)_mm512_rcp14_pd((__m512d)a); /* 14 bits, 28, 56 */
+    vec r = (vec)_mm512_rcp14_pd((__m512d)a); /* correct to 14 bits; a Newton step doubles them: 28, 56 */
     r += r * (1 - a * r);
     return r + r * (1 - a * r);
 #else
@@ -204,7 +204,7 @@ static inline double vec_sum(vec a) {
     return sum;
 }
 
-/* The sum in whatever order is fastest: for numbers whose sums are exact. */
+/* The sum of the lanes in the fastest order: for numbers whose sums are exact. */
 static inline double vec_total(vec a) {
 #if VEC_AVX512
     return _mm512_reduce_add_pd((__m512d)a);
@@ -225,7 +225,7 @@ static inline vec vec_absmax(vec a, vec b) {
 #endif
 }
 
-/* Whether a lane is above b, or no number. */
+/* Whether a lane is above b or NaN. */
 static inline int vec_any_above(vec a, double b) {
 #if VEC_AVX512
     return _mm512_cmp_pd_mask((__m512d)a, _mm512_set1_pd(b), _CMP_NLE_UQ) != 0;
@@ -236,7 +236,7 @@ static inline int vec_any_above(vec a, double b) {
 #endif
 }
 
-/* The power of two at or below a > 0; 0 of 0, and infinity of what is no number. */
+/* The power of two at or below a > 0; 0 for 0, infinity for NaN. */
 static inline double power_below(double a) {
     uint64_t bits;
     memcpy(&bits, &a, sizeof bits);
@@ -245,7 +245,7 @@ static inline double power_below(double a) {
     return a;
 }
 
-/* Lanes with a bit set take p[0], p[1], ... in turn, the others 0; no more is read. */
+/* Lanes whose bit is set take p[0], p[1], ... in turn, the others 0; nothing more of p is read. */
 static inline vec vec_spread(unsigned bits, const double *p) {
 #if VEC_AVX512
     const __mmask8 first = (__mmask8)((1u << __builtin_popcount(bits)) - 1);
@@ -257,7 +257,7 @@ static inline vec vec_spread(unsigned bits, const double *p) {
 #endif
 }
 
-/* The other way: lanes with a bit set go to p[0], p[1], ... */
+/* The reverse: lanes whose bit is set are written to p[0], p[1], ... */
 static inline void vec_press(unsigned bits, vec v, double *p) {
 #if VEC_AVX512
     const __mmask8 first = (__mmask8)((1u << __builtin_popcount(bits)) - 1);
@@ -277,7 +277,7 @@ static inline vec vec_load_floats(const float *p) {
 #endif
 }
 
-/* Bit k: the sign of lane k is set. */
+/* Bit k is the sign of lane k. */
 static inline unsigned vec_signs(vec a) {
 #if VEC_AVX512 && defined __AVX512DQ__
     return _mm512_movepi64_mask((__m512i)a);
@@ -291,7 +291,7 @@ static inline unsigned vec_signs(vec a) {
 /* Two numbers from each of eight places: lane k of v[c] is p[at[k] + c]. */
 static inline void vec_gather2(const double *p, const int *at, vec v[2]) {
 #if VEC_AVX512 && defined __AVX512DQ__
-    __m512d of[2]; /* of even places and of odd ones; the masked loads do not use the shuffles' units */
+    __m512d of[2]; /* [0] of the even places, [1] of the odd ones; masked loads do not use the shuffle units */
     for (int odd = 0; odd < 2; odd++) {
         of[odd] = _mm512_castpd128_pd512(_mm_loadu_pd(p + at[odd]));
         of[odd] = _mm512_mask_broadcast_f64x2(of[odd], 0x0c, _mm_loadu_pd(p + at[2 + odd]));
@@ -312,7 +312,7 @@ static inline void vec_gather2(const double *p, const int *at, vec v[2]) {
 static inline void vec_gather4(const double *p, int stride, const int *at, vec v[4]) {
 #if VEC_AVX512
     static const int lower[4] = {0, 1, 4, 5}, upper[4] = {2, 3, 6, 7};
-    __m512d pair[4]; /* so paired, the lanes are in order after the shuffles between halves */
+    __m512d pair[4]; /* paired so that the lanes are in order after the shuffles between halves */
     for (int i = 0; i < 4; i++)
         pair[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(p + (long)stride * at[lower[i]])),
                                      _mm256_loadu_pd(p + (long)stride * at[upper[i]]), 1);
@@ -330,7 +330,7 @@ static inline void vec_gather4(const double *p, int stride, const int *at, vec v
 #endif
 }
 
-/* Bit k: a[k] and b[k] are not the same, of eight numbers each. */
+/* Bit k is set where a[k] and b[k] differ; eight numbers each. */
 static inline unsigned vec_differ(const int *a, const int *b) {
 #if VEC_AVX512
     return _mm256_cmpneq_epi32_mask(_mm256_loadu_si256((const __m256i *)(const void *)a),

@@ -15,13 +15,13 @@ static void growth(struct bench *b) {
 static const struct {
     const char *name;
     void (*measure)(struct bench *b);
-    int asked_only; /* not unless named by --only */
+    int asked_only; /* 1: measured only if named by --only */
 } part[] = {{"limits", bench_limits, 0},     {"fluid", bench_fluid, 0},   {"solid", bench_solid, 0},
             {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0}, {"growth", growth, 0},
             {"peer", bench_solid_peer, 1}};
 enum { PARTS = sizeof part / sizeof *part };
 
-/* Whether the comma-separated list holds the word. */
+/* Whether the comma-separated list contains the word. */
 static int holds(const char *list, const char *word) {
     const size_t length = strlen(word);
     for (const char *at = list; at; at = strchr(at, ','), at = at ? at + 1 : NULL)
@@ -29,7 +29,7 @@ static int holds(const char *list, const char *word) {
     return 0;
 }
 
-/* Every word of --only must be a part. */
+/* Checks that every word of --only is the name of a part. */
 static void check_only(const char *list) {
     for (const char *at = list; at; at = strchr(at, ','), at = at ? at + 1 : NULL) {
         const int length = (int)strcspn(at, ",");
@@ -42,7 +42,7 @@ static void check_only(const char *list) {
     }
 }
 
-/* "128x64x64,38": cells of a channel, particles along a side of a block. */
+/* Parses "128x64x64,38": cells of a channel, particles along a side of a block. */
 static struct bench_size *sizes_of(const char *list, int *n) {
     struct bench_size *size = calloc(strlen(list) + 1, sizeof *size);
     *n = 0;

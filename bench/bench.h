@@ -1,4 +1,4 @@
-/* frana bench: times of kernels and whole steps, beside what the machine could do at best.  (docs/performance.md) */
+/* frana bench: times of kernels and whole steps, compared with the machine's limits.  (docs/performance.md) */
 #pragma once
 
 /* The tables of a page, made from files measured before. */

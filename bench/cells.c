@@ -11,7 +11,7 @@
 
 enum { LINE = 4096 };
 
-/* Cuts a line at its commas; returns the number of cells, which are malloc'ed into cell [at most]. */
+/* Splits a line at its commas. Returns the number of cells, which are malloc'ed into cell [at most]. */
 static int cut(char *line, char **cell, int most) {
     int n = 0;
     line[strcspn(line, "\r\n")] = '\0';

@@ -1,4 +1,4 @@
-/* A CSV read back as text: the tables that a bench has written. */
+/* A CSV file as text: reads the tables that a bench has written. */
 #pragma once
 
 struct bench_cells {
@@ -7,14 +7,14 @@ struct bench_cells {
     char **cell; /* [rows][columns], owned */
 };
 
-/* Rows of another file with the same columns go behind those of `cells`, which is NULL at first. Dies with exit code 4
- * on a file that is missing or has other columns. Not collective. */
+/* Appends the rows of another file with the same columns to `cells`, which is NULL at first. Dies with exit code 4 on a
+ * file that is missing or has other columns. Not collective. */
 struct bench_cells *bench_cells_read(struct bench_cells *cells, const char *path);
 void bench_cells_free(struct bench_cells *cells);
 
-/* "" where the row or the column is not there. row may be -1. */
+/* "" if there is no such row or column. row may be -1. */
 const char *bench_cells_text(const struct bench_cells *cells, int row, const char *column);
 double bench_cells_number(const struct bench_cells *cells, int row, const char *column); /* NAN: none */
-/* The first row with this part, size ("": any) and number of ranks (0: any), or -1: what is measured again, for growth,
- * comes behind. */
+/* The first row with this part, size ("": any) and number of ranks (0: any), or -1. Repeated measurements follow the
+ * first one. */
 int bench_cells_find(const struct bench_cells *cells, const char *part, const char *size, int ranks);

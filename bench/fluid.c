@@ -16,7 +16,7 @@ static void step(void *with) {
     fluid_step(f->fluid, f->dt);
 }
 
-/* One layer of the three velocities. */
+/* Fills one ghost layer of the three velocities. */
 static void halo(void *with) {
     const struct flow *f = with;
     struct fluid_state *s = fluid_state_of(f->fluid);
@@ -44,13 +44,12 @@ struct fluid *bench_fluid_new(const int cells[3], int channel) {
 /* Compulsory traffic of a cell and stage, in doubles.
  * Momentum: u, v, w, p in (4), u* out (3), R_old in at two stages of three and R out at two of three (3 each): 11.
  * Forward (divergence, transforms in the cache, the recurrence up z): u* in, its y out: 3 + 1.
- * Columns: the last direction's values at the ranks' ends only: nothing to speak of.
- * Backward (the recurrence down z, transforms in the cache, correction): y, u*, p in, u, v, w, p out: 1 + 3 + 1 + 4.
- * Flops of a cell and stage.
- * Momentum, a component: fluxes 2 + 3 + 3 (sums and a product through the own faces and the two others), their
- * differences 3, scales 3, sums 2; diffusion 3 x 3 and a scale; predictor 6; pressure gradient and source 4: 36.
- * Forward: divergence 8, transforms of 5/2 log2 n a point in x and y, recurrence 3. Backward: recurrence 5, the
- * transforms, correction 3 x 3 and the pressure's 1. */
+ * Columns: only the last direction's values at the ranks' ends: negligible. Backward (the recurrence down z, transforms
+ * in the cache, correction): y, u*, p in, u, v, w, p out: 1 + 3 + 1 + 4. Flops of a cell and stage. Momentum, a
+ * component: fluxes 2 + 3 + 3 (sums and a product through the own faces and the two others), their differences 3,
+ * scales 3, sums 2; diffusion 3 x 3 and a scale; predictor 6; pressure gradient and source 4: 36. Forward: divergence
+ * 8, transforms of 5/2 log2 n a point in x and y, recurrence 3. Backward: recurrence 5, the transforms, correction 3 x
+ * 3 and the pressure's 1. */
 struct work {
     double doubles, flops;
 };
@@ -77,7 +76,7 @@ static struct work work_of(int part, const int n[3]) {
 }
 
 static const struct {
-    const char *name[2]; /* with inflow and outflow; channel */
+    const char *name[2]; /* with inflow and outflow; periodic along x */
     int channel;
 } part[PARTS] = {[STEP] = {{"fluid_step", "channel_step"}, BENCH_WALL},
                  [MOMENTUM] = {{"fluid_momentum", "channel_momentum"}, BENCH_CLOCK + CLOCK_MOMENTUM},
@@ -87,7 +86,7 @@ static const struct {
                  [BACKWARD] = {{"fluid_poisson_backward", "channel_poisson_backward"}, BENCH_CLOCK + CLOCK_BACKWARD},
                  [HALO] = {{"fluid_halo", "channel_halo"}, BENCH_CLOCK + CLOCK_HALO}};
 
-/* What the parts take is read off the program's clocks while whole steps run. */
+/* The times of the parts are those of the program's clocks while whole steps run. */
 static void measure_step(struct bench *b, struct flow *f, const int n[3], int channel, int parts) {
     struct bench_sample of[1][BENCH_CHANNELS];
     bench_measure(&b->effort, step, 1, (void *[]){f}, of);
@@ -105,7 +104,7 @@ static void measure_step(struct bench *b, struct flow *f, const int n[3], int ch
     }
 }
 
-/* A ghost value is read where it is owned and written where it is wanted. */
+/* A ghost value is read once, where it is owned, and written once, in the ghost. */
 static void measure_halo(struct bench *b, struct flow *f, const int n[3]) {
     const struct fluid_grid *g = fluid_grid_of(f->fluid);
     struct bench_sample of[1][BENCH_CHANNELS];

@@ -11,7 +11,10 @@
 
 #include <math.h>
 
-enum { CUBE = 14 }; /* spacings: a broken block's pieces; about a quarter of its bonds are gone, as in a crushed one */
+enum {
+    CUBE = 14
+}; /* edge of the pieces of a broken block, in spacings; about a quarter of its bonds are broken, as in
+    * a crushed one */
 
 static struct run *run_of(const struct bench_scene *what) {
     struct run *r = run_new(bench_scene_new(what));
@@ -29,12 +32,12 @@ static void end(struct run *r) {
     scene_free(scene);
 }
 
-/* The cube that a particle started in, by direction. */
+/* The cube of pieces that contains a particle's initial position, as indices along the directions. */
 static void cube_of(const struct solid *s, int h, long cube[3]) {
     for (int c = 0; c < 3; c++) cube[c] = lrint(floor(s->x0[c][h] / (CUBE * s->in.spacing)));
 }
 
-/* Breaks every bond between two cubes. */
+/* Breaks every bond between two such cubes. */
 static void break_up(struct solid *s) {
     static struct solid_family_view view;
     for (int h = 0; h < s->n; h++) {
@@ -51,7 +54,7 @@ static void break_up(struct solid *s) {
 
 static void coupled_step(void *with) { step_advance(with); }
 
-/* Markers that have all moved a little, there and back. */
+/* Sets the markers after all of them have moved a little, alternately there and back. */
 static void markers(void *with) {
     struct run *r = with;
     struct run_markers *m = &r->markers;
@@ -62,7 +65,7 @@ static void markers(void *with) {
     ibm_markers_set(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume);
 }
 
-/* The three stages of a step. */
+/* The forcing of the three stages of a step. */
 static void forcing(void *with) {
     struct run *r = with;
     for (int s = 0; s < 3; s++) ibm_forcing_stage(r->ibm, s, r->dt);
@@ -103,14 +106,15 @@ static void measure(struct bench *b, const char *part, bench_call *call, struct 
 
 /* A marker, a stage and an iteration: 27 points of three components, gathered and added to: 2 x 81 multiply-adds with
  * the weights' products (2 x 9 x 3) in between, so 380 flops, and three stages of two iterations in a step. Its weights
- * and blocks' places, 20 + 3 doubles, velocity, volume and share 7, increments in and out: 300 B an iteration; the
- * fields' blocks overlap and stay in the cache: u* in and out once a marker and component, 48 B. A probe: p and three
- * components on 4 x 4 x 4 points, 256 multiply-adds, and their 8 points' differences, some 800 flops; its place, normal
- * and result 11 doubles, the fields' values once a probe 32 B. */
+ * and blocks' indices, 20 + 3 doubles, velocity, volume and share 7, increments in and out: 300 B an iteration. The
+ * fields' blocks overlap and stay in the cache: u* in and out once for a marker and component, 48 B. A probe: p and
+ * three components on 4 x 4 x 4 points, 256 multiply-adds, and the differences at 8 points: about 800 flops; its
+ * position, normal and result are 11 doubles, the fields' values 32 B. */
 static const double forcing_bytes = 6 * (300 + 48), forcing_flops = 6 * 380;
 static const double probe_bytes = 11 * 8 + 32, probe_flops = 800;
 
-/* Steps of all in turn: an intact block whose bonds may not break; may break; by RK3; a broken one. */
+/* Takes steps of the four runs in turn: an intact block whose bonds may not break; one whose bonds may break; the same
+ * by RK3; a broken block. */
 static void steps(struct bench *b, struct run *const run[4]) {
     static const char *const name[4] = {"coupled_step", "coupled_step_breakage", "coupled_step_rk3",
                                         "coupled_step_broken"};
@@ -134,7 +138,7 @@ void bench_immersed(struct bench *b) {
     for (int k = 0; k < 4; k++)
         run[k] = run_of(&(struct bench_scene){.half = b->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2});
     break_up(run[3]->solid);
-    for (int k = 0; k < 3; k++) step_advance(run[3]); /* lists of contact, the interface */
+    for (int k = 0; k < 3; k++) step_advance(run[3]); /* so that contact has its lists and the interface is set up */
     steps(b, run);
     struct run *intact = run[0], *broken = run[3];
     const double n = (double)intact->surface->total, m = (double)broken->surface->total;

@@ -7,17 +7,17 @@
 struct triad {
     long n;
     double *a, *b, *c;
-    int idle; /* this rank waits */
+    int idle; /* 1: this rank waits */
 };
 
-/* a = b + s c: two loads and a store, 24 B, and 2 flops an element, the store past the caches where the machine can, so
- * that no line is read before it is written. n is a multiple of a vector's lanes. */
+/* a = b + s c: two loads and a store, 24 B, and 2 flops an element. The store goes past the caches if the machine can
+ * do that, so that no line is read before it is written. n is a multiple of a vector's lanes. */
 static void triad(void *with) {
     const struct triad *t = with;
     if (t->idle) return;
     for (long i = 0; i < t->n; i += VEC_LANES)
         vec_stream(t->a + i, vec_load(t->b + i) + vec_set(3) * vec_load(t->c + i));
-    t->b[0] = t->a[t->n / 2] * 1e-300; /* so that no call can be left out */
+    t->b[0] = t->a[t->n / 2] * 1e-300; /* a use of the result, so that the compiler cannot remove a call */
 }
 
 enum { CHAINS = 6, ROUNDS = 20000 };
@@ -26,7 +26,8 @@ struct chains {
     double sum;
 };
 
-/* Six independent chains of eight lanes: enough to cover a multiply-add's latency, few enough for any register file. */
+/* Six independent chains of eight lanes: enough to hide the latency of a multiply-add, few enough for any register
+ * file. */
 static void multiply_add(void *with) {
     struct chains *result = with;
     const vec factor = vec_set(0.999), term = vec_set(1e-3);
@@ -58,7 +59,7 @@ struct bench_limits bench_limits_measure(const struct bench_effort *effort, long
     l.fma = of[0][BENCH_WALL];
     l.fma_length = 2.0 * CHAINS * ROUNDS * VEC_LANES;
     const double bytes = 24 * l.triad_length;
-    l.alone = bytes / l.triad_alone.low; /* the best that was seen: it is a limit */
+    l.alone = bytes / l.triad_alone.low; /* the highest rate: it is a limit */
     l.together = par_size() * bytes / l.triad.low;
     l.peak = par_size() * l.fma_length / l.fma.low;
     return l;

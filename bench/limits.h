@@ -1,20 +1,20 @@
-/* What the machine can do at best, measured: memory bandwidth and multiply-adds in registers. */
+/* Measured limits of the machine: memory bandwidth and multiply-add rate in registers. */
 #pragma once
 #include "bench/measure.h"
 
 struct bench_limits {
-    double alone;    /* B/s that one rank gets while the others wait */
+    double alone;    /* B/s of one rank while the others wait */
     double together; /* B/s of all ranks at once */
     double peak;     /* flop/s of all ranks at once */
     struct bench_sample triad_alone, triad, fma;
-    double triad_length, fma_length; /* elements a triad call, flops a multiply-add call and rank */
+    double triad_length, fma_length; /* elements in a triad call; flops in a multiply-add call of one rank */
 };
 
-/* The roofline: the least seconds that this many bytes and flops of all ranks take. */
+/* The roofline: the shortest time, s, for this many bytes and flops of all ranks. */
 static inline double bench_limits_seconds(const struct bench_limits *l, double bytes, double flops) {
     const double of_bytes = bytes / l->together, of_flops = flops / l->peak;
     return of_bytes > of_flops ? of_bytes : of_flops;
 }
 
-/* length: doubles in each of the triad's three arrays, a rank. Collective. */
+/* length: doubles in each of the triad's three arrays, on each rank. Collective. */
 struct bench_limits bench_limits_measure(const struct bench_effort *effort, long length);

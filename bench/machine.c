@@ -10,7 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-/* Text for a CSV's cell: no commas, quotes or line ends. */
+/* Copies a text for a CSV's cell, without commas, quotes and line ends. */
 static void cell(char *to, size_t size, const char *from) {
     snprintf(to, size, "%.*s", (int)size - 1, from);
     for (char *c = to; *c; c++)

@@ -21,7 +21,7 @@ static void read_clocks(double now[BENCH_CHANNELS]) {
     for (int p = 0; p < CLOCK_ALL; p++) now[BENCH_CLOCK + p] = clock_seconds((enum clock_part)p);
 }
 
-/* One repeat: seconds a call by channel, the slowest rank's. */
+/* One repeat: seconds a call for each channel, on the slowest rank. */
 static void repeat(bench_call *call, void *with, long calls, double seconds[BENCH_CHANNELS]) {
     double before[BENCH_CHANNELS], after[BENCH_CHANNELS];
     par_barrier();
@@ -32,7 +32,7 @@ static void repeat(bench_call *call, void *with, long calls, double seconds[BENC
     par_max_array(seconds, BENCH_CHANNELS);
 }
 
-/* Calls for a repeat that lasts long enough, three or more; a first one warms up, a second is looked at. */
+/* Number of calls for a repeat that lasts long enough, at least three. The first call warms up, the second is timed. */
 static long calls_for(const struct bench_effort *effort, bench_call *call, void *with) {
     double seconds[BENCH_CHANNELS];
     repeat(call, with, 1, seconds);

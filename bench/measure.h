@@ -6,25 +6,25 @@ enum { BENCH_REPEATS_MAX = 1000 };
 
 struct bench_effort {
     int repeats;    /* at least five */
-    double seconds; /* that a repeat should last */
+    double seconds; /* duration of a repeat, s */
 };
 
-/* Seconds a call, the slowest rank's. */
+/* Seconds a call, on the slowest rank. */
 struct bench_sample {
     long calls; /* in a repeat */
     int repeats;
     double median, low, high;
 };
 
-/* What is measured at once: the wall clock, and each part of the program's own (base/clock.h). */
+/* The channels of a measurement: the wall clock, and each part of the program's clocks (base/clock.h). */
 enum { BENCH_WALL, BENCH_CLOCK, BENCH_CHANNELS = BENCH_CLOCK + CLOCK_ALL };
 
 typedef void bench_call(void *with);
 
-/* `call` on each of n things in turn, repeat by repeat, so that what disturbs the machine disturbs all of them.
+/* Times `call` on each of n things in turn, repeat by repeat, so that a disturbance of the machine affects all of them.
  * of [n][BENCH_CHANNELS], n <= 8. Collective. */
 enum { BENCH_THINGS = 8 };
 void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
                    struct bench_sample (*of)[BENCH_CHANNELS]);
-/* Sorts; the middle one, or the mean of the two. Not collective. */
+/* Sorts the values; returns the middle one, or the mean of the two middle ones. Not collective. */
 double bench_measure_median(int n, double *value);

@@ -34,8 +34,8 @@ static struct holding holding_of(const struct bench_block *block) {
     return h;
 }
 
-/* What a bond holds by itself is the difference of two families in the same block, horizons of 3 and of 2 spacings; the
- * rest is the particles' state, work and places. */
+/* Memory of a bond: difference of two families in the same block, with horizons of 3 and of 2 spacings, divided by the
+ * number of added bonds. The rest is the particles' state, work arrays and indices. */
 static void of_block(struct bench *b, const char *of_bond, const char *of_particle, int list) {
     char size[32];
     struct bench_block block = {.half = b->quick, .list = list};

@@ -1,4 +1,4 @@
-/* What is measured, by subject. Inside the room only. Each is collective. */
+/* The measurements, by subject. For bench/ only. Each is collective. */
 #pragma once
 #include "bench/row.h"
 #include "fluid/fluid.h"
@@ -6,8 +6,8 @@
 
 struct bench {
     struct bench_effort effort;
-    int quick; /* small problems: shows that all works */
-    int sizes; /* given ones instead of the standard ones */
+    int quick; /* 1: small problems, a test that all measurements work */
+    int sizes; /* number of sizes given by the user; 0: the standard ones */
     const struct bench_size *size;
     struct bench_table table;
 };
@@ -21,8 +21,8 @@ struct bench_size {
 void bench_limits(struct bench *b);
 void bench_fluid(struct bench *b);      /* steps, and their parts */
 void bench_solid(struct bench *b);      /* force sweeps */
-void bench_plate(struct bench *b);      /* those over a plate */
-void bench_refine(struct bench *b);     /* looks and refinements of one */
+void bench_plate(struct bench *b);      /* force sweeps over a plate */
+void bench_refine(struct bench *b);     /* searches for particles to refine, and refinements of a plate */
 void bench_solid_peer(struct bench *b); /* the sweep that bench/lammps compares */
 void bench_immersed(struct bench *b);   /* the main case: forcing, probe, interface, contact, whole steps */
 void bench_memory(struct bench *b);     /* bytes a cell, a bond, a marker */
@@ -41,7 +41,7 @@ struct bench_block {
 };
 struct solid *bench_solid_block_new(const struct bench_block *in);
 
-/* Displacements with stretches of some 1e-4, of which none breaks a bond. */
+/* Sets displacements with stretches of about 1e-4, which break no bond. */
 void bench_sweep_strain(struct solid *s);
-/* A force sweep with its exchange of ghosts, of a struct solid. */
+/* A force sweep with its exchange of ghosts; solid: a struct solid. */
 void bench_sweep(void *solid);

@@ -9,7 +9,7 @@
 enum { HOLES = 8 };
 static const double SPACING = 1e-3; /* m */
 
-/* Eight round holes in two rows; edges run as they run, cells are clipped. */
+/* A plate with eight round holes in two rows. The edges are the exact curves, and cells are clipped by them. */
 static struct solid *plate_new(const int sites[2]) {
     static const signed char straight[4] = {0}, round[2] = {1, 1};
     const double width = sites[0] * SPACING, height = sites[1] * SPACING, radius = 0.053 * height;
@@ -38,11 +38,11 @@ static struct solid *plate_new(const int sites[2]) {
     return s;
 }
 
-/* Each bond once, for both its ends. In: the relative displacement 2, eps = eta.(2 xi + eta)/xi^2 6, the stretch's
- * polynomial of degree four 9, weights 4, zeta 2, and the force added at both ends 8: 31 a bond, 15.5 directed. With
- * damping relative velocities 2, their part along zeta 3, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 12 more.
- * A directed bond is 4 B for the other end, two singles for xi, and a double. Particles: displacement in, acceleration
- * in and out, and w in. */
+/* Each bond is computed once, for both its ends. Flops: the relative displacement 2, eps = eta.(2 xi + eta)/xi^2 6, the
+ * stretch's polynomial of degree four 9, weights 4, zeta 2, and the force added at both ends 8: 31 a bond, 15.5
+ * directed. With damping relative velocities 2, their part along zeta 3, 1/(1 + eps) 2, scales 2, the sum 1, and the
+ * power 2: 12 more. A directed bond is 4 B for the other end, two singles for xi, and a double. Particles: displacement
+ * in, acceleration in and out, and w in. */
 static void measure(struct bench *b, const char *part, struct solid *s, double damping) {
     struct bench_sample of[1][BENCH_CHANNELS];
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};

@@ -33,7 +33,7 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
     return s;
 }
 
-/* No particle has more than the threshold. */
+/* The search for particles to refine, in a state where no particle exceeds the threshold. */
 static void look(void *with) { solid_refine_look(with); }
 
 static struct bench_row row_of(const char *part, const struct solid *s, struct bench_sample time) {
@@ -43,7 +43,7 @@ static struct bench_row row_of(const char *part, const struct solid *s, struct b
     return row;
 }
 
-/* The k-th, which is refined with its family: five a row. */
+/* Marks the k-th of the particles to be refined, with its family; five in a row of the plate. */
 static void mark_one(const struct solid *s, int k, uint8_t *mark) {
     const double at[2] = {5 + k % 5 * APART, 5 + k / 5 * APART};
     for (int h = 0; h < s->n; h++) {
@@ -52,7 +52,7 @@ static void mark_one(const struct solid *s, int k, uint8_t *mark) {
     }
 }
 
-/* s, the slowest rank's. */
+/* Duration of one refinement on the slowest rank, s. */
 static double event(struct solid *s, int k) {
     uint8_t *mark = memory_new(MEMORY_SOLID, (size_t)s->n + 1, 1);
     mark_one(s, k, mark);

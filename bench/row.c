@@ -43,7 +43,7 @@ void bench_row_end(struct bench_table *t) {
     end(t->traffic);
 }
 
-/* A number, or nothing where there is none. */
+/* Writes a number, or an empty cell if it is not positive. */
 static void number(FILE *file, double value) { fprintf(file, value > 0 ? ",%.5g" : ",", value); }
 
 static void row_file(const struct bench_table *t, const struct bench_row *r, double ns, double rate, double fraction) {

@@ -1,4 +1,4 @@
-/* The table of a bench: a row a kernel or step, written as CSV and said on the screen. */
+/* The table of a bench: one row for each kernel or step, written as CSV and to the screen. */
 #pragma once
 #include "bench/limits.h"
 #include "bench/machine.h"
@@ -9,10 +9,11 @@ struct bench_row {
     const char *part;
     char size[32]; /* "128x64x64" cells, or "54872" particles */
     struct bench_sample time;
-    double units; /* of the whole problem, a call */
+    double units; /* work units (cells, bonds, ...) of the whole problem in a call */
     const char *unit;
-    /* What the algorithm must move and compute a unit, counted beside the kernel's bench; 0: not counted. Bytes are
-     * compulsory traffic: each array that does not stay in the cache once in and once out. */
+    /* Bytes that the algorithm must move and flops that it must compute for each unit, counted beside the kernel's
+     * bench; 0: not counted. Bytes are compulsory traffic: each array that does not stay in the cache is read once and
+     * written once. */
     double bytes, flops;
 };
 
@@ -23,13 +24,13 @@ struct bench_table {
     struct bench_machine machine;
 };
 
-/* folder NULL: on the screen only. Dies with exit code 4 where it cannot be written. Collective. */
+/* folder NULL: on the screen only. Dies with exit code 4 if the folder is not writable. Collective. */
 void bench_row_begin(struct bench_table *t, const char *folder);
 void bench_row_end(struct bench_table *t);
 void bench_row_write(struct bench_table *t, const struct bench_row *row); /* Not collective: rank 0 writes. */
-/* Bytes held a unit. bytes: of all ranks. */
+/* Memory for each unit. bytes: of all ranks. */
 void bench_row_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
                       const char *unit);
-/* What a call sends, by kind: messages, collectives, bytes of the rank that sends most. Collective. */
+/* Traffic of a call by kind: messages, collective calls and bytes of the rank that sends most. Collective. */
 void bench_row_traffic(struct bench_table *t, const char *part, const char *size, bench_call *call, void *with,
                        int calls);

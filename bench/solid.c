@@ -24,7 +24,7 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
         body.low[c] = in->side ? 0 : low[c] * SPACING;
         body.high[c] = (in->side ? side : high[c]) * SPACING;
     }
-    if (!in->side) { /* the main case's cavities, and its periodic span */
+    if (!in->side) { /* the main case's block, with its cavities and its periodic span */
         body.cavity_period = 16 * SPACING;
         body.cavity_radius = 9.15 * SPACING;
         body.cavity_centre[0] = 16.15 * SPACING;
@@ -36,11 +36,12 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
     return s;
 }
 
-/* Each bond once, for both its ends. In: the relative displacement 3, eps = eta.(2 xi + eta)/xi^2 9, the stretch's
- * polynomial of degree four 9, weights 4, zeta 3, and the force added at both ends 12: 40 a bond, 20 directed. With
- * damping relative velocities 3, their part along zeta 5, 1/(1 + eps) 2, scales 2, the sum 1, and the power 2: 15 more.
- * Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3). A directed bond
- * on a lattice: one bit. In a list: 4 B for the other end, three singles for its reference vector, and a double. */
+/* Each bond is computed once, for both its ends. Flops: the relative displacement 3, eps = eta.(2 xi + eta)/xi^2 9, the
+ * stretch's polynomial of degree four 9, weights 4, zeta 3, and the force added at both ends 12: 40 a bond, 20
+ * directed. With damping relative velocities 3, their part along zeta 5, 1/(1 + eps) 2, scales 2, the sum 1, and the
+ * power 2: 15 more. Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3).
+ * A directed bond on a lattice: one bit. In a list: 4 B for the other end, three singles for its reference vector, and
+ * a double. */
 static void count(struct bench_row *row, double particles, int list, int damped) {
     row->flops = 20 + (damped ? 7.5 : 0);
     row->bytes = (list ? 4 + 12 + 8 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
@@ -85,8 +86,8 @@ void bench_solid(struct bench *b) {
     bench_refine(b);
 }
 
-/* A horizon of 2.5 spacings has a family of |xi| < 3 spacings and a little, 122 bonds: those of a code that bonds
- * particles by the distance of their centres alone. Then the family of the horizon of 3 spacings, 178 bonds. */
+/* With a horizon of 2.5 spacings the family is |xi| < 3 spacings plus a little, 122 bonds: the family of codes that
+ * bond particles by the distance of their centres only. Then the horizon of 3 spacings, with 178 bonds. */
 void bench_solid_peer(struct bench *b) {
     const int side = b->quick ? 12 : 38;
     measure(b, "sweep_122", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4}, 0);

@@ -9,7 +9,7 @@
 #include <string.h>
 
 struct page {
-    struct bench_cells *rows, *traffic, *peer; /* measured here; sent; another code beside ours */
+    struct bench_cells *rows, *traffic, *peer; /* rows measured here; traffic; rows of another code, for comparison */
     int runs;
     struct bench_whole run[8];
 };
@@ -36,17 +36,18 @@ static const char *text(const struct bench_cells *c, int row, const char *column
     return *t ? t : "–";
 }
 
-/* ns a directed bond of LAMMPS's pair time, full block of 6.1 million, on the machine where the peers were measured. */
+/* Pair time of LAMMPS in ns a directed bond, for a full block of 6.1 million particles, on the machine on which the
+ * other codes were measured. */
 static const double LAMMPS_NS = 11;
 
-/* How much longer LAMMPS takes here and now than there; NAN: not measured. */
+/* Factor by which LAMMPS is slower here and now than on that machine; NAN: not measured. */
 static double slower(const struct page *p) {
     if (!p->peer || p->peer->rows < 1) return NAN;
     return bench_cells_number(p->peer, p->peer->rows - 1, "theirs_ns") / LAMMPS_NS;
 }
 
-/* One line of what is to be reached: ours NAN: not measured yet; low NAN: one number, of another time than the peers'.
- */
+/* Writes one line of a target. ours NAN: not measured yet; low NAN: a single number, not measured together with the
+ * other codes. */
 static void target(const char *what, const char *peer, const char *unit, double most, double ours, double low,
                    double high, double slow) {
     printf("| %s | %s | ≤ %g %s | ", what, peer, most, unit);
@@ -77,7 +78,7 @@ static void target_bond(const struct page *p, const char *what, const char *peer
            a_ms * bench_cells_number(p->rows, row, "high_ms"), slower(p));
 }
 
-/* Markers, forcing and probe over a coupled step of the intact block, %. */
+/* Time of markers, forcing and probe as a share of a coupled step of the intact block, %. */
 static double share(const struct page *p) {
     const char *const part[3] = {"markers", "forcing", "probe"}, *size = "128x64x64";
     double sum = 0;

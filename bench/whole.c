@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What stands behind "key": in the file's line, without quotes and commas. Returns whether it was there. */
+/* Copies the text behind "key": in a line of the file, without quotes and commas. Returns whether the key was found. */
 static int value_of(const char *line, const char *key, char *to, size_t size) {
     const char *at = strstr(line, key);
     if (!at) return 0;
@@ -17,7 +17,7 @@ static int value_of(const char *line, const char *key, char *to, size_t size) {
     return 1;
 }
 
-/* The integrator of the last stage that names one, in the scene that lies beside the run.json. */
+/* The integrator of the last stage that names one, in the scene beside the run.json. */
 static int is_rk3(const char *path) {
     char scene[FOLDER_PATH], line[1024], word[64] = "rk3";
     const char *slash = strrchr(path, '/');

@@ -1,4 +1,4 @@
-/* Chooses the time step and the number of solid substeps, and judges whether a taken step holds. */
+/* Chooses the time step and the number of solid substeps, and decides whether a step that was taken is accepted. */
 #include "coupling/adapt.h"
 #include "base/die.h"
 #include "base/par.h"
@@ -13,11 +13,11 @@
 
 enum { LOOK_AT_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100, SUBSTEPS_MAX = 1000000 };
 
-/* Steps grow by no more than this, and a step that is longer by it than it was to be no longer holds, unless it is
- * within the limit itself. */
+/* An automatic step is at most GROWTH times the last one. It is rejected if it is longer than the limit of the new
+ * velocities, by more than BEYOND times the scene's fraction of that limit. */
 static const double GROWTH = 1.2, BEYOND = 1.1;
-/* What is made again: a quarter where nothing is known, else what the limit says, within these; below this part of the
- * stage's first step nothing will help. */
+/* Factors of the step for another try: SHORTER after NaN; else from the limit, between SHORTEST and LONGEST. A step
+ * below LEAST of the stage's first one is not tried. */
 static const double SHORTER = 0.25, SHORTEST = 1e-3, LONGEST = 0.9, LEAST = 1e-6;
 enum { DOUBLINGS = 6, SAID_AFTER = 10 };
 
@@ -36,7 +36,7 @@ void adapt_begin(struct run *r) {
     if (r->stage_step == 0) r->adapt.approach = 0;
 }
 
-/* One line where another bound has come to stay. */
+/* Writes one line if another bound has limited the last steps. */
 static void say_bound(struct run *r) {
     struct adapt *a = &r->adapt;
     if (a->replays || a->bound == a->said || (a->said != ADAPT_GIVEN && a->since < SAID_AFTER)) return;
@@ -66,7 +66,7 @@ static double least_substeps(const struct run *r, double stable) {
     return ceil(r->dt / (stage_of(r)->safety * stable) * (1 - 1e-12));
 }
 
-/* Whether the present number will do with contact of this rate. */
+/* Whether the present number of substeps is stable with contact of this rate. */
 static int suffices(const void *run, double contact) {
     const struct run *r = run;
     const enum solid_integrator integrator = r->solid->stage.integrator;
@@ -78,7 +78,7 @@ static int wanted(struct run *r, solid_contact_enough *enough) {
     r->adapt.approach = 0;
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
     const double least = least_substeps(r, r->solid_stable);
-    if (least > SUBSTEPS_MAX && contact == 0) /* contact may ask for that for a while */
+    if (least > SUBSTEPS_MAX && contact == 0) /* with contact, such a number may be needed for a while */
         die_all(EXIT_CODE_SCENE,
                 "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
                 stage_of(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
@@ -94,8 +94,9 @@ static void set_substeps(struct run *r, int substeps) {
     r->substeps = substeps;
 }
 
-/* Contact is looked at every few steps, or every step if the step itself changes. More substeps at once, fewer only
- * every so many steps: the number is part of a checkpoint, and the steps at which it may change are fixed. */
+/* The contact's rate is computed every few steps, or at every step if the step is automatic. The number of substeps
+ * rises at once, but falls only every FEWER_SUBSTEPS_EVERY steps: it is part of a checkpoint, so the steps at which it
+ * may fall are fixed. */
 void adapt_substeps(struct run *r) {
     const int least = r->adapt.least;
     if (is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
@@ -108,7 +109,7 @@ void adapt_substeps(struct run *r) {
 
 /* Speed of this rank's fastest particle, m/s. */
 static double fastest_of(const struct solid *s) {
-    const int plane = s->dim == 2; /* its third array: the second, times 0 */
+    const int plane = s->dim == 2; /* in a plate the third component is 0: the second array stands for it, times 0 */
     const double *restrict u = s->v[0], *restrict v = s->v[1], *restrict w = s->v[s->dim - 1];
     const double third = !plane;
     double most = 0;
@@ -171,7 +172,8 @@ static enum adapt_verdict judge_convection(struct run *r, double rate, struct st
     return shorter(r, fmin(fmax(cfl * a->limits.step, SHORTEST * r->dt), LONGEST * r->dt), status);
 }
 
-/* The bound sees a pair before it touches; it is looked at again before two can have come nearer by as much. */
+/* The bound on the contact's rate includes pairs within a margin, before they touch. It is computed again before two
+ * particles can have approached by more than the margin. */
 static enum adapt_verdict judge_contact(struct run *r, double fastest, struct step_status *status) {
     r->adapt.approach += 2 * r->dt * fastest;
     if (r->adapt.approach <= solid_contact_rate_margin(r->solid)) return ADAPT_HOLDS;

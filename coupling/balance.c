@@ -1,15 +1,16 @@
 /* Corrects the probes' loads so that each body receives the force that the forcing takes from the fluid. */
-/* The probes say where on a body the fluid pulls, but their sum is only as good as the cells resolve the body. The
- * forcing's sum is the fluid's own. For the markers' shell and the fluid within, which moves with the body,
+/* The probes give the distribution of the fluid's load on a body, but the error of their sum grows with the cells' size
+ * over the body's size. The forcing's sum is exact. For the markers' shell and the fluid within it, which moves with
+ * the body,
  *
- *     rho V dU/dt = T + f + V (rho g + G),      so  T = rho V dU/dt - f - V (rho g + G),                     (after
- * Uhlmann 2005)
+ *     rho V dU/dt = T + f + V (rho g + G),      so  T = rho V dU/dt - f - V (rho g + G),      (after Uhlmann 2005)
  *
- * T the outer fluid's force on the body, f the forcing's on the fluid, G the driving gradient, which the solved
- * pressure leaves out. T less the probes' sum is spread evenly over the volume that is in the domain: it moves the body
- * and strains nothing that is free. A body is what the scene calls one, whole or in pieces. dU/dt is of the step
- * before. So is the acceleration of the carried mass, which is the probes' too: a step gives back, body by body, just
- * what the one before has taken, so that nothing is lost where normals turn or particles come off meanwhile. */
+ * T is the force of the outer fluid on the body, f that of the forcing on the fluid, G the driving gradient, which the
+ * solved pressure does not contain. T minus the probes' sum is spread evenly over the body's volume in the domain: it
+ * moves the body without straining free parts. A body is one of the scene's bodies, whole or in pieces. dU/dt is that
+ * of the last step. The carried mass uses the last step's acceleration as well, as the probes do: for each body a step
+ * gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or particles
+ * break off. */
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -28,7 +29,8 @@ static int is_inside(const struct run *r, int h) {
     return 1;
 }
 
-/* The next bonded particle in the domain from h on, or n. i: place among the surface's, which rise. */
+/* The next particle with bonds in the domain from h on, or n. i: index into the surface's particles, which are in
+ * ascending order. */
 static int next_from(const struct run *r, int h, int *i) {
     const struct solid_surface *f = r->surface;
     for (; h < r->solid->n; h++) {
@@ -39,7 +41,7 @@ static int next_from(const struct run *r, int h, int *i) {
     return h;
 }
 
-/* T less the probes' sum, of what a particle holds: the fluid within it, and its load. */
+/* Adds a particle's part of T minus the probes' sum: the fluid in its volume, minus its load. */
 static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
     const struct solid *s = r->solid;
@@ -54,7 +56,7 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
     }
 }
 
-/* What the mass that a probe's particle carries takes at an acceleration along the normal, N. */
+/* Adds the force that accelerates the carried mass of a probe's particle at a_n along the normal, N. */
 static void add_carried(const struct run *r, int q, double a_n, double sum[3]) {
     const struct run_markers *m = &r->markers;
     const double force = m->added[q] * a_n * r->solid->volume[m->particle[q]];
@@ -70,7 +72,7 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
         if (r->surface->two_sided[i] == SOLID_SET_FREE) continue;
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
     }
-    for (int q = 0; q < m->probes && r->strong; q++) /* of this very step */
+    for (int q = 0; q < m->probes && r->strong; q++) /* the acceleration of the present step */
         add_carried(r, q, m->acceleration_n[q], &sum[s->body[m->particle[q]]][LACK]);
 }
 

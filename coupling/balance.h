@@ -1,10 +1,11 @@
-/* Loads that keep momentum: each body's sum made to agree with what the forcing takes from the fluid. */
+/* Loads that conserve momentum: each body's sum is corrected to the force that the forcing takes from the fluid. */
 #pragma once
 #include "coupling/run.h"
 
-/* Between the probes' loads and those of particles without bonds, which are the forcing's already and left out. sum:
- * the probes' force on the whole solid, this rank's share, N; corrected. Collective. */
+/* Corrects the loads. To be called after the probes' loads and before those of particles without bonds, which come from
+ * the forcing and are left out. sum: the probes' force on the whole solid, this rank's share, N; corrected.
+ * Collective. */
 void balance_loads(struct run *r, double sum[3]);
-/* After the solid's part of a step: what it took to move the mass that each body carries, which the next step gives
- * back; nothing unless loads are balanced and the scheme is explicit. Collective. */
+/* After the solid's part of a step: stores the force that accelerated each body's carried mass, which the next step
+ * gives back. Does nothing unless loads are balanced and the scheme is explicit. Collective. */
 void balance_keep(struct run *r);

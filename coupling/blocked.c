@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-/* 1: the side gives a flow into the domain; -1: fluid may leave through it. */
+/* 1: the side prescribes a flow into the domain; -1: fluid may leave through it; 0: neither. */
 static int flows(const struct fluid_side *s, int d, int high) {
     const double in = high ? -s->velocity[d] : s->velocity[d];
     switch (s->type) {

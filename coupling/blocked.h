@@ -1,9 +1,9 @@
-/* What is given to flow where nothing can: the forcing lets it through a body, and the pressure's drop is the method's,
- * not the flow's. */
+/* Finds prescribed flow without an open path out: the forcing would push it through a body, and the pressure drop would
+ * be an artefact of the method. */
 #pragma once
 #include "coupling/run.h"
 
-/* One sentence for each side, or driven direction, that gives a flow and has no way out, as the bodies stand now;
- * returns how many. Collective. */
+/* Writes one sentence for each side, or driven direction, whose prescribed flow has no way out with the bodies at their
+ * present positions. Returns how many. Collective. */
 enum { BLOCKED_MAX = 6, BLOCKED_SENTENCE = 200 };
 int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]);

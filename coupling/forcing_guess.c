@@ -1,4 +1,4 @@
-/* Carries the implicit forcing's starting guess between markers and particles, for checkpoints and restarts. */
+/* Moves the implicit forcing's starting guess between markers and particles, for checkpoints and rejected steps. */
 #include "coupling/forcing_guess.h"
 #include "base/memory.h"
 

@@ -1,12 +1,15 @@
-/* What the implicit forcing goes on from, by particle: part of a checkpoint, and of the state kept in memory. */
+/* Starting guess of the implicit forcing, stored per particle: part of a checkpoint, and of the state kept in
+ * memory. */
 #pragma once
 #include "coupling/run.h"
 
-/* 1: the run has one. Not collective. */
+/* 1: the run has such a guess. Not collective. */
 int forcing_guess_is_part_of(const struct run *r);
-/* all [n][3] of the solid's particles, m/s2; 0 where there is no marker, or none yet. Collective. */
+/* Reads the guess into all [n][3] of the solid's particles, m/s2; 0 if a particle has no marker, or none yet.
+ * Collective. */
 void forcing_guess_take(struct run *r, double (*all)[3]);
-/* Back to the markers: at once where the solid is at rest, else once they stand where they did. Collective. */
+/* Gives the guess back to the markers: at once if the solid is at rest, else when the markers have been set again.
+ * Collective. */
 void forcing_guess_put(struct run *r, const double (*all)[3]);
-/* After ibm_markers_set: hands on what has waited for them. Collective. */
+/* After ibm_markers_set: gives a stored guess to the markers. Collective. */
 void forcing_guess_hand_on(struct run *r);

@@ -12,7 +12,7 @@
 
 enum { FIELDS = 4, CARRIED = FIELDS + 3, ARRAYS };
 
-/* Where a run stands, and what the present stage has found of its steps. */
+/* The position of a run in time, and the data on the present stage's steps. */
 struct place {
     double t, dt, load[3], driving, solid_stable, approach;
     long step, stage_step, moved;
@@ -23,14 +23,15 @@ struct place {
 struct guard {
     double *copy[ARRAYS];
     size_t count[ARRAYS];
-    double (*demand)[3];      /* [n] of the implicit forcing; NULL: it has none */
-    struct solid_keep *solid; /* NULL: nothing of it changes */
+    double (*demand)[3];      /* [n] guess of the implicit forcing; NULL: none */
+    struct solid_keep *solid; /* NULL: the solid does not change */
     struct place at;
     int kept;
-    long refined; /* events when the arrays were made */
+    long refined; /* number of refinements when the arrays were made */
 };
 
-/* The fluid's fields with their ghosts, the solid's velocity a step ago, what bodies carried; 0 where there is none. */
+/* The arrays to keep: the fluid's fields with their ghosts, the solid's velocity one step ago, the force of the bodies'
+ * carried mass; NULL and 0 for those that the run does not have. */
 static void arrays_of(const struct run *r, double *array[ARRAYS], size_t count[ARRAYS]) {
     memset(array, 0, ARRAYS * sizeof *array);
     memset(count, 0, ARRAYS * sizeof *count);

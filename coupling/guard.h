@@ -2,12 +2,13 @@
 #pragma once
 #include "coupling/run.h"
 
-/* The state kept in memory as the last one known to be good; what a run that has gone unstable leaves behind. */
+/* A copy of the run's state in memory, known to be good; an unstable run ends with it. */
 struct guard; /* opaque */
 struct guard *guard_new(const struct run *r);
 void guard_free(struct guard *g);
 void guard_keep(struct guard *g, struct run *r); /* Collective. */
-/* 0: the solid has been refined since the guard was made, which is to be made anew. Not collective. */
+/* 0: the solid has been refined since the guard was made, so a new guard is needed. Not collective. */
 int guard_fits(const struct guard *g, const struct run *r);
-/* Puts the kept state back; returns its step, or -1 when none was kept that fits the particles of now. Collective. */
+/* Restores the kept state. Returns its step, or -1 if none was kept, or none that fits the present particles.
+ * Collective. */
 long guard_restore(struct guard *g, struct run *r);

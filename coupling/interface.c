@@ -66,15 +66,15 @@ void interface_markers_free(struct run *r) {
     memory_free(m->active);
 }
 
-/* The probe's dp/dn|_m = -rho_f dV/dt.n is an added mass, rho_f l/2 A_h, which the particle carries with its own
- * acceleration. The rest of the fluid's answer to an acceleration comes with p|_e, a step late; where fluid and solid
- * are of like mass that alone grows. So half as much again is carried, and given back as a load with the acceleration
- * of the last step: nothing is added in the mean, and short waves are held down. */
+/* The probe's dp/dn|_m = -rho_f dV/dt.n acts as an added mass, rho_f l/2 A_h, which the particle carries with its own
+ * acceleration. The rest of the fluid's reaction to an acceleration comes with p|_e, one step late; if fluid and solid
+ * have similar masses, this delay alone makes the coupling unstable. So half as much again is carried, and given back
+ * as a load with the acceleration of the last step. The mean force is unchanged; short waves are damped. */
 static const double CARRIED = 1.5, GIVEN_BACK = 0.5;
 
-/* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe: such that the forcing,
- * which a step applies three times N_s, hands fluid and particle Stokes' drag 3 pi mu d (V - U) of the sphere of its
- * volume, or what takes half of their difference away where that is less. */
+/* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe. The forcing is applied 3
+ * N_s times a step. With this volume it exchanges between fluid and particle the Stokes drag 3 pi mu d (V - U) of a
+ * sphere of the particle's volume, or the force that removes half of their velocity difference, if that is less. */
 static double set_free_volume(const struct run *r, int h) {
     const struct solid *s = r->solid;
     const struct fluid_input *fluid = fluid_input_of(r->fluid);
@@ -84,10 +84,10 @@ static double set_free_volume(const struct run *r, int h) {
     return fmin(drag, half) / (3 * r->scene->coupling->forcing_iterations);
 }
 
-/* A particle's centre stands half a spacing inside the face it wets, or as deep as its shape says, the marker r_d
- * inside it: it is moved by (depth - r_d) along the outward normal. A wall wetted on both faces keeps its marker at the
- * centre and probes both ways; a particle without bonds has no probe. A probe's root is the marker, or the face itself
- * where loads are carried to the wall. */
+/* The centre of a particle is half a spacing inside its wetted face, or as deep as its shape says (depth); its marker
+ * is r_d inside the face: it is moved by (depth - r_d) along the outward normal. A wall wetted on both faces has its
+ * marker at the centre and one probe on each side. A particle without bonds has no probe. A probe's root is the marker,
+ * or the face itself if loads are carried to the wall. */
 void interface_markers_update(struct run *r) {
     const struct solid *s = r->solid;
     const struct solid_surface *surface = r->surface;
@@ -126,8 +126,8 @@ void interface_markers_update(struct run *r) {
     }
 }
 
-/* F_h = t_h A_h / V_h  (001: eq. 3.96, mended), less the added mass. sum: the whole force on the solid, with
- * it. */
+/* F_h = t_h A_h / V_h  (001: eq. 3.96, mended), less the added mass. sum: the force on the whole solid, with
+ * the added mass. */
 static void load_by_probe(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     struct run_markers *m = &r->markers;
@@ -147,7 +147,7 @@ static void load_by_probe(struct run *r, double sum[3]) {
     }
 }
 
-/* A particle without bonds gets what it has given the fluid. */
+/* The load of a particle without bonds is the reaction to the forcing. */
 static void load_by_forcing(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     struct run_markers *m = &r->markers;

@@ -2,9 +2,9 @@
 #pragma once
 #include "coupling/run.h"
 
-/* Markers and probes from the surface's present state. Not collective. */
+/* Sets markers and probes from the surface's present state. Not collective. */
 void interface_markers_update(struct run *r);
 void interface_markers_free(struct run *r);
-/* Tractions at the interface and their sum, from the present fields (samples in stages whose step has no probe).
+/* Tractions at the interface and their sum, from the present fields (for samples in stages whose step has no probe).
  * Collective. */
 void interface_probe(struct run *r);

@@ -13,12 +13,12 @@ enum { C = QUASI_NEWTON_COLUMNS };
 struct quasi_newton {
     struct quasi_newton_input in;
     int n, capacity;
-    int columns;       /* of V and W, newest first */
-    int known;         /* 1: residual and image below are of this map */
+    int columns;       /* number of columns of V and W, newest first */
+    int known;         /* 1: residual and image below belong to this map */
     double factor;     /* Aitken's w */
     double *dr[C];     /* [n] V */
     double *dx[C];     /* [n] W */
-    double *residual;  /* [n] of the guess before */
+    double *residual;  /* [n] of the last guess */
     double *image;     /* [n] */
     double gram[C][C]; /* V^T V */
 };
@@ -73,8 +73,8 @@ static double dot(int n, const double *restrict a, const double *restrict b) {
     return sum;
 }
 
-/* The differences to the guess before become the newest column, in the place of the oldest; row 0 of V^T V is still to
- * come. */
+/* The differences to the last guess become the newest column and replace the oldest one; row 0 of V^T V is not computed
+ * yet. */
 static void add_column(struct quasi_newton *q, const double *x, const double *image) {
     const int last = q->columns < C ? q->columns : C - 1;
     double *const dr = q->dr[last], *const dx = q->dx[last];
@@ -114,12 +114,13 @@ static void drop_column(struct quasi_newton *q, int k, double *right) {
     }
     for (int i = 0; i < q->columns; i++)
         memmove(&q->gram[i][k], &q->gram[i][k + 1], (size_t)(q->columns - k) * sizeof(double));
-    q->dr[q->columns] = dr; /* its memory stays */
+    q->dr[q->columns] = dr; /* its memory is kept for reuse */
     q->dx[q->columns] = dx;
 }
 
-/* Cholesky's factor L of V^T V, which is the transpose of the R of V = Q R: L_kk is what is left of column k without
- * the newer ones. A column with less than the filter's part left is dropped (preCICE's QR2). */
+/* Cholesky's factor L of V^T V, which is the transpose of the R of V = Q R: L_kk is the norm of the part of column k
+ * that is independent of the newer ones. A column whose independent part is less than the filter's fraction is dropped
+ * (preCICE's QR2). */
 static void factorise(struct quasi_newton *q, double l[C][C], double *right) {
     for (int k = 0; k < q->columns;) {
         double left = q->gram[k][k];
@@ -165,7 +166,7 @@ static void aitken(struct quasi_newton *q, const double *r) {
 void quasi_newton_next(struct quasi_newton *q, double *x, const double *image) {
     const int is_aitken = q->in.kind == QUASI_NEWTON_AITKEN;
     if (q->known && !is_aitken) add_column(q, x, image);
-    double *restrict last = q->residual; /* becomes r once the one before is no longer asked for */
+    double *restrict last = q->residual; /* becomes r after the last use of the old residual */
     if (q->known && is_aitken) {
         for (int i = 0; i < q->n; i++) q->image[i] = image[i] - x[i];
         aitken(q, q->image);

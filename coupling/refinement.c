@@ -1,4 +1,4 @@
-/* Refines the solid's plates during a run, and renews the rates that bound its stable step. */
+/* Refines the solid's plates during a run, and updates the rates that limit its stable step. */
 #include "base/clock.h"
 #include "coupling/refinement.h"
 #include "coupling/run.h"
@@ -10,11 +10,12 @@
 
 #include <math.h>
 
-/* What the fastest mode between levels may gain as a refined region grows: Lanczos need not run again. */
+/* Allowance for the growth of the fastest mode between levels as a refined region grows, so that Lanczos need not run
+ * again. */
 static const double GROWTH = 1.03;
 
-/* A step given that is less than half as long as bonds as stiff as the bound would allow, so that contact may add some:
- * 1, and the rates say so. One-sided horizons have no bound, damping has rates of its own. */
+/* Whether the given step is less than half as long as the bound allows: then the bound is used as the rate, and contact
+ * has room. One-sided horizons have no such bound, and damping has rates of its own. */
 static int is_ample(struct run *r, double bound) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const struct solid_stage *solid = &r->solid->stage;
@@ -26,9 +27,10 @@ static int is_ample(struct run *r, double bound) {
     return 1;
 }
 
-/* Lanczos's rates are right for the particles there were, and a small region is slower than an endless one of its
- * level, which is therefore counted too. They hold for others of the same levels as long as the bound by families is no
- * higher; a new level, or a higher bound, asks for them again. Never above the bound itself. */
+/* Updates the rates after a refinement. The rates of Lanczos's iteration hold for the particles that it saw, and for
+ * others of the same levels as long as the bound by families has not risen; a new level or a higher bound needs another
+ * iteration. A small refined region is slower than an endless one of its level; the endless one's rate is included. The
+ * rate is never above the bound. */
 void refinement_rates(struct run *r) {
     struct solid_rates *of = &r->solid_rates;
     const double bound = solid_refine_rate_bound(r->solid);

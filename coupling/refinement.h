@@ -1,8 +1,8 @@
-/* Refinement as a part of the step. */
+/* Refinement as a part of the time step. */
 #pragma once
 #include "coupling/run.h"
 
-/* Looks whether particles are to be refined, if it is due, and does it; the substeps follow. Collective. */
+/* If a check is due: finds the particles to refine, and refines them; the rates are updated. Collective. */
 void refinement_look(struct run *r);
-/* The rates of a plate that is, or may be, refined. Collective. */
+/* Updates the rates of a plate that is refined or may be refined. Collective. */
 void refinement_rates(struct run *r);

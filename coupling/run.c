@@ -30,7 +30,7 @@ static struct medium *medium_of(struct run *r) {
     return medium_new(fluid_grid_of(r->fluid), low, high);
 }
 
-/* What only the bonds would bound needs a value where there are none. */
+/* A stage without bonds needs a given step and number of substeps: only bonds would limit them. */
 static void check_steps(const struct run *r) {
     for (int k = 0; !r->fluid && r->solid->bonds_total == 0 && k < r->scene->stages; k++) {
         const struct scene_stage *stage = &r->scene->stage[k];

@@ -1,4 +1,4 @@
-/* A run: the parts a scene needs, where it stands, and the step that is put together from them. */
+/* A run: the parts that a scene needs, its time and step, and the list of the parts of a step. */
 #pragma once
 #include "coupling/adapt.h"
 #include "coupling/medium/medium.h"
@@ -16,14 +16,14 @@ struct run;
 typedef void run_part(struct run *r);
 enum { RUN_PARTS_MAX = 8 };
 
-/* What travels between the interface particles and the fluid: one entry a particle of the surface, two probes for a
- * two-sided one. Work, rebuilt from the state. */
+/* Markers and probes of the interface: positions, velocities, forces, tractions. One marker for each particle of the
+ * surface; two probes for a wall wetted on both faces. Work arrays, computed from the state. */
 struct run_markers {
     int n, capacity;
     double *x[3], *v[3], *volume; /* [n] marker position m, velocity m/s, volume A_h dx m3 */
     double *force[3];             /* [n] mean force of the forcing on the fluid over the last step, N */
     int probes, probe_capacity;
-    int *owner;                         /* [probes] entry of the surface */
+    int *owner;                         /* [probes] index in the surface */
     int *particle;                      /* [probes] its particle */
     double *added;                      /* [probes] added mass, kg per m3 of the particle */
     struct solid_added_mass added_mass; /* the same for the solid, pointing here */
@@ -34,9 +34,9 @@ struct run_markers {
     uint8_t *active;
 };
 
-/* What the rates of a refined plate were found from; part of a checkpoint. */
+/* The state for which the rates of a refined plate were computed; part of a checkpoint. */
 struct run_refined {
-    int level;    /* finest when they were, -1: not yet in this stage */
+    int level;    /* finest level then, -1: not yet in this stage */
     double rate2; /* solid_refine_rate_bound then, 1/s2 */
 };
 
@@ -49,42 +49,42 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct run_markers markers;
-    double (*demand)[3];   /* [n] waits for markers (coupling/forcing_guess.h); NULL: none does */
-    double *v_last[3];     /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
-    double (*carried)[3];  /* [bodies] by their carried mass, N (coupling/balance.h); or NULL */
+    double (*demand)[3];   /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
+    double *v_last[3];     /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed */
+    double (*carried)[3];  /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
     double load[3];        /* force of the fluid on the solid at the last probe, whole solid, N */
     struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 
-    /* where the run stands */
+    /* time and step of the run */
     double t;        /* s */
     long step;       /* over all stages */
     int stage;       /* index into scene->stage */
-    long stage_step; /* steps done of it */
+    long stage_step; /* number of steps done in the stage */
 
-    struct adapt adapt; /* how its steps are found */
+    struct adapt adapt; /* how its steps are chosen */
 
     /* of the present stage */
     double dt;    /* s */
     int substeps; /* of the solid in a step */
     struct solid_rates solid_rates;
     struct run_refined refined;
-    double solid_stable;          /* s, stable step of the present integrator with what touches now */
-    enum solid_bound solid_bound; /* and what bounds it */
+    double solid_stable;          /* s, stable step of the present integrator with the present contact */
+    enum solid_bound solid_bound; /* what limits it */
     int parts;
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
 
-    long moved;                          /* step after which the solid last moved, 0: as it was made */
+    long moved;                          /* step after which the solid last moved; 0: it has not moved */
     long deposited;                      /* step of the last deposit, -1: none */
     double *position[3];                 /* [n] work of the deposit, m */
-    long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond */
-    long resumed;                        /* step of the checkpoint it started from, 0: none */
+    long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond sweep */
+    long resumed;                        /* step of the checkpoint that the run started from, 0: none */
     double wall_start;
-    double setup_seconds; /* from wall_start until the first step; 0: not there yet */
+    double setup_seconds; /* from wall_start to the first step; 0: no step yet */
 };
 
-struct run *run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only shows when it is made. */
+struct run *run_new(const struct scene *scene); /* Dies (exit 2) on mistakes that are found only here. Collective. */
 void run_free(struct run *r);
 
-/* The particles' volume in the medium's cells, at most once a step. Collective. */
+/* Deposits the particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);

@@ -38,7 +38,7 @@ static void part_markers(struct run *r) {
     forcing_guess_hand_on(r);
 }
 
-/* Fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.70-3.73, 3.79-3.82) */
+/* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.70-3.73, 3.79-3.82) */
 static void part_fluid_forced(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
@@ -48,7 +48,8 @@ static void part_fluid_forced(struct run *r) {
     }
 }
 
-/* The same with implicit diffusion: what was forced a stage ago diffuses with the rest, and what it lacks is added. */
+/* The same with implicit diffusion: the force of the last stage diffuses with the velocity, then the rest of the force
+ * is added. */
 static void part_fluid_implicit(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
@@ -133,20 +134,21 @@ void step_advance(struct run *r) {
     r->solid_sweeps += r->solid ? solid_integrate_sweeps(r->solid, r->substeps) : 0;
 }
 
-/* 1: something in a plane of p is no number. */
+/* 1: a value in one plane of p is NaN or infinite. */
 static int pressure_lost(const struct run *r) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const double *plane = fluid_state_of(r->fluid)->p + fluid_grid_at(g, 0, 0, (int)(r->step % g->m[2]));
     double sum = 0;
     for (int j = 0; j < g->m[1]; j++)
         for (int i = 0; i < g->m[0]; i++) sum += 0 * plane[j * g->row + i];
-    return !(sum == 0); /* 0 times Inf, or NaN */
+    return !(sum == 0); /* 0 times infinity, or NaN */
 }
 
 int step_check(const struct run *r, int whole, struct step_status *status) {
     *status = (struct step_status){0};
     if (r->fluid && (whole || pressure_lost(r))) *status = fluid_limits_check(r->fluid);
-    const int may_differ = r->solid && (whole || r->moved == r->step); /* a solid at rest stays what it is */
+    const int may_differ = r->solid && (whole || r->moved == r->step); /* the state of a solid at rest does not
+                                                                        * change */
     if (may_differ && !status->failed) *status = solid_integrate_check(r->solid);
     if (status->failed) status->rank = par_rank();
     return status->failed;

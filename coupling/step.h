@@ -13,9 +13,9 @@ int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]);
 
 /* Puts the step of the present stage together. Collective. */
 void step_begin_stage(struct run *r);
-/* One step: every part in turn. Collective. */
+/* One step: calls every part in turn. Collective. */
 void step_advance(struct run *r);
-/* NaN or beyond reason on this rank. Unless `whole`, of the fluid one plane of p is looked at only, for NaN: the
- * Poisson solve carries one to every cell, while a velocity beyond reason may hide. Not collective (agree with
+/* Finds NaN and values beyond reason on this rank. Unless `whole`, only one plane of p is tested, for NaN: the Poisson
+ * solve spreads a NaN to every cell, but a velocity beyond reason is not found then. Not collective (agree with
  * step_status_agree). */
 int step_check(const struct run *r, int whole, struct step_status *status);

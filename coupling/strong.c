@@ -12,20 +12,20 @@
 #include <math.h>
 #include <string.h>
 
-/* w of the first iteration while nothing is known; the least independent part of a column. Both of preCICE. */
+/* The factor w of the first iteration; the least independent fraction of a column. Both as in preCICE. */
 static const double RELAXATION = 0.1, FILTER = 1e-2;
-/* A step's change of velocity is not asked to be known better than this part of what the load alone would give, where a
- * solid in equilibrium has next to none. */
+/* Lower bound of the reference in the convergence test: 1e-3 of the velocity change that the load alone would cause. A
+ * solid in equilibrium hardly changes its velocity. */
 static const double OF_LOAD = 1e-3;
 
 struct strong {
-    run_part *markers, *fluid; /* borrowed */
+    run_part *markers, *fluid; /* functions of the step; borrowed */
     struct quasi_newton *relaxation;
     struct guard *start;   /* the state at t_n */
     int n, capacity;       /* particles of the interface */
-    int *h;                /* [n] which they are */
-    double *guess, *image; /* [3n] their velocity at t_{n+1}: given to the fluid, the solid's answer, m/s */
-    double *end;           /* [3n] their displacement there, extrapolated, m */
+    int *h;                /* [n] their indices in the solid */
+    double *guess, *image; /* [3n] their velocity at t_{n+1}, m/s: guess given to the fluid; result of the solid */
+    double *end;           /* [3n] their displacement at t_{n+1}, extrapolated, m */
     int forget;
     struct strong_count count;
 };
@@ -78,7 +78,7 @@ static void reserve(struct strong *k, int n) {
     }
 }
 
-/* The interface's particles as the surface has them now; forgets where they are others than before. */
+/* Copies the list of the interface's particles; forgets earlier iterations if it has changed. */
 static void renew_interface(struct strong *k, const struct solid_surface *surface) {
     const size_t bytes = (size_t)surface->n * sizeof *k->h;
     const int same = k->h && k->n == surface->n && !memcmp(k->h, surface->h, bytes);
@@ -91,8 +91,8 @@ static void renew_interface(struct strong *k, const struct solid_surface *surfac
     k->forget = 0;
 }
 
-/* The first guess, and where the interface ends: both straight on from the last two steps. From here on v_last is the
- * velocity at t_n, so that the markers' acceleration is that of this very step. */
+/* The first guess of the velocity and the displacement of the interface, extrapolated from the last two steps. After
+ * this call v_last is the velocity at t_n, so that the markers' acceleration is that of the present step. */
 static void begin(struct run *r) {
     struct strong *k = r->strong;
     struct solid *s = r->solid;
@@ -121,16 +121,16 @@ static void swap_interface(struct strong *k, struct solid *s) {
         }
 }
 
-/* Markers and probes of the interface as it is guessed at t_{n+1}. All stages see that velocity: the forcing lags
- * behind by some steps, and lags more where it is led there in stages. */
+/* Sets markers and probes from the guess of the interface at t_{n+1}. All stages use that velocity: the forcing lags
+ * behind by some steps, and would lag more if the velocity changed from stage to stage. */
 static void set_markers(struct run *r) {
     swap_interface(r->strong, r->solid);
     r->strong->markers(r);
     swap_interface(r->strong, r->solid);
 }
 
-/* From t_n under the load of t_{n+1}: with the mean of both the part of it that goes with the acceleration would ring.
- */
+/* Advances the solid from t_n under the load of t_{n+1}. Under the mean of both loads, the part that depends on the
+ * acceleration would oscillate. */
 static void advance_solid(struct run *r) {
     const struct strong *k = r->strong;
     struct solid *s = r->solid;
@@ -140,7 +140,7 @@ static void advance_solid(struct run *r) {
         for (int i = 0; i < k->n; i++) k->image[c * k->n + i] = s->v[c][k->h[i]];
 }
 
-/* 1: guess and answer agree, against the change of velocity in the step; -1: no number. */
+/* 1: guess and result agree, relative to the change of velocity in the step; 0: they do not; -1: NaN. */
 static int is_converged(const struct run *r) {
     enum { RESIDUAL, CHANGE, LOAD, SUMS };
     const struct strong *k = r->strong;
@@ -162,7 +162,7 @@ static int is_converged(const struct run *r) {
     return sum[RESIDUAL] <= tolerance * tolerance * fmax(sum[CHANGE], OF_LOAD * OF_LOAD * sum[LOAD]);
 }
 
-/* Doubling, so that a run that never converges does not drown its log. */
+/* Logs at 1, 2, 4, ... such steps, so that a run that never converges does not fill its log. */
 static void say_unconverged(const struct run *r) {
     const long n = ++r->strong->count.unconverged;
     if ((n & (n - 1)) == 0)

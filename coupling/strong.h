@@ -1,22 +1,22 @@
-/* The strongly coupled step: fluid, probe and solid again and again from the state at t_n, until the interface's
- * velocity that the fluid is given for t_{n+1} is the one that the solid answers with.  (Kuettler and Wall 2008) */
+/* The strongly coupled step: repeats fluid, probe and solid from the state at t_n, until the interface velocity given
+ * to the fluid for t_{n+1} equals the one that the solid returns.  (Kuettler and Wall 2008) */
 #pragma once
 
 struct run;
 struct strong; /* opaque */
 
-/* NULL unless the scene asks for it and something immersed is elastic. Collective. */
+/* NULL unless the scene asks for strong coupling and an immersed solid is elastic. Collective. */
 struct strong *strong_new(struct run *r);
 void strong_free(struct strong *k);
-/* Forgets what earlier steps have taught, as a run does that is resumed from here. Not collective. */
+/* Forgets earlier iterations, as in a resumed run. Not collective. */
 void strong_forget(struct strong *k);
-/* What sets the markers from the interface, and what takes the fluid through a step; before a stage's first. Not
- * collective. */
+/* Sets the functions that set the markers from the interface and that take the fluid through a step; to be called
+ * before a stage's first step. Not collective. */
 void strong_parts(struct strong *k, void (*markers)(struct run *r), void (*fluid)(struct run *r));
 /* A part of the step. Collective. */
 void strong_step(struct run *r);
 
-/* Since the run began, or was resumed. */
+/* Counts since the run began or was resumed. */
 struct strong_count {
     long steps, iterations, most, unconverged;
 };

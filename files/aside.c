@@ -15,7 +15,7 @@ static int sync_path(const char *path, int flags) {
     return fault;
 }
 
-/* The folder that a path's last part stands in. */
+/* The folder that holds the file at the path. */
 static void parent(char *folder, size_t bytes, const char *path) {
     const char *slash = strrchr(path, '/');
     if (!slash)
@@ -32,7 +32,7 @@ int aside_publish(const char *part, const char *path, int synced) {
     if (!synced) return 0;
     parent(folder, sizeof folder, path);
     const int named = sync_path(folder, O_RDONLY | O_DIRECTORY);
-    return named == EINVAL ? 0 : named; /* some file systems sync no folders */
+    return named == EINVAL ? 0 : named; /* some file systems cannot flush a folder */
 }
 
 void aside_begin(struct aside *a, const char *path) {

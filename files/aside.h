@@ -1,5 +1,5 @@
-/* Files that are never seen half-written: written aside as PATH.part, renamed onto PATH; synced before that, so that
- * not even a power failure harms them, unless they can be made again. */
+/* Files that are never visible half-written. They are written as PATH.part, flushed to the disk and renamed to PATH, so
+ * that even a power failure does not harm them. A file that can be made again need not be flushed. */
 #pragma once
 #include <stddef.h>
 #include <stdio.h>
@@ -7,13 +7,14 @@
 struct aside {
     FILE *file; /* write here */
     char path[1024], part[1032];
-    int unsynced; /* set after aside_begin, if it can be made again */
+    int unsynced; /* set after aside_begin if the file can be made again: it is then not flushed */
 };
 
-/* Each dies with exit code 4 and a sentence when the disk says no; the old file is then as it was. Not collective: for
- * files that one rank writes. */
+/* Each of these dies with exit code 4 and one sentence if the disk refuses; the old file is then unchanged. Not
+ * collective: for files that one rank writes. */
 void aside_begin(struct aside *a, const char *path);
 void aside_end(struct aside *a);
 
-/* 0, or errno: a finished file has its name and, if synced, its bytes and name are on the disk. Not collective. */
+/* Renames a finished file, and, if synced, flushes its bytes and its name to the disk. Returns 0 or errno. Not
+ * collective. */
 int aside_publish(const char *part, const char *path, int synced);

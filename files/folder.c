@@ -21,7 +21,7 @@ char *folder_path(char *path, const char *folder, const char *name) {
     return path;
 }
 
-/* A folder and those above it that are missing; 0 or errno. */
+/* Makes a folder and its missing parents. Returns 0 or errno. */
 static int make(const char *folder) {
     char path[FOLDER_PATH];
     snprintf(path, sizeof path, "%s", folder);
@@ -39,7 +39,7 @@ static int make(const char *folder) {
     return access(folder, W_OK | X_OK) == 0 ? 0 : errno;
 }
 
-/* Rank 0's errno becomes everybody's. */
+/* All ranks get rank 0's errno. */
 static int agree(int fault) {
     par_bcast(&fault, sizeof fault, 0);
     return fault;
@@ -58,7 +58,7 @@ void folder_make(const char *folder) {
     if (fault) die_all(EXIT_CODE_FILE, "run folder %s: cannot be made or written: %s", folder, strerror(fault));
 }
 
-/* Calls on every plain file of a folder; returns how many there are. */
+/* Calls the function on each regular file of a folder; returns how many there are. */
 static int each_file(const char *folder, void (*call)(const char *path)) {
     char path[FOLDER_PATH];
     int files = 0;

@@ -1,7 +1,7 @@
 /* Locks the run folder so that only one run at a time writes there. */
-/* One run at a time in a folder. Each rank of a run locks a byte of its file run.lock; the system takes locks back
- * however a process ends, so a folder is held until the last rank is gone, and no longer. Where the file system has no
- * locks, the file's own words must do: the host and the process that wrote it. */
+/* Each rank of a run locks a byte of the file run.lock. The system releases a lock however a process ends, so a folder
+ * is held until the last rank has ended, and no longer. On a file system without locks the file's text decides: it
+ * names the host and the process of the run that holds the folder. */
 #include "base/die.h"
 #include "base/par.h"
 #include "files/folder.h"
@@ -17,11 +17,11 @@
 
 static int file = -1;
 static char held[FOLDER_PATH]; /* the lock file's path */
-static pid_t owner;            /* who removes the file: rank 0, and no child of it */
+static pid_t owner;            /* the process that removes the file: rank 0, not a child process of it */
 
 enum { HOST = 256, WORDS = HOST + FOLDER_PATH + 80 };
 
-/* bytes 0: all that a file can have. 0, or errno. */
+/* bytes 0: the whole file. Returns 0 or errno. */
 static int lock(short type, off_t first, off_t bytes) {
     struct flock l = {.l_type = type, .l_whence = SEEK_SET, .l_start = first, .l_len = bytes};
     return fcntl(file, F_SETLK, &l) == 0 ? 0 : errno;
@@ -34,7 +34,7 @@ static void let_go(void) {
     file = -1;
 }
 
-/* Opens and locks all of it; not one that the run before has just removed. */
+/* Opens the file and locks all of it. Tries again if the run before has just removed the opened file. */
 static int open_locked(const char *path) {
     for (;;) {
         struct stat mine, there;
@@ -58,7 +58,8 @@ static void read_holder(char words[WORDS], char host[HOST], long *process) {
     if (sscanf(text, "%255s %ld", host, process) == 2) snprintf(words, WORDS, " (process %ld on %s)", *process, host);
 }
 
-/* Without locks: a process of another host is taken to be alive. */
+/* Whether the run that holds the folder still exists, on a file system without locks; a process on another host is
+ * taken to be alive. */
 static int is_alive(const char *host, long process) {
     char here[HOST] = "";
     gethostname(here, sizeof here - 1);
@@ -66,7 +67,7 @@ static int is_alive(const char *host, long process) {
     return strcmp(here, host) != 0 || kill((pid_t)process, 0) == 0 || errno == EPERM;
 }
 
-/* Rank 0: 0, errno, or -1 and who holds it. */
+/* Takes the folder, on rank 0. Returns 0, errno, or -1 with the holder in words. */
 static int take(const char *path, char words[WORDS]) {
     char host[HOST] = "";
     long process;

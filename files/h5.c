@@ -1,4 +1,4 @@
-/* Writes HDF5 files from all ranks, with disk space reserved first and errors as sentences. */
+/* Writes HDF5 files from all ranks; reserves disk space first and reports errors as sentences. */
 #include "files/h5.h"
 #include "base/die.h"
 #include "base/par.h"
@@ -21,15 +21,15 @@ __attribute__((format(printf, 2, 3))) static void because(struct h5 *f, const ch
     va_end(args);
 }
 
-/* A fault inside HDF5: in the system's own words if the file cannot be opened any more, because its folder or its disk
- * is gone. */
+/* Notes a fault inside HDF5. If the file cannot be opened any more, because its folder or its disk is gone, the
+ * system's error message is used. */
 static void because_hdf5(struct h5 *f, const char *does_not) {
     const int fd = open(f->part, O_RDWR | O_CLOEXEC);
     because(f, "%s", fd < 0 ? strerror(errno) : does_not);
     if (fd >= 0) close(fd);
 }
 
-/* A fault of any rank becomes everybody's, with the words of the lowest rank that has it. */
+/* All ranks get the fault of the lowest rank that has one, with its message. */
 static int agree(struct h5 *f, int fault) {
     if (f->shared) {
         const int first = (int)par_min(fault ? par_rank() : par_size());
@@ -44,7 +44,7 @@ hid_t h5_access_list(const struct h5 *f) {
     const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     if (f->shared) H5Pset_fapl_mpio(list, MPI_COMM_WORLD, MPI_INFO_NULL);
     H5Pset_fclose_degree(list, H5F_CLOSE_STRONG);
-    H5Pset_file_locking(list, 0, 1); /* files appear whole, by renaming; some file systems have no locks */
+    H5Pset_file_locking(list, 0, 1); /* files become visible by renaming only; some file systems have no locks */
     return list;
 }
 
@@ -61,7 +61,7 @@ hid_t h5_transfer_list(const struct h5 *f) {
     return list;
 }
 
-/* A new handle; HDF5 says nothing by itself: its faults become our sentences. */
+/* A new handle. HDF5's own error output is turned off: its faults are reported as sentences of this program. */
 static void clear(struct h5 *f, const char *path) {
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     memset(f, 0, sizeof *f);
@@ -74,9 +74,9 @@ static void clear(struct h5 *f, const char *path) {
 
 enum { HEADERS = 1 << 16 }; /* bytes, more than all that HDF5 writes beside the arrays */
 
-/* Blocks of the disk for an array of so many bytes at the end of the file, and for the headers before and behind it.
- * Asked for before HDF5 hears of the array: MPI-IO may let a short write pass unseen, and HDF5 cannot close a file that
- * it has promised what the disk lacks. */
+/* Reserves disk blocks for an array of so many bytes at the end of the file and for the headers before and behind it.
+ * This is done before HDF5 learns of the array, because MPI-IO may not report a short write, and HDF5 cannot close a
+ * file whose promised bytes do not fit on the disk. */
 static int reserve(struct h5 *f, hsize_t bytes) {
     int code = 0;
     if (par_rank() == 0) {
@@ -93,8 +93,9 @@ static int reserve(struct h5 *f, hsize_t bytes) {
     return agree(f, code != 0);
 }
 
-/* Whether the disk still takes what has been reserved, its last byte: a limit, or a disk that is gone, may come amid
- * the file. HDF5 is then left alone, because ranks that cannot write wait in it for each other for ever. */
+/* Tests whether the disk still takes a write, at the last reserved byte: a size limit may be reached, or the disk may
+ * become unreachable, while the file is written. HDF5 is not called again after a failure, because ranks that cannot
+ * write would wait in HDF5 for each other for ever. */
 static int try_write(struct h5 *f) {
     int code = 0;
     if (par_rank() == 0 && f->reserved > 0) {
@@ -110,7 +111,7 @@ static int try_write(struct h5 *f) {
 void h5_begin(struct h5 *f, const char *path) {
     clear(f, path);
     int fault = 0;
-    if (par_rank() == 0) { /* the system's own words, before MPI hides them */
+    if (par_rank() == 0) { /* to get the system's error message, which MPI hides */
         const int fd = open(f->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
         fault = fd < 0;
         if (fault) because(f, "%s", strerror(errno));
@@ -120,7 +121,7 @@ void h5_begin(struct h5 *f, const char *path) {
     const hid_t list = h5_access_list(f);
     f->file = H5Fcreate(f->part, H5F_ACC_TRUNC, H5P_DEFAULT, list);
     H5Pclose(list);
-    f->reserved = 0; /* given back by H5F_ACC_TRUNC */
+    f->reserved = 0; /* H5F_ACC_TRUNC has released the reserved blocks */
     fault = f->file < 0;
     if (fault) because_hdf5(f, "HDF5 cannot create it");
     if (!agree(f, fault)) reserve(f, 0);
@@ -165,7 +166,7 @@ void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block 
         f->at = (off_t)at;
         f->end = f->at + (off_t)H5Dget_storage_size(set);
     }
-    /* an array of nothing has no place in the file to write to */
+    /* an empty array has no position in the file */
     if (!agree(f, fault) && h5_items(b, b->n) > 0) {
         hid_t in_memory;
         h5_select(b, space, &in_memory);
@@ -207,7 +208,7 @@ void h5_attribute(struct h5 *f, const char *of, const char *name, hid_t type, in
     H5Sclose(space);
 }
 
-/* As VTK demands: of fixed length, ASCII, without the ending zero where it is not empty. */
+/* A text as VTK requires it: of fixed length, ASCII, without the terminating zero unless it is empty. */
 void h5_attribute_text(struct h5 *f, const char *of, const char *name, const char *value) {
     if (f->failed) return;
     const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
@@ -218,8 +219,8 @@ void h5_attribute_text(struct h5 *f, const char *of, const char *name, const cha
     H5Tclose(type);
 }
 
-/* Looks whether the closed file can be read, gives back what was reserved and not used, seals and publishes it. One
- * rank. */
+/* Checks that the closed file can be read, releases reserved blocks that were not used, appends the seal and renames
+ * the file. By one rank. */
 static int publish(struct h5 *f) {
     haddr_t end = 0;
     const hid_t file = h5_open_alone(f->part);
@@ -255,8 +256,8 @@ void h5_end(struct h5 *f) {
     if (!f->failed) return;
     if (par_rank() == 0) unlink(f->part);
     par_barrier();
-    /* a file that HDF5 could not close would bring the library down at the program's regular end */
+    /* a file that HDF5 could not close would crash the library at the program's regular end */
     if (f->stuck && par_rank() == 0) die(EXIT_CODE_FILE, "%s: cannot be written: %s", f->path, f->why);
-    if (f->stuck) par_barrier(); /* until rank 0 takes this one with it */
+    if (f->stuck) par_barrier(); /* the other ranks wait until rank 0 ends the program */
     die_all(EXIT_CODE_FILE, "%s: cannot be written: %s", f->path, f->why);
 }

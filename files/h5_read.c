@@ -7,7 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Whether one rank can open it by the plain driver: says a missing, foreign or truncated file apart. */
+/* Whether one rank can open the file by the plain driver; tells apart a missing file, a foreign one and a truncated
+ * one. */
 static int probe(struct h5 *f) {
     if (access(f->path, R_OK) != 0) {
         snprintf(f->why, sizeof f->why, "%s", strerror(errno));
@@ -56,7 +57,7 @@ static int exists(struct h5 *f, const char *name) {
     char path[256];
     snprintf(path, sizeof path, "%s", name);
     for (char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
-        *slash = '\0'; /* HDF5 wants each group on the way asked for by itself */
+        *slash = '\0'; /* HDF5 wants each group of the path to be queried separately */
         if (H5Lexists(f->file, path, H5P_DEFAULT) <= 0) return 0;
         *slash = '/';
     }
@@ -74,7 +75,7 @@ int h5_read_size(struct h5 *f, const char *name, hsize_t n[H5_DIMS]) {
     return dims;
 }
 
-/* Integers with integers of the same width, doubles with doubles or floats. */
+/* Whether the types agree: integers of the same width; or both floating point, double or float. */
 static int is_alike(hid_t set, hid_t type) {
     const hid_t stored = H5Dget_type(set);
     const H5T_class_t class = H5Tget_class(type);

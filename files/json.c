@@ -11,11 +11,11 @@ enum { DEPTH = 16 };
 struct json {
     struct aside aside;
     int depth;
-    char closing[DEPTH]; /* of what is open */
-    int items[DEPTH];    /* written into it so far */
+    char closing[DEPTH]; /* the closing brackets of the open objects and arrays */
+    int items[DEPTH];    /* number of items written to each so far */
 };
 
-/* "..." with what JSON demands escaped. */
+/* Writes "..." with the escapes that JSON requires. */
 static void quote(FILE *f, const char *text) {
     fputc('"', f);
     for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
@@ -33,7 +33,7 @@ static void quote(FILE *f, const char *text) {
     fputc('"', f);
 }
 
-/* The comma, the new line and the key before a value. */
+/* Writes the comma, the new line and the key before a value. */
 static FILE *next(struct json *j, const char *key) {
     FILE *f = j->aside.file;
     const int in_array = j->closing[j->depth - 1] == ']';

@@ -1,15 +1,16 @@
 /* A JSON file, written aside and renamed. key is NULL inside an array and for the outermost object. Not collective: one
- * rank writes. Numbers that JSON lacks (NaN, infinity) are written as null. */
+ * rank writes. NaN and infinity, which JSON lacks, are written as null. */
 #pragma once
 
 struct json; /* opaque, owned by the caller */
 
 struct json *json_begin(const char *path); /* opens the outermost object */
-void json_end(struct json *j);             /* closes it, and everything still open; dies with exit code 4 */
+void json_end(struct json *j);             /* closes the outermost object and all that is still open; dies with exit
+                                            * code 4 */
 
 void json_object(struct json *j, const char *key);
 void json_array(struct json *j, const char *key);
-void json_close(struct json *j); /* the innermost open object or array */
+void json_close(struct json *j); /* closes the innermost open object or array */
 
 void json_text(struct json *j, const char *key, const char *value);
 void json_number(struct json *j, const char *key, double value);

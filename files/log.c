@@ -12,7 +12,7 @@
 
 static FILE *file;
 static int silent;
-static int columns; /* of the terminal; 0: there is none */
+static int columns; /* width of the terminal; 0: output is no terminal */
 static int bar_shown;
 static char bar_stage[64];
 static long bar_first;
@@ -77,7 +77,7 @@ static void duration(char *text, size_t bytes, double seconds) {
         snprintf(text, bytes, "%ld:%02ld", s / 60, s % 60);
 }
 
-/* [=====     ] as wide as the terminal leaves room for beside the text. */
+/* Draws [=====     ] as wide as the terminal allows beside the text. */
 static void bar_draw(const char *stage, long step, long total, const char *text) {
     char bar[64];
     int wide = columns - (int)strlen(stage) - (int)strlen(text) - 6;
@@ -99,7 +99,7 @@ void log_progress(const char *stage, long step, long total, long every, const ch
         bar_first = step - 1;
         bar_begun = bar_drawn = 0;
     }
-    if (bar_begun == 0) { /* the first step's own time is not known: the rate counts from its end */
+    if (bar_begun == 0) { /* the first step's own duration is not known: the rate counts from its end */
         bar_begun = now;
         bar_first = step;
     }

@@ -1,4 +1,4 @@
-/* Width of the terminal, also behind mpiexec. */
+/* Width of the terminal, also when the program is started by mpiexec. */
 #include "files/log_terminal.h"
 
 #include <fcntl.h>
@@ -12,7 +12,8 @@ static int columns_of(int fd) {
     return ioctl(fd, TIOCGWINSZ, &window) == 0 ? window.ws_col : 0;
 }
 
-/* Open MPI's mpiexec gives each rank a pseudo-terminal of no size, whatever its own output is: then its own counts. */
+/* Open MPI's mpiexec gives each rank a pseudo-terminal of size 0. Then the terminal of mpiexec itself is asked, if it
+ * has one. */
 static int launcher_columns(void) {
     char path[64];
     struct stat is;

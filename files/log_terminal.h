@@ -1,5 +1,5 @@
-/* Whether somebody is looking. Not collective; asked by the rank that writes. */
+/* Width of the terminal that standard output ends on. Not collective; called by the rank that writes. */
 #pragma once
 
-/* Columns of the terminal that standard output ends on, 0 when it ends on none. */
+/* Columns of that terminal; 0 if standard output ends on none. */
 int log_terminal_columns(void);

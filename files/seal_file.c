@@ -10,13 +10,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { CHUNK = 1 << 16 }; /* bytes read at a time, the longest row */
+enum { CHUNK = 1 << 16 }; /* bytes read at a time, and the longest row */
 
-static const char magic[16] = "frana checkpoint"; /* without its ending zero */
+static const char magic[16] = "frana checkpoint"; /* without its terminating zero */
 
 static uint64_t own_sum(const struct seal *seal) { return seal_sum(seal, 1, offsetof(struct seal, own), 0); }
 
-/* 0, or 1 where the file ends before. */
+/* 0, or 1 if the file ends too early. */
 static int read_all(int fd, void *to, size_t bytes, uint64_t at) {
     char *next = to;
     while (bytes > 0) {
@@ -30,7 +30,7 @@ static int read_all(int fd, void *to, size_t bytes, uint64_t at) {
     return 0;
 }
 
-/* The sum of rows that stand in the file; 0, or 1 where they cannot be read. */
+/* Checksum of rows in the file. Returns 0, or 1 if they cannot be read. */
 static int sum_in_file(int fd, uint64_t at, uint64_t bytes, uint64_t row, uint64_t first, uint64_t *sum) {
     char *chunk = malloc(CHUNK);
     int bad = !chunk;
@@ -52,8 +52,8 @@ static int by_place(const void *a, const void *b) {
     return p->at < q->at ? -1 : p->at > q->at;
 }
 
-/* Of the bytes outside the arrays, each as a row of its own numbered by its place; 1 where they cannot be read or
- * arrays overlap. */
+/* Checksum of the bytes outside the arrays; each byte counts as a row, numbered by its position. Returns 1 if they
+ * cannot be read or if arrays overlap. */
 static int sum_rest(int fd, const struct seal *seal, uint64_t *sum) {
     struct seal_array a[SEAL_ARRAYS];
     uint64_t at = 0;
@@ -94,8 +94,8 @@ __attribute__((format(printf, 3, 4))) static int refuse(char *why, size_t size, 
     return 1;
 }
 
-/* Why a file has no seal: it is another's, an earlier frana's, or its end is missing. The first bytes of HDF5's
- * superblock of version 0 are its signature and version; the file's end is given at byte 40. */
+/* Says why a file has no seal: it is no file of frana, it is of an earlier version, or its end is missing. The first
+ * bytes of HDF5's superblock of version 0 are its signature and version; the file's end is given at byte 40. */
 static int refuse_unsealed(int fd, uint64_t bytes, char *why, size_t size) {
     static const char signature[8] = "\211HDF\r\n\032\n";
     char begin[48] = {0};

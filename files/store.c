@@ -35,7 +35,7 @@ hid_t store_h5_type(enum store_type type) {
 
 size_t store_row(enum store_type type, int comps) { return (type == STORE_BYTE ? 1 : 8) * (size_t)comps; }
 
-/* Bytes of scratch that stay with the store. */
+/* Scratch memory, owned by the store. */
 double *store_scratch(struct store *s, size_t items) {
     if (items > s->scratch_items) {
         memory_free(s->scratch);
@@ -79,7 +79,7 @@ uint64_t store_sum_block(const struct store_block *b, const double *value) {
     return sum;
 }
 
-/* Notes the array just written; sum: this rank's part. */
+/* Adds the array just written to the seal; sum: this rank's part of the checksum. */
 static void seal(struct store *s, const char *name, size_t row, uint64_t sum) {
     if (s->h5.failed || s->h5.end == s->h5.at) return;
     seal_add(&s->seal, name, (uint64_t)s->h5.at, (uint64_t)(s->h5.end - s->h5.at), row,
@@ -118,7 +118,7 @@ void store_write_long(struct store *s, const char *name, long value) {
 
 void store_write_text(struct store *s, const char *name, const char *value) { h5_write_text(&s->h5, name, value); }
 
-/* Same kind: alike up to the first digit. */
+/* Whether two file names are of the same kind: equal up to the first digit. */
 static int is_alike(const char *a, const char *b) {
     while (*a && *a == *b && !isdigit((unsigned char)*a)) a++, b++;
     return isdigit((unsigned char)*a) && isdigit((unsigned char)*b);
@@ -156,7 +156,7 @@ static int list_old(const char *folder, struct old **list) {
     return n;
 }
 
-/* Deletes what is older than the `keep` newest of the new file's kind. */
+/* Deletes all but the `keep` newest checkpoints of the new file's kind. */
 static void drop_older(const struct store *s) {
     struct old *list;
     const int n = list_old(s->folder, &list);
@@ -189,7 +189,7 @@ void store_end(struct store *s) {
     clock_end(CLOCK_OUTPUT);
 }
 
-/* Candidates for a resume, best first: what latest names, then the others by age. */
+/* Files to try for a resume, best first: the one that `latest` names, then the others, newest first. */
 int store_candidates(const char *folder, char (**name)[256]) {
     char path[FOLDER_PATH], latest[256] = "";
     struct old *list;

@@ -1,4 +1,4 @@
-/* What store.c and store_read.c share. */
+/* Shared by store.c and store_read.c. */
 #pragma once
 #include "files/folder.h"
 #include "files/h5.h"
@@ -8,7 +8,7 @@ struct store {
     struct h5 h5;
     char folder[FOLDER_PATH], name[256]; /* writing */
     int keep;
-    int damaged; /* reading: an array was not what was written */
+    int damaged; /* reading: an array had a wrong checksum */
     struct seal seal;
     double *scratch;
     size_t scratch_items;
@@ -20,7 +20,7 @@ int store_is_contiguous(const struct store_block *b);
 struct h5_block store_h5_block(const struct store_block *b);
 struct h5_block store_h5_range(int comps, long n, long first, long count);
 size_t store_row(enum store_type type, int comps); /* bytes of an item of a range */
-/* This rank's part of a block's sum; value: contiguous. */
+/* This rank's part of a block's checksum; value: contiguous. */
 uint64_t store_sum_block(const struct store_block *b, const double *value);
-/* Names of the checkpoints in a folder, best first, malloc'ed; one rank's affair. */
+/* Names of the checkpoints in a folder, best first, malloc'ed. By one rank. */
 int store_candidates(const char *folder, char (**name)[256]);

@@ -17,7 +17,8 @@ static int told(struct store *s, int fault) {
     return fault;
 }
 
-/* Before HDF5 is given the file, which may not survive what is not its own. Rank 0 looks, all hear. */
+/* Opens the file after its seal has been verified, because HDF5 may crash on a damaged file. Rank 0 verifies, and all
+ * ranks get the result. */
 static int open_sealed(struct store *s, const char *path) {
     int bad = 0;
     snprintf(s->h5.path, sizeof s->h5.path, "%s", path);
@@ -43,7 +44,7 @@ static int tell_damaged(struct store *s, const char *name) {
     return told(s, 1);
 }
 
-/* Whether each array is what was written, before any of it is taken for the state; ranks share the reading. */
+/* Verifies each array's checksum before any of it is used; the ranks share the reading. */
 static int check_arrays(struct store *s) {
     uint64_t sum[SEAL_ARRAYS] = {0};
     const int fault = seal_file_sum_part(&s->seal, s->h5.path, par_rank(), par_size(), sum);
@@ -109,8 +110,8 @@ const char *store_read_other(const char *path) {
     return other[0] ? other : NULL;
 }
 
-/* Whether the array that was read has the sum it was written with. count of its n items have been read here, with this
- * sum: the ranks' parts together make the array, or each rank has read all of it. */
+/* Verifies the checksum of the array that was read. This rank has read count of its n items, with this checksum: either
+ * the ranks' parts together make the array, or each rank has read all of it. */
 static int check_sum(struct store *s, const char *name, long n, long count, uint64_t sum) {
     const struct seal_array *a = seal_find(&s->seal, name);
     if (n == 0) return 0;

@@ -30,8 +30,8 @@ static int has_columns(const struct table_data *d, int columns, const char *cons
     return 1;
 }
 
-/* The rows to keep, copied as they stand: a number keeps its digits. A last row without its end of line was cut off by
- * a crash and is dropped. */
+/* Copies the rows to keep character by character, so that numbers keep their digits. A last row without an end of line
+ * was cut off by a crash and is dropped. */
 static void copy_rows(FILE *from, FILE *to, int step_column, long last_step) {
     char *line = NULL;
     size_t bytes = 0;
@@ -50,7 +50,7 @@ static void copy_rows(FILE *from, FILE *to, int step_column, long last_step) {
     free(line);
 }
 
-/* Returns a fault's sentence or NULL. */
+/* Returns a sentence on the fault, or NULL. */
 static const char *cut(const char *path, int columns, const char *const *name, const char *const *unit,
                        long resume_step) {
     const char *error = NULL;

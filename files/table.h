@@ -1,16 +1,16 @@
-/* A table that grows by a row a sample: CSV with a row of names and a row of units behind '#'. Each row is on the
- * disk's queue when table_row returns, so that a killed run loses none.
+/* A table that grows by a row a sample: CSV with a row of names and a row of units behind '#'. Each row is flushed to
+ * the file before table_row returns, so that a killed run loses no row.
  *
  *     step,t,dt
  *     #1,s,s
- *     10,0.00335,0.000335                                                                          */
+ *     10,0.00335,0.000335 */
 #pragma once
 
 struct table; /* opaque, owned by the caller */
 
-/* resume_step < 0: a new table, replacing an old one. Otherwise the old one is cut back to rows whose step (the column
- * of that name, or else the first) is at most resume_step, and goes on; a file that is missing is begun; one with other
- * columns is refused. Dies with exit code 4. Collective. */
+/* resume_step < 0: a new table, which replaces an old one. Otherwise the old table is cut back to the rows whose step
+ * is at most resume_step, and continued; the step is in the column of that name, or else in the first. A missing file
+ * is begun; a file with other columns is refused. Dies with exit code 4. Collective. */
 struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
                         long resume_step);
 /* value [columns], to 15 digits; NaN is written "nan". Rank 0 writes, others return at once. Not collective. */
@@ -25,7 +25,7 @@ struct table_data {
     double *value;       /* [rows][columns], owned */
 };
 
-/* NULL when the file is missing or is no table; *error (may be NULL) then says why. Not collective. */
+/* NULL if the file is missing or is no table; *error (may be NULL) then says why. Not collective. */
 struct table_data *table_read(const char *path, const char **error);
 int table_read_column(const struct table_data *d, const char *name); /* -1: none */
 void table_read_free(struct table_data *d);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Splits a line at its commas, in place; returns how many parts, each copied into *part. */
+/* Splits a line at its commas, in place. Returns the number of parts; each is copied into *part. */
 static int split(char *line, char ***part) {
     int n = 1;
     line[strcspn(line, "\r\n")] = '\0';
@@ -21,7 +21,7 @@ static void drop(char **part, int n) {
     free(part);
 }
 
-/* The row's numbers; 0 when it has not exactly `columns` of them. */
+/* Reads the numbers of a row; 0 if it does not have exactly `columns` of them. */
 static int numbers(const char *line, int columns, double *value) {
     for (int c = 0; c < columns; c++) {
         char *end;

@@ -16,7 +16,7 @@ struct vtkhdf {
     struct h5_block block; /* of a scalar field */
     int wide;
     size_t items;  /* of this rank */
-    float *narrow; /* doubles as they are stored */
+    float *narrow; /* doubles converted to the stored type */
     size_t narrow_items;
 };
 
@@ -26,7 +26,7 @@ static struct vtkhdf *begin(const char *path, const char *type, double time, lon
     clock_begin(CLOCK_OUTPUT);
     f->wide = wide;
     h5_begin(&f->h5, path);
-    f->h5.unsynced = 1; /* a run makes its fields again; its checkpoints are what it must not lose */
+    f->h5.unsynced = 1; /* fields can be made again by the run, so they are not flushed to the disk; checkpoints are */
     h5_group(&f->h5, "VTKHDF");
     h5_attribute(&f->h5, "VTKHDF", "Version", H5T_NATIVE_INT64, 2, version);
     h5_attribute_text(&f->h5, "VTKHDF", "Type", type);
@@ -56,7 +56,7 @@ struct vtkhdf *vtkhdf_image_begin(const struct vtkhdf_image_input *in) {
     return f;
 }
 
-/* What makes an unstructured grid of particles: each point a cell of its own. */
+/* Writes the cells of an unstructured grid of particles: each point is a cell of its own. */
 static void cells(struct vtkhdf *f, long n, long first, long all) {
     const int last = par_rank() == par_size() - 1;
     const struct h5_block one = {.dims = 1, .n = {1}, .m = {par_rank() == 0}};
@@ -87,7 +87,7 @@ struct vtkhdf *vtkhdf_points_begin(const struct vtkhdf_points_input *in) {
     struct h5_block three = f->block;
     three.dims = 2;
     three.n[1] = three.m[1] = 3;
-    /* positions keep their digits: a displacement is far smaller than a position */
+    /* positions are stored as doubles: a displacement is far smaller than a position */
     h5_write(&f->h5, "VTKHDF/Points", H5T_NATIVE_DOUBLE, &three, in->x);
     return f;
 }

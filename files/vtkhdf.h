@@ -1,7 +1,7 @@
 /* Fields for ParaView: VTKHDF 1.0, written in parallel.  (VTK file formats, "VTKHDF"; docs/run-folder.md)
  *
  * A fluid is an ImageData whose points are the cell centres; particles are an UnstructuredGrid of one vertex each.
- * Fields are point data. Files are written aside and renamed; a disk that says no ends the run with exit code 4. */
+ * Fields are point data. Files are written aside and renamed; a fault of the disk ends the run with exit code 4. */
 #pragma once
 #include <stdint.h>
 
@@ -14,7 +14,7 @@ struct vtkhdf_image_input {
     int n[3];          /* points of the whole image */
     double origin[3];  /* of point (0,0,0), m */
     double spacing[3]; /* m */
-    int lo[3], m[3];   /* this rank's block; m may hold a 0: nothing here */
+    int lo[3], m[3];   /* this rank's block; m may hold a 0: no point on this rank */
     int wide;          /* 1: fields of doubles are stored as float64; 0: float32 */
 };
 
@@ -22,7 +22,7 @@ struct vtkhdf_points_input {
     const char *path;
     double time;
     long step;
-    long n;               /* of this rank; ranks' points follow one another */
+    long n;               /* number of this rank's points; they follow those of the ranks below */
     const double (*x)[3]; /* [n] m; borrowed during the call */
     int wide;
 };
@@ -36,10 +36,10 @@ void vtkhdf_add_long(struct vtkhdf *f, const char *name, int comps, const int64_
 void vtkhdf_add_byte(struct vtkhdf *f, const char *name, int comps, const uint8_t *value);
 void vtkhdf_end(struct vtkhdf *f); /* Collective. */
 
-/* PATH.hdf.series, by which ParaView gives the files their times: file is relative to the series' folder. An entry of
- * that name is replaced. Rewritten aside. Rank 0 acts. Collective. */
+/* The index file PATH.hdf.series gives ParaView the times of the files. file is relative to the index file's folder; an
+ * entry of the same name is replaced. Written aside and renamed, by rank 0. Collective. */
 void vtkhdf_series_add(const char *series, const char *file, double time);
-/* Drops entries later than the time (by more than 1e-9 of it), as a resumed run will write them again. Collective. */
+/* Drops entries later than the time (by more than 1e-9 of it), because a resumed run writes them again. Collective. */
 void vtkhdf_series_cut(const char *series, double time);
 
 struct vtkhdf_series_entry {
@@ -59,7 +59,7 @@ struct vtkhdf_source {
     int image;                    /* 1: image; 0: points */
     int n[3];                     /* image */
     double origin[3], spacing[3]; /* image */
-    long points;                  /* of either */
+    long points;                  /* number of points, in both cases */
     double time;
     long step;
     int fields;
@@ -70,7 +70,7 @@ struct vtkhdf_source {
 /* NULL when it cannot be read as a VTKHDF file of ours; *error (may be NULL) then says why. Not collective. */
 struct vtkhdf_source *vtkhdf_read_open(const char *path, const char **error);
 void vtkhdf_read_close(struct vtkhdf_source *s);
-/* malloc'ed [points][comps]; NULL when there is no such field. Not collective. */
+/* Values [points][comps], malloc'ed; NULL if there is no such field. Not collective. */
 double *vtkhdf_read_double(struct vtkhdf_source *s, const char *name);
 int64_t *vtkhdf_read_long(struct vtkhdf_source *s, const char *name);
 double (*vtkhdf_read_points(struct vtkhdf_source *s))[3]; /* of points, or of an image's */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The whole of a dataset as the block that one rank reads. */
+/* The whole dataset as a block, read by one rank. */
 static int whole(struct h5 *f, const char *name, struct h5_block *b) {
     memset(b, 0, sizeof *b);
     b->dims = h5_read_size(f, name, b->n);
@@ -111,7 +111,7 @@ static void *read_field(struct vtkhdf_source *s, const char *name, int integer) 
         const struct vtkhdf_field *a = &s->field[k];
         if (strcmp(a->name, name) != 0) continue;
         const size_t n = (size_t)s->points * (size_t)a->comps;
-        int64_t *value = malloc((n + 1) * sizeof *value); /* of eight bytes, as a double */
+        int64_t *value = malloc((n + 1) * sizeof *value); /* integers of eight bytes, converted to doubles */
         snprintf(path, sizeof path, "VTKHDF/PointData/%s", name);
         const hid_t type = a->integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE;
         if (!value || (integer && !a->integer) || read_all(f, path, type, value)) {

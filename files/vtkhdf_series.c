@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Reads what write below has written, and no other JSON: {"name": "...", "time": t} once a line. */
+/* Reads only files of the form that write() below makes: {"name": "...", "time": t}, one entry a line. */
 int vtkhdf_series_read(const char *series, struct vtkhdf_series_entry **list) {
     FILE *f = fopen(series, "r");
     int n = 0, capacity = 0;
@@ -33,7 +33,7 @@ static void entry(FILE *f, const char *file, double time, int more) {
     fprintf(f, "    {\"name\": \"%s\", \"time\": %.15g}%s\n", file, time, more ? "," : "");
 }
 
-/* The entries that `keep` tells to keep, then one more unless file is NULL. */
+/* Writes the entries for which `keep` is true, then one more unless file is NULL. */
 static void write(const char *series, const struct vtkhdf_series_entry *list, int n, const char *file, double time) {
     struct aside a;
     aside_begin(&a, series);

@@ -34,8 +34,8 @@ static void check_driving(const struct fluid_input *in) {
                 "fluid.driving: a bulk velocity can be held only in a periodic direction, and %c is not", "xyz"[d]);
 }
 
-/* u* has arrays of its own: a forcing compares it with what it was, implicit diffusion solves for the change, an open
- * side's faces are advanced after the inside. */
+/* Whether u* needs arrays of its own: a forcing compares it with its earlier value, implicit diffusion solves for its
+ * change, and an open side's faces are advanced after the inner faces. */
 static int apart(const struct fluid *f) { return f->in.immersed || f->in.implicit || f->boundary->open; }
 
 struct fluid *fluid_new(const struct fluid_input *in) {
@@ -96,7 +96,8 @@ void fluid_predicted_refresh(struct fluid *f, int layers) {
     fluid_boundary_velocity(f->boundary, f->grid, f->predicted, layers);
 }
 
-/* What closes a low side that no array owns reads one layer of its neighbours, so these come first. */
+/* A free low side is closed by continuity, which reads one ghost layer of the neighbours; so these ghosts are filled
+ * first. */
 static void state_refresh(struct fluid *f, const struct par_halo_part *part) {
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
     fluid_outflow_take(f->boundary, f->grid, q);

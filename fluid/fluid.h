@@ -1,5 +1,4 @@
-/* The fluid: what it is made from, its state, and the calls that a time step is put together from.  (001: ch. 3.4, 4.1)
- */
+/* The fluid: its input, its state, and the calls that a time step consists of.  (001: ch. 3.4, 4.1) */
 #pragma once
 #include "base/step_status.h"
 #include "fluid/grid/grid.h"
@@ -12,7 +11,7 @@ enum fluid_side_type {
     FLUID_INFLOW,   /* normal velocity from a profile; pressure Neumann */
     FLUID_OUTFLOW,  /* convective, mass-conserving; pressure correction Neumann */
     FLUID_PRESSURE, /* open: given pressure, velocities Neumann; pressure correction Dirichlet */
-    FLUID_GENERAL   /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
+    FLUID_GENERAL   /* each of u, v, w separately Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
 };
 enum fluid_profile { FLUID_UNIFORM, FLUID_POISEUILLE, FLUID_PROFILE_FILE };
 enum fluid_condition { FLUID_DIRICHLET, FLUID_NEUMANN };
@@ -34,15 +33,15 @@ struct fluid_driving {
     double value; /* gradient: -dp/dx, Pa/m; bulk: mean velocity, m/s */
 };
 
-/* Taylor and Green's, one wave along two axes or all three: with x, y, z in 1/2 pi lengths
- *     u = velocity sin x cos y cos z, v = -velocity cos x sin y cos z, w = 0                    (without z: no last
- * factor) */
+/* Taylor-Green vortices, one wave along two axes or all three: with x, y, z in 1/2 pi lengths
+ *     u = velocity sin x cos y cos z, v = -velocity cos x sin y cos z, w = 0
+ * with two axes the factor of the third is left out. */
 struct fluid_vortices {
     double velocity; /* m/s; 0: none */
-    int along[3];    /* 1: they vary in it */
+    int along[3];    /* 1: the vortices vary in this direction */
 };
 
-extern const char *const fluid_boundary_side_name[3][2]; /* x_low ...: as a scene has them, [direction][low, high] */
+extern const char *const fluid_boundary_side_name[3][2]; /* [direction][low, high] names as in a scene: x_low, ... */
 
 struct fluid_input {
     int n[3];
@@ -51,23 +50,23 @@ struct fluid_input {
     double viscosity;             /* kinematic, m2/s */
     struct fluid_side side[3][2]; /* [direction][low, high] */
     struct fluid_driving driving;
-    double driving_frequency;       /* Hz, of a gradient: it is value cos(2 pi frequency t) */
+    double driving_frequency;       /* Hz, of a gradient: the gradient is value cos(2 pi frequency t) */
     double body_force[3];           /* per unit mass, m/s2 */
     double initial_velocity[3];     /* m/s */
     int initial_poiseuille;         /* 1: a parabola between the walls with that mean instead */
-    struct fluid_vortices vortices; /* added to it */
+    struct fluid_vortices vortices; /* added to the initial velocity */
     int immersed;                   /* 1: three ghost layers, and arrays for the forcing */
-    double speed;                   /* of waves in what is immersed, m/s; 0: nothing moves by itself */
+    double speed;                   /* of waves in immersed solids, m/s; 0: no solid moves by itself */
     int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
 };
 
-/* Exactly what a checkpoint stores, with t and step. Arrays as fluid/grid/grid.h; ghosts are rebuilt. */
+/* Exactly what a checkpoint stores, with t and step. Arrays as in fluid/grid/grid.h; their ghosts are not stored. */
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
-    double driving;    /* the pressure gradient now applied, Pa/m; its mean over the stage where it goes with time */
+    double driving;    /* the present pressure gradient, Pa/m; its mean over the stage if it depends on time */
     double driven;     /* its mean over the last step, Pa/m; not stored */
-    double t;          /* s, when the step begins: set by whoever steps, advanced by fluid_step */
+    double t;          /* time at the start of the step, s: set by the caller, advanced by fluid_step */
 };
 
 struct fluid; /* opaque: grid, parameters, state, work, plans */
@@ -78,20 +77,21 @@ const struct fluid_grid *fluid_grid_of(const struct fluid *f);
 const struct fluid_input *fluid_input_of(const struct fluid *f);
 struct fluid_state *fluid_state_of(struct fluid *f);
 
-/* One low-storage RK3 step is, for r = 0, 1, 2:
- *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001:
- * sec. 3.4.3) and with implicit diffusion fluid_predict(f, r, dt); [ibm_implicit_force_again(..)];
- * fluid_diffusion_stage(f, r, dt); [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
+/* One low-storage RK3 step is, for r = 0, 1, 2  (001: sec. 3.4.3):
+ *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);
+ * and with implicit diffusion
+ *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt);
+ *     [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
 extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 
-/* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), with the values on the sides' faces; ghosts are left to
- * fluid_predicted_refresh. Collective. */
+/* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), and the values on the sides' faces. Ghosts are not set;
+ * fluid_predicted_refresh does that. Collective. */
 void fluid_predict(struct fluid *f, int r, double dt);
-/* Implicit diffusion: u* from what fluid_predict made without a viscous term, and what a force has added to it; nothing
- * with explicit diffusion. Collective. */
+/* Implicit diffusion: solves for u*, from the u* that fluid_predict has computed without a viscous term and a force has
+ * changed since. Does nothing with explicit diffusion. Collective. */
 void fluid_diffusion_stage(struct fluid *f, int r, double dt);
-/* For a forcing that is implicit too: a field on the faces, which is cleared, filled by the forcing, solved for
- * (field <- (I - b_r dt nu lap)^-1 field, zero on the sides), and added to u* times a factor. [3] borrowed. */
+/* For a forcing that is implicit too: a field on the faces, [3], borrowed. It is cleared, filled by the forcing, solved
+ * for (field <- (I - b_r dt nu lap)^-1 field, zero on the sides), and added to u* times a factor. */
 double *const *fluid_diffusion_field(struct fluid *f);
 void fluid_diffusion_clear(struct fluid *f);                   /* Not collective. */
 void fluid_diffusion_solve(struct fluid *f, int r, double dt); /* Collective. */
@@ -99,60 +99,61 @@ void fluid_diffusion_add(struct fluid *f, double factor);      /* Not collective
 double fluid_limits_explicit_step(const struct fluid *f);      /* viscous limit of explicit diffusion, s */
 /* The predicted velocity u*, to which a forcing adds in place (faces inside the domain only). [3] borrowed. */
 double *const *fluid_predicted(struct fluid *f);
-/* Ghosts of u*, v*, w* after somebody changed them: boundary values and `layers` exchanged layers. Collective. */
+/* Sets the ghosts of u*, v*, w* after these were changed: boundary values and `layers` exchanged layers. Collective. */
 void fluid_predicted_refresh(struct fluid *f, int layers);
-/* How a component is continued beyond a side, for a reader that does without ghosts: the first value beyond it is
- * face * (the value on the side's own face) + inner * (the value mirrored about the side) + constant. Not collective.
- */
+/* How a component continues beyond a side, for a reader without ghosts: its first value beyond the side is face * (the
+ * value on the side's own face) + inner * (the value mirrored about the side) + constant. Not collective. */
 struct fluid_mirror {
     double face, inner, constant;
 };
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
-/* Pressure solve, projection, new velocity and pressure; the velocity's ghosts (one layer) are set, the pressure's only
- * as far as the next stage reads them. Collective. */
+/* Solves for the pressure and projects: new velocity and pressure. Sets one ghost layer of the velocity, and the
+ * pressure's ghosts that the next stage reads. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
-/* Three stages: a step of a fluid with nothing immersed. Collective. */
+/* Three stages: a step of a fluid without immersed bodies. Collective. */
 void fluid_step(struct fluid *f, double dt);
-/* All `halo` ghost layers of the state's u, v, w, p. Collective. */
+/* Fills all `halo` ghost layers of the state's u, v, w, p. Collective. */
 void fluid_state_refresh(struct fluid *f);
-/* The nearest `layers` of them, for a reader of blocks that stay within the global cells low .. high-1 (which may lie
- * beyond a side; the same box on every rank): ghosts that such blocks do not reach may be left stale. Collective. */
+/* Fills the nearest `layers` ghost layers for a reader of blocks of cells that stay within the global cells low ..
+ * high-1 (which may lie beyond a side; the same box on every rank). Ghosts outside the box may keep old values.
+ * Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
-/* The largest stable step, by its convective and viscous limits; either is INFINITY where it does not bind. With
- * implicit diffusion `viscous` is no limit of stability but what the accuracy of the way to a steady state asks for.
+/* The largest stable step by its convective and its viscous limit, each INFINITY if there is none. With implicit
+ * diffusion `viscous` is no limit of stability; it is the step that keeps the way to a steady state accurate.
  * Collective. */
 struct fluid_limits {
     double convective, viscous, step;
 };
 struct fluid_limits fluid_limits_stable_step(struct fluid *f);
-/* The same of what goes along with somebody's reduction: this rank's largest sum of |velocity|/d over its cells, from
- * the faces of each, 1/s (INFINITY where one is no number), and the middle of that cell, m (x may be NULL); the limits
- * by the largest of all ranks. Not collective. */
+/* The same for a caller that does the reduction: this rank's largest sum of |velocity|/d over its cells, from the faces
+ * of each, 1/s (INFINITY if one is NaN), and the centre of that cell, m (x may be NULL); then the limits from the
+ * largest sum of all ranks. Not collective. */
 double fluid_limits_convection_rate(const struct fluid *f, double x[3]);
 struct fluid_limits fluid_limits_of(const struct fluid *f, double rate);
 
-/* NaN or velocity beyond reason: where and which. Not collective (agree with step_status_agree). */
+/* Looks for NaN and for a velocity beyond reason; returns field and position. Not collective (agree with
+ * step_status_agree). */
 struct step_status fluid_limits_check(struct fluid *f);
 
 /* Measures. Collective. */
 double fluid_measures_divergence_max(struct fluid *f); /* 1/s */
 double fluid_limits_cfl(struct fluid *f, double dt);
-/* The speeds that sides, start, driving and body force set up, or diffusion over a cell: the largest, m/s. Not
- * collective. */
+/* A velocity scale, m/s: the largest of those of sides, initial flow, driving, body force and diffusion over a cell.
+ * Not collective. */
 double fluid_limits_speed(const struct fluid *f);
 double fluid_measures_bulk_velocity(struct fluid *f, int direction); /* m/s */
 double fluid_measures_kinetic_energy(struct fluid *f);               /* J */
 double fluid_dissipation(struct fluid *f);                           /* rho nu int |grad u|^2 dV, W */
-/* u, v, w, p at a place of the domain, linear in each direction; on the rank that holds the place, on others 0. Ghosts
- * must be there (fluid_state_refresh). Not collective. */
+/* u, v, w, p at a point of the domain, linear in each direction; 0 on ranks that do not hold the point. Reads ghosts
+ * (fluid_state_refresh). Not collective. */
 void fluid_value_at(struct fluid *f, const double x[3], double value[4]);
 void fluid_measures_mean_pressure(struct fluid *f, int direction,
                                   double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
 void fluid_measures_box_force(struct fluid *f, double out[3]);
-/* The same as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
+/* The same force as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
 void fluid_audit_begin(struct fluid *f);
 void fluid_audit_end(struct fluid *f, double out[3]);

@@ -5,9 +5,9 @@
 
 #include <math.h>
 
-/* Component c of the vortices at x, per unit velocity. The second component's height makes the discrete divergence 0:
- *     sin(k_a d_a/2)/d_a = height sin(k_b d_b/2)/d_b,  k = 2 pi/length.             (Taylor and Green 1937; Brachet
- * 1983) */
+/* Component c of the vortices at x, per unit velocity.  (Taylor and Green 1937; Brachet 1983)
+ * The height of the second component makes the discrete divergence 0:
+ *     sin(k_a d_a/2)/d_a = height sin(k_b d_b/2)/d_b,  k = 2 pi/length. */
 static double vortices_at(const struct fluid_input *in, int c, const double x[3]) {
     const int *along = in->vortices.along, a = along[0] ? 0 : 1, b = along[1] && a == 0 ? 1 : 2;
     double value = c == b ? -1 : c == a ? 1 : 0;
@@ -21,7 +21,7 @@ static double vortices_at(const struct fluid_input *in, int c, const double x[3]
     return c == b ? height * value : value;
 }
 
-/* Uniform, or for each component the developed profile of that mean; vortices on top. */
+/* A uniform velocity, or for each component the developed profile with that mean; vortices are added. */
 void fluid_initial_fill(struct fluid *f) {
     const struct fluid_grid *g = f->grid;
     for (int c = 0; c < 3; c++) {
@@ -32,7 +32,7 @@ void fluid_initial_fill(struct fluid *f) {
             profile = memory_new(MEMORY_FLUID, (size_t)g->n[a] * (size_t)g->n[b], sizeof *profile);
             fluid_profile_developed(&f->in, c, profile);
         }
-        for (int k = -1; k < g->m[2]; k++) /* low faces too: they start an outflow there */
+        for (int k = -1; k < g->m[2]; k++) /* low faces as well: an outflow starts from them */
             for (int j = -1; j < g->m[1]; j++)
                 for (int i = -1; i < g->m[0]; i++) {
                     const int at[3] = {i, j, k};

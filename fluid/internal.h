@@ -1,11 +1,11 @@
-/* What the fluid's files share. Not for other rooms. */
+/* Shared by the files of fluid/ only. */
 #pragma once
 #include "fluid/fluid.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/momentum/diffusion.h"
 #include "fluid/poisson/poisson.h"
 
-/* The box's force on its way through a step. */
+/* The force on the box, summed during a step. */
 struct fluid_audit {
     int on;
     double flux[3], force[3]; /* N, this rank's share: of the last stage; of the step */
@@ -18,10 +18,10 @@ struct fluid {
     struct fluid_boundary *boundary;
     /* state */
     struct fluid_state state;
-    /* work, arrays of grid->size */
-    double *predicted[3]; /* u*, m/s; the state's own arrays where nobody reads u once u* is there */
-    double *rate[3];    /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; at open faces,
-                         * that    face's own rate */
+    /* work arrays of grid->size */
+    double *predicted[3]; /* u*, m/s; the state's own arrays if u is not read after u* is computed */
+    double *rate[3];    /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; on open faces,
+                         * that face's own rate */
     double *correction; /* p-hat, Pa: fluid/momentum/correction.h */
     double *flux;       /* scratch of the momentum equation */
     struct fluid_poisson *poisson;
@@ -34,12 +34,12 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
     return c == 0 ? s->u : c == 1 ? s->v : s->w;
 }
 
-void fluid_audit_flux(struct fluid *f, int r);      /* at the stage's begin. Not collective. */
-void fluid_audit_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is there. Collective. */
-void fluid_audit_pressure(struct fluid *f, int r);  /* at its end. Not collective. */
-/* sign times p as it stands, for what is added to p without pushing in this stage. Not collective. */
+void fluid_audit_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */
+void fluid_audit_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is computed. Collective. */
+void fluid_audit_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */
+/* Adds sign times the present p: for a change of p that exerts no force in this stage. Not collective. */
 void fluid_audit_pressure_part(struct fluid *f, int r, double sign);
 void fluid_initial_fill(struct fluid *f); /* the initial velocity. Not collective. */
 /* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. */
 void fluid_advanced(const struct fluid *f, int c, int low[3], int high[3]);
-void fluid_project_start(struct fluid *f); /* the initial velocity made divergence-free. Collective. */
+void fluid_project_start(struct fluid *f); /* makes the initial velocity divergence-free. Collective. */

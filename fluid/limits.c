@@ -6,10 +6,10 @@
 #include <math.h>
 #include <string.h>
 
-/* The larger size, and NaN where b is: the compiler makes one instruction of it, which it may not of fmax. */
+/* The larger size, or NaN if b is NaN. The compiler makes one instruction of it, which it may not do with fmax. */
 static inline double larger(double a, double b) { return fabs(a) > fabs(b) ? fabs(a) : fabs(b); }
 
-/* The largest of a row of cells, or which cell it is in. */
+/* The largest rate in a row of cells, and the cell that has it. */
 static double row_rate(const struct fluid *f, int j, int k, int *where) {
     const struct fluid_grid *g = f->grid;
     const double per[3] = {1 / g->d[0], 1 / g->d[1], 1 / g->d[2]};
@@ -20,7 +20,7 @@ static double row_rate(const struct fluid *f, int j, int k, int *where) {
         const double rate = larger(u[i - 1], u[i]) * per[0] + larger(v[i - g->row], v[i]) * per[1] +
                             larger(w[i - g->plane], w[i]) * per[2];
         if (where && !(rate <= most)) *where = i;
-        most = rate <= most ? most : rate == rate ? rate : INFINITY; /* a NaN shows */
+        most = rate <= most ? most : rate == rate ? rate : INFINITY; /* a NaN gives INFINITY */
     }
     return most;
 }
@@ -43,8 +43,8 @@ double fluid_limits_convection_rate(const struct fluid *f, double x[3]) {
 }
 
 /* The rectangle -1.65 <= Re <= 0, |Im| <= sqrt(3) lies within the stability region of third-order Runge-Kutta, so that
- * either limit may be met alone or both together: sqrt(3) = dt sum |u|/d, 1.65 = dt 4 nu sum 1/d^2.  (Wesseling 2001)
- */
+ * each limit may be reached alone or both together: sqrt(3) = dt sum |u|/d, 1.65 = dt 4 nu sum 1/d^2.  (Wesseling
+ * 2001) */
 double fluid_limits_explicit_step(const struct fluid *f) {
     const double *d = f->grid->d;
     return 1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
@@ -67,7 +67,7 @@ struct fluid_limits fluid_limits_stable_step(struct fluid *f) {
 
 double fluid_limits_cfl(struct fluid *f, double dt) { return dt * par_max(fluid_limits_convection_rate(f, NULL)); }
 
-/* Of the sides, the start, the driving, or diffusion over a cell. */
+/* The largest velocity scale of sides, initial flow, driving and diffusion over a cell. */
 double fluid_limits_speed(const struct fluid *f) {
     const struct fluid_input *in = &f->in;
     double most = 0, length = 0;

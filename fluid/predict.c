@@ -12,13 +12,13 @@ const double fluid_alpha[3] = {8.0 / 15, 5.0 / 12, 3.0 / 4};
 const double fluid_beta[3] = {0, -17.0 / 60, -5.0 / 12};
 const double fluid_gamma[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};
 
-/* A side's own face is not advanced by the momentum equation of the inside. */
+/* The number of faces advanced: a side's own face is not advanced with the inner ones. */
 static void count_faces(const struct fluid_grid *g, int faces[3]) {
     for (int d = 0; d < 3; d++) faces[d] = g->m[d] - par_halo_at_side(g->halos, d, 1);
 }
 
-/* A gradient that goes with time has over a stage its mean, so that its impulse is exact and the order of the scheme
- * kept: cos w t from a to b is in the mean cos(w (a + b)/2) sin(h)/h, h = w (b - a)/2. */
+/* A gradient that depends on time is replaced over a stage by its mean, so that its impulse is exact and the scheme
+ * keeps its order: the mean of cos w t from a to b is cos(w (a + b)/2) sin(h)/h, h = w (b - a)/2. */
 static void driving_of_stage(struct fluid *f, int r, double dt) {
     const struct fluid_driving *d = &f->in.driving;
     double begin = f->state.t;
@@ -46,7 +46,7 @@ void fluid_predict(struct fluid *f, int r, double dt) {
     for (int d = 0; d < 3; d++) s.source[d] = f->in.body_force[d];
     s.source[f->in.driving.direction] += f->state.driving / f->in.density;
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
-    fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* u* may take the place of u */
+    fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* before u* overwrites u, if they are one array */
     const double *const read[3] = {q[0], q[1], q[2]};
     fluid_momentum_predict(&s, read, f->state.p, f->predicted, f->rate);
     for (int d = 0; d < 3; d++)

@@ -9,8 +9,8 @@
 
 #include <string.h>
 
-/* u* on the low faces of cells in planes first .. last-1 along a direction, which belong to the cells before them: all
- * that their divergence reads of ghosts. */
+/* Sets u* on the low faces of the cells in planes first .. last-1 along a direction; these faces belong to the cells
+ * before. The divergence reads no other ghosts. */
 static void low_faces(struct fluid *f, int direction, int first, int last) {
     const struct fluid_grid *g = f->grid;
     if (!g->periodic[direction] && g->ranks[direction] == 1) return;
@@ -22,7 +22,7 @@ static void low_faces(struct fluid *f, int direction, int first, int last) {
     par_halo_fill_part(g->halos, direction, 1, &f->predicted[direction], &low);
 }
 
-/* This rank's sum over plane k of the driven component. */
+/* This rank's sum of the driven component over plane k. */
 static double bulk_of(const struct fluid *f, int k) {
     const struct fluid_grid *g = f->grid;
     double sum = 0;
@@ -43,10 +43,10 @@ static void add_to_pressure(struct fluid *f, int k, double factor, const double 
     }
 }
 
-/* The right-hand side, and what can be done with each of its planes alone while it is in the cache; returns this rank's
- * sum of u* along the driving where that is to keep its mean. With implicit diffusion p gets -length2 lap phi, length2
- * = b dt nu: then p + phi is the pressure that the equation of u* would have needed, and a large step does not slow it
- * down (the rotational form of Timmermans, Minev and van de Vosse 1996). */
+/* Computes the right-hand side and transforms each of its planes while it is in the cache. Returns this rank's sum of
+ * u* along the driving if its mean is to be kept. With implicit diffusion p gets -length2 lap phi, length2 = b dt nu:
+ * then p + phi is the pressure that the equation of u* would have needed, and the pressure converges in large steps as
+ * well (the rotational form of Timmermans, Minev and van de Vosse 1996). */
 static double forward(struct fluid *f, double c, double length2) {
     const struct fluid_grid *g = f->grid;
     const double *const predicted[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
@@ -69,8 +69,8 @@ static double forward(struct fluid *f, double c, double length2) {
     return bulk;
 }
 
-/* The uniform velocity that brings the bulk back to its value, as a change of the driving over this stage: the gradient
- * that would have done so replaces it. */
+/* Finds the uniform velocity that restores the bulk velocity, and sets the driving to the gradient that would have done
+ * so over this stage. */
 static void hold_bulk(struct fluid *f, double bulk, double stage) {
     const int d = f->in.driving.direction;
     f->shift[d] = f->in.driving.value - par_sum(bulk) / (double)fluid_cells(f);
@@ -90,12 +90,11 @@ static double section_mean(const struct fluid *f, int d, int side) {
     return sum / ((double)g->n[a] * g->n[b]);
 }
 
-/* With velocities given on every side the pressure is known up to a constant: where the flow leaves, its mean over the
- * last cells is made zero, so that what is immersed is squeezed by what stands above the outlet, and by nothing else;
- * of several outlets the first counts, x before y before z, high before low. The mean that the correction must have for
- * it. */
+/* With velocities given on every side the pressure is known up to a constant. At an outflow the mean pressure over the
+ * last cells is set to zero, so bodies feel the pressure relative to the outlet's. The first of several outlets counts:
+ * x before y before z, high before low. Returns the mean that the correction needs for this. */
 static double level(struct fluid *f) {
-    if (f->boundary->open) return 0; /* fixed by that side's pressure */
+    if (f->boundary->open) return 0; /* fixed by the pressure of that side */
     for (int d = 0; d < 3; d++)
         for (int side = 1; side >= 0; side--)
             if (f->in.side[d][side].type == FLUID_OUTFLOW)
@@ -103,7 +102,8 @@ static double level(struct fluid *f) {
     return 0;
 }
 
-/* phi with lap phi = div(u*)/c, q = u* - c grad phi + shift, p += phi; all planes are forward.  (001: eqs 3.71-3.73) */
+/* Solves lap phi = div(u*)/c, then q = u* - c grad phi + shift, p += phi; all planes of the right-hand side have been
+ * transformed.  (001: eqs 3.71-3.73) */
 static void project(struct fluid *f, double c, int fix_level) {
     clock_begin(CLOCK_COLUMNS);
     fluid_poisson_solve(f->poisson, fix_level ? level(f) : 0);
@@ -114,7 +114,7 @@ static void project(struct fluid *f, double c, int fix_level) {
     clock_end(CLOCK_BACKWARD);
 }
 
-/* Its ghosts have got phi alone. */
+/* Fills the pressure's ghosts; before, phi alone was added to them. */
 static void refresh_pressure(struct fluid *f) {
     const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
     fluid_boundary_pressure(f->boundary, f->grid, f->state.p, &whole);
@@ -137,10 +137,11 @@ void fluid_project(struct fluid *f, int r, double dt) {
     clock_end(CLOCK_POISSON);
 }
 
-/* The initial velocity made to obey the sides and continuity, before anything has moved. */
+/* Makes the initial velocity satisfy the sides' conditions and continuity, before the first step. */
 void fluid_project_start(struct fluid *f) {
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
-    fluid_outflow_advance(f->boundary, f->grid, q, f->rate, 0, 0); /* speeds are still zero: only mass is mended */
+    fluid_outflow_advance(f->boundary, f->grid, q, f->rate, 0, 0); /* with a step of zero: only the mass balance is
+                                                                    * corrected */
     for (int c = 0; c < 3 && f->predicted[c] != q[c]; c++)
         memcpy(f->predicted[c], q[c], f->grid->size * sizeof(double));
     fluid_predicted_refresh(f, 1);

@@ -1,4 +1,5 @@
-/* Starting guess of the implicit forcing, kept by particle over a new sort of the markers or a restart. */
+/* Starting guess of the implicit forcing: stored per particle, restored after a new sort of the markers or a
+ * restart. */
 #include "ibm/state.h"
 
 #include <math.h>

@@ -1,23 +1,23 @@
 /* Markers whose kernel reaches over the boundary of this rank's cells: pieces, weights, sums. */
-/* Markers whose blocks reach over a side of this rank's piece: cut by ranks and periodic sides, folded at the others.
- */
+/* An edge is a marker whose block reaches over a side of this rank's cells. Its block is divided at the borders to
+ * other ranks and at periodic sides, and folded at the domain's other sides. */
 #include "ibm/state.h"
 
 #include <string.h>
 
-/* One direction of a block before it is cut, by component, in cells of the whole domain. */
+/* One direction of a block before it is divided, for each component, in cells of the whole domain. */
 struct line {
     int first[3];
     double read[3][3], write[3][3];
     double constant[3];
 };
 
-/* What stands beyond a side is read as the fluid's condition continues it, and takes no force; nor do faces on the
- * side.
+/* Values beyond a side are read as the boundary condition continues them. Force is spread neither beyond a side nor to
+ * the faces on the side.
  *
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
- * and the same mirrored at the high side. No block reaches further. */
+ * and the same mirrored at the high side. No block reaches farther. */
 static void fold(const struct ibm *b, int d, int c, struct line *l) {
     const int n = b->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
     double w[3];
@@ -45,8 +45,8 @@ static void line_set(const struct ibm *b, int d, int cell, double s, struct line
     }
 }
 
-/* The weights that fall on this rank's cells, `image` away, and where they start: never outside, if it has three cells.
- */
+/* The weights of the cells of this rank, with the block moved by `image` cells, and the cell where they start. The
+ * three values lie inside this rank's cells, if it has at least three. */
 static int cut(const struct fluid_grid *g, int d, int c, int image, int first, const double from[3], double to[3]) {
     const int low = c == d && !g->periodic[d] && g->lo[d] == 0 ? -1 : 0, local = first - g->lo[d] + image;
     int start = local;
@@ -70,7 +70,8 @@ static void block_set(const struct fluid_grid *g, const struct line line[3], con
     }
 }
 
-/* The images of a marker's block that reach this rank's cells, in cells along a direction; returns how many. */
+/* The periodic images of a marker's block that reach this rank's cells, as shifts in cells along a direction. Returns
+ * their number. */
 static int images(const struct fluid_grid *g, int d, int cell, int image[3]) {
     int count = 0;
     for (int k = -g->periodic[d]; k <= g->periodic[d]; k++) {
@@ -80,7 +81,7 @@ static int images(const struct fluid_grid *g, int d, int cell, int image[3]) {
     return count;
 }
 
-/* All products of images. */
+/* All combinations of the images along the three directions. */
 static int all_images(const struct fluid_grid *g, const int cell[3], int image[IBM_PIECES][3]) {
     int along[3][3], count[3], pieces = 0;
     for (int d = 0; d < 3; d++) count[d] = images(g, d, cell[d], along[d]);
@@ -109,7 +110,7 @@ void ibm_edge_set(struct ibm *b, struct ibm_edge *e) {
     for (int c = 0; c < 3; c++) {
         e->constant[c] = 0;
         e->share[c] = 1;
-        for (int d = 0; d < 3; d++) { /* x is continued first, then y, then z */
+        for (int d = 0; d < 3; d++) { /* x is folded first, then y, then z */
             const double *r = line[d].read[c], *w = line[d].write[c];
             e->constant[c] = e->constant[c] * (r[0] + r[1] + r[2]) + line[d].constant[c];
             e->share[c] *= w[0] + w[1] + w[2];

@@ -1,13 +1,13 @@
 /* Multidirect forcing.  (001: sec. 3.5.2; Breugem 2012)
  *
- * An iteration reads all markers' velocities, then gives all their increments. Markers of slabs that are not neighbours
- * do not touch, so the sweeps of two iterations follow each other two slabs behind, over planes that are still in
- * cache:
+ * An iteration reads all markers' velocities, then spreads all their increments. Blocks of markers in slabs that are
+ * not neighbours do not overlap. So two iterations can run in one pass over the slabs, the second two slabs behind the
+ * first, on planes that are still in the cache:
  *
  *     slab           s-3        s-2        s-1         s
  *                    write 2    read 2     write 1     read 1
  *
- * Sums that reach over the sides of this rank's piece are completed before the first write and after the last read. */
+ * Sums over the cells of several ranks are completed before the first write and after the last read. */
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -49,7 +49,7 @@ static void finish_far(const struct sweep *w, enum ibm_keep keep) {
     ibm_edge_finish(w->b, w->b->near_edges, w->b->edges, keep, w->tally);
 }
 
-/* One iteration, or two of them in one sweep. */
+/* One iteration, or two in one pass. */
 static void iterate(const struct sweep *w, enum ibm_keep keep, int two) {
     const int slabs = w->b->slabs;
     read_far(w, 0, slabs);

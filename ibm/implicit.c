@@ -1,16 +1,17 @@
 /* Forcing with implicit diffusion: solves for the markers' forces by conjugate gradients. */
-/* Forcing where diffusion is implicit.
+/* In a large step the force of a marker diffuses over sqrt(nu dt). Increments of the missing velocity, as in
+ * ibm_forcing_stage, would then leave a slip that grows with the step. Here the force q is an unknown of the stage.
  *
- * A large step smears what a marker gives over sqrt(nu dt), so that giving what is missing, as ibm_forcing_stage does,
- * would leave a slip that grows with the step. Here the force q is an unknown of the stage. With S the spreading of
- * increments, J the reading, and N_s iterations of the multidirect forcing x = B e:   x = 0;  N_s times  x += (A_h
- * dx/cell) (e - J S x)                          (001: eqs 3.79-3.82) explicit forcing in stages of length s leaves a
- * steady flow with  V - J u = s (1 - J S B) y ,  q = B y : the slip that goes with the force. The same is asked for
- * here, with s fixed at the mean stage of the explicit scheme's largest viscous step, whatever the step is now: the
- * wall stands where the explicit scheme has it, and where the retraction was calibrated. With H = 1 - b dt nu lap and
- * u* diffused under the last stage's force, y changes by d: [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S
- * B) y ,   u* += dt_r H^-1 S B d . The operator is symmetric and positive in the product <a, B b>: conjugate gradients,
- * a Helmholtz solve an iteration, and none in a steady flow. */
+ * With S the spreading of increments, J the reading, and N_s iterations of the multidirect forcing
+ *     x = B e:   x = 0;  N_s times  x += (A_h dx/cell) (e - J S x)                          (001: eqs 3.79-3.82)
+ * explicit forcing in stages of length s leaves a slip in a steady flow,
+ *     V - J u = s (1 - J S B) y ,  q = B y .
+ * The same slip is asked for here, with s fixed at the mean stage of the explicit scheme's largest viscous step,
+ * whatever the present step is: the wall then has the same position as in the explicit scheme, for which the retraction
+ * was calibrated. With H = 1 - b dt nu lap and u* diffused under the last stage's force, y changes by d:
+ *     [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S B) y ,   u* += dt_r H^-1 S B d .
+ * The operator is symmetric and positive in the product <a, B b>, so the system is solved by conjugate gradients, with
+ * one Helmholtz solve an iteration. A steady flow needs no iteration. */
 #include "base/clock.h"
 #include "base/par.h"
 #include "ibm/state.h"
@@ -18,8 +19,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A stage ends when its residual has fallen to a part of what it was, or of the slip itself; or after so many
- * iterations. */
+/* A stage ends when its residual has fallen below PART of its first value, or below OF_SLIP of the slip; or after so
+ * many iterations. */
 static const double PART = 0.05, OF_SLIP = 2e-3;
 enum { ITERATIONS = 40 };
 
@@ -58,7 +59,7 @@ static void add(const struct ibm *b, vector3 *x, double a, const vector3 *y) {
         for (int c = 0; c < 3; c++) x[h][c] += a * y[h][c];
 }
 
-/* x = a x + y; a = 0: x is not read, it may be no number */
+/* x = a x + y; for a = 0, x is not read (it may be NaN) */
 static void turn(const struct ibm *b, vector3 *x, double a, const vector3 *y) {
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) x[h][c] = (a == 0 ? 0 : a * x[h][c]) + y[h][c];
@@ -83,7 +84,7 @@ static void multidirect(struct ibm *b, const vector3 *e, vector3 *x, vector3 *le
 
 static double slip_time(const struct ibm *b) { return fluid_limits_explicit_step(b->fluid) / 3; }
 
-/* Counts what q gives in a stage. */
+/* Adds the impulse of q in a stage to the sums of the forcing. */
 static void tally(struct ibm *b, int r, double dt) {
     const struct fluid_grid *g = b->grid;
     const double stage = fluid_gamma[r] * dt;
@@ -98,7 +99,7 @@ static void tally(struct ibm *b, int r, double dt) {
         }
 }
 
-/* q = B y; in RESIDUAL what the slip law takes: -s (1 - J S B) y. */
+/* q = B y; RESIDUAL = -s (1 - J S B) y, the part of the slip law. */
 void ibm_implicit_force_again(struct ibm *b, int r, double dt) {
     vector3 *residual = b->vector[IBM_RESIDUAL], *q = b->vector[IBM_FORCE];
     clock_begin(CLOCK_FORCING);
@@ -112,7 +113,7 @@ void ibm_implicit_force_again(struct ibm *b, int r, double dt) {
     clock_end(CLOCK_FORCING);
 }
 
-/* The residual once u* is there: += V - J u*. Collective. */
+/* Completes the residual once u* is diffused: += V - J u*. Collective. */
 static void begin(struct ibm *b) {
     vector3 *residual = b->vector[IBM_RESIDUAL], *velocity = b->vector[IBM_TARGET];
     ibm_implicit_read(b, fluid_predicted(b->fluid), 1, velocity);
@@ -122,7 +123,7 @@ static void begin(struct ibm *b) {
     }
 }
 
-/* KD from D, BD: leaves dt_r H^-1 S B d in the diffusion's field. Collective. */
+/* KD = the operator applied to D, from D and BD. Leaves dt_r H^-1 S B d in the diffusion's field. Collective. */
 static void apply(struct ibm *b, int r, double dt) {
     double *const *u = fluid_diffusion_field(b->fluid);
     vector3 *kd = b->vector[IBM_KD], *read = b->vector[IBM_TARGET];

@@ -1,6 +1,6 @@
-/* Roma's kernel as three weights a direction, and the two sweeps of a marker's 3 x 3 x 3 block.  (001: sec. 3.5.1)
- * Rows are read four wide, for one vector register; the fourth value is ignored when reading, and gets a zero when
- * writing. It lies within the third ghost layer at most. */
+/* Roma's kernel as three weights a direction; reading and writing of a marker's 3 x 3 x 3 block.  (001: sec. 3.5.1)
+ * Rows are read four wide, for one vector register. The fourth value is ignored in reading, and 0 is added to it in
+ * writing. It lies in the third ghost layer at most. */
 #pragma once
 #include <math.h>
 #include <stddef.h>
@@ -47,10 +47,10 @@ static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t pl
         }
 }
 
-/* A marker away from all sides: what its weights are made from. Two cache lines. */
+/* Data of a marker away from all sides, from which its weights are computed. Two cache lines. */
 struct ibm_stencil {
     _Alignas(64) double t[3]; /* offset from the nearest centres, cells, in [-1/2, 1/2] */
-    double middle[6];         /* middle weight, [3 alignment + direction] */
+    double middle[6];         /* the middle one of the three weights, [3 alignment + direction] */
     double v[3], volume;      /* m/s; A_h dx / cell volume */
     long cell;                /* of the whole domain */
     int at[3];                /* first of the 3 x 3 x 3 values, in u, v, w */
@@ -64,7 +64,8 @@ static inline void ibm_kernel_expand(const struct ibm_stencil *s, double w[3][8]
     typedef double lanes __attribute__((vector_size(64)));
     typedef int64_t mask __attribute__((vector_size(64)));
     const lanes half = {0, 0, 0, 0.5, 0.5, 0.5, 0, 0};
-    const double *all = (const double *)(const void *)s; /* t, middle, and what follows, for idle lanes */
+    const double *all = (const double *)(const void *)s; /* t, middle and the next members; the last lanes are not
+                                                          * used */
     lanes t, m;
     memcpy(&t, all, sizeof t);
     memcpy(&m, all + 3, sizeof m);

@@ -1,7 +1,7 @@
 /* Sorts the markers that arrived at a rank by slab and row, so that a slab's sweep stays in the cache. */
-/* What has arrived, put in order: inner markers by slab, row and place in the row, so that what a slab touches stays in
- * a core's own cache; then edges whose pieces all lie in one slab; then the far ones, whose sums are complete only with
- * another slab's or another rank's. */
+/* Order of the markers that have arrived: first inner markers by slab, row and place in the row, so that the planes of
+ * a slab stay in a core's own cache; then near edges, whose pieces all lie in one slab; then far edges, whose sums need
+ * another slab's or another rank's values. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "ibm/state.h"
@@ -21,8 +21,8 @@ int ibm_layout_slab_of(const struct ibm *b, int plane) {
 
 enum { THICK = 2 * IBM_SLAB }; /* more than the planes of the last slab */
 
-/* Row after row, and the planes of the slab at each: a few rows of each plane are all that the inner loops hold on to.
- */
+/* Number of the row of a cell. Rows are numbered along y first, with all planes of the slab at each y: the inner loops
+ * then use a few rows of each plane only. */
 static int row_of(const struct ibm *b, const int cell[3]) {
     const int k = cell[2] - b->grid->lo[2], slab = ibm_layout_slab_of(b, k);
     return (slab * b->grid->m[1] + cell[1] - b->grid->lo[1]) * THICK + k - slab * IBM_SLAB;
@@ -30,8 +30,8 @@ static int row_of(const struct ibm *b, const int cell[3]) {
 
 int ibm_layout_bins(const struct ibm *b) { return b->slabs * b->grid->m[1] * THICK; }
 
-/* What a marker is sorted by: the bins are rows of inner markers, then slabs of near edges, then all that is far, which
- * stays in order of arrival, the same on all ranks that share it. */
+/* The sort key of a marker. The bins are: rows of inner markers, slabs of near edges, all far edges. Far edges keep
+ * their order of arrival, which is the same on all ranks that share them. */
 static void place_of(const struct ibm *b, const double *item, struct ibm_place *p) {
     const struct fluid_grid *g = b->grid;
     int plane[IBM_PIECES], rank[IBM_SHARERS];
@@ -80,8 +80,8 @@ static void reserve_edges(struct ibm *b) {
     }
 }
 
-/* order [n] <- from [n] (NULL: 0, 1, ..) by rising key, equal ones as they stood; start [keys + 1] <- first of each
- * key. */
+/* order [n] <- from [n] (NULL: 0, 1, ..) sorted by rising key; equal keys keep their order. start [keys + 1] <- first
+ * index of each key. */
 static void sort(int n, const int *from, const struct ibm_place *place, int by_x, int keys, int *start, int *order) {
     for (int k = 0; k <= keys; k++) start[k] = 0;
     for (int i = 0; i < n; i++) start[(by_x ? place[i].x : place[i].bin) + 1]++;
@@ -110,7 +110,7 @@ static void order_markers(struct ibm *b) {
     }
 }
 
-/* Numbers of pieces: the near edges' one after another, the far ones' by slab. */
+/* Numbers the pieces: those of near edges one after another, those of far edges by slab. */
 static void number_pieces(struct ibm *b) {
     const struct fluid_grid *g = b->grid;
     int *near = slab_list(b, IBM_NEAR_PIECES), *far = slab_list(b, IBM_FAR_PIECES), plane[IBM_PIECES];
@@ -131,7 +131,7 @@ static void number_pieces(struct ibm *b) {
     far[0] = near[b->slabs];
     for (int s = 0; s < b->slabs; s++) far[s + 1] += far[s];
     b->pieces = far[b->slabs];
-    int *next = b->bin; /* of near pieces, of far ones */
+    int *next = b->bin; /* next number for near pieces, then for far ones */
     memcpy(next, near, (size_t)b->slabs * sizeof *next);
     memcpy(next + b->slabs, far, (size_t)b->slabs * sizeof *next);
     for (int e = 0; e < b->edges; e++)
@@ -139,8 +139,8 @@ static void number_pieces(struct ibm *b) {
             b->edge[e].piece[p] = next[b->edge[e].piece[p] + (e < b->near_edges ? 0 : b->slabs)]++;
 }
 
-/* Which sums go to which ranks, in the order in which both know the markers, and what each far edge's velocity is made
- * from. */
+/* Sets which sums go to which ranks, in an order that both ranks know, and which sums make up the velocity of each far
+ * edge. */
 static void plan_swaps(struct ibm *b) {
     const int size = par_size(), me = par_rank();
     int *count = b->peer, *at = b->peer + size, *peer = b->peer + 2 * size, rank[IBM_SHARERS], peers = 0;
@@ -167,7 +167,7 @@ static void plan_swaps(struct ibm *b) {
             b->swapped += count[r];
             if (count[r] == 0) continue;
             peer[peers] = r;
-            count[peers++] = count[r]; /* peers <= r: read before */
+            count[peers++] = count[r]; /* peers <= r: count[r] is read before it is overwritten */
         }
     }
     par_swap_set(b->swap, peers, peer, count);
@@ -178,7 +178,7 @@ void ibm_layout(struct ibm *b) {
     order_markers(b);
     reserve_edges(b);
     number_pieces(b);
-    reserve_edges(b); /* now that the pieces are counted */
+    reserve_edges(b); /* the number of pieces is known now */
     for (int e = 0; e < b->edges; e++) {
         struct ibm_edge *edge = &b->edge[e];
         for (int p = 0; p < edge->pieces; p++) b->piece[edge->piece[p]].edge = e;

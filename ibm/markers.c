@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Which ranks in this direction a block reaches from each cell. */
+/* For each cell along this direction: the ranks that the block of a marker there reaches. */
 static struct ibm_touch *touch_new(const struct fluid_grid *g, int d) {
     const int n = g->n[d];
     struct ibm_touch *touch = memory_new(MEMORY_IBM, (size_t)n, sizeof *touch);
@@ -40,7 +40,7 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
     for (int d = 0; d < 3; d++) {
         const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];
         b->inner_low[d] = g->lo[d] + IBM_BEFORE;
-        b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face is the side's own */
+        b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face lies on the side */
         if (d > 0) b->touch[d] = touch_new(g, d), b->owner[d] = owner_new(g, d);
         for (int c = 0; c < 3; c++)
             for (int side = 0; side < 2; side++) b->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
@@ -66,8 +66,8 @@ void ibm_free(struct ibm *b) {
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
-/* Items as they are sent, beside the last ones: differs[0]: some other rank must serve one; [1]: any number has
- * changed. */
+/* Makes the items to send and compares them with the last ones. differs[0]: a different rank must serve some item; [1]:
+ * some number has changed. */
 static void fill(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume,
                  double differs[2]) {
     const struct fluid_grid *g = b->grid;
@@ -97,7 +97,7 @@ static void fill(struct ibm *b, int n, const double *const x[3], const double *c
     }
 }
 
-/* A copy to each rank whose cells the marker's block reaches. */
+/* Plans a copy of the marker to each rank whose cells its block reaches. */
 static void renew_plan(struct ibm *b) {
     struct ibm_route *route = &b->route;
     int copies = 0;
@@ -133,8 +133,8 @@ static void set_stencil(const struct ibm *b, const int cell[3], const double t[3
     s->cell = cell_number(g, cell);
 }
 
-/* New weights for what has moved; returns 0 where a marker has left its slab, or many their cells: all is to be sorted
- * again. */
+/* New weights for markers that have moved. Returns 0 if a marker has left its slab, or if many have left their cells:
+ * all must then be sorted again. */
 static int renew_weights(struct ibm *b, int fresh) {
     for (int h = 0; h < b->inner; h++) {
         const double *item = b->route.served + (size_t)b->arrival[h] * IBM_ITEM;

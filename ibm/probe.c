@@ -1,25 +1,27 @@
 /* Normal probe: pressure and stress at the wall from the flow at the probe's tip.  (001: sec. 3.5.3) */
-/* The normal probe: pressure and stress at the root m, from the flow about the tip e = m + dl n.  (001: sec. 3.5.3)
+/* Pressure and stress at the root m, from the flow around the tip e = m + dl n.  (001: sec. 3.5.3)
  *
- * In both forms p|m = p|e - dl/2 (dp/dn|m + dp/dn|e). That of the paper is a boundary layer's: dp/dn|m = rho (f -
- * dV/dt).n, and the stress is taken where the tip is. Both are short by dl over the body's size. Carried to the wall,
- * the momentum equation there has its viscous part too,
+ * In both forms p|m = p|e - dl/2 (dp/dn|m + dp/dn|e). The paper's form is that of a boundary layer: dp/dn|m = rho (f -
+ * dV/dt).n, and the stress is taken at the tip. The relative error of both is of the order of dl over the body's size.
+ * The form extrapolated to the wall keeps the viscous part of the momentum equation there,
  *
- *     dp/dn|m = rho (f - dV/dt).n + mu n.lap u|m,      mu n.lap u|m = dp/dn|e - dl d2p/dn2|e - rho (f - dV/dt).n,
+ *      dp/dn|m = rho (f - dV/dt).n + mu n.lap u|m,      mu n.lap u|m = dp/dn|e - dl d2p/dn2|e - rho (f - dV/dt).n,
  *
- * which leaves an error of the third order, as the shear has that is made from the wall's velocity (ibm/tip.c). */
+ * which leaves an error of third order. The shear that is computed from the wall's velocity (ibm/tip.c) has the same
+ * order. */
 #include "base/clock.h"
 #include "base/par.h"
 #include "ibm/state.h"
 
 enum { SENT = IBM_TIP_SENT, RETURNED = IBM_TIP_RETURNED };
-/* Cells that a tip's blocks reach before and behind its own, and ghost layers for it. */
+/* Number of cells that a tip's blocks reach before and behind its own cell, and ghost layers for them. */
 enum { BEFORE = 2, BEHIND = 2, LAYERS = 2 };
 
-/* A new plan; the farthest cells of all tips, the low ones negated. */
+/* Values that all ranks agree on: whether a new plan is needed; the farthest cells of all tips, the low ones
+ * negated. */
 enum { RENEW, LOW, HIGH = LOW + 3, AGREED = HIGH + 3 };
 
-/* The tips' items and who serves them: agreed [AGREED], of this rank. */
+/* Makes the tips' items and finds the ranks that serve them; agreed [AGREED]: this rank's values. */
 static void set_out(const struct ibm *b, const struct ibm_probe_input *in, const double length[3],
                     struct ibm_route *route, double *agreed) {
     const struct fluid_grid *g = b->grid;
@@ -43,7 +45,7 @@ static void set_out(const struct ibm *b, const struct ibm_probe_input *in, const
     }
 }
 
-/* Ghosts of the state as far as tips read them. */
+/* Fills the ghosts of the state that the tips read. */
 static void refresh(struct ibm *b, const double *agreed) {
     int low[3], high[3];
     for (int d = 0; d < 3; d++) {
@@ -53,7 +55,7 @@ static void refresh(struct ibm *b, const double *agreed) {
     fluid_state_refresh_near(b->fluid, LAYERS, low, high);
 }
 
-/* The tips to their ranks, what they measure back. back [n][RETURNED] */
+/* Sends the tips to their ranks and gets their results back. back [n][RETURNED] */
 static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, const double length[3]) {
     const double nowhere = -1e6; /* cells */
     const struct fluid_input *fluid = fluid_input_of(b->fluid);
@@ -74,16 +76,16 @@ static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, c
     double *result = route->served + served * SENT;
     const struct ibm_tip_form form = {
         .density = fluid->density, .mu = fluid->density * fluid->viscosity, .length = in->velocity[0] ? length[0] : 0};
-    /* in order of arrival: near particles have near numbers */
+    /* in order of arrival, in which neighbouring tips have close numbers */
     ibm_tip_measure(b->grid, fluid_state_of(b->fluid), &form, served, route->served, result);
     par_exchange_backward(route->plan, result, back, RETURNED * sizeof(double));
     return back;
 }
 
-/* mu n.lap u at the wall. Where there is no slip it is of the order of mu |u - V|/l2 at most (2 before a plane's
- * stagnation point, 5 before that of a sphere of four cells); where the tip reaches into another wall, dp/dn is that
- * wall's jump, and is held back to this. push: force per volume that the solved pressure balances, along n;
- * acceleration: dV/dt.n */
+/* mu n.lap u at the wall, limited. Without slip it is at most of the order of mu |u - V|/l2 (factor 2 near the
+ * stagnation point of a plane, 5 near that of a sphere of four cells in diameter). If the tip reaches into another
+ * wall, dp/dn contains the pressure jump there; the limit cuts it off. push: force per volume that the solved pressure
+ * balances, along n; acceleration: dV/dt.n */
 static double viscous(const double *e, double density, double push, double acceleration) {
     static const double MOST = 6;
     const double all = e[IBM_TIP_WALL_SLOPE] + density * acceleration - push;
@@ -115,7 +117,7 @@ void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const tr
             push_n += push[d] * in->normal[d][h];
             drive += gradient[d] * in->x[d][h];
         }
-        /* dp/dn|m, signs for n outward  (001: eqs 3.85, 3.87, mended) */
+        /* dp/dn|m for an outward n  (001: eqs 3.85, 3.87, mended) */
         double at_root = push_n - (in->is_carried ? 0 : fluid->density * acceleration);
         if (in->velocity[0]) at_root += viscous(e, fluid->density, push_n, acceleration);
         pressure[h] = e[0] - 0.5 * dl * (at_root + e[IBM_TIP_SLOPE]) - drive;

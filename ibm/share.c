@@ -10,7 +10,7 @@ int ibm_share_ranks(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS
     for (int k = 0; k <= (z->low != z->high); k++)
         for (int j = 0; j <= (y->low != y->high); j++)
             rank[n++] = (k ? z->high : z->low) * parts + (j ? y->high : y->low);
-    for (int i = 1; i < n; i++) /* a periodic direction's first rank comes after its last */
+    for (int i = 1; i < n; i++) /* in a periodic direction the first rank comes after the last; sorts them */
         for (int j = i; j > 0 && rank[j] < rank[j - 1]; j--) {
             const int r = rank[j];
             rank[j] = rank[j - 1];

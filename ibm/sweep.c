@@ -1,7 +1,7 @@
 /* Interpolates velocity at the inner markers and spreads their force increments.  (001: eqs 3.79-3.82) */
 #include "ibm/state.h"
 
-/* What a marker's y and z weights are, by alignment, for the three components: x faces, y faces, z faces. */
+/* Indices of a marker's y and z weights by alignment, for the three components: at x faces, y faces, z faces. */
 static const int align_y[3] = {1, 3 + 1, 1}, align_z[3] = {2, 2, 3 + 2}, align_x[3] = {3, 0, 0};
 
 static inline ibm_row along_x(const double w[3][8], int c) {
@@ -9,13 +9,13 @@ static inline ibm_row along_x(const double w[3][8], int c) {
     return (ibm_row){w[0][l], w[1][l], w[2][l], 0};
 }
 
-/* The rows that the marker's block shares with none before it in its column: asked for ahead of time. */
+/* Prefetches the rows of the marker's block that the previous marker of the column did not touch. */
 static inline void ask_ahead(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row, ptrdiff_t plane) {
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < 3; k++) __builtin_prefetch(u[c] + s->at[c] + 2 * row + k * plane);
 }
 
-/* 27 values of each component. */
+/* Sums over the 27 values of each component. */
 static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row, ptrdiff_t plane) {
     double w[3][8];
     ibm_row part[3];
@@ -28,12 +28,12 @@ static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const 
             sum += ibm_row_set(w[k][z]) * ibm_kernel_rows(at + k * plane, row, w[0][y], w[1][y], w[2][y]);
         part[c] = sum * along_x(w, c);
     }
-    /* the fourth lanes are no part of the block, though finite */
+    /* the fourth lanes are finite, but not part of the block */
     return (ibm_row){part[0][0] + part[0][1] + part[0][2], part[1][0] + part[1][1] + part[1][2],
                      part[2][0] + part[2][1] + part[2][2], 0};
 }
 
-enum { AHEAD = 6 }; /* markers */
+enum { AHEAD = 6 }; /* number of markers that prefetching is ahead */
 
 void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
     const ptrdiff_t row = b->grid->row, plane = b->grid->plane;

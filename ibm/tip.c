@@ -1,5 +1,5 @@
 /* Pressure, velocity and their gradients at a probe's tip.  (001: eqs 3.83, 3.84, 3.86) */
-/* What a probe measures at its tip e: pressure and velocity with their gradients.  (001: eqs 3.83, 3.84, 3.86)
+/* Values at a probe's tip e: pressure and velocity with their gradients.  (001: eqs 3.83, 3.84, 3.86)
  *
  * On the 2 x 2 x 2 stencil of one cell about e, p and u are interpolated by the kernel and differenced. All of it is a
  * product of three one-dimensional sums: the mean of the kernels at the two points of a direction, or their difference.
@@ -8,29 +8,29 @@
  *        y, z           4 values along x at once      16 loads, 44 multiply-adds
  *        x              four sums in one transposition
  *
- * Weights are made for a few tips at a time, before their blocks are read: their square roots and the blocks' sums are
- * too long for a processor to look from one tip to the next. */
+ * Weights of eight tips are computed together, before their blocks are read, to hide the latency of the square roots
+ * and of the blocks' sums. */
 #include "base/vec.h"
 #include "ibm/kernel.h"
 #include "ibm/state.h"
 
 /* Alignment and direction: six lanes of one vector, the last two idle. */
 enum { XC, YC, XF, YF, ZC, ZF, LANES = 8 };
-enum { GROUP = 8 }; /* tips whose weights are made at once: 6 KB */
+enum { GROUP = 8 }; /* tips whose weights are computed together: 6 KB */
 
-/* What all tips have in common. */
+/* Values common to all tips. */
 struct frame {
-    vec offset;   /* the place, in cells of the domain, of the grid point 0 of an alignment, and 1/2 more */
+    vec offset;   /* coordinate of grid point 0 of an alignment plus 1/2, in cells of the domain */
     vec per_cell; /* 1/d, 1/m */
     vec stride;   /* doubles */
 };
 
 /* Four grid points i-1 .. i+2 a direction. */
 struct tip {
-    double value[4][LANES], slope[4][LANES],
-        bend[4][LANES];                                /* of a field, its first and second derivative: 1, 1/m, 1/m2 */
-    double value_x[2][4], slope_x[2][4], bend_x[2][4]; /* those along x, [alignment] */
-    int64_t at[LANES];                                 /* of the first grid point, doubles */
+    double value[4][LANES], slope[4][LANES], bend[4][LANES]; /* of a field, of its first and of its second derivative:
+                                                              * 1, 1/m, 1/m2 */
+    double value_x[2][4], slope_x[2][4], bend_x[2][4];       /* those along x, [alignment] */
+    int64_t at[LANES];                                       /* of the first grid point, doubles */
 };
 
 static struct frame frame_of(const struct fluid_grid *g) {
@@ -47,7 +47,7 @@ static struct frame frame_of(const struct fluid_grid *g) {
     return f;
 }
 
-/* From eight lanes, the four weights along x: [alignment]. */
+/* The four weights along x from eight lanes: [alignment]. */
 static inline void take_x(double x[2][4], const vec w[4]) {
     const ibm_row a = __builtin_shufflevector(w[0], w[1], 0, 8, 2, 10),
                   b = __builtin_shufflevector(w[2], w[3], 0, 8, 2, 10);
@@ -55,8 +55,8 @@ static inline void take_x(double x[2][4], const vec w[4]) {
     ibm_row_store(x[1], __builtin_shufflevector(a, b, 2, 3, 6, 7));
 }
 
-/* Both points of a direction are offset alike from their nearest grid points, i and i+1: the mean of the two kernels
- * for the value, and their difference over the cell for the slope. t: offset, cells.  (001: eq. 3.78) */
+/* The two points of a direction have the same offset from their nearest grid points, i and i+1. The value is the mean
+ * of the two kernels, the slope their difference over the cell. t: offset, cells.  (001: eq. 3.78) */
 static inline void weigh_by_kernel(vec t, vec per_cell, vec value[4], vec slope[4]) {
     const vec middle = (1 + vec_sqrt(1 - 3 * t * t)) * (1.0 / 3);
     const vec before = 0.5 * (1 - middle - t), behind = 0.5 * (1 - middle + t);
@@ -66,7 +66,7 @@ static inline void weigh_by_kernel(vec t, vec per_cell, vec value[4], vec slope[
     slope[2] = (middle - behind) * per_cell, slope[3] = behind * per_cell;
 }
 
-/* The cubic through the same four points, which does not smooth, and its derivatives. */
+/* The cubic through the same four points, which does not smooth; its first and second derivatives. */
 static inline void weigh_by_cubic(vec t, vec per_cell, vec value[4], vec slope[4], vec bend[4]) {
     const vec s = t + 0.5, a = s + 1, b = s - 1, c = s - 2, per_cell2 = per_cell * per_cell;
     value[0] = s * b * c * (-1.0 / 6), value[1] = a * b * c * 0.5;
@@ -79,10 +79,10 @@ static inline void weigh_by_cubic(vec t, vec per_cell, vec value[4], vec slope[4
     bend[2] = (1 - 3 * s) * per_cell2, bend[3] = s * per_cell2;
 }
 
-/* s: the tip, cells. to_wall: what is read is carried there. */
+/* s: position of the tip, cells. to_wall: the values are extrapolated to the wall. */
 static inline void tip_set(const struct frame *f, const double *s, int to_wall, struct tip *e) {
     typedef int64_t whole __attribute__((vector_size(64)));
-    const ibm_row place = ibm_row_load(s); /* and what follows, unused */
+    const ibm_row place = ibm_row_load(s); /* and the next value, not used */
     const vec low = __builtin_shufflevector(place, place, 0, 1, 0, 1, 2, 2, 2, 2) - f->offset;
     vec near = low + 0.5;
     for (int l = 0; l < LANES; l++) near[l] = __builtin_floor(near[l]);
@@ -111,7 +111,7 @@ static inline ibm_row sums(ibm_row a, ibm_row b, ibm_row c, ibm_row d) {
     return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
-/* One field at the tip: f, df/dx, df/dy, df/dz. x: whether at faces; y, z: lanes. */
+/* One field at the tip: f, df/dx, df/dy, df/dz. x: 1 at faces; y, z: lanes. */
 static inline ibm_row contract(const double *field, const struct fluid_grid *g, const struct tip *e, int x, int y,
                                int z) {
     const double *at = field + e->at[x ? XF : XC] + e->at[y] + e->at[z];
@@ -154,9 +154,9 @@ static inline double bend_along(const double *field, const struct fluid_grid *g,
     return all[0] + all[1] + all[2] + all[3];
 }
 
-/* The wall's shear by the cubic that has its velocity V, and the tip's u, du/dn and d2u/dn2, on the straight line
- * between them however the wall bends:  du/dn|w = 3 (u|e - V)/l - 2 du/dn|e + l/2 d2u/dn2|e, along the wall. Across it
- * a rigid wall has none. slope, bend: (dp/dn, du/dn) and (d2p/dn2, d2u/dn2) */
+/* The shear at the wall, by the cubic on the straight line from the wall to the tip that has the wall's velocity V and
+ * the tip's u, du/dn and d2u/dn2:  du/dn|w = 3 (u|e - V)/l - 2 du/dn|e + l/2 d2u/dn2|e. Only its tangential part is
+ * used: a rigid wall has no normal one. slope, bend: (dp/dn, du/dn) and (d2p/dn2, d2u/dn2) */
 static inline void carry_to_wall(const struct ibm_tip_form *form, const double u[3], const double slope[4],
                                  const double bend[4], const double *n, const double *V, double *result) {
     const double l = form->length;
@@ -172,7 +172,7 @@ static inline void carry_to_wall(const struct ibm_tip_form *form, const double u
     result[IBM_TIP_SCALE] = form->mu / (l * l) * sqrt(speed2);
 }
 
-/* p|e, dp/dn|e, mu (grad u + grad u^T)|e n  (001: eqs 3.88-3.95), or the wall's.      item: the tip's */
+/* p|e, dp/dn|e, mu (grad u + grad u^T)|e n  (001: eqs 3.88-3.95), or the values at the wall. item: the tip's */
 static inline void tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form,
                                const struct tip *e, const double *item, double *result) {
     const double *n = item + IBM_TIP_NORMAL, mu = form->mu;

@@ -16,7 +16,7 @@
 
 enum { RUNS_MAX = 16 };
 
-/* out and the folders above it; 0 or errno. */
+/* Makes the folder out and its missing parents. Returns 0 or errno. */
 static int make_folders(const char *out) {
     char path[FOLDER_PATH];
     snprintf(path, sizeof path, "%s/plots", out);
@@ -56,7 +56,7 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
             memory_free(sample);
         }
         postproc_body_free(b);
-        if (pdf[r].bins < 2) continue; /* none, or all alike */
+        if (pdf[r].bins < 2) continue; /* no values, or all values equal */
         middle[r] = malloc((size_t)pdf[r].bins * sizeof(double));
         for (int i = 0; i < pdf[r].bins; i++) middle[r][i] = pdf[r].low + (i + 0.5) * pdf[r].width;
         curve[curves++] = (struct postproc_curve){
@@ -85,7 +85,8 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
     }
 }
 
-/* One row a quantity, one column a run; into report and out/summary.csv. Returns 0, or -1 (errno). */
+/* Writes a table with one row for each quantity and one column for each run, to the report and to out/summary.csv.
+ * Returns 0, or -1 (errno). */
 static int table_write(struct postproc_report *report, int n, const struct postproc_output *const *run,
                        const char *const *label, const char *out) {
     char path[FOLDER_PATH];
@@ -102,7 +103,7 @@ static int table_write(struct postproc_report *report, int n, const struct postp
         fprintf(file, ",%s", label[r]);
     }
     fputc('\n', file);
-    /* the quantities of any of the runs, in the order of the first that has them */
+    /* the quantities that any run has, in the order of the first run that has them */
     for (int r = 0; r < n; r++)
         for (int i = 0; i < run[r]->facts.n; i++) {
             const struct postproc_fact *fact = &run[r]->facts.fact[i];

@@ -30,7 +30,7 @@ const struct postproc_fact *postproc_facts_find(const struct postproc_facts *f, 
     return NULL;
 }
 
-/* A CSV cell: in quotes where it holds a comma or a quote. */
+/* Writes a CSV cell, in quotes if it contains a comma or a quote. */
 static void put_cell(FILE *file, const char *text) {
     if (!strpbrk(text, ",\"\n")) {
         fputs(text, file);

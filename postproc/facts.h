@@ -1,9 +1,9 @@
-/* The numbers of a report: quantity, unit, value, in the order in which they were found. */
+/* The numbers of a report: quantity, unit, value, in the order in which they were added. */
 #pragma once
 
 enum { POSTPROC_FACTS = 128 };
 struct postproc_fact {
-    char quantity[96], unit[16], text[160]; /* text: what the report says; a word where value is NAN */
+    char quantity[96], unit[16], text[160]; /* text: as printed in the report; a word if value is NAN */
     double value;
 };
 struct postproc_facts {
@@ -17,5 +17,5 @@ void postproc_facts_text(struct postproc_facts *f, const char *quantity, const c
 const struct postproc_fact *postproc_facts_find(const struct postproc_facts *f, const char *quantity);
 /* quantity,unit,value. Returns 0, or -1 (errno). */
 int postproc_facts_write(const struct postproc_facts *f, const char *path);
-/* Those from first on. */
+/* The facts from number first on. */
 int postproc_facts_write_from(const struct postproc_facts *f, int first, const char *path);

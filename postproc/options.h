@@ -1,4 +1,4 @@
-/* What frana post is asked for besides the run folder. */
+/* Options of frana post. */
 #pragma once
 
 enum postproc_quantity {
@@ -11,12 +11,12 @@ enum postproc_quantity {
 };
 
 struct postproc_options {
-    int film;                             /* 1: a picture of every field file of a plate */
-    enum postproc_quantity film_quantity; /* of what */
-    double level;                         /* of the damage contour; 0: chosen */
-    double magnify;                       /* of the displacements; 0: chosen */
+    int film;                             /* 1: a picture of each field file of a plate */
+    enum postproc_quantity film_quantity; /* the quantity of these pictures */
+    double level;                         /* of the damage contour; 0: automatic */
+    double magnify;                       /* factor of the displacements; 0: automatic */
 };
 
-/* By its name: damage, stretch, energy, displacement_x, displacement_y; -1: it is none. */
+/* The quantity of a name: damage, stretch, energy, displacement_x, displacement_y; -1: unknown name. */
 int postproc_options_quantity(const char *word);
 const char *postproc_options_name(enum postproc_quantity quantity);

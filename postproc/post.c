@@ -16,7 +16,7 @@ static int refuse(const char *path, int fault) {
     return EXIT_CODE_FILE;
 }
 
-/* The folders of the results; 0 or errno. */
+/* Makes the folders of the results. Returns 0 or errno. */
 static int make_folders(const char *post, int film) {
     static const char *const inside[] = {"plots", "pictures", "film"};
     char path[FOLDER_PATH];
@@ -26,7 +26,7 @@ static int make_folders(const char *post, int film) {
     return 0;
 }
 
-/* A heading and the facts that a section has added, if any. */
+/* Writes a heading and the facts that a section has added, if there are any. */
 static void report_section(struct postproc_report *r, const struct postproc_output *out, const char *heading, int first,
                            int last) {
     if (last <= first) return;

@@ -9,7 +9,7 @@ struct postproc_report {
     FILE *md, *html;
 };
 
-/* A bar would end a table's cell, and an angle bracket begin HTML. */
+/* Escapes a bar, which would end a table's cell, and an angle bracket, which would begin HTML. */
 static void put_md(FILE *f, const char *text) {
     for (; *text; text++) {
         if (*text == '|' || *text == '<') fputc('\\', f);

@@ -1,10 +1,10 @@
-/* report.md and report.html: the same words, numbers and pictures twice. */
+/* The report as Markdown and as HTML, with the same content. */
 #pragma once
 #include "postproc/facts.h"
 
 struct postproc_report; /* opaque: the two open files */
 
-/* folder/report.md, folder/report.html. NULL when they cannot be written (errno). */
+/* Opens folder/report.md and folder/report.html. NULL if they cannot be written (errno). */
 struct postproc_report *postproc_report_begin(const char *folder, const char *title);
 void postproc_report_heading(struct postproc_report *r, const char *text);
 void postproc_report_text(struct postproc_report *r, const char *text);

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <yaml.h>
 
-/* JSON is YAML, and libyaml reads it. */
+/* JSON is a subset of YAML, so libyaml reads it. */
 struct postproc_tree {
     yaml_document_t document;
 };
@@ -22,7 +22,7 @@ struct postproc_tree *postproc_tree_new(const char *path) {
     const int good = yaml_parser_load(&parser, &t->document);
     yaml_parser_delete(&parser);
     fclose(file);
-    if (!good) { /* libyaml has released the document */
+    if (!good) { /* libyaml has already freed the document */
         free(t);
         return NULL;
     }
@@ -37,7 +37,7 @@ void postproc_tree_free(struct postproc_tree *t) {
     free(t);
 }
 
-/* libyaml's readers do not change the document, but are not declared so. */
+/* libyaml's functions do not change the document, but take a non-const pointer. */
 static yaml_document_t *document_of(const struct postproc_tree *t) { return (yaml_document_t *)(size_t)&t->document; }
 
 static yaml_node_t *find(const struct postproc_tree *t, const char *path) {

@@ -1,4 +1,4 @@
-/* frana check: parts of the run, stable steps and their limits, memory, dimensionless groups. Steps nothing. */
+/* frana check: prints parts of the run, stable steps and their limits, memory, dimensionless groups. Takes no step. */
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -65,7 +65,7 @@ static void say_holdings(struct run *r) {
     if (n == 0) say("  nothing\n");
 }
 
-/* What a contact would ask for, where there is none yet. */
+/* Number of substeps that a contact would need, if there is none yet. */
 static void say_touch(struct run *r, const struct scene_stage *stage) {
     if (!(r->substeps > 0) || !r->needs.contact || !solid_contact_is_possible(r->solid)) return;
     const double limit =
@@ -78,7 +78,7 @@ static void say_touch(struct run *r, const struct scene_stage *stage) {
         say("  warning: %s's substep is above the limit of %.6g s for contact\n", stage->name, limit);
 }
 
-/* Of the levels that there may be: inside a body of one level alone. */
+/* Stable steps of the levels that a refinement may add, inside a body of one level only. */
 static void say_levels(struct run *r) {
     const int finest = solid_refine_finest(r->solid);
     struct solid_rates rates;
@@ -157,7 +157,7 @@ static void say_memory(void) {
     say("  %-10s %.1f, and the libraries' own\n", "in all", most[MEMORY_PARTS] * 1e-6);
 }
 
-/* The largest inflow or driven velocity of the scene, m/s. */
+/* The largest inflow velocity or driven velocity of the scene, m/s. */
 static double velocity_of(const struct scene_fluid *f) {
     double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
     if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);

@@ -36,7 +36,7 @@ static void fluid_arrays(struct run *r, double *array[4]) {
     for (int f = 0; f < 4; f++) array[f] = all[f] + fluid_grid_at(g, 0, 0, 0);
 }
 
-/* The velocities at the low boundary faces belong to the state where the side is open: they are set by its condition,
+/* The velocities on the low faces of the domain are part of the state on an open side. They follow from its condition,
  * and are not stored. */
 static void write_fluid(struct run *r, struct store *s) {
     const struct store_block b = block_of(fluid_grid_of(r->fluid));
@@ -57,8 +57,8 @@ static int read_fluid(struct run *r, struct store *s) {
     return 0;
 }
 
-/* Arrays of three components by particle, two in a plate: displacement, velocity, velocity a step ago, load, Verlet's
- * last sweep. */
+/* Arrays of three components by particle (two in a plate): displacement, velocity, velocity one step ago, load,
+ * Verlet's last sweep. */
 enum { VECTORS = 5 };
 static const char *const vector_name[VECTORS] = {"displacement", "velocity", "velocity_last", "load", "sweep"};
 
@@ -74,7 +74,7 @@ static int vectors_of(struct run *r, double *const *vector[VECTORS]) {
 enum { SHARES = 5 };
 static const char *const share_name[SHARES] = {"e_damped", "e_fracture", "e_constraint", "work_load", "power_pairwise"};
 
-/* Which particles there are, of a plate that is refined as it goes, and the rates that go with them. */
+/* The particles of a plate that is refined during the run, and the rates that belong to them. */
 enum { RATES = 6 };
 static const char *const rate_name[RATES] = {"rate_stiffness",  "rate_damping",  "rate_sum",
                                              "rate_difference", "rate_absolute", "rate_bound"};
@@ -104,7 +104,7 @@ static void write_particles(struct run *r, struct store *s) {
 
 static int read_particles(struct run *r, struct store *s) {
     const long n = store_read_count(s, "level");
-    if (n < 0) return 0; /* of a scene without refinement: as they were made */
+    if (n < 0) return 0; /* a scene without refinement: the particles are those of the start */
     double(*place)[3] = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *place), *rate[RATES];
     uint8_t *level = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1), *body = memory_new(MEMORY_OUTPUT, (size_t)n + 1, 1);
     long finest = -1;
@@ -158,7 +158,7 @@ static void write_bonds(struct run *r, struct store *s) {
     }
 }
 
-/* What is given is a function of time, and is added anew to what the fluid's part of a step writes. */
+/* Clears the load: the fluid's part of a step sets it, and the input's loads, functions of time, are added again. */
 static void loads_restart(struct run *r) {
     struct solid *solid = r->solid;
     if (!solid->given) return;
@@ -184,7 +184,7 @@ static int read_bonds(struct run *r, struct store *s) {
     memory_free(work);
     const int bodies = solid->in.bodies;
     if (r->carried && !bad &&
-        store_read_count(s, "carried") == bodies) /* else of a run whose loads were not balanced */
+        store_read_count(s, "carried") == bodies) /* otherwise a run whose loads were not balanced */
         bad = store_read_range(s, "carried", STORE_DOUBLE, 3, bodies, 0, bodies, r->carried);
     const int bytes = solid_family_bytes(solid);
     uint8_t *bits = memory_new(MEMORY_OUTPUT, (size_t)solid->n * (size_t)bytes + 1, 1);
@@ -195,7 +195,7 @@ static int read_bonds(struct run *r, struct store *s) {
     double share[SHARES] = {0};
     for (int k = 0; k < SHARES && !bad; k++) bad = store_read_double(s, share_name[k], &share[k]);
     if (bad) return bad;
-    const int keep = par_rank() == 0; /* sums are carried on by rank 0 */
+    const int keep = par_rank() == 0; /* the sums over ranks are continued on rank 0 */
     solid->e_damped = keep * share[0];
     solid->e_fracture = keep * share[1];
     solid->e_constraint = keep * share[2];
@@ -224,7 +224,7 @@ static void write_demand(struct run *r, struct store *s) {
     memory_free(all);
 }
 
-/* A checkpoint without it: the force is found anew. */
+/* A checkpoint without the guess: the forcing starts without one. */
 static int read_demand(struct run *r, struct store *s) {
     const struct solid *solid = r->solid;
     if (store_read_count(s, "demand") < 0) return 0;
@@ -273,9 +273,9 @@ static int stage_of(const struct scene *scene, const char *name) {
     return -1;
 }
 
-/* Reads the whole of it; 0, or 1 and a sentence. */
+/* Reads the whole checkpoint. Returns 0, or 1 with a sentence in why. */
 static int read_state(struct run *r, struct store *s, char *why, size_t size) {
-    long substeps = 0; /* a checkpoint without it: found anew */
+    long substeps = 0; /* if the checkpoint has no number, it is computed again */
     char stage[SCENE_NAME];
     double spacing;
     int bad = store_read_double(s, "t", &r->t) || store_read_double(s, "dt", &r->dt) ||
@@ -306,7 +306,7 @@ static int read_state(struct run *r, struct store *s, char *why, size_t size) {
     return bad;
 }
 
-/* Says why a checkpoint cannot be gone on from, and what can. */
+/* Says why a checkpoint cannot be resumed, and which one can. */
 static _Noreturn void refuse(enum exit_code code, const char *path, const char *why) {
     const char *other = path && code == EXIT_CODE_FILE ? store_read_other(path) : NULL;
     if (other) die_all(code, "%s; --resume=%s is whole", why, other);

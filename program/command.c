@@ -21,7 +21,7 @@ const char *command_usage(void) {
            "run, check and bench under mpiexec -n N where they should run in parallel.\n";
 }
 
-/* HH:MM:SS, MM:SS or seconds. */
+/* Seconds from HH:MM:SS, MM:SS or seconds. */
 static double seconds_of(const char *text) {
     double total = 0;
     const char *at = text;
@@ -50,7 +50,7 @@ static enum command_verb verb_of(const char *word) {
             word);
 }
 
-/* runs/NAME, NAME being the scene's file without its ending. */
+/* runs/NAME, where NAME is the scene's file name without its ending. */
 static void default_out(struct command *c) {
     const char *slash = strrchr(c->file[0], '/'), *name = slash ? slash + 1 : c->file[0], *dot = strrchr(name, '.');
     const int length = dot ? (int)(dot - name) : (int)strlen(name);
@@ -79,7 +79,7 @@ static double number(const char *text, const char *name, double below) {
     return value;
 }
 
-/* Which option goes with which commands. */
+/* Checks that the option belongs to the command. */
 static void check_option(int o, const char *word, enum command_verb verb) {
     if (strchr("rwq", o) && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
     if (o == 's' && verb != COMMAND_RUN && verb != COMMAND_CHECK)

@@ -16,8 +16,8 @@ struct command {
     enum command_verb verb;
     int files;               /* scene; study; run folders for post; tables and run.json for bench --table */
     const char *const *file; /* borrowed from argv */
-    char out[512];           /* run: the run folder; post with several folders: where the comparison goes;
-                              bench, study: where the tables go */
+    char out[512];           /* run: the run folder; post with several folders: the folder of the comparison; bench,
+                              * study: the folder of the tables */
     int sets;
     const char **set;        /* owned: --set key.path=value */
     int resume;              /* --resume: 1 */
@@ -25,7 +25,7 @@ struct command {
     double max_wall;         /* s; 0: no limit */
     int quiet;
     int fresh; /* study: --fresh */
-    /* post, of plates */
+    /* post, for plates */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */
     double level, magnify;     /* 0: not given */
@@ -35,7 +35,7 @@ struct command {
     const char *only, *sizes; /* lists of words with commas, or NULL: all, the standard ones */
 };
 
-/* Dies (exit 2) in one sentence on a line it does not understand. Collective. */
+/* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */
 struct command *command_new(int argc, char **argv);
 void command_free(struct command *c);
 const char *command_usage(void);

@@ -36,8 +36,8 @@ static const char *const unit[COLUMNS] = {"1", "s", "m",   "m", "m/s", "m", "m",
 struct crack {
     const struct scene_crack_output *scene; /* borrowed */
     double direction[2], axis[2];
-    double thickness, g0;                 /* of a plate, m, else NAN; the least of the materials, J/m2 */
-    struct solid_crack_particles initial; /* damaged before anything has moved */
+    double thickness, g0;                 /* of a plate, m, else NAN; the least of all materials, J/m2 */
+    struct solid_crack_particles initial; /* damaged before the first step */
     int has_axis;
     struct solid_crack_track *track;
     struct table *table;
@@ -74,7 +74,7 @@ struct crack *crack_series_new(struct run *r) {
     return c;
 }
 
-/* What the table has of the way so far, on every rank alike. */
+/* Reads the tips' earlier positions from the table, on all ranks. */
 static void replay(struct crack *c, const char *path) {
     struct table_data *d = par_rank() == 0 ? table_read(path, NULL) : NULL;
     long rows = d ? d->rows : 0;

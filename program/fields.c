@@ -29,7 +29,7 @@ static void centre_velocity(const struct fluid_grid *g, const struct fluid_state
             }
 }
 
-/* The inside of an array with ghosts. */
+/* Copies the cells of an array without its ghosts. */
 static void inside(const struct fluid_grid *g, const double *a, double *out) {
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++)
@@ -65,7 +65,7 @@ static void write_fluid(struct run *r, const char *folder, const char *name, con
     vtkhdf_series_add(folder_path(series, folder, "fields/fluid.hdf.series"), name, r->t);
 }
 
-/* The third component of a plate's is 0. */
+/* Adds a vector field; the third component in a plate is 0. */
 static void add_vector(struct vtkhdf *f, const char *name, int n, double *const a[3], double *work) {
     for (int h = 0; h < n; h++)
         for (int c = 0; c < 3; c++) work[3 * h + c] = a[c] ? a[c][h] : 0;

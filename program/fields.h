@@ -3,4 +3,5 @@
 #include "coupling/run.h"
 
 void fields_write(struct run *r, const char *folder);     /* Collective. */
-void fields_cut(const struct run *r, const char *folder); /* forgets what is later than the run's time. Collective. */
+void fields_cut(const struct run *r, const char *folder); /* drops files later than the run's time from the series.
+                                                           * Collective. */

@@ -15,7 +15,7 @@ enum { STEP, T, PROBE, PLACE, VALUE = PLACE + 3, COLUMNS = VALUE + 4 };
 struct fluid_probes {
     long every;
     int n;
-    double (*at)[3]; /* [n] m: the places, then the lines' */
+    double (*at)[3]; /* [n] m: single points, then those of the lines */
     struct table *table;
     double (*value)[4]; /* [n] u, v, w, p, work */
 };
@@ -28,7 +28,8 @@ static void places_of(const struct scene_fluid_probes *scene, double (*at)[3]) {
         for (int k = 0; k < line->points; k++, at++)
             for (int c = 0; c < 3; c++) {
                 const double part = (double)k / (line->points - 1);
-                (*at)[c] = (1 - part) * line->from[c] + part * line->to[c]; /* never beyond the ends */
+                (*at)[c] = (1 - part) * line->from[c] + part * line->to[c]; /* weighted so that rounding cannot pass the
+                                                                             * ends */
             }
     }
 }

@@ -95,7 +95,7 @@ static int obey(const struct command *c) {
 }
 
 int main(int argc, char **argv) {
-    /* a study starts mpiexec, which a process that is a rank itself cannot */
+    /* a study starts mpiexec, which a process that is itself an MPI rank cannot do */
     if (argc < 2 || strcmp(argv[1], "study")) par_begin(&argc, &argv);
     struct command *c = command_new(argc, argv);
     const int code = obey(c);

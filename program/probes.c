@@ -16,7 +16,7 @@
 
 enum { STEP, T, PROBE, PLACE, COLUMNS_MAX = PLACE + 3 * 3 + 1 };
 
-/* What is nearest on some rank. */
+/* The nearest particle on a rank. */
 struct candidate {
     double distance, x[3]; /* spacings, to 1e-6; m */
 };
@@ -24,8 +24,8 @@ struct candidate {
 struct probes {
     const struct scene_probes *scene; /* borrowed */
     int dim;
-    long particles;          /* when they were last looked for */
-    int *here;               /* [places] this rank's number of the particle, -1: another rank's */
+    long particles;          /* number of particles at the last search */
+    int *here;               /* [places] this rank's index of the particle, -1: on another rank */
     struct candidate *found; /* [places] */
     struct table *table;
     double *row; /* [places][columns], work */
@@ -33,7 +33,7 @@ struct probes {
 
 static int columns_of(const struct probes *p) { return PLACE + 3 * p->dim + 1; }
 
-/* The order of candidates: nearest first, of those equally near the one first in x, then y, then z. */
+/* Order of candidates: the nearest first; of equally near ones the first in x, then in y, then in z. */
 static int is_before(const struct candidate *a, const struct candidate *b) {
     if (a->distance != b->distance) return a->distance < b->distance;
     for (int c = 0; c < 3; c++)
@@ -52,7 +52,7 @@ static struct candidate candidate_of(const struct solid *s, int h, const double 
     return a;
 }
 
-/* Of all ranks, the nearest to each place at the start. Collective. */
+/* Finds the particle of all ranks that is initially nearest to each place. Collective. */
 static void look(struct probes *p, const struct solid *s) {
     const int places = p->scene->places;
     const size_t bytes = (size_t)places * sizeof *p->found;

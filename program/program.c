@@ -27,7 +27,7 @@ struct program {
     const struct scene *scene;
     struct run *run;
     struct series *series;
-    struct crack *crack;               /* NULL: none is followed */
+    struct crack *crack;               /* NULL: no crack is tracked */
     struct probes *probes;             /* NULL: none */
     struct fluid_probes *fluid_probes; /* NULL: none */
     struct march *march;
@@ -73,8 +73,8 @@ static void progress(struct program *p) {
                      s->bonds_broken);
 }
 
-/* A fault of the numbers: what and where, what step would have been stable, the last good state on disk, exit code 3.
- * status: this rank's. */
+/* Ends an unstable run: reports the position, the value and the stable step, writes the last good state, returns exit
+ * code 3. status: this rank's. */
 static int unstable(struct program *p, struct step_status *status) {
     const struct march_loss loss = march_give_up(p->march, status);
     if (loss.step >= 0 && loss.step != p->checked) checkpoint_write(p->run, p->command->out);
@@ -108,8 +108,8 @@ static void largest(void *program, double *number, int n) {
     p->reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, n);
 }
 
-/* One step and whatever is due after it; what is kept or written has been looked at as a whole. Returns an exit code to
- * leave with, or -1. */
+/* Takes one step and writes the output that is due after it. A state that is kept or written was tested as a whole.
+ * Returns an exit code to end with, or -1. */
 static int step(struct program *p) {
     struct run *r = p->run;
     const struct scene_output *out = &p->scene->output;
@@ -131,7 +131,8 @@ static int step(struct program *p) {
     progress(p);
     if (drawn) fields_write(r, p->command->out);
     if (r->stage_step == p->scene->stage[r->stage].steps)
-        checkpoint_write_stage(r, p->command->out); /* before the other, from which a run goes on behind it */
+        checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
+                                                     * continues */
     if (saved) checkpoint(p);
     return p->reason != SIGNALS_NONE ? stopped(p) : -1;
 }
@@ -162,7 +163,7 @@ static void refuse_to_overwrite(const struct command *c, int here) {
         die_all(EXIT_CODE_FILE, "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
 }
 
-/* Dies (exit 2) on steps that the solid cannot take, which only its bonds tell. */
+/* Dies (exit 2) on stages whose steps the solid cannot take; that is known only once its bonds exist. */
 static void check_stages(struct run *r) {
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++)
         if (r->solid && r->scene->stage[r->stage].solid == SCENE_SOLID_ELASTIC) step_begin_stage(r);
@@ -175,14 +176,14 @@ static void begin(struct program *p) {
     if (here) folder_hold(c->out);
     refuse_to_overwrite(c, here);
     signals_begin(c->max_wall);
-    p->run = run_new(p->scene); /* what the scene gets wrong shows here at the latest: before anything is written */
+    p->run = run_new(p->scene); /* all mistakes of the scene are found here at the latest, before any file is written */
     p->crack = crack_series_new(p->run);
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
     if (!here) check_stages(p->run);
     folder_make(c->out);
     folder_hold(c->out);
-    refuse_to_overwrite(c, here); /* nobody else can write there from now on */
+    refuse_to_overwrite(c, here); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, here);
     log_line("frana: %s", p->scene->title);
     if (c->resume) {

@@ -49,7 +49,7 @@ static void write_parts(struct json *j, const double *seconds) {
     json_close(j);
 }
 
-/* What the rank that sends most has sent to others a step, by kind; set-up and output included. */
+/* Writes the traffic per step of the rank that sends most, by kind; set-up and output included. */
 static void write_traffic(struct json *j, double (*most)[3], long steps) {
     json_object(j, "traffic_per_step");
     for (int k = 0; k < PAR_COUNT_KINDS; k++) {
@@ -62,7 +62,7 @@ static void write_traffic(struct json *j, double (*most)[3], long steps) {
     json_close(j);
 }
 
-/* Of the strongly coupled steps. */
+/* Writes the iterations of the strongly coupled steps. */
 static void write_iterations(struct json *j, struct strong_count count) {
     json_object(j, "coupling_iterations");
     json_number(j, "mean", count.steps ? (double)count.iterations / (double)count.steps : 0);
@@ -71,7 +71,7 @@ static void write_iterations(struct json *j, struct strong_count count) {
     json_close(j);
 }
 
-/* Of automatic steps and substeps. */
+/* Writes what limited the automatic steps and substeps. */
 static void write_bounds(struct json *j, const struct adapt *a) {
     json_object(j, "steps_bound_by");
     for (int k = ADAPT_CONVECTION; k < ADAPT_BOUNDS; k++)
@@ -127,7 +127,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_text(j, "stage", r->scene->stage[r->stage].name);
         json_long(j, "stage_step", r->stage_step);
         json_long(j, "steps", r->step);
-        json_long(j, "resumed_at_step", r->resumed); /* times and counts below are since then */
+        json_long(j, "resumed_at_step", r->resumed); /* times and counts below are from that step on */
         json_number(j, "t", r->t);
         json_number(j, "dt", r->dt);
         json_long(j, "substeps", r->substeps);
@@ -135,7 +135,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         write_bounds(j, &r->adapt);
         json_long(j, "ranks", size);
         json_number(j, "wall_seconds", wall);
-        json_number(j, "setup_seconds", r->setup_seconds); /* of them, before the first step */
+        json_number(j, "setup_seconds", r->setup_seconds); /* part of it, before the first step */
         write_parts(j, seconds);
         const double fluid = seconds[CLOCK_MOMENTUM] + seconds[CLOCK_POISSON] + seconds[CLOCK_HALO];
         if (r->fluid) json_long(j, "cells", (long)fluid_cells(r->fluid));

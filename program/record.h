@@ -1,11 +1,11 @@
-/* run.json: what ran, where, how long by part, and what was left out.  (docs/run-folder.md) */
+/* run.json: version, machine, wall time by part, and the parts left out.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
 
 /* status: "running", "done", "stopped", "unstable". Collective. */
 void record_write(struct run *r, const char *folder, const char *status, int exit_code);
-/* The parts a scene leaves out, one sentence each; returns how many. Not collective. */
+/* Sentences on the parts that the scene leaves out. Returns how many. Not collective. */
 enum { RECORD_LEFT_OUT = 16, RECORD_SENTENCE = 160 };
 int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE]);
-/* One line each of version, MPI, HDF5, FFTW. Not collective. */
+/* One line for each of version, MPI, HDF5, FFTW. Not collective. */
 void record_version(char *text, int size);

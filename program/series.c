@@ -20,7 +20,7 @@ enum { NEED_FLUID = 1, NEED_IMMERSED = 2, NEED_BONDS = 4, NEED_ALONE = 8, NEED_R
 static const struct column {
     const char *name, *unit;
     int needs;
-    size_t at; /* in struct series_sample */
+    size_t at; /* offset in struct series_sample */
 } all_columns[] = {
 #define COLUMN(name, unit, needs, field)                                                                               \
     { name, unit, needs, offsetof(struct series_sample, field) }
@@ -71,9 +71,9 @@ struct series {
     struct series_sample now;
     double momentum[3]; /* before the step, N s */
     int prepared;
-    long counted; /* broken bonds when damage and fragments were last looked at, -1: never */
-    long moved;   /* r->moved when the bonds were last looked at, -1: never */
-    long refined; /* refinements there had been then */
+    long counted; /* number of broken bonds at the last measurement of damage and fragments, -1: none yet */
+    long moved;   /* r->moved at the last measurement of the bonds, -1: none yet */
+    long refined; /* number of refinements then */
     int room;
     double *damage; /* [room], work */
 };
@@ -135,7 +135,7 @@ static void sample_fluid(struct series *s, struct run *r) {
     s->now.dissipation = fluid_dissipation(r->fluid);
 }
 
-/* Where run_deposit has put them. */
+/* Number of particles outside the domain, at the positions computed by run_deposit. */
 static double particles_outside(const struct run *r) {
     const struct scene_domain *domain = &r->scene->domain;
     long outside = 0;
@@ -164,7 +164,7 @@ static void sample_immersed(struct series *s, struct run *r) {
     s->now.particles_outside = particles_outside(r);
 }
 
-/* Damage and fragments are looked at again only once more bonds have broken. */
+/* Damage and fragments are measured again only after more bonds have broken. */
 static void sample_damage(struct series *s, struct run *r) {
     struct solid *solid = r->solid;
     solid_family_count(solid);

@@ -1,4 +1,4 @@
-/* series.csv: the columns a scene has, and one sample of them.  (docs/run-folder.md) */
+/* series.csv: the columns of a scene, and a sample of them.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
 
@@ -7,12 +7,13 @@ struct series; /* opaque */
 /* resume_step < 0: a new file. Collective. */
 struct series *series_new(struct run *r, const char *folder, long resume_step);
 void series_free(struct series *s);
-/* Before the step after which a sample is taken: remembers what rates are formed from. Collective. */
+/* To be called before the step after which a sample is taken: stores the values from which rates are computed.
+ * Collective. */
 void series_prepare(struct series *s, struct run *r);
 /* Measures and appends a row. Collective. */
 void series_sample(struct series *s, struct run *r);
 
-/* The last sample, for lines in the log. A quantity the scene lacks is NaN. */
+/* The last sample, for lines in the log. NaN: a quantity that the scene does not have. */
 struct series_sample {
     double step, t, dt, div_max, cfl, u_bulk, dp, porosity, porosity_effective, permeability, tortuosity;
     double load[3], forcing[3], momentum_residual;

@@ -36,7 +36,7 @@ static struct scene_node *vector(const struct scene_node *parent, const char *ke
     return list;
 }
 
-/* The cell, where it is the same in all directions; else 0. */
+/* The cell size if it is the same in all directions, else 0. */
 static double cell_of(const struct scene_domain *d) {
     double cell = 0;
     for (int c = 0; c < 3; c++) {
@@ -48,7 +48,7 @@ static double cell_of(const struct scene_domain *d) {
     return cell;
 }
 
-/* What the model has, and no other. */
+/* Sets Poisson's ratio to the one that the model has. */
 static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
     char *path = scene_node_text("solid.materials[%d]", m);
     struct scene_node *node = scene_node_find(root, path);
@@ -68,7 +68,8 @@ static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_
         scene_node_insert(solid, 0, number(solid, "spacing", s->solid->spacing));
     } else if (s->dimension == 2 && scene_node_is_clean(root, "domain")) {
         scene_problem_at(problems, root, "solid.spacing", "missing (m)");
-    } else if (scene_node_is_clean(root, "domain") && !s->fluid) { /* unequal cells of a fluid are said elsewhere */
+    } else if (scene_node_is_clean(root, "domain") && !s->fluid) { /* a fluid with unequal cells is reported
+                                                                    * elsewhere */
         scene_problem_at(problems, root, "solid.spacing",
                          "missing (m); without domain.cells, the same in all directions, there is no default");
     }
@@ -105,7 +106,7 @@ static void fill_retraction(struct scene *s, struct scene_node *root) {
     scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));
 }
 
-/* The bounds of all bodies, within the domain. */
+/* Sets the box to the bounds of all bodies, within the domain. */
 static void fill_medium(struct scene *s, struct scene_node *root) {
     struct scene_coupling *c = s->coupling;
     struct scene_node *coupling = scene_node_find(root, "coupling");

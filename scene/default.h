@@ -1,7 +1,7 @@
-/* Defaults that rest on other keys. */
+/* Defaults that are computed from other keys. */
 #pragma once
 #include "scene/check/check.h"
 
-/* Spacing of the solid, Poisson's ratios, names and materials of bodies, the medium's box: into the struct and the
- * tree. */
+/* Fills in the solid's spacing, Poisson's ratios, the bodies' names and materials and the medium's box, in the struct
+ * and in the tree. */
 void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems);

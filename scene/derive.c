@@ -20,7 +20,7 @@ static void derive_body(const struct scene_solid *s, const struct scene_node *ro
     scene_outline_make(body);
 }
 
-/* Columns of the pairs that the file has. */
+/* Splits the file's pairs [t, factor] into two arrays. */
 static void derive_time(struct scene_time *time) {
     if (time->n == 0) return;
     time->t = malloc((size_t)time->n * sizeof(double));

@@ -44,7 +44,7 @@ void scene_outline_free(struct scene_body *body) {
     body->outlines = 0;
 }
 
-/* Whether an arc that begins at angle a and ends at b passes the angle e, all in quarters of a turn. */
+/* Whether an arc from angle a to angle b passes the angle e; angles in quarters of a turn. */
 static int passes(double a, double b, int turn, double e) {
     const double sweep = fmod(turn * (b - a) + 8, 4), to = fmod(turn * (e - a) + 8, 4);
     return to <= (sweep > 0 ? sweep : 4);

@@ -2,8 +2,8 @@
 #pragma once
 #include "scene/scene.h"
 
-/* All curves of the body, its own first, then its pieces', then its holes'; none for a shape in 3D. Owned by the body.
- */
+/* All curves of the body: its own, then those of its pieces, then those of its holes; none for a shape in 3D. Owned by
+ * the body. */
 void scene_outline_make(struct scene_body *body);
 void scene_outline_free(struct scene_body *body);
 void scene_outline_bounds(const struct scene_outline *o, double low[2], double high[2]); /* m */

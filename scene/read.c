@@ -25,7 +25,7 @@ static char *folder_of(const char *path) {
     return absolute;
 }
 
-/* Makes the name of a file absolute, if the key is there, and sees whether it can be read. */
+/* Makes the file name at the key absolute, if the key exists, and checks that the file can be read. */
 static void resolve_file(struct scene_node *root, struct scene_path path, const char *folder,
                          struct scene_problems *problems) {
     struct scene_node *node = scene_node_find(root, path.text);
@@ -64,7 +64,7 @@ static void resolve_files(struct scene_node *root, const char *path, struct scen
     free(folder);
 }
 
-/* From a tree whose keys were looked at to the struct. */
+/* Loads a tree whose keys have been checked into the struct. */
 static struct scene *load(const char *path, struct scene_node *root, struct scene_problems *problems) {
     char *text = scene_yaml_emit(root, 1), *why;
     struct scene *s = scene_schema_load(text, &why);

@@ -14,7 +14,7 @@
 
 enum { BYTES_MAX = 16 << 20, LINES_MAX = 100 };
 
-/* The whole file, malloc'ed; NULL and a problem where it cannot be had. */
+/* The whole file, malloc'ed; NULL and a problem if it cannot be read. */
 static char *text_of(const char *path, size_t *bytes, struct scene_problems *problems) {
     problems->file = path;
     FILE *in = fopen(path, "rb");
@@ -38,11 +38,12 @@ static void say(const struct scene_problems *problems) {
     fflush(stderr);
 }
 
-/* Rank 0 reads the file; the others read what it has made of it, in which every default and path stands. */
+/* Rank 0 reads the file and resolves it; the other ranks read the resolved text, with all defaults and absolute
+ * paths. */
 struct scene *scene_new(const char *path, int n, const char *const *set) {
     struct scene_problems problems = {0};
     struct scene *s = NULL;
-    long bytes = -1; /* of the resolved text; -1: mistakes */
+    long bytes = -1; /* of the resolved text; -1: the scene has mistakes */
     if (par_rank() == 0) {
         size_t file_bytes;
         char *text = text_of(path, &file_bytes, &problems);

@@ -1,25 +1,24 @@
-/* The scene: what the user wrote, checked, with every default filled in. One struct a section of the YAML file; names
- * here are the file's keys. Sections that are missing are NULL: what a scene lacks is left out of the run.
- * (docs/scene.md) */
+/* The scene: the user's input, checked, with every default filled in. Each section of the YAML file is a struct; the
+ * members' names are the file's keys. A missing section is NULL: that part is left out of the run. (docs/scene.md) */
 #pragma once
 #include <stddef.h>
 
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
-/* The default retraction of the markers, in cells: from the lattice's faces; from shapes' own surfaces.  (Breugem 2012)
- */
+/* The default retraction of the markers, in cells; for surface = lattice and for surface = shape.  (Breugem 2012) */
 #define SCENE_RETRACTION 0.6
 #define SCENE_RETRACTION_SHAPE 0.3
-/* A family holds at most 512 bonds: |xi| < (m + 1/2) spacing gives 484 just below m = 4.5 and 514 just above. */
+/* Limit of the horizon ratio m: a family holds at most 512 bonds. |xi| < (m + 1/2) spacing gives 484 bonds just below m
+ * = 4.5 and 514 just above. */
 #define SCENE_HORIZON_MAX 4.5
-/* In a plate 488 at m = 12; the largest that is allowed there. */
+/* In a plate: 488 bonds at m = 12, the largest allowed value. */
 #define SCENE_HORIZON_MAX_PLATE 12
 
-/* In a plate the third component of everything is 0. */
+/* In a plate the third component of all vectors is 0. */
 struct scene_domain {
     double size[3];  /* m; two numbers in the file make a plate */
     int cells[3];    /* a scene without fluid may leave them out: 0 */
-    int periodic[3]; /* with a fluid: as its sides; without: domain.periodic, default false */
+    int periodic[3]; /* with a fluid: the sides tell; without: domain.periodic, default false */
 };
 
 /* fluid.sides.x_low ... z_high */
@@ -38,7 +37,8 @@ struct scene_side {
     enum scene_side_type type;
     double velocity[3];              /* wall, general */
     enum scene_profile profile;      /* inflow: uniform, poiseuille, file */
-    double bulk_velocity;            /* inflow: into the domain, m/s; uniform and poiseuille, a file has its own */
+    double bulk_velocity;            /* inflow, uniform and poiseuille: mean velocity into the domain, m/s; a file holds
+                                      * its own */
     char file[SCENE_PATH];           /* inflow, profile: file; made absolute on loading */
     double pressure;                 /* pressure */
     enum scene_condition u, v, w, p; /* general */
@@ -50,10 +50,10 @@ struct scene_fluid {
     double density, viscosity; /* kg/m3; kinematic, m2/s */
     enum scene_diffusion diffusion;
     double initial_velocity[3];   /* m/s */
-    int initial_poiseuille;       /* initial: {poiseuille: true}: a parabola with that mean */
-    int has_taylor_green;         /* initial: {taylor_green: {velocity, axes}}: vortices, added to the uniform flow */
+    int initial_poiseuille;       /* initial: {poiseuille: true}: a parabola with the mean initial_velocity */
+    int has_taylor_green;         /* initial: {taylor_green: {velocity, axes}}: vortices added to the uniform flow */
     double taylor_green_velocity; /* m/s */
-    enum scene_axes taylor_green_axes; /* along which they vary: xy (default), xz, yz, xyz */
+    enum scene_axes taylor_green_axes; /* directions along which they vary: xy (default), xz, yz, xyz */
     struct scene_side side[3][2];      /* YAML keys sides.x_low, sides.x_high, ... */
     enum scene_driving driving;        /* driving.type: none, pressure_gradient, bulk_velocity */
     int driving_direction;             /* driving.direction: x, y or z */
@@ -69,17 +69,17 @@ enum scene_micromodulus { SCENE_CONSTANT, SCENE_CONICAL };
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
-    double poisson_ratio;                 /* the one that the model has: 1/3 in plane stress, else 1/4 */
-    double fracture_energy;               /* J/m2; left out: never breaks (INFINITY) */
-    double horizon_ratio;                 /* m, default 3; from 1 to below, in a plate up to the numbers above */
+    double poisson_ratio;                 /* fixed by the model: 1/3 in plane stress, else 1/4 */
+    double fracture_energy;               /* J/m2; left out: INFINITY, bonds never break */
+    double horizon_ratio;                 /* m, default 3; at least 1; below 4.5 in 3D, at most 12 in a plate */
     enum scene_micromodulus micromodulus; /* constant (default), conical */
 };
 
-/* A factor that goes with time: straight between the given times, constant before the first and after the last. n =
- * 0: 1. */
+/* A factor as a function of time: linear between the given times, constant before the first and after the last. n = 0:
+ * the factor is 1. */
 struct scene_time {
     int n;
-    double *t, *factor; /* [n] s, ascending; 1 */
+    double *t, *factor; /* [n] times, s, ascending; [n] factors */
     double (*point)[2]; /* [n] both, as the file has them: [[t, factor], ...] */
 };
 
@@ -87,7 +87,8 @@ struct scene_time {
 struct scene_corner {
     double at[2];     /* m */
     double centre[2]; /* m, of the arc from here to the next corner; only where turn is not 0 */
-    int turn;         /* to the next: 0 straight (default), 1 an arc left (counterclockwise), -1 right */
+    int turn;         /* way to the next corner: 0 straight (default), 1 an arc to the left (counterclockwise), -1 to
+                       * the right */
 };
 /* A closed curve: from each corner to the next, from the last to the first. */
 struct scene_outline {
@@ -115,23 +116,23 @@ struct scene_body {
     int has_cavities;                 /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
     int corners, pieces, holes;
-    struct scene_corner *corner;     /* polygon: outline: [...] */
-    struct scene_part *piece, *hole; /* rectangle, disc, polygon: pieces: [...], holes: [...] */
+    struct scene_corner *corner;     /* polygon: outline */
+    struct scene_part *piece, *hole; /* rectangle, disc, polygon: further pieces, holes */
     /* of a rectangle, disc or polygon all curves: its own, its pieces', its holes' */
     int outlines;
     struct scene_outline *outline;
 };
-struct scene_crack { /* a line of points; in 3D a plane quadrilateral of four corners */
+struct scene_crack { /* A crack: a line of points in a plate, a plane quadrilateral of four corners in 3D. */
     char name[SCENE_NAME];
     int points;
     double (*point)[3]; /* m */
 };
 struct scene_constraint {
     double low[3], high[3];
-    char directions[4];     /* directions: xyz (a word of the letters x, y, z), default all */
-    int direction[3];       /* 1: held or driven in it */
-    double velocity[3];     /* default 0: held */
-    int has_displacement;   /* displacement is given, instead of velocity */
+    char directions[4];     /* directions: a word of the letters x, y, z; default all */
+    int direction[3];       /* 1: prescribed in this direction */
+    double velocity[3];     /* default 0 */
+    int has_displacement;   /* displacement is prescribed instead of velocity */
     double displacement[3]; /* m */
     struct scene_time time; /* of the velocity or displacement */
 };
@@ -140,16 +141,16 @@ struct scene_region {
 };
 enum scene_load_kind { SCENE_LOAD_REGION, SCENE_LOAD_EDGE };
 struct scene_load {
-    enum scene_load_kind kind; /* edge where `edge` is given */
+    enum scene_load_kind kind; /* edge if `edge` is given */
     double low[3], high[3];    /* region: force per unit volume on its particles */
     double force[3];           /* N/m3 */
     double edge[2][2];         /* m, edge of a plate: {from, to} */
     double traction[3];        /* Pa, on the edge */
-    int over_horizon;          /* depth: over one layer of particles (0, default) or over the horizon (1) */
+    int over_horizon;          /* depth of the loaded layer: one layer of particles (0, default) or the horizon (1) */
     struct scene_time time;
 };
-/* Displacement at the start: displacement exp(-((x - centre)/width)^2) or displacement sin(2 pi (x - centre)/width), x
- * the coordinate `along`. */
+/* Displacement at the start: displacement exp(-((x - centre)/width)^2) or displacement sin(2 pi (x - centre)/width),
+ * with x along the direction `along`. */
 enum scene_initial_shape { SCENE_GAUSSIAN, SCENE_SINE };
 struct scene_initial {
     enum scene_initial_shape shape;
@@ -157,20 +158,20 @@ struct scene_initial {
     double centre, width;   /* m */
     double displacement[3]; /* m */
 };
-struct scene_refined { /* refined from the start */
+struct scene_refined { /* A region that is refined from the start. */
     double low[3], high[3];
     int level; /* 1 ... levels */
 };
 struct scene_refinement {
     int levels;              /* default 1 */
-    double energy;           /* refine where W >= energy W_max; default 0.4, 0: off */
-    double damage;           /* refine where the damage is above; 0: off (default) */
+    double energy;           /* refine if W >= energy W_max; default 0.4, 0: off */
+    double damage;           /* refine if the damage is above this value; 0: off (default) */
     double from;             /* s, default 0 */
-    double low[3], high[3];  /* only here; default everywhere (-INFINITY, INFINITY) */
-    int every;               /* steps between looks, default 10 */
+    double low[3], high[3];  /* refine only in this box; default everywhere (-INFINITY, INFINITY) */
+    int every;               /* steps between checks, default 10 */
     int horizon_kept;        /* horizon: scaled with the spacing (0, default), kept (1) */
     int interface_corrected; /* interface: plain (0, default), corrected (1; 000: eq. 40) */
-    int held_refine;         /* held: particles of constraints and loads: keep (0, default), refine (1) */
+    int held_refine;         /* held: particles with constraints and loads: keep (0, default), refine (1) */
     int starts;
     struct scene_refined *start; /* start: [...] */
 };
@@ -178,7 +179,7 @@ struct scene_solid {
     double spacing;                    /* m; default the fluid's cell */
     enum scene_model model;            /* of a plate: plane_stress, plane_strain */
     double thickness;                  /* of a plate, m, default 1 */
-    double lattice_offset[3];          /* spacings: points stand at (i + 1/2 + offset) spacing; default 0 */
+    double lattice_offset[3];          /* in spacings: points are at (i + 1/2 + offset) spacing; default 0 */
     enum scene_partial partial_volume; /* exact (default), ramp */
     enum scene_horizons horizons;      /* dual (default), one_sided */
     int materials, bodies, cracks, constraints, unbreakables, loads, initials;
@@ -202,21 +203,22 @@ enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
 enum scene_relaxation { SCENE_QUASI_NEWTON, SCENE_AITKEN };
 struct scene_coupling {
     int forcing_iterations;     /* N_s, default 2 */
-    enum scene_surface surface; /* where bodies are wetted: the lattice's faces (default), their shapes' surfaces */
-    double retraction;          /* r_d / dx, default the calibrated value of that surface */
+    enum scene_surface surface; /* wetted surface of the bodies: faces of the lattice (default), surfaces of the
+                                 * shapes */
+    double retraction;          /* r_d / dx; the default is the calibrated value of that surface */
     double probe_length;        /* / dx, default 2 */
-    enum scene_load_form load;  /* as the probes read it (default), carried to the wall, or that with each body's sum
-                                   made the forcing's */
+    enum scene_load_form load;  /* load on the solid: the probes' values (default), these carried to the wall, or these
+                                 * with each body's sum corrected to the forcing's */
     enum scene_scheme scheme;
-    /* strong: how the next guess is made, the residual relative to the step's change of velocity, the most iterations
-     * of a step */
+    /* strong: how the next guess is made; the residual, relative to the step's change of velocity; largest number of
+     * iterations of a step */
     enum scene_relaxation relaxation;
     double tolerance;
     int iterations;
     /* medium: {low, high}: the box in which porosity and permeability are measured; default: all bodies' bounds within
      * the domain */
     double box_low[3], box_high[3];
-    int has_box; /* 0: not given, and a body of points has bounds that only its particles know */
+    int has_box; /* 0: not given; a body of points has bounds that only its particles know */
 };
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
@@ -225,20 +227,20 @@ struct scene_stage {
     char name[SCENE_NAME];
     long steps;
     double time_step;            /* s; 0: automatic (key left out or "auto") */
-    double cfl;                  /* automatic: fraction of the limits, default 0.9 */
-    enum scene_solid_mode solid; /* rigid, elastic; default elastic where there is a solid */
-    int relax; /* solid alone, true: to static equilibrium by adaptive dynamic relaxation, no stepping */
+    double cfl;                  /* automatic: fraction of the stability limits, default 0.9 */
+    enum scene_solid_mode solid; /* rigid, elastic; default elastic if there is a solid */
+    int relax; /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
     enum scene_integrator integrator; /* rk3 (default), verlet */
     int substeps;                     /* 0: auto, from the stable step */
-    double safety;                    /* of the stable step for auto, default 0.95 */
-    int breakage;                     /* default true; false: nothing breaks in this stage */
+    double safety;                    /* auto: fraction of the stable step, default 0.95 */
+    int breakage;                     /* default true; false: no bond breaks in this stage */
     double damping_relative, damping_absolute;
 };
 
 struct scene_crack_output {
-    double damage;       /* the tip is the farthest particle with damage above this; default 0.35 */
-    double direction[3]; /* farthest along this; default x */
-    double window;       /* s, of the tip's speed, default 2e-6 */
+    double damage;       /* the tip is the farthest particle along `direction` with damage above this; default 0.35 */
+    double direction[3]; /* default x */
+    double window;       /* s, for the tip's speed, default 2e-6 */
     long every;          /* steps, default 10 */
 };
 struct scene_probes {
@@ -248,7 +250,7 @@ struct scene_probes {
 };
 struct scene_probe_line {
     double from[3], to[3]; /* m */
-    int points;            /* evenly from end to end, both included */
+    int points;            /* evenly spaced from end to end, both ends included */
 };
 struct scene_fluid_probes {
     int places, lines;
@@ -258,9 +260,9 @@ struct scene_fluid_probes {
 };
 struct scene_output {
     long series_every, fields_every, checkpoint_every; /* steps; 0: never. Defaults 10, 0, 1000 */
-    long log_every;                                    /* lines in a log, default 100 */
-    int stress;                                        /* tensors into solid fields, default true */
-    struct scene_crack_output *crack;                  /* NULL: no crack is followed */
+    long log_every;                                    /* steps between lines in the log, default 100 */
+    int stress;                                        /* stress and strain tensors in solid fields, default true */
+    struct scene_crack_output *crack;                  /* NULL: no crack is tracked */
     struct scene_probes *probes;                       /* NULL: none */
     struct scene_fluid_probes *fluid_probes;           /* NULL: none */
 };
@@ -276,10 +278,11 @@ struct scene {
     int stages;
     struct scene_stage *stage;
     struct scene_output output;
-    char *resolved; /* the scene as YAML with every default, re-runnable */
+    char *resolved; /* the scene as YAML with every default, itself a valid scene */
 };
 
-/* Reads, overrides (n settings "key.path=value"), validates. Every mistake gives one line: file, line, key, value, what
- * is allowed, and the nearest key; all of them are said before leaving with exit code 2. Collective: rank 0 reads. */
+/* Reads the scene, applies n settings "key.path=value", validates. Every mistake gives one line: file, line, key,
+ * value, what is allowed, and the nearest key. All mistakes are reported before the program exits with code 2.
+ * Collective: rank 0 reads. */
 struct scene *scene_new(const char *path, int n, const char *const *set);
 void scene_free(struct scene *s);

@@ -9,10 +9,10 @@ enum { NAMES = 64 };
 
 struct setting {
     struct scene_problems *problems;
-    const char *path; /* as typed */
+    const char *path; /* as the user typed it */
 };
 
-/* The next step of the path: a word or the inside of brackets, malloc'ed; NULL where it is malformed. */
+/* The next part of the path: a word or the inside of brackets, malloc'ed; NULL if it is malformed. */
 static char *step_of(const char **path) {
     const char *at = *path;
     if (*at == '[') {
@@ -43,7 +43,7 @@ static void refuse(const struct setting *s, char *message) {
     free(message);
 }
 
-/* The entry of a list by index or name; -1 and a problem if there is none. */
+/* Index of a list's entry given by index or name; -1 and a problem if there is none. */
 static int entry_of(const struct setting *s, const struct scene_node *list, const char *step) {
     const char *of = list->key ? list->key : "the list";
     if (strspn(step, "0123456789") == strlen(step)) {
@@ -73,7 +73,7 @@ static int child_index(const struct scene_node *mapping, const char *key) {
     return -1;
 }
 
-/* Takes the value. */
+/* Puts the value into the node; takes ownership of the value. */
 static void put(const struct setting *s, struct scene_node *node, struct scene_node *value) {
     const char *path = s->path;
     char *step;

@@ -1,4 +1,4 @@
-/* Builds the parts of a solid that a body with changed particles goes through again: ghosts, places, counts. */
+/* Steps of solid_new that are repeated after a refinement: ghosts, positions, counts. */
 #include "solid/build.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -97,8 +97,9 @@ static void plate_edges(struct solid *s, const struct solid_list *t) {
     }
 }
 
-/* Until a surface is looked for, which only a fluid asks for, whatever lacks a part of its family may touch a stranger;
- * of points on no lattice in space nobody knows what a whole family is. */
+/* Marks the particles without a complete family: they may meet particles with which they share no bond. The marks are
+ * used until a surface is searched for, which only a fluid needs. For points on no lattice in 3D the complete family is
+ * not known. */
 void solid_build_edges(struct solid *s) {
     const struct solid_family *f = s->family;
     for (int b = 0; s->dim == 2 && b < f->bodies; b++) plate_edges(s, f->list[b]);

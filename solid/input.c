@@ -1,4 +1,4 @@
-/* Checks a solid's input and copies it for as long as the solid lives. */
+/* Checks a solid's input and makes the copy that the solid keeps. */
 #include "solid/input.h"
 #include "base/die.h"
 #include "base/memory.h"

@@ -1,10 +1,10 @@
-/* What a solid is made from: model, materials, bodies, cuts, constraints, loads.  (001: ch. 3.3; docs/scene.md) */
+/* The input of a solid: model, materials, bodies, initial cracks, constraints, loads.  (001: ch. 3.3; docs/scene.md) */
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
 
-/* What the bonds stand for: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
- * stress, 1/4 in plane strain). A plate has two components of everything, and the third arrays are NULL. */
+/* The model of the bonds: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
+ * stress, 1/4 in plane strain). In a plate all vectors have two components, and the third arrays are NULL. */
 enum solid_model { SOLID_3D, SOLID_PLANE_STRESS, SOLID_PLANE_STRAIN };
 
 /* c(xi) = c0, or c1 (1 - xi/delta).  (000: eqs 9, 10) */
@@ -13,25 +13,25 @@ enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL };
 /* Gamma: the exact part of a particle's cell in the horizon, or a ramp.  (001: eq. 3.33, mended; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
 
-/* Bonds between particles of different horizons: both ends' halves (Ren et al. 2016), or each end by its
- * own horizon alone (000: sec. 1.2.5). */
+/* Bonds between particles of different horizons: each end contributes half (Ren et al. 2016), or each end
+ * uses its own horizon (000: sec. 1.2.5). */
 enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
 
 struct solid_material {
     double youngs_modulus;  /* Pa */
     double density;         /* kg/m3 */
-    double fracture_energy; /* G0, J/m2; INFINITY: never breaks */
+    double fracture_energy; /* G0, J/m2; INFINITY: bonds never break */
     double horizon_ratio;   /* m = delta / spacing */
     enum solid_micromodulus_kind micromodulus;
 };
 
-/* One closed curve of a plate's outline: from each corner to the next (from the last to the first) a straight line or
- * an arc. Borrowed. */
+/* One closed curve of a plate's outline: a straight line or an arc from each corner to the next (and from the last to
+ * the first). Borrowed. */
 struct solid_outline {
     int is_hole;
     int corners;
     const double (*corner)[2]; /* m */
-    const double (*centre)[2]; /* m, of the arc from the corner; read where turn is not 0 */
+    const double (*centre)[2]; /* m, of the arc from the corner; used if turn is not 0 */
     const signed char *turn;   /* 0: straight, +1: arc counterclockwise, -1: clockwise */
 };
 
@@ -44,7 +44,7 @@ struct solid_cut {
 
 enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS, SOLID_POLYGON };
 
-/* A body cut from a cubic lattice whose points stand at origin + (i + 1/2) spacing. */
+/* A body cut from a cubic lattice whose points are at origin + (i + 1/2) spacing. */
 struct solid_body {
     char name[64];
     enum solid_shape shape;
@@ -52,54 +52,55 @@ struct solid_body {
     double centre[3], radius; /* sphere, cylinder */
     int axis;                 /* cylinder */
     double length;            /* cylinder */
-    /* spherical cavities on a cubic array, cut out of any shape; period 0: none */
+    /* spherical cavities on a cubic array, removed from any shape; period 0: none */
     double cavity_period, cavity_radius, cavity_centre[3];
-    /* SOLID_POINTS: particles as they are, on no lattice; borrowed, [points] */
+    /* SOLID_POINTS: given particles, on no lattice; borrowed, [points] */
     long points;
     const double *point[3];      /* of a plate: x, y, NULL */
-    const double *point_volume;  /* m3; of a plate the area, m2 */
+    const double *point_volume;  /* m3; in a plate the area, m2 */
     const double *point_horizon; /* m; NULL: the material's */
     /* SOLID_POLYGON: pieces and holes of a plate */
     int outlines;
     const struct solid_outline *outline; /* borrowed */
     int material;
-    double least_horizon; /* m, of its particles; solid_new sets it */
+    double least_horizon; /* m, the least of its particles; set by solid_new */
 };
 
-/* A factor that varies in time: straight lines between points, constant before the first and after the last. n = 0: 1.
- * Borrowed. */
+/* A factor that varies in time: linear between points, constant before the first and after the last. n = 0: the factor
+ * is 1. Borrowed. */
 struct solid_time {
     int n;
-    const double *t, *factor; /* [n] s, ascending; 1 */
+    const double *t, *factor; /* [n] times, s, ascending; [n] factors */
 };
 
-/* What is imposed on the particles of a region (X0 inside the box): per direction free, or the velocity given, or the
- * displacement, times a factor of time. Over a substep a particle moves at one speed, the mean of the speeds given, so
- * that either integrator brings it where it is to be at the substep's end. */
+/* Imposed motion of the particles of a region (X0 inside the box): in each direction free, or a given velocity or
+ * displacement times a factor of time. During a substep a particle moves with the mean of the given velocity, so that
+ * either integrator brings it to the given position at the end of the substep. */
 struct solid_constraint {
     double low[3], high[3];
-    int direction[3];   /* 1: held or driven in this direction */
-    double velocity[3]; /* 0: held */
+    int direction[3];   /* 1: imposed in this direction */
+    double velocity[3]; /* m/s */
     int has_displacement;
     double displacement[3]; /* m, instead of the velocity */
     struct solid_time time;
 };
 
-/* A force on the particles of a region, per unit volume, or on those along a piece of a plate's edge, per unit area of
- * the edge; times a factor of time. A substep sees the mean of the factor over it, as a constant. */
+/* A force per unit volume on the particles of a region, or per unit area of a plate's edge on the particles along a
+ * part of the edge; times a factor of time. A substep uses the mean of the factor over the substep. */
 enum solid_load_kind { SOLID_LOAD_REGION, SOLID_LOAD_EDGE };
 struct solid_load {
     enum solid_load_kind kind;
     double low[3], high[3]; /* region (X0), m */
     double force[3];        /* region, N/m3 */
-    double edge[2][2];      /* from, to, m */
+    double edge[2][2];      /* its two end points, m */
     double traction[3];     /* edge, Pa */
-    int over_horizon; /* edge, straight: even over all particles within the horizon behind it; 0: over the outermost */
+    int over_horizon; /* straight edge: 1: spread evenly over all particles within the horizon behind it; 0: over the
+                       * outermost ones */
     struct solid_time time;
 };
 
-/* The displacement at the start: displacement times exp(-r^2) or sin(2 pi r), r = (x - centre)/width, x the coordinate
- * `along`; several add up. */
+/* The displacement at the start: displacement times exp(-r^2) or sin(2 pi r), r = (x - centre)/width, with x along the
+ * direction `along`; several of them add up. */
 enum solid_initial_shape { SOLID_GAUSSIAN, SOLID_SINE };
 struct solid_initial {
     enum solid_initial_shape shape;
@@ -113,18 +114,19 @@ struct solid_region {
 };
 
 /* Refinement of plates that are polygons: each level halves the spacing.  (000: ch. 2; solid/refine/refine.h) */
-struct solid_refined { /* from the start, X0 */
+struct solid_refined { /* a region (X0) that is refined from the start */
     double low[3], high[3];
     int level;
 };
 struct solid_refinement {
     int levels;
-    double energy;           /* kappa: refine where W >= kappa W_max; 0: off */
-    double damage;           /* refine where the damage is above; 0: off */
-    double low[3], high[3];  /* only here (X0), m */
+    double energy;           /* kappa: refine if W >= kappa W_max; 0: off */
+    double damage;           /* refine if the damage is above this value; 0: off */
+    double low[3], high[3];  /* refine only in this box (X0), m */
     int horizon_kept;        /* 1: all levels have the material's horizon; 0: scaled with the spacing */
-    int interface_corrected; /* 1: fine particles next to coarse ones have sqrt(2) times their horizon  (000: eq. 40) */
-    int held_refine;         /* 1: particles of constraints and loads are refined too */
+    int interface_corrected; /* 1: the horizon of fine particles next to coarse ones is multiplied by sqrt(2)  (000: eq.
+                              * 40) */
+    int held_refine;         /* 1: particles with constraints and loads are refined too */
     int starts;
     const struct solid_refined *start; /* borrowed during the call */
 };
@@ -137,9 +139,9 @@ struct solid_input {
     int cuts;
     const struct solid_cut *cut; /* borrowed during the call */
     double spacing;              /* m */
-    double speed;                /* of the fluid it stands in, m/s; 0: none */
+    double speed;                /* of the surrounding fluid, m/s; 0: none */
     double origin[3];            /* of the lattice */
-    int periodic[3];             /* bonded across, with these lengths */
+    int periodic[3];             /* periodic directions, with these lengths */
     double length[3];
     int bodies;
     const struct solid_body *body; /* borrowed during the call */
@@ -153,24 +155,25 @@ struct solid_input {
     const struct solid_load *load;
     int initials;
     const struct solid_initial *initial;       /* borrowed during the call */
-    const struct solid_refinement *refinement; /* of plates; NULL: none */
+    const struct solid_refinement *refinement; /* NULL: none; for plates only */
     double body_force[3];                      /* per unit mass, m/s2 */
     int surface_correction;                    /* volume method on (default 1) */
-    int general_bonds;                         /* 1: lists of bonds even for lattice bodies (tests) */
-    int contact;                               /* 1: particles that come near repel; costs nothing before they can */
+    int general_bonds;                         /* 1: the list store for lattice bodies as well (tests) */
+    int contact;                               /* 1: particles without a common intact bond repel each other at short
+                                                * distance */
     double contact_stiffness;                  /* k_c / c0, default 15 */
     double contact_exponent;                   /* n_c, default 1 */
     double contact_radius;                     /* r_c / spacing, default 1 */
-    int shape_surface; /* 1: the wetted surface is the shapes' own, not the lattice's (solid/surface/shaped.h) */
+    int shape_surface; /* 1: the wetted surface is that of the shapes, not of the lattice (solid/surface/shaped.h) */
 };
 
 static inline int solid_dim(const struct solid_input *in) { return in->model == SOLID_3D ? 3 : 2; }
-/* Depth of a plate, m; 1 in 3D: a particle's volume is spacing^dim times it. */
+/* Depth of a plate, m; 1 in 3D. The volume of a particle is spacing^dim times the depth. */
 static inline double solid_depth(const struct solid_input *in) { return in->model == SOLID_3D ? 1 : in->thickness; }
 
-/* Dies (exit 2) on numbers that make no solid. Collective (all ranks alike). */
+/* Dies (exit 2) on numbers that make no solid. Collective (same input on all ranks). */
 void solid_input_check(const struct solid_input *in);
-/* The input with its own copies; what a body's points, outlines, cuts and initial displacements point to stays the
- * caller's, and is forgotten once the solid is made. Not collective. */
+/* Copies the input and its arrays. The arrays of a body's points, outlines, initial cracks and initial displacements
+ * are not copied: they are borrowed until the solid is made. Not collective. */
 void solid_input_copy(struct solid_input *to, const struct solid_input *from);
 void solid_input_free(struct solid_input *in);

@@ -16,7 +16,7 @@
 
 enum { VECTORS = 4, ARRAYS = 3 * VECTORS, SHARES = 5, PATHS = 2 };
 
-/* How the last sweep went over a body's bonds: which way each is taken next. */
+/* Data that the last sweep has left for the next one over a body's bonds, such as which segments are tested first. */
 struct path {
     int n;
     void *copy[PATHS];
@@ -33,15 +33,15 @@ struct solid_keep {
     uint8_t *flag;
     struct path *path; /* [bodies] */
     int bodies;
-    /* bonds; lost NULL: none ever breaks */
-    struct solid_lost *lost; /* whose bits are not those of now */
+    /* bonds; lost NULL: no bond ever breaks */
+    struct solid_lost *lost; /* finds the particles whose bits differ from the present bonds */
     uint8_t *bits;           /* [n][bytes] */
     long version, bonds_broken;
     struct solid_contact_keep contact;
     struct solid_surface_keep *surface;
 };
 
-/* Displacement and velocity with the ghosts', load, bonds' and contact's part of the acceleration. */
+/* Displacement and velocity with their ghosts, load, and the parts of the acceleration due to bonds and contact. */
 static void arrays_of(const struct solid *s, double *array[ARRAYS], size_t count[ARRAYS]) {
     const size_t n = (size_t)s->n, all = n + (size_t)s->n_ghost;
     for (int c = 0; c < 3; c++) {
@@ -91,7 +91,7 @@ struct solid_keep *solid_keep_new(const struct solid *s, const struct solid_surf
     if (!may_break) return k;
     k->lost = solid_lost_new(s);
     k->bits = memory_new(MEMORY_OUTPUT, n * (size_t)solid_family_bytes(s) + 1, 1);
-    k->version = -1; /* all bonds are to be taken */
+    k->version = -1; /* the bits of all bonds are to be copied */
     return k;
 }
 
@@ -126,7 +126,7 @@ static int count_bits(const uint8_t *bits, size_t n) {
     return count;
 }
 
-/* Families that have lost bonds since; returns how many. */
+/* Restores the families that have lost bonds since the state was taken. Returns how many. */
 static int restore_bonds(struct solid_keep *k, struct solid *s) {
     const size_t bytes = (size_t)solid_family_bytes(s);
     const int found = solid_lost_find(k->lost, s);
@@ -138,7 +138,7 @@ static int restore_bonds(struct solid_keep *k, struct solid *s) {
         struct solid_list *t = s->family->list[s->body[h]];
         if (t) t->counted[h - t->first] = 0;
     }
-    if (found > 0) solid_lost_find(k->lost, s); /* rows too */
+    if (found > 0) solid_lost_find(k->lost, s); /* updates the counts of the rows as well */
     k->version = s->bonds_version = ++s->versions;
     s->bonds_broken = k->bonds_broken;
     return found;
@@ -170,7 +170,7 @@ void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_s
     k->taken = 1;
 }
 
-/* Rates of a stage before are multiplied by 0 at the next: they must be numbers. */
+/* The next stage multiplies the rates of the last stage by 0, so they must be finite. */
 static void clear_rates(struct solid *s) {
     for (int c = 0; c < s->dim; c++) {
         memset(s->v_old[c], 0, (size_t)s->n * sizeof(double));

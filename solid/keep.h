@@ -1,18 +1,19 @@
-/* The solid's whole state kept in memory and put back: what a checkpoint stores, and what else a later step may depend
- * on to the bit (accelerations that still hold, contact's lists and its record of torn bonds, which segments were
- * judged first). So the same steps from a state put back are the same to the bit.
+/* Keeps the solid's whole state in memory and restores it: the state that a checkpoint stores, and the other data that
+ * a later step may depend on to the bit (accelerations that are still valid, contact's lists and its record of torn
+ * pairs, which segments are tested first). So the same steps after a restoration give the same results to the bit.
  *
- * Copies go with the number of particles; bonds, contact's lists and its record only with what has changed. Several
- * states may be kept at a time; putting one back makes those kept after it useless until they are taken anew. A state
- * is taken between steps, when the surface has been looked at, and does not outlive a refinement. */
+ * The arrays of the particles are copied each time; bonds, contact's lists and its record only as far as they have
+ * changed. Several states may be kept at a time. After one is restored, those kept after it are invalid until they are
+ * taken again. A state is taken between steps, after the surface was updated, and is valid until the next
+ * refinement. */
 #pragma once
 #include "solid/surface/surface.h"
 
 struct solid_keep; /* opaque */
 
-/* surface may be NULL; may_break: 0 where no bond ever breaks. Nothing is kept yet. Not collective. */
+/* surface may be NULL; may_break: 0 if no bond ever breaks. No state is kept yet. Not collective. */
 struct solid_keep *solid_keep_new(const struct solid *s, const struct solid_surface *surface, int may_break);
 void solid_keep_free(struct solid_keep *k);
 void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_surface *surface); /* Not collective. */
-/* Ghosts' displacements and velocities come back with the others. Not collective. */
+/* Restores also the ghosts' displacements and velocities. Not collective. */
 void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surface *surface);

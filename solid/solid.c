@@ -21,7 +21,7 @@
 
 #include <math.h>
 
-/* No site may belong to two bodies. */
+/* Checks that no site belongs to two bodies. */
 static void overlap_check(const struct solid_input *in, struct solid_sites *const *sites) {
     for (int a = 0; a < in->bodies; a++)
         for (int b = a + 1; b < in->bodies; b++) {
@@ -39,7 +39,7 @@ static void overlap_check(const struct solid_input *in, struct solid_sites *cons
         }
 }
 
-/* The particles of a body that is on no lattice, or is to have lists of bonds. */
+/* The cloud of a body that is on no lattice, or for which the list store is asked for. */
 static struct solid_cloud *cloud_new(const struct solid_input *in, const struct solid_body *body,
                                      const struct solid_sites *sites) {
     if (sites->is_lattice) {
@@ -50,7 +50,7 @@ static struct solid_cloud *cloud_new(const struct solid_input *in, const struct 
     return body->shape == SOLID_POLYGON ? solid_plane_cloud(in, body, sites) : solid_cloud_points(in, body, sites);
 }
 
-/* Points may stand anywhere: none where a particle of another body is. */
+/* Checks that no point has the position of a particle of another body. */
 static void points_check(const struct solid *s, struct solid_sites *const *sites, struct solid_cloud *const *cloud) {
     for (int b = 0; b < s->in.bodies; b++) {
         if (!sites[b]->point || sites[b]->cell) continue;
@@ -107,7 +107,8 @@ static void arrays_new(struct solid *s) {
     s->flag = memory_new(MEMORY_SOLID, all, 1);
 }
 
-/* Coordinates beside the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the bit. */
+/* Coordinates relative to the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the
+ * bit. */
 static void initial_set(struct solid *s) {
     for (int k = 0; k < s->in.initials; k++) {
         const struct solid_initial *i = &s->in.initial[k];
@@ -158,7 +159,7 @@ struct solid *solid_new(const struct solid_input *in) {
     for (int b = 0; b < in->bodies; b++) {
         solid_sites_free(sites[b]);
         if (s->dim == 2)
-            f->cloud[b] = cloud[b]; /* a plate may change while it runs */
+            f->cloud[b] = cloud[b]; /* kept, because a plate may change during the run */
         else
             solid_cloud_free(cloud[b]);
     }

@@ -1,4 +1,4 @@
-/* frana study: plans the runs, makes them, reports the results. */
+/* frana study: plans the runs, makes them, writes the report. */
 #include "study/study.h"
 #include "base/die.h"
 #include "scene/text/node.h"
@@ -11,14 +11,14 @@
 #include <string.h>
 #include <unistd.h>
 
-/* This program's own file. */
+/* The path of this program's executable. */
 static void program_of(char *path, size_t size) {
     const ssize_t n = readlink("/proc/self/exe", path, size - 1);
     if (n <= 0) die_all(EXIT_CODE_FILE, "frana study: cannot find its own program in /proc/self/exe");
     path[n] = '\0';
 }
 
-/* What commands of quantities may ask for, and what Open MPI wants of a superuser. */
+/* Sets environment variables for the commands of quantities, and those that Open MPI requires of the superuser. */
 static void environment(const struct study *s, const char *program) {
     char *folder = realpath(s->folder, NULL);
     setenv("FRANA", program, 1);

@@ -1,13 +1,14 @@
 /* Connected porosity by a flood fill over all ranks. */
-/* Connected porosity, by flood fill: each rank floods its own cells, hands its outer cells to its neighbours, and goes
- * on where the flood has come over from them, until it comes to nobody any more. */
+/* Each rank floods its own cells, exchanges its outer cells with its neighbours, and continues from the cells that the
+ * flood has entered from there, until no rank has such a cell. */
 #include "base/par.h"
 #include "base/par_halo.h"
 #include "coupling/medium/parts.h"
 
 #include <string.h>
 
-/* 1: the pores of now are not the cells that are no walls; mend: they are made so, none reached by any flood. */
+/* 1: the pore cells differ from those of the last flood. mend: sets the cells to the present pores, none reached by a
+ * flood. */
 static int compare_cells(struct medium *m, int mend) {
     const struct fluid_grid *g = m->g;
     int differ = 0;
@@ -24,7 +25,8 @@ static int compare_cells(struct medium *m, int mend) {
     return differ;
 }
 
-/* Sets the cells at (i,j,k)'s section i that the level may enter; returns how many, on the stack. */
+/* Starts the flood in section i, from the cells that the level may enter. Returns their number; they are on the
+ * stack. */
 static int start_at_section(struct medium *m, int i, uint8_t level) {
     const struct fluid_grid *g = m->g;
     int n = 0;
@@ -38,8 +40,9 @@ static int start_at_section(struct medium *m, int i, uint8_t level) {
     return n;
 }
 
-/* One side of this rank's piece, across y (c = 1) or z (c = 2): the outermost cells' states go to carry (give), or what
- * has come into the ghosts beyond them enters them (take). Returns the cells entered, added to the stack's n. */
+/* One side of this rank's cells, across y (c = 1) or z (c = 2). give: copies the states of the outermost cells to
+ * carry. take: the flood enters these cells from the ghosts beyond them. Returns the number of cells entered, added to
+ * the stack's n. */
 static int side_give_or_take(struct medium *m, int c, int high, int take, uint8_t level, int n) {
     const struct fluid_grid *g = m->g;
     const int other = 3 - c, last = g->m[c] - 1;
@@ -59,7 +62,7 @@ static int side_give_or_take(struct medium *m, int c, int high, int take, uint8_
     return n;
 }
 
-/* Cells that have been reached at one end of x let it in at the other. */
+/* The flood passes from one end of x to the other, across the periodic side. */
 static int over_x(struct medium *m, uint8_t level, int n) {
     const struct fluid_grid *g = m->g;
     for (int k = 0; k < g->m[2]; k++)
@@ -96,7 +99,7 @@ double medium_connect_porosity(struct medium *m) {
     while (m->weight[0][front] == 0) front++;
     while (m->weight[0][back] == 0) back--;
 
-    if (par_sum_long(compare_cells(m, 0)) > 0) { /* else the last flood stands */
+    if (par_sum_long(compare_cells(m, 0)) > 0) { /* otherwise the last flood is still valid */
         compare_cells(m, 1);
         medium_connect_flood(m, MEDIUM_FRONT, start_at_section(m, front, MEDIUM_FRONT), over);
         medium_connect_flood(m, MEDIUM_BOTH, start_at_section(m, back, MEDIUM_BOTH), over);

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* All cells of the domain, those of the rim left as walls. */
+/* Sets all cells of the domain; those of the rim stay walls. */
 static void set_cells(struct medium *m) {
     const struct fluid_grid *g = m->g;
     for (int k = 0; k < g->m[2]; k++)
@@ -14,8 +14,8 @@ static void set_cells(struct medium *m) {
                     m->fraction[fluid_grid_at(g, i, j, k)] < 0.5 ? MEDIUM_PORE : MEDIUM_WALL;
 }
 
-/* This rank's cells along a side; of them, those that the flood has reached, or at its start enters: these go on the
- * stack behind n. */
+/* This rank's cells along a side, and the number of them that the flood has reached. start: the flood enters the pores
+ * among them, which are put on the stack after n. */
 struct along {
     int cells, reached;
 };

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 /* Adds the common volume, in cells, of a box [low, high] with each cell to f. low, high [3] are in cells from the
- * corner of cell (0,0,0), which f points to; what lies outside of first <= i < last is dropped. f  [last-first each
+ * corner of cell (0,0,0), which f points to; the part outside first <= i < last is dropped. f  [last-first each
  * way]  centres  1  added to */
 void medium_kernels_deposit(const double low[3], const double high[3], const int first[3], const int last[3],
                             ptrdiff_t row, ptrdiff_t plane, double *f);
@@ -22,9 +22,11 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
                                            const double *const weight[3], const double *fraction, const double *u,
                                            const double *v, const double *w);
 
-/* Connection of pore cells. A cell is a wall, or a pore that the flood of a level has reached or not. Levels: 1 from
- * the front; 2 from the back, within what 1 has reached. A rim of walls one cell thick all round keeps the flood
- * inside. cell  [mz+2][my+2][mx+2]; stack [mx my mz] indices into it, the first n of them just set to level Sets every
- * cell of level - 1 that is joined to those; returns how many. */
+/* Connection of pore cells. A cell has one of these values: wall, pore, reached from the front, reached from both.
+ * Level 1 floods from the front; level 2 from the back, within the cells of level 1. A rim of walls one cell thick on
+ * all sides bounds the flood.
+ *     cell   [mz+2][my+2][mx+2]
+ *     stack  [mx my mz] indices into cell; the first n of these cells have just been set to level
+ * Sets every cell of level - 1 that is connected to those. Returns how many. */
 enum medium_cell { MEDIUM_WALL = 255, MEDIUM_PORE = 0, MEDIUM_FRONT = 1, MEDIUM_BOTH = 2 };
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell);

@@ -48,12 +48,12 @@ double medium_measure_permeability(struct medium *m, struct fluid *f) {
     return permeability_from(m, f, &s, medium_measure_pressure_drop(m, f));
 }
 
-/* The line through sections a and b (of centres (a + 1/2) d, (b + 1/2) d), at x. */
+/* The line through the means of sections a and b (with centres (a + 1/2) d, (b + 1/2) d), at x. */
 static double line_at(const double *section, int a, int b, double d, double x) {
     return section[a] + (section[b] - section[a]) * (x / d - (a + 0.5)) / (b - a);
 }
 
-/* What drives the fluid along x and is not in p, Pa/m. */
+/* The part of the driving along x that p does not contain, Pa/m. */
 static double driving_along_x(struct fluid *f) {
     const struct fluid_input *in = fluid_input_of(f);
     const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == 0;
@@ -68,7 +68,7 @@ double medium_measure_pressure_drop(struct medium *m, struct fluid *f) {
     if (m->whole_period || g->n[0] < 2) return driven;
     fluid_measures_mean_pressure(f, 0, m->section);
     const int before = (int)floor(m->low[0] / d + 1e-9) - 1; /* the last section wholly before the box */
-    const int behind = (int)ceil(m->high[0] / d - 1e-9);     /* the first wholly behind it */
+    const int behind = (int)ceil(m->high[0] / d - 1e-9);     /* the first section wholly behind it */
     const int front = before < 1 ? 1 : before;
     const int back = behind > g->n[0] - 2 ? g->n[0] - 2 : behind;
     return line_at(m->section, front - 1, front, d, m->low[0]) - line_at(m->section, back + 1, back, d, m->high[0]) +

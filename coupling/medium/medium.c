@@ -11,7 +11,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A box's face that differs from a cell's by less is the same: input in decimals, cells in fractions. */
+/* Faces of a box and of a cell that differ by less than this are the same: the input is decimal, cells are
+ * fractions. */
 static const double SNAP = 1e-9;
 
 /* Part of cell i (of width d) inside [low, high]. */
@@ -66,8 +67,8 @@ void medium_free(struct medium *m) {
     memory_free(m);
 }
 
-/* The rank whose cells the cube is deposited from: that of the cell of its centre, or of the cell next to it where the
- * centre stands out of the domain. -1: none of it is inside. */
+/* The rank that deposits the cube: that of the cell of its centre, or of the nearest cell if the centre is outside the
+ * domain. -1: the cube is wholly outside. */
 static inline int rank_of_cube(const struct fluid_grid *g, struct medium_cube *q) {
     double x[3];
     for (int c = 0; c < 3; c++) {
@@ -96,14 +97,14 @@ static void particles_reserve(struct medium *m, int n) {
     m->particles = -1;
 }
 
-/* Fills m->mine and m->dest; returns the layers of ghosts that the largest cube reaches. Collective. */
+/* Fills m->mine and m->dest. Returns the number of ghost layers that the largest cube reaches. Collective. */
 static int particles_plan(struct medium *m, int n, const double *const x[3], const double *volume) {
     const struct fluid_grid *g = m->g;
     particles_reserve(m, n);
     const double narrow = fmin(g->d[0], fmin(g->d[1], g->d[2]));
     double found[2] = {m->exchange == NULL || m->particles != n,
-                       0};    /* the plan is stale; the largest half side in cells */
-    double of = -1, side = 0; /* most particles are alike */
+                       0};    /* 1: a new plan is needed; the largest half side in cells */
+    double of = -1, side = 0; /* most particles have equal volumes */
     for (int h = 0; h < n; h++) {
         struct medium_cube *q = &m->mine[h];
         for (int c = 0; c < 3; c++) q->x[c] = x[c][h];

@@ -1,4 +1,4 @@
-/* What is measured on a porous medium: a box of the domain, the solid's share of every cell, and the flow through it.
+/* Measurements on a porous medium: a box of the domain, the solid fraction of every cell, and the flow through the box.
  * The mean flow is along x; the front face is the box's x_low, the back face its x_high.  (001: sec. 2.1) */
 #pragma once
 #include "fluid/fluid.h"
@@ -7,7 +7,7 @@ struct medium; /* opaque: the box, the solid fraction, work */
 
 struct medium_values {
     double porosity;           /* 1: void / total volume of the box */
-    double porosity_effective; /* 1: void that joins the front to the back / total volume */
+    double porosity_effective; /* 1: void that connects the front and the back / total volume */
     double pressure_drop;      /* Pa, front minus back */
     double velocity;           /* m/s, mean of u over the whole box, solid included: Q/S */
     double permeability;       /* m2, NaN while there is no pressure drop */
@@ -15,35 +15,36 @@ struct medium_values {
     double specific_surface;   /* 1/m: immersed area / volume of the box */
 };
 
-/* The box is cut to the domain; g is borrowed. The medium is empty until something is deposited. Collective. */
+/* The box is clipped to the domain; g is borrowed. There is no solid until the first deposit. Collective. */
 struct medium *medium_new(const struct fluid_grid *g, const double low[3], const double high[3]);
 void medium_free(struct medium *m);
 
-/* The solid's share of every cell, anew, from the particles: each is a cube of its volume about its centre, its sides
- * along the axes, and gives each cell their common volume. So the volume is kept, and particles on the grid's own
- * lattice give exactly 0 or 1. Particles may be any rank's; they are wrapped in periodic directions; what stands out of
- * the domain is dropped. Cubes that overlap add up, beyond 1 if they must. x [3][n] m, volume [n] m3. Collective. */
+/* Computes the solid fraction of every cell from the particles. Each particle is a cube of its volume about its centre,
+ * with its sides along the axes; a cell gets the volume that it has in common with the cube. So the total volume is
+ * conserved, and particles on the grid's own lattice give exactly 0 or 1. The particles may be on any rank. They are
+ * wrapped in periodic directions; parts outside the domain are dropped. Overlapping cubes add up, also beyond 1. x
+ * [3][n] m, volume [n] m3. Collective. */
 void medium_deposit(struct medium *m, int n, const double *const x[3], const double *volume);
 
 /* [nz+2h][ny+2h][nx+2h] centres, as fluid/grid/grid.h, one ghost layer filled; 1. Borrowed, until the next deposit. */
 const double *medium_fraction(const struct medium *m);
 
-/* A cell on the box's boundary counts with the part of it that is inside. All of these are collective, and the same on
- * every rank. A pore cell is one that is less than half solid. */
+/* A cell on the box's boundary counts with its part inside the box. All of these are collective, with the same result
+ * on every rank. A pore cell is less than half solid. */
 
 /* 1 - sum(fraction)/sum(1) over the box. */
 double medium_measure_porosity(const struct medium *m);
-/* Connected porosity: pore cells joined to both the front and the back face through faces of pore cells within the box
- * (across periodic sides in y and z too), each counted with its void, 1 - fraction, as porosity counts it. */
+/* Connected porosity: the pore cells connected to both the front and the back face through faces of pore cells within
+ * the box (also across periodic sides in y and z). Each counts with its void, 1 - fraction, as in the porosity. */
 double medium_connect_porosity(struct medium *m);
-/* Part of the cells along side d, high from which no path through faces of pore cells comes to any of the outlets: in
- * the whole domain, and across its periodic sides; across: those of d too. */
+/* Fraction of the cells along side d, high that have no path through faces of pore cells to any of the outlets. Paths
+ * use the whole domain and its periodic sides; across: those of direction d as well. */
 double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2], int across);
-/* Mean pressure at the front face less that at the back face. Means are over whole sections of the domain. At the
- * front, the straight line through the two nearest sections of cells that lie wholly before the box is drawn on to the
- * face; at the back likewise from behind; where the domain has fewer there, through its last two. What drives the fluid
- * along x without standing in p, a given gradient and a body force, is added over the box's length. If x is periodic
- * and the box is all of it, only that counts. */
+/* Mean pressure at the front face minus that at the back face, from means over whole sections of the domain. At the
+ * front the line through the two nearest sections of cells wholly before the box is extrapolated to the face; at the
+ * back likewise from behind. If the domain has fewer sections there, the line goes through its outermost two. The
+ * driving along x that p does not contain, a gradient and a body force, is added over the box's length. If x is
+ * periodic and the box is the whole domain along x, only this driving counts. */
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f);
 /* k = (Q L/S) mu/dp, Q/S = mean of u over the box  (001: eq. 2.4). */
 double medium_measure_permeability(struct medium *m, struct fluid *f);
@@ -51,5 +52,5 @@ double medium_measure_permeability(struct medium *m, struct fluid *f);
 double medium_measure_tortuosity(const struct medium *m, struct fluid *f);
 double medium_measure_specific_surface(const struct medium *m, double immersed_area);
 
-/* All of them at once. */
+/* All of these at once. */
 struct medium_values medium_measure(struct medium *m, struct fluid *f, double immersed_area);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the solid borrows as constant is owned here. */
+/* Frees an array that the solid's input borrows as constant. */
 static void give_back(const void *array) { free((void *)(uintptr_t)array); }
 
 static void setup_outline(const struct scene_outline *from, struct solid_outline *to) {

@@ -8,14 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ", 2 to 3 its holes"; nothing where there are none. Cut where the text is full. */
+/* Appends ", 2 to 3 its holes"; nothing if there are none. A full text is truncated. */
 static void add_range(char *text, size_t size, int first, int n, const char *one, const char *many) {
     const size_t at = strlen(text);
     if (n == 1) snprintf(text + at, size - at, ", %d its %s", first, one);
     if (n > 1) snprintf(text + at, size - at, ", %d to %d its %s", first, first + n - 1, many);
 }
 
-/* Which outline is which: " (outline 1 is the body's own, 2 its piece, 3 to 4 its holes)". */
+/* Describes the outlines by number: " (outline 1 is the body's own, 2 its piece, 3 to 4 its holes)". */
 static void say_which(const struct scene_body *b, char *text, size_t size) {
     text[0] = '\0';
     if (b->outlines < 2) return;
@@ -32,7 +32,7 @@ static void check_outlines(const struct scene *scene, int b, const struct solid_
     die_all(EXIT_CODE_SCENE, "%s: solid.bodies[%d] (%s): %s%s", scene->path, b, body->name, fault, which);
 }
 
-/* Whether some body holds a part of the crack, as far as its shape is known. */
+/* Whether some body contains a part of the crack, as far as its shape is known. */
 static int is_in_body(const struct scene_solid *s, const struct solid_body *body, const struct solid_cut *cut) {
     for (int b = 0; b < s->bodies; b++)
         if (body[b].outlines == 0 ||

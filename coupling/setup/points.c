@@ -12,7 +12,8 @@
 
 enum { COLUMNS_MAX = 5 };
 
-/* The numbers of a line: how many there are, COLUMNS_MAX + 1 for more than that, -1 for something else in it. */
+/* Reads the numbers of a line. Returns how many there are, COLUMNS_MAX + 1 if there are more, -1 if there is anything
+ * else. */
 static int numbers_of(const char *line, double value[COLUMNS_MAX]) {
     int n = 0;
     for (char *end;; line = end) {
@@ -29,7 +30,7 @@ static const char *what_of(int dim) {
     return dim == 2 ? "x y area, or x y area horizon" : "x y z volume, or x y z volume horizon";
 }
 
-/* Whether place, volume and horizon are numbers that a particle can have. */
+/* Whether position, volume and horizon are valid for a particle. */
 static int is_particle(const double *value, int dim, int columns) {
     for (int c = 0; c < columns; c++)
         if (!isfinite(value[c]) || (c >= dim && value[c] <= 0)) return 0;
@@ -40,10 +41,10 @@ struct rows {
     double *row; /* [lines][columns] */
     long lines, capacity;
     int columns;
-    char *why; /* NULL, or what is wrong, malloc'ed */
+    char *why; /* NULL, or the mistake, malloc'ed */
 };
 
-/* Takes the numbers of the at-th line; 0, or 1 and why. */
+/* Adds the numbers of line number `at`. Returns 0, or 1 with a reason in why. */
 static int take(struct rows *to, int dim, long at, int n, const double value[COLUMNS_MAX]) {
     const int is_one = n == dim + 1 || n == dim + 2;
     if (to->columns == 0 && is_one) to->columns = n;
@@ -64,21 +65,22 @@ static int take(struct rows *to, int dim, long at, int n, const double value[COL
     return 0;
 }
 
-/* Line by line until one that is no particle. */
+/* Reads lines until one that is no particle. */
 static void read_lines(struct rows *to, FILE *file, int dim) {
     double value[COLUMNS_MAX];
     char *line = NULL;
     size_t size = 0;
     ssize_t bytes;
     for (long at = 1; !to->why && (bytes = getline(&line, &size, file)) > 0; at++) {
-        const int n = strlen(line) == (size_t)bytes ? numbers_of(line, value) : -1; /* a zero byte ends no line */
+        const int n = strlen(line) == (size_t)bytes ? numbers_of(line, value) : -1; /* a zero byte does not end a
+                                                                                     * line */
         if (n != 0) take(to, dim, at, n, value);
     }
     free(line);
     if (!to->why && to->lines == 0) to->why = scene_node_text("holds no line %s", what_of(dim));
 }
 
-/* Dies on a line that is not a particle. */
+/* Reads all lines; dies on a line that is no particle. */
 static struct rows read_rows(const struct scene_body *from, int dim) {
     struct rows rows = {0};
     FILE *file = fopen(from->file, "r");

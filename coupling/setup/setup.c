@@ -78,7 +78,7 @@ static void setup_material(const struct scene_material *from, struct solid_mater
                                   .micromodulus = from->micromodulus == SCENE_CONICAL ? SOLID_CONICAL : SOLID_CONSTANT};
 }
 
-/* n elements and one more, so that none is an array too. */
+/* n elements and one more, so that n = 0 also gives an array. */
 static void *array_of(int n, size_t size) {
     void *array = calloc((size_t)n + 1, size);
     ENSURE(array, "no memory for the solid's input");
@@ -153,8 +153,8 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
                                .damping_absolute = from->damping_absolute};
 }
 
-/* Whether particles may be strangers from the start: of several bodies, across a crack, of points that may stand apart.
- */
+/* Whether particles that share no bond may meet from the start: those of several bodies, on both sides of a crack, or
+ * of points with gaps. */
 static int is_in_pieces(const struct scene_solid *s) {
     return s->bodies > 1 || s->cracks > 0 || s->body[0].shape == SCENE_POINTS;
 }

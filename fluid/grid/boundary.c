@@ -49,7 +49,8 @@ static void refuse_contradictions(const struct fluid_input *in) {
         }
 }
 
-/* The plane of values of a side, and its sum over the whole side of velocity into the domain times area, m3/s. */
+/* Fills the plane of values of a side. Returns the sum over the whole side of velocity into the domain times area,
+ * m3/s. */
 static double fill_plane(const struct fluid_grid *g, const struct fluid_input *in, int d, int side,
                          struct fluid_boundary_side *s) {
     int a, b;
@@ -107,14 +108,14 @@ void fluid_boundary_free(struct fluid_boundary *b) {
     free(b);
 }
 
-/* How a field is extended at one side: about the cell centres' side face, or (on_face) about its own place on it. */
+/* How a field is extended at one side: about the side's face, or (on_face) about the value on the face. */
 struct extension {
     int on_face;
     enum fluid_condition condition;
     double value;
 };
 
-/* Over the part's extent of the other two directions. */
+/* Extends over the part's range of the other two directions. */
 static void extend(const struct fluid_grid *g, double *q, int d, int side, const struct extension *e,
                    const struct par_halo_part *part) {
     int a, b;
@@ -122,7 +123,7 @@ static void extend(const struct fluid_grid *g, double *q, int d, int side, const
     const ptrdiff_t sa = fluid_boundary_stride(g, a), sb = fluid_boundary_stride(g, b);
     const ptrdiff_t out = side ? fluid_boundary_stride(g, d) : -fluid_boundary_stride(g, d);
     const ptrdiff_t face = (ptrdiff_t)fluid_boundary_face(g, d, side, 0, 0);
-    /* first value mirrored into the first ghost: the cell at the side, or the one before the face's own */
+    /* the first value to be mirrored: the cell at the side, or the one before the face itself */
     const ptrdiff_t inner = e->on_face ? face - out : side ? face : face - out;
     const int first_ghost = e->on_face ? 2 : 1, layers = part->layers;
     const int count = e->on_face && !side ? layers - 1 : layers, first = part->low[a], last = part->high[a];
@@ -169,7 +170,7 @@ void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_gr
         const struct fluid_boundary_side *s = &b->side[direction][side];
         if (!s->here || !part->wanted[direction][side]) continue;
         for (int c = 0; c < 3; c++) {
-            /* an outflow's normal velocity is continued evenly, as the other components are */
+            /* an outflow's normal velocity has an even extension, as the other components have */
             const int normal = c == direction;
             const enum fluid_condition k =
                 normal && s->normal == FLUID_NORMAL_CONVECTIVE ? FLUID_NEUMANN : s->condition[c];

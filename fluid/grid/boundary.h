@@ -29,31 +29,31 @@ struct fluid_boundary {
     double inflow;   /* through all given planes, into the domain, m3/s */
     double outlet;   /* area of the convective sides, m2 */
     int open;        /* some side has a free normal velocity */
-    int low_unowned; /* some low side's normal velocity is not given: no array owns it */
+    int low_unowned; /* the normal velocity on some low side is free: no array stores it */
 };
 
 /* Dies (exit 2) on conditions that contradict each other. Collective. */
 struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const struct fluid_input *in);
 void fluid_boundary_free(struct fluid_boundary *b);
 
-/* Normal velocities that are not free are set on the faces of the sides, then `layers` ghosts of the three components
- * are exchanged and extended. q [3]. Collective. */
+/* Sets normal velocities that are not free on the faces of the sides, then exchanges and extends `layers` ghosts of the
+ * three components. q [3]. Collective. */
 void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                              int layers);
-/* Of it, a part of one direction's ghosts, once the faces are set and the directions before it are done. Collective. */
+/* The ghosts of one direction in part, after the faces are set and the directions before it are filled. Collective. */
 void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                            int direction, const struct par_halo_part *part);
-/* All of it for a part of the ghosts and of the faces. Collective. */
+/* The same for a part of the ghosts and of the faces. Collective. */
 void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                                   const struct par_halo_part *part);
-/* The faces of a part. Not collective. */
+/* Sets the faces of a part. Not collective. */
 void fluid_boundary_faces(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
                           const struct par_halo_part *part);
-/* A part of the pressure's ghosts. Collective. */
+/* Fills a part of the pressure's ghosts. Collective. */
 void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
                              const struct par_halo_part *part);
-/* Normal velocities on low sides that are not given: no array owns them, they follow from continuity in the cells
- * behind them. Not collective. */
+/* Free normal velocities on low sides. No array stores them; they follow from continuity in the cells behind them. Not
+ * collective. */
 void fluid_boundary_close(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
 
 /* The distance, in doubles, from a cell to the next along a direction. */

@@ -96,7 +96,7 @@ int fluid_grid_rank_of(const struct fluid_grid *g, const double x[3]) {
         else if (!(at >= 0) || at > g->n[d])
             return -1;
         cell[d] = (int)at;
-        if (cell[d] >= g->n[d]) cell[d] = g->n[d] - 1; /* the far end belongs to the last cell */
+        if (cell[d] >= g->n[d]) cell[d] = g->n[d] - 1; /* the far end of the domain belongs to the last cell */
     }
     return par_piece_of(g->n[2], g->ranks[2], cell[2]) * g->ranks[1] + par_piece_of(g->n[1], g->ranks[1], cell[1]);
 }

@@ -6,8 +6,8 @@
  *     v(i,j,k)  upper y face,   w(i,j,k)  far z face
  * so u(-1,j,k) is the low face of the domain, u(m_x-1,j,k) the high one. Every array has `halo` layers of ghosts on all
  * six sides, [m_z+2h][m_y+2h][m_x+2h]: h = 1 for a fluid alone, 3 when something is immersed. Rows are padded so that
- * the first cell of each starts a cache line, and so that what is done to eight cells at a time may run over a row's
- * last cell without meeting the next row's ghosts. */
+ * the first cell of each starts a cache line, and so that a loop over eight cells at a time may run over a row's last
+ * cell without touching the next row's ghosts. */
 #pragma once
 #include <stddef.h>
 
@@ -21,10 +21,10 @@ struct fluid_grid {
     double d[3];      /* cell size, m */
     int periodic[3];
     int halo;
-    int lo[3], m[3];        /* this rank's first cell, and how many */
+    int lo[3], m[3];        /* this rank's first cell, and its number of cells */
     int ranks[3];           /* process grid: ranks[0] = 1 */
     ptrdiff_t row, plane;   /* strides of j and k */
-    ptrdiff_t first;        /* where cell 0,0,0 is */
+    ptrdiff_t first;        /* index of cell 0,0,0 in an array */
     size_t size;            /* doubles in an array with its ghosts */
     struct par_halo *halos; /* owned: exchange of ghosts between ranks and across periodic sides */
 };
@@ -33,7 +33,7 @@ static inline size_t fluid_grid_at(const struct fluid_grid *g, int i, int j, int
     return (size_t)(g->first + k * g->plane + j * g->row + i);
 }
 
-/* Process grid chosen here. Dies (exit 2) in one sentence if the mesh does not admit the ranks. Collective. */
+/* Chooses the process grid. Dies (exit 2) if the mesh cannot be divided over the ranks. Collective. */
 struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo);
 void fluid_grid_free(struct fluid_grid *g);
 /* The rank that owns the cell holding the point, which is first wrapped in periodic directions; -1 outside the domain.

@@ -27,7 +27,7 @@ static void set_planes(struct fluid_boundary *boundary, const struct fluid_grid 
         }
 }
 
-/* What the planes let out, m3/s, by side. Collective. */
+/* The outflow through the planes by side, m3/s. Collective. */
 static void flux_out(const struct fluid_boundary *boundary, const struct fluid_grid *g, double out[6]) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
@@ -43,7 +43,7 @@ static void flux_out(const struct fluid_boundary *boundary, const struct fluid_g
 }
 
 static void conserve_mass(struct fluid_boundary *boundary, const struct fluid_grid *g) {
-    if (boundary->open) return; /* the free sides let out what is needed */
+    if (boundary->open) return; /* the free sides balance the flux */
     double out[6], total = 0;
     flux_out(boundary, g, out);
     for (int i = 0; i < 6; i++) total += out[i];

@@ -40,7 +40,8 @@ static void duct(int na, double da, int nb, double db, double *q) {
         double c = 0;
         for (int j = 0; j < na; j++) c -= sin(M_PI * (k + 1) * (j + 0.5) / na);
         c *= (k == na - 1 ? 1.0 : 2.0) / na;
-        for (int l = 0; l < nb; l++) { /* both sides times -1: positive definite; a wall adds a to the cell beside it */
+        for (int l = 0; l < nb; l++) { /* both sides times -1: positive definite; a wall adds a to the diagonal of the
+                                        * cell beside it */
             b[k * nb + l] = -c;
             diagonal[l] = 2 * a - lambda[k] + (l == 0 ? a : 0) + (l == nb - 1 ? a : 0);
             beside[l] = -a;

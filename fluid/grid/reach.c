@@ -8,7 +8,7 @@ struct range {
     int low, high;
 };
 
-/* The smallest range of local cells first .. last-1 that holds all of the box's that are among them. */
+/* The smallest range of local cells, within first .. last-1, that holds all of the box's cells there. */
 static struct range seen(const struct fluid_grid *g, int d, struct range box, int first, int last) {
     struct range r = {last, first};
     for (int i = first; i < last; i++) {

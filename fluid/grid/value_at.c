@@ -16,7 +16,7 @@ void fluid_value_at(struct fluid *f, const double x[3], double value[4]) {
             double at = x[d] / g->d[d];
             if (g->periodic[d]) at -= g->n[d] * floor(at / g->n[d]);
             at -= g->lo[d] + (q == d ? 1.0 : 0.5);
-            low[d] = (int)fmin(floor(at), g->m[d] - 1 - (q == d)); /* a place on the domain's far end */
+            low[d] = (int)fmin(floor(at), g->m[d] - 1 - (q == d)); /* a point on the domain's far end */
             part[d] = at - low[d];
         }
         for (int corner = 0; corner < 8; corner++) {

@@ -1,14 +1,14 @@
 /* Viscous dissipation of kinetic energy, consistent with the discrete equations. */
-/* What viscosity takes out of the kinetic energy: q times nu lap q, summed by parts over the faces that are advanced,
+/* Kinetic energy lost to viscosity: q times nu lap q, summed by parts over the advanced faces,
  *     epsilon = rho nu V sum_c sum_d w ((q_c(+1) - q_c)/d_d)^2,
- * over the pairs of neighbours along d; w = 1/2 for a pair across a side, whose other end is a ghost: half a cell
- * belongs to it. */
+ * over the pairs of neighbours along d. w = 1/2 for a pair across a side, whose other end is a ghost: half a cell
+ * belongs to such a pair. */
 #include "base/par.h"
 #include "fluid/internal.h"
 
-/* Squared differences of component c between neighbours along d, on this rank, m2/s2. Each pair is the rank's that has
- * its higher end; the one across a high side is the side's. c == d: neighbours are the faces of a cell, all inside.  c
- * != d: across a side, a value and its ghost. */
+/* Squared differences of component c between neighbours along d, on this rank, m2/s2. A pair belongs to the rank that
+ * has its higher end; a pair across a high side belongs to the rank at that side. c == d: the neighbours are the faces
+ * of a cell, all inside. c != d: across a side, the neighbours are a value and its ghost. */
 static double sum_of_squares(const struct fluid *f, int c, int d) {
     const struct fluid_grid *g = f->grid;
     const ptrdiff_t s = fluid_boundary_stride(g, d);
@@ -28,7 +28,7 @@ static double sum_of_squares(const struct fluid *f, int c, int d) {
                 const double step = q[i] - q[i - s];
                 part += step * step;
             }
-            if (sides && d == 0) { /* the ends of the row */
+            if (sides && d == 0) { /* the two ends of the row */
                 const double left = q[0] - q[-1], right = q[last] - q[last - 1];
                 part -= 0.5 * ((side[0].here ? left * left : 0) + (side[1].here ? right * right : 0));
             } else if (sides && ((at == first && side[0].here) || (at == last && side[1].here))) {

@@ -18,7 +18,7 @@ static double *plane_of(const struct fluid *f, int k) {
                         : f->correction + (k % 2) * turn_size(f->grid);
 }
 
-/* All planes, with their rows from the next rank in y. */
+/* Computes all planes and gets their rows from the next rank in y. */
 static void collect(struct fluid *f) {
     const struct fluid_grid *g = f->grid;
     const struct par_halo_part high = {.layers = 1,
@@ -29,7 +29,7 @@ static void collect(struct fluid *f) {
     par_halo_fill_part(g->halos, 1, 1, &f->correction, &high);
 }
 
-/* The sign of a ghost's value to the one that it is the image of; of the correction, whose value at the sides is 0. */
+/* The sign of a ghost relative to the value that it mirrors; -1 where the correction is 0 on the side. */
 static double image(const struct fluid *f, int d, int side) {
     return !f->grid->periodic[d] && f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET ? -1 : 1;
 }
@@ -45,7 +45,7 @@ static void extend(const struct fluid *f, double *phi) {
     for (int i = 0; i < mx; i++) phi[my * g->row + i] = in_y * phi[from_y * g->row + i];
 }
 
-/* p in the ghosts on the high sides of plane k. */
+/* Adds phi to p in the ghosts on the high sides of plane k. */
 static void add_beside(const struct fluid *f, int k, const double *phi) {
     const struct fluid_grid *g = f->grid;
     double *p = f->state.p + fluid_grid_at(g, 0, 0, k);
@@ -60,7 +60,7 @@ static void add_above(const struct fluid *f, const double *phi) {
         for (int i = 0; i < g->m[0]; i++) p[j * g->row + i] += phi[j * g->row + i];
 }
 
-/* Free faces on low sides, which no array owns, and the pressure beyond them; what of them lies at plane k. */
+/* Corrects, at plane k, the free faces on low sides, which no array stores, and the pressure beyond them. */
 static void correct_low(const struct fluid *f, double c, int k, const double *phi, double *const q[3]) {
     const struct fluid_grid *g = f->grid;
     for (int d = 0; d < 3; d++) {
@@ -76,18 +76,18 @@ static void correct_low(const struct fluid *f, double c, int k, const double *ph
     }
 }
 
-/* The sides' faces about plane k, and its ghosts as far as the plane has what they need; where y is cut, along x only.
- */
+/* Sets the sides' faces at plane k, and the ghosts of the plane whose neighbours are complete; if y is cut over ranks,
+ * along x only. */
 static void ghosts_of_plane(const struct fluid *f, int k, double *const q[3]) {
     const struct fluid_grid *g = f->grid;
     struct par_halo_part part = par_halo_whole(g->halos, 1);
-    part.low[2] = k > 0 ? k : -1; /* with the face on a low side */
+    part.low[2] = k > 0 ? k : -1; /* includes the face on a low side */
     part.high[2] = k + 1;
     fluid_boundary_faces(f->boundary, g, q, &part);
     for (int d = 0; d < (cut(g) ? 1 : 2); d++) fluid_boundary_ghosts(f->boundary, g, q, d, &part);
 }
 
-/* The rest of them. */
+/* The remaining ghosts of the velocity. */
 static void ghosts_between_planes(const struct fluid *f, double *const q[3]) {
     const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
     for (int d = cut(f->grid) ? 1 : 2; d < 3; d++) fluid_boundary_ghosts(f->boundary, f->grid, q, d, &whole);

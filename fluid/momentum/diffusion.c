@@ -9,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* b_r: backward Euler in every stage. Whatever the step, each stage then damps every wave and turns none around, which
- * the increments of pressure and forcing need; the price is first order in time. */
+/* b_r: backward Euler in every stage. Each stage then damps every wave at any step and changes no wave's sign; the
+ * increments of pressure and forcing need that. The method is first order in time. */
 static const double implicit[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};
 
 struct fluid_diffusion {
     struct fluid_poisson *solver[3]; /* of u, v, w; components with the same ends share one */
     double *change;                  /* [m_y][row] u* - u of a plane */
-    double *field[3];                /* where something is immersed: for its forcing; zero on the sides */
+    double *field[3];                /* for an implicit forcing: a field on the faces; zero on the sides */
 };
 
 /* Ends of component c: on its own faces along its own direction, at centres along the others. */
@@ -113,8 +113,8 @@ void fluid_diffusion_plane(const struct fluid_grid *g, int k, double shift, cons
     }
 }
 
-/* What has changed on the faces of the sides in c's own direction stands beside the faces that are advanced: its part
- * of the Laplacian goes to the right-hand side, of what lies in plane k. */
+/* An outflow changes the normal velocity on its faces, which are not advanced here. The part of the Laplacian that
+ * contains this change goes to the right-hand side of the adjacent faces, in plane k. */
 static void take_sides(const struct fluid *f, int c, int k, double *rhs) {
     const struct fluid_grid *g = f->grid;
     const double *q = fluid_component(&f->state, c), *predicted = f->predicted[c];
@@ -123,7 +123,7 @@ static void take_sides(const struct fluid *f, int c, int k, double *rhs) {
         const struct fluid_boundary_side *s = &f->boundary->side[c][side];
         int low[3] = {0, 0, k}, high[3] = {g->m[0], g->m[1], k + 1};
         if (!s->here || s->normal != FLUID_NORMAL_CONVECTIVE) continue;
-        low[c] = side ? g->m[c] - 2 : 0; /* beside the face */
+        low[c] = side ? g->m[c] - 2 : 0; /* the advanced face next to the side */
         high[c] = low[c] + 1;
         if (c == 2 && low[2] != k) continue;
         const ptrdiff_t out = (side ? 1 : -1) * fluid_boundary_stride(g, c);
@@ -150,7 +150,7 @@ static void put_plane(const struct fluid_grid *g, int k, const int faces[3], con
     }
 }
 
-/* All planes are forward: to = from + solution. */
+/* Solves, once all planes have been transformed: to = from + solution. */
 static void finish(struct fluid *f, int c, const int faces[3], const double *from, double *to) {
     struct fluid_poisson *solver = f->diffusion->solver[c];
     const struct fluid_grid *g = f->grid;
@@ -192,7 +192,7 @@ void fluid_diffusion_clear(struct fluid *f) {
     for (int c = 0; c < 3; c++) memset(f->diffusion->field[c], 0, f->grid->size * sizeof(double));
 }
 
-/* Tight plane k of a field times -shift; zero on faces that are not advanced. */
+/* One plane k of a field, without padding, times -shift; zero on faces that are not advanced. */
 static void field_plane(const struct fluid_grid *g, int k, double shift, const int faces[3], const double *field,
                         double *rhs) {
     for (int j = 0; j < g->m[1]; j++) {

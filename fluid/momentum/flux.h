@@ -1,23 +1,23 @@
 /* Momentum fluxes through the faces between eight cells of a row and their neighbours to the right, above and behind,
- * each made once: convection and diffusion together, two components sharing the product of their mean velocities at a
+ * each computed once: convection and diffusion together. Two components share the product of their mean velocities at a
  * corner.
  *
  *      ---v----c----v_e--          c   corner of u and v:  (v + v_e)(u + u_n)/4  carries u along y and v along x
  *     |       |       |            C'  centre:             (u + u_e)^2/4         carries u along x
  *     |   C   u   C'  u_e
  *     |       |       |            the same for the corners of u and w, v and w, and the centres above and behind
- *      -------c'--------                                                                                        */
+ *      -------c'-------- */
 #pragma once
 #include "base/vec.h"
 #include <stddef.h>
 
-/* 1/(4 d), 1/m, and nu/d, m/s, both over d again for what the divergence needs: 1/(4 d) and nu/d^2. */
+/* 1/(4 d), 1/m, and nu/d, m/s, both divided by d once more for the divergence: 1/(4 d^2) and nu/d^2. */
 struct flux_factors {
     double convect[3], diffuse[3];
 };
 
-/* What diffusion lets in less what convection carries out: the rate of a component is the sum over x, y, z of its flux
- * here less its flux before, m/s2. */
+/* Diffusive flux in less convective flux out: the rate of a component is the sum over x, y, z of its flux here less its
+ * flux at the face before, m/s2. */
 struct flux {
     vec ux, vx, wx, uy, vy, wy, uz, vz, wz;
 };
@@ -27,7 +27,7 @@ static inline __attribute__((always_inline)) vec flux_of(const struct flux_facto
     return f->diffuse[d] * difference - f->convect[d] * product;
 }
 
-/* From u, v, w at the first of the eight. */
+/* From u, v, w at the first of the eight cells. */
 static inline __attribute__((always_inline)) struct flux flux_at(const struct flux_factors *f, ptrdiff_t row,
                                                                  ptrdiff_t plane, const double *restrict u,
                                                                  const double *restrict v, const double *restrict w) {

@@ -3,10 +3,12 @@
 #include "fluid/momentum/flux.h"
 
 enum {
-    BLOCK = 6144,    /* cells of a plane whose fluxes along z wait for the next plane, in the second-level cache */
-    STREAM = 500000, /* cells of an array above which nothing of ten stays in a rank's share of the last cache */
-    AHEAD = 2,       /* rows from the one that is computed to the one that is asked for */
-    WAITING = 3      /* components, each eight cells of one after those of another */
+    BLOCK = 6144,    /* cells of a block whose fluxes along z are stored for the next plane, in the second-level
+                      * cache */
+    STREAM = 500000, /* cells of an array; with more, none of the ten arrays stays in a rank's share of the last-level
+                      * cache */
+    AHEAD = 2,       /* number of rows that prefetching is ahead of the computation */
+    WAITING = 3      /* three components, stored as eight cells of one after eight of another */
 };
 
 struct pass {
@@ -17,8 +19,8 @@ struct pass {
     double pressure[3], constant[3]; /* c/(rho d), c source */
     ptrdiff_t cells;                 /* of a row, in eights */
     int rows;                        /* of a block */
-    double *z, *y;      /* fluxes that wait, m/s2: [rows][cells/8][3][8] of z; of y for each plane, [m_z] of rows */
-    double *nowhere[2]; /* [cells] where the faces go that this equation does not advance */
+    double *z, *y;      /* stored fluxes, m/s2: along z [rows][cells/8][3][8]; along y, of one row for each plane */
+    double *nowhere[2]; /* [cells] target for faces that this equation does not advance */
 };
 
 static ptrdiff_t row_cells(const struct fluid_grid *g) { return (g->m[0] + VEC_LANES - 1) / VEC_LANES * VEC_LANES; }
@@ -32,7 +34,7 @@ size_t fluid_momentum_work(const struct fluid_grid *g) {
     return (size_t)row_cells(g) * (size_t)(WAITING * (block_rows(g) + g->m[2]) + 2);
 }
 
-/* The fluxes along y through the faces before a row that starts at n, and along z through those before it. */
+/* Computes the fluxes along y through the faces before a row that starts at n; wait_z: those along z. */
 static void wait_y(const struct pass *s, ptrdiff_t n, double *y) {
     const struct fluid_grid *g = s->stage->grid;
     for (ptrdiff_t i = n - g->row, end = i + s->cells; i < end; i += VEC_LANES, y += WAITING * VEC_LANES) {
@@ -53,17 +55,17 @@ static void wait_z(const struct pass *s, ptrdiff_t n, double *z) {
     }
 }
 
-/* A flux takes the place of the one that waited for it; the difference of the two. */
+/* Replaces the stored flux by the new one; returns new minus stored. */
 static inline __attribute__((always_inline)) vec gain(vec flux, double *waiting) {
     const vec before = vec_load(waiting);
     vec_store(waiting, flux);
     return flux - before;
 }
 
-/* What a stage does, known when its loop is compiled. */
+/* Properties of a stage that are constants when its loop is compiled. */
 struct kind {
     int with_old, keep;
-    int stream; /* what is written passes the caches by, unless it replaces what was read */
+    int stream; /* results are stored past the caches, unless they replace values that were read */
     int in_place;
 };
 
@@ -74,7 +76,7 @@ static inline __attribute__((always_inline)) void put(int stream, double *to, ve
         vec_store(to, v);
 }
 
-/* The cache line of a later row that nothing has touched yet: of q and p a plane behind, of R. */
+/* Prefetches cache lines of a later row that no earlier load has touched: of q and p one plane behind it, and of R. */
 static inline __attribute__((always_inline)) void ask_ahead(const struct pass *s, ptrdiff_t n, const struct kind kind,
                                                             double *const rate[3], ptrdiff_t i) {
     const ptrdiff_t row = AHEAD * s->stage->grid->row, behind = n + i + row + s->stage->grid->plane;
@@ -85,7 +87,7 @@ static inline __attribute__((always_inline)) void ask_ahead(const struct pass *s
     __builtin_prefetch(s->p + behind);
 }
 
-/* Factors of a component's sum. */
+/* Factors of the sum of a component. */
 struct sum {
     double a, b, pressure, constant;
 };
@@ -98,7 +100,7 @@ static inline __attribute__((always_inline)) void finish(const struct sum s, con
     if (kind.keep) put(kind.stream && !kind.with_old, rate, now);
 }
 
-/* The row that starts at n; y, z: what waits for it; predicted, rate: where each component goes. */
+/* The row that starts at n. y, z: stored fluxes; predicted, rate: output of each component. */
 static inline __attribute__((always_inline)) void predict_row(const struct pass *s, const struct kind kind, ptrdiff_t n,
                                                               double *y, double *z, double *const predicted[3],
                                                               double *const rate[3]) {
@@ -110,7 +112,7 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
     struct sum sum[3];
     for (int c = 0; c < 3; c++) sum[c] = (struct sum){s->stage->a, s->stage->b, s->pressure[c], s->constant[c]};
     struct flux f =
-        flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* the last one counts */
+        flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* only its last lane is used */
     vec ux = f.ux, vx = f.vx, wx = f.wx;
     for (ptrdiff_t i = 0; i < cells; i += VEC_LANES, y += WAITING * VEC_LANES, z += WAITING * VEC_LANES) {
         ask_ahead(s, n, kind, rate, i);

@@ -5,9 +5,10 @@
 
 struct fluid_momentum_stage {
     const struct fluid_grid *grid;
-    int faces[3];           /* of u, v, w along their own direction: those that this equation advances, from index 0 */
+    int faces[3];           /* number of faces of u, v, w along their own direction that this equation advances, from
+                             * index 0 */
     double a, b, c;         /* dt alpha_r, dt beta_r, dt gamma_r, s */
-    int keep;               /* R is needed by a later stage: 0 in the last one, b then not 0 */
+    int keep;               /* 1: a later stage reads R; 0 in the last stage, b is then not 0 */
     double viscosity;       /* m2/s */
     double inverse_density; /* m3/kg */
     double source[3];       /* body force and driving per unit mass, m/s2 */
@@ -21,27 +22,26 @@ size_t fluid_momentum_work(const struct fluid_grid *g);
  *      q[3] = u, v, w   faces     m/s    one ghost layer read
  *      p                centres   Pa     one ghost layer read on the high sides
  *      predicted[3]     faces     m/s    written, also beyond the ends of rows; may be q itself
- *      rate[3]          faces     m/s2   read where b is not 0, written where it is to be kept
+ *      rate[3]          faces     m/s2   read if b is not 0, written if keep
  *
- * Fluxes as fluid/momentum/flux.h; those through the faces before a cell are what its neighbour had after it: kept in a
- * register along x, for a row of each plane along y, for a block of rows along z. So a cell is read by itself and by
- * those before it only. */
+ * Fluxes as in fluid/momentum/flux.h. Each face's flux is computed once and reused by the next cell: it is kept in a
+ * register along x, for one row of each plane along y, and for a block of rows along z. So a cell's values are read
+ * only for the cell itself and for the cells before it. */
 void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
                             double *const predicted[3], double *const rate[3]);
 
-/* The same for faces that lie on an open side (a free normal velocity): a zero gradient of the normal velocity beyond.
- */
+/* The same for faces on an open side (with a free normal velocity): the gradient of the normal velocity beyond the side
+ * is zero. */
 void fluid_momentum_open_predict(const struct fluid_momentum_stage *s, int direction, int side,
                                  const double *const q[3], const double *p, double *const predicted[3],
                                  double *const rate[3]);
 
-/* scale div q of plane k: rhs [m_y][m_x] tight, 1/s times scale. Reads the low ghosts. */
+/* Plane k: rhs = scale div q, [m_y][m_x] without padding, 1/s times scale. Reads the low ghosts. */
 void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
                                        double *rhs);
-/* Plane k: q = predicted - c grad phi + shift on the owned faces, p += phi in the cells. q is another array than
- * predicted, or the same.                                                                       c = gamma_r dt / rho
- *     phi, above   centres of planes k, k+1, from cell (0,0) on, strides 1 and g->row; with one ghost on the high sides
- */
+/* Plane k: q = predicted - c grad phi + shift on the owned faces, p += phi in the cells; c = gamma_r dt / rho. q may be
+ * predicted.
+ *     phi, above   centres of planes k, k+1, from cell (0,0) on, strides 1 and g->row; one ghost on the high sides */
 void fluid_momentum_kernels_correct(const struct fluid_grid *g, int k, double c, const double shift[3],
                                     const double *phi, const double *above, double *const predicted[3],
                                     double *const q[3], double *p);

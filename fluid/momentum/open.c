@@ -1,8 +1,8 @@
 /* Explicit stage of the momentum equation for the normal velocity on an open side. */
 #include "fluid/momentum/momentum.h"
 
-/* What a row of one component needs: strides of its own direction s and of the other two a, b; the advecting components
- * qa, qb along those; metric factors. */
+/* What a row of one component needs: stride s of its own direction, strides a, b of the other two; the advecting
+ * components qa, qb along these; metric factors. */
 struct row {
     ptrdiff_t s, a, b;
     double convect_s, convect_a, convect_b; /* 1/(4 d), 1/m */

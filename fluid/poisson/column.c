@@ -9,22 +9,22 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Powers of r stop mattering below the first, and never become denormal for the second. */
+/* Powers of r below the first are neglected; powers below the second are set to 0, so that none is denormal. */
 static const double negligible = 1e-25, smallest = 1e-290;
 
 struct fluid_column {
     struct fluid_column_input in;
     struct par_column *exchange;
     int low, m;      /* this rank's planes */
-    int free_column; /* where the mean is free, or -1 */
+    int free_column; /* the column whose mean is free, or -1 */
     /* [columns] */
     double *r, *inverse;    /* r, 1/r */
-    double *power;          /* r^(k+1) on the way up */
+    double *power;          /* r^(k+1) during the run up */
     double *sum;            /* sum over k of r^(k+1) y[k] */
-    double *reach, *end;    /* planes, from the first, that a y below can be felt in; r^reach */
-    double *from_below, *q; /* y below times r^(k+1); q of the plane last done */
+    double *reach, *end;    /* number of planes, from the first, over which a y below has an effect; r^reach */
+    double *from_below, *q; /* y below times r^(k+1); q of the plane computed last */
     const double *last;     /* y of the last plane */
-    /* of the own columns: [own], and [ranks][own] where by rank */
+    /* of the columns owned here: [own], and [ranks][own] for values by rank */
     int own, own_low;
     struct fluid_column_ends *ends;
     double *decay, *feel, *place; /* by rank: r^m, r^2 + .. + r^2m, r^low */
@@ -134,13 +134,13 @@ void fluid_column_up(struct fluid_column *c, int k, const double *below, double 
     c->last = b;
 }
 
-/* From each rank's [Y, S] (its last y, its sum) to its [y below, q above]: up through the ranks, closed, and down
- * again. */
+/* From each rank's [Y, S] (its last y, its sum) to its [y below, q above]: up through the ranks, closed by the end
+ * conditions, and down again. */
 static void couple(int parts, int own, const struct fluid_column_ends *ends, const double *decay, const double *feel,
                    const double *place, double *share) {
     for (int i = 0; i < own; i++) {
         double y = 0, q = 0;
-        for (int p = 0; p < parts; p++) { /* Y becomes y below, started from zero */
+        for (int p = 0; p < parts; p++) { /* Y becomes the y below; so far it was computed from zero */
             double *about = share + 2 * p * own + i;
             const double top = about[0];
             about[0] = y;
@@ -162,8 +162,8 @@ static void couple(int parts, int own, const struct fluid_column_ends *ends, con
     }
 }
 
-/* The column whose mean is free, r = 1: its differences q[k+1] - q[k] in line, whole on every rank that holds it;
- * returns what q[n] is if the mean is zero. */
+/* The column whose mean is free, r = 1: computes its differences q[k+1] - q[k] in line, for the whole column on every
+ * rank that holds it. Returns q[n] of the solution with mean zero. */
 static double free_line(struct fluid_column *c, const double *y, ptrdiff_t plane) {
     const int n = c->in.n, at = c->free_column;
     double *line = c->line, total = 0, slope = 0, sum = 0;
@@ -173,7 +173,7 @@ static double free_line(struct fluid_column *c, const double *y, ptrdiff_t plane
     par_sum_array(line, n);
     if (at < 0) return 0;
     for (int k = 0; k < n; k++) total += line[k];
-    for (int k = 0; k < n; k++) { /* b without its mean, summed up: q[k+1] - q[k], but for a constant */
+    for (int k = 0; k < n; k++) { /* b without its mean, summed up: q[k+1] - q[k] up to a constant */
         line[k] += (k > 0 ? line[k - 1] : 0) - total / n;
         slope += line[k] / n;
     }
@@ -190,7 +190,7 @@ double fluid_column_free_end(struct fluid_column *c, const double *y, ptrdiff_t 
     return q;
 }
 
-/* The whole column by every rank that holds it; its differences take the place of y. */
+/* Every rank that holds the free column solves all of it; its differences replace y. */
 static void solve_free(struct fluid_column *c, double *y, ptrdiff_t plane, double mean, double *q_above) {
     const int at = c->free_column;
     double *line = c->line, q = mean + free_line(c, y, plane);

@@ -12,9 +12,9 @@ double fluid_column_ends_ratio(double a, double b, double theta) {
 
 /* With E = r^2 + r^4 + .. + r^2n the recurrences end at
  *     y(n-1) = r^n y(-1) + Y ,   q(0) = r^n q(n) - S - E y(-1) ,
- * and the ends say y(-1) = y(n-1), q(0) = q(n) (periodic), y(-1) = q(0) (1 -+ 1/r), y(n-1) = q(n) (1 -+ 1/r), with the
- * upper sign for Neumann, or y(-1) = q(0), y(n-1) = q(n) (faces: q(-1) = q(n-1) = 0). Solved for each pair of ends,
- * with what is small near r = 1 cancelled by hand: q = r^n. */
+ * and the end conditions are y(-1) = y(n-1), q(0) = q(n) (periodic), y(-1) = q(0) (1 -+ 1/r), y(n-1) = q(n) (1 -+ 1/r),
+ * with the upper sign for Neumann, or y(-1) = q(0), y(n-1) = q(n) (faces: q(-1) = q(n-1) = 0). Solved for each pair of
+ * ends; differences that are small near r = 1 are cancelled by hand. q = r^n. */
 struct fluid_column_ends fluid_column_ends_close(int n, double theta, enum fluid_end low, enum fluid_end high) {
     const double r = exp(-theta), q = exp(-n * theta), q2 = q * q, one_r = -expm1(-theta), one_q = -expm1(-n * theta),
                  one_q2 = -expm1(-2.0 * n * theta);

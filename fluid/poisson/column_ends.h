@@ -1,11 +1,12 @@
-/* What closes a column: the recurrences of fluid/poisson/column.h started so that the ends' conditions hold. */
+/* End conditions of a column: the true first and last values from the recurrences of fluid/poisson/column.h started at
+ * zero. */
 #pragma once
 #include "fluid/poisson/transform.h"
 
 /* Decay of a mode over a cell: r = exp(-theta), r + 1/r = 2 - lambda d^2, lambda <= 0. */
 double fluid_column_ends_theta(double lambda, double d);
 
-/* y(-1) = y_by_y Y + y_by_s S,  q(n) = q_by_y Y + q_by_s S: from what the recurrences give when started from zero. */
+/* y(-1) = y_by_y Y + y_by_s S,  q(n) = q_by_y Y + q_by_s S, with Y and S of the recurrences started at zero. */
 struct fluid_column_ends {
     double y_by_y, y_by_s, q_by_y, q_by_s;
 };

@@ -13,18 +13,19 @@ struct fluid_poisson {
     struct par_pencil *pencil;
     int x[3], y[3];               /* shapes of the pencils */
     struct fluid_transform *t[2]; /* of a plane of the x pencil, of a plane of the y pencil */
-    struct fluid_column *column;  /* the one in use */
+    struct fluid_column *column;  /* the one of the present shift */
     struct {
         double shift;
         struct fluid_column *column;
     } shifted[FLUID_POISSON_SHIFTS];
-    double *lambda;         /* [columns] of the Laplacian along x and y; NULL where nothing is shifted */
-    double *home, *y_array; /* one array where no transpose stands between them; a plane more than the rank has */
-    double *plane;          /* [m_y][n_x] a plane on its way back */
+    double *lambda;         /* [columns] of the Laplacian along x and y; NULL without shifts */
+    double *home, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed; one
+                             * plane more than the rank has */
+    double *plane;          /* [m_y][n_x] a plane during the backward transform */
     double *sum[2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x
-                     * and z, transformed in y, on the ranks that hold it */
-    double inverse_scale; /* one over what the transforms multiply by */
-    int whole;            /* y_array has been filled and is up its columns: with a transpose */
+                     * and z, transformed in y, on the ranks that hold these modes */
+    double inverse_scale; /* 1 / (scale of the transforms) */
+    int whole;            /* with a transpose: y_array is filled and transformed, and the run up its columns is done */
 };
 
 static double *eigenvalues(const struct fluid_poisson_input *in, int d) {
@@ -86,7 +87,7 @@ static struct fluid_column *new_columns(const struct fluid_poisson *p, const dou
     return fluid_column_new(&in);
 }
 
-/* The Laplacian's own columns, or as many as there are shifts, for some shift. */
+/* Makes the columns of the Laplacian, or those of as many shifts as asked for, with a placeholder for each shift. */
 static void add_columns(struct fluid_poisson *p) {
     const double some = 1 / (p->in.d[2] * p->in.d[2]);
     double *lambda = new_lambda(p);
@@ -146,7 +147,7 @@ void fluid_poisson_free(struct fluid_poisson *p) {
 
 static double *y_plane(const struct fluid_poisson *p, int k) { return p->y_array + (size_t)k * area(p->y); }
 
-/* The modes of plane k without variation in y, and those without variation in x. */
+/* Adds plane k to the sums of the modes without variation in y and of those without variation in x. */
 static void add_up(struct fluid_poisson *p, int k, const double *b) {
     for (int d = 0; d < 2; d++) {
         const int stride = d == 0 ? 1 : p->y[0];
@@ -154,7 +155,7 @@ static void add_up(struct fluid_poisson *p, int k, const double *b) {
     }
 }
 
-/* The transform in y of plane k, and its step up the columns. */
+/* Transforms plane k in y and runs up its columns. */
 static void y_forward(struct fluid_poisson *p, int k) {
     double *b = y_plane(p, k);
     fluid_transform_forward(p->t[1], b);
@@ -169,7 +170,7 @@ void fluid_poisson_plane_forward(struct fluid_poisson *p, int k) {
     if (p->y_array == p->home) y_forward(p, k);
 }
 
-/* What the planes' own forwards could not do before the transpose. */
+/* The transforms in y and the run up, where they have to wait for the transpose. */
 static void rest_forward(struct fluid_poisson *p) {
     if (p->y_array == p->home || p->whole) return;
     p->whole = 1;
@@ -197,8 +198,8 @@ void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q) {
     fluid_transform_backward(p->t[0], plane, q);
 }
 
-/* Summed over the other two directions, the equation of a mode cos(pi k (i+1/2)/n) is lambda times its sum = the
- * right-hand side's; along z the sums are a column. */
+/* Summed over the other two directions, the equation of a mode cos(pi k (i+1/2)/n) reads lambda times the sum of q =
+ * the sum of the right-hand side; along z the sums are a column. */
 double fluid_poisson_section_mean(struct fluid_poisson *p, int direction, int side) {
     const int n = p->in.n[direction], i = side ? n - 1 : 0, x_low = par_pencil_low(p->pencil);
     const int low = direction == 0 ? x_low : 0;

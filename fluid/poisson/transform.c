@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 struct fluid_transform {
-    struct fluid_transform_pair *pair; /* does it all where it can */
+    struct fluid_transform_pair *pair; /* used instead of FFTW's real transforms if possible */
     fftw_plan forward, backward;
 };
 
@@ -101,5 +101,5 @@ void fluid_transform_backward(const struct fluid_transform *t, const double *fro
     if (t->pair)
         fluid_transform_pair_backward(t->pair, from, to);
     else if (t->backward)
-        fftw_execute_r2r(t->backward, (double *)(size_t)from, to); /* preserved, by its plan */
+        fftw_execute_r2r(t->backward, (double *)(size_t)from, to); /* the plan preserves its input */
 }

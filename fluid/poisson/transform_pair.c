@@ -11,9 +11,9 @@ enum { SCRATCH = 4096 }; /* doubles that stay in the first-level cache with thei
 
 struct fluid_transform_pair {
     struct fluid_transform_input in;
-    int along;             /* lines are contiguous (x); otherwise neighbouring lines are (y, z) */
-    int chunk;             /* lines done at once, even */
-    int folded;            /* even places forwards, odd ones backwards */
+    int along;             /* 1: lines are contiguous (x); 0: neighbouring values belong to neighbouring lines (y, z) */
+    int chunk;             /* number of lines transformed at once, even */
+    int folded;            /* order of a line's values: even places forwards, then odd ones backwards */
     double odd;            /* sign of the odd places */
     double *cosine, *sine; /* [n/2 + 1] forward; backward is 2 cos, 2 sin for periodic lines, the same otherwise */
     double first, middle, back_middle; /* factors of coefficients 0 and n/2 */
@@ -23,7 +23,7 @@ struct fluid_transform_pair {
     fftw_plan forward, backward;
 };
 
-/* Where place j of a line stands in v. */
+/* Index in v of value j of a line. */
 static int folded_place(const struct fluid_transform_pair *t, int j) {
     if (!t->folded) return j;
     return j % 2 == 0 ? j / 2 : t->in.n - 1 - j / 2;
@@ -91,8 +91,7 @@ void fluid_transform_pair_free(struct fluid_transform_pair *t) {
     free(t);
 }
 
-/* --- lines along memory: a and b are rows, coefficients run with k --------------------------------------------------
- */
+/* Lines along memory: a and b are rows, coefficients run with k. */
 
 static void fold_line(int n, double odd, const double *restrict q, double *restrict v) {
     for (int j = 0; j < n / 2; j++) v[j] = q[2 * j];
@@ -108,7 +107,7 @@ static void unfold_line(int n, double odd, const double *restrict v, double *res
     if (n % 2) q[n - 1] = v[n / 2];
 }
 
-/* Z (re, im) -> coefficients of a and b; up = 1, or -1 with a, b pointing to their last place (Dirichlet). */
+/* Z (re, im) -> coefficients of a and b; up = 1, or -1 with a, b pointing to their last value (Dirichlet). */
 static inline __attribute__((always_inline)) void gather_line(const struct fluid_transform_pair *t, const int up,
                                                               const double *restrict re, const double *restrict im,
                                                               double *restrict a, double *restrict b) {
@@ -191,8 +190,7 @@ static void along_backward(const struct fluid_transform_pair *t, const double *q
     }
 }
 
-/* --- lines across memory: a and b are neighbouring columns, every step a loop over rows ------------------------------
- */
+/* Lines across memory: a and b are neighbouring columns, every step is a loop over rows. */
 
 static void copy_row(int count, double sign, const double *restrict from, double *restrict to) {
     for (int l = 0; l < count; l++) to[l] = sign * from[l];

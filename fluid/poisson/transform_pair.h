@@ -2,18 +2,19 @@
  * complex transforms use the vector unit, its real-to-real ones do not.
  *
  * Lines a and b give Z = FFT(v_a + i v_b), where v is the line itself (periodic), or (Makhoul 1980) its even places
- * forwards and then its odd places backwards, these with the opposite sign for Dirichlet ends. With theta = pi k/2n and
+ * forwards, then its odd places backwards; the odd places have the opposite sign for Dirichlet ends. With theta = pi
+ * k/2n and
  *     S = Z_k + Z_{n-k} ,  D = -i (Z_k - Z_{n-k}) ,   k = 1 .. n/2 ,
  * the pair's coefficients k and n-k (a in the real, b in the imaginary part) are
  *     cos S + sin D ,  sin S - cos D         (Neumann: REDFT10; Dirichlet: RODFT10 from its end)
  *     S/2 ,  D/2                             (periodic: R2HC)
- * in FFTW's own order, sign and scale: another rank may have an odd number of lines, and use FFTW's for them. */
+ * in FFTW's own order, sign and scale, because another rank with an odd number of lines uses FFTW's transforms. */
 #pragma once
 #include "fluid/poisson/transform.h"
 
 struct fluid_transform_pair; /* opaque: plans, twiddles, scratch */
 
-/* NULL where lines do not come in pairs or the ends are of unlike kinds. Not collective. */
+/* NULL if the number of lines is odd or the two ends are of different kinds. Not collective. */
 struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transform_input *in);
 void fluid_transform_pair_free(struct fluid_transform_pair *t);
 void fluid_transform_pair_forward(const struct fluid_transform_pair *t, double *in_place);

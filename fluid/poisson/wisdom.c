@@ -12,11 +12,11 @@
 
 enum { PATH_MOST = 4096, FILE_MOST = 4 << 20 };
 
-static char *known; /* as text, once loaded: what FFTW knew then */
+static char *known; /* FFTW's wisdom as text, as it was after loading */
 
 static int make_folder(const char *path) { return mkdir(path, 0777) == 0 || errno == EEXIST; }
 
-/* The folder is made if it is wanted for writing. 0: there is none. */
+/* Makes the folder if the file is to be written. Returns 0 if there is no folder. */
 static int file_path(char path[PATH_MOST], int make) {
     const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
     int length = -1;
@@ -55,7 +55,8 @@ void fluid_wisdom_load(void) {
     if (length > 0 && !text) text = malloc((size_t)length);
     par_bcast(text, (size_t)length, 0);
     if (text)
-        fftw_import_wisdom_from_string(text); /* of another version or torn: refused whole, and plans are measured */
+        fftw_import_wisdom_from_string(text); /* FFTW refuses a text of another version or a broken one as a whole;
+                                               * plans are then measured */
     free(text);
     free(known);
     known = fftw_export_wisdom_to_string();

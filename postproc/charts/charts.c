@@ -6,12 +6,12 @@
 #include <stdlib.h>
 
 enum { LINES = 5, RUNS_MAX = 16 };
-enum scale { AS_IS, BY_PRESSURE }; /* BY_PRESSURE: over rho_f U_b^2 where all runs have one */
+enum scale { AS_IS, BY_PRESSURE }; /* BY_PRESSURE: divided by rho_f U_b^2 if all runs have one */
 
 static const struct chart {
     const char *name, *title, *ylabel;
     enum scale scale;
-    int whole; /* 1: the whole run, not only the last stage and as much before it */
+    int whole; /* 1: the whole run; 0: the last stage and an equal time before it */
     struct {
         const char *column, *title;
     } line[LINES];
@@ -69,7 +69,7 @@ void postproc_charts_add(struct postproc_charts *charts, const struct postproc_p
     charts->title[charts->n++] = plot->title;
 }
 
-/* The curve of a column, its arrays malloc'ed; 0 when it has not two points. */
+/* The curve of a column, its arrays malloc'ed; 0 if it has fewer than two points. */
 static int curve_new(struct postproc_curve *curve, const struct postproc_history *h, const char *column, double scale) {
     double *x = postproc_history_column(h, "t"), *y = postproc_history_column(h, column);
     long n = 0, finite = 0;
@@ -106,7 +106,7 @@ static void chart_draw(struct postproc_charts *charts, const struct chart *chart
             *c = (struct postproc_curve){.title = title[curves]};
             if (!curve_new(c, run[r], chart->line[l].column, by_pressure ? run[r]->pressure : 1)) continue;
             snprintf(title[curves++], sizeof *title, "%s", runs > 1 ? label[r] : chart->line[l].title);
-            const double span = c->x[c->n - 1] > 0 ? c->x[c->n - 1] : INFINITY; /* before 0: as much as after */
+            const double span = c->x[c->n - 1] > 0 ? c->x[c->n - 1] : INFINITY; /* before time 0, as long as after it */
             first = fmin(first, chart->whole ? c->x[0] : fmax(c->x[0], -0.25 * span));
             last = fmax(last, c->x[c->n - 1]);
         }

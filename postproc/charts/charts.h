@@ -1,9 +1,9 @@
-/* The plots of a run's series: one run's, or several over one another. */
+/* Plots of a run's series: of one run, or of several in one plot. */
 #pragma once
 #include "postproc/charts/plot.h"
 #include "postproc/data/history.h"
 
-/* What has been drawn: names of the plots ("pressure_drop"), for the report. */
+/* Names of the plots that have been drawn ("pressure_drop"), for the report. */
 enum { POSTPROC_CHARTS = 24 };
 struct postproc_charts {
     int n;
@@ -11,11 +11,11 @@ struct postproc_charts {
     enum postproc_plot_status worst;
 };
 
-/* Draws into the folder all charts of which the runs have columns. label: one a run. */
+/* Draws into the folder all charts whose columns the runs have. label: one for each run. */
 void postproc_charts_draw(struct postproc_charts *charts, int runs, struct postproc_history *const *run,
                           const char *const *label, const char *folder);
-/* The same of what their crack.csv have: the way, speed, length and energy of the crack. */
+/* The same for the columns of crack.csv: position, speed, length and energy of the crack. */
 void postproc_charts_crack_draw(struct postproc_charts *charts, int runs, struct postproc_history *const *run,
                                 const char *const *label, const char *folder);
-/* Draws the plot unless it has no curve, and notes it. */
+/* Draws the plot and adds its name, unless the plot has no curve. */
 void postproc_charts_add(struct postproc_charts *charts, const struct postproc_plot *plot);

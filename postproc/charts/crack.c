@@ -7,11 +7,11 @@
 
 enum { LINES = 2, RUNS_MAX = 16, TITLE = 96 };
 
-/* Columns of crack.csv against another one, over units. */
+/* Columns of crack.csv drawn against another one, each divided by a unit. */
 static const struct chart {
     const char *name, *title, *ylabel, *x; /* x: NULL: time */
     double unit;
-    int speed; /* 1: at the middle of the window, with the Rayleigh speed */
+    int speed; /* 1: plotted at the middle of the time window, with the Rayleigh speed */
     struct {
         const char *column, *title;
     } line[LINES];
@@ -82,7 +82,7 @@ static void line_add(struct drawing *d, const struct chart *chart, int l, const 
     curve_add(d, h->crack->rows, x, y);
 }
 
-/* A level line from the first to the last time of a run. */
+/* Adds a horizontal line from the first to the last time of a run. */
 static void rayleigh_add(struct drawing *d, const struct postproc_history *h) {
     const struct postproc_curve *with = &d->curve[d->curves - 1];
     double *x = malloc(2 * sizeof *x), *y = malloc(2 * sizeof *y);

@@ -14,7 +14,7 @@ extern char **environ;
 
 enum { ROWS_MAX = 4000 };
 
-/* Colours that all eyes tell apart.  (Okabe and Ito 2008) */
+/* Colours that colour-blind readers can distinguish.  (Okabe and Ito 2008) */
 static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 enum { PALETTE = 7 };
 
@@ -50,7 +50,7 @@ static void put_data(FILE *f, const struct postproc_plot *p) {
     }
 }
 
-/* A range for values that are all alike, of which gnuplot would complain. */
+/* A range around values that are all equal; gnuplot would warn about an empty one. */
 static void put_flat_range(FILE *f, const struct postproc_plot *p) {
     double low = INFINITY, high = -INFINITY;
     for (int k = 0; k < p->curves; k++)
@@ -66,7 +66,7 @@ static void put_flat_range(FILE *f, const struct postproc_plot *p) {
         fprintf(f, "set yrange [%.10g:%.10g]\n", low > 0 ? 0 : 2 * low, low < 0 ? 0 : low > 0 ? 2 * low : 1);
 }
 
-/* Ranges of a plot in two logarithms: of the data and the levels, with room for labels on the right. */
+/* Ranges of a plot with two logarithmic axes: of the data and of the levels, with space for labels on the right. */
 static void put_log_range(FILE *f, char axis, double low, double high, double room) {
     if (!(low > 0) || !isfinite(high)) return;
     const double margin = fmax(0.08 * log(high / low), 0.25);
@@ -131,7 +131,7 @@ static void put_style(FILE *f, const struct postproc_plot *p) {
     }
 }
 
-/* Horizontal lines, and where their labels stand. */
+/* Horizontal lines, and the positions of their labels. */
 static void put_levels(FILE *f, const struct postproc_plot *p) {
     for (int k = 0; k < p->levels; k++) {
         fprintf(f,
@@ -185,7 +185,7 @@ static int script_write(const struct postproc_plot *p, const char *path) {
     return fclose(f) || bad ? -1 : 0;
 }
 
-/* gnuplot, in the folder, without a shell, and quiet. */
+/* Runs gnuplot in the folder, without a shell and without output. */
 static enum postproc_plot_status gnuplot_run(const char *folder, const char *script) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);

@@ -1,12 +1,13 @@
-/* Plots by gnuplot, as PNG and SVG: a self-contained script NAME.gp stands beside them and can be run again. */
+/* Plots by gnuplot, as PNG and SVG. The script NAME.gp is written beside them, contains its data, and can be run
+ * again. */
 #pragma once
 
 struct postproc_curve {
     const char *title;
     long n;
-    const double *x, *y;      /* [n]; NaN leaves a gap */
-    int bars;                 /* 1: steps through the middles of bins */
-    const char *const *label; /* [n]: points with these beside them, joined by lines; NULL: a line */
+    const double *x, *y;      /* [n]; NaN makes a gap */
+    int bars;                 /* 1: a histogram, with steps between the bins */
+    const char *const *label; /* [n]: labelled points joined by lines; NULL: a line */
 };
 struct postproc_mark { /* a vertical line */
     double x;
@@ -18,7 +19,7 @@ struct postproc_level { /* a horizontal line */
 };
 struct postproc_plot {
     const char *folder, *name;   /* folder/name.gp, .png, .svg */
-    const char *title;           /* as it is */
+    const char *title;           /* used unchanged */
     const char *xlabel, *ylabel; /* gnuplot's enhanced text */
     int curves;
     const struct postproc_curve *curve;
@@ -34,6 +35,6 @@ enum postproc_plot_status {
     POSTPROC_PLOT_DONE,
     POSTPROC_PLOT_NO_FILE,    /* the script could not be written; errno */
     POSTPROC_PLOT_NO_GNUPLOT, /* the script is written, gnuplot was not found */
-    POSTPROC_PLOT_FAILED      /* gnuplot did not like it */
+    POSTPROC_PLOT_FAILED      /* gnuplot returned an error */
 };
 enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p);

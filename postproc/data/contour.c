@@ -5,12 +5,12 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Edges of the grid: 2 node is the one from a node along x, 2 node + 1 along y. A line crosses each edge at most once.
- */
+/* Edges of the grid: number 2 node is the edge from a node along x, 2 node + 1 the one along y. A line crosses each
+ * edge at most once. */
 struct edges {
     const struct postproc_grid *g;
     double level;
-    long *next; /* the edge that a line goes on to, -1: none */
+    long *next; /* the next edge of the line, -1: none */
     char *entered;
 };
 
@@ -22,10 +22,10 @@ static void join(struct edges *e, long from, long to) {
 }
 
 /*   3 --2-- 2     corners and sides of a square, counterclockwise;
- *   |       |     a line enters by a side on which, going round,
+ *   |       |     a line enters by a side on which, counterclockwise,
  *   3       1     the values fall below the level, and leaves by
- *   |       |     one on which they rise: what is above is to its left
- *   0 --0-- 1                                                          */
+ *   |       |     one on which they rise: higher values are to its left
+ *   0 --0-- 1 */
 static void square(struct edges *e, int i, int j) {
     const struct postproc_grid *g = e->g;
     const long a = node_of(g, i, j), up = a + g->n[0];
@@ -44,7 +44,7 @@ static void square(struct edges *e, int i, int j) {
         join(e, side[falls[0]], side[rises[0]]);
         return;
     }
-    /* saddle: round the corners above, or, if the middle is above, round those below */
+    /* saddle: round the two high corners, or, if the middle is high, round the two low ones */
     const int middle = (v[0] + v[1] + v[2] + v[3]) / 4 >= e->level;
     for (int k = 0; k < 2; k++) join(e, side[falls[k]], side[(falls[k] + (middle ? 1 : 3)) % 4]);
 }
@@ -57,7 +57,7 @@ static void point_on(const struct edges *e, long edge, double x[2]) {
     x[1] = g->origin[1] + ((double)(a / g->n[0]) + (edge % 2 ? f : 0)) * g->h;
 }
 
-/* Appends the line that starts at an edge and takes its edges away. */
+/* Appends the line that starts at an edge and removes its edges. */
 static long follow(struct edges *e, struct postproc_contour *c, long start, long points) {
     long edge = start;
     c->first[c->lines++] = points;
@@ -85,7 +85,7 @@ struct postproc_contour *postproc_contour_new(const struct postproc_grid *g, dou
     struct postproc_contour *c = memory_new(MEMORY_OUTPUT, 1, sizeof *c);
     c->first = memory_new(MEMORY_OUTPUT, (size_t)pieces + 2, sizeof *c->first);
     c->x = memory_new(MEMORY_OUTPUT, 2 * (size_t)pieces + 2, sizeof *c->x);
-    for (int closed = 0; closed < 2; closed++) /* open lines from their beginnings, then what is left */
+    for (int closed = 0; closed < 2; closed++) /* first the open lines from their starts, then the closed ones */
         for (long k = 0; k < edges; k++)
             if (e.next[k] >= 0 && (closed || !e.entered[k])) points = follow(&e, c, k, points);
     memory_free(e.next);

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 
 enum { LEFT, RIGHT };
-/* Columns that may be missing in between, and nodes by which branches are to be apart somewhere. */
+/* Columns without branches that are tolerated in between; nodes of distance that branches must reach somewhere. */
 enum { MISSING = 2, APART = 3, LEAST = 4 };
 
-/* What is damaged in a column: the outermost runs of nodes. */
+/* The damaged nodes of a column: the outermost runs of nodes. */
 struct column {
     int runs;
     double left, right; /* centres of the uppermost and of the lowest run, weighted by damage, m */
@@ -37,7 +37,7 @@ static struct column column_of(const struct postproc_grid *g, int i) {
     return c;
 }
 
-/* The longest range of columns with several runs, a few missing; 0: there is none. */
+/* The longest range of columns with several runs, with a few columns missing; 0: there is none. */
 static int longest(const struct column *c, int n, int *first, int *last) {
     int best = 0;
     for (int a = 0; a < n; a++) {
@@ -89,7 +89,7 @@ static struct postproc_angle fit(const struct line *l, double low, double high, 
     return (struct postproc_angle){sign * atan(slope) * 180 / M_PI, 2 * error / (1 + slope * slope) * 180 / M_PI};
 }
 
-/* Both branches' centre lines from column a to b, and on beyond with the one that is longer. */
+/* Centre lines of both branches from column a to b; the longer branch is followed beyond b. */
 static void follow(const struct postproc_grid *g, const struct column *c, int a, int b, struct line line[2]) {
     for (int i = a; i <= b; i++) {
         if (c[i].runs < 2) continue;
@@ -115,7 +115,7 @@ struct postproc_branching postproc_crack_branch_of(const struct postproc_grid *g
     int a = 0, b = 0, widest = 0;
     out.found = longest(c, g->n[0], &a, &b);
     for (int i = a; i <= b; i++) widest = widest > c[i].gap ? widest : c[i].gap;
-    if (!out.found || widest <= APART || a == 0 || c[a - 1].runs == 0) { /* two cracks have no stem */
+    if (!out.found || widest <= APART || a == 0 || c[a - 1].runs == 0) { /* without a stem, these are two cracks */
         out.found = 0;
         memory_free(c);
         return out;

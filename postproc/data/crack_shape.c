@@ -23,7 +23,7 @@ int postproc_crack_shape_tips(const struct postproc_grid *g, int cracks, const s
     return n;
 }
 
-/* Calls for places a quarter of a node apart along a crack. */
+/* Calls for points a quarter of a node apart along a crack. */
 static void along(const struct scene_crack *c, double step, void (*see)(void *with, const double x[2]), void *with) {
     for (int k = 0; k + 1 < c->points; k++) {
         const double *a = c->point[k], *b = c->point[k + 1];
@@ -85,7 +85,7 @@ struct postproc_grid *postproc_crack_shape_connected(const struct postproc_grid 
 
 struct far {
     const struct postproc_grid *g;
-    char *initial; /* [n1][n0] beside an initial crack */
+    char *initial; /* [n1][n0] 1: next to an initial crack */
 };
 
 static void mark(void *with, const double x[2]) {
@@ -116,6 +116,6 @@ struct postproc_chord postproc_crack_shape_chord(const struct postproc_grid *g, 
     if (!c.found) return c;
     const double dx = c.end[0] - tip->x[0], dy = c.end[1] - tip->x[1], *d = tip->direction;
     c.angle.value = fabs(atan2(d[0] * dy - d[1] * dx, d[0] * dx + d[1] * dy)) * 180 / M_PI;
-    c.angle.error = atan(g->h / c.length) * 180 / M_PI; /* the end is known to a node */
+    c.angle.error = atan(g->h / c.length) * 180 / M_PI; /* the end has an error of one node */
     return c;
 }

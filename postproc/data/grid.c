@@ -45,7 +45,7 @@ double postproc_grid_at(const struct postproc_grid *g, const double x[2]) {
     return value;
 }
 
-/* How often the spacing is halved until all particles stand on nodes; 0 where that never comes. */
+/* How many times the spacing must be halved until all particles lie on nodes; 0 if it never does. */
 static int halvings(const struct postproc_grid_input *in) {
     for (int level = 0; level < LEVELS; level++) {
         const double h = in->spacing / (1 << level);
@@ -60,7 +60,7 @@ static int halvings(const struct postproc_grid_input *in) {
     return 0;
 }
 
-/* Nodes that have particles: the mean of those that are nearest to them. */
+/* Sets the nodes that have particles to the mean of the nearest ones. */
 static void put_particles(struct postproc_grid *g, const struct postproc_grid_input *in) {
     int *count = memory_new(MEMORY_OUTPUT, (size_t)g->n[0] * (size_t)g->n[1], sizeof *count);
     for (long k = 0; k < in->n; k++) {
@@ -74,7 +74,8 @@ static void put_particles(struct postproc_grid *g, const struct postproc_grid_in
     memory_free(count);
 }
 
-/* Between the nodes of a lattice of 2 s: middles of edges and of squares, where all their corners have values. */
+/* Fills the nodes between those of a lattice of spacing 2 s: midpoints of edges and of squares whose corners all have
+ * values. */
 static void halve(struct postproc_grid *g, int s) {
     static const int corner[3][4][2] = {
         {{-1, 0}, {1, 0}, {-1, 0}, {1, 0}}, {{0, -1}, {0, 1}, {0, -1}, {0, 1}}, {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
@@ -89,7 +90,7 @@ static void halve(struct postproc_grid *g, int s) {
         }
 }
 
-/* The mean of the neighbours along the axes, or, where these have no values, along the diagonals. */
+/* The mean of the neighbours along the axes; without values there, of those along the diagonals. */
 static double beside(const struct postproc_grid *g, int i, int j) {
     static const int step[8][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     for (int diagonal = 0; diagonal < 2; diagonal++) {
@@ -106,7 +107,7 @@ static double beside(const struct postproc_grid *g, int i, int j) {
     return NAN;
 }
 
-/* One more row of nodes all round, with the values of what is next to them. */
+/* Adds one row of nodes on all sides, with the values of adjacent nodes. */
 static void put_rim(struct postproc_grid *g) {
     const size_t nodes = (size_t)g->n[0] * (size_t)g->n[1];
     double *wide = memory_new(MEMORY_OUTPUT, nodes, sizeof *wide);
@@ -124,7 +125,7 @@ struct postproc_grid *postproc_grid_new(const struct postproc_grid_input *in) {
     const double h = in->spacing / stride;
     double origin[2];
     int n[2];
-    for (int c = 0; c < 2; c++) { /* from a node of the coarsest lattice on, and the rim */
+    for (int c = 0; c < 2; c++) { /* from a node of the coarsest lattice on, with the added row */
         double low = INFINITY, high = -INFINITY;
         for (long i = 0; i < in->n; i++) {
             low = fmin(low, in->x[i][c]);

@@ -1,7 +1,7 @@
 /* Values of particles on a regular grid. */
 #pragma once
 
-/* Node (i, j) stands at origin + (i, j) h; NaN where there is nothing. */
+/* Node (i, j) is at origin + (i, j) h; NaN: no value. */
 struct postproc_grid {
     int n[2];
     double origin[2], h; /* m */
@@ -17,16 +17,16 @@ struct postproc_grid_input {
     double first[2]; /* one of its nodes, m */
 };
 
-/* On the coarsest of the lattices spacing, spacing/2, spacing/4 ... that all particles stand on; of particles on none
- * the nodes take the means of those nearest to them. Nodes between particles of coarser lattices take the means of two
- * or four neighbours, and one row of nodes all round the particles the values of what is next to them. */
+/* The grid is the coarsest of the lattices of spacing, spacing/2, spacing/4 ... on which all particles lie; if there is
+ * none, each node takes the mean of the particles nearest to it. Nodes between the particles of coarser lattices take
+ * the mean of two or four neighbours. One row of nodes around the particles takes the values of adjacent nodes. */
 struct postproc_grid *postproc_grid_new(const struct postproc_grid_input *in);
-/* All NaN. */
+/* All values NaN. */
 struct postproc_grid *postproc_grid_empty(int n0, int n1, const double origin[2], double h);
 void postproc_grid_free(struct postproc_grid *g);
 /* NaN outside the grid. */
 double postproc_grid_value(const struct postproc_grid *g, int i, int j);
-/* Bilinear; NaN where a node that counts has none. */
+/* Bilinear; NaN if a node with nonzero weight has no value. */
 double postproc_grid_at(const struct postproc_grid *g, const double x[2]);
 /* The same field with the first axis along a direction of length 1, about the plane's origin:
  * node (i, j) is at (origin[0] + i h) e + (origin[1] + j h) e', e' to the left of e. */

@@ -23,7 +23,7 @@ static struct vtkhdf_source *open_file(const char *folder, const char *file) {
     return source;
 }
 
-/* The files that a .hdf.series names and that can be read. */
+/* The files that the .hdf.series lists and that can be read. */
 static struct postproc_fields fields_new(const char *folder, const char *series) {
     struct postproc_fields f = {0};
     char path[FOLDER_PATH];
@@ -38,7 +38,7 @@ static struct postproc_fields fields_new(const char *folder, const char *series)
     return f;
 }
 
-/* The inflow's bulk velocity, or the driven one, or the initial one. */
+/* The bulk velocity of the inflow, else of the driving, else of the initial flow. */
 static double bulk_velocity(const struct scene_fluid *f) {
     for (int c = 0; c < 3; c++)
         for (int side = 0; side < 2; side++)
@@ -49,7 +49,7 @@ static double bulk_velocity(const struct scene_fluid *f) {
     return size > 0 ? size : NAN;
 }
 
-/* E delta s0^2 / G0.  (001: eq. 3.26; of a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
+/* E delta s0^2 / G0.  (001: eq. 3.28; in a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
  * 48 E/(5 pi delta^3) in plane strain; conical: c1 = 4 c0, G0 = c1 s0^2 delta^4/20) */
 static double factor(const struct scene *s, const struct scene_material *m) {
     if (s->dimension != 2) return 5 / 6.;
@@ -80,7 +80,7 @@ static void scales(struct postproc_history *h) {
     }
 }
 
-/* The time at a step: from the nearest row, and its time step. */
+/* The time of a step: from the nearest row of the series and its time step. */
 static double time_of_step(const struct table_data *d, long step) {
     const int cs = table_read_column(d, "step"), ct = table_read_column(d, "t"), cdt = table_read_column(d, "dt");
     double best = INFINITY, t = NAN;
@@ -105,12 +105,12 @@ static void find_origin(struct postproc_history *h) {
     }
     if (last_step < 0) last_step = postproc_tree_number(h->record, "steps");
     long step = 0;
-    double t = 0; /* from the stages' own steps, while these are given */
+    double t = 0; /* from the time steps of the stages, as far as they are given */
     h->stage = s->stages > 0 ? s->stage[0].name : "";
     for (int k = 0; k + 1 < s->stages; k++) {
         step += s->stage[k].steps;
         t = s->stage[k].time_step > 0 ? t + (double)s->stage[k].steps * s->stage[k].time_step : NAN;
-        if (last_step <= (double)step) break; /* the next stage has not begun */
+        if (last_step <= (double)step) break; /* the next stage has not begun yet */
         h->stage = s->stage[k + 1].name;
         h->origin_step = step;
         h->origin = d ? time_of_step(d, step) : t;

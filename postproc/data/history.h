@@ -1,4 +1,4 @@
-/* What a run folder holds, and the scales in which it is shown. */
+/* The contents of a run folder, and the scales of its results. */
 #pragma once
 #include "files/table.h"
 #include "files/vtkhdf.h"
@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 
 struct postproc_fields {
-    int n;                             /* files that are there, in order of time */
+    int n;                             /* files that exist, in order of time */
     struct vtkhdf_series_entry *entry; /* owned */
 };
 
@@ -18,35 +18,35 @@ struct postproc_history {
     struct table_data *series;    /* series.csv, or NULL */
     struct table_data *crack;     /* crack.csv, or NULL */
     struct postproc_fields solid, fluid;
-    /* The time origin: the start of the last stage that the run has come to.  (001: sec. 6.4.1) */
+    /* The time origin: the start of the last stage that the run has reached.  (001: sec. 6.4.1) */
     const char *stage; /* its name */
     long origin_step;
     double origin; /* s */
     double end;    /* the last time of series or fields, s */
-    /* Scales; NAN where the scene has none. */
+    /* Scales; NAN if the scene has none. */
     double density, velocity, length, t0; /* rho_f, U_b, height of the domain, t0 = length / velocity */
     double pressure;                      /* rho_f U_b^2, Pa */
     double spacing;                       /* of the particles, m */
     double s0, sigma0;                    /* least critical stretch of the materials, and E s0, Pa */
 };
 
-/* NULL, with a sentence in error [size], when the folder holds no run. */
+/* NULL, with a sentence in error [size], if the folder contains no run. */
 struct postproc_history *postproc_history_new(const char *folder, char *error, int size);
 void postproc_history_free(struct postproc_history *h);
 
 /* Of the first body's material; NAN without a solid. */
 struct postproc_waves postproc_history_waves(const struct postproc_history *h);
-/* (t - origin) / t0, or s where there is no t0. */
+/* (t - origin) / t0, or t - origin in s without t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */
-/* The series' values of a column, or NULL where it has none: [rows], malloc'ed. */
+/* The values of a column of the series: [rows], malloc'ed; NULL if there is no such column. */
 double *postproc_history_column(const struct postproc_history *h, const char *name);
-/* The column's value at the time: of the last row that is not later, NAN if there is none. */
+/* The column's value in the last row not later than the time; NAN if there is none. */
 double postproc_history_value(const struct postproc_history *h, const char *name, double t);
-/* A table's values of a column, or NULL where there is none, or no table: [rows], malloc'ed. */
+/* The values of a column of a table: [rows], malloc'ed; NULL if there is no such column or no table. */
 double *postproc_history_values(const struct table_data *d, const char *name);
 /* Mean over the rows of from < t <= to. */
 double postproc_history_mean(const struct postproc_history *h, const char *name, double from, double to);
-/* The last file not later than the time, or the first: opened, or NULL. */
+/* Opens the last file not later than the time, or the first; NULL if there is none. */
 struct vtkhdf_source *postproc_history_open(const struct postproc_history *h, const struct postproc_fields *fields,
                                             double t);

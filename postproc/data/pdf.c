@@ -12,7 +12,7 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Linear between the sorted samples. */
+/* A quantile, linear between the sorted samples. */
 static double quantile(const double *sorted, long n, double q) {
     const double at = q * (double)(n - 1);
     const long i = (long)at < n - 1 ? (long)at : n - 1;
@@ -32,7 +32,7 @@ static void moments(struct postproc_pdf *p, const double *sorted) {
 static void choose_bins(struct postproc_pdf *p, const double *sorted) {
     const double first = quantile(sorted, p->n, 0.25), third = quantile(sorted, p->n, 0.75), iqr = third - first;
     double width = 2 * iqr / cbrt((double)p->n), low = p->smallest, high = p->largest;
-    if (!(high > low)) { /* all alike: one bin about them */
+    if (!(high > low)) { /* all values equal: one bin around them */
         p->bins = 1;
         p->width = fmax(fabs(low), 1) * 1e-6;
         p->low = low - 0.5 * p->width;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Edges of the particles' squares: from their volumes, or all of the spacing. */
+/* Edge lengths of the particles' squares: from their volumes, else the spacing. */
 static double *sizes_new(struct vtkhdf_source *source, const struct postproc_history *h) {
     double *volume = vtkhdf_read_double(source, "volume");
     double *size = malloc(((size_t)source->points + 1) * sizeof *size);
@@ -14,7 +14,7 @@ static double *sizes_new(struct vtkhdf_source *source, const struct postproc_his
     return size;
 }
 
-/* Places at the start, from those now. */
+/* Initial positions from the present ones. */
 static void places_new(struct postproc_plate *p, struct vtkhdf_source *source) {
     double(*now)[3] = vtkhdf_read_points(source), *u = vtkhdf_read_double(source, "displacement");
     const size_t room = (size_t)p->n + 1;

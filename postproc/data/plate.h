@@ -7,14 +7,14 @@ struct postproc_plate {
     long n;
     double time;
     long step;
-    double (*x)[2];                    /* [n] places at the start, m; owned, as all below */
+    double (*x)[2];                    /* [n] initial positions, m; owned, as all below */
     double (*u)[2];                    /* [n] displacement, m */
     double *size;                      /* [n] edge of the particle's square, m */
-    double *damage, *stretch, *energy; /* [n] 1, 1, J/m3; what the file lacks is NULL */
+    double *damage, *stretch, *energy; /* [n] 1, 1, J/m3; NULL for a quantity that is not in the file */
     double low[2], high[2];            /* bounds of the squares at the start, m */
 };
 
-/* The k-th file; NULL when it cannot be read or holds no particle. */
+/* The k-th file; NULL if it cannot be read or contains no particle. */
 struct postproc_plate *postproc_plate_new(const struct postproc_history *h, int k);
 void postproc_plate_free(struct postproc_plate *p);
 /* value[i * stride] of the particles on the lattice's nodes. */

@@ -11,9 +11,9 @@ struct postproc_profile {
     double *porosity; /* [n] of the section; NULL without solid_fraction */
 };
 
-/* From the last fluid file not later than t, or the first. Empty (n = 0) when there is none. */
+/* From the last fluid file not later than t, or the first. Empty (n = 0) if there is none. */
 struct postproc_profile postproc_profile_new(const struct postproc_history *h, double t);
 void postproc_profile_free(struct postproc_profile *p);
-/* Section means of an image [nz][ny][nx]; solid may be NULL, in which case fluid and porosity are not touched. */
+/* Section means of an image [nz][ny][nx]; without solid (NULL), fluid and porosity are not written. */
 void postproc_profile_means(const int n[3], const double *pressure, const double *solid, double *mean, double *fluid,
                             double *porosity);

@@ -10,7 +10,7 @@ struct postproc_waves postproc_waves_of(double youngs_modulus, double poisson_ra
     const double nu = poisson_ratio, c2 = youngs_modulus / density;
     const double d2 = plane_stress ? c2 / (1 - nu * nu) : c2 * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
     const double s2 = c2 / (2 * (1 + nu)), q = s2 / d2;
-    double low = 0.1, high = 1; /* x = 0 is a root too, of no wave */
+    double low = 0.1, high = 1; /* x = 0 is also a root, but no wave */
     for (int k = 0; k < 60; k++) {
         const double middle = 0.5 * (low + high);
         if (rayleigh(middle, q) < 0)

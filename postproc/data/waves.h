@@ -1,4 +1,4 @@
-/* Speeds of waves in an elastic plate or solid: what a crack's speed is held against. */
+/* Wave speeds in an elastic plate or solid, for comparison with a crack's speed. */
 #pragma once
 
 struct postproc_waves {

@@ -7,7 +7,7 @@
 
 static const unsigned ink = 0x23282e;
 
-/* Three to six round numbers between low and high: their step. */
+/* A tick step of round numbers, with three to six ticks between low and high. */
 static double tick_step(double low, double high) {
     const double raw = (high - low) / 4, power = pow(10, floor(log10(raw))), m = raw / power;
     return power * (m < 1.5 ? 1 : m < 3.5 ? 2 : m < 7.5 ? 5 : 10);

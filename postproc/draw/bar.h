@@ -1,4 +1,4 @@
-/* The bar that says which colour is which value. */
+/* Colour bar: the scale of colours and values. */
 #pragma once
 #include "postproc/draw/canvas.h"
 #include "postproc/draw/colour.h"
@@ -9,6 +9,6 @@ struct postproc_bar {
     const char *label;    /* above it, flush right */
     int x, y0, y1, width; /* pixels; y0 is its top */
     double text;          /* height of capitals, pixels */
-    double left;          /* the label does not begin before, pixels */
+    double left;          /* the label begins here at the earliest, pixels */
 };
 void postproc_bar_draw(struct postproc_canvas *c, const struct postproc_bar *bar);

@@ -33,7 +33,7 @@ struct postproc_camera postproc_camera_new(const double toward[3], const double 
     cross(y, c.toward, c.right);
     normalise(c.right);
     cross(c.toward, c.right, c.up);
-    double half[2] = {1e-30, 1e-30}; /* the projection of a box is symmetric about its centre's */
+    double half[2] = {1e-30, 1e-30}; /* a box is projected symmetrically about its centre */
     for (int k = 0; k < 8; k++) {
         const double corner[3] = {k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1], k & 4 ? high[2] : low[2]};
         double p[3];

@@ -1,8 +1,8 @@
-/* An orthographic eye. */
+/* Orthographic camera. */
 #pragma once
 
 struct postproc_camera {
-    double right[3], up[3], toward[3]; /* orthonormal; toward: from the scene to the eye */
+    double right[3], up[3], toward[3]; /* orthonormal; toward: from the scene to the camera */
     double centre[3];                  /* the point seen at (cx, cy), m */
     double cx, cy;                     /* pixels */
     double scale;                      /* pixels per m */

@@ -1,21 +1,20 @@
-/* A picture in linear light with a depth behind every pixel. Pixel (i, j) covers [i, i+1] x [j, j+1], j downward. */
+/* A picture in linear light with a depth for every pixel. Pixel (i, j) covers [i, i+1] x [j, j+1], j downward. */
 #pragma once
 
 struct postproc_canvas {
     int width, height;
     float *rgb;   /* [height][width][3] linear light; owned */
-    float *depth; /* [height][width] along the line to the eye, larger is nearer; owned */
+    float *depth; /* [height][width] along the line to the camera, larger is nearer; owned */
 };
 
 struct postproc_canvas *postproc_canvas_new(int width, int height);
 void postproc_canvas_free(struct postproc_canvas *c);
-/* Vertical shade between two sRGB colours (0xrrggbb); empties the depth. */
+/* Fills with a vertical gradient between two sRGB colours (0xrrggbb), and clears the depth. */
 void postproc_canvas_clear(struct postproc_canvas *c, unsigned top, unsigned bottom);
 /* The mean of every 2 x 2 pixels, as a new canvas; depth is the nearest of the four. */
 struct postproc_canvas *postproc_canvas_halve(const struct postproc_canvas *c);
 
-/* A pen: sRGB colour, opacity and width in pixels. Where the canvas is nearer than the line, opacity is times `hidden`.
- */
+/* A pen: sRGB colour, opacity and width in pixels. Behind nearer objects the opacity is multiplied by `hidden`. */
 struct postproc_pen {
     unsigned colour;
     double alpha, width, hidden;

@@ -5,9 +5,9 @@
 
 enum { NODES = 10 };
 
-/* magma and viridis of S. van der Walt and N. Smith (2015; matplotlib, CC0), at ten equal steps; straight lines between
- * two steps stay within 0.02 of the full tables. Magma's light end, a yellow that turns olive in the shade, is
- * porcelain here, of nearly the same lightness. */
+/* magma and viridis of S. van der Walt and N. Smith (2015; matplotlib, CC0), at ten equal steps; linear interpolation
+ * stays within 0.02 of the full tables. The light end of magma is changed from yellow, which turns olive in shadow, to
+ * a near-white of nearly the same lightness. */
 static const unsigned magma[NODES] = {0x000004, 0x180f3e, 0x451077, 0x721f81, 0x9f2f7f,
                                       0xcd4071, 0xf1605d, 0xfd9567, 0xfec98d, 0xf6f0e6};
 static const unsigned viridis[NODES] = {0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e,

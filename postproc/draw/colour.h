@@ -2,7 +2,7 @@
 #pragma once
 
 enum postproc_map {
-    POSTPROC_MAGMA_REVERSED, /* 0 porcelain, 1 black: what is intact stays light, so that its shading can be read */
+    POSTPROC_MAGMA_REVERSED, /* 0 near-white, 1 black: intact parts stay light, so that their shading is visible */
     POSTPROC_VIRIDIS
 };
 

@@ -11,7 +11,7 @@
 static const unsigned ink = 0x23282e, faint = 0x7c858f, line = 0x0a7d78, paper_top = 0xffffff, paper_bottom = 0xeef0f2;
 enum { FINE = 2 };
 
-/* From the plane to the pixels of a canvas. */
+/* Transform from the plane to the pixels of a canvas. */
 struct window {
     double x, y, scale; /* pixel = x + scale X, y - scale Y */
 };
@@ -20,7 +20,7 @@ static struct window window_of(const struct postproc_flat *p, double fine) {
     const double box[4] = {0.04 * p->width, 0.055 * p->width, 0.87 * p->width, 0.96 * p->height};
     const struct postproc_plate *plate = p->plate;
     double size[2], middle[2];
-    for (int c = 0; c < 2; c++) { /* some room for what moves */
+    for (int c = 0; c < 2; c++) { /* a margin for moving parts */
         size[c] = 1.06 * (plate->high[c] - plate->low[c]);
         middle[c] = 0.5 * (plate->high[c] + plate->low[c]);
     }

@@ -1,4 +1,5 @@
-/* A picture of a plate: its particles as squares of their own size where they are now, contours over them. */
+/* A picture of a plate: its particles as squares of their own size at their present positions, with contours over
+ * them. */
 #pragma once
 #include "postproc/data/contour.h"
 #include "postproc/data/plate.h"
@@ -11,11 +12,11 @@ struct postproc_flat {
     const struct postproc_plate *plate;
     const double *value; /* value[i * stride] is particle i's */
     int stride;
-    double unit;                  /* values and bounds are shown over this */
+    double unit;                  /* values and bounds are divided by this */
     double value_low, value_high; /* of the colours */
     enum postproc_map map;
-    double magnify; /* displacements are drawn so many times */
-    /* NULL: none; with the displacement on a grid, by which the contour moves along */
+    double magnify; /* factor of the displacements in the picture */
+    /* NULL: none; with the displacement on a grid, which moves the contour */
     const struct postproc_contour *contour;
     const struct postproc_grid *displacement[2];
     int width, height; /* pixels */
@@ -23,6 +24,6 @@ struct postproc_flat {
 
 /* Returns 0, or -1 when the file could not be written (errno). */
 int postproc_flat_draw(const struct postproc_flat *p);
-/* A round factor that shows displacements as up to 3 % of the plate's larger side: of 1, 2, 5, 10 ..., at least 1. The
- * largest hundredth of the displacements is not looked at. */
+/* A round factor (1, 2, 5, 10 ...) that shows displacements as up to 3 % of the plate's larger side. The largest 1 % of
+ * the displacements is ignored. */
 double postproc_flat_magnify(const struct postproc_plate *plate);

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A glyph is a list of strokes with blanks between them, a stroke a list of points: a digit for x (0 ... 9), a letter
- * for y (d: baseline, k: x height 7, n: capitals 10, a: -3). '~' in front: a smooth curve (Catmull-Rom) through the
+/* A glyph is a list of strokes separated by blanks. A stroke is a list of points: a digit for x (0 ... 9), a letter for
+ * y (d: baseline, k: x height 7, n: capitals 10, a: -3). A '~' in front makes a smooth curve (Catmull-Rom) through the
  * points. */
 static const char *const glyph[128] = {
     [' '] = "",
@@ -104,7 +104,7 @@ enum { STROKE_MAX = 32, SMOOTH = 6 };
 
 static const char *glyph_of(unsigned char c) { return c < 128 && glyph[c] ? glyph[c] : unknown; }
 
-static double advance(const char *strokes) { /* units: its width and a gap */
+static double advance(const char *strokes) { /* in units: its width and a gap */
     int wide = *strokes ? 0 : 2;
     for (const char *s = strokes; *s; s++)
         if (*s >= '0' && *s <= '9' && *s - '0' > wide) wide = *s - '0';
@@ -140,7 +140,7 @@ void postproc_font_draw(struct postproc_canvas *c, double x, double y, double he
     const double unit = height / 10;
     const struct postproc_pen pen = {.colour = colour, .alpha = 0.8, .width = fmax(1, 0.13 * height), .hidden = 1};
     for (const char *t = text; *t; t++) {
-        if (((unsigned char)*t & 0xc0) == 0x80) continue; /* the rest of a UTF-8 letter */
+        if (((unsigned char)*t & 0xc0) == 0x80) continue; /* a continuation byte of a UTF-8 character */
         const char *s = glyph_of((unsigned char)*t);
         const double wide = advance(s) * unit;
         while (*s) {

@@ -1,4 +1,4 @@
-/* A small stroke font of our own, so that pictures need no font on the machine. Printable ASCII. */
+/* A small built-in stroke font, so that pictures need no installed font. Printable ASCII. */
 #pragma once
 #include "postproc/draw/canvas.h"
 

@@ -8,10 +8,9 @@ enum { SKY_RAYS = 64, LAMP_RAYS = 12, SMOOTH_RADIUS = 2 };
 static const double sky_length = 28, lamp_length = 110, lamp_spread = 0.12; /* cells, cells, rad */
 
 struct postproc_light {
-    double lamp[3], fill[3]; /* unit, to the light */
+    double lamp[3], fill[3]; /* unit vectors towards the lights */
     struct postproc_ray toward_lamp[LAMP_RAYS];
-    struct postproc_ray sky[3][2]
-                           [SKY_RAYS]; /* over the half space of each axis and sign, more of them near the normal */
+    struct postproc_ray sky[3][2][SKY_RAYS]; /* over the half space of each axis and sign, denser near the normal */
 };
 
 /* Van der Corput's sequence in base 2. */
@@ -43,7 +42,7 @@ struct postproc_light *postproc_light_new(const struct postproc_camera *camera) 
     }
     for (int axis = 0; axis < 3; axis++)
         for (int side = 0; side < 2; side++)
-            for (int i = 0; i < SKY_RAYS; i++) { /* Hammersley points, by the cosine */
+            for (int i = 0; i < SKY_RAYS; i++) { /* Hammersley points, weighted by the cosine */
                 const double u = (i + 0.5) / SKY_RAYS, a = 2 * M_PI * radical_inverse((unsigned)i), r = sqrt(u);
                 double d[3];
                 d[axis] = (side ? 1 : -1) * sqrt(1 - u);
@@ -56,7 +55,7 @@ struct postproc_light *postproc_light_new(const struct postproc_camera *camera) 
 
 void postproc_light_free(struct postproc_light *light) { memory_free(light); }
 
-/* Out of the material, from the occupied cells around: rounds off the steps of a cavity made of cubes. */
+/* The direction out of the material, from the occupied cells around: smooths the steps of a cavity made of cubes. */
 static void smooth_normal(const struct postproc_voxels *v, const int cell[3], double n[3]) {
     const int r = SMOOTH_RADIUS;
     n[0] = n[1] = n[2] = 0;
@@ -99,7 +98,7 @@ void postproc_light_face(const struct postproc_light *light, const struct postpr
     }
     const double sky = open * (0.8 + 0.2 * n[1]);
     fill = open * fmax(fill, 0);
-    /* lamp warm, sky cool */
+    /* warm lamp, cool sky */
     const double tint[3][3] = {{1.00, 0.97, 0.92}, {0.93, 0.97, 1.03}, {0.95, 0.97, 1.0}};
     for (int c = 0; c < 3; c++)
         lit[c] = (float)(0.70 * shine * tint[0][c] + 0.52 * sky * tint[1][c] + 0.14 * fill * tint[2][c] + 0.015);

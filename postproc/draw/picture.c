@@ -9,7 +9,7 @@
 
 static const unsigned ink = 0x23282e, faint = 0x7c858f, paper_top = 0xffffff, paper_bottom = 0xe3e7eb;
 
-/* An arrow along the channel's axis below its near edge: where the flow goes. */
+/* Draws an arrow along the channel's axis below its near edge, in the direction of the flow. */
 static void flow_draw(struct postproc_canvas *c, const struct postproc_picture *p,
                       const struct postproc_camera *camera) {
     const double z = p->toward[2] >= 0 ? 1.13 * p->domain[2] : -0.13 * p->domain[2];

@@ -13,8 +13,8 @@ struct postproc_picture {
     enum postproc_map map;
     double size;            /* edge of a cube, m */
     double domain[3];       /* the channel's box, from 0, m */
-    double toward[3];       /* from the solid to the eye */
-    double low[3], high[3]; /* what stands outside is cut away */
+    double toward[3];       /* from the solid to the camera */
+    double low[3], high[3]; /* cubes outside are cut away */
     int width, height;      /* pixels */
 };
 

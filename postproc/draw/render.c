@@ -7,7 +7,8 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-/* One of the three orientations that the eye sees: n along +-axis, and its face as a parallelogram on the canvas. */
+/* One of the three orientations that the camera sees: normal n along +-axis, and the face as a parallelogram on the
+ * canvas. */
 struct facing {
     int axis, sign;
     double corner[3];           /* from the cube's centre: pixels and depth of the face's corner */
@@ -15,7 +16,7 @@ struct facing {
     double slope[2], extent[4]; /* depth per s, t; bounds of the parallelogram from the corner, pixels */
 };
 
-/* Draws nothing of a face seen edge on. */
+/* A face seen edge-on is not drawn. */
 static int facing_new(struct facing *f, const struct postproc_camera *camera, int axis, double size) {
     const int b = (axis + 1) % 3, c = (axis + 2) % 3;
     if (fabs(camera->toward[axis]) < 1e-9) return 0;
@@ -49,9 +50,8 @@ static int facing_new(struct facing *f, const struct postproc_camera *camera, in
     return 1;
 }
 
-/* The face's pixels where it is nearest. rim: width of a darker line along its edges, over: by how much the face
- * reaches over its edges, so that no light falls through the joints of neighbours a little apart; both as parts of the
- * edge. */
+/* Draws the face's pixels where it is nearest. rim: width of a darker line along its edges. over: overlap beyond its
+ * edges, so that no light shows between neighbours with a small gap. Both as fractions of the edge. */
 static void face_draw(struct postproc_canvas *canvas, const struct facing *f, const double p[3], const float colour[3],
                       double rim, double over) {
     const int i0 = (int)fmax(0, ceil(p[0] + f->extent[0] - 1)), j0 = (int)fmax(0, ceil(p[1] + f->extent[1] - 1));
@@ -73,7 +73,7 @@ static void face_draw(struct postproc_canvas *canvas, const struct facing *f, co
         }
 }
 
-/* Whether particle i's face is stuck to a neighbour's. */
+/* Whether the face of particle i is covered by a neighbour's. */
 static int face_covered(const struct postproc_voxels *v, const double (*x)[3], long i, const int cell[3],
                         const struct facing *f) {
     int q[3] = {cell[0], cell[1], cell[2]};
@@ -92,7 +92,7 @@ long postproc_render_cubes(struct postproc_canvas *canvas, const struct postproc
     struct postproc_voxels *v = postproc_voxels_new(cubes->n, cubes->x, cubes->size, cubes->low, cubes->high);
     if (!v) return 0;
     struct postproc_light *light = postproc_light_new(camera);
-    /* about one pixel of rim, none where cubes are small */
+    /* a rim of about one pixel; none if cubes are small */
     const double pixels = camera->scale * cubes->size, rim = flat || pixels < 9 ? 0 : 1.1 / pixels;
     const double over = flat ? 0 : 0.35 / pixels;
     long drawn = 0;

@@ -1,5 +1,5 @@
-/* Particles as shaded cubes, in software: z-buffer, soft light from above the eye's left, and the light of the sky that
- * reaches each face. Needs no display. */
+/* Draws particles as shaded cubes, in software: z-buffer, soft light from above left of the camera, and sky light on
+ * each face. Needs no display. */
 #pragma once
 #include "postproc/draw/camera.h"
 #include "postproc/draw/canvas.h"
@@ -12,9 +12,9 @@ struct postproc_cubes {
     double low[3], high[3];   /* cubes with their centres outside are left out */
 };
 
-/* Returns the number of faces drawn. flat: colours as they are, without light (tests, masks). */
+/* Returns the number of faces drawn. flat: unchanged colours, without light (tests, masks). */
 long postproc_render_cubes(struct postproc_canvas *canvas, const struct postproc_camera *camera,
                            const struct postproc_cubes *cubes, int flat);
-/* The edges of a box; those behind cubes faintly. */
+/* Draws the edges of a box; edges behind cubes are faint. */
 void postproc_render_box(struct postproc_canvas *canvas, const struct postproc_camera *camera, const double low[3],
                          const double high[3], struct postproc_pen pen);

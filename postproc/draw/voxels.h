@@ -1,4 +1,4 @@
-/* Which cells of a lattice hold a particle: what stands in the way of light. */
+/* Which cells of a lattice hold a particle: the cells that block light. */
 #pragma once
 #include <stddef.h>
 
@@ -8,26 +8,27 @@ struct postproc_voxels {
     int *first;             /* [n2][n1][n0] a particle in the cell, or -1; owned */
 };
 
-/* x [n][3] m. The lattice is laid so that particles on a lattice of that spacing stand in the cells' middles; particles
- * outside low ... high have no cell. NULL when nothing is left. */
+/* x [n][3] m. The lattice is placed so that particles on a lattice of that spacing are in the cells' centres. Particles
+ * outside low ... high have no cell. NULL if no particle is left. */
 struct postproc_voxels *postproc_voxels_new(long n, const double (*x)[3], double size, const double low[3],
                                             const double high[3]);
 void postproc_voxels_free(struct postproc_voxels *v);
-int postproc_voxels_cell(const struct postproc_voxels *v, const double x[3], int cell[3]); /* 0: outside */
+int postproc_voxels_cell(const struct postproc_voxels *v, const double x[3], int cell[3]); /* returns 0 outside */
 
 static inline int postproc_voxels_at(const struct postproc_voxels *v, int i, int j, int k) {
     if (i < 0 || j < 0 || k < 0 || i >= v->n[0] || j >= v->n[1] || k >= v->n[2]) return -1;
     return v->first[((size_t)k * (size_t)v->n[1] + (size_t)j) * (size_t)v->n[0] + (size_t)i];
 }
 
-/* A ray as the list of the cells that it meets, relative to the one where it starts (in that one's middle). */
+/* A ray as the list of the cells that it meets, relative to the cell in whose centre it starts. */
 enum { POSTPROC_RAY_CELLS = 192 };
 struct postproc_ray {
     int cells;
     signed char step[POSTPROC_RAY_CELLS][3];
     float distance[POSTPROC_RAY_CELLS]; /* cells, to where the ray enters the cell */
 };
-/* Cells met within `length` cells along the direction, without the first.  (Amanatides and Woo 1987) */
+/* The cells that the ray meets within `length` cells along the direction, without the first.  (Amanatides and Woo
+ * 1987) */
 void postproc_voxels_ray(struct postproc_ray *ray, const double direction[3], double length);
-/* Distance to the first cell that holds something, or -1. */
+/* Distance to the first cell with a particle, or -1. */
 double postproc_voxels_hit(const struct postproc_ray *ray, const struct postproc_voxels *v, const int cell[3]);

@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where nothing chooses a level: that of 003, chapter 7. */
+/* Level of the damage contour if it can be chosen neither by options nor by cracks: that of 003, chapter 7. */
 static const double LEVEL = 0.41;
-/* What a particle's damage is above in a crack, where the scene does not say.  (000: sec. 3.1.2) */
+/* Damage above which a particle belongs to a crack, if the scene does not say it.  (000: sec. 3.1.2) */
 static const double DAMAGED = 0.35;
 
-/* The horizon of the first material, m: damage beside a tip is less than beside the crack behind it. */
+/* The horizon of the first material, m: within it the damage beside a tip is less than beside the crack behind. */
 static double horizon(const struct postproc_history *h) {
     return h->spacing * h->scene->solid->material[0].horizon_ratio;
 }
@@ -36,7 +36,7 @@ double postproc_sections_crack_level(struct postproc_output *out, const struct p
     return out->level;
 }
 
-/* The columns of crack.csv that are read here, [rows]; NULL where it has none. */
+/* The columns of crack.csv that are used here, [rows]; NULL for a missing one. */
 struct track {
     long rows;
     double *t, *tip[2], *side[2][2], *speed, *fronts, *length, *released, *per_area, *over_g0;
@@ -71,7 +71,7 @@ static void track_free(struct track *k) {
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
 }
 
-/* The first time at which a tip has moved by more than a spacing. */
+/* The first time at which a tip has moved by more than one spacing. */
 static double growth(const struct track *k, double spacing) {
     for (long i = 0; i < k->rows; i++)
         for (int side = 0; side < 2; side++) {
@@ -84,14 +84,14 @@ static double growth(const struct track *k, double spacing) {
     return NAN;
 }
 
-/* The first time from which on there are more fronts than at the start, to the end. */
+/* The first time from which on, to the end, there are more fronts than at the start. */
 static double parting(const struct track *k) {
     long i = k->rows;
     while (i > 0 && k->fronts[i - 1] > fmax(k->fronts[0], 1)) i--;
     return i > 0 && i < k->rows ? k->t[i] : NAN;
 }
 
-/* The first time at which the tip is as far along the axis as a place. */
+/* The first time at which the tip has reached a position along the axis. */
 static double passing(const struct track *k, const double d[2], double place) {
     for (long i = 0; i < k->rows; i++)
         if (d[0] * k->tip[0][i] + d[1] * k->tip[1][i] >= place) return k->t[i];
@@ -136,7 +136,7 @@ static void angle_add(struct postproc_facts *f, const char *name, const char *pa
     postproc_facts_number(f, quantity, "deg", a.error);
 }
 
-/* The tip's top speed until a time, from the first full window on. */
+/* The tip's highest speed up to a time, from the first complete window on. */
 static double top_until(const struct track *k, double window, double t) {
     double top = NAN;
     for (long i = 0; i < k->rows && k->t[i] <= t; i++)
@@ -167,9 +167,9 @@ static void facts_of_chord(struct postproc_facts *f, int number, const struct po
     angle_add(f, name, "angle", c->angle);
 }
 
-/* What has grown from each tip of the initial cracks, by the last field: branches with their angles to the initial
- * crack, or, where there are none, the angle of the whole. A crack that has turned away by more than that is not looked
- * at for branches. */
+/* Describes the cracks that have grown from each tip of the initial cracks, by the last field: branches with their
+ * angles to the initial crack, or, without branches, the angle of the whole. A crack that has turned by more than this
+ * angle is not searched for branches. */
 static const double AHEAD = 45;
 
 static void facts_of_shape(struct postproc_facts *f, const struct postproc_history *h, const struct postproc_plate *p,

@@ -21,7 +21,7 @@ static const struct {
     {"pdf_stress", "stress_max", "Pa", "Largest principal stress", "largest principal stress  [Pa]", "sigma0"},
 };
 
-/* body[2]: at the end of settling, at the end; the same file twice counts once. */
+/* body[2]: at the end of settling, and at the end; the same file twice is drawn once. */
 static void pdf_draw(struct postproc_output *out, const struct postproc_history *h, int kind,
                      struct postproc_body *const body[2]) {
     struct postproc_pdf pdf[2] = {{0}};
@@ -48,7 +48,7 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
         if (pdf[b].n > 0) {
             filled = 1;
             pdf_table(file, when[b], body[b]->time, &pdf[b]);
-            if (pdf[b].bins > 1) { /* values all alike, as before any load, make no curve */
+            if (pdf[b].bins > 1) { /* equal values, as before any load, make no curve */
                 const double t = postproc_history_when(h, body[b]->time);
                 middle[b] = malloc((size_t)pdf[b].bins * sizeof(double));
                 for (int i = 0; i < pdf[b].bins; i++) middle[b][i] = pdf[b].low + (i + 0.5) * pdf[b].width;

@@ -12,7 +12,7 @@ static const struct view {
     const char *name, *title, *said;
     double toward[3];
     int quantity; /* 0: damage, 1: displacement */
-    int section;  /* 1: the half nearer than the middle plane of z is cut away */
+    int section;  /* 1: the half nearer to the camera than the middle plane of z is cut away */
 } views[] = {
     {"damage_back", "Damage, from downstream", "from downstream", {1, 0.5, 1.25}, 0, 0},
     {"damage_front", "Damage, from upstream", "from upstream", {-1, 0.5, 1.25}, 0, 0},
@@ -21,7 +21,7 @@ static const struct view {
 };
 enum { VIEWS = sizeof views / sizeof *views };
 
-/* The quantity of a view, [n]; NULL when the file lacks it. Its largest value in *largest. */
+/* The values of a view's quantity, [n]; NULL if the file has none. *largest: the largest of them. */
 static double *view_value(const struct view *view, const struct postproc_body *b, double *largest) {
     const double *d = b->displacement;
     if (view->quantity == 0 ? !b->damage : !d) return NULL;
@@ -41,8 +41,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* The 98 % quantile of the particles that have bonds: some flung far away do not set the colours. 0 if there is none.
- */
+/* The 98 % quantile over the particles that have bonds, so that a few ejected particles do not set the colours. 0
+ * without such particles. */
 static double colour_bound(const struct postproc_body *b, const double *value) {
     long m;
     double *sorted = postproc_body_sample(b, value, &m);
@@ -85,7 +85,7 @@ static void view_draw(struct postproc_output *out, const struct postproc_history
         .width = 1400,
         .height = 900,
     };
-    for (int k = 0; k < 3; k++) { /* what has left the channel by more than its size is not looked for */
+    for (int k = 0; k < 3; k++) { /* particles farther from the channel than its size are ignored */
         p.domain[k] = h->scene->domain.size[k];
         p.toward[k] = view->toward[k];
         p.low[k] = -0.1 * p.domain[k];
@@ -100,7 +100,7 @@ static void view_draw(struct postproc_output *out, const struct postproc_history
 }
 
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h) {
-    if (h->scene->dimension == 2) return; /* sections_plate.c */
+    if (h->scene->dimension == 2) return; /* see sections/plate.c */
     struct postproc_body *b = postproc_body_new(h, h->end);
     if (b && b->x && b->n > 0 && h->spacing > 0)
         for (int k = 0; k < VIEWS; k++) view_draw(out, h, &views[k], b);

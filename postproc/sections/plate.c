@@ -8,12 +8,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* What a quantity's pictures look like. spread: the share of the values that the colours reach over. */
+/* How a quantity is drawn. spread: the fraction of the values within the colour range. */
 static const struct look {
     const char *title, *symbol;
     enum postproc_map map;
     double spread;
-    const char *unit; /* NULL: 1 */
+    const char *unit; /* NULL: no unit */
 } looks[POSTPROC_QUANTITIES] = {
     [POSTPROC_DAMAGE] = {"Damage", "damage", POSTPROC_MAGMA_REVERSED, 0, NULL},
     [POSTPROC_STRETCH] = {"Largest stretch of a bond", "stretch", POSTPROC_MAGMA_REVERSED, 0.995, NULL},
@@ -22,7 +22,7 @@ static const struct look {
     [POSTPROC_DISPLACEMENT_Y] = {"Displacement along y", "u_y", POSTPROC_VIRIDIS, 0.98, "m"},
 };
 
-/* The values of a quantity, *stride apart, or NULL. */
+/* The values of a quantity, *stride apart; NULL if the file has none. */
 static const double *values_of(const struct postproc_plate *p, enum postproc_quantity q, int *stride) {
     *stride = q == POSTPROC_DISPLACEMENT_X || q == POSTPROC_DISPLACEMENT_Y ? 2 : 1;
     switch (q) {
@@ -44,8 +44,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Bounds of the colours: 0 ... 1 for damage; from 0, or from the lower quantile where there are negative values, to the
- * upper one. */
+/* Bounds of the colours: 0 ... 1 for damage; otherwise from 0 (from the lower quantile if there are negative values) to
+ * the upper quantile. */
 static void range_of(const struct postproc_plate *p, enum postproc_quantity q, double range[2]) {
     int stride;
     const double *value = values_of(p, q, &stride), spread = looks[q].spread;
@@ -63,7 +63,7 @@ static void range_of(const struct postproc_plate *p, enum postproc_quantity q, d
     if (!(range[1] > range[0])) range[1] = range[0] + 1;
 }
 
-/* Unit and label by the size of the values: "u_y  [um]". */
+/* Unit and label for values of this size: "u_y  [um]". */
 static double label_of(enum postproc_quantity q, const double range[2], char *label, size_t size) {
     static const struct {
         double value;
@@ -80,7 +80,7 @@ static double label_of(enum postproc_quantity q, const double range[2], char *la
     return unit[k].value;
 }
 
-/* A plate with its damage contour, as all its pictures show it. */
+/* A plate with its damage contour, common to all its pictures. */
 struct scene_of_plate {
     struct postproc_plate *plate;
     struct postproc_contour *contour;
@@ -103,7 +103,7 @@ static void release(struct scene_of_plate *s) {
     for (int c = 0; c < 2; c++) postproc_grid_free(s->u[c]);
 }
 
-/* Pictures as wide as 1400 pixels and as high as the plate asks for. */
+/* Draws a picture 1400 pixels wide; the height follows from the plate. */
 static void draw(struct postproc_output *out, const struct postproc_history *h, const struct scene_of_plate *s,
                  enum postproc_quantity q, const double range[2], double magnify, const char *path) {
     char subtitle[256], label[64];
@@ -125,7 +125,8 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
     if (postproc_flat_draw(&f)) postproc_sections_fail(out, path);
 }
 
-/* One picture a field file; film/NAME_0001.png, 0002 ... Colours and magnification are those of the last one. */
+/* Draws one picture for each field file: film/NAME_0001.png, 0002 ... with the colours and the magnification of the
+ * last file. */
 static void film(struct postproc_output *out, const struct postproc_history *h, const double range[2], double magnify) {
     char path[FOLDER_PATH], inside[96];
     const enum postproc_quantity q = out->options.film_quantity;

@@ -34,7 +34,7 @@ void postproc_sections_run(struct postproc_output *out, const struct postproc_hi
     postproc_facts_number(f, "sigma0 = E s0", "Pa", h->sigma0);
 }
 
-/* A quantity when the stage starts, at the end, and its mean over the stage's last tenth. */
+/* Adds a quantity at the start of the stage, at the end, and its mean over the stage's last tenth. */
 static void before_after(struct postproc_output *out, const struct postproc_history *h, const char *column,
                          const char *name, const char *unit, double scale) {
     char quantity[96];
@@ -63,7 +63,7 @@ void postproc_sections_medium(struct postproc_output *out, const struct postproc
     before_after(out, h, "load_x", "load on the solid, x", "N", 1);
 }
 
-/* The column's value in the first row, 0 where there is none. */
+/* The column's value in the first row, 0 without one. */
 static double first_of(const struct postproc_history *h, const char *column) {
     double *y = postproc_history_column(h, column);
     const double first = y && h->series->rows > 0 ? y[0] : 0;
@@ -91,7 +91,7 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     postproc_facts_number(f, "damage, mean", "1", postproc_history_value(h, "damage_mean", h->end));
     postproc_facts_number(f, "damage, largest", "1", postproc_history_value(h, "damage_max", h->end));
     postproc_facts_number(f, "energy released by bonds", "J", postproc_history_value(h, "e_fracture", h->end));
-    const int cut = h->scene->solid && h->scene->solid->cracks > 0; /* what is broken from the start */
+    const int cut = h->scene->solid && h->scene->solid->cracks > 0; /* bonds broken from the start */
     const double at_start = cut ? first_of(h, "bonds_broken") : 0;
     const double first = first_time_above(h, "bonds_broken", at_start);
     if (!isnan(first)) {

@@ -1,4 +1,4 @@
-/* The parts of a report, each of which adds its numbers, files and plots. A part that the run lacks adds nothing. */
+/* Sections of the report. Each adds its numbers, files and plots; a section adds nothing if the run lacks its data. */
 #pragma once
 #include "postproc/charts/charts.h"
 #include "postproc/data/body.h"
@@ -9,14 +9,14 @@ enum { POSTPROC_PICTURES = 16 };
 struct postproc_output {
     const char *folder; /* RUNDIR/post */
     struct postproc_options options;
-    double level; /* of the damage contour of a plate, 0: not chosen yet */
+    double level; /* of the damage contour of a plate, 0: not determined yet */
     struct postproc_facts facts;
     struct postproc_charts charts;
     int pictures;
     struct {
         char name[64], title[64]; /* pictures/NAME.png */
     } picture[POSTPROC_PICTURES];
-    int failed; /* errno of a file that could not be written, 0 */
+    int failed; /* errno of the first file that could not be written, 0 */
     char failed_path[256];
 };
 
@@ -30,15 +30,16 @@ void postproc_sections_profile(struct postproc_output *out, const struct postpro
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_crack(struct postproc_output *out,
                              const struct postproc_history *h); /* tips, branches, contour of a plate */
-/* Of these the numbers alone: no file is written. */
+/* The numbers of that section only; no file is written. */
 void postproc_sections_crack_numbers(struct postproc_output *out, const struct postproc_history *h);
-/* The level of the damage contour: as the options ask, or by the first field file and the initial cracks, or 0.41. */
+/* The level of the damage contour: from the options, else from the first field file and the initial cracks, else
+ * 0.41. */
 double postproc_sections_crack_level(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_plate(struct postproc_output *out,
                              const struct postproc_history *h); /* pictures and film of a plate */
 
-/* Notes a picture that has been written: pictures/NAME.png. */
+/* Adds a picture that has been written to the list: pictures/NAME.png. */
 void postproc_sections_picture(struct postproc_output *out, const char *name, const char *title);
 
-/* Notes that a file could not be written, with errno; the first one stays. */
+/* Notes that a file could not be written, with errno; only the first one is kept. */
 void postproc_sections_fail(struct postproc_output *out, const char *path);

@@ -50,7 +50,8 @@ static void check_body_material(const struct scene_check *c, int b) {
                      nearest ? "; did you mean " : "", nearest ? nearest : "", nearest ? "?" : "");
 }
 
-/* A body that is partly in the domain, and in periodic directions wholly: its particles would stand there twice. */
+/* Checks that a body is at least partly in the domain; in periodic directions it must lie in it wholly, or its
+ * particles would exist twice. */
 static void check_body_place(const struct scene_check *c, int b, const double low[3], const double high[3]) {
     const struct scene_domain *domain = &c->scene->domain;
     for (int d = 0; d < c->scene->dimension; d++) {
@@ -70,7 +71,7 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
     }
 }
 
-/* Corners that differ, arcs whose ends are as far from the centre as each other. */
+/* Checks that consecutive corners differ and that both ends of an arc are equally far from its centre. */
 static int check_corners(const struct scene_check *c, struct scene_path outline, int corners,
                          const struct scene_corner *corner) {
     int arcs = 0;
@@ -105,7 +106,7 @@ static int check_part(const struct scene_check *c, const char *list, int b, int 
            check_corners(c, scene_check_parts_path("%s.outline", path.text), part->corners, part->corner);
 }
 
-/* Whether a plate's outlines are curves. */
+/* Checks that a plate's outlines are closed curves. */
 static int check_curves(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     int good = 1;

@@ -1,21 +1,21 @@
-/* What is looked at in a scene before it is believed. All of these go on after a mistake, so that all mistakes are said
- * at once: what was wrong is replaced by something that can be loaded and marked bad, and what rests on it is not
- * looked at. */
+/* Checks of a scene. Each check continues after a mistake, so that all mistakes are reported at once. A wrong value is
+ * replaced by a valid one and marked bad, and the checks that depend on it are left out. */
 #pragma once
 #include "scene/scene.h"
 #include "scene/text/problem.h"
 
-/* Keys, types, ranges, what is missing; fills in the defaults of scene/rules/rule.h and puts keys into their order. */
+/* Checks keys, types, ranges and missing keys; fills in the defaults of scene/rules/rule.h and sorts the keys into the
+ * schema's order. */
 void scene_check_keys(struct scene_node *root, struct scene_problems *problems);
 
-/* What one needs to look at a loaded scene and to say what is wrong with it. */
+/* What a check reads: the loaded scene, its tree, and the list of mistakes. */
 struct scene_check {
     const struct scene *scene;
     const struct scene_node *root;
     struct scene_problems *problems;
 };
 
-/* Combinations of keys that cannot be. */
+/* Checks combinations of keys. */
 void scene_check_parts(const struct scene_check *c);
 void scene_check_fluid(const struct scene_check *c);
 void scene_check_solid(const struct scene_check *c);
@@ -23,17 +23,17 @@ void scene_check_stages(const struct scene_check *c);
 void scene_check_body(const struct scene_check *c, int b); /* parts of scene_check_solid */
 void scene_check_region(const struct scene_check *c);
 
-/* A path made as by printf, for the calls below: scene_check_parts_path("solid.bodies[%d].low", b).text */
+/* A path made by a printf format, for the calls below: scene_check_parts_path("solid.bodies[%d].low", b).text */
 struct scene_path {
     char text[96];
 };
 struct scene_path scene_check_parts_path(const char *format, ...) __attribute__((format(printf, 1, 2)));
-/* Whether the key at the path is there and free of mistakes. */
+/* Whether the key at the path exists and has no mistake. */
 int scene_check_parts_clean(const struct scene_check *c, struct scene_path path);
-/* Whether low is below high; said of path.low. */
+/* Whether low is below high; if not, that is reported at path.low. */
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
                          const double high[3]);
-/* The bounds of a body; 0 for one of points, whose bounds only its particles know. */
+/* The bounds of a body. Returns 0 for a body of points, whose bounds only its particles know. */
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]);
 
 extern const char *const scene_check_parts_side[3][2]; /* x_low, ... */

@@ -18,7 +18,7 @@ static enum scene_condition condition_of(const struct scene_side *s, int compone
     return component == 0 ? s->u : component == 1 ? s->v : s->w;
 }
 
-/* Whether both sides of direction d hold the velocity component. */
+/* Whether both sides of direction d prescribe the velocity component. */
 static int has_walls(const struct scene_fluid *f, int d, int component) {
     int walls = 0;
     for (int end = 0; end < 2; end++) {
@@ -37,7 +37,7 @@ static void check_pair(const struct scene_check *c, int d) {
                          type_name[side[low ? 1 : 0].type]);
 }
 
-/* What the velocity of the side itself may be. */
+/* Checks the values given for one side against its type. */
 static void check_side(const struct scene_check *c, int d, int end) {
     const struct scene_fluid *f = c->scene->fluid;
     const struct scene_side *side = &f->side[d][end];
@@ -59,7 +59,7 @@ static void check_side(const struct scene_check *c, int d, int end) {
     }
 }
 
-/* What is given to flow in must be able to leave, and an outflow needs something to let out. */
+/* Prescribed inflow must be able to leave; an outflow side needs an inflow. */
 static void check_flux(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
     const double *size = c->scene->domain.size;
@@ -99,7 +99,7 @@ static void check_driving(const struct scene_check *c) {
                          type_name[f->side[d][0].type], scene_check_parts_side[d][1], type_name[f->side[d][1].type]);
 }
 
-/* Each direction in which the vortices vary holds one wave, sin or cos, which must fit its sides. */
+/* In each direction in which the vortices vary there is one wave, sin or cos, which must fit the direction's sides. */
 static void check_taylor_green(const struct scene_check *c) {
     static const int along[][3] = {
         [SCENE_XY] = {1, 1, 0}, [SCENE_XZ] = {1, 0, 1}, [SCENE_YZ] = {0, 1, 1}, [SCENE_XYZ] = {1, 1, 1}};
@@ -132,7 +132,8 @@ static void check_initial(const struct scene_check *c) {
                          "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
 }
 
-/* Implicit diffusion solves for every velocity with a condition of its own, and keeps the force on every marker. */
+/* Checks the conditions of implicit diffusion: a given normal velocity on every side, weak coupling, and a solid that
+ * does not break (each marker keeps a guess of its force). */
 static void check_diffusion(const struct scene_check *c) {
     const struct scene *s = c->scene;
     const struct scene_fluid *f = s->fluid;

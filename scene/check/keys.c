@@ -10,7 +10,7 @@
 static void check_value(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                         const struct scene_rule *rule, const char *path);
 
-/* Puts a value that can be loaded where there is a wrong one or none. */
+/* Replaces a wrong or missing value by one that can be loaded. */
 static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v, const char *path) {
     scene_node_clear(node);
     node->bad = 1;
@@ -39,7 +39,7 @@ static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_
     }
 }
 
-/* Puts a list under a key: [x, y] becomes {at: [x, y]}. */
+/* Wraps a list in a mapping: [x, y] becomes {at: [x, y]}. */
 static void wrap(struct scene_node *node, const char *key) {
     struct scene_node *list = scene_node_new(SCENE_NODE_LIST, key, NULL);
     list->line = node->line;
@@ -92,8 +92,8 @@ static char *path_of(const char *path, const char *key) {
     return *path ? scene_node_text("%s.%s", path, key) : scene_node_text("%s", key);
 }
 
-/* Keys given twice are dropped; unknown ones are taken for the key they come near to where that is not given, else
- * dropped. */
+/* Drops keys that are given twice. An unknown key is taken for the known key that it is nearest to, unless that one is
+ * given as well; other unknown keys are dropped. */
 static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, const char *const *known,
                           const char *path) {
     for (int i = 0; i < node->n; i++) {
@@ -125,7 +125,7 @@ static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, 
     }
 }
 
-/* What is left out: a default, or a mistake. */
+/* Fills in the default of a key that is left out, or reports the missing key. */
 static void check_missing(struct scene_walk *w, struct scene_node *node, const cyaml_schema_field_t *field,
                           const struct scene_rule *rule, const char *path) {
     const int needed =
@@ -199,7 +199,8 @@ static int check_mapping(struct scene_walk *w, struct scene_node *node, const cy
         free(why);
         free(inner);
     }
-    for (int k = n - 1; k >= 0; k--) /* into the schema's order: each to the front, last key first */
+    for (int k = n - 1; k >= 0; k--) /* sorts into the schema's order: each key is moved to the front, the last one
+                                      * first */
         for (int i = 0; i < node->n; i++)
             if (!strcmp(node->child[i]->key, known[k])) {
                 struct scene_node *c = node->child[i];

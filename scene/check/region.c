@@ -1,12 +1,12 @@
 /* Checks constraints, loads, cracks, initial displacements and refinement regions: whether they reach a body. */
-/* What is imposed where: regions, edges, cracks, initial displacements and refinement that reach a body and say one
- * thing. */
+/* Checks the data given for a part of the solid: regions, edges, cracks, initial displacements and refinement must
+ * reach a body, and must not contradict each other. */
 #include "scene/check/check.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Whether some body, as far as its bounds are known, reaches into the box, or (touching) to it. */
+/* Whether some body, as far as its bounds are known, overlaps the box, or (touching) touches it. */
 static int holds_body(const struct scene_check *c, const double low[3], const double high[3], int touching) {
     const struct scene_solid *s = c->scene->solid;
     const int dim = c->scene->dimension;
@@ -15,7 +15,7 @@ static int holds_body(const struct scene_check *c, const double low[3], const do
         if (!scene_check_body_bounds(&s->body[b], body_low, body_high)) return 1;
         int d = 0;
         for (int e = 0; e < dim; e++)
-            if (body_low[e] >= body_high[e]) return 1; /* said of the body */
+            if (body_low[e] >= body_high[e]) return 1; /* reported with the body */
         while (d < dim && (touching ? low[d] <= body_high[d] && high[d] >= body_low[d]
                                     : low[d] < body_high[d] && high[d] > body_low[d]))
             d++;
@@ -31,7 +31,7 @@ static void check_region(const struct scene_check *c, struct scene_path path, co
         scene_problem_at(c->problems, c->root, path.text, "no body reaches into this region");
 }
 
-/* The bounds of points. */
+/* The bounds of a set of points. */
 static void bounds_of(int n, const double (*point)[3], double low[3], double high[3]) {
     for (int d = 0; d < 3; d++) {
         low[d] = INFINITY;
@@ -54,7 +54,7 @@ static void check_time(const struct scene_check *c, struct scene_path above, con
         }
 }
 
-/* What is imposed in a free direction. */
+/* Reports a prescribed value in a direction that is not constrained. */
 static void check_imposed(const struct scene_check *c, int i, const char *key, const double value[3]) {
     const struct scene_constraint *k = &c->scene->solid->constraint[i];
     const struct scene_path path = scene_check_parts_path("solid.constraints[%d].%s", i, key);
@@ -106,7 +106,7 @@ static void check_load(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, edge.text, "no body reaches to this edge");
 }
 
-/* Whether four points lie in a plane, to a millionth of their extent. */
+/* Whether four points lie in a plane, with a tolerance of 1e-6 of their extent. */
 static int is_plane(const double (*p)[3]) {
     double e[3][3], extent = 0;
     for (int i = 0; i < 3; i++)
@@ -144,8 +144,8 @@ static void check_crack(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, path.text, "no body reaches to this crack");
 }
 
-/* A family must hold the bonds to refined neighbours: those of the next level where the horizon is scaled, of all where
- * it is kept. */
+/* A family must have capacity for the bonds to refined neighbours: those of the next level if the horizon is scaled,
+ * those of all levels if it is kept. */
 static void check_levels(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_refinement *r = s->refinement;

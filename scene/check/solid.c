@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The bond-based model has one Poisson's ratio; 1/3 cannot be written out, so a few digits of it do. */
+/* The bond-based model has one Poisson's ratio. 1/3 has no finite decimal form, so a few digits are accepted. */
 static void check_poisson(const struct scene_check *c, int m) {
     static const struct {
         const char *is, *ratio, *in;
@@ -36,7 +36,7 @@ static void check_material(const struct scene_check *c, int m) {
         }
 }
 
-/* Across a periodic direction the lattice must go on, and no family may meet itself. */
+/* Across a periodic direction the lattice must continue, and no family may overlap its own periodic image. */
 static void check_period(const struct scene_check *c, int d) {
     const struct scene_solid *s = c->scene->solid;
     const double size = c->scene->domain.size[d], n = size / s->spacing;

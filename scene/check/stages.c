@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* A stage's checkpoint is named after it. */
+/* Whether the name of a stage can be a part of a file name: the stage's checkpoint is named after the stage. */
 static int can_name_a_file(const char *name) {
     while (*name && *name != '/' && (unsigned char)*name >= ' ') name++;
     return !*name;

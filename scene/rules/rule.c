@@ -79,7 +79,8 @@ const struct scene_rule scene_rule_table[] = {
     RULE("solid.materials[].density", "kg/m3", ABOVE(0)),
     RULE("solid.materials[].poisson_ratio", "1"),
     RULE("solid.materials[].fracture_energy", "J/m2", ".inf", ABOVE(0), .word = ".inf", .load = "inf"),
-    RULE("solid.materials[].horizon_ratio", "1", "3", WITHIN(1, SCENE_HORIZON_MAX), .open = 2, .plate_high = SCENE_HORIZON_MAX_PLATE),
+    RULE("solid.materials[].horizon_ratio", "1", "3", WITHIN(1, SCENE_HORIZON_MAX), .open = 2,
+         .plate_high = SCENE_HORIZON_MAX_PLATE),
     RULE("solid.materials[].micromodulus", "choice", "constant"),
     RULE("solid.bodies", "list"),
     RULE("solid.bodies[].name", "text"),
@@ -224,7 +225,7 @@ const struct scene_rule scene_rule_table[] = {
     {.path = NULL}};
 /* clang-format on */
 
-/* Whether the path is one that the pattern stands for: [] for [3], SIDE for a word. */
+/* Whether the path matches the pattern: [] matches [3], SIDE matches a word. */
 static int matches(const char *pattern, const char *path) {
     while (*pattern) {
         if (*pattern == 'S' && !strncmp(pattern, "SIDE", 4)) {

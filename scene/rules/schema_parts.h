@@ -1,9 +1,9 @@
-/* What the tables of the schema are written with. */
+/* Macros and shared entries of the schema's tables. */
 #pragma once
 #include "scene/rules/schema.h"
 
 enum { NEEDED = CYAML_FLAG_DEFAULT, OPTIONAL = CYAML_FLAG_OPTIONAL, LIST = CYAML_FLAG_OPTIONAL | CYAML_FLAG_POINTER };
-enum { BODIES_MAX = 255, LIST_MAX = 10000 }; /* a particle knows its body by one byte */
+enum { BODIES_MAX = 255, LIST_MAX = 10000 }; /* the body of a particle is stored in one byte */
 
 extern const cyaml_schema_value_t scene_schema_real;
 extern const cyaml_strval_t scene_schema_axes[3];
@@ -19,7 +19,7 @@ extern const cyaml_schema_field_t scene_schema_solid[]; /* of struct scene_solid
 #define TEXT(key, flags, type, member) CYAML_FIELD_STRING(key, flags, struct type, member, 1)
 #define CHOICE(key, flags, type, member, words)                                                                        \
     CYAML_FIELD_ENUM(key, flags | CYAML_FLAG_STRICT, struct type, member, words, CYAML_ARRAY_LEN(words))
-/* A mapping of the file whose keys stand in the struct around it. */
+/* A mapping of the file whose keys are members of the surrounding struct. */
 #define PART(name, optional, type, its_fields)                                                                         \
     {                                                                                                                  \
         .key = name, .data_offset = 0, .value = { CYAML_VALUE_MAPPING(optional, struct type, its_fields) }             \

@@ -37,7 +37,7 @@ char *scene_walk_in_units(const struct scene_rule *rule) {
     return rule ? scene_node_text(" (%s)", rule->unit) : scene_node_text("%s", "");
 }
 
-/* ", or auto" where a word may stand for the number. */
+/* ", or auto" if the rule allows a word instead of a number. */
 static char *or_word(const struct scene_rule *rule) {
     return rule && rule->word ? scene_node_text(", or %s", rule->word) : scene_node_text("%s", "");
 }
@@ -58,7 +58,10 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
     const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
     const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
     const double value = form ? strtod(node->value, NULL) : 0;
-    const double largest = !whole ? DBL_MAX : v->data_size == sizeof(int) ? INT_MAX : 9e15; /* exact in a double */
+    const double largest = !whole                        ? DBL_MAX
+                           : v->data_size == sizeof(int) ? INT_MAX
+                                                         : 9e15; /* integers that a double
+                                                                  * holds exactly */
     const int admitted = !rule || scene_rule_admits(rule, value);
     char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_walk_in_units(rule);
     if (!form)

@@ -11,7 +11,7 @@ int scene_walk_place_is_among(const char *word, const char *list) {
     return 0;
 }
 
-/* "a b c" as "a, b or c": malloc'ed. */
+/* Turns "a b c" into "a, b or c": malloc'ed. */
 static char *alternatives(const char *list) {
     char *text = scene_node_text("%s", "");
     for (const char *at = list; *at; at += strcspn(at, " "), at += *at == ' ') {
@@ -29,7 +29,7 @@ static int has_bad_child(const struct scene_node *mapping) {
     return 0;
 }
 
-/* By the parts that the scene has. */
+/* Why the key is not allowed with the parts that the scene has. */
 static char *lacks(const struct scene_walk *w, int only, int *unsure) {
     const int both = SCENE_WITH_FLUID | SCENE_WITH_SOLID, lacking = only & ~w->parts;
     if (lacking & (SCENE_IN_3D | SCENE_IN_PLATE)) {

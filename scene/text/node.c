@@ -76,7 +76,7 @@ struct scene_node *scene_node_child(const struct scene_node *mapping, const char
     return child_of(mapping, key, strlen(key));
 }
 
-/* Walks as far as the path leads; *rest is what was left of it. */
+/* Follows the path as far as it exists; *rest is the rest of it. */
 static const struct scene_node *walk(const struct scene_node *node, const char *path, const char **rest) {
     while (*path) {
         const struct scene_node *next = NULL;

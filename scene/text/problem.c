@@ -30,7 +30,7 @@ void scene_problem_sort(struct scene_problems *p) {
         }
 }
 
-/* Takes the text. */
+/* Takes ownership of the text. */
 static void add(struct scene_problems *p, int line, char *text) {
     if (p->n == p->capacity) {
         p->capacity = p->capacity ? 2 * p->capacity : 8;
@@ -56,7 +56,7 @@ static int can_show(const struct scene_node *node) {
     return 1;
 }
 
-/* A scalar, or a list of scalars, as it would be written, cut where it is long. */
+/* A scalar, or a list of scalars, as written; a long one is shortened. */
 static char *shown(const struct scene_node *node) {
     char *text;
     if (node->kind == SCENE_NODE_SCALAR) {
@@ -76,7 +76,7 @@ static char *shown(const struct scene_node *node) {
         if ((unsigned char)*c < ' ') *c = ' ';
     if (strlen(text) > SHOWN) {
         int end = SHOWN - 3;
-        while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not amid a character */
+        while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not inside a UTF-8 character */
         char *cut = scene_node_text("%.*s...", end, text);
         free(text);
         text = cut;
@@ -84,7 +84,7 @@ static char *shown(const struct scene_node *node) {
     return text;
 }
 
-/* Takes the message. */
+/* Takes ownership of the message. */
 static void say(struct scene_problems *p, const struct scene_node *node, const char *path, int with_value,
                 char *message) {
     const int has_value = with_value && can_show(node);
@@ -136,13 +136,14 @@ void scene_problem_at(struct scene_problems *p, const struct scene_node *root, c
     va_list args;
     va_start(args, format);
     const struct scene_node *node = scene_node_find(root, path), *near = scene_node_near(root, path);
-    /* a key that is missing stands on the line of what it is missing from */
+    /* a missing key is reported on the line of its parent */
     const struct scene_node above = {.kind = SCENE_NODE_MAPPING, .line = near->line, .set = near->set, .set_inner = 1};
     say(p, node ? node : &above, path, 1, message_of(format, args));
     va_end(args);
 }
 
-/* Edits between two words: insertions, deletions, changes and swaps of neighbours (optimal string alignment). */
+/* Number of edits between two words: insertions, deletions, changes and swaps of neighbours (optimal string
+ * alignment). */
 static int edits(const char *a, const char *b) {
     const int n = (int)strlen(a), m = (int)strlen(b);
     if (n >= WORD || m >= WORD) return WORD;

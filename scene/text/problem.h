@@ -10,20 +10,20 @@ struct scene_problems {
 };
 
 void scene_problem_free(struct scene_problems *p);
-void scene_problem_sort(struct scene_problems *p); /* by line, as found within a line */
+void scene_problem_sort(struct scene_problems *p); /* by line; in the order found within a line */
 
-/* "file:line: message", for what has no key. */
+/* Reports "file:line: message", for a mistake without a key. */
 void scene_problem_line(struct scene_problems *p, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* "file:line: path: message"; for a node from a --set, "--set path: message". */
+/* Reports "file:line: path: message"; for a node from a --set, "--set path: message". */
 void scene_problem_key(struct scene_problems *p, const struct scene_node *node, const char *path, const char *format,
                        ...) __attribute__((format(printf, 4, 5)));
-/* "file:line: path = value: message". */
+/* Reports "file:line: path = value: message". */
 void scene_problem_value(struct scene_problems *p, const struct scene_node *node, const char *path, const char *format,
                          ...) __attribute__((format(printf, 4, 5)));
-/* Of the path below the root: with its value if it has one, else at the line of the deepest key above it. */
+/* Reports a mistake at a path: with its value if it has one, else at the line of its deepest existing ancestor. */
 void scene_problem_at(struct scene_problems *p, const struct scene_node *root, const char *path, const char *format,
                       ...) __attribute__((format(printf, 4, 5)));
 
-/* The candidate nearest to the word by edits (insert, delete, change, swap), near enough to be meant; NULL: none. */
+/* The candidate nearest to the word by edits (insert, delete, change, swap); NULL if none is near enough. */
 const char *scene_problem_nearest(const char *word, int n, const char *const *candidate);

@@ -36,14 +36,14 @@ static int line_at(const struct reader *r, size_t offset) {
     return line;
 }
 
-/* The next event stands in r->event. */
+/* Reads the next event into r->event. */
 static int next(struct reader *r) {
     yaml_event_delete(&r->event);
     memset(&r->event, 0, sizeof r->event);
     if (yaml_parser_parse(&r->parser, &r->event)) return 1;
     const yaml_parser_t *p = &r->parser;
     int line = (int)(p->problem_mark.line ? p->problem_mark.line : p->context_mark.line) + 1;
-    if (p->error == YAML_READER_ERROR) line = line_at(r, p->problem_offset); /* bytes that are no text */
+    if (p->error == YAML_READER_ERROR) line = line_at(r, p->problem_offset); /* the bytes are not valid text */
     const char *context = p->context ? p->context : "", *joint = p->context ? ": " : "";
     return fail(r, line,
                 scene_node_text("not valid YAML: %s%s%s", context, joint, p->problem ? p->problem : "unreadable"));
@@ -118,7 +118,7 @@ static struct scene_node *value(struct reader *r, const char *key, int depth) {
     return NULL;
 }
 
-/* One document with one value in it. *empty: 1 where there is none. */
+/* Parses one document with one value. *empty: 1 if there is none. */
 static struct scene_node *document(struct reader *r, const char *text, size_t bytes, int *empty) {
     struct scene_node *root = NULL;
     *empty = 0;
@@ -126,7 +126,7 @@ static struct scene_node *document(struct reader *r, const char *text, size_t by
     r->bytes = bytes;
     if (!yaml_parser_initialize(&r->parser)) die(EXIT_CODE_FILE, "no memory left for the scene");
     yaml_parser_set_input_string(&r->parser, (const unsigned char *)text, bytes);
-    if (next(r) && next(r)) { /* start of stream, then of document */
+    if (next(r) && next(r)) { /* start of stream, start of document */
         if (r->event.type == YAML_STREAM_END_EVENT)
             *empty = 1;
         else if (next(r))
@@ -143,7 +143,7 @@ static struct scene_node *document(struct reader *r, const char *text, size_t by
     return root;
 }
 
-/* Whether the line is indented by a tab, which YAML forbids. */
+/* Whether the line is indented by a tab, which YAML does not allow. */
 static int has_tab(const char *text, size_t bytes, int line) {
     size_t i = 0;
     for (int l = 1; l < line && i < bytes; i++) l += text[i] == '\n';

@@ -1,4 +1,4 @@
-/* Particles of a body that is not on the fast lattice: places, sizes, volumes, horizons, and a cell grid. */
+/* Particles of a body outside the lattice store: positions, sizes, volumes, horizons, and a cell grid. */
 #include "solid/body/cloud.h"
 #include "base/die.h"
 #include "base/memory.h"
@@ -9,7 +9,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROW = 8, LATTICE_COLUMNS = 400 }; /* fractions to 1e-6, as the lattice's own */
+enum {
+    ROW = 8,
+    LATTICE_COLUMNS = 400
+}; /* number of columns for partial volumes: accurate to 1e-6, as in the lattice
+    * store */
 
 static double *copy_of(const double *from, long n) {
     double *to = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *to);
@@ -17,7 +21,7 @@ static double *copy_of(const double *from, long n) {
     return to;
 }
 
-/* To a multiple of 2^-20. */
+/* Rounds to a multiple of 2^-20. */
 static double rounded(double x) { return rint(x * 0x1p20) * 0x1p-20; }
 
 static double size_of(double volume, int dim) { return rounded(dim == 3 ? cbrt(volume) : sqrt(volume)); }
@@ -29,7 +33,8 @@ static long cell_of(const struct solid_cloud *t, long i) {
     return cell;
 }
 
-/* Cells a third as wide as the longest bond: few of the particles looked at are too far away. */
+/* Sorts the particles into cells a third as wide as the longest bond, so that a search tests few particles that are too
+ * far away. */
 static void sort_into_cells(struct solid_cloud *t) {
     struct solid_cloud_cells *k = &t->cells;
     long cells = 1;
@@ -81,7 +86,7 @@ struct solid_cloud *solid_cloud_new(const struct solid_cloud_input *in) {
         size = fmax(size, t->size[i]);
         horizon = fmax(horizon, t->horizon[i]);
     }
-    t->longest_reach = horizon + M_SQRT1_2 * size; /* to the middle of a square whose corner is at the horizon */
+    t->longest_reach = horizon + M_SQRT1_2 * size; /* to the centre of a square whose corner is at the horizon */
     sort_into_cells(t);
     return t;
 }
@@ -94,7 +99,7 @@ void solid_cloud_free(struct solid_cloud *t) {
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
-/* The input that is being put together, [3 + 3] arrays of a number a particle. */
+/* The input while it is put together, with [3 + 3] arrays of one number a particle. */
 struct draft {
     struct solid_cloud_input in;
     double *place[3], *volume, *size, *horizon;

@@ -1,7 +1,7 @@
-/* The particles of a body that is not on the fast lattice of solid/bonds/lattice.h: plates, points, refined bodies.
- * Every rank knows all of them. Lengths are in spacings of the lattice from an origin of the body's own, and every
- * place is a multiple of 2^-20 spacing: differences are exact, and what is mirror-symmetric is so to the bit wherever
- * the coordinates' origin lies. Numbers follow a space-filling curve; number i has the global id first + i. */
+/* The particles of a body that is not in the lattice store (solid/bonds/lattice.h): plates, points, refined bodies.
+ * Every rank holds all of them. Lengths are in spacings of the lattice, from an origin of the body's own. Every
+ * position is a multiple of 2^-20 spacing: differences are exact, and a mirror-symmetric body is so to the bit wherever
+ * the coordinates' origin is. Numbers follow a space-filling curve; number i has the global id first + i. */
 #pragma once
 #include "solid/law/pair.h"
 
@@ -12,7 +12,7 @@ struct solid_cloud_cells {
     double low[3], width; /* spacings */
     int cells[3];
     long *start; /* [cells + 2] */
-    long *item;  /* [n] numbers by cell, ascending within one */
+    long *item;  /* [n] numbers by cell, ascending within a cell */
 };
 
 struct solid_cloud {
@@ -21,15 +21,15 @@ struct solid_cloud {
     double spacing;       /* m */
     double origin[3];     /* m */
     double period[3];     /* spacings, 0: not periodic */
-    double unit;          /* m3 in spacings^dim: spacing^3, or spacing^2 thickness */
-    double *place[3];     /* [n], third NULL in a plate */
+    double unit;          /* volume unit, m3 per spacings^dim: spacing^3, or spacing^2 thickness */
+    double *place[3];     /* [n] position, third NULL in a plate */
     double *size;         /* [n] side of the particle's cell: 1, 1/2, 1/4 ..., or volume^(1/dim) */
     double *volume;       /* [n] spacings^dim */
     double *horizon;      /* [n] delta */
-    double longest_reach; /* no bond is longer */
+    double longest_reach; /* upper bound of a bond's length */
     struct solid_bond_law law;
     struct solid_cloud_cells cells;
-    char name[64]; /* the body's */
+    char name[64]; /* name of the body */
 };
 
 struct solid_cloud_input {
@@ -38,16 +38,18 @@ struct solid_cloud_input {
     double spacing, thickness; /* m; thickness of a plate */
     double origin[3];          /* m */
     double period[3];          /* m, 0: not periodic */
-    const double *place[3];    /* [n] spacings from origin, in the order of the numbering; rounded to 2^-20 */
+    const double *place[3];    /* [n] positions in spacings from origin, in the order of the numbering; rounded to
+                                * 2^-20 */
     const double *size;        /* [n], or NULL: volume^(1/dim) */
     const double *volume;      /* [n] spacings^dim */
-    const double *horizon;     /* [n] spacings, or NULL: the law's */
-    struct solid_bond_law law; /* dim is the law's */
+    const double *horizon;     /* [n] spacings, or NULL: that of the law */
+    struct solid_bond_law law; /* law.dim is the dimension */
 };
 
-/* Copies all it is given. Dies (exit 2) on a particle without volume. Collective (all ranks alike). */
+/* Copies the input. Dies (exit 2) on a particle without volume. Collective (same input on all ranks). */
 struct solid_cloud *solid_cloud_new(const struct solid_cloud_input *in);
-/* A body of points, and one of lattice sites, numbered as the sites say. Collective (all ranks alike). */
+/* The cloud of a body of points; that of a body of lattice sites. Numbered as in sites. Collective (same input on all
+ * ranks). */
 struct solid_cloud *solid_cloud_points(const struct solid_input *in, const struct solid_body *body,
                                        const struct solid_sites *sites);
 struct solid_cloud *solid_cloud_lattice(const struct solid_input *in, const struct solid_body *body,
@@ -59,14 +61,14 @@ static inline double solid_cloud_x(const struct solid_cloud *t, int c, long i) {
     return t->origin[c] + t->place[c][i] * t->spacing;
 }
 
-/* Its volume, m3. */
+/* Volume of a particle, m3. */
 static inline double solid_cloud_volume(const struct solid_cloud *t, long i) { return t->volume[i] * t->unit; }
 
 static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long i) {
     return (struct solid_end){t->size[i], t->horizon[i], t->volume[i]};
 }
 
-/* The family of a particle: all it has bonds with, ordered by xi: z, then y, then x. */
+/* The family of a particle: all particles it has bonds with, ordered by xi: z, then y, then x. */
 enum { SOLID_NEAR_MAX = 512 };
 struct solid_cloud_near {
     int n;
@@ -75,13 +77,14 @@ struct solid_cloud_near {
     double xi[SOLID_NEAR_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
 };
 
-/* 1: a particle, or its image, stands at x, m, as far as places are told apart. Not collective. */
+/* 1: a particle, or an image of one, is at x, m, to the precision of positions. Not collective. */
 int solid_cloud_near_holds(const struct solid_cloud *t, const double x[3]);
-/* Dies (exit 2) when there are more than SOLID_NEAR_MAX or two particles coincide. Not collective. */
+/* Dies (exit 2) if there are more than SOLID_NEAR_MAX or if two particles coincide. Not collective. */
 void solid_cloud_near_find(const struct solid_cloud *cloud, long i, struct solid_cloud_near *near);
-/* How many there are, cheaper. */
+/* Their number only, which is faster. */
 int solid_cloud_near_count(const struct solid_cloud *cloud, long i);
-/* Every particle within reach of a place, given by spacings from the origin: xi is the way to it. Not collective. */
+/* Calls for every particle within reach of a position, given in spacings from the origin; xi: vector from the position
+ * to the particle. Not collective. */
 typedef void solid_cloud_visitor(void *with, long number, int image, const double xi[3]);
 void solid_cloud_near_visit(const struct solid_cloud *cloud, const double place[3], double reach,
                             solid_cloud_visitor *visit, void *with);

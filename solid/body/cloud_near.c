@@ -1,11 +1,11 @@
-/* Searches the particles near a place of a cloud, and the family of a particle, across periodic sides. */
+/* Searches the particles near a position of a cloud, and the family of a particle, across periodic sides. */
 #include "base/die.h"
 #include "solid/body/cloud.h"
 #include "solid/bonds/family.h"
 
 #include <math.h>
 
-/* The cells that a stretch about x reaches in direction c; 0: none. */
+/* The cells that the interval x - reach .. x + reach overlaps in direction c; 0: none. */
 static int range(const struct solid_cloud *t, int c, double x, double reach, int *from, int *to) {
     const double low = floor((x - reach - t->cells.low[c]) / t->cells.width),
                  high = floor((x + reach - t->cells.low[c]) / t->cells.width);
@@ -16,7 +16,7 @@ static int range(const struct solid_cloud *t, int c, double x, double reach, int
     return 1;
 }
 
-/* Those of one periodic image. */
+/* Visits the particles of one periodic image. */
 static inline __attribute__((always_inline)) void visit_image(const struct solid_cloud *t, const double *place,
                                                               double reach, const int image[3],
                                                               solid_cloud_visitor *visit, void *with) {
@@ -74,11 +74,11 @@ struct search {
     const struct solid_cloud *cloud;
     long number;
     struct solid_end end;
-    struct solid_cloud_near *near; /* NULL: only counted */
+    struct solid_cloud_near *near; /* NULL: particles are only counted */
     int n;
 };
 
-/* Whether there is a bond; a particle has none with itself, but may have with its images. */
+/* Whether there is a bond. A particle has no bond with itself, but may have bonds with its own images. */
 static int is_bond(struct search *k, long l, int image, const double *xi) {
     if (l == k->number && image == SOLID_NO_IMAGE) return 0;
     const struct solid_end other = solid_cloud_end(k->cloud, l);
@@ -95,7 +95,7 @@ static void count(void *with, long l, int image, const double *xi) {
     if (is_bond(k, l, image, xi)) k->n++;
 }
 
-/* In the order of a lattice's stencil: by z, then y, then x. */
+/* The order of a lattice's stencil: by z, then y, then x. */
 static int comes_before(const double *a, const double *b) {
     return a[2] != b[2] ? a[2] < b[2] : a[1] != b[1] ? a[1] < b[1] : a[0] < b[0];
 }

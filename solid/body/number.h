@@ -1,8 +1,8 @@
-/* Global ids: who owns which, and which copies a rank needs. Inside the room only. */
+/* Global ids: the ranks that own them, and the copies that a rank needs. For solid/ only. */
 #pragma once
 #include "solid/bonds/store.h"
 
-/* first [size+1]: ids divided so that ranks have equal work; rows of eight sites are never cut. Collective. */
+/* first [size+1]: divides the ids so that ranks have equal work; rows of eight sites are not divided. Collective. */
 void solid_number_divide(struct solid_sites *const *sites, int bodies, int general_bonds, long *first);
-/* Sorts and makes unique; returns how many are left. Not collective. */
+/* Sorts and removes duplicates. Returns the number of ids left. Not collective. */
 int solid_number_unique(long *id, long n);

@@ -1,10 +1,10 @@
-/* A plate cut out of the plane's lattice: polygons. Inside the room only. */
+/* A plate (polygons) cut from the plane's lattice. For solid/ only. */
 #pragma once
 #include "solid/body/cloud.h"
 #include "solid/body/sites.h"
 
-/* The particles of a polygon, numbered as the sites say. Collective (all ranks alike). */
+/* The cloud of a polygon's particles, numbered as in sites. Collective (same input on all ranks). */
 struct solid_cloud *solid_plane_cloud(const struct solid_input *in, const struct solid_body *body,
                                       const struct solid_sites *sites);
-/* Dies (exit 2) where two polygons want the same cell. Collective (all ranks alike). */
+/* Dies (exit 2) if two polygons contain the same cell. Collective (same input on all ranks). */
 void solid_plane_overlap_check(const struct solid_input *in, struct solid_sites *const *sites);

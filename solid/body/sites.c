@@ -29,7 +29,7 @@ static int in_shape(const struct solid_body *b, const double x[3], double spacin
     return r2 < b->radius * b->radius;
 }
 
-/* Within the cavity whose centre is nearest, on the cubic array of them. */
+/* Whether x is in the nearest of the cavities of the cubic array. */
 static int in_cavity(const struct solid_body *b, const double x[3]) {
     double r2 = 0;
     for (int c = 0; c < 3; c++) {
@@ -62,7 +62,8 @@ static int by_key(const void *a, const void *b) {
     return x->item < y->item ? -1 : x->item > y->item;
 }
 
-/* A byte a site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and extent. */
+/* One byte for each site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and
+ * extent. */
 static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *b, const int low[3], const int n[3],
                              struct solid_sites *t, int top[3]) {
     uint8_t *inside = memory_new(MEMORY_SOLID, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1), *at = inside;
@@ -83,7 +84,7 @@ static uint8_t *sites_inside(const struct solid_input *in, const struct solid_bo
     return inside;
 }
 
-/* Rows start at the shift that leaves the fewest of them: a sweep costs by the row, full or not. */
+/* The shift of the rows that gives the fewest rows: in a sweep a full row and a partly filled one cost the same. */
 static int best_shift(const uint8_t *inside, const int n[3]) {
     int best = 0;
     long fewest = -1;
@@ -131,7 +132,7 @@ static void number_rows(struct solid_sites *t) {
     memory_free(row);
 }
 
-/* A body of so many sites along c, across the periodic side. */
+/* Checks that a body with so many sites along c fits the periodic side, and sets the period. */
 static void period_set(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t, int c,
                        int sites, int reach) {
     if (!in->periodic[c]) return;
@@ -170,7 +171,7 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     number_rows(t);
 }
 
-/* Points or cells in the order of their keys. */
+/* Numbers points or cells in the order of their keys. */
 static void number(struct solid_sites *t, struct keyed *key, long n) {
     qsort(key, (size_t)n, sizeof *key, by_key);
     t->count = n;
@@ -178,7 +179,7 @@ static void number(struct solid_sites *t, struct keyed *key, long n) {
     for (long p = 0; p < n; p++) t->point[p] = key[p].item;
 }
 
-/* The cells of a polygon. */
+/* Finds the cells of a polygon. */
 static void cut_from_plane(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t, int reach) {
     struct solid_outline_cells *cells = solid_outline_cells(b->outline, b->outlines, in->origin, in->spacing);
     struct keyed *key = memory_new(MEMORY_SOLID, (size_t)cells->n + 1, sizeof *key);

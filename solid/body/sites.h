@@ -1,5 +1,5 @@
-/* Which particles a body has and in what order they are numbered. Every rank holds this for the whole body while the
- * solid is set up: a bit per lattice site and one number per row of eight sites. */
+/* The particles of a body and the order of their numbers. Every rank holds this for the whole body during the set-up:
+ * one bit per lattice site and one number per row of eight sites. */
 #pragma once
 #include "solid/state.h"
 
@@ -10,21 +10,22 @@ struct solid_sites {
     int low[3];    /* lattice index of the corner */
     int rows[3];   /* rows along x (eight sites each), sites along y and z */
     int base[3];   /* the body's lowest lattice index */
-    int wrap[3];   /* sites in a period, 0: not periodic; of a polygon's cells too */
-    uint8_t *bits; /* [rows] which of the eight belong to the body */
+    int wrap[3];   /* sites in a period, 0: not periodic; also for the cells of a polygon */
+    uint8_t *bits; /* [rows] bits of the row's sites that belong to the body */
     long *start;   /* [rows] global id of the row's first particle */
-    int filled;    /* rows with a particle */
-    int *order;    /* [filled] rows in the order of the numbering */
+    int filled;    /* number of rows with a particle */
+    int *order;    /* [filled] rows in the order of their numbers */
     /* points, and the cells of a polygon */
     long *point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
     int (*cell)[2]; /* polygon: [count] lattice indices, by number */
-    double *area;   /* polygon: [count] of the body in the particle's cell and in what goes to it, in cells */
+    double *area;   /* polygon: [count] area of the body in the particle's cell and in the partial cells added to it, in
+                     * cells */
 };
 
-/* First is the id of the body's first particle. Dies (exit 2) on an empty body. Collective (all ranks alike). */
+/* first: id of the body's first particle. Dies (exit 2) on an empty body. Collective (same input on all ranks). */
 struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *body, long first, int reach);
 void solid_sites_free(struct solid_sites *sites);
-/* The global id of a lattice site, across periodic sides, or -1. Not collective. */
+/* The global id of a lattice site, also across periodic sides; -1: not in the body. Not collective. */
 long solid_sites_id(const struct solid_sites *sites, const int site[3]);
 /* Whether a point belongs to the body's shape. Not collective. */
 int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing);

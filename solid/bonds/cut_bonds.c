@@ -10,7 +10,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A cut, as the bonds of one body see it: a plate's in spacings from the cloud's origin, a solid's in m. */
+/* An initial crack in the coordinates of one body's bonds: in a plate spacings from the cloud's origin, in a solid
+ * m. */
 struct crack {
     const struct solid_cut *cut;
     struct solid_cut_line *line; /* NULL: a quadrilateral */
@@ -45,7 +46,7 @@ static int crosses(const struct crack *k, const double from[3], const double to[
     return k->line ? solid_cut_line_crosses(k->line, from, to) : solid_cut_plane_crosses(k->cut->point, from, to);
 }
 
-/* Breaks those of h's bonds, as seen from `at`, that the crack meets; returns how many. */
+/* Breaks those bonds of h that the crack crosses, with h at the position `at`. Returns how many. */
 static long break_from(struct solid *s, const struct crack *k, int h, const double at[3], double reach) {
     static struct solid_family_view view;
     long met = 0;
@@ -54,7 +55,7 @@ static long break_from(struct solid *s, const struct crack *k, int h, const doub
     for (int b = 0; b < view.n; b++) {
         double to[3] = {0};
         for (int c = 0; c < s->dim; c++) {
-            const double xi = view.xi[b][c]; /* of a plate: its exact number of spacings */
+            const double xi = view.xi[b][c]; /* in a plate: an exact number of spacings */
             to[c] = at[c] + (k->line ? 0x1p-32 * rint(0x1p32 * (xi / s->in.spacing)) : xi);
         }
         if (!crosses(k, at, to)) continue;
@@ -64,7 +65,8 @@ static long break_from(struct solid *s, const struct crack *k, int h, const doub
     return met;
 }
 
-/* Bonds across a periodic side are seen from either end, so every place is tried with its images. */
+/* A bond across a periodic side has a different position from either end, so the crack is tested against all periodic
+ * images of h. */
 static long break_in_body(struct solid *s, const struct crack *k, int body, const struct solid_cloud *cloud) {
     const double reach = (k->line ? 1 : s->in.spacing) * (2 + s->in.material[s->in.body[body].material].horizon_ratio);
     const int *first = s->family->first;
@@ -73,7 +75,7 @@ static long break_in_body(struct solid *s, const struct crack *k, int body, cons
     for (int c = 0; c < 3; c++) most[c] = k->period[c] > 0;
     const struct solid_list *list = s->family->list[body];
     for (int h = first[body]; h < first[body + 1]; h++) {
-        if (list && list->scaled[h - list->first]) { /* its bonds were looked at when they were made */
+        if (list && list->scaled[h - list->first]) { /* its bonds were tested when they were made */
             met++;
             continue;
         }

@@ -1,9 +1,9 @@
-/* Initial cracks. Inside the room only. */
+/* Initial cracks. For solid/ only. */
 #pragma once
 #include "solid/body/cloud.h"
 
-/* Breaks the bonds that the input's cuts cross, from both ends, once weights are known: V_h and with it the surface
- * correction are those of the body without cracks, so a crack's lips are not stiffened (000, 003). What breaks here is
- * damage, but no energy released. cloud [bodies]: NULL for a lattice. Dies (exit 2) on a cut that crosses no bond.
- * Collective. */
+/* Breaks the bonds that the input's cuts cross, from both ends, after the weights are computed: V_h and the surface
+ * correction are those of the body without cracks, so that a crack's faces are not stiffened (000, 003). These broken
+ * bonds count as damage, but release no energy. cloud [bodies]: NULL for a lattice. Dies (exit 2) on an initial crack
+ * that crosses no bond. Collective. */
 void solid_cut_bonds(struct solid *s, struct solid_cloud *const *cloud);

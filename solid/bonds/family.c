@@ -1,4 +1,4 @@
-/* One view of a particle's bonds for both bond stores: list, break, count, save and load them. */
+/* The view of a particle's bonds, the same for both bond stores: lists, breaks, counts, saves and loads them. */
 #include "solid/bonds/family.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -9,7 +9,7 @@
 
 enum { ROW = 8 };
 
-/* The offset of the b-th bond of lattice particle h. */
+/* The stencil offset of the b-th bond of lattice particle h. */
 static int offset_of(const struct solid_lattice *t, int h, int b) {
     const int cell = t->cell[h - t->first];
     for (int o = 0; o < t->stencil->n; o++)

@@ -1,8 +1,9 @@
-/* The bonds: which particles interact, with what weight, and which are broken.
+/* The bonds: which particles interact, with what weight, and which bonds are broken.
  *
- * Two stores behind one view. Lattice bodies: rows of eight sites along x, one byte of lambda bits per row and offset,
- * weights shared by all (the fast path, solid/bonds/lattice.c). Anything else: lists of bonds (solid/bonds/list.c).
- * Whatever does not run every sub-step looks at bonds through the view and does not know which store it is. */
+ * There are two bond stores with one common view. The lattice store (solid/bonds/lattice.c) is the fast one: rows of
+ * eight sites along x, one byte of lambda bits per row and offset, weights common to all rows. The list store
+ * (solid/bonds/list.c), for all other bodies: lists of bonds. Code outside the force sweep reads bonds through struct
+ * solid_family_view, which hides the store. */
 #pragma once
 #include "solid/state.h"
 
@@ -19,20 +20,20 @@ struct solid_family_view {
     uint8_t intact[SOLID_FAMILY_MAX]; /* lambda */
 };
 
-/* The family of owned particle h. Not collective. */
+/* Fills in the family of owned particle h. Not collective. */
 void solid_family_view(const struct solid *s, int h, struct solid_family_view *view);
-/* The broken bonds of h: their numbers in its view and their other ends, [SOLID_FAMILY_MAX]; returns how many. Cheaper.
- * Not collective. */
+/* The broken bonds of h: their numbers in its view and the particles at their other ends, [SOLID_FAMILY_MAX]. Returns
+ * how many. Faster than the view. Not collective. */
 int solid_family_broken(const struct solid *s, int h, int *place, int *other);
-/* Break a bond for good, from both its ends where both are owned here (the owner of the other end must call it too for
- * its own particle): the b-th of h's view. Used for initial cracks and tests. Not collective. */
+/* Breaks the b-th bond of h's view permanently, from both ends if both are owned here; otherwise the owner of the other
+ * end must break it for its own particle. For initial cracks and tests. Not collective. */
 void solid_family_break(struct solid *s, int h, int b);
 
 /* lambda as a checkpoint stores it: for the owned particle h, bit b of its view; bytes = (n_view + 7)/8 per particle,
  * independent of store and ranks. Not collective. */
-int solid_family_bytes(const struct solid *s); /* bytes per particle, a constant of the scene */
+int solid_family_bytes(const struct solid *s); /* bytes per particle, the same during the whole run */
 void solid_family_save(const struct solid *s, int h, uint8_t *bits);
 void solid_family_load(struct solid *s, int h, const uint8_t *bits);
 
 long solid_family_directed(const struct solid *s); /* directed intact and broken bonds of owned particles */
-void solid_family_count(struct solid *s);          /* s->bonds_broken. Collective. */
+void solid_family_count(struct solid *s);          /* sets s->bonds_broken. Collective. */

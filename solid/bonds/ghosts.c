@@ -1,4 +1,4 @@
-/* Copies displacements and velocities to other ranks' ghosts. */
+/* Copies displacements and velocities from owners to ghosts on other ranks. */
 #include "solid/bonds/ghosts.h"
 #include "base/par_exchange.h"
 

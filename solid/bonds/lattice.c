@@ -1,4 +1,4 @@
-/* Fast bond store: the box of lattice sites around a rank's particles, its rows, bond bits and weights. */
+/* Lattice store of bonds: the box of lattice sites around a rank's particles, its rows, bond bits and weights. */
 #include "solid/bonds/lattice.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -42,7 +42,7 @@ static void offsets_new(struct solid_lattice *b) {
     }
 }
 
-/* The box around the owned rows, a row wider along x and the reach wider along y and z. */
+/* The box of sites around the owned rows: one row wider along x, and wider by the family's reach along y and z. */
 static void box_new(struct solid_lattice *b, const struct solid_sites *t, long from, long to) {
     int high[3] = {0};
     for (int q = 0; q < t->filled; q++) {
@@ -61,7 +61,9 @@ static void box_new(struct solid_lattice *b, const struct solid_sites *t, long f
         const int margin = c == 0 ? ROW : b->stencil->reach;
         b->low[c] -= margin;
         b->size[c] = high[c] - b->low[c] + margin + (c == 0 ? ROW : 1);
-        if (c == 0) b->size[c] |= ROW; /* an odd number of rows: lines spread over the cache's sets */
+        if (c == 0)
+            b->size[c] |= ROW; /* an odd number of rows, so that lines of sites use different sets of the
+                                * cache */
         b->sites *= b->size[c];
     }
     ENSURE(b->sites < 2000000000L, "a dense box of %ld sites on one rank", b->sites);
@@ -99,7 +101,7 @@ static void rows_new(struct solid_lattice *b, const struct solid_sites *t, long 
             if (b->row_owned[r] >> k & 1) b->cell[h++] = b->row_cell[r] + k;
 }
 
-/* lambda of the whole family, and which cells some owned particle needs. */
+/* Sets lambda of the whole families, and finds the sites that some owned particle needs. */
 static void bonds_new(struct solid_lattice *b, const struct solid_sites *t) {
     for (long cell = 0; cell < b->sites; cell++) {
         int site[3];
@@ -135,8 +137,8 @@ static void active_new(struct solid_lattice *b) {
     }
 }
 
-/* Rows that follow each other on a line do so in the boxes; a run that begins in a row that is not held ends in one
- * that is. */
+/* Indices of the rows in the field arrays. Rows that are adjacent on a line are adjacent in the arrays. Eight sites
+ * that begin in a row that is not stored end in a stored one. */
 static void places_new(struct solid_lattice *b) {
     const long rows = b->sites / ROW;
     b->place = solid_array((size_t)rows, sizeof *b->place);
@@ -146,13 +148,14 @@ static void places_new(struct solid_lattice *b) {
             b->place[r] = (int)b->places;
             b->places += ROW;
         } else {
-            b->place[r] = (int)b->places - ROW; /* its last sites are before those of the next row */
+            b->place[r] = (int)b->places - ROW; /* the last sites of such a row come before those of the next row */
         }
     }
 }
 
-/* The boxes of doubles stand one behind another, a step apart that leaves no two at the same place of a page: what is
- * loaded and stored together would share the cache's sets and be taken for one another. */
+/* The field arrays follow one another with a stride that gives each another offset within a page. With equal offsets,
+ * values loaded and stored together would use the same sets of the cache, and a load would wait for the store at the
+ * same offset. */
 static void fields_new(struct solid_lattice *b) {
     enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
     size_t step = (size_t)b->places + 2 * ROW;
@@ -249,7 +252,7 @@ void solid_lattice_volumes(const struct solid_lattice *b, double *family_volume)
 }
 
 void solid_lattice_weights(struct solid_lattice *b, const double *family_volume, int surface_correction) {
-    for (long i = 0; i < b->places + ROW; i++) b->w[i] = 1; /* what has no bonds too: no division by 0 */
+    for (long i = 0; i < b->places + ROW; i++) b->w[i] = 1; /* also for sites without bonds, to avoid a division by 0 */
     for (int i = 0; i < b->copies; i++)
         if (surface_correction && family_volume[b->copy_local[i]] > 0)
             b->w[b->copy_at[i]] = family_volume[b->copy_local[i]] / b->stencil->full_volume;

@@ -1,4 +1,4 @@
-/* General bond store: links the bond lists to local particles and weighs them; access to single bonds. */
+/* List store of bonds: links the bond lists to local particles and computes weights; access to single bonds. */
 #include "solid/bonds/list.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -36,7 +36,7 @@ long solid_list_wanted(const struct solid_list *b, long from, long to, long *id)
     return wanted;
 }
 
-/* The owned particle itself, without its periodic images; a key below 0 is of one that is linked. */
+/* Whether the key is that of an owned particle, not of a periodic image; a key below 0 is already linked. */
 static int is_home(const struct solid_list *b, const struct solid_numbering *numbering, long key) {
     if (key < 0) return 1;
     const long i = solid_key_id(key) - numbering->from - b->first;
@@ -117,8 +117,8 @@ static void ratios_set(struct solid_list *b, const double *family_volume, int su
     }
 }
 
-/* A component of a bond force is at most k |xi| g |zeta|/|xi| = k |xi| |s| <= k |xi| |eps|: with k |xi| rounded up to a
- * power of two, and with room for the sum of the family. */
+/* The digit to which bond forces are rounded. A component of a bond force is at most k |xi| g |zeta|/|xi| = k |xi| |s|
+ * <= k |xi| |eps|; the digit has k |xi| rounded up to a power of two, and leaves room for the sum over the family. */
 static double digit_of(const struct solid_list *b, int i) {
     double most = 0, xi[3];
     for (long j = b->start[i]; j < b->end[i]; j++)
@@ -185,7 +185,7 @@ double solid_list_weight(const struct solid_list *b, int h, long j, double micro
     return kv / micromodulus;
 }
 
-/* As long as no bond of the family breaks, the damage found last stands. */
+/* The damage computed last is valid until a bond of the family breaks. */
 double solid_list_damage(struct solid_list *b, int h) {
     const int i = h - b->first;
     int intact = 0;

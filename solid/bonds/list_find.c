@@ -51,13 +51,13 @@ void solid_list_find_room(struct solid_list *b) {
     b->step = solid_array(b->room * b->dim, sizeof *b->step);
     b->stiffness = solid_array(b->room, sizeof *b->stiffness);
     for (int i = 0; i < b->n; i++)
-        for (long j = b->end[i]; j % SOLID_LIST_BLOCK; j++) { /* what fills a family up */
+        for (long j = b->end[i]; j % SOLID_LIST_BLOCK; j++) { /* padding */
             b->stiffness[j] = -0.;
             for (int c = 0; c < b->dim; c++) *solid_list_step(b, j, c) = 1; /* |xi| is not 0 */
         }
 }
 
-/* solid_pair_of in a plate, of which most are alike. */
+/* solid_pair_of in a plate, with a cache: most pairs are equal to an earlier one. */
 static struct solid_pair pair_of(struct solid_list *b, const double xi[3], const struct solid_end *h,
                                  const struct solid_end *l) {
     const double of[6] = {xi[0], xi[1], h->horizon, h->size, l->horizon, l->size};
@@ -73,7 +73,7 @@ static struct solid_pair pair_of(struct solid_list *b, const double xi[3], const
     return b->kept->slot[slot].pair;
 }
 
-/* Number of the bond j between h and the other end at xi. Returns the part of V_h. */
+/* Computes the numbers of bond j between h and the other end at xi. Returns its contribution to V_h. */
 static double number_bond(struct solid_list *b, const double xi[3], const struct solid_end *h,
                           const struct solid_end *l, long j, double *limit) {
     double xi2 = 0;

@@ -1,27 +1,27 @@
-/* Families being found. Inside the room only. */
+/* Families while they are found. For solid/ only. */
 #pragma once
 #include "solid/bonds/list.h"
 
-/* What tells the other ends of bonds apart: global id and periodic image. */
+/* A key of the other end of a bond: global id and periodic image. */
 static inline long solid_key_of(long id, int image) { return SOLID_IMAGES * id + image; }
 static inline long solid_key_id(long key) { return key / SOLID_IMAGES; }
 static inline int solid_key_image(long key) { return (int)(key % SOLID_IMAGES); }
 
-/* Pairs that have been computed, by what they are computed from: on a lattice of levels there are few. */
+/* Cache of computed pairs; on a lattice with levels there are few different ones. */
 enum { SOLID_PAIRS_KEPT = 1024 };
 struct solid_pairs_kept {
     struct {
-        double of[6]; /* xi and, of both ends, horizon and size; 0: nothing */
+        double of[6]; /* the pair's input: xi, and horizon and size of both ends; 0: empty */
         struct solid_pair pair;
     } slot[SOLID_PAIRS_KEPT];
 };
 
-/* An empty list for the cloud's particles among the ids from .. to-1. */
+/* An empty list for the cloud's particles with ids from .. to-1. */
 struct solid_list *solid_list_find_begin(const struct solid_cloud *cloud, long from, long to, int first);
-/* Places for the bonds, once end[i] - start[i] are known: sets start, end and room. */
+/* Allocates the bonds, once end[i] - start[i] are known: sets start, end and room. */
 void solid_list_find_room(struct solid_list *list);
-/* Writes the family of the i-th particle (number in the cloud), intact; returns its size. near: scratch. */
+/* Writes the family of the i-th particle (number in the cloud), all bonds intact. Returns its size. near: scratch. */
 int solid_list_find(struct solid_list *list, const struct solid_cloud *cloud, int i, long number,
                     struct solid_cloud_near *near);
-/* Numbers of the i-th particle's bonds from their keys: lengths, stiffnesses without alpha, limit, V_h. */
+/* Computes the numbers of the i-th particle's bonds from their keys: lengths, stiffnesses without alpha, limit, V_h. */
 void solid_list_find_number(struct solid_list *list, const struct solid_cloud *cloud, int i, long number);

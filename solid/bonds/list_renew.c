@@ -8,13 +8,13 @@
 
 enum { UNTOUCHED, NEAR, FRESH };
 
-/* What is the same and what is not, of the whole body. */
+/* The changes of a whole body. */
 struct change {
     const struct solid_cloud *before, *cloud;
     const long *was; /* [cloud->n] number before, -1: new */
     long *now;       /* [before->n] number after, -1: gone */
-    uint8_t *family; /* [cloud->n] FRESH: to be found anew; NEAR: another end's is */
-    /* what is being marked about */
+    uint8_t *family; /* [cloud->n] FRESH: family to be found anew; NEAR: a family of one of its other ends is FRESH */
+    /* the particle whose neighbours are being marked */
     struct solid_end end;
     uint8_t as;
 };
@@ -28,7 +28,7 @@ static int is_same(const struct change *k, long number) {
            a->horizon[number] == b->horizon[old];
 }
 
-/* Families that have, or had, a particle in them. */
+/* Marks the families that contain, or contained, a particle. */
 static void mark(void *with, long number, int image, const double xi[3]) {
     struct change *k = with;
     (void)image;
@@ -66,7 +66,7 @@ static void change_end(struct change *k) {
     memory_free(k->family);
 }
 
-/* The key that the other end of an old bond has now, or -1. */
+/* The present key of the other end of an old bond, or -1. */
 static long key_now(const struct change *k, const struct solid_list *old, int record) {
     const int home = record < old->n;
     const long key = home ? 0 : old->other_key[record - old->n];
@@ -75,7 +75,7 @@ static long key_now(const struct change *k, const struct solid_list *old, int re
     return now < 0 ? -1 : solid_key_of(k->cloud->first + now, home ? SOLID_NO_IMAGE : solid_key_image(key));
 }
 
-/* With the alpha it had. Bonds to owned particles, which keep their order, need no key. */
+/* Copies a family with its alpha. Bonds to owned particles, which keep their order, need no key. */
 static void copy_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o) {
     const long from = old->start[o], to = b->start[i];
     const size_t n = (size_t)(old->end[o] - from),
@@ -95,7 +95,7 @@ static void copy_family(struct solid_list *b, const struct solid_list *old, cons
     }
 }
 
-/* Without alpha. */
+/* Computes the numbers of a family, without alpha. */
 static void number_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o,
                           long number) {
     const long from = old->start[o], to = b->start[i], n = old->end[o] - from;
@@ -104,7 +104,7 @@ static void number_family(struct solid_list *b, const struct solid_list *old, co
     for (long j = 0; j < n; j++) solid_list_set(b, to + j, solid_list_is_intact(old, from + j));
 }
 
-/* What was broken stays broken. */
+/* Breaks the bonds that were broken before. */
 static void keep_broken(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o) {
     for (long j = old->start[o]; j < old->end[o]; j++) {
         if (solid_list_is_intact(old, j)) continue;

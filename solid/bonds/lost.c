@@ -1,4 +1,4 @@
-/* Finds the particles that have lost bonds since the last look. */
+/* Finds the particles that have lost bonds since the last check. */
 #include "solid/bonds/lost.h"
 
 #include "base/memory.h"
@@ -51,7 +51,7 @@ static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice 
     }
 }
 
-/* Who has lost a bond is flagged. */
+/* Only particles with the flag SOLID_BROKEN have lost bonds. */
 static void find_in_list(struct solid_lost *lost, const struct solid_list *t, const uint8_t *flag) {
     for (int i = 0; i < t->n; i++) {
         if (!(flag[t->first + i] & SOLID_BROKEN)) continue;
@@ -85,7 +85,8 @@ static size_t rows_of(const struct solid *s) {
 }
 
 void solid_lost_forget(struct solid_lost *lost, const struct solid *s) {
-    memset(lost->intact, 0xff, (size_t)s->n * sizeof *lost->intact); /* more than there can be */
+    memset(lost->intact, 0xff, (size_t)s->n * sizeof *lost->intact); /* more than any particle has, so that all count as
+                                                                      * changed */
     memset(lost->row_intact, 0xff, rows_of(s) * sizeof *lost->row_intact);
 }
 

@@ -1,18 +1,18 @@
-/* A lattice's rows of eight sites, as measures read them: eight families at once. Inside the room only. */
+/* A lattice's rows of eight sites, for measures: eight families at once. For solid/ only. */
 #pragma once
 #include "base/vec.h"
 #include "solid/bonds/lattice.h"
 
-/* One row: its lanes' displacements and V_h/V0, and its bonds. */
+/* One row: displacements and V_h/V0 of its lanes, and its bonds. */
 struct solid_row {
     const struct solid_lattice *t; /* borrowed */
     const uint8_t *lambda;         /* [offsets of the stencil] bit k: lane k's bond is intact */
-    const uint16_t *bond, *end;    /* the offsets at which some lane has a bond in the unbroken family, ascending */
-    int cell, bulk;                /* bulk: alpha = 1 for all */
+    const uint16_t *bond, *end;    /* the offsets at which some lane has a bond in its unbroken family, ascending */
+    int cell, bulk;                /* bulk: alpha = 1 for all bonds */
     vec d[3], w;
 };
 
-/* The displacements of now into the dense box. Ghosts must be current. */
+/* Copies the present displacements to the dense box. Ghosts must be current. */
 static inline void solid_rows_begin(const struct solid *s, const struct solid_lattice *t) {
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < t->copies; i++) t->d[c][t->copy_at[i]] = s->d[c][t->copy_local[i]];
@@ -47,7 +47,7 @@ static inline vec solid_row_alpha(const struct solid_row *row, int o) {
     return 2 / (row->w + vec_load(solid_lattice_w(row->t, row->cell + row->t->offset[o].shift)));
 }
 
-/* The row's owned particles, in order, take a lane's value each: to[i * stride] for the i-th. */
+/* Writes the values of the lanes that are owned particles, in order: to[i * stride] for the i-th. */
 static inline void solid_row_put(const struct solid_lattice *t, int r, vec value, double *to, int stride) {
     for (int k = 0; k < VEC_LANES; k++)
         if (t->row_owned[r] >> k & 1) {

@@ -1,4 +1,4 @@
-/* Orders a lattice's bonds into segments and strips for the force sweep, and repacks them where bonds broke. */
+/* Orders a lattice's bonds into segments and strips for the force sweep, and packs segments again after bonds broke. */
 #include "solid/bonds/segments.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -13,14 +13,14 @@ enum { ROW = 8, NARROW = 4, COLUMNS = 7 };
 
 static void *solid_array(size_t n, size_t size) { return memory_new(MEMORY_SOLID, n + 1, size); }
 
-/* Eight consecutive bits from any cell, of what rows of eight hold: of[row], a byte at each stride. */
+/* Eight consecutive bits from any cell, of bits that are stored in rows of eight: of[row], with a stride in bytes. */
 static unsigned bits_at(const struct solid_lattice *b, const uint8_t *of, size_t stride, long cell) {
     const int low = b->row_of[cell / ROW], high = b->row_of[cell / ROW + 1], shift = (int)(cell % ROW);
     const unsigned first = low < 0 ? 0u : of[(size_t)low * stride], second = high < 0 ? 0u : of[(size_t)high * stride];
     return (first | second << ROW) >> shift & 0xffu;
 }
 
-/* The next window of bits: its strip's even number, and what the bits are from its first site. */
+/* Takes the next window of bits. Returns the even number of its strip; lambda: the bits from the strip's first site. */
 static int window(unsigned *bits, unsigned *lambda) {
     const int low = __builtin_ctz(*bits), high = 31 - __builtin_clz(*bits);
     if (high - low >= NARROW && VEC_IS_NATIVE) {
@@ -28,7 +28,7 @@ static int window(unsigned *bits, unsigned *lambda) {
         *bits = 0;
         return 0;
     }
-    /* from site 0, 4 or 2 if it can be: fewer strips */
+    /* site 0, 4 or 2 if possible, which gives fewer strips */
     const int site = low >= 4 ? 4 : high < 4 ? 0 : low >= 2 && high < 6 ? 2 : low;
     *lambda = *bits >> site & 0xfu;
     *bits &= ~(0xfu << site);
@@ -103,8 +103,8 @@ void solid_segments_weigh(const struct solid_lattice *b) {
     for (int g = 0; g < b->segments->n; g++) b->segments->bulk[g] = !has_correction(b, b->segments, g);
 }
 
-/* Columns (steps along y and z) a few at a time, so that their lines stay in the first cache, and among them the x step
- * slowest: two entries in turn do not touch the same line of the box, which the second would have to wait for. */
+/* Columns are steps along y and z. They are taken a few at a time, so that their lines stay in the first-level cache;
+ * among them the x step varies slowest, so that consecutive entries touch different cache lines. */
 static void order_new(const struct solid_lattice *b, struct solid_segments *t) {
     const struct solid_stencil *family = b->stencil;
     const int width = 2 * family->reach + 1;
@@ -119,7 +119,7 @@ static void order_new(const struct solid_lattice *b, struct solid_segments *t) {
             }
 }
 
-/* Whether particles (bits from the cell) have bonds to others than particles owned here. */
+/* Whether the particles (bits from the cell) have bonds to particles not owned here. */
 static int reaches_away(const struct solid_lattice *b, long cell, unsigned particles) {
     const size_t offsets = (size_t)b->stencil->n;
     for (size_t o = 0; o < offsets; o++) {
@@ -129,7 +129,7 @@ static int reaches_away(const struct solid_lattice *b, long cell, unsigned parti
     return 0;
 }
 
-/* Covers the lines, each from its first particle not yet covered, on and on. */
+/* Covers the lines of particles with segments; each segment begins at the first particle not yet covered. */
 static void cover(const struct solid_lattice *b, struct solid_segments *t) {
     uint8_t *mine = solid_array((size_t)b->sites + ROW, 1), *start = solid_array((size_t)b->sites, 1);
     for (int i = 0; i < b->n; i++) mine[b->cell[i]] = 1;
@@ -173,7 +173,7 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *b) {
     t->of = solid_array((size_t)b->n, sizeof *t->of);
     struct packed p;
     for (int g = 0; g < t->n; g++) {
-        t->large[g] = 1; /* nothing is known of it yet */
+        t->large[g] = 1; /* not computed yet */
         t->high[g] = INFINITY;
         pack(b, t, g, &p);
         t->first[g + 1] = t->first[g] + p.n;

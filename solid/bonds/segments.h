@@ -1,14 +1,14 @@
-/* A lattice's bonds in the order in which a sweep takes them. Particles along a line of the lattice are covered by
- * segments of eight sites that start wherever the first uncovered particle is, and a segment's bonds at one offset are
- * an entry: the offset and a bit a site. An entry whose bits lie within four sites is a narrow one; the ones with the
- * same four sites make up a strip:
+/* A lattice's bonds in the order of the force sweep. The particles of a line of the lattice are covered by segments of
+ * eight sites; a segment begins at the first particle not yet covered. The bonds of a segment at one offset form an
+ * entry: the offset, and one bit for each site. An entry whose bits lie within four sites is a narrow one. The entries
+ * with the same sites form a strip:
  *
  *      strip 0, 1     h h h h h h h h            wide
  *      strip 2, 3     h h h h                    narrow, from site 0; 4, 5: from site 1; ... 10, 11: from site 4
  *
- * Even strips hold bonds with both ends owned here (once, at the half of the family that is later in its order):
- * whoever computes them gives the reaction to the other end. Odd ones hold bonds to ghosts and periodic images, which
- * have no one to give it to. All of it follows from lambda, and is packed anew where a bond was cut. */
+ * Even strips hold bonds with both ends owned here. Such a bond is stored once, in the later half of the family's
+ * order, and its reaction is added to the other end. Odd strips hold bonds to ghosts and periodic images, without a
+ * reaction. All of this follows from lambda; a segment is packed again after one of its bonds has broken. */
 #pragma once
 #include <stdint.h>
 
@@ -17,26 +17,26 @@ enum { SOLID_STRIPS = 12 };
 struct solid_lattice;
 
 struct solid_segments {
-    int n, inner;    /* the first of them, inner, have no bonds to ghosts or images */
-    int *cell, *at;  /* [n] dense index of the first site, and where it stands in the boxes */
-    uint8_t *owned;  /* [n] which of the eight sites it covers */
+    int n, inner;    /* the first `inner` segments have no bonds to ghosts or images */
+    int *cell, *at;  /* [n] dense index of the first site, and its index in the field arrays */
+    uint8_t *owned;  /* [n] bits of the sites that it covers */
     uint8_t *stale;  /* [n] lambda has changed since it was packed */
-    uint8_t *large;  /* [n] |eps| beyond the series was seen at the last sweep */
+    uint8_t *large;  /* [n] |eps| beyond the series occurred in the last sweep */
     uint8_t *bulk;   /* [n] alpha = 1 for all its bonds */
     float *high;     /* [n] the largest eps of the last sweep */
-    long *first;     /* [n+1] where its entries stand */
-    uint32_t *entry; /* offset << 8 | bits, those of a strip from its first site; first strip by strip */
-    int *far;        /* [entries] where the other end of the strip's first site stands in the boxes */
-    uint16_t (*count)[SOLID_STRIPS]; /* [n] entries of each strip now */
-    int *of;                         /* [lattice's n] a particle's segment */
-    uint16_t *order;                 /* [offsets] the order of entries: x step slowest */
+    long *first;     /* [n+1] index of its first entry */
+    uint32_t *entry; /* offset << 8 | bits from the strip's first site; strip by strip */
+    int *far;        /* [entries] index in the field arrays of the other end of the strip's first site */
+    uint16_t (*count)[SOLID_STRIPS]; /* [n] present number of entries of each strip */
+    int *of;                         /* [lattice's n] the segment of a particle */
+    uint16_t *order;                 /* [offsets] order of the entries */
 };
 
 static inline int solid_strip_site(int strip) { return strip < 4 ? 0 : strip / 2 - 1; }
 
 struct solid_segments *solid_segments_new(const struct solid_lattice *lattice);
 void solid_segments_free(struct solid_segments *segments);
-/* Once w is known. Not collective. */
+/* To be called once w is known. Not collective. */
 void solid_segments_weigh(const struct solid_lattice *lattice);
-/* Entries of segment g anew from lambda. Not collective. */
+/* Packs the entries of segment g from lambda. Not collective. */
 void solid_segments_pack(const struct solid_lattice *lattice, int g);

@@ -1,16 +1,16 @@
-/* What both stores of bonds share. Inside the room only. */
+/* Declarations common to both bond stores. For solid/ only. */
 #pragma once
 #include "solid/body/sites.h"
 #include "solid/law/weight.h"
 
-/* The bonds' law in a body.  (001: eqs 3.21, 3.27) */
+/* Constants of the bonds of a body.  (001: eqs 3.21, 3.27) */
 struct solid_law {
     double c0;        /* N/m6 */
     double density;   /* kg/m3 */
     double eps_limit; /* (1 + s0)^2 - 1 */
 };
 
-/* Where a global id stands on this rank: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: nowhere. */
+/* Local index of a global id: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: not on this rank. */
 struct solid_numbering {
     long from, to; /* owned ids */
     int ghosts;
@@ -18,7 +18,7 @@ struct solid_numbering {
 };
 int solid_number_local(const struct solid_numbering *numbering, long id);
 
-/* What a sweep over the bonds is asked. */
+/* Options of a sweep over the bonds. */
 struct solid_sweep {
     int may_break;
     double damping; /* k_d, N s/m7 */
@@ -28,14 +28,14 @@ struct solid_lattice;
 struct solid_list;
 struct solid_cloud;
 
-/* One of the two for each body; the other is NULL. */
+/* The stores of the bodies: one of the two for each body; the other is NULL. */
 struct solid_family {
     int bodies;
     struct solid_lattice **lattice;
     struct solid_list **list;
-    struct solid_cloud **cloud; /* of a plate's lists, for as long as the solid lives; else NULL */
+    struct solid_cloud **cloud; /* of a plate with lists: kept as long as the solid; else NULL */
     int stencils;
     struct solid_stencil **stencil; /* [stencils] by material */
     int *first;                     /* [bodies + 1] local index of the body's first owned particle */
-    int bytes;                      /* of lambda per particle in a checkpoint */
+    int bytes;                      /* bytes of lambda per particle in a checkpoint */
 };

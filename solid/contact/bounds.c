@@ -21,13 +21,13 @@ static void range(int from, int to, const double *restrict x0, const double *res
 void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of) {
     for (int b = 0; b < s->in.bodies; b++)
         for (int k = 0; k < VALUES; k++) of[b][k] = INFINITY;
-    for (int from = 0, to; from < s->n; from = to) { /* a body's particles follow one another */
+    for (int from = 0, to; from < s->n; from = to) { /* the particles of a body are contiguous */
         double *b = of[s->body[from]];
         unsigned flags = 0;
         for (to = from; to < s->n && s->body[to] == s->body[from]; to++) flags |= s->flag[to];
         if (flags & SOLID_BROKEN) b[12] = 0;
         if (flags & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) b[13] = 0;
-        for (int k = 0; k < 4; k++) b[3 * k + 2] = 0; /* of a plate */
+        for (int k = 0; k < 4; k++) b[3 * k + 2] = 0; /* in a plate */
         for (int c = 0; c < s->dim; c++) {
             double out[4];
             range(from, to, s->x0[c], s->d[c], out);
@@ -39,7 +39,7 @@ void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of) {
 
 int solid_contact_bounds_near(const struct solid *s, const double *a, const double *b, double reach) {
     for (int c = 0; c < 3; c++) {
-        const double extent = -a[3 + c] - a[c] - b[3 + c] - b[c]; /* of both together */
+        const double extent = -a[3 + c] - a[c] - b[3 + c] - b[c]; /* extent of both bodies together */
         const double apart = fabs(solid_contact_shortest(s, c, 0.5 * (a[c] - a[3 + c]) - 0.5 * (b[c] - b[3 + c])));
         if (!(apart - 0.5 * extent <= reach)) return 0;
     }
@@ -48,7 +48,7 @@ int solid_contact_bounds_near(const struct solid *s, const double *a, const doub
 
 double solid_contact_bounds_apart(const struct solid *s, int body) {
     const struct solid_body *b = &s->in.body[body];
-    /* a family is |xi| < delta + spacing/2 on the lattice; in a plate it is that and more */
+    /* on a lattice a family is |xi| < delta + spacing/2; in a plate at least that */
     return b->least_horizon + (b->shape == SOLID_POINTS ? 0 : 0.5) * s->in.spacing;
 }
 

@@ -1,4 +1,4 @@
-/* Hashes points into cells and finds those near a place; periodic where the box is. */
+/* Hashes points into cells and finds those near a position, also across periodic sides. */
 #include "solid/contact/cells.h"
 
 #include "base/memory.h"
@@ -47,7 +47,7 @@ void solid_contact_cells_free(struct solid_cells *cells) {
     *cells = (struct solid_cells){0};
 }
 
-/* The cells c-1, c, c+1, each once where a period has fewer than three. */
+/* The cells c-1, c, c+1; each once if a period has fewer than three cells. */
 static int around(int cell, int count, int out[3]) {
     int n = 0;
     for (int step = -1; step <= 1; step++) {

@@ -1,4 +1,4 @@
-/* Contact's life cycle: creates it when something can touch, renews its pair lists, frees it. */
+/* Creates contact when particles can touch, renews its pair lists, frees it. */
 #include "solid/contact/contact.h"
 
 #include "base/clock.h"
@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double skin = 0.5, rebuild = 0.2; /* spacings */
+static const double skin = 0.5, rebuild = 0.2; /* in spacings */
 
 double solid_contact_c0(const struct solid *s, const struct solid_material *m) {
     struct solid_material constant = *m;
@@ -22,7 +22,8 @@ double solid_contact_c0(const struct solid *s, const struct solid_material *m) {
     return solid_material_constants(s->in.model, s->in.thickness, &constant, m->horizon_ratio * s->in.spacing).c;
 }
 
-/* 2^-46 of the acceleration by a neighbour at half of r_c: sums of up to some thirty of these are exact. */
+/* The quantum of accelerations: 2^-46 of the acceleration by a neighbour at half of r_c. Sums of up to about thirty
+ * such accelerations are exact. */
 static double quantum_of(const struct solid *s, const struct solid_contact *c) {
     double most = 0, volume = 0;
     for (int h = 0; h < s->n; h++) volume = fmax(volume, s->volume[h]);
@@ -75,9 +76,9 @@ void solid_contact_free(struct solid *s) {
     memory_free(c);
 }
 
-/* The square of the furthest way of a particle since the lists were made, m2. */
+/* The square of the largest displacement of a particle since the lists were made, m2. */
 static double moved2(const struct solid *s, const struct solid_contact *c) {
-    const int plane = s->dim == 2; /* its third arrays: the second, times 0 */
+    const int plane = s->dim == 2; /* in a plate the third component is 0: the second array stands for it, times 0 */
     const double *restrict x = s->d[0], *restrict y = s->d[1], *restrict z = s->d[s->dim - 1];
     const double *restrict x0 = c->built[0], *restrict y0 = c->built[1], *restrict z0 = c->built[s->dim - 1];
     const double third = !plane;
@@ -90,7 +91,7 @@ static double moved2(const struct solid *s, const struct solid_contact *c) {
     return most;
 }
 
-/* Both lists from scratch. Collective. */
+/* Makes all lists anew. Collective. */
 static void list(struct solid *s, struct solid_contact *c) {
     solid_contact_keep_put_away(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
@@ -106,7 +107,7 @@ static int listed(const struct solid_contact *c) {
     return n;
 }
 
-/* The first lists, if anything can touch. Collective. */
+/* Makes the first lists, if anything can touch. Collective. */
 static void begin(struct solid *s) {
     solid_contact_bounds of[SOLID_CONTACT_BODIES];
     solid_contact_bounds_of(s, of);
@@ -118,8 +119,8 @@ static void begin(struct solid *s) {
     c->any = par_sum_long(listed(c)) > 0;
 }
 
-/* The lists as the state asks for. A bond that has broken since the lists were made may have moved by the rebuilding's
- * limit from where it was then, either way: it is listed from that much further off. Collective. */
+/* Updates the lists. Both ends of a bond that has broken since the lists were made may have moved by the limit of the
+ * rebuilding since then, so such a pair is listed from a larger distance. Collective. */
 static void keep(struct solid *s, struct solid_contact *c, int broke) {
     double now[2] = {moved2(s, c), broke}; /* the same decision on every rank */
     par_max_array(now, 2);

@@ -1,20 +1,21 @@
 /* Short-range repulsion of particles that no intact bond joins.  (001: eq. 3.40, mended)
  *
- *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, the shortest across periodic
- * sides
+ *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, to the nearest periodic image
  *
- * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing. Two sorts of
- * pairs: torn: particles of one family whose bond is broken; strangers: particles that never were of one family, sought
- * among interface and broken particles of all ranks. Lists hold pairs within r_c + a skin of half a spacing, and are
- * made anew when a particle has moved 0.2 spacings; a bond that breaks near contact joins its list at once. */
+ * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing. There are two
+ * sorts of pairs. Torn: two particles of one family whose bond is broken. Strangers: two particles that never shared a
+ * bond, searched for among interface particles and particles with broken bonds, on all ranks. The lists hold pairs
+ * nearer than r_c plus a skin of half a spacing. They are made anew when a particle has moved 0.2 spacings; a bond that
+ * breaks near contact is added to its list at once. */
 #pragma once
 #include "solid/state.h"
 
-/* Whether contact can come about in the present stage: bonds may break, or some are broken, or there are other bodies.
+/* Whether contact is possible in the present stage: bonds may break, or some are broken, or there are several bodies.
  * Collective. */
 int solid_contact_is_possible(const struct solid *s);
-/* Makes the lists, once something could touch, or keeps them: after solid_surface_new, then once a step or more often
- * (nothing may move 0.05 spacings between two calls). Until something could touch s->contact stays NULL. Collective. */
+/* Makes the lists once particles could touch, or updates them. To be called after solid_surface_new, then at least once
+ * a step (no particle may move 0.05 spacings between two calls). s->contact is NULL until particles could touch.
+ * Collective. */
 void solid_contact_update(struct solid *s);
 /* Adds C_h/rho to s->a. Ghosts must be current. Needs s->contact. Collective. */
 void solid_contact_force(struct solid *s);
@@ -25,16 +26,16 @@ double solid_contact_force_energy(struct solid *s);
  *
  *     u.K u = sum kappa [e.(u_h - u_l)]^2 <= sum u_h.T_h u_h      T_h = sum over l of kappa (1 + x_l/x_h) e e
  *
- * since (p - q)^2 <= p^2 (1 + x_l/x_h) + q^2 (1 + x_h/x_l): the largest eigenvalue of a T_h/rho. The largest
- * eigenvalues of the x_h T_h/rho are better weights: the bound never rises (Collatz, Wielandt). (The part of the
- * stiffness across e is negative.) The best is a continuous function of the state, the same on any number of ranks;
- * where a bound is `enough` for the caller, with what it brings, no better one is sought (NULL: none is). Brings ghosts
- * up to date. Collective. */
+ * since (p - q)^2 <= p^2 (1 + x_l/x_h) + q^2 (1 + x_h/x_l). The bound is the largest eigenvalue of a T_h/rho. The
+ * largest eigenvalues of the x_h T_h/rho are better weights: with them the bound never rises (Collatz, Wielandt). (The
+ * part of the stiffness across e is negative.) The best bound is a continuous function of the state, the same on any
+ * number of ranks. The iteration stops once `enough` is true for a bound; NULL: returns the best bound. Updates the
+ * ghosts. Collective. */
 typedef int solid_contact_enough(const void *with, double rate2);
 double solid_contact_rate_bound(struct solid *s, solid_contact_enough *enough, const void *with);
-/* How far from touching pairs count already, m: nothing that the bound has not seen touches before two particles have
- * come nearer by as much. 0: nothing is near. Not collective. */
+/* The margin, m: pairs count before they touch. No pair outside the bound can touch before two particles have
+ * approached by more than the margin. 0: no pairs are near. Not collective. */
 double solid_contact_rate_margin(const struct solid *s);
 void solid_contact_free(struct solid *s);
-/* The c0 that k_c is measured by: that of a constant micromodulus. Not collective. */
+/* The c0 in k_c = stiffness * c0: that of a constant micromodulus. Not collective. */
 double solid_contact_c0(const struct solid *s, const struct solid_material *m);

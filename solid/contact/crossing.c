@@ -1,4 +1,4 @@
-/* Sends particles that may touch another rank's particles to that rank, and keeps their positions current. */
+/* Sends particles that may touch another rank's particles to that rank, and updates their displacements there. */
 #include "solid/contact/crossing.h"
 
 #include "base/memory.h"

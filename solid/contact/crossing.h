@@ -1,10 +1,10 @@
-/* Particles near other ranks' particles, seen from there: strangers on different ranks. Inside the room only. */
+/* Particles sent to other ranks because they may touch a particle there. For solid/ only. */
 #pragma once
 #include "solid/state.h"
 
 struct par_exchange;
 
-/* Another rank's particle. */
+/* A particle of another rank. */
 struct solid_other {
     double x0[3], x[3]; /* m */
     double volume;      /* m3 */
@@ -13,7 +13,7 @@ struct solid_other {
 };
 
 struct solid_crossing {
-    int active; /* something is served on some rank */
+    int active; /* 1: some rank serves a particle of another rank */
     struct par_exchange *exchange;
     int sent, sent_capacity;
     int *h, *dest;            /* [sent] owned particle, the rank it goes to */
@@ -28,13 +28,13 @@ struct solid_crossing {
     int room_sent[4], room_served[7];
 };
 
-/* Particle h goes to a rank. Not collective. */
+/* Adds particle h to those sent to a rank. Not collective. */
 void solid_contact_crossing_send(struct solid_crossing *x, int h, int rank, const struct solid_other *it);
-/* Everybody's particles to where they go: other [served]. Collective. */
+/* Sends all ranks' particles: other [served]. Collective. */
 void solid_contact_crossing_begin(struct solid_crossing *x);
-/* Keeps only what is used there: used [served] as set by the caller; renumbers: at[k] is the new place of served k.
- * Collective. */
+/* Keeps only the particles that are used: used [served] is set by the caller. at[k] is the new index of served particle
+ * k. Collective. */
 void solid_contact_crossing_keep(struct solid_crossing *x);
-/* d of the served particles. Collective. */
+/* Updates d of the served particles. Collective. */
 void solid_contact_crossing_update(const struct solid *s, struct solid_crossing *x);
 void solid_contact_crossing_free(struct solid_crossing *x);

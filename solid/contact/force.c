@@ -14,7 +14,7 @@ static double potential(double r, double rc, double exponent) {
     return rc / (exponent - 1) * (pow(rc / r, exponent - 1) - 1) - (rc - r);
 }
 
-/* To a multiple of q, by the last digit of a number that large. */
+/* Rounds to a multiple of q, by the last digit of a number of suitable size. */
 static inline double rounded(double x, double q) {
     const double magic = 0x1.8p52 * q;
     return (x + magic) - magic;
@@ -39,7 +39,7 @@ static void push(struct solid *s, const struct solid_contact *c, int kind) {
     }
 }
 
-/* A pair's potential, half of it where the other half is counted on another rank. */
+/* A pair's potential energy; half of it if another rank counts the other half. */
 static double energy(const struct solid *s, const struct solid_contact *c, int kind) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     int found[SOLID_CONTACT_BLOCK];

@@ -8,9 +8,9 @@
 
 #include <string.h>
 
-/* Lists that are kept: empty as long as they are the contact's present ones. */
+/* Lists that are kept. Empty while they are still the contact's present lists. */
 struct solid_contact_put_away {
-    int holders; /* who keeps them, and the contact where they are its present ones */
+    int holders; /* number of kept states that hold them, plus one while they are the contact's present lists */
     double *built[3];
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
     struct solid_crossing crossing;
@@ -34,7 +34,7 @@ static void put_away_free(struct solid_contact_put_away *p) {
     memory_free(p);
 }
 
-/* One holder less; c: whose memory they may become, NULL: nobody's. */
+/* Removes one holder. c: takes over their memory if nobody holds them any more; NULL: the memory is freed. */
 static void let_go(struct solid_contact_put_away *p, struct solid_contact *c) {
     if (!p || --p->holders > 0) return;
     if (c && !c->spare)

@@ -1,19 +1,20 @@
-/* Contact as part of a kept state (solid/keep.h). Inside the room only.
+/* Contact as part of a kept state (solid/keep.h). For solid/ only.
  *
- * Lists that somebody keeps are put away, and not overwritten, when new ones are made; what a bond's breaking has
- * appended to them is cut off again. So keeping costs nothing where the record of torn bonds has not grown. */
+ * When new lists are made, lists that belong to a kept state are moved aside, not overwritten. Pairs that were appended
+ * to them since, because bonds broke, are cut off when the state is restored. So keeping a state costs nothing unless
+ * the record of torn pairs has grown. */
 #pragma once
 #include "solid/contact/list.h"
 
 struct solid_lost;
 
 struct solid_contact_keep {
-    int exists;                           /* there was contact */
+    int exists;                           /* 1: contact existed */
     struct solid_contact_put_away *lists; /* NULL: none is kept */
     int pairs[SOLID_CONTACT_KINDS], any, torn;
     long record;
     uint8_t *known;          /* [s->n][bytes], NULL: not yet */
-    struct solid_lost *lost; /* as the contact last looked; NULL: not yet */
+    struct solid_lost *lost; /* counts of intact bonds at the contact's last check; NULL: none yet */
 };
 
 /* Not collective. */
@@ -21,7 +22,7 @@ void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s);
 void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s);
 void solid_contact_keep_free(struct solid_contact_keep *k);
 
-/* Before new lists are made: the present ones go where somebody keeps them. Not collective. */
+/* Before new lists are made: moves the present ones aside if a kept state holds them. Not collective. */
 void solid_contact_keep_put_away(struct solid_contact *c);
-/* Of a contact that is given up. */
+/* The same for a contact that is freed. */
 void solid_contact_keep_put_away_free(struct solid_contact *c);

@@ -1,4 +1,4 @@
-/* The loop over listed pairs: which of them touch now. Inside the room only. */
+/* The loop over the listed pairs that touch now. For solid/ only. */
 #pragma once
 #include "solid/contact/list.h"
 
@@ -6,20 +6,20 @@
 
 enum { SOLID_CONTACT_BLOCK = 256 };
 
-/* Where the displacements of one kind of pair's second ends are. */
+/* The displacements of the second ends of one kind of pairs. */
 static inline double *const *solid_contact_other_d(const struct solid *s, const struct solid_contact *c, int kind) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.d : s->d;
 }
 
-/* X_h - X_l of pair k now, m. */
+/* Present X_h - X_l of pair k, m. */
 static inline void solid_contact_pair_x(const struct solid_contact_pairs *p, double *const d[3],
                                         double *const d_other[3], int k, double x[3]) {
     x[2] = 0;
     for (int c = 0; c < p->dim; c++) x[c] = p->xi[c][k] + (d[c][p->h[k]] - d_other[c][p->l[k]]);
 }
 
-/* The pairs from .. from + SOLID_CONTACT_BLOCK - 1 nearer than reach, into found; returns how many. First all
- * distances, which is what most pairs cost, then the few. */
+/* Finds those of the pairs from .. from + SOLID_CONTACT_BLOCK - 1 that are nearer than reach. Returns how many. All
+ * distances are computed first, which is most of the work, then the few near pairs are selected. */
 static inline int solid_contact_pairs_touching(const struct solid_contact_pairs *p, double *const d[3],
                                                double *const d_other[3], int from, double reach,
                                                int found[SOLID_CONTACT_BLOCK]) {
@@ -42,7 +42,7 @@ static inline int solid_contact_pairs_touching(const struct solid_contact_pairs 
     return touching;
 }
 
-/* The other end's body and volume. */
+/* Body and volume of the other end. */
 static inline int solid_contact_other_body(const struct solid *s, const struct solid_contact *c, int kind, int l) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].body : s->body[l];
 }
@@ -54,10 +54,10 @@ static inline double solid_contact_other_volume(const struct solid *s, const str
 /* A pair that touches. */
 struct solid_contact_touch {
     int h, l;
-    double x[3], r;         /* X_h - X_l m; its length, at least 1e-6 r_c so that nothing divides by 0 */
+    double x[3], r;         /* X_h - X_l, m; its length, at least 1e-6 r_c to avoid a division by 0 */
     double radius;          /* r_c of the pair, m */
     double k;               /* k_c, N/m6 */
-    double volume, density; /* of the other, m3, kg/m3 */
+    double volume, density; /* of the other end, m3, kg/m3 */
 };
 
 static inline struct solid_contact_touch solid_contact_touch_of(const struct solid *s, const struct solid_contact *c,
@@ -71,7 +71,7 @@ static inline struct solid_contact_touch solid_contact_touch_of(const struct sol
     t.volume = solid_contact_other_volume(s, c, kind, t.l);
     t.density = c->density[body];
     t.radius = c->radius;
-    if (s->refine) /* of the smaller one's cell */
+    if (s->refine) /* r_c of the smaller cell */
         t.radius *= fmin(sqrt(fmin(t.volume, s->volume[t.h]) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
     return t;
 }

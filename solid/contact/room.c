@@ -1,4 +1,4 @@
-/* Lists that grow by doubling, for contact. */
+/* Arrays that grow by doubling, for contact. */
 #include "solid/contact/room.h"
 
 #include "base/memory.h"

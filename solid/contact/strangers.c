@@ -1,4 +1,4 @@
-/* Finds near pairs of particles that never shared a bond, also pairs on different ranks. */
+/* Finds near pairs of particles that never shared a bond, also on different ranks. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
@@ -11,11 +11,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Whom a body's particles may meet. */
+/* The particles of a body that can meet strangers. */
 struct meeting {
-    double still[3]; /* displacement of what has not moved, m */
-    double way2;     /* from there on a particle has moved, m2 */
-    int bodies;      /* other bodies within reach */
+    double still[3]; /* mean displacement of the body, 0 if it is held, m */
+    double way2;     /* square of the displacement relative to that from which on a particle can meet strangers of its
+                      * own body, m2 */
+    int bodies;      /* number of other bodies within reach */
     uint8_t body[SOLID_CONTACT_BODIES];
 };
 
@@ -28,12 +29,12 @@ struct solid_strangers {
     double *id;              /* [n + n_ghost] global ids */
     struct meeting *meeting; /* [bodies] */
     double (*mean)[4];       /* [bodies] displacement m; particles */
-    struct box (*boxes)[2];  /* [ranks] of its candidates, and of those of them that seek */
-    uint8_t *seeks;          /* [s->n] */
+    struct box (*boxes)[2];  /* [ranks] bounds of its candidates, and of its seekers */
+    uint8_t *seeks;          /* [s->n] 1: a seeker, a candidate that can meet strangers */
     struct solid_cells cells;
-    /* points: candidates near those that seek; owned ones, then served ones */
+    /* points: candidates near seekers; owned ones, then served ones */
     int points, room[3];
-    int *point;     /* [points] particle, or s->n + k: the k-th served */
+    int *point;     /* [points] particle, or s->n + k: the k-th served particle */
     double (*x)[3]; /* [points] m */
     int *found;     /* [points] work */
 };
@@ -59,7 +60,7 @@ void solid_contact_strangers_free(struct solid_strangers *t) {
     memory_free(t);
 }
 
-/* Collective. */
+/* Sets the conditions for seekers. Collective. */
 static void meet(const struct solid *s, const struct solid_contact *c, struct solid_strangers *t) {
     const double near = c->radius + c->skin;
     memset(t->mean, 0, (size_t)s->in.bodies * sizeof *t->mean);
@@ -82,11 +83,11 @@ static void meet(const struct solid *s, const struct solid_contact *c, struct so
     }
 }
 
-/* Whether x, or an image of it, lies within reach of the box. */
+/* Whether x, or a periodic image of it, lies within reach of the box. */
 static int is_near_box(const struct solid *s, const double x[3], const double box[6], double reach) {
     for (int c = 0; c < 3; c++) {
         const double half = 0.5 * (-box[3 + c] - box[c]);
-        if (!(half >= 0)) return 0; /* nobody there */
+        if (!(half >= 0)) return 0; /* an empty box */
         if (fabs(solid_contact_shortest(s, c, x[c] - (box[c] + half))) > half + reach &&
             !(s->in.periodic[c] && 2 * half + 2 * reach > s->in.length[c]))
             return 0;
@@ -113,7 +114,7 @@ static int does_seek(const struct solid *s, const struct solid_contact *c, const
 
 static int is_candidate(const struct solid *s, int h) { return (s->flag[h] & (SOLID_INTERFACE | SOLID_BROKEN)) != 0; }
 
-/* Who seeks, and all ranks' boxes. Returns whether anybody does. Collective. */
+/* Finds the seekers, and gathers all ranks' boxes. Returns whether some rank has seekers. Collective. */
 static int seek(const struct solid *s, const struct solid_contact *c, struct solid_strangers *t) {
     struct box mine[2];
     for (int k = 0; k < 6; k++) mine[0].at[k] = mine[1].at[k] = INFINITY;
@@ -141,7 +142,7 @@ static void point_add(struct solid_strangers *t, int point, const double x[3]) {
     memcpy(t->x[t->points++], x, sizeof *t->x);
 }
 
-/* The candidates near some rank's seekers: here, and those that another rank needs. */
+/* Collects the candidates near seekers of any rank: points here, and the particles that another rank needs. */
 static void gather(const struct solid *s, struct solid_contact *c, struct solid_strangers *t) {
     const double near = c->radius + c->skin;
     t->points = 0;
@@ -171,7 +172,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
     t->found = solid_contact_room(t->found, &t->room[2], t->points, sizeof *t->found);
 }
 
-/* Whether particle h and another, of a body at x0 with a global id, are of one family, broken or not. */
+/* Whether particle h and another one (its body, x0 and global id) share a bond, broken or not. */
 static int is_family(const struct solid *s, const struct solid_strangers *t, int h, int body, const double x0[3],
                      long id) {
     if (body != s->body[h]) return 0;
@@ -191,7 +192,7 @@ static int is_family(const struct solid *s, const struct solid_strangers *t, int
     return 0;
 }
 
-/* Points i and j, at least one of them owned, onto the list if near and strangers. */
+/* Lists points i and j, at least one of them owned, if they are near and share no bond. */
 static void pair_add(const struct solid *s, struct solid_contact *c, const struct solid_strangers *t, int i, int j) {
     const double near = c->radius + c->skin;
     const int h = t->point[i], l = t->point[j], is_served = l >= s->n;
@@ -230,7 +231,8 @@ void solid_contact_strangers_list(struct solid *s, struct solid_contact *c) {
         const int number = solid_contact_cells_near(&t->cells, t->x[i], t->found);
         for (int k = 0; k < number; k++) {
             const int j = t->found[k], first = i < j ? i : j, second = i < j ? j : i;
-            /* two that seek find each other twice; of two served ones others think */
+            /* two seekers find each other twice, one is skipped; pairs of two served particles are listed by other
+             * ranks */
             if (j == i || (j < i && seeks(s, c, t, t->point[j])) || t->point[first] >= s->n) continue;
             pair_add(s, c, t, first, second);
         }

@@ -26,7 +26,7 @@ void solid_contact_torn_add(struct solid_contact_pairs *p, int h, int l, const d
     p->n++;
 }
 
-/* Onto the list if h and l are nearer than reach. */
+/* Lists h and l if they are nearer than reach. */
 static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
     double xi[3], r2 = 0;
     for (int k = 0; k < s->dim; k++) {
@@ -38,7 +38,7 @@ static void list_if_near(const struct solid *s, struct solid_contact *c, int h, 
     if (r2 < reach2) solid_contact_torn_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
 }
 
-/* Bonds of h that are broken and were not when last looked at. */
+/* Records the bonds of h that have broken since the last check. */
 static void record(struct solid *s, struct solid_contact *c, int h) {
     int place[SOLID_FAMILY_MAX], other[SOLID_FAMILY_MAX];
     const int bytes = solid_family_bytes(s), broken = solid_family_broken(s, h, place, other);
@@ -48,7 +48,7 @@ static void record(struct solid *s, struct solid_contact *c, int h) {
         if (known[b / 8] >> b % 8 & 1) continue;
         known[b / 8] |= (uint8_t)(1u << b % 8);
         c->record = ++s->versions;
-        if (l <= h) continue; /* owned: its other end has it */
+        if (l <= h) continue; /* both owned: recorded for the other end */
         if (c->torn == c->torn_capacity) {
             int capacity = c->torn_capacity;
             c->torn_h = solid_contact_room(c->torn_h, &capacity, c->torn + 1, sizeof *c->torn_h);

@@ -8,7 +8,7 @@ void solid_added_mass_apply(struct solid *s) {
         const int h = m->h[i];
         const double density = s->in.material[s->in.body[s->body[h]].material].density;
         double before = 0, v = 0;
-        /* faces of one particle stand behind one another: each sees the mass that those before it have added */
+        /* the faces of one particle are adjacent: each includes the mass that the earlier ones have added */
         double carried = density;
         for (int k = i - 1; k >= 0 && m->h[k] == h; k--) carried += m->density[k];
         for (int c = 0; c < s->dim; c++) {

@@ -1,17 +1,17 @@
 /* Added mass: an external force -m (a.n) n per unit volume, proportional to the particle's own acceleration a along a
- * unit vector n, as the pressure of a fluid that must make way. It is part of the mass, not of the load: explicit, it
- * would feed on the acceleration of the step before and grow at the short waves, whatever the step. */
+ * unit vector n: the pressure of the fluid displaced by an accelerating wall. Treated explicitly it is unstable for
+ * short waves at any step, so it is added to the mass instead of the load. */
 #pragma once
 
 struct solid;
 
 struct solid_added_mass {
     int n;
-    const int *h;            /* [n] owned particle; may repeat, once a wetted face */
+    const int *h;            /* [n] owned particle; repeated if it has several wetted faces */
     const double *normal[3]; /* [n] unit */
     const double *density;   /* [n] m, kg per m3 of the particle */
 };
 
-/* a <- (rho I + sum m n n^T)^-1 rho a for the listed particles, and the power of the force to s->power_load. Each face
- * in turn, by the Sherman-Morrison formula: exact for one face or two opposite ones. Not collective. */
+/* a <- (rho I + sum m n n^T)^-1 rho a for the listed particles; adds the power of the force to s->power_load. One face
+ * after another, by the Sherman-Morrison formula: exact for one face or two opposite ones. Not collective. */
 void solid_added_mass_apply(struct solid *s);

@@ -29,7 +29,7 @@ struct powers {
 };
 
 /* a = bonds + load/rho + gravity - damping v of particles of one density, and the powers of load and damping. [n]; a
- * may be bonds. */
+ * and bonds may be the same array. */
 static struct powers add_loads(int n, double density, double gravity, double damping, const double *volume,
                                const double *load, const double *v, const double *bonds, double *a) {
     const double inv_density = 1 / density;

@@ -1,4 +1,4 @@
-/* Bond forces of one segment of eight lattice sites: the kernels in their compiled variants. */
+/* Bond forces of one segment of eight lattice sites: the kernel in its compiled variants. */
 #include "solid/force/segment.h"
 #include "base/vec.h"
 #include "solid/force/series.h"

@@ -1,7 +1,7 @@
-/* Where a bond's |eps| is small a polynomial stands for the square root. Inside the room only. */
+/* Polynomials that replace the square root for small |eps|. For solid/ only. */
 #pragma once
 
-/* Up to this |eps|, to 5e-16. */
+/* The largest |eps| for them; error 5e-16. */
 #define SOLID_SERIES_LIMIT 2e-3
 
 /* g(eps)/eps = (1 - 1/sqrt(1 + eps))/eps: Chebyshev fit of degree four. */

@@ -1,40 +1,41 @@
-/* Bonds of one strip (solid/bonds/segments.h): the same text for both widths. Whoever includes this says what they are:
+/* Bonds of one strip (solid/bonds/segments.h): the same text for both widths. The including file defines:
  *     REAL, OF(op)   vec or vec4, and its functions      PLACES   sites of the strip
- *     NAME(name)     what things are called here         LANES    of them at a time */
+ *     NAME(name)     the names of the functions here     LANES    sites computed at a time */
 
 struct NAME(result) {
     REAL high, low; /* of eps over the bonds */
     REAL power;     /* sum of viscous bond forces times closing speeds, of directed bonds, m2/s3 */
 };
 
-/* Both short in steps that wait for one another rather than in number: a bond waits for its own alone.
- * g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), times c; where |eps| is small a Chebyshev fit of degree four to g/eps. */
+/* Both are written for a short chain of dependent operations rather than for few operations, because the bonds are
+ * independent of each other. g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), times c; where |eps| is small a Chebyshev fit of
+ * degree four to g/eps. */
 static inline REAL NAME(g_times)(REAL e, REAL c, const int exact) {
     const REAL root = exact ? OF(sqrt)(1 + e) : e, e2 = e * e;
     if (exact) return e * c / ((1 + root) * root);
     return (e * c) * ((G0 + e * G1) + e2 * ((G2 + e * G3) + e2 * G4));
 }
 
-/* 1/(1 + eps); where |eps| is small (1 - eps)(1 + eps^2)(1 + eps^4), which is it but for a factor 1 - eps^8. */
+/* 1/(1 + eps); for small |eps| (1 - eps)(1 + eps^2)(1 + eps^4), which differs by a factor 1 - eps^8. */
 static inline REAL NAME(inverse)(REAL e, const int exact) {
     if (exact) return 1 / (1 + e);
     const REAL e2 = e * e, two = (1 - e) + (1 - e) * e2;
     return two + two * (e2 * e2);
 }
 
-/* Adds to a  (001: eqs 3.20, 3.41 mended), each bond once if it is paired, from one end if not,
+/* Adds to a  (001: eqs 3.20, 3.41 mended), each bond once if it is paired, else for one end only,
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2 = (1 + s)^2 - 1
  *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
- *     a_l -= the same                                   the paired ones' reaction
- * d, v, w, a  boxes  m, m/s, -, m/s2    entry, other [n]  of the strip that stands at `at`: what bonds, and where to */
+ *     a_l -= the same                                   the reaction of paired bonds
+ * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [n]  of the strip at `at`: its entries, and their other ends */
 static inline __attribute__((always_inline)) void NAME(strip)(const struct solid_boxes *in, long at,
                                                               const uint32_t *entry, const int *other, int n,
                                                               struct NAME(result) * out, const enum solid_kernel kernel,
                                                               const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0;
-    const struct solid_boxes box = *in; /* a copy: no store to a box can change it */
+    const struct solid_boxes box = *in; /* a copy, so that the compiler knows that no store changes it */
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
         const REAL dx = OF(load)(box.d[0] + at), dy = OF(load)(box.d[1] + at), dz = OF(load)(box.d[2] + at);
         REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;

@@ -1,5 +1,4 @@
-/* What the bonds of one particle of a list do to it: the kernel of the general store, for a plate or in space. Inside
- * the room only. */
+/* Bond forces on one particle of the list store: the kernel, in a plate or in 3D. For solid/ only. */
 #pragma once
 #include "base/vec.h"
 #include "solid/bonds/family.h"
@@ -7,10 +6,10 @@
 #include "solid/force/series.h"
 
 struct force_family {
-    vec sum[3];    /* of bond forces over the density, lane by lane, m/s2 */
-    vec power;     /* of viscous ones times closing speeds, m2/s3 */
+    vec sum[3];    /* of bond forces over the density, separately for each lane, m/s2 */
+    vec power;     /* of viscous forces times closing speeds, m2/s3 */
     vec high, far; /* the largest eps and |eps| */
-    vec largest;   /* component of a bond's force */
+    vec largest;   /* largest component of a bond force */
 };
 
 /* g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), times k. */
@@ -27,12 +26,13 @@ static inline vec inverse(vec e, const int exact) {
     return two + two * (e * e * (e * e));
 }
 
-/* In a plate sums are the same to the bit in any order, so that a mirror image gets the mirror image: forces are
- * rounded to multiples of the last digit that leaves room for all of them within 53, by adding a shift of 1.5 2^52
- * times the digit and taking it away. The digit follows from the power of two at or below the largest |eps| (where
- * there is damping, the largest component of a force), which is mostly that of the sweep before: it is tried. */
+/* In a plate sums are the same to the bit in any order, so that mirror images get mirror-image forces. Forces are
+ * rounded to multiples of a digit that leaves room for the sum of all of them within 53 bits, by adding and subtracting
+ * 1.5 2^52 times the digit. The digit follows from the power of two at or below the largest |eps| (with damping, the
+ * largest component of a force). This power is mostly that of the sweep before, so that is tried first. */
 
-/* 1.5 2^L, 2^L at least the number of bonds: the shift in powers of two above all components, halved. */
+/* 1.5 2^L with 2^L at least the number of bonds: the shift in units of the power of two above all components,
+ * halved. */
 static inline double force_family_room(const struct solid_list *b, int i) {
     const unsigned blocks = (unsigned)((b->end[i] - b->start[i] + VEC_LANES - 1) / VEC_LANES);
     return 1.5 * VEC_LANES * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);

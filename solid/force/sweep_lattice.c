@@ -1,4 +1,4 @@
-/* Sweeps the bonds of a lattice body: fills the boxes, computes the segments' forces, breaks bonds. */
+/* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/vec.h"
 #include "solid/bonds/family.h"
 #include "solid/force/segment.h"
@@ -9,19 +9,20 @@
 
 enum { ROW = 8 };
 
-/* A segment whose largest eps was above this part of the limit is judged before its forces are computed. */
+/* If the largest eps of a segment was above this fraction of the limit, its bonds are tested before the forces are
+ * computed. */
 static const double NEAR_LIMIT = 0.9;
 
 struct sweep {
     struct solid *s;
     struct solid_lattice *b;
-    struct solid_boxes box, undo; /* undo: with all forces turned about */
-    double look;                  /* eps at which to look closer */
+    struct solid_boxes box, undo; /* undo: the same with all forces negated, to undo a segment */
+    double look;                  /* eps from which on single bonds are tested */
     enum solid_kernel damped;
     double power; /* m2/s3 */
 };
 
-/* One component of a field into its box: of the particles owned here and their periodic images; of ghosts. */
+/* Copies one component of a field to its array: for owned particles and their periodic images; for ghosts. */
 static void fill_owned(const struct solid_lattice *b, const double *restrict from, double *restrict box) {
     for (int r = 0; r < b->rows; r++)
         vec_store(box + solid_lattice_place(b, b->row_cell[r]), vec_spread(b->row_owned[r], from + b->row_first[r]));
@@ -44,7 +45,7 @@ static void clear(const struct solid_lattice *b, double *restrict box) {
     for (int i = 0; i < b->away; i++) box[b->copy_at[i]] = 0;
 }
 
-/* The offsets' numbers with the damping in them and, behind, the same with all forces turned about. */
+/* The offsets' constants with damping and, behind them, the same with all forces negated. */
 static void fill_offsets(const struct solid_lattice *b, double damping, struct solid_lattice_offset *to) {
     const int n = b->stencil->n;
     for (int o = 0; o < n; o++) {
@@ -56,15 +57,16 @@ static void fill_offsets(const struct solid_lattice *b, double damping, struct s
     }
 }
 
-/* The number that decides on a bond. One function, one order of operations: both ends get the same to the bit. */
+/* The number that decides whether a bond breaks. One function with one order of operations: both ends get the same
+ * value to the bit. */
 static __attribute__((noinline)) double bond_eps(const double xi[3], const double eta[3], double inv_length2) {
     double q = 0;
     for (int c = 0; c < 3; c++) q += eta[c] * (xi[c] + (xi[c] + eta[c]));
     return q * inv_length2;
 }
 
-/* Breaks the bond of the particle at cell at offset o if it is beyond s0: from both ends where both are owned here,
- * else from this end; the other end finds the same. Returns how many directed bonds. */
+/* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0: from both ends if both are
+ * owned here, else from this end; the owner of the other end does the same. Returns the number of directed bonds. */
 static int break_bond(struct solid *s, struct solid_lattice *b, long cell, int o) {
     const struct solid_offset *t = &b->stencil->offset[o];
     const long far = cell + b->offset[o].shift;
@@ -88,7 +90,7 @@ static int break_bond(struct solid *s, struct solid_lattice *b, long cell, int o
     return 2;
 }
 
-/* Returns how many directed bonds of the segment broke. */
+/* Returns the number of directed bonds of the segment that broke. */
 static int break_segment(struct solid *s, struct solid_lattice *b, int g) {
     const struct solid_segments *t = b->segments;
     int broken = 0;
@@ -103,8 +105,8 @@ static int break_segment(struct solid *s, struct solid_lattice *b, int g) {
     return broken;
 }
 
-/* Forces of segment g. Where it turns out that bonds must break or that the series does not hold, they are taken back
- * and computed again; it is rare, as segments near either are treated so from the start. */
+/* Computes the forces of segment g. If bonds must break or the series does not hold, the forces are undone and computed
+ * again. That is rare, because segments near either limit are tested first. */
 static void sweep_segment(struct sweep *w, int g) {
     struct solid_lattice *b = w->b;
     struct solid_segments *t = b->segments;
@@ -128,11 +130,11 @@ static void sweep_segment(struct sweep *w, int g) {
     t->large[g] = fmax(range.high, -range.low) > (t->large[g] ? 0.5 : 1) * SOLID_SERIES_LIMIT;
 }
 
-/* Forces of the segments from .. to-1; returns the power of damping, W. */
+/* Computes the forces of the segments from .. to-1; returns the power of damping, W. */
 static double sweep_segments(struct solid *s, struct solid_lattice *b, const struct solid_sweep *sweep, int from,
                              int to) {
     struct solid_lattice_offset offset[2 * SOLID_FAMILY_MAX];
-    /* the kernels' eps may differ from bond_eps in its last digit: look closer a little below the limit */
+    /* the kernels' eps may differ from bond_eps in its last digit: bonds are tested from slightly below the limit */
     struct sweep w = {.s = s,
                       .b = b,
                       .look = sweep->may_break ? b->law.eps_limit * (1 - 1e-9) : INFINITY,

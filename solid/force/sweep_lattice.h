@@ -2,10 +2,10 @@
 #pragma once
 #include "solid/bonds/lattice.h"
 
-/* a [.] = bond (and damping) acceleration of the body's owned particles, m/s2, in two halves: the first does without
- * ghosts, which must be current for the second. Each returns the power that its bonds' damping takes out, W (>= 0). */
+/* a [.] = acceleration of the body's owned particles by bonds (and damping), m/s2, in two halves: the first half needs
+ * no ghosts, the second needs current ones. Each returns the power that its bonds' damping dissipates, W (>= 0). */
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep);
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep);
-/* Ghosts' d and v into the dense box: the first half reads them times 0 before they are current, so they must be
- * numbers. Not collective. */
+/* Copies ghosts' d and v to the field arrays. The first half reads them before they are current and multiplies them by
+ * 0, so they must be finite. Not collective. */
 void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattice *lattice);

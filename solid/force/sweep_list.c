@@ -1,10 +1,11 @@
-/* Sweeps the bonds of a body with bond lists: one kernel per dimension, series and damping; breaks bonds. */
+/* Force sweep over the bonds of a body in the list store: one kernel per dimension, series and damping; breaks
+ * bonds. */
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 
 #include <math.h>
 
-/* Looked at closer a little below the limit: the kernels' eps may differ from bond_eps in its last digit. */
+/* Bonds are tested from slightly below the limit: the kernels' eps may differ from bond_eps in its last digit. */
 static const double NEAR_LIMIT = 1 - 1e-9;
 
 static inline __attribute__((always_inline)) void fill_places(const struct solid *s, const struct solid_list *b,
@@ -31,8 +32,8 @@ static void fill(const struct solid *s, const struct solid_list *b, int damped) 
         for (int c = 0; c < b->dim; c++) b->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(b, r)];
 }
 
-/* The families, compiled for a plate and for space, with and without damping, with square roots where the series does
- * not hold (exact) and without. */
+/* The kernels of a family, compiled for a plate and for 3D, with and without damping, with square roots (exact) and
+ * with the series. */
 typedef struct force_family kernel(const struct solid_list *, int i, double viscous);
 #define KERNEL(name, dim, exact, damped)                                                                               \
     static __attribute__((noinline)) struct force_family name(const struct solid_list *b, int i, double viscous) {     \
@@ -50,7 +51,8 @@ KERNEL(space_damped_exact, 3, 1, 1)
 static kernel *const kernels[2][2][2] = {{{plane_series, plane_exact}, {plane_damped_series, plane_damped_exact}},
                                          {{space_series, space_exact}, {space_damped_series, space_damped_exact}}};
 
-/* The number that decides on a bond; both ends get the same to the bit: all signs turn, nothing else. */
+/* The number that decides whether a bond breaks. Both ends get the same value to the bit: all signs are opposite,
+ * nothing else differs. */
 static __attribute__((noinline)) double bond_eps(const double *xi, const double *eta, int dim) {
     double q = 0, xi2 = 0;
     for (int c = 0; c < dim; c++) {
@@ -60,7 +62,7 @@ static __attribute__((noinline)) double bond_eps(const double *xi, const double 
     return q / xi2;
 }
 
-/* Breaks the bonds of the particle that are beyond their limits, on its side. Returns how many. */
+/* Breaks the bonds of the particle that are stretched beyond their limits, on its side. Returns how many. */
 static int break_bonds(struct solid *s, struct solid_list *b, int i) {
     const int h = b->first + i;
     const double *here = b->record + (long)b->width * i;
@@ -87,7 +89,7 @@ static int break_bonds(struct solid *s, struct solid_list *b, int i) {
     return broken;
 }
 
-/* Whether it is the power of two at or below the largest of a. */
+/* Whether power is the power of two at or below the largest of a. */
 static inline int is_power_below(double power, vec a) {
     const double before = power * (1 - 0x1p-53);
     return !vec_any_above(a, 2 * before) && (power == 0 || vec_any_above(a, before));
@@ -101,12 +103,12 @@ struct sweep {
     int may_break, damped;
 };
 
-/* What decides on a sum's last digit. */
+/* The values that determine the rounding digit of a sum. */
 static inline vec decides(const struct sweep *k, const struct force_family *of) {
     return k->damped ? of->largest : of->far;
 }
 
-/* Sums in the right digits. */
+/* The sums, rounded to the right digits. */
 static struct force_family in_digits(const struct sweep *k, int i, int exact) {
     struct solid_list *b = k->b;
     struct force_family of = k->kernels[exact](b, i, k->viscous);
@@ -120,8 +122,8 @@ static inline int may_break_here(const struct sweep *k, int i, const struct forc
     return k->may_break && vec_any_above(of->high, k->b->limit[i] * NEAR_LIMIT);
 }
 
-/* A family that is not as it mostly is. Where bonds break or the series does not hold it is computed again; one with
- * large eps starts with square roots. */
+/* Computes a family that needs another treatment than most: again, if bonds break or the series does not hold; with
+ * square roots from the start, if eps was large. */
 static __attribute__((noinline)) struct force_family judged(const struct sweep *k, int i) {
     struct solid_list *b = k->b;
     const int exact = b->large[i];

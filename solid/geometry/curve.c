@@ -1,8 +1,8 @@
 /* Position of a lattice brick along the Hilbert curve, the key by which particles are numbered. */
 #include "solid/geometry/curve.h"
 
-/* Skilling (2004), Programming the Hilbert curve: undo the excess rotations from the top bit down, then Gray-encode;
- * the bits of the words, interleaved, are the position. */
+/* Skilling (2004), Programming the Hilbert curve: the excess rotations are undone from the top bit down, then the words
+ * are Gray-encoded; the bits of the words, interleaved, are the position. */
 uint64_t solid_curve_key(const uint32_t *brick, int dim) {
     uint32_t x[3] = {brick[0], brick[1], dim > 2 ? brick[2] : 0};
     for (uint32_t bit = 1u << (SOLID_CURVE_BITS - 1); bit > 1; bit >>= 1) {

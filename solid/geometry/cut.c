@@ -18,7 +18,7 @@ static void cross(const double a[3], const double b[3], double r[3]) {
     for (int c = 0; c < 3; c++) r[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
 }
 
-/* The unit normal, from the diagonals; the longest of them is the extent returned. */
+/* The unit normal, from the diagonals. Returns the length of the longer one as the extent. */
 static double normal_of(const double (*corner)[3], double normal[3]) {
     double one[3], other[3];
     minus(corner[2], corner[0], one);
@@ -29,7 +29,7 @@ static double normal_of(const double (*corner)[3], double normal[3]) {
     return sqrt(fmax(dot(one, one), dot(other, other)));
 }
 
-/* How far x is on the inner side of the line from corner k, in the plane. */
+/* Distance of x from the line that starts at corner k, in the plane, positive inside the quadrilateral. */
 static double inner_side(const double (*corner)[3], int k, const double normal[3], const double x[3]) {
     double along[3], to[3], inward[3];
     minus(corner[(k + 1) % 4], corner[k], along);
@@ -92,7 +92,7 @@ static int side_of(const int64_t p[2], const int64_t q[2], const int64_t x[2]) {
     return (left > right) - (left < right);
 }
 
-/* Closed segments: their boxes overlap, and neither lies wholly on one side of the other. */
+/* Whether two closed segments meet: their boxes overlap, and neither segment lies wholly on one side of the other. */
 static int segments_meet(const int64_t p[2], const int64_t q[2], const int64_t a[2], const int64_t b[2]) {
     for (int c = 0; c < 2; c++) {
         if ((p[c] < a[c] && p[c] < b[c] && q[c] < a[c] && q[c] < b[c]) ||
@@ -113,7 +113,8 @@ int solid_cut_line_crosses(const struct solid_cut_line *line, const double a[2],
     return 0;
 }
 
-/* Where the bond from a to b, in the quadrilateral's plane, is inside: cut off side by side. */
+/* Whether the bond from a to b, which lies in the quadrilateral's plane, has a part inside: it is clipped by one side
+ * after another. */
 static int in_plane(const double (*corner)[3], const double normal[3], const double a[3], const double b[3],
                     double tolerance) {
     double from = 0, to = 1;

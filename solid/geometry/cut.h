@@ -1,9 +1,9 @@
-/* Which bonds an initial crack breaks. Not collective.  (003: ch. 3, cracks as polylines) */
+/* Which bonds an initial crack crosses. Not collective.  (003: ch. 3, cracks as polylines) */
 #pragma once
 #include "solid/state.h"
 
-/* 1: the cut is none, and text says why in one sentence. A plate's has two points or more, a solid's four corners of a
- * plane, convex quadrilateral. Tolerances are fractions of its extent. */
+/* 1: the input is no valid crack, and text says why in one sentence. A plate's crack has two points or more, a solid's
+ * has the four corners of a plane, convex quadrilateral. Tolerances are fractions of its extent. */
 int solid_cut_fault(const struct solid_cut *cut, int dim, char *text, size_t size);
 
 /* A crack of a plate with its points rounded to multiples of 2^-20 of a lattice's spacing. */
@@ -15,10 +15,10 @@ struct solid_cut_line {
 struct solid_cut_line *solid_cut_line_new(const struct solid_cut *cut, const double origin[2], double spacing);
 void solid_cut_line_free(struct solid_cut_line *line);
 /* 1: the bond from a to b (in spacings from the origin, multiples of 2^-32) meets the crack. Exact, so that both ends
- * and mirror images agree. Touching counts: a bond that ends on the crack is cut, and a crack through a row of
- * particles cuts all of their bonds. A crack is best led between rows. */
+ * and mirror images agree. Touching counts: a bond that ends on the crack is broken, and a crack through a row of
+ * particles breaks all their bonds. So a crack should run between rows. */
 int solid_cut_line_crosses(const struct solid_cut_line *line, const double a[2], const double b[2]);
 
-/* 1: the bond from a to b meets the quadrilateral, to 1e-12 of its extent; touching counts. The same for b to a. In any
- * one unit. */
+/* 1: the bond from a to b meets the quadrilateral, to 1e-12 of its extent; touching counts. The result for b to a is
+ * the same. All lengths are in the same unit, whatever it is. */
 int solid_cut_plane_crosses(const double (*corner)[3], const double a[3], const double b[3]);

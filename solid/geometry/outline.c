@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A unit so small that rounding to multiples of 2^-48 of it does not matter. */
+/* A unit so small that rounding to multiples of 2^-48 of it has no effect. */
 static double fine_unit(const struct solid_outline *o) {
     double extent = 0;
     for (int k = 1; k < o->corners; k++)
@@ -14,7 +14,7 @@ static double fine_unit(const struct solid_outline *o) {
     return extent > 0 ? extent * 0x1p-16 : 1;
 }
 
-/* Positive where the corners run counterclockwise, m2. */
+/* Signed area, m2: positive if the corners run counterclockwise. */
 static double signed_area(const struct solid_outline *o) {
     const double unit = fine_unit(o);
     long double sum = 0;
@@ -54,7 +54,7 @@ void solid_outline_bounds(const struct solid_outline *outline, int n, double low
     }
 }
 
-/* The edges that a ray from x to the right crosses. */
+/* Counts the edges that a ray from x to the right crosses. */
 int solid_outline_parity(const struct solid_outline *outline, int n, const double x[2], double spacing) {
     int odd = 0;
     for (int l = 0; l < n; l++)
@@ -78,7 +78,7 @@ int solid_outline_contains(const struct solid_outline *outline, int n, const dou
     return solid_outline_parity(outline, n, x, spacing);
 }
 
-/* Green: the area is the integral of clamp(x, 0, 1) dy over the boundary within 0 <= y <= 1. */
+/* Green's theorem: the area is the integral of clamp(x, 0, 1) dy over the boundary within 0 <= y <= 1. */
 double solid_outline_area_in(const struct solid_outline *outline, int n, const double centre[2], double side) {
     const double origin[2] = {centre[0] - side / 2, centre[1] - side / 2};
     const int low[2] = {0, 0}, high[2] = {1, 1};
@@ -106,7 +106,7 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Cut where the segment meets the outlines; each part is in or out as its middle is. */
+/* The segment is divided where it meets the outlines; each part is inside or outside as its midpoint is. */
 static double inside_of_segment(const struct solid_outline *outline, int n, const double a[2], const double b[2],
                                 double spacing, double *at) {
     const double length = hypot(b[0] - a[0], b[1] - a[1]), nothing[2] = {0, 0};

@@ -1,4 +1,4 @@
-/* Cuts a plate's outline into lattice cells and finds each particle's area by Green's theorem. */
+/* Divides a plate into lattice cells and computes each particle's area by Green's theorem. */
 #include "base/die.h"
 #include "base/memory.h"
 #include "solid/geometry/outline.h"
@@ -8,16 +8,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* What is nearer to an edge than this is on it; what is smaller than this is no particle. In spacings, in cells. */
+/* A point nearer to an edge than ON_EDGE is on it, in spacings; an area less than NOTHING is no particle, in cells. */
 static const double ON_EDGE = 1e-9, NOTHING = 1e-12;
 
-/* What edges do in a cell. The row's cells are summed up from the left:
+/* The contribution of edges to a cell. Cells of a row are summed up from the left:
  *
  *      area of cell i = sum of (x - (i + 1)) dy in it - sum of dy left of it          (Green)
  *      its centre is inside if left of it an odd number of edges crosses the row's middle */
 struct hit {
     int i, j;
-    double area, rise;   /* (x - (i + 1)) dy and dy, the body on the left */
+    double area, rise;   /* integral of (x - (i + 1)) dy and of dy, with the body on the left */
     int crossings, left; /* of the row's middle; those left of the cell's centre */
     int is_on;           /* the centre is on an edge */
 };
@@ -36,7 +36,7 @@ static struct hit hit_of(const struct solid_outline_edge *piece, const struct so
     };
 }
 
-/* All of them, in the order of the edges; hit may be NULL. */
+/* The contributions of all edges, in their order; hit may be NULL. */
 static long hits_of(const struct solid_outline *outline, int n, const double origin[2], double spacing,
                     const int low[2], const int high[2], struct hit *hit) {
     long hits = 0;
@@ -60,7 +60,7 @@ static int by_row(const void *a, const void *b) {
     return x->j != y->j ? (x->j > y->j) - (x->j < y->j) : (x->i > y->i) - (x->i < y->i);
 }
 
-/* One of each cell. */
+/* Adds up the contributions to each cell. */
 static long merge(struct hit *hit, long hits) {
     long kept = 0;
     qsort(hit, (size_t)hits, sizeof *hit, by_row);
@@ -79,12 +79,12 @@ static long merge(struct hit *hit, long hits) {
     return kept;
 }
 
-/* The cells that hold something of the body or have their centre in it, in order; cell may be NULL. */
+/* The cells that contain a part of the body, or whose centre is in it, in order; cell may be NULL. */
 static long cells_of(const struct hit *hit, long hits, struct solid_outline_cell *cell) {
     long n = 0;
     for (long k = 0; k < hits;) {
         const int j = hit[k].j;
-        double full = 0; /* of a cell here that no edge enters */
+        double full = 0; /* area of a cell at this place that no edge enters */
         int crossed = 0;
         for (; k < hits && hit[k].j == j; k++) {
             const struct hit *h = &hit[k];
@@ -104,7 +104,7 @@ static long cells_of(const struct hit *hit, long hits, struct solid_outline_cell
     return n;
 }
 
-/* Rows of the cells as they stand. */
+/* Finds the rows of the present cells. */
 static void index_rows(struct solid_outline_cells *cells) {
     const struct solid_outline_cell *cell = cells->cell;
     const long n = cells->n;
@@ -137,7 +137,7 @@ long solid_outline_cells_at(const struct solid_outline_cells *cells, int i, int 
     return -1;
 }
 
-/* What lies in cells outside goes to particles next to them. */
+/* Gives the areas of cells with their centre outside to adjacent particles. */
 static void hand_over(struct solid_outline_cells *cells) {
     for (long k = 0; k < cells->n; k++) {
         struct solid_outline_cell *from = &cells->cell[k];
@@ -154,7 +154,7 @@ static void hand_over(struct solid_outline_cells *cells) {
     index_rows(cells);
 }
 
-/* The box of cells that the outlines reach. */
+/* The box of the cells that the outlines reach. */
 static void box_of(const struct solid_outline *outline, int n, const double origin[2], double spacing, int low[2],
                    int high[2]) {
     double from[2], to[2];

@@ -65,7 +65,7 @@ struct solid_outline_edge solid_outline_edge_part(const struct solid_outline_edg
     return part;
 }
 
-/* Cut at the multiples of a quarter turn, where the arc is extreme in x or y. */
+/* An arc is divided at the multiples of a quarter turn, where x or y is extreme. */
 int solid_outline_edge_split(const struct solid_outline_edge *e,
                              struct solid_outline_edge piece[SOLID_OUTLINE_PIECES]) {
     if (!e->turn) {
@@ -131,7 +131,7 @@ double solid_outline_edge_at(const struct solid_outline_edge *piece, int c, doub
     return between(rounded(x), piece->a[o], piece->b[o]);
 }
 
-/* The angle that a chord of at most a quarter turn spans. */
+/* The angle of the arc above a chord, at most a quarter turn. */
 static double spanned(const struct solid_outline_edge *piece, const double from[2], const double to[2]) {
     return 2 * asin(fmin(hypot(to[0] - from[0], to[1] - from[1]) / (2 * (double)piece->radius), 1));
 }
@@ -147,7 +147,7 @@ static double minus_sine(double t) {
     return t * t2 / 6 * (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110))));
 }
 
-/* Under the chord, and between chord and arc. */
+/* The area under the chord, and the area between chord and arc. */
 double solid_outline_edge_integral(const struct solid_outline_edge *piece, const double from[2], const double to[2],
                                    double x0) {
     const double chord = 0.5 * ((from[0] - x0) + (to[0] - x0)) * (to[1] - from[1]);

@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Lengths are compared to this fraction of the outlines' extent, an arc's radii to the second fraction of themselves.
- */
+/* Tolerances: of lengths, as a fraction of the outlines' extent; of the two radii of an arc, as a fraction of the
+ * radius. */
 static const double TOUCH = 1e-9, RADII = 1e-6;
 
 static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
@@ -19,7 +19,7 @@ static int has_arc(const struct solid_outline *o) {
     return 0;
 }
 
-/* All corners on one line. */
+/* Whether all corners are on one line. */
 static int is_flat(const struct solid_outline *o, double tolerance) {
     int far = 0;
     for (int k = 1; k < o->corners; k++)
@@ -54,7 +54,7 @@ static int curve_fault(const struct solid_outline *o, int number, double extent,
 struct placed {
     struct solid_outline_edge edge;
     double low[2], high[2];
-    int outline, number, last; /* the number of the outline's last edge */
+    int outline, number, last; /* number of the outline's last edge */
 };
 
 static int by_low_x(const void *a, const void *b) {
@@ -76,14 +76,14 @@ static void place(struct placed *at, const struct solid_outline *outline, int n,
         }
 }
 
-/* The corner at which edge e ends and f starts, or NULL. */
+/* The common corner of edges e and f, where e ends and f starts; NULL: none. */
 static const double *corner_of(const struct placed *e, const struct placed *f) {
     const int follows = f->number == (e->number == e->last ? 0 : e->number + 1);
     return e->outline == f->outline && follows ? f->edge.a : NULL;
 }
 
-/* Whether two edges have a point in common besides the corners that they share. Two arcs that touch there are found to
- * cross within the root of the rounding of their radii. */
+/* Whether two edges have a common point besides a common corner. Two arcs that touch at the corner cross again within
+ * the square root of the radii's rounding error; such a crossing does not count. */
 static int do_meet(const struct placed *e, const struct placed *f) {
     const double *shared[2] = {corner_of(e, f), corner_of(f, e)};
     const double near = 4 * TOUCH + 1e-8 * (double)fmaxl(e->edge.radius, f->edge.radius);
@@ -102,7 +102,7 @@ static int before(const struct placed *a, const struct placed *b) {
     return a->outline != b->outline ? a->outline < b->outline : a->number < b->number;
 }
 
-/* Of all edges that meet, the first by outline and edge is named. */
+/* Reports the first pair of edges that meet, by outline and edge. */
 static int meeting_fault(const struct placed *edge, long edges, char *text, size_t size) {
     const struct placed *first = NULL, *second = NULL;
     for (long p = 0; p < edges; p++)
@@ -123,13 +123,13 @@ static int meeting_fault(const struct placed *edge, long edges, char *text, size
                     first->outline + 1, second->outline + 1, first->number + 1, second->number + 1);
 }
 
-/* Outlines do not meet, so that a corner says where all of a curve is. Pieces and holes must alternate from the outside
- * in. */
+/* The outlines do not meet, so that one corner tells whether a curve is inside another. Pieces and holes must alternate
+ * from the outside in. */
 static int nesting_fault(const struct solid_outline *outline, int n, double (*bounds)[2][2], double extent, char *text,
                          size_t size) {
     for (int l = 0; l < n; l++) solid_outline_bounds(&outline[l], 1, bounds[l][0], bounds[l][1]);
     for (int l = 0; l < n; l++) {
-        int round[2] = {0, 0}, last[2] = {0, 0}; /* pieces and holes that this one is in */
+        int round[2] = {0, 0}, last[2] = {0, 0}; /* numbers of pieces and of holes that contain this one */
         const double *x = outline[l].corner[0];
         for (int m = 0; m < n; m++) {
             if (m == l || x[0] < bounds[m][0][0] || x[0] > bounds[m][1][0] || x[1] < bounds[m][0][1] ||

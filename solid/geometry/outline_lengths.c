@@ -1,4 +1,4 @@
-/* Shares the boundary between two points of an outline out to the particles next to it. */
+/* Divides the boundary between two points of an outline among the adjacent particles. */
 #include "base/memory.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"
@@ -8,15 +8,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* A point this near to an edge is on it, spacings. */
+/* A point nearer to an edge than this is on it, in spacings. */
 static const double ON_EDGE = 1e-6;
 
-/* Shares collected as they come. */
+/* List of lengths while they are collected. */
 struct collection {
-    const struct solid_outline_cells *cells; /* NULL: all there are */
+    const struct solid_outline_cells *cells; /* NULL: all lattice cells */
     struct solid_outline_lengths *lengths;
     long room;
-    int low[2], high[2]; /* of the cells */
+    int low[2], high[2]; /* bounds of the cells */
 };
 
 static void give(struct collection *to, long cell, double length) {
@@ -31,7 +31,7 @@ static void give(struct collection *to, long cell, double length) {
     l->share[l->n++] = (struct solid_outline_share){cell, length};
 }
 
-/* To the cell's own particle, or in equal parts to the nearest. */
+/* Gives a length to the cell's own particle, or in equal parts to the nearest particles. */
 static void share_out(struct collection *to, int i, int j, double length) {
     const long own = to->cells ? solid_outline_cells_at(to->cells, i, j) : solid_outline_key(i, j);
     if (!to->cells) {
@@ -48,8 +48,8 @@ static void share_out(struct collection *to, int i, int j, double length) {
     for (int k = 0; k < n; k++) give(to, near[k], length / n);
 }
 
-/* The part of an edge between two fractions, cell by cell. An edge along a line of the lattice belongs to the cells on
- * the side where the body is. */
+/* Adds the part of an edge between two fractions, cell by cell. An edge along a line of the lattice belongs to the
+ * cells on the side of the body. */
 static void edge_shares(struct collection *to, const struct solid_outline_edge *edge, int sense, long double from,
                         long double end) {
     const struct solid_outline_edge part = solid_outline_edge_part(edge, from, end);
@@ -67,8 +67,8 @@ static void edge_shares(struct collection *to, const struct solid_outline_edge *
     }
 }
 
-/* What a straight edge has in common with the straight line of the length from p: fractions of the edge, the distance
- * along the line returned. */
+/* The common part of a straight edge and the straight segment of the given length from p: fractions of the edge.
+ * Returns the distance along the segment. */
 static double overlap(const struct solid_outline_edge *edge, const struct solid_outline_edge *line, double length,
                       long double fraction[2]) {
     const double *end[2] = {edge->a, edge->b};
@@ -93,13 +93,13 @@ static double overlap(const struct solid_outline_edge *edge, const struct solid_
     return (double)(high - low);
 }
 
-/* An edge with its outline's sense. */
+/* An edge, and the sense of its outline. */
 struct sensed {
     struct solid_outline_edge edge;
     int sense;
 };
 
-/* The boundary runs straight from a to b: shares it out. Returns 0 if it does not. */
+/* If the boundary is straight from a to b, divides it among particles; else returns 0. */
 static int straight(struct collection *to, const struct sensed *edge, long edges, const double a[2],
                     const double b[2]) {
     const struct solid_outline_edge line = solid_outline_edge_straight(a, b);
@@ -118,7 +118,7 @@ static int straight(struct collection *to, const struct sensed *edge, long edges
     return 1;
 }
 
-/* a and b are on one arc: shares out what is between them. Returns 0 if they are not. */
+/* If a and b are on one arc, divides the part between them among particles; else returns 0. */
 static int arc(struct collection *to, const struct sensed *edge, long edges, const double a[2], const double b[2]) {
     const struct sensed *found = NULL;
     long double fraction[2] = {0, 0};
@@ -144,7 +144,7 @@ static int by_cell(const void *a, const void *b) {
     return (x->length > y->length) - (x->length < y->length);
 }
 
-/* One share of each particle, in metres. */
+/* Adds up the lengths of each particle, in m. */
 static void merge(struct solid_outline_lengths *lengths, double spacing) {
     struct solid_outline_share *share = lengths->share;
     long kept = 0;

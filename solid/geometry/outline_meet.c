@@ -1,9 +1,9 @@
-/* Points that two edges of outlines have in common. */
+/* Common points of two edges of outlines. */
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>
 
-/* Straight lines. */
+/* The crossing of two straight lines. */
 static int lines_cross(const struct solid_outline_edge *e, const struct solid_outline_edge *f, double x[2][2]) {
     const double ex = e->b[0] - e->a[0], ey = e->b[1] - e->a[1], fx = f->b[0] - f->a[0], fy = f->b[1] - f->a[1],
                  cross = ex * fy - ey * fx;
@@ -14,7 +14,7 @@ static int lines_cross(const struct solid_outline_edge *e, const struct solid_ou
     return 1;
 }
 
-/* Two points at +-h across the direction d from the foot. */
+/* Two points at distances +-h from the foot point, perpendicular to the direction d. */
 static int both_sides(const long double foot[2], const long double d[2], long double h2, double x[2][2]) {
     const long double h = sqrtl(fmaxl(h2, 0));
     for (int k = 0; k < 2; k++) {
@@ -41,13 +41,13 @@ static int circles_meet(const struct solid_outline_edge *e, const struct solid_o
     if (distance == 0) return 0;
     const long double d[2] = {apart[0] / distance, apart[1] / distance}, across[2] = {-d[1], d[0]};
     const long double a =
-        (distance + (e->radius - f->radius) * (e->radius + f->radius) / distance) / 2; /* from e's centre */
+        (distance + (e->radius - f->radius) * (e->radius + f->radius) / distance) / 2; /* distance from e's centre */
     const long double foot[2] = {e->centre[0] + a * d[0], e->centre[1] + a * d[1]};
     return both_sides(foot, across, (e->radius - a) * (e->radius + a), x);
 }
 
-/* Candidates are the crossings of the lines and circles, and of both edges the ends and the middle: what overlaps has
- * one of these in common. */
+/* The candidates are the crossings of the lines and circles, and the ends and midpoints of both edges: an overlap
+ * contains one of these. */
 int solid_outline_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f, double tolerance,
                        double point[8][2]) {
     double x[8][2];

@@ -3,10 +3,10 @@
 
 #include <math.h>
 
-/* Areas and lengths that differ by less are meant to be equal, in cells and spacings. */
+/* Areas and lengths that differ by less are made equal, in cells and spacings. */
 static const double EQUAL = 1e-9;
 
-/* The particle where the image of k about the box's middle is, along x (c = 0) or y; -1: none. */
+/* The particle at the mirror image of k about the box's middle, along x (c = 0) or y; -1: none. */
 static long image_of(const struct solid_outline_cells *cells, int c, long k) {
     const struct solid_outline_cell *at = &cells->cell[k];
     return solid_outline_cells_at(cells, c == 0 ? cells->low[0] + cells->high[0] - at->i : at->i,
@@ -21,7 +21,8 @@ static int is_symmetric(const struct solid_outline_cells *cells, int c) {
     return 1;
 }
 
-/* The mean of two, and of two such means, does not depend on the order: four images become equal too. */
+/* The mean of two values, and the mean of two such means, do not depend on the order: four mirror images become equal
+ * as well. */
 void solid_outline_symmetry_cells(struct solid_outline_cells *cells) {
     for (int c = 0; c < 2; c++) {
         if (!is_symmetric(cells, c)) continue;
@@ -34,7 +35,7 @@ void solid_outline_symmetry_cells(struct solid_outline_cells *cells) {
     }
 }
 
-/* The share of a particle, or NULL. */
+/* The length of a particle, or NULL. */
 static struct solid_outline_share *share_of(const struct solid_outline_lengths *lengths, long cell) {
     long from = 0, to = lengths->n - 1;
     while (from <= to) {

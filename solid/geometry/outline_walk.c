@@ -17,7 +17,7 @@ struct solid_outline_walk solid_outline_walk_begin(const struct solid_outline_ed
     return w;
 }
 
-/* Whether a lattice line of coordinate c lies between here and the piece's end, and which. */
+/* Whether there is a lattice line of coordinate c between the present point and the piece's end, and which. */
 static int line_ahead(const struct solid_outline_walk *w, int c, double *line) {
     *line = w->next[c] + (w->step[c] > 0);
     return *line >= w->low[c] && *line <= w->high[c] && w->step[c] * (w->piece->b[c] - *line) > 0;
@@ -37,7 +37,7 @@ int solid_outline_walk_next(struct solid_outline_walk *w) {
     }
     int c = !x_ahead;
     if (x_ahead && y_ahead) c = w->step[1] * (solid_outline_edge_at(w->piece, 0, line[0]) - line[1]) > 0;
-    /* the other coordinate stays in this cell, whatever rounding says: rows must not take from each other */
+    /* the other coordinate is kept in this cell despite rounding, so that no row takes a part of another */
     const int o = 1 - c, o_ahead = o == 0 ? x_ahead : y_ahead;
     const double end = o_ahead ? line[o] : w->piece->b[o], at = solid_outline_edge_at(w->piece, c, line[c]);
     w->to[c] = line[c];

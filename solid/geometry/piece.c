@@ -24,7 +24,7 @@ static void add(struct solid_piece *piece, int *n, int mask, int inside, const d
     memcpy(p->centre, centre, sizeof p->centre);
 }
 
-/* The pieces of a shape, of its cavities that about x. */
+/* The surface pieces of a shape, and of those of its cavities that are near x. */
 static int pieces_of(const struct solid_body *b, const double x[3], struct solid_piece piece[PIECES_MAX]) {
     enum { ALL = 7 };
     int n = 0;

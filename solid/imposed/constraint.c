@@ -15,10 +15,10 @@ double solid_constraint_density(const struct solid *s, int h) {
     return s->in.material[s->in.body[s->body[h]].material].density;
 }
 
-/* Asked first: most particles are free. */
+/* Tested first: most particles are free. */
 static int is_held(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
 
-/* The velocity of a constraint from t to t + dt; where a displacement is given, what leads there. */
+/* The velocity of a constraint from t to t + dt; if a displacement is given, the velocity that leads to it. */
 static double velocity_of(const struct solid_constraint *k, int c, double t, double dt) {
     if (!k->has_displacement) return k->velocity[c] * solid_time_mean(&k->time, t, t + dt);
     if (!(dt > 0)) return 0;
@@ -72,7 +72,7 @@ void solid_constraint_flags(struct solid *s) {
                 s->flag[h] |= SOLID_UNBREAKABLE;
 }
 
-/* Dies where no particle of any rank stands in the region of the scene's key. */
+/* Dies if no particle of any rank is in the region of the scene's key. */
 static void region_check(const struct solid *s, const char *key, int k, const double low[3], const double high[3]) {
     long inside = 0;
     for (int h = 0; h < s->n; h++) inside += solid_constraint_inside(s, h, low, high);
@@ -94,7 +94,7 @@ void solid_constraint_mark(struct solid *s) {
     solid_constraint_flags(s);
     solid_constraint_displacement(s, s->t);
     solid_constraint_velocity(s, s->t, 0);
-    s->e_constraint = 0; /* what moves at the start moves */
+    s->e_constraint = 0; /* the velocity at the start is no work of the constraints */
 }
 
 double solid_constraint_apply(struct solid *s) {

@@ -2,22 +2,22 @@
 #pragma once
 #include "solid/state.h"
 
-/* Flags of the owned particles from the regions, and what is imposed at the start. Not collective. */
+/* Sets the owned particles' flags from the regions, and the imposed values at the start. Not collective. */
 void solid_constraint_mark(struct solid *s);
 /* Dies (exit 2) on a region without a particle. Collective. */
 void solid_constraint_check(const struct solid *s);
-/* The flags alone, of regions that have got new particles. Not collective. */
+/* Sets the flags only, after regions have got new particles. Not collective. */
 void solid_constraint_flags(struct solid *s);
-/* v of held and driven directions as imposed from t to t + dt (dt = 0: at t); e_constraint takes what that changes in
- * kinetic energy. Where two regions overlap the later one holds. Not collective. */
+/* Sets v of held and driven directions to the imposed velocity from t to t + dt (dt = 0: at t). The change of kinetic
+ * energy is added to e_constraint. If two regions overlap, the later one counts. Not collective. */
 void solid_constraint_velocity(struct solid *s, double t, double dt);
-/* d where a displacement is imposed, as at t. Not collective. */
+/* Sets imposed displacements to their values at t. Not collective. */
 void solid_constraint_displacement(struct solid *s, double t);
-/* Whether something imposed varies in time. Not collective. */
+/* Whether an imposed value varies in time. Not collective. */
 int solid_constraint_varies(const struct solid *s);
-/* a = 0 where the velocity is imposed; power_constraint = what the reaction puts in. Returns the sum of the squared
- * reactions, N2. Not collective. */
+/* Sets a = 0 where the velocity is imposed; power_constraint is the power of the reaction. Returns the sum of the
+ * squared reactions, N2. Not collective. */
 double solid_constraint_apply(struct solid *s);
 double solid_constraint_density(const struct solid *s, int h); /* kg/m3 */
-/* X0 of particle h in the box. */
+/* Whether X0 of particle h is in the box. */
 int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3]);

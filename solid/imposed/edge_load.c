@@ -12,11 +12,11 @@
 
 struct solid_edges {
     int loads;
-    int *body;                              /* [loads] whose edge it is */
+    int *body;                              /* [loads] the body of the edge */
     struct solid_outline_lengths **lengths; /* [loads] NULL: no load on an edge */
 };
 
-/* Of a body's cells, the boundary under each load that is along it. */
+/* Finds, for the cells of a body, the boundary under each load on its edges. */
 static void find_in_body(struct solid_edges *e, const struct solid_input *in, int b, char *text, size_t size) {
     const struct solid_body *body = &in->body[b];
     struct solid_outline_cells *cells = solid_outline_cells(body->outline, body->outlines, in->origin, in->spacing);
@@ -62,8 +62,8 @@ void solid_edge_load_free(struct solid_edges *e) {
     memory_free(e);
 }
 
-/* Over the particles of a body that the edge's length falls to, by their number in it, from id first on: traction
- * length thickness/volume, N/m3. */
+/* Adds the load to the outermost particles of a body, by number, from id first on: traction length thickness/volume,
+ * N/m3. */
 static void over_layer(const struct solid *s, int body, long first, const struct solid_load *load, const double *length,
                        double *const force[2]) {
     const long from = s->first[par_rank()];
@@ -74,8 +74,8 @@ static void over_layer(const struct solid *s, int body, long first, const struct
     }
 }
 
-/* How deep behind the straight edge a particle of the body is, in spacings; negative where it is beside it. To 2^-20:
- * mirror images agree. */
+/* Distance of x from the straight edge into the body, in spacings; -1 if its foot is off the edge. Rounded to 2^-20, so
+ * that mirror images agree. */
 static double depth_of(const struct solid *s, const struct solid_load *load, const double x[2]) {
     const double along[2] = {load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]};
     const double at[2] = {x[0] - load->edge[0][0], x[1] - load->edge[0][1]};
@@ -85,12 +85,12 @@ static double depth_of(const struct solid *s, const struct solid_load *load, con
     return 0x1p-20 * rint(0x1p20 * fabs(at[0] * along[1] - at[1] * along[0]) / (length * s->in.spacing));
 }
 
-/* Evenly over the volume within the horizon behind the edge. Collective. */
+/* Adds the load evenly to the volume within the horizon behind the edge. Collective. */
 static void over_horizon(const struct solid *s, int body, const struct solid_load *load, double *const force[2]) {
     const double horizon = s->in.material[s->in.body[body].material].horizon_ratio;
     const double length = hypot(load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]);
     const double unit = s->in.spacing * s->in.spacing * s->in.thickness;
-    long cells = 0; /* in 2^-40: the same in any order */
+    long cells = 0; /* volume as an integer multiple of 2^-40 cells: sums are the same in any order */
     double sum = 0;
     for (int pass = 0; pass < 2; pass++) {
         if (pass) sum = unit * (0x1p-40 * (double)par_sum_long(cells));

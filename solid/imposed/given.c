@@ -9,25 +9,25 @@
 
 #include <string.h>
 
-/* A load's particles, and the force on each where the factor is 1. */
+/* The particles of a load, and the force on each at a factor of 1. */
 struct share {
     int n;
     int *h;
     double *force[3]; /* [n] N/m3 */
-    double factor;    /* that s->load has */
+    double factor;    /* the factor contained in s->load */
 };
 
 struct solid_given {
     int loads;
     struct share *share; /* [loads] */
     int touched;
-    int *touch;     /* [touched] particles under some load */
-    double *sum[3]; /* [s->n] what s->load holds of the loads, N/m3 */
+    int *touch;     /* [touched] particles with a load */
+    double *sum[3]; /* [s->n] the loads' part of s->load, N/m3 */
 };
 
 static void *array(int n, size_t size) { return memory_new(MEMORY_SOLID, (size_t)n + 1, size); }
 
-/* force [n] N/m3 by owned particle, of which those that are not 0 are kept. */
+/* force [n] N/m3 by owned particle; the nonzero ones are stored. */
 static void share_new(const struct solid *s, struct share *p, double *const force[3]) {
     p->h = array(s->n, sizeof *p->h);
     for (int h = 0; h < s->n; h++) {
@@ -106,7 +106,7 @@ void solid_given_mark(const struct solid *s, uint8_t *mark) {
 
 double solid_given_of(const struct solid *s, int h, int c) { return s->given ? s->given->sum[c][h] : 0; }
 
-/* sum, by the factors of now, of particles for which it is 0. */
+/* Sums up component c of the loads at the present factors, into sum, which is 0. */
 static void sum_up(struct solid_given *g, int c) {
     for (int k = 0; k < g->loads; k++) {
         const struct share *p = &g->share[k];
@@ -142,7 +142,7 @@ int solid_given_set(struct solid *s, double t, double dt) {
     if (!differs) return 0;
     for (int c = 0; c < s->dim; c++) {
         double *load = s->load[c], *sum = g->sum[c];
-        for (int i = 0; i < g->touched; i++) { /* load - sum is 0, and not nearly 0, where nobody else adds to it */
+        for (int i = 0; i < g->touched; i++) { /* load - sum is exactly 0 for a particle without other loads */
             load[g->touch[i]] -= sum[g->touch[i]];
             sum[g->touch[i]] = 0;
         }

@@ -1,25 +1,25 @@
-/* The loads that the input gives, as forces per unit volume. Inside the room, and for the coupling. */
+/* The loads of the input, as forces per unit volume. For solid/ and for the coupling. */
 #pragma once
 #include "solid/body/sites.h"
 
 struct solid_given;
 
-/* s->given: the input's loads on the owned particles, added to s->load as they are at s->t; NULL where there are none.
- * Dies (exit 2) on one that no particle takes up. sites: of the bodies; NULL once they are gone, when clouds say where
- * particles are. Collective. */
+/* Makes s->given: the input's loads on the owned particles, added to s->load with their values at s->t; NULL if there
+ * are no loads. Dies (exit 2) on a load without a particle. sites: of the bodies; NULL once these are freed, the clouds
+ * then hold the positions. Collective. */
 void solid_given_new(struct solid *s, struct solid_sites *const *sites);
 void solid_given_free(struct solid_given *given);
-/* s->load: the mean over t .. t + dt (dt = 0: as at t) in place of what it held of them. Returns whether that differs.
- * Not collective. */
+/* Replaces the loads' part of s->load by its mean over t .. t + dt (dt = 0: the value at t). Returns whether it has
+ * changed. Not collective. */
 int solid_given_set(struct solid *s, double t, double dt);
-/* They are no longer in s->load, which somebody else has set: to be called before the next solid_given_set. Not
+/* To be called after s->load was overwritten: the loads are then no longer in it. Before the next solid_given_set. Not
  * collective. */
 void solid_given_forget(struct solid *s);
-/* The factors that s->load holds them with, factor [s->in.loads]; and what s->load is said to hold of them: put back
- * with it. Not collective. */
+/* The factors of the loads in s->load, factor [s->in.loads]; and their restoration together with s->load. Not
+ * collective. */
 void solid_given_keep(const struct solid *s, double *factor);
 void solid_given_restore(struct solid *s, const double *factor);
-/* Sets mark [n] to 1 where a load is taken up. Not collective. */
+/* Sets mark [n] to 1 for particles with a load. Not collective. */
 void solid_given_mark(const struct solid *s, uint8_t *mark);
-/* What s->load holds of them for particle h in direction c, N/m3. */
+/* The loads' part of s->load for particle h in direction c, N/m3. */
 double solid_given_of(const struct solid *s, int h, int c);

@@ -15,7 +15,7 @@ double solid_time_factor(const struct solid_time *f, double t) {
     return f->factor[k - 1] + part * (f->factor[k] - f->factor[k - 1]);
 }
 
-/* Trapezia between from, the points within, and to. */
+/* Trapezium rule over from, the points between, and to. */
 double solid_time_mean(const struct solid_time *f, double from, double to) {
     const double first = solid_time_factor(f, from);
     if (f->n < 2 || !(to > from) || from >= f->t[f->n - 1] || to <= f->t[0]) return first;

@@ -1,10 +1,10 @@
-/* Factors that vary in time (struct solid_time). Inside the room only. */
+/* Factors that vary in time (struct solid_time). For solid/ only. */
 #pragma once
 #include "solid/state.h"
 
 double solid_time_factor(const struct solid_time *f, double t);
-/* The mean over from .. to; the factor itself where these are equal. */
+/* The mean over from .. to; the factor itself if both are equal. */
 double solid_time_mean(const struct solid_time *f, double from, double to);
-/* Deep copies, as solid_new makes them. */
+/* Replaces the borrowed arrays by copies, for solid_new. */
 void solid_time_copy(struct solid_time *f);
 void solid_time_free(struct solid_time *f);

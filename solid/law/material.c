@@ -12,8 +12,8 @@ double solid_material_critical_stretch(const struct solid_material *m, double sp
     return sqrt(5 * m->fracture_energy / (6 * m->youngs_modulus * m->horizon_ratio * spacing));
 }
 
-/* A cone's stiffness is that of a constant when c1 = 5 c0 in space and 4 c0 in a plate; its bonds are shorter in the
- * mean, and s0^2 is 6/5 and 5/4 of the constant's for the same G0. */
+/* A conical micromodulus has the stiffness of a constant one for c1 = 5 c0 in 3D and c1 = 4 c0 in a plate. It gives
+ * shorter bonds more weight, so for the same G0 s0^2 is 6/5 (3D) and 5/4 (plate) of the constant one's. */
 struct solid_constants solid_material_constants(enum solid_model model, double thickness,
                                                 const struct solid_material *m, double delta) {
     const double e = m->youngs_modulus, g = m->fracture_energy;

@@ -1,13 +1,13 @@
-/* The numbers of a material's bonds.  (001: eqs 3.21, 3.27; 000: eqs 9, 10, 16, 17) */
+/* Constants of a material's bonds.  (001: eqs 3.21, 3.27; 000: eqs 9, 10, 16, 17) */
 #pragma once
 #include "solid/input.h"
 
 struct solid_constants {
     double c;  /* c0, or c1 of a conical micromodulus, N/m6 */
-    double s0; /* critical stretch; INFINITY: never breaks */
+    double s0; /* critical stretch; INFINITY: bonds never break */
 };
 
-/* At a horizon, m; thickness (m) is read for plates only. */
+/* At a horizon, m; thickness, m, is used for plates only. */
 struct solid_constants solid_material_constants(enum solid_model model, double thickness,
                                                 const struct solid_material *material, double horizon);
 

@@ -6,9 +6,9 @@
 
 #include <math.h>
 
-enum { COLUMNS = 24 }; /* of a partial volume's quadrature, where few are alike: 1e-4 */
+enum { COLUMNS = 24 }; /* of the quadrature of partial volumes, if few of them are equal: accurate to 1e-4 */
 
-/* A cell that only touches the horizon is outside, whatever the last digit says. */
+/* A cell that only touches the horizon is outside, also with rounding errors. */
 static const double INSIDE = 1 - 1e-12;
 
 struct solid_bond_law solid_pair_law(const struct solid_input *in, const struct solid_material *m) {
@@ -31,8 +31,8 @@ static double square(const struct solid_bond_law *law, const double *xi) {
     return sum;
 }
 
-/* In space the cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that the disc
- * meets. The ramp ends half a spacing beyond, and a cone's stiffness at the horizon itself. */
+/* In 3D the family holds cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that
+ * overlaps the disc. The ramp ends half a spacing beyond the horizon, a conical micromodulus at the horizon itself. */
 int solid_pair_holds(const struct solid_bond_law *law, const double *xi, double delta, double size) {
     const double xi2 = square(law, xi);
     if (law->micromodulus == SOLID_CONICAL && xi2 >= delta * delta * INSIDE) return 0;
@@ -60,7 +60,7 @@ double solid_pair_gamma(const struct solid_bond_law *law, const double *xi, doub
                       : solid_weight_fraction(xi, size, delta, law->columns);
 }
 
-/* c_h(xi); c0 and c1 go as delta^-(dim + 1).  (000: eqs 9, 10) */
+/* c_h(xi); c0 and c1 are proportional to delta^-(dim + 1).  (000: eqs 9, 10) */
 static double micromodulus(const struct solid_bond_law *law, double xi2, double delta) {
     double c = law->c;
     if (delta != law->horizon)
@@ -68,7 +68,7 @@ static double micromodulus(const struct solid_bond_law *law, double xi2, double 
     return law->micromodulus == SOLID_CONICAL ? c * (1 - sqrt(xi2) / delta) : c;
 }
 
-/* s0_h^2, which goes as 1/delta. */
+/* s0_h^2, proportional to 1/delta. */
 static double stretch2(const struct solid_bond_law *law, double delta) {
     return law->s0 * law->s0 * (law->horizon / delta);
 }
@@ -77,8 +77,8 @@ struct half {
     double stiffness, stretch2, gamma;
 };
 
-/* The half that the particle with the horizon brings. Not inlined: its products must not be fused into sums, which
- * would tell the two ends apart. */
+/* The half of a bond that comes from the end with this horizon. Not inlined: the compiler could fuse its products into
+ * sums, and the two ends would differ in the last digit. */
 static __attribute__((noinline)) struct half half_of(const struct solid_bond_law *law, const double *xi, double delta,
                                                      double size) {
     struct half half = {0, stretch2(law, delta), 0};
@@ -91,7 +91,7 @@ static __attribute__((noinline)) struct half half_of(const struct solid_bond_law
 
 static double eps_of(double s0) { return s0 * (2 + s0); }
 
-/* eps at which both halves together have been given what each may hold. */
+/* eps at which the energy of the bond is the sum of what both halves can store. */
 static double limit_of(struct half a, struct half b) {
     if (isinf(a.stretch2)) return INFINITY;
     if (a.stretch2 == b.stretch2) return eps_of(sqrt(a.stretch2));
@@ -136,7 +136,7 @@ double solid_pair_rounded(const struct solid_bond_law *law, double delta, double
     return digit * rint(volume / digit);
 }
 
-/* One octant (quadrant) of the family, each cell as often as it is there. */
+/* Sums over one octant (quadrant) of the family, each cell multiplied by the number of its mirror images. */
 double solid_pair_full_volume(const struct solid_bond_law *law, double delta, double size) {
     const double side = ldexp(1, (int)rint(log2(size))), cell = law->dim == 3 ? side * side * side : side * side;
     const int reach = (int)(delta / side + 1);

@@ -1,4 +1,4 @@
-/* Wave speeds of the solid that the bonds stand for. */
+/* Wave speeds of the solid that the bonds model. */
 #pragma once
 #include "solid/state.h"
 
@@ -6,6 +6,6 @@ struct solid_waves {
     double longitudinal, shear, rayleigh; /* m/s */
 };
 
-/* nu = 1/4 in space and in plane strain, 1/3 in plane stress. Rayleigh's wave runs along a free edge; a crack's tip
- * does not pass it. */
+/* nu = 1/4 in 3D and in plane strain, 1/3 in plane stress. The Rayleigh wave runs along a free edge; its speed is an
+ * upper limit of a crack tip's speed. */
 struct solid_waves solid_waves_of(enum solid_model model, double youngs_modulus, double density);

@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELLS = 400 }; /* columns a side under a cube's face: fractions to 1e-6 */
+enum { CELLS = 400 }; /* columns along a side of a cube's face: fractions accurate to 1e-6 */
 
-/* Columns along the largest component, on cells x cells points of the face; each column's length within the sphere is
- * exact. */
+/* Columns are along the largest component of a, on cells x cells points of the face; the length of each column inside
+ * the sphere is exact. */
 static double fraction_of_sorted(const double a[3], double side, double radius, int cells) {
     double sum = 0;
     for (int j = 0; j < cells; j++) {
@@ -44,7 +44,7 @@ static void sort(const double xi[3], double a[3]) {
     swap_ordered(&a[0], &a[1]);
 }
 
-/* 1 or 0, or -1 where the sphere cuts the cube. */
+/* 1: inside the sphere, 0: outside, -1: the sphere cuts the cube. */
 static int inside(const double a[3], double side, double radius) {
     double far = 0, near = 0;
     for (int c = 0; c < 3; c++) {
@@ -63,7 +63,7 @@ double solid_weight_fraction(const double xi[3], double side, double radius, int
     return whole >= 0 ? whole : fraction_of_sorted(a, side, radius, cells);
 }
 
-/* Places of the table; a new one takes the place of an old one with the same hash. */
+/* Slots of the table; a new entry replaces an old one with the same hash. */
 enum { PLACES = 1024, KEY = 6 };
 
 struct solid_weight_table {
@@ -99,7 +99,7 @@ double solid_weight_fraction_kept(struct solid_weight_table *table, const double
 }
 
 static double fraction_of_step(const struct solid_stencil *t, const int step[3]) {
-    /* the same for all permutations and signs: look whether it has been integrated already */
+    /* the fraction is equal for all permutations and signs: checks whether it is known already */
     for (int o = 0; o < t->n; o++) {
         const int *other = t->offset[o].step;
         const int same2 = other[0] * other[0] + other[1] * other[1] + other[2] * other[2] ==

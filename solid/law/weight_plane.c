@@ -1,22 +1,22 @@
-/* Partial areas: part of a square cell inside the horizon's disc, in closed form.  (000: eq. 22) */
+/* Partial areas: the part of a square cell inside the horizon's disc, in closed form.  (000: eq. 22) */
 #include "solid/law/weight_plane.h"
 
 #include <math.h>
 
-/* Twice the area under the arc from 0 to the point (x, y) on it; by the angle, which stays exact where the arc is
+/* Twice the area under the arc from 0 to the point (x, y) on it; from the angle, which is accurate where the arc is
  * steep. */
 static double under_arc(double x, double y, double r) { return x * y + r * r * atan2(x, y); }
 
-/* The other coordinate of a point of the circle, or 0 beyond it. */
+/* The other coordinate of a point of the circle; 0 outside it. */
 static double on_circle(double x, double r) { return x < r ? sqrt((r - x) * (r + x)) : 0; }
 
-/* Of the rectangle [x0, x1] x [y0, y1] in the first quadrant:
+/* Area of the disc inside the rectangle [x0, x1] x [y0, y1] in the first quadrant:
  *
  *      y1 +-----.--------+
  *         |      \       |     full height up to the abscissa where the circle leaves through the top,
  *         | full  \      |     under the arc from there to where it leaves through the bottom
  *      y0 +--------\-----+
- *        x0      a  b    x1                                                                                  */
+ *        x0      a  b    x1 */
 static double area_in_quadrant(double x0, double x1, double y0, double y1, double r) {
     const double top = on_circle(y1, r), bottom = on_circle(y0, r);
     if (bottom <= x0) return 0;
@@ -27,7 +27,7 @@ static double area_in_quadrant(double x0, double x1, double y0, double y1, doubl
     return (a - x0) * (y1 - y0) + fmax(arc, 0);
 }
 
-/* The parts of [x - half, x + half] on either side of 0, both as intervals of |x|; x >= 0. Returns how many. */
+/* The parts of [x - half, x + half] on both sides of 0, as intervals of |x|; x >= 0. Returns how many. */
 static int fold(double x, double half, double low[2], double high[2]) {
     low[0] = fmax(x - half, 0);
     high[0] = x + half;

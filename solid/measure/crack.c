@@ -7,11 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Neighbours along a lattice's axes and diagonals, in particles; those across a gap of two particles. */
+/* Distances in particles: of neighbours along a lattice's axes and diagonals; of neighbours across a gap of two
+ * particles. */
 static const double TOUCH = 1.6, NEAR = 3.1;
-/* What a front stands out by at least, in particles. */
+/* Least length of a front, in particles. */
 static const double STANDS_OUT = 3;
-/* Places less than this apart are the same, in particles. */
+/* Positions nearer than this are equal, in particles. */
 static const double SAME = 1e-6;
 
 struct entry {
@@ -40,7 +41,7 @@ void solid_crack_particles_free(struct solid_crack_particles *p) {
     *p = (struct solid_crack_particles){0};
 }
 
-/* The list's particles in their order, into p. */
+/* Sorts the list and writes it to p. */
 static void take(struct solid_crack_particles *p, struct entry *list, const double direction[2]) {
     for (long i = 0; i < p->n; i++) {
         list[i].far = along(list[i].x, direction);
@@ -81,7 +82,8 @@ struct solid_crack_particles solid_crack_gather(const struct solid *s, const dou
     return p;
 }
 
-/* A forest of particles in the order of a list; the root of a tree is its farthest particle, the lowest index. */
+/* A forest of particles, as indices into a list; the root of a tree is its farthest particle, which has the lowest
+ * index. */
 static long find(long *parent, long i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
@@ -93,7 +95,7 @@ static double largest(const struct solid_crack_particles *p) {
     return size;
 }
 
-/* The first from `from` on that is not farther than i by more than reach, the most that any pair may have. */
+/* The first particle from `from` on that is farther than i by at most reach, the largest distance of any pair. */
 static long first_within(const struct solid_crack_particles *p, const double d[2], long from, long i, double reach) {
     while (along(p->x[from], d) - along(p->x[i], d) > reach) from++;
     return from;
@@ -103,13 +105,13 @@ static int near(const struct solid_crack_particles *p, long i, long j) {
     return hypot(p->x[i][0] - p->x[j][0], p->x[i][1] - p->x[j][1]) <= NEAR * fmax(p->size[i], p->size[j]);
 }
 
-/* Where a particle stands in a list that holds it, not before `from`. */
+/* Index of a particle in a list that contains it, from `from` on. */
 static long place_in(const struct solid_crack_particles *all, const double x[2], long from) {
     while (memcmp(all->x[from], x, sizeof *all->x) != 0) from++;
     return from;
 }
 
-/* The damaged particles that hang together with an initial one. */
+/* The damaged particles connected to an initially damaged one. */
 static struct solid_crack_particles connected(const struct solid_crack_particles *damaged,
                                               const struct solid_crack_particles *initial, const double d[2]) {
     const long n = damaged->n + initial->n;
@@ -148,15 +150,16 @@ static struct solid_crack_particles connected(const struct solid_crack_particles
     return kept;
 }
 
-/* Whether i goes on behind j, the farther one: a gap of two particles along the direction does not end a crack. */
+/* Whether i continues the crack behind j, the farther one; a gap of two particles along the direction does not end a
+ * crack. */
 static int follows(const struct solid_crack_particles *p, const double d[2], long i, long j) {
     const double size = fmax(p->size[i], p->size[j]);
     return along(p->x[j], d) - along(p->x[i], d) <= NEAR * size &&
            fabs(aside(p->x[j], d) - aside(p->x[i], d)) <= TOUCH * size;
 }
 
-/* Particles join those before them in the list's order, the farthest first. A tree is born at a peak and ends where it
- * meets one that was born farther; it is a front if it was long enough by then. */
+/* Each particle joins the earlier ones in the list, which are farther. A tree begins at a peak and ends where it meets
+ * a tree with a farther peak; it is a front if it is long enough there. */
 static int count_fronts(const struct solid_crack_particles *p, const double d[2]) {
     long *parent = memory_new(MEMORY_OUTPUT, 2 * (size_t)p->n + 1, sizeof *parent), *last = parent + p->n;
     const double reach = NEAR * largest(p);
@@ -179,7 +182,8 @@ static int count_fronts(const struct solid_crack_particles *p, const double d[2]
     return fronts;
 }
 
-/* The farthest particle on a side of the axis (sign 0: anywhere), the mean of those equally far. 0: none. */
+/* The farthest particle on one side of the axis (sign 0: on both); the mean position of equally far ones. Returns 0 if
+ * there is none. */
 static int farthest(const struct solid_crack_particles *p, const double d[2], double axis, int sign, double x[2]) {
     double sum[2] = {0, 0}, first = NAN;
     int n = 0;

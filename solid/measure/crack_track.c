@@ -5,10 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-/* A chord's length in particles: long beside the hops of a tip from row to row, short beside a crack's bends. */
+/* Length of a chord in particles: longer than a tip's jumps from row to row, shorter than the bends of a crack. */
 static const double CHORD = 5;
-/* Lattice distances are often equal: what decides between them must not be the last digit, which a table does not keep.
- */
+/* Tolerance in comparisons: distances in a lattice are often equal, and the last digit, which a table does not store,
+ * must not decide. */
 static const double TIE = 1e-9;
 enum { SIDES = SOLID_CRACK_SIDES };
 
@@ -19,9 +19,9 @@ struct sample {
 struct solid_crack_track {
     double window, chord;
     long samples, sample_room, knots, knot_room;
-    struct sample *sample; /* those of the last window, the oldest first */
+    struct sample *sample; /* samples of the last window, the oldest first */
     double (*knot)[2];     /* [knots] m */
-    double length;         /* of the chords between knots, m */
+    double length;         /* total length of the chords between knots, m */
 };
 
 struct solid_crack_track *solid_crack_track_new(double window, double spacing) {
@@ -38,7 +38,7 @@ void solid_crack_track_free(struct solid_crack_track *k) {
     memory_free(k);
 }
 
-/* Room for one more. */
+/* Makes room for one more element. */
 static void *grow(void *list, long n, long *room, size_t size) {
     if (n < *room) return list;
     *room = 2 * *room + 64;
@@ -61,7 +61,7 @@ static long nearest(const struct solid_crack_track *k, const double x[2], double
     return best;
 }
 
-/* The places to which the crack has come: of both sides, or one in the middle where these are nearer than a chord. */
+/* The present ends of the crack: of both sides, or one in the middle if these are nearer than a chord. */
 static int fronts_of(const struct solid_crack_track *k, const double side[SIDES][2], double front[SIDES][2]) {
     int n = 0;
     if (apart(side[0], side[1]) < k->chord) {
@@ -73,8 +73,8 @@ static int fronts_of(const struct solid_crack_track *k, const double side[SIDES]
     return n;
 }
 
-/* Chords up to the fronts; those of the first sample begin a crack each. Returns the length with what is beyond the
- * last knots. */
+/* Adds chords up to the fronts; each front of the first sample begins a crack. Returns the length, with the parts
+ * beyond the last knots. */
 static double lengthen(struct solid_crack_track *k, const double side[SIDES][2]) {
     const int begins = k->knots == 0;
     double front[SIDES][2], rest[SIDES] = {0, 0};
@@ -91,7 +91,7 @@ static double lengthen(struct solid_crack_track *k, const double side[SIDES][2])
     return k->length + (knot[0] == knot[1] ? fmax(rest[0], rest[1]) : rest[0] + rest[1]);
 }
 
-/* Forgets what is older than the newest sample that is at least a window old; returns that one, or the first. */
+/* Removes samples older than the newest one that is at least a window old. Returns that one, or else the first. */
 static const struct sample *window_ago(struct solid_crack_track *k, double t) {
     long first = 0;
     if (k->samples == 0) return NULL;

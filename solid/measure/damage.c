@@ -11,7 +11,7 @@ static vec intact_of(const struct solid_row *row) {
     return sum;
 }
 
-/* The row's owned particles are the n from h on; phi is 0 where nothing broke. */
+/* phi of the row's owned particles, which are the n from h on; phi is not changed if no bond of the row is broken. */
 static void of_row(const struct solid *s, const struct solid_lattice *t, int r, double *phi) {
     const int h = t->row_first[r], n = __builtin_popcount(t->row_owned[r]);
     int broken = 0;

@@ -23,7 +23,8 @@ static double stretch_of(const struct solid *s, int h, const struct solid_family
     return eps / (1 + sqrt(1 + eps));
 }
 
-/* Half of the energy in each of h's bonds, (1/2) alpha c s^2 |xi| Gamma V_l V_h, over V_h, J/m3.  (001: eq. 3.23) */
+/* Half of the energy in each of h's bonds, (1/2) alpha c s^2 |xi| Gamma V_l V_h, divided by V_h, J/m3.  (001: eq.
+ * 3.23) */
 static double of_view(const struct solid *s, int h, const struct solid_family_view *view) {
     double sum = 0;
     for (int b = 0; b < view->n; b++) {
@@ -35,8 +36,8 @@ static double of_view(const struct solid *s, int h, const struct solid_family_vi
     return 0.25 * sum;
 }
 
-/* The same of the i-th particle of a list, whose stiffness is alpha c Gamma V_l/(rho |xi|) with |xi| in spacings;
- * *most: the largest stretch, -1 where no bond is left. */
+/* The same for the i-th particle of a list, whose stiffness is alpha c Gamma V_l/(rho |xi|) with |xi| in spacings.
+ * *most: the largest stretch, -1 without an intact bond. */
 static double of_bonds(const struct solid *s, const struct solid_list *t, int i, double *most) {
     const double scale = 1 / t->spacing;
     double sum = 0;
@@ -59,7 +60,7 @@ static double of_bonds(const struct solid *s, const struct solid_list *t, int i,
 
 static const double small_eps = 1. / 256; /* below it the series for s^2 is exact to 1e-15 */
 
-/* s^2 = 2 + eps - 2 sqrt(1 + eps) = eps^2/4 (1 - eps/2 + 5/16 eps^2 - ...) where eps is small. */
+/* s^2 = 2 + eps - 2 sqrt(1 + eps); for small eps the series eps^2/4 (1 - eps/2 + 5/16 eps^2 - ...). */
 static inline vec square_of_stretch(vec e, int small) {
     if (!small) {
         const vec s = e / (1 + vec_sqrt(1 + e));
@@ -71,7 +72,7 @@ static inline vec square_of_stretch(vec e, int small) {
     return 0.25 * (e * e) * series;
 }
 
-/* The energy density of the i-th particle of a list, eight bonds at a time, by its records. *largest: of |eps|. */
+/* The energy density of the i-th particle of a list, eight bonds at a time, from its records. *largest: of |eps|. */
 static inline __attribute__((always_inline)) double of_family(const struct solid_list *t, int i, int dim, int small,
                                                               vec *largest) {
     const double *here = t->record + (long)t->width * i;
@@ -103,8 +104,8 @@ static double of_list(const struct solid_list *t, int i) {
     return t->dim == 2 ? of_family(t, i, 2, 0, &largest) : of_family(t, i, 3, 0, &largest);
 }
 
-/* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), whose displacements stand
- * in its dense box. *largest: of |eps|. */
+/* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), from the displacements in
+ * its dense box. *largest: of |eps|. */
 static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *t, long cell, int n,
                                                           const uint32_t *entry, int bulk, int small, vec *largest) {
     const long at = solid_lattice_place(t, cell);
@@ -125,7 +126,7 @@ static inline __attribute__((always_inline)) vec of_strip(const struct solid_lat
     return sum;
 }
 
-/* Of a segment: bonds between particles owned here in full, the others' half. */
+/* The energy of a segment: bonds between particles owned here count in full, the others by half. */
 static double of_segment(const struct solid_lattice *t, int g, int small, vec *largest) {
     const struct solid_segments *all = t->segments;
     const uint32_t *entry = all->entry + all->first[g];

@@ -14,8 +14,8 @@
 
 enum { ROW = VEC_LANES };
 
-/* Pieces of particles that intact bonds join, of those known here, owned or ghost. parent: a tree each, roots the
- * smallest. */
+/* The trees of particles that are connected by intact bonds, among those on this rank, owned or ghost. parent: of each
+ * particle; the root is the one with the smallest index. */
 static int find(int *parent, int h) {
     while (parent[h] != h) h = parent[h] = parent[parent[h]];
     return h;
@@ -28,8 +28,8 @@ static int join(int *parent, int a, int b) {
     return parent[a] = parent[b] = root;
 }
 
-/* Joins a row's particles with their neighbours at offset o. piece [sites]: of the site's particle, perhaps of late:
- * those that seem to be of two pieces are looked at. */
+/* Joins a row's particles with their neighbours at offset o. piece [sites]: the root of the site's particle, possibly
+ * out of date; only particles with different roots are joined. */
 static inline void join_at(const struct solid_lattice *t, int cell, int o, unsigned intact, int *piece, int *parent) {
     const long at = cell + t->offset[o].shift;
     for (unsigned lanes = intact & vec_differ(piece + cell, piece + at); lanes; lanes &= lanes - 1) {
@@ -38,8 +38,8 @@ static inline void join_at(const struct solid_lattice *t, int cell, int o, unsig
     }
 }
 
-/* All bonds of a segment (solid/bonds/segments.h): those between particles owned here from one end, those to others
- * from here. */
+/* Joins the particles of all bonds of a segment (solid/bonds/segments.h): bonds between owned particles from one end,
+ * others from this end. */
 static void join_segment(const struct solid_lattice *t, int g, int *piece, int *parent) {
     const struct solid_segments *all = t->segments;
     if (all->stale[g]) solid_segments_pack(t, g);
@@ -49,7 +49,7 @@ static void join_segment(const struct solid_lattice *t, int g, int *piece, int *
             join_at(t, all->cell[g] + solid_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece, parent);
 }
 
-/* Nearest neighbours first: most of a body is then one piece, and further bonds have nothing to join. */
+/* Nearest neighbours first: most of a body is then connected, and the other bonds need little work. */
 static void join_lattice(const struct solid_lattice *t, int *parent) {
     int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * ROW, sizeof *piece);
     const int offsets = t->stencil->n;
@@ -72,7 +72,7 @@ static void join_list(const struct solid_list *t, int *parent) {
         }
 }
 
-/* parent [n + n_ghost], pressed flat. */
+/* parent [n + n_ghost], every particle's root. */
 static void pieces(const struct solid *s, int *parent) {
     const int n = s->n + s->n_ghost;
     for (int h = 0; h < n; h++) parent[h] = h;
@@ -85,13 +85,15 @@ static void pieces(const struct solid *s, int *parent) {
     for (int h = 0; h < n; h++) parent[h] = find(parent, h);
 }
 
-/* The smallest global id of each fragment, in label[n + n_ghost]: a piece takes the smallest label that one of its
- * ghosts has where it is owned, until no rank finds a smaller one. A piece without an owned particle says nothing to
- * anybody. */
+/* Finds the smallest global id of each fragment, in label[n + n_ghost]. A component on this rank takes the smallest
+ * label that one of its ghosts has on its owner, until no rank finds a smaller one. Components that hold ghosts only
+ * are ignored. */
 static void spread(struct solid *s, const int *parent, double *label) {
     const long from = s->first[par_rank()];
     const int n = s->n + s->n_ghost;
-    for (int h = 0; h < s->n; h++) label[h] = (double)(from + parent[h]); /* of its root, which is owned too */
+    for (int h = 0; h < s->n; h++)
+        label[h] = (double)(from + parent[h]); /* the id of the root, which is owned as
+                                                * well */
     for (long changed = 1; changed;) {
         changed = 0;
         par_ghost_update(s->ghost, 1, &label, s->n);
@@ -116,7 +118,8 @@ static int by_size(const void *a, const void *b) {
     return p->particles != q->particles ? (p->particles < q->particles ? 1 : -1) : by_id(a, b);
 }
 
-/* Adds up neighbours with the same id in a sorted list; returns how many are left. Sums are kept in x and v. */
+/* Adds up consecutive entries with the same id in a sorted list. Returns the number of entries left. x and v hold
+ * sums. */
 static int merge(struct solid_fragment *list, int n) {
     int m = 0;
     for (int i = 0; i < n; i++) {

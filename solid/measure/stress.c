@@ -16,7 +16,7 @@ static void add(double t[6], const double x[3], const double y[3], double w) {
 }
 
 /* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any
- * deformation, in the frame of space.  (Lehoucq & Silling 2008, for forces along the bonds) */
+ * deformation, in the spatial frame.  (Lehoucq & Silling 2008, for forces along the bonds) */
 static void stress_of_view(const struct solid *s, int h, const struct solid_family_view *view, double t[6]) {
     for (int k = 0; k < 6; k++) t[k] = 0;
     for (int b = 0; b < view->n; b++) {
@@ -35,7 +35,7 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
     if (s->in.model == SOLID_PLANE_STRAIN) t[2] = 0.25 * (t[0] + t[1]);
 }
 
-/* The same for a row of a lattice: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r (1 + r)), and nothing where r = 0. */
+/* The same for a row of a lattice: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r (1 + r)); 0 if r = 0. */
 static void stress_of_row(const struct solid_row *row, vec t[6]) {
     for (int k = 0; k < 6; k++) t[k] = vec_set(0);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
@@ -73,8 +73,8 @@ void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
     }
 }
 
-/* G = (sum w eta xi^T)(sum w xi xi^T)^-1 over intact bonds, w = Gamma V/|xi|^2: exact where the displacement is affine,
- * whatever is broken. The two sums, of eight particles; mixed[i][j]: eta_i xi_j. */
+/* G = (sum w eta xi^T)(sum w xi xi^T)^-1 over intact bonds, w = Gamma V/|xi|^2: exact for an affine displacement,
+ * whichever bonds are broken. The two sums for eight particles; mixed[i][j]: eta_i xi_j. */
 struct moments {
     vec shape[6], mixed[3][3];
 };
@@ -114,8 +114,8 @@ static void moments_of_row(const struct solid_row *row, struct moments *m) {
     }
 }
 
-/* Green's strain (G + G^T + G^T G)/2 in the undeformed frame: nothing under rigid rotation, however large, and the
- * small strain where displacements are small. A family that leaves a direction without bonds has no strain in it. */
+/* Green's strain (G + G^T + G^T G)/2 in the undeformed frame: zero under any rigid rotation, and the small strain if
+ * displacements are small. If a family has no bonds in a direction, its strain in that direction is 0. */
 static void strain_of(const struct moments *m, vec strain[6]) {
     vec inverse[6], g[3][3];
     solid_tensors_inverse(m->shape, 1e-6, inverse);
@@ -136,7 +136,7 @@ static void strain_of(const struct moments *m, vec strain[6]) {
     }
 }
 
-/* Particles h .. h+n-1 of a body on no lattice. */
+/* The strain of particles h .. h+n-1 of a body in the list store. */
 static void strain_of_eight(const struct solid *s, int h, int n, double (*strain)[6]) {
     struct solid_family_view view;
     struct moments m;

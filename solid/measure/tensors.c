@@ -3,14 +3,14 @@
 
 #include <math.h>
 
-static const double nothing = 1e-18; /* beside the diagonal: a turn would change no digit */
+static const double nothing = 1e-18; /* relative to the diagonal: a rotation would change no digit */
 
 static inline vec choose(vec_mask m, vec a, vec b) { return (vec)((m & (vec_mask)a) | (~m & (vec_mask)b)); }
 
 static inline vec size_of(vec a) { return vec_max(a, -a); }
 
-/* Turns the plane (p, q) so that a[p][q] = 0; v holds the turns so far, by columns. Returns the lanes that had to turn.
- */
+/* Rotates in the plane (p, q) so that a[p][q] = 0; v accumulates the rotations, by columns. Returns the lanes that
+ * needed a rotation. */
 static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
     const int r = 3 - p - q;
     const vec apq = a[p][q], apr = a[p][r], aqr = a[q][r], one = vec_set(1);
@@ -42,7 +42,7 @@ void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]) {
     const vec zero = vec_set(0), one = vec_set(1);
     vec a[3][3] = {{t[0], t[3], t[5]}, {t[3], t[1], t[4]}, {t[5], t[4], t[2]}};
     vec v[3][3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-    for (int sweep = 0; sweep < 12; sweep++) { /* converges quadratically: five or six do */
+    for (int sweep = 0; sweep < 12; sweep++) { /* quadratic convergence: five or six sweeps suffice */
         const vec_mask turns = rotate(a, v, 0, 1) | rotate(a, v, 0, 2) | rotate(a, v, 1, 2);
         if (!any(turns)) break;
     }

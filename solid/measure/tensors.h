@@ -1,14 +1,15 @@
-/* Symmetric tensors [6] as xx yy zz xy yz zx; eight at once, a lane each, where they are vec. */
+/* Symmetric tensors [6] as xx yy zz xy yz zx; eight at once, one in each lane, if they are vec. */
 #pragma once
 #include "base/vec.h"
 
-/* Eigenvalues in no order; vector[k] is the unit eigenvector of value[k]. By Jacobi's rotations. */
+/* Eigenvalues in no order; vector[k] is the unit eigenvector of value[k]. By Jacobi rotations. */
 void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]);
 /* value[3], largest first. */
 void solid_tensors_eigen(const double t[6], double value[3], double vector[3][3]);
-/* Pseudo-inverse of a positive semi-definite tensor: eigenvalues below `small` times the largest count as none. */
+/* Pseudo-inverse of a positive semi-definite tensor: eigenvalues below `small` times the largest count as zero. */
 void solid_tensors_inverse(const vec t[6], double small, vec inverse[6]);
 /* Principal values, largest first, and von Mises of a symmetric tensor. */
 void solid_tensors_principal(const double t[6], double value[3]);
-void solid_tensors_largest(int n, double (*t)[6], double *largest); /* of n tensors. Not collective. */
+void solid_tensors_largest(int n, double (*t)[6], double *largest); /* the largest principal value of each of n tensors.
+                                                                     * Not collective. */
 double solid_tensors_von_mises(const double t[6]);

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What a particle carries: d, v and the load that is not given, in both directions. */
+/* Number of values moved with a particle: d, v and the load without the input's loads, in both directions. */
 enum { CARRIED = 6 };
 
 static void carried_of(const struct solid *s, double *field[CARRIED]) {
@@ -25,16 +25,16 @@ static void carried_of(const struct solid *s, double *field[CARRIED]) {
     }
 }
 
-/* A body that changes. */
+/* A body that is refined. */
 struct change {
     const struct solid_refine_plan *plan;
-    struct solid_cloud *cloud; /* as it will be */
+    struct solid_cloud *cloud; /* the new cloud */
     long *was;                 /* [cloud->n] numbers in the plan */
     double (*born)[CARRIED];   /* [plan->n - plan->before] */
     struct solid_refine_torn *torn;
 };
 
-/* Values of the particles before that new ones take theirs from: of each its owner's. */
+/* Gathers, from their owners, the values of the particles that new particles are interpolated from. */
 static void sources_gather(const struct solid *s, const struct change *k, double (*value)[CARRIED], long *row) {
     const struct solid_refine_plan *p = k->plan;
     const long from = s->first[par_rank()] - p->cloud->first;
@@ -96,7 +96,8 @@ void solid_refine_apply_room(struct solid *s, int n) {
     s->flag = grown(s->flag, owned, room, 1);
 }
 
-/* Moves what the bodies' owned particles have to where they are now, the last body first, and gives new ones theirs. */
+/* Moves the values of the bodies' owned particles to their new indices, the last body first, and sets those of new
+ * particles. */
 static void carry(struct solid *s, const struct change *change, const int *old_first) {
     double *field[CARRIED];
     const int *first = s->family->first;
@@ -116,7 +117,7 @@ static void carry(struct solid *s, const struct change *change, const int *old_f
         for (int h = 0; h < s->n; h++) s->a[c][h] = s->v_old[c][h] = s->a_old[c][h] = 0;
 }
 
-/* New particles of a rank may have lost bonds before they had any. */
+/* Sets the flag of new particles that have inherited broken bonds. */
 static void mark_broken(struct solid *s, const struct solid_list *t) {
     for (int i = 0; i < t->n; i++) {
         if (t->scaled[i]) continue;
@@ -157,7 +158,7 @@ static void lists_renew(struct solid *s, struct change *change) {
     s->n = (int)(to - from);
 }
 
-/* Loads and what is imposed, where the particles are now; s->load has what nobody gives. */
+/* Sets loads and imposed values at the present particles; s->load contains only the other loads before. */
 static void impose(struct solid *s) {
     if (s->given) {
         solid_given_free(s->given);

@@ -8,7 +8,7 @@
 
 enum { UNIT = SOLID_REFINE_UNIT, MARGIN = 3 };
 
-/* Less of a cell is nothing; areas that differ by less are equal. */
+/* Areas less than NOTHING of a cell are zero; areas that differ by less than EQUAL are equal. */
 static const double NOTHING = 1e-11, EQUAL = 1e-9;
 
 static double rounded(double area) { return rint(area * 0x1p40) * 0x1p-40; }
@@ -32,19 +32,19 @@ void solid_refine_area_free(struct solid_refine_cells *k) { memory_free(k->area)
 
 static int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/* The site of the level in whose cell x lies, x in the middle of one of its quarters. */
+/* The site of a level whose cell contains x; x is the centre of a quarter of that cell. */
 static int site_of(int x, int level) {
     const int h = solid_refine_spacing(level);
     return level == 0 ? h * floor_div(x, h) + h / 2 : h * floor_div(x + h / 2, h);
 }
 
-/* The particle there, if its level is at least this. */
+/* The particle at x, y if its level is at least this one, or -1. */
 static long at_level(const struct solid_refine_plan *p, int x, int y, int level) {
     const long i = solid_refine_plan_at(p, x, y);
     return i >= 0 && p->level[i] >= level ? i : -1;
 }
 
-/* Those nearest to a site of the level among the eight next to it. */
+/* The nearest particles to a site of the level among the eight sites next to it. */
 static int nearest(const struct solid_refine_plan *p, const int site[2], int level, long near[4]) {
     const int h = solid_refine_spacing(level);
     for (int diagonal = 0; diagonal < 2; diagonal++) {
@@ -59,13 +59,13 @@ static int nearest(const struct solid_refine_plan *p, const int site[2], int lev
     return 0;
 }
 
-/* A part of the plane that goes to one particle, or to several in equal parts. */
+/* The particles that a region belongs to: one, or several in equal parts. */
 struct owners {
     int n;
     long owner[4];
 };
 
-/* Of a quarter of the level with the middle at x, which belongs to no cell with a particle. */
+/* The particles that share a quarter of a cell, with its centre at x, that lies in no particle's cell. */
 static struct owners heirs(const struct solid_refine_plan *p, const int x[2], int level) {
     struct owners of = {0};
     for (; level >= 0 && of.n == 0; level--) {
@@ -75,7 +75,7 @@ static struct owners heirs(const struct solid_refine_plan *p, const int x[2], in
     return of;
 }
 
-/* Whether a finer particle may own, or inherit, a part of the quarter. */
+/* Whether a part of the quarter may belong to a finer particle, by its cell or as a share. */
 static int is_split(const struct solid_refine_plan *p, const int x[2], int level, int owned) {
     const int part = solid_refine_spacing(level) / 8;
     long near[4];
@@ -89,15 +89,16 @@ static int is_split(const struct solid_refine_plan *p, const int x[2], int level
     return 0;
 }
 
-/* Walks down the quarters. owner: the finest so far whose cell it is and that has no finer cell, or -1. */
+/* A walk down the levels of quarters. owner: the particle of the finest level so far whose cell contains the quarter,
+ * unless finer particles may own parts of it, or -1. */
 struct walk {
     const struct solid_refine_plan *plan;
     void (*give)(struct walk *w, const struct owners *to, const int x[2], int level);
-    /* areas */
+    /* for areas */
     const struct solid_outline *outline;
     int outlines, is_full;
     double *sum;
-    /* one place: only the quarters it is in */
+    /* for one point: only the quarters that contain it */
     const int *only;
     struct owners found;
 };
@@ -134,7 +135,7 @@ static void give_area(struct walk *w, const struct owners *to, const int x[2], i
         for (int k = 0; k < to->n; k++) w->sum[to->owner[k]] += rounded(area / to->n);
 }
 
-/* The cell's area of the body, in cells. */
+/* The area of the body in a cell of the lattice, in cells. */
 static double cell_area(const struct solid_refine_plan *p, struct solid_refine_cells *k, int i, int j) {
     double *area = &k->area[(long)j * k->n[0] + i];
     if (isnan(*area)) {
@@ -144,7 +145,7 @@ static double cell_area(const struct solid_refine_plan *p, struct solid_refine_c
     return *area;
 }
 
-/* Marks the cells within so many of the marked ones, across periodic sides. */
+/* Marks the cells next to those marked value - 1, across periodic sides. */
 static void dilate(const struct solid_refine_plan *p, const struct solid_refine_cells *k, uint8_t *mark, int value) {
     for (int j = 0; j < k->n[1]; j++)
         for (int i = 0; i < k->n[0]; i++) {
@@ -166,7 +167,7 @@ static uint8_t *mark_of(const struct solid_refine_cells *k, uint8_t *mark, const
     return &mark[(long)(floor_div(at[1], UNIT) - k->low[1]) * k->n[0] + (floor_div(at[0], UNIT) - k->low[0])];
 }
 
-/* 1: near a finer particle; 2: what these inherit or leave; 3: what may be inherited there. */
+/* Marks of the cells: 1: near a finer particle; 2 and 3: cells whose areas may change because of these. */
 static uint8_t *mark_cells(const struct solid_refine_plan *p, const struct solid_refine_cells *k) {
     uint8_t *mark = memory_new(MEMORY_SOLID, (size_t)k->n[0] * (size_t)k->n[1], 1);
     for (long i = 0; i < p->n; i++)

@@ -1,9 +1,10 @@
 /* Interpolates displacement and velocity of a new particle from its neighbours.  (000: eq. 37, sec. 2.1.3) */
 #include "solid/refine/plan.h"
 
-/* A new particle's value from the eight places about it of the coarser lattice: midway between two it is their mean; in
- * the middle of four theirs, or that of the two across from one another where one of the others is missing. At an edge
- * of the body what stands there is carried on by the one behind it. Sums are of two pairs, each image of the other. */
+/* A new particle's value is interpolated from the eight neighbouring positions of the coarser lattice: the mean of two
+ * neighbours on an edge's midpoint; in a cell's middle the mean of four, or of two opposite ones if another is missing.
+ * At an edge of the body it is extrapolated with the next particle behind. Sums are of two pairs that are mirror images
+ * of each other. */
 static void source_add(struct solid_refine_born *b, int k, long source, double weight) {
     b->source[k] = source;
     b->weight[k] = weight;
@@ -27,7 +28,8 @@ static long corner(const struct solid_refine_plan *p, const int at[2], int h, in
     return solid_refine_plan_at(p, at[0] + x * h, at[1] + y * h);
 }
 
-/* The edge runs along one direction (dx, dy): two stand on this side of it, (sx, sy) from the middle of the four. */
+/* The edge of the body runs along one direction (dx, dy): there are two particles on this side of it, at (sx, sy) from
+ * the middle of the four. */
 static void at_edge(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h, int along,
                     int side) {
     for (int k = 0; k < 2; k++) {
@@ -72,7 +74,8 @@ static void amid(const struct solid_refine_plan *p, struct solid_refine_born *b,
         if (q[k / 2][k % 2] >= 0) at_corner(p, b, at, h, 2 * (k % 2) - 1, 2 * (k / 2) - 1);
 }
 
-/* At a place of the lattice of the level, but not of the one above it: h is half that one's spacing. */
+/* For a position of the level's lattice that is not on the lattice of the level above; h is half the spacing of that
+ * one. */
 struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *p, const int at[2], int level) {
     struct solid_refine_born b = {0};
     const int h = solid_refine_spacing(level), shift = level == 1 ? h : 0;

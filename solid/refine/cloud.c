@@ -11,7 +11,7 @@ static int rank_of(const struct solid *s, long id) {
     return rank;
 }
 
-/* Of the plan's i-th: the rank that owns its first parent. rank [new ones before it] */
+/* The rank of the plan's i-th particle, a new one: the owner of its first parent. rank: [new particles before it] */
 static int rank_of_born(const struct solid *s, const struct solid_refine_plan *p, long i, const int *rank) {
     const struct solid_refine_born *b = &p->born[i - p->before];
     long first = b->parent[0];
@@ -19,7 +19,7 @@ static int rank_of_born(const struct solid *s, const struct solid_refine_plan *p
     return first < p->before ? rank_of(s, p->cloud->first + first) : rank[first - p->before];
 }
 
-/* The plan's numbers in the order of the cloud's. */
+/* The plan's numbers in the order of the new cloud. */
 static long *order_of(const struct solid *s, const struct solid_refine_plan *p, long *count) {
     const long born = p->n - p->before;
     const int size = par_size();

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A sum of numbers not below 0 that is the same in any order: of multiples of a digit that leaves room for 2^9 of the
- * largest, rounded by the last digit of a number that large. */
+/* Sum of nonnegative numbers, the same in any order: the terms are rounded to multiples of a digit that leaves room for
+ * 2^9 of the largest. */
 static double sum_of(const double *term, int n) {
     double most = 0, sum = 0;
     for (int k = 0; k < n; k++) most = term[k] > most ? term[k] : most;
@@ -20,7 +20,7 @@ static double sum_of(const double *term, int n) {
     return sum;
 }
 
-/* sum_of, eight terms at a time, 0 behind the last; most: the largest. */
+/* sum_of, eight terms at a time, padded with 0; most: the largest term. */
 static inline double sum_of_blocks(const double *term, long n, double most) {
     const vec shift = vec_set(power_below(most) * 0x1.8p11);
     vec sum = vec_set(0);
@@ -28,8 +28,8 @@ static inline double sum_of_blocks(const double *term, long n, double most) {
     return vec_total(sum);
 }
 
-/* 1/4 sum of alpha c s^2 |xi| Gamma V_l, with k = alpha c Gamma V_l/(rho |xi|), negative where broken. By the records.
- * (001: eq. 3.23) */
+/* 1/4 sum of alpha c s^2 |xi| Gamma V_l, with k = alpha c Gamma V_l/(rho |xi|), negative for a broken bond. From the
+ * records. (001: eq. 3.23) */
 static double energy_of(const struct solid_list *t, int i) {
     double term[SOLID_FAMILY_MAX + VEC_LANES];
     const double *here = t->record + (long)t->width * i;
@@ -52,8 +52,8 @@ static double energy_of(const struct solid_list *t, int i) {
     return largest > 0 ? 0.25 * t->law.density * t->spacing * sum_of_blocks(term, n, largest) : 0;
 }
 
-/* No less than energy_of says where a list's last sweep, without damping, was at the present displacements: of its
- * largest |eps| it knows the power of two, of k |xi| the family's digit. INFINITY: nothing is known. */
+/* Upper bound of energy_of, if the list's last sweep was without damping at the present displacements: from the power
+ * of two of its largest |eps| and the family's digit for k |xi|. INFINITY: no bound is known. */
 static double energy_bound(const struct solid_list *t, int i) {
     const double eps = 2 * t->power[i];
     if (!(eps > 0) || eps > 0.03) return INFINITY;
@@ -69,7 +69,7 @@ void solid_refine_look_energy(const struct solid *s, double *energy) {
     }
 }
 
-/* The part of the family's volume that is behind broken bonds, the same for mirror images. */
+/* The fraction of the family's volume with broken bonds, the same for mirror images. */
 static double damage_of(const struct solid *s, int h) {
     struct solid_family_view view;
     double weight[SOLID_FAMILY_MAX], lost[SOLID_FAMILY_MAX];
@@ -84,14 +84,14 @@ static double damage_of(const struct solid *s, int h) {
     return all > 0 ? sum_of(lost, broken) / all : 0;
 }
 
-/* Of the particles that mark says, and the largest of them; where less than part of that is certain, 0 and not looked
- * at. */
+/* The energy densities of the marked particles, and the largest of them. A particle that is known to have less than
+ * `part` of the largest gets 0 and is not computed. */
 static double energy_where(const struct solid *s, const uint8_t *mark, double part, double *energy) {
     const int is_bound = s->a_holds && s->stage_of_a.damping_relative == 0;
     double most = 0;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_list *t = s->family->list[b];
-        int first = -1; /* where eps is largest: most others are then known to have less */
+        int first = -1; /* the particle with the largest eps: most others are then known to have less */
         double power = 0;
         for (int i = 0; is_bound && i < t->n; i++) {
             if (!mark[t->first + i] || t->power[i] <= power) continue;

@@ -8,7 +8,7 @@
 
 int solid_refine_plan_level(double size) { return size < 1 ? -ilogb(size) : 0; }
 
-/* Within the period. */
+/* A coordinate wrapped into the period. */
 static int wrapped(int x, int period) {
     const int r = period ? x % period : x;
     return r < 0 && period ? r + period : r;
@@ -83,7 +83,7 @@ void solid_refine_plan_free(struct solid_refine_plan *p) {
     memory_free(p);
 }
 
-/* m h, of which no correction is part. */
+/* m h, without the correction of the interface. */
 static double reach_of(const struct solid_refine_plan *p, int level) {
     return p->in->horizon_kept ? p->ratio : ldexp(p->ratio, -level);
 }
@@ -123,7 +123,7 @@ static void refine(struct solid_refine_plan *p, long i) {
     }
 }
 
-/* What is about a particle, on its own level's lattice. */
+/* Called for the neighbours of a particle on its own level's lattice. */
 typedef int visitor(struct solid_refine_plan *p, uint8_t *wanted, long i, long near);
 
 static int about(struct solid_refine_plan *p, uint8_t *wanted, long i, visitor *visit) {
@@ -152,16 +152,16 @@ static int want_coarser(struct solid_refine_plan *p, uint8_t *wanted, long i, lo
     return coarser;
 }
 
-/* More than five of the eight places at half its spacing are taken. */
+/* Whether more than five of the eight positions at half its spacing have particles. */
 static int is_enclosed(const struct solid_refine_plan *p, long i) {
     const int h = solid_refine_spacing(p->level[i] + 1);
-    int n = -1; /* itself */
+    int n = -1; /* without the particle itself */
     for (int k = 0; k < 9; k++)
         n += solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h) >= 0;
     return n > 5;
 }
 
-/* Particles next to new ones that these enclose. */
+/* Wants particles next to new ones if these enclose them. */
 static void want_enclosed(const struct solid_refine_plan *p, uint8_t *wanted) {
     for (long i = p->before; i < p->n; i++) {
         const int h = solid_refine_spacing(p->level[i]);
@@ -172,8 +172,8 @@ static void want_enclosed(const struct solid_refine_plan *p, uint8_t *wanted) {
     }
 }
 
-/* Refines those wanted that have no coarser ones within their horizon; coarser ones are wanted first. Returns how many.
- */
+/* Refines the wanted particles that have no coarser ones within their horizon; else the coarser ones become wanted
+ * first. Returns how many were refined. */
 static long refine_wanted(struct solid_refine_plan *p, uint8_t *wanted) {
     const long before = p->refined, n = p->n;
     for (int level = p->in->levels - 1; level >= 0; level--)

@@ -1,12 +1,11 @@
-/* A body's particles as they will be after a refinement, with their levels. The same on all ranks. Inside the room
- * only. */
+/* A body's particles after a refinement, with their levels. The same on all ranks. For solid/ only. */
 #pragma once
 #include "solid/body/cloud.h"
 
-/* Places are in 1/64 of the spacing, from the cloud's origin: exact at all levels. */
+/* Coordinates are in 1/64 of the spacing, from the cloud's origin: exact at all levels. */
 enum { SOLID_REFINE_UNIT = 64, SOLID_REFINE_PARENTS = 4 };
 
-/* A new particle: the mean of what stands around it, sum of weight value(source). */
+/* A new particle: its values are the weighted sum over its sources, sum of weight value(source). */
 struct solid_refine_born {
     int parents;
     long parent[SOLID_REFINE_PARENTS];
@@ -15,31 +14,32 @@ struct solid_refine_born {
 };
 
 struct solid_refine_plan {
-    const struct solid_cloud *cloud;   /* borrowed: as it is */
+    const struct solid_cloud *cloud;   /* borrowed: the present cloud */
     const struct solid_body *body;     /* borrowed */
     const struct solid_refinement *in; /* borrowed */
     double ratio;                      /* the material's m */
     int period[2];                     /* 0: not periodic */
-    long before, n, room;              /* particles of the cloud, with new ones; places for them */
+    long before, n, room;              /* particles of the cloud; with new ones; capacity */
     int (*at)[2];                      /* [n] */
-    uint8_t *level, *kept;             /* [n]; kept: not to be refined */
+    uint8_t *level, *kept;             /* [n]; kept: 1: must not be refined */
     struct solid_refine_born *born;    /* [n - before] */
-    long refined;                      /* particles that were */
-    long mask, *slot;                  /* places to numbers, open addressing: [mask + 1] number + 1 */
+    long refined;                      /* number of particles that were refined */
+    long mask, *slot;                  /* hash table from positions to numbers, open addressing: [mask + 1] number +
+                                        * 1 */
 };
 
 /* kept [cloud->n], may be NULL. */
 struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
                                                 const struct solid_refinement *in, double ratio, const uint8_t *kept);
 void solid_refine_plan_free(struct solid_refine_plan *plan);
-/* The particle at a place, across periodic sides, or -1. */
+/* The particle at a position, also across periodic sides, or -1. */
 long solid_refine_plan_at(const struct solid_refine_plan *plan, int x, int y);
-/* Refines the marked particles, all of their families if asked to (000: criterion of visibility), those that have to be
- * for neighbours to differ by one level at most, and those that have more than five of the eight places about them
- * taken (000: "incolla"). */
+/* Refines the marked particles; on request all of their families (000: criterion of visibility); the particles that
+ * must be refined so that neighbours differ by at most one level; and those with particles on more than five of the
+ * eight positions around them (000: "incolla"). */
 void solid_refine_plan_close(struct solid_refine_plan *plan, const long *marked, long n, int families);
 
-/* The new particle of a level at a place where there is none, of those that are there now. */
+/* The new particle of a level at an empty position, from the present particles. */
 struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *plan, const int at[2], int level);
 
 static inline int solid_refine_spacing(int level) { return SOLID_REFINE_UNIT >> level; }

@@ -1,4 +1,4 @@
-/* Bounds of the largest stiffness over mass of a refined plate, for the stable step. */
+/* Upper bounds of the eigenfrequencies of refined plates, for the stable step. */
 #include "base/par.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/store.h"
@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-/* u.K u = 1/2 sum over bonds of k (e.(u_h - u_l))^2 <= 2 sum u_h.T_h u_h,  T_h = sum k e e. With halves that differ
- * (one-sided) a guide only. */
+/* u.K u = 1/2 sum over bonds of k (e.(u_h - u_l))^2 <= 2 sum u_h.T_h u_h,  T_h = sum k e e. If the two halves of a bond
+ * differ (one-sided horizons), it is an estimate only. */
 static double rate2_of(const struct solid_list *t, int i) {
     vec xx = vec_set(0), yy = vec_set(0), xy = vec_set(0);
     for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK) {
@@ -31,7 +31,7 @@ double solid_refine_rate_bound(const struct solid *s) {
 }
 
 /* Of a wave exp(i k.x) on an endless lattice: the largest eigenvalue of sum K V/(rho |xi|) (1 - cos k.xi) e e, here in
- * spacings; the largest of all waves is looked for in a quarter of the zone. */
+ * spacings; the largest one over all waves is searched for in a quarter of the Brillouin zone. */
 enum { WAVES = 48 };
 
 struct lattice_bond {

@@ -1,4 +1,4 @@
-/* Refinement of plates: plans it from marked particles or start regions, and has the plans carried out. */
+/* Refinement of plates: makes the plans from marked particles or start regions, and applies them. */
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -19,7 +19,7 @@ static void *copied(const void *from, size_t n, size_t size) {
     return to;
 }
 
-/* The caller's outlines and cracks are looked at again while the solid lives. */
+/* Copies the caller's outlines and cracks, which are needed again during the solid's life. */
 static void own_outlines(struct solid_body *b) {
     struct solid_outline *outline = copied(b->outline, (size_t)b->outlines, sizeof *outline);
     for (int l = 0; l < b->outlines; l++) {
@@ -113,7 +113,7 @@ int solid_refine_lengths(const struct solid *s, int b, const double from[2], con
     return found;
 }
 
-/* Of the body's cloud, those that a constraint or a load takes hold of, on every rank alike. Collective. */
+/* The particles of the body's cloud that have a constraint or a load, on every rank. Collective. */
 static uint8_t *kept_of(const struct solid *s, int b) {
     const struct solid_cloud *t = s->family->cloud[b];
     const long from = s->first[par_rank()];
@@ -139,7 +139,7 @@ static struct solid_refine_plan *plan_new(const struct solid *s, int b) {
     return plan;
 }
 
-/* Makes what the plans say, if that is anything, and frees them. Returns how many particles were refined. */
+/* Applies the plans, unless all are empty, and frees them. Returns how many particles were refined. */
 static long carry_out(struct solid *s, struct solid_refine_plan **plan) {
     long refined = 0;
     for (int b = 0; b < s->in.bodies; b++) refined += plan[b]->refined;
@@ -185,7 +185,7 @@ long solid_refine_marked(struct solid *s, const uint8_t *mark) {
     return refined;
 }
 
-/* Those of a region that have not reached its level yet. */
+/* Marks the particles of a region that have not reached its level yet. */
 static void start_region(struct solid_refine_plan *p, const struct solid_refined *region) {
     const struct solid_cloud *t = p->cloud;
     for (int level = 0; level < region->level; level++) {

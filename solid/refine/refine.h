@@ -1,44 +1,45 @@
 /* Refinement of plates in levels, at the start or while they move.  (000: ch. 2)
  *
- * A particle of spacing h that is refined keeps its place, gets a cell of side h/2, and its eight neighbours at h/2
- * become particles where none stands. Coarse particles keep what finer cells leave of theirs (000: eq. 38), so that the
- * areas always add up to the body's. All ranks decide alike, from what they gather.
+ * A refined particle of spacing h keeps its position and gets a cell of side h/2; at those of its eight neighbouring
+ * positions at h/2 that have no particle, a new one is made. Coarse particles keep the part of their cell that no finer
+ * cell covers (000: eq. 38), so that the areas always add up to the body's. All ranks take the same decisions, from
+ * gathered data.
  *
- * Families are made anew near what has changed. A bond that existed keeps its lambda; a new one is broken where a bond
- * between parents of its ends was (a particle that stays is its own parent, a midpoint has two or four), or where it
- * crosses an initial crack. No energy is released. So bonds_total and bonds_broken count the bonds of the present
- * families, inherited ones included, and damage is the broken part of the present family. */
+ * Families near a change are made anew. A bond that existed keeps its lambda. A new bond is broken if a bond between
+ * parents of its ends was (a particle that stays is its own parent, a new one has two or four), or if it crosses an
+ * initial crack. No energy is released. So bonds_total and bonds_broken count the bonds of the present families,
+ * inherited ones included, and damage is the broken part of the present family. */
 #pragma once
 #include "solid/state.h"
 
 enum { SOLID_REFINE_LEVELS = 4 };
 
-/* Marks what the triggers say (000: sec. 2.1.1) and refines it with its families (sec. 2.1.2). Returns how many
- * particles were refined, 0: the solid is as it was. Ghosts must be current. Collective. */
+/* Marks the particles that the triggers select (000: sec. 2.1.1) and refines them with their families (sec. 2.1.2).
+ * Returns how many particles were refined; 0: the solid is unchanged. Ghosts must be current. Collective. */
 long solid_refine_look(struct solid *s);
-/* The same for particles marked by hand, mark [n]. Collective. */
+/* Refines the particles marked by the caller, mark [n]. Collective. */
 long solid_refine_marked(struct solid *s, const uint8_t *mark);
 
-/* Of each owned particle, [n]: the elastic energy density of its halves of intact bonds, J/m3, the same to the bit for
+/* For each owned particle, [n]: the elastic energy density of its halves of intact bonds, J/m3, the same to the bit for
  * mirror images. Ghosts must be current. Not collective. */
 void solid_refine_look_energy(const struct solid *s, double *energy);
 
 int solid_refine_level(const struct solid *s, int h); /* of an owned particle. Not collective. */
-int solid_refine_finest(const struct solid *s);       /* level of all bodies. Not collective. */
+int solid_refine_finest(const struct solid *s);       /* the finest level of all bodies. Not collective. */
 long solid_refine_events(const struct solid *s);      /* refinements since the solid was made. Not collective. */
 
-/* What a checkpoint stores of an owned particle: its level, and place and volume in spacings of the cloud. Not
+/* The data of an owned particle in a checkpoint: its level, and its position and volume in spacings of the cloud. Not
  * collective. */
 void solid_refine_restore_save(const struct solid *s, int h, uint8_t *level, double place[3]);
-/* Puts the bodies' particles as they were, [n] by global id and the same on every rank; all else is as at the start.
- * Returns 1 where they do not fit the bodies. Collective. */
+/* Restores the bodies' particles, [n] by global id, the same on every rank; all else is as at the start. Returns 1 if
+ * they do not fit the bodies. Collective. */
 int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uint8_t *level, const double (*place)[3]);
 
-/* A bound of the largest eigenvalue of the present bonds' stiffness over mass, whole ones, 1/s2: twice the largest
- * eigenvalue of a sum of k e e over a family. Collective. */
+/* An upper bound of the largest eigenvalue of the present bonds' stiffness over mass, all bonds counted as intact,
+ * 1/s2: twice the largest eigenvalue of a sum of k e e over a family. Collective. */
 double solid_refine_rate_bound(const struct solid *s);
-/* The largest eigenvalue of an endless lattice of the level's particles, without surface correction, 1/s2; of the body
- * where it is most. Not collective. */
+/* The largest eigenvalue of an endless lattice of the level's particles, without surface correction, 1/s2; the largest
+ * of all bodies. Not collective. */
 double solid_refine_rate_lattice(const struct solid *s, int level);
 
 /* For solid_new and solid_free. */

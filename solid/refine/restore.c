@@ -22,7 +22,8 @@ void solid_refine_restore_save(const struct solid *s, int h, uint8_t *level, dou
     place[2] = t->volume[i];
 }
 
-/* A cloud of the particles from .. to-1, like the one that is. horizon: NULL, to be found with the places of all. */
+/* A cloud of the particles from .. to-1, with the properties of the present cloud. horizon: NULL: found from the
+ * positions of all. */
 static struct solid_cloud *cloud_of(const struct solid *s, const struct solid_cloud *t, long from, long to,
                                     const uint8_t *level, const double (*place)[3], const double *horizon) {
     const size_t n = (size_t)(to - from) + 1;
@@ -51,7 +52,7 @@ static struct solid_cloud *cloud_of(const struct solid *s, const struct solid_cl
     return cloud;
 }
 
-/* In place of the body's cloud. */
+/* Replaces the body's cloud. */
 static void cloud_replace(struct solid *s, int b, long from, long to, const uint8_t *level, const double (*place)[3]) {
     struct solid_cloud **cloud = &s->family->cloud[b], *was = *cloud;
     struct solid_refine_cells *cells = &s->refine->cells[b];
@@ -67,7 +68,7 @@ static void cloud_replace(struct solid *s, int b, long from, long to, const uint
     solid_cloud_free(was);
 }
 
-/* Whether the particles are in the order of the bodies, and within them. first [bodies + 1] */
+/* Whether the particles are in the order of the bodies, and sorted within each. first [bodies + 1] */
 static int fits(const struct solid *s, long n, const uint8_t *body, const uint8_t *level, const double (*place)[3],
                 long *first) {
     for (long i = 0; i < n; i++) {

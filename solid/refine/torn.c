@@ -1,4 +1,4 @@
-/* New bonds inherit breaks: a bond is broken if one between its ends' parents was. */
+/* Inherited breaks: a new bond is broken if a bond between its ends' parents was. */
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -17,10 +17,10 @@ struct solid_refine_torn {
     const struct solid_refine_plan *plan; /* borrowed */
     long pairs;
     struct pair *pair; /* ascending, malloc'ed */
-    uint8_t *is_end;   /* [before] of one of them */
+    uint8_t *is_end;   /* [before] 1: an end of one of the pairs */
 };
 
-/* The particles before from which one of the plan comes. */
+/* The old particles that a particle of the plan descends from. */
 static int ancestors_of(const struct solid_refine_plan *p, long i, long of[ANCESTORS], int n) {
     if (i < p->before) {
         for (int k = 0; k < n; k++)
@@ -41,12 +41,13 @@ static int by_pair(const void *a, const void *b) {
 
 static struct pair pair_of(long a, long b) { return a < b ? (struct pair){a, b} : (struct pair){b, a}; }
 
-/* Number of a record's particle. */
+/* Number of the particle of a record. */
 static long number_of(const struct solid_list *t, int record) {
     return record < t->n ? t->number + record : solid_key_id(t->other_key[record - t->n]) - t->first_id;
 }
 
-/* The owned ones, into pair where not NULL. */
+/* The pairs of broken bonds of owned particles with an ancestor at one end. Written to pair unless that is NULL;
+ * returns how many. */
 static long find(const struct solid *s, const struct solid_list *t, const uint8_t *is_ancestor, struct pair *pair) {
     long n = 0;
     for (int i = 0; i < t->n; i++) {
@@ -105,7 +106,7 @@ void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct soli
                                const struct solid_cloud *cloud, const long *was) {
     const struct solid_refine_plan *p = torn->plan;
     for (int i = 0; torn->pairs > 0 && i < t->n; i++) {
-        if (t->scaled[i]) continue; /* it is as it was */
+        if (t->scaled[i]) continue; /* a copied family */
         long here[ANCESTORS], there[ANCESTORS];
         const long one = was[t->number + i];
         const int heres = ancestors_of(p, one, here, 0);

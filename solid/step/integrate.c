@@ -52,7 +52,8 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     clock_end(CLOCK_SOLID);
 }
 
-/* What is given: velocities, and what forces make of a free particle up to now, m/s. */
+/* The speed that the input gives: imposed velocities, and the speed of a free particle under all forces up to now,
+ * m/s. */
 static double speed_given(const struct solid *s) {
     double speed = s->in.speed, force = 0, lightest = INFINITY, push = 0;
     for (int k = 0; k < s->in.constraints; k++)
@@ -65,8 +66,8 @@ static double speed_given(const struct solid *s) {
     return speed + (push + force / lightest) * s->t;
 }
 
-/* Nothing moves faster than waves do and what drives it; well beyond that the numbers have no meaning, though they may
- * still be finite. */
+/* A particle cannot be faster than the waves plus the given speed. Far beyond that the solution is meaningless, even if
+ * it is still finite. */
 enum { SPEEDS_ALLOWED = 100 };
 
 static double speed_limit(const struct solid *s) {
@@ -76,7 +77,7 @@ static double speed_limit(const struct solid *s) {
     return SPEEDS_ALLOWED * (sqrt(most) + speed_given(s));
 }
 
-/* The first particle whose displacement is no number, or whose speed is none or beyond the limit; -1: none. */
+/* The first particle whose displacement or speed is not finite, or whose speed is above the limit; -1: none. */
 static int first_lost(const struct solid *s, int c, double limit) {
     for (int h = 0; h < s->n; h++)
         if (!isfinite(s->d[c][h]) || !(fabs(s->v[c][h]) <= limit)) return h;

@@ -3,13 +3,12 @@
 #include "base/step_status.h"
 #include "solid/state.h"
 
-/* Substeps of the stage's integrator from t on, each under constant load and with constant imposed velocities: where
- * these are given as functions of time, their means over the substep. The energies are integrated by the integrator's
- * own quadrature, so that kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order
- * (contact stores energy that is not counted; what it takes to change an imposed velocity is part of e_constraint).
- * Collective. */
+/* Substeps of the stage's integrator from t on, each with constant load and constant imposed velocities: the means over
+ * the substep if these are functions of time. The energies are integrated by the integrator's own quadrature, so that
+ * kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order. (The energy stored by contact
+ * is not counted; the work of changing an imposed velocity is part of e_constraint.) Collective. */
 void solid_integrate(struct solid *s, double dt, int substeps);
-/* NaN, or a speed of more than a hundred times sqrt(E/rho) and what is imposed. Not collective. */
+/* Finds NaN, and a speed of more than a hundred times the sum of sqrt(E/rho) and the given speed. Not collective. */
 struct step_status solid_integrate_check(const struct solid *s);
 
 /* What an integrator is: one line of the table in integrate.c. */

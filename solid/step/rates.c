@@ -16,15 +16,15 @@
 #include <math.h>
 #include <string.h>
 
-/* The largest frequency by Lanczos's iteration: power iteration that keeps what it has learnt; each costs one sweep. */
+/* Lanczos: power iteration in the Krylov space of all earlier vectors. Each iteration takes one force sweep. */
 enum { ITERATIONS = 60 };
 static const double ENOUGH = 1e-4; /* relative change of omega^2 at which to stop */
 
 struct krylov {
-    double *u[3], *before[3]; /* [n] unit vectors of the mass-weighted product */
+    double *u[3], *before[3]; /* [n] unit vectors in the mass-weighted product */
 };
 
-/* Bonds of the unbroken body instead of the present ones; called again with the same arrays it puts them back. */
+/* Exchanges the present bonds with those of the unbroken body; a second call with the same arrays restores them. */
 static void swap_whole(struct solid *s, uint8_t **other) {
     struct solid_family *f = s->family;
     for (int b = 0; b < f->bodies; b++) {
@@ -61,13 +61,13 @@ static double product(const struct solid *s, double *const x[3], double *const y
     return par_sum(sum);
 }
 
-/* A matrix over the mass: stiffness K + damping D, each number 0 or what it is multiplied by. */
+/* A matrix divided by the mass: stiffness K + damping D; each number is a factor, or 0. */
 struct operator{
     double stiffness, damping; /* 1, s */
 };
 
-/* a = (stiffness K + damping D) u/m by one sweep turned about, at displacements so small (1e-7 spacings) that bonds are
- * linear. */
+/* a = (stiffness K + damping D) u/m by one force sweep, negated, at displacements so small (1e-7 spacings) that bonds
+ * are linear. */
 static void apply(struct solid *s, double *const u[3], struct operator of) {
     double most = 0;
     for (int c = 0; c < s->dim; c++)
@@ -111,7 +111,7 @@ static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
         for (int h = 0; h < s->n; h++)
             k->u[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : start_value(s->first[par_rank()] + h, c);
     norm = sqrt(product(s, k->u, k->u));
-    if (!(norm > 0)) return 0; /* all held */
+    if (!(norm > 0)) return 0; /* all particles are held */
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
     for (int i = 0; i < ITERATIONS; i++) {
@@ -124,7 +124,7 @@ static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
         const double last = eigenvalue;
         eigenvalue = largest_eigenvalue(i + 1, diagonal, beside);
         if (i >= 10 && fabs(eigenvalue - last) < ENOUGH * eigenvalue) break;
-        if (!(beside[i] > 1e-10 * eigenvalue)) break; /* the whole space has been seen */
+        if (!(beside[i] > 1e-10 * eigenvalue)) break; /* the Krylov space is complete */
         for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++) {
                 k->before[c][h] = k->u[c][h];

@@ -11,9 +11,9 @@
 
 #include <math.h>
 
-/* Adaptive dynamic relaxation (Underwood 1983; Kilic and Madenci 2010): central differences with the damping critical
- * for the frequency in which the solid deforms at present, Rayleigh's quotient of its displacement since the start. v =
- * ((2 - c dt) v + 2 dt a)/(2 + c dt)      d += dt v      c = 2 sqrt(-u.M a_bonds / u.M u) */
+/* Central differences with the damping that is critical for the frequency of the present deformation, the Rayleigh
+ * quotient of the displacement since the start.  (Underwood 1983; Kilic and Madenci 2010)
+ *     v = ((2 - c dt) v + 2 dt a)/(2 + c dt)      d += dt v      c = 2 sqrt(-u.M a_bonds / u.M u) */
 
 static const double OF_STABLE_STEP = 0.9;
 
@@ -22,7 +22,7 @@ struct sums {
     double stiffness, mass;             /* u.K u, u.M u */
 };
 
-/* a at the present d and v = 0, and what the step and its end need. Collective. */
+/* Computes a at the present d and v = 0, and the sums for the step and the stop criterion. Collective. */
 static struct sums sweep(struct solid *s, double *const start[3]) {
     solid_ghosts_update(s);
     solid_force_bonds(s, 0, 0);

@@ -2,6 +2,6 @@
 #pragma once
 #include "solid/state.h"
 
-/* Adaptive dynamic relaxation to static equilibrium under the present load: steps taken, or -1 if not converged to
- * |residual| <= tolerance * |load|. Breakage off. Collective. */
+/* Relaxes to static equilibrium under the present load. Returns the number of steps, or -1 if it has not converged to
+ * |residual| <= tolerance * |load|. No bond breaks. Collective. */
 int solid_relax(struct solid *s, double tolerance, int max_steps);

@@ -4,7 +4,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/step/rk3.h"
 
-/* Low-storage Runge-Kutta of the fluid, for d and v and for the energies.  (001: eqs 3.47, 3.48, mended) */
+/* The fluid's low-storage Runge-Kutta scheme, for d and v and for the energies.  (001: eqs 3.47, 3.48, mended) */
 static const double ALPHA[3] = {8. / 15, 5. / 12, 3. / 4};
 static const double BETA[3] = {0, -17. / 60, -5. / 12};
 

@@ -1,4 +1,4 @@
-/* Stable step of either integrator from the largest rates of stiffness, damping and contact. */
+/* Stable step of both integrators from the largest rates of stiffness, damping and contact. */
 #include "solid/step/stable.h"
 #include "solid/contact/contact.h"
 #include "solid/step/verlet.h"
@@ -14,8 +14,8 @@ static const double RK3_REAL = 2.5127453266; /* |R(-z)| = 1 */
 /* |R(z)|, R = 1 + z + z^2/2 + z^3/6: a step of RK3 multiplies a mode exp(lambda t) by R(lambda dt). */
 static double rk3_gain(double complex z) { return cabs(1 + z * (1 + z * (0.5 + z / 6))); }
 
-/* Along the ray z = dt lambda from 0, |R| first exceeds 1 between sqrt(3), where the imaginary axis leaves the region,
- * and 2.54, where it bulges most. Two real roots: the faster decides. */
+/* Along the ray z = dt lambda from 0, |R| first exceeds 1 between sqrt(3), where the stability region ends on the
+ * imaginary axis, and 2.54, its largest extent. For two real roots the faster one decides. */
 static double rk3_limit(double w, double g) {
     const double half = 0.5 * g, root2 = w - half * half;
     if (!(w > 0) || root2 <= 0) return g > 0 ? RK3_REAL / (half + sqrt(fmax(-root2, 0))) : INFINITY;
@@ -31,7 +31,7 @@ static double rk3_limit(double w, double g) {
     return low / sqrt(w);
 }
 
-/* Velocity Verlet whose damping sees the velocity v + theta dt a: the first root to leave the unit circle does so at
+/* Velocity Verlet whose damping uses the velocity v + theta dt a. The first root to leave the unit circle leaves it at
  * -1, where v = 0, d = -dt^2 a/4 and a (1 - theta g dt) = a w dt^2/4. So w dt^2/4 + (theta g) dt <= 1. */
 static double verlet_limit(double w, double theta_g) {
     return w > 0 || theta_g > 0 ? 2 / (theta_g + sqrt(theta_g * theta_g + w)) : INFINITY;
@@ -42,7 +42,8 @@ double solid_stable_oscillator(enum solid_integrator integrator, double w, doubl
                                    : verlet_limit(w, SOLID_VERLET_PAIRWISE * pairwise + absolute);
 }
 
-/* The oscillators on the polygon's upper boundary; below it, for RK3, only strongly damped ones count. */
+/* The least limit over the oscillators on the polygon's upper boundary; for RK3, of those below it only strongly damped
+ * ones matter. */
 static double polygon_limit(const struct solid_rates *r, enum solid_integrator integrator, double contact) {
     const double corner[] = {1 - r->difference, r->sum - 1, 1};
     double least = INFINITY;

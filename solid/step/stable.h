@@ -1,15 +1,15 @@
-/* The stable step: how far an integrator can go with the rates of a solid.
+/* The largest stable step of an integrator for the rates of a solid.
  *
  * A mode u of M x'' + D x' + K x = 0 moves as the oscillator x'' + g x' + w x = 0 with g = u.D u/u.M u, w = omega^2 =
- * u.K u/u.M u. The integrator is stable if it is for every pair (g, w) that some u can have. Those pairs fill a convex
- * set, and four largest eigenvalues give a polygon about it:
+ * u.K u/u.M u. The integrator is stable if it is stable for every pair (g, w) of all vectors u. These pairs form a
+ * convex set, and four largest eigenvalues give a polygon around it:
  *
  *     w/W 1 |  ______           W = largest of K/M, G = largest of D/M
- *           | /      \          w/W + g/G <= sum           (right edge: both at their largest at once or not)
- *           |/        |         w/W - g/G <= difference    (left edge: no fast mode that is hardly damped)
+ *           | /      \          w/W + g/G <= sum           (right edge: < 2 if no mode has both at their largest)
+ *           |/        |         w/W - g/G <= difference    (left edge: < 1 if every fast mode is damped)
  *         0 +---------1  g/G
  *
- * Contact adds to w alone, an absolute damping to g alone. */
+ * Contact adds to w only, absolute damping to g only. */
 #pragma once
 #include "solid/state.h"
 
@@ -23,13 +23,13 @@ struct solid_rates {
 enum solid_bound { SOLID_BOUND_NONE, SOLID_BOUND_BONDS, SOLID_BOUND_DAMPING, SOLID_BOUND_CONTACT };
 extern const char *const solid_stable_bound_name[]; /* by enum solid_bound */
 
-/* The largest stable step with `contact` 1/s2 of the contacts' stiffness on top, s; *bound: what makes it as small as
- * it is. */
+/* The largest stable step, s, with the rate `contact` of the contacts' stiffness added, 1/s2; *bound: which rate limits
+ * the step. */
 double solid_stable_of(const struct solid_rates *rates, enum solid_integrator integrator, double contact,
                        enum solid_bound *bound);
-/* The largest stable step of one oscillator x'' + g x' + w x = 0, s: up to it no step makes it grow. Of g, pairwise and
- * absolute damping are told apart, because Verlet's see different velocities. */
+/* The largest stable step of one oscillator x'' + g x' + w x = 0, s: it does not grow in any step up to this one.
+ * Pairwise and absolute damping are separate parts of g, because Verlet uses different velocities for them. */
 double solid_stable_oscillator(enum solid_integrator integrator, double w, double pairwise, double absolute);
-/* What one contact between particles that nothing else holds can add to the rates, 1/s2: two neighbours at r = r_c, of
- * the material for which it is most; 0 where no contact can come about. */
+/* The largest rate that one contact between otherwise free particles can add, 1/s2: of two neighbours at r = r_c, for
+ * the material with the largest one; 0 if contact is not possible. */
 double solid_stable_touch(const struct solid *s);

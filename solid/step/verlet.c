@@ -25,7 +25,7 @@ static void sweep_pairs(struct solid *s) {
     s->power_pairwise = s->power_damped;
 }
 
-/* d += dt v + dt^2/2 a, v += theta dt a; returns the sum of (load + weight) volume times the step of d, J. [n] */
+/* d += dt v + dt^2/2 a, v += theta dt a. Returns the sum of (load + weight) volume times the change of d, J. [n] */
 static double predict(int n, double dt, double theta, double weight, const double *restrict volume,
                       const double *restrict load, const double *restrict a, double *restrict d, double *restrict v) {
     vec work = vec_set(0);
@@ -53,7 +53,7 @@ void solid_verlet_again(struct solid *s) {
 
 void solid_verlet_begin(struct solid *s) {
     const int same = s->a_holds && memcmp(&s->stage, &s->stage_of_a, sizeof s->stage) == 0;
-    if (par_min(same) > 0) { /* on no rank anything but the load has changed */
+    if (par_min(same) > 0) { /* only the load has changed, on all ranks */
         solid_verlet_again(s);
     } else {
         solid_ghosts_begin(s);
@@ -62,10 +62,11 @@ void solid_verlet_begin(struct solid *s) {
     }
 }
 
-/* Velocity Verlet with one sweep a step. Pairwise damping sees the velocity at theta = SOLID_VERLET_PAIRWISE of the
- * step, what else depends on velocity the one predicted for its end: v^ = v + theta dt a      v* = v + dt a      d +=
- * dt v + dt^2/2 a      a' = a(d, v^, v*)      v = v* + dt/2 (a' - a) Work of the load over the displacement, the other
- * energies by the trapezoidal rule. */
+/* Velocity Verlet with one sweep a step. Pairwise damping uses the velocity at the fraction theta =
+ * SOLID_VERLET_PAIRWISE of the step, all other forces that depend on velocity use the velocity predicted for its end:
+ *     v^ = v + theta dt a      v* = v + dt a      d += dt v + dt^2/2 a
+ *     a' = a(d, v^, v*)        v = v* + dt/2 (a' - a)
+ * The work of the load is computed from the displacement, the other energies by the trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;

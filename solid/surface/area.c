@@ -52,7 +52,7 @@ double solid_surface_area_share(const struct solid *s, int h, const struct solid
 
 void solid_surface_area_restrict(struct solid *s, struct solid_surface *surface, const double low[3],
                                  const double high[3]) {
-    double sum[2] = {0, 0}; /* area, wetted faces */
+    double sum[2] = {0, 0}; /* sums of area and of wetted faces */
     for (int h = 0; h < s->n; h++) {
         if (!(s->flag[h] & SOLID_FIRST)) continue;
         int inside = 1;

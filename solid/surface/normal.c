@@ -41,7 +41,7 @@ static void face(const struct sums *sum, double spacing, unsigned open, struct s
         for (int c = 0; c < 3; c++) out->n[c] = vector[2][c];
     } else if (r > no_normal * spacing) {
         unit(sum->m, -1, out->n);
-    } else { /* a pore so placed that the rest balances: towards the void cones */
+    } else { /* a pore whose position balances the rest: towards the void cones */
         double towards[3] = {0, 0, 0};
         for (int f = 0; f < SOLID_FACES; f++)
             if (open >> f & 1) towards[f / 2] += f % 2 ? -1 : 1;
@@ -49,7 +49,7 @@ static void face(const struct sums *sum, double spacing, unsigned open, struct s
     }
 }
 
-/* Two intact bonds: the longest, and the one furthest out of its line. */
+/* Chooses the two reference bonds, both intact: the longest, and the one farthest from its line. */
 static void feel(const struct solid *s, int h, const struct solid_family_view *view, struct solid_facing *out) {
     double best[2] = {0, 0};
     const double *first = view->xi[0];

@@ -1,11 +1,11 @@
-/* Tests which of six cones about a particle are void.  (001: sec. 3.3.7) */
+/* Tests which of six cones around a particle are void.  (001: sec. 3.3.7) */
 #include "solid/surface/sector.h"
 #include "solid/bonds/lattice.h"
 
 #include <math.h>
 #include <string.h>
 
-static const double reach = 1.5;    /* spacings: between the first shell of six and the second along an axis */
+static const double reach = 1.5;    /* in spacings: between the first shell of six and the second one along an axis */
 static const double rim = 1 - 1e-9; /* bonds at 45 degrees belong to no cone */
 
 int solid_sector_of(const double xi[3], double spacing) {

@@ -5,46 +5,46 @@
  * +z -z.
  *
  *          \  +y  /
- *           \    /        A cone reaches 1.5 spacings, to the first shell: what stands behind a void site does not fill
- * it, -x    h    +x     so that a pore one particle wide is found. Its rim is not part of it: on the lattice it holds
- *           /    \        exactly the nearest site.
+ *           \    /        A cone reaches 1.5 spacings, to the first shell of sites: sites behind a void one do not fill
+ *       -x    h    +x     it, so that a pore one particle wide is found. The cone's rim is not part of it: on the
+ *           /    \        lattice a cone contains exactly the nearest site.
  *          /  -y  \
  *
- * A cone is void if it never held a bond; or if every bond into it is broken and their mean distance now,
+ * A cone is void if it never contained a bond, or if all its bonds are broken and their mean present length,
  * sum |X_l - X_h| / number, exceeds r_thr = delta. */
 #pragma once
 #include "solid/bonds/family.h"
 
 enum { SOLID_FACES = 6, SOLID_CONE_BONDS = 4 };
 
-/* A particle that has lost bonds: what its interface test needs. */
+/* Data of a particle that has lost bonds, for its interface test. */
 struct solid_watch {
     int h;
-    uint8_t bare;               /* bit f: never held a bond */
-    uint8_t broken;             /* bit f: all its bonds are broken */
-    uint8_t set_free;           /* no intact bond at all */
-    uint8_t bonds[SOLID_FACES]; /* of the broken cones, at most SOLID_CONE_BONDS kept */
+    uint8_t bare;               /* bit f: the cone never contained a bond */
+    uint8_t broken;             /* bit f: all bonds of the cone are broken */
+    uint8_t set_free;           /* 1: no intact bond at all */
+    uint8_t bonds[SOLID_FACES]; /* number of bonds of the broken cones, at most SOLID_CONE_BONDS each */
     int l[SOLID_FACES][SOLID_CONE_BONDS];
 };
 
-/* The cone that xi lies in, or -1. spacing: of the particle. */
+/* The cone that contains xi, or -1. spacing: of the particle. */
 int solid_sector_of(const double xi[3], double spacing);
 /* The direction of cone f. */
 void solid_sector_axis(int f, double e[3]);
-/* Edge of particle h's cube: the lattice's spacing, or volume^(1/3) off the lattice, m. */
+/* Edge of particle h's cube: the lattice's spacing, or volume^(1/3) for a particle on no lattice, m. */
 double solid_sector_spacing(const struct solid *s, int h);
 
 void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w);
-/* The same on a lattice, where a cone holds one site, the nearest; near: its offsets in the stencil; intact: bonds
- * left. */
+/* The same on a lattice, where a cone contains one site, the nearest one. near: offsets of these sites in the stencil;
+ * intact: number of intact bonds. */
 void solid_sector_look_near(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
                             struct solid_watch *w);
 struct solid_stencil;
 void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES]);
-/* Bit f: cone f is void now. Ghosts must be current. */
+/* Bit f is set if cone f is void now. Ghosts must be current. */
 unsigned solid_sector_void(const struct solid *s, const struct solid_watch *w);
 
-/* X_l - X_h now, the shortest across periodic sides, m. */
+/* The present X_l - X_h, to the nearest periodic image, m. */
 static inline void solid_relative(const struct solid *s, int h, int l, double zeta[3]) {
     for (int c = 0; c < 3; c++) {
         zeta[c] = (s->x0[c][l] - s->x0[c][h]) + (s->d[c][l] - s->d[c][h]);

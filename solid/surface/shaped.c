@@ -1,4 +1,4 @@
-/* Depth and normal of interface particles by the shape they were cut from, turned along with the deformation. */
+/* Depth and normal of interface particles by the shape they were cut from, rotated with the deformation. */
 #include "solid/surface/shaped.h"
 #include "base/memory.h"
 #include "solid/geometry/piece.h"
@@ -54,7 +54,7 @@ static void cross(const double a[3], const double b[3], double c[3]) {
     for (int d = 0; d < 3; d++) c[d] = a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3];
 }
 
-/* x turned by the shortest way from a to b, unit vectors: x + w x + w (w x)/(1 + a.b), w = a x b. */
+/* Applies to x the smallest rotation from a to b, unit vectors: x + w x + w (w x)/(1 + a.b), w = a x b. */
 static void turn(const double a[3], const double b[3], double x[3]) {
     double w[3], wx[3], wwx[3], along = 1;
     cross(a, b, w);
@@ -76,7 +76,7 @@ int solid_shaped_at(const struct solid_surface *f, int h, double normal[3], doub
         cosine += then[c] * now->n[c];
         has_turned |= then[c] != now->n[c];
     }
-    if (cosine < -0.99) return 0; /* turned about: no shortest way */
+    if (cosine < -0.99) return 0; /* nearly opposite: the smallest rotation is not unique */
     if (has_turned) turn(then, now->n, normal);
     *depth = shaped->depth[h];
     return 1;

@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* n (3), what the two feelers had moved (6), their places in the family (2), two-sided, open cones */
+/* n (3), d_l - d_h of the two reference bonds (6), their numbers in the family (2), two_sided, open cones */
 enum { STATE = 13 };
 
 int solid_surface_state_size(void) { return STATE; }
@@ -37,7 +37,7 @@ void solid_surface_state_save(const struct solid *s, const struct solid_surface 
     }
 }
 
-/* Watched particles and lists, from the bonds, the flags and the normals as they are now. What is lost is known. */
+/* Makes watched particles and lists from the present bonds, flags and normals. f->lost is up to date. */
 static void resume(struct solid *s, struct solid_surface *f) {
     for (int k = 0; k < f->watched; k++) f->watch_of[f->watch[k].h] = -1;
     f->watched = 0;
@@ -63,13 +63,13 @@ void solid_surface_state_load(struct solid *s, struct solid_surface *f, const do
     }
     solid_lost_find(f->lost, s);
     resume(s, f);
-    s->broke = SOLID_BROKE_CONTACT; /* its lists are to be made */
+    s->broke = SOLID_BROKE_CONTACT; /* contact's lists are still to be made */
     solid_surface_count(f, 0);
 }
 
 struct solid_surface_keep {
     long total, set_free;
-    struct solid_facing *facing; /* [interface particles, room for s->n] by rising index */
+    struct solid_facing *facing; /* [interface particles, with room for s->n] by rising index */
 };
 
 struct solid_surface_keep *solid_surface_state_keep_new(const struct solid *s) {

@@ -1,4 +1,4 @@
-/* Finds the interface between solid and void and keeps it current: members, normals, areas.  (001: sec. 3.3.7) */
+/* Finds the interface between solid and void and updates it: members, normals, areas.  (001: sec. 3.3.7) */
 #include "solid/surface/surface.h"
 
 #include "base/clock.h"
@@ -32,7 +32,7 @@ void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
     f->watch[f->watch_of[w->h]] = *w;
 }
 
-/* Entry i as it is now. */
+/* Updates entry i. */
 static void renew(const struct solid *s, struct solid_surface *f, int i) {
     const struct solid_facing *facing = &f->facing[f->h[i]];
     double shape[3];
@@ -137,7 +137,7 @@ void solid_surface_free(struct solid_surface *f) {
     memory_free(f);
 }
 
-/* What the interface test of a particle that has lost bonds needs, once solid_lost_find has counted them. */
+/* The data for the interface test of a particle that has lost bonds, after solid_lost_find has counted them. */
 void solid_surface_look(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w) {
     struct solid_family_view view;
     if (s->family->lattice[s->body[h]]) {
@@ -149,7 +149,7 @@ void solid_surface_look(struct solid *s, struct solid_surface *f, int h, struct 
     if (w->broken || w->set_free) solid_surface_watch(f, w);
 }
 
-/* Particles that have lost bonds since the last look. Returns the number of normals looked at. */
+/* Updates the particles that have lost bonds since the last call. Returns the number of normals computed. */
 static int look_where_broken(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
     const int found = solid_lost_find(f->lost, s);
@@ -166,8 +166,8 @@ static int look_where_broken(struct solid *s, struct solid_surface *f) {
     return normals;
 }
 
-/* The watched particles: those whose cracks have opened or closed. Returns the number that came or went, and adds to
- * that of normals looked at. */
+/* Updates the watched particles, whose cracks may have opened or closed. Returns the number that joined or left the
+ * interface, and adds to the number of normals computed. */
 static int look_where_open(struct solid *s, struct solid_surface *f, int *normals) {
     struct solid_family_view view;
     int changes = 0;
@@ -192,7 +192,7 @@ void solid_surface_renew(const struct solid *s, struct solid_surface *f) {
     for (int i = 0; i < f->n; i++) renew(s, f, i);
 }
 
-/* Normals of particles whose family has turned. */
+/* Updates the normals of particles whose family has rotated. */
 static void look_where_turned(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
     for (int i = 0; i < f->n; i++) {
@@ -205,7 +205,7 @@ static void look_where_turned(struct solid *s, struct solid_surface *f) {
 }
 
 int solid_surface_update(struct solid *s, struct solid_surface *f) {
-    clock_begin(CLOCK_SOLID); /* the ranks wait here for the one that was last with its bonds */
+    clock_begin(CLOCK_SOLID); /* includes the time that ranks wait for the slowest one */
     solid_ghosts_update(s);
     clock_end(CLOCK_SOLID);
     clock_begin(CLOCK_INTERFACE);
@@ -214,7 +214,7 @@ int solid_surface_update(struct solid *s, struct solid_surface *f) {
     if (changes)
         solid_surface_gather(s, f);
     else if (normals)
-        solid_surface_renew(s, f); /* new where the set is not */
+        solid_surface_renew(s, f); /* the members are the same: only normals change */
     look_where_turned(s, f);
     const long changed = solid_surface_count(f, changes);
     clock_end(CLOCK_INTERFACE);

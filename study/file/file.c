@@ -37,7 +37,7 @@ static void read_launcher(struct study *s, const struct study_key *k) {
                             "must say where {ranks} go");
 }
 
-/* A reference to a method that is none. */
+/* Reports a reference to a method that does not exist. */
 static void check_methods(const struct study *s, struct scene_problems *problems) {
     for (int i = 0; i < s->quantities; i++) {
         const char *method = s->quantity[i].reference.method;

@@ -1,4 +1,4 @@
-/* A study as its file says it.  (docs/study.md) */
+/* A study, as its file describes it.  (docs/study.md) */
 #pragma once
 #include "scene/text/problem.h"
 
@@ -8,12 +8,12 @@ struct study_sets {
     char **text; /* [n] "key.path=value", owned */
 };
 
-/* A method or a level: one of the things that are varied. */
+/* A method or a level: one value of what is varied. */
 struct study_variant {
     char *name;
-    int line;    /* of the study's file */
+    int line;    /* line in the study's file */
     double size; /* of a level: the h or dt that orders are computed with; NAN: none */
-    int ranks;   /* 0: as the study says */
+    int ranks;   /* 0: the study's number */
     struct study_sets sets;
 };
 
@@ -28,28 +28,28 @@ struct study_reference {
     enum study_reference_kind kind;
     double value, uncertainty; /* in the quantity's unit */
     double scale;              /* errors are divided by it; NAN: |value|, or 1 where that is zero */
-    char *source;              /* where the value is from; NULL: not said */
-    char *method;              /* whose finest run; NULL: the first's */
+    char *source;              /* source of the value; NULL: not given */
+    char *method;              /* the method whose finest run is the reference; NULL: the first method */
     double order;              /* of the extrapolation; NAN: the observed one */
 };
 
 enum study_at { STUDY_LAST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME };
 
-/* A number that a run folder holds: of the series, of a table or JSON file, or what a command prints last. */
+/* A number from a run folder: from the series, from a table or JSON file, or the last line that a command prints. */
 struct study_quantity {
     char *name, *unit; /* unit "": none */
     int line;
     char *column, *file, *row, *command; /* one of column, file and command */
     enum study_at at;
     double after, before; /* window of the series, s */
-    double above;         /* STUDY_TIME: when the column is first above this */
+    double above;         /* STUDY_TIME: the time when the column is first above this value */
     double factor;
     struct study_reference reference;
 };
 
 struct study {
     char *path, *folder, *name; /* the file; its folder; its name without its ending */
-    char *title, *scene;        /* scene: path as the program can open it */
+    char *title, *scene;        /* scene: path relative to the program's working folder */
     char *launcher;             /* with {ranks} */
     int ranks, repeats;
     struct study_sets sets;
@@ -58,8 +58,8 @@ struct study {
     struct study_quantity *quantity;
 };
 
-/* Reads the file; says every mistake, one line each, and dies with exit code 2. */
+/* Reads the file. Reports every mistake in one line each, then dies with exit code 2. */
 struct study *study_file_new(const char *path);
-/* The same from a text; NULL where there are problems. */
+/* The same from a text; NULL if there are problems. */
 struct study *study_file_parse(const char *path, const char *text, size_t bytes, struct scene_problems *problems);
 void study_file_free(struct study *s);

@@ -1,14 +1,14 @@
-/* Parts of a study's file: each reads what stands under a key and says what is wrong with it. For study/file*.c only.
- */
+/* Parts of a study's file: each reads the value of a key and reports its mistakes. For the files of study/file only. */
 #pragma once
 #include "study/file/file.h"
 
 void study_sets_read(struct study_sets *sets, const struct scene_node *mapping, const char *path,
                      struct scene_problems *problems);
-void study_sets_join(struct study_sets *sets, const struct study_sets *more); /* copies of more at the end */
+void study_sets_join(struct study_sets *sets, const struct study_sets *more); /* appends copies of more */
 void study_sets_free(struct study_sets *sets);
 
-/* A list of variants, or {product: [list, list, ...]}, of which every combination is one. */
+/* Reads a list of variants, or {product: [list, list, ...]}, which stands for all combinations of the lists'
+ * entries. */
 void study_variants_read(struct study_variants *v, const struct scene_node *node, const char *path, int with_size,
                          struct scene_problems *problems);
 void study_variants_free(struct study_variants *v);

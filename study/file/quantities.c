@@ -46,7 +46,7 @@ static void read_column(struct study_quantity *q, const struct study_key *k) {
                           q->before);
 }
 
-/* Keys that belong to a kind of quantity other than this one's. */
+/* Reports keys that belong to another kind of quantity. */
 static void refuse_others(const struct study_quantity *q, const struct study_key *k) {
     static const char *const of_series[] = {"at", "after", "before", "above"};
     for (int i = 0; i < 4 && !q->column; i++)
@@ -83,7 +83,7 @@ static void read_quantity(struct study_quantity *q, const struct scene_node *nod
     free(its);
 }
 
-/* The reference that stands beside the quantities, for those that have none of their own. */
+/* Gives the study's common reference to the quantities that have none of their own. */
 static void share_reference(struct study *s, const struct scene_node *root, struct scene_problems *problems) {
     const struct scene_node *node = scene_node_child(root, "reference");
     for (int i = 0; i < s->quantities; i++) {

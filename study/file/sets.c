@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A text between double quotes, as YAML and JSON have it. */
+/* Writes a text in double quotes, as YAML and JSON need it. */
 static void put_quoted(FILE *f, const char *text) {
     fputc('"', f);
     for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
@@ -19,7 +19,7 @@ static void put_quoted(FILE *f, const char *text) {
     fputc('"', f);
 }
 
-/* The node on one line, in YAML's flow style. */
+/* Writes the node on one line, in YAML's flow style. */
 static void put_flow(FILE *f, const struct scene_node *node) {
     if (node->kind == SCENE_NODE_SCALAR) {
         if (node->quoted || strpbrk(node->value, ",[]{}:#&*!|>'\"%@`\n"))

@@ -52,7 +52,7 @@ static void read_list(struct study_variants *v, const struct scene_node *list, c
     }
 }
 
-/* Every pair of one of a and one of b; a's changes slowest. */
+/* All pairs of an entry of a and an entry of b; a changes slowest. */
 static void multiply(struct study_variants *a, const struct study_variants *b, const struct scene_node *node,
                      const char *path, struct scene_problems *problems) {
     struct study_variants product = {0};
@@ -99,7 +99,7 @@ static void read_product(struct study_variants *v, const struct scene_node *node
     }
 }
 
-/* Sizes: of all or of none, and none larger than the one before. */
+/* Checks the sizes: all variants or none have one, and none is larger than the one before. */
 static void check_sizes(const struct study_variants *v, const struct scene_node *node, const char *path,
                         struct scene_problems *problems) {
     for (int i = 1; i < v->n; i++) {

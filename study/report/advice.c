@@ -9,12 +9,13 @@
 
 enum { ROUND_ERRORS = 24, RUNGS = 3, NAMED_MOST = 4 };
 
-/* Where the finest run is itself the reference it is at no distance from it, which says nothing of its error. */
+/* The level of the reference, if the method's finest run is the reference itself: its error is zero by definition and
+ * tells nothing. */
 static int reference_level(const struct study_table *t, int method) {
     return t->method == method && !t->extrapolated ? t->curve[method].finest : -1;
 }
 
-/* The cheapest run of all methods that stays below an error, the reference apart. */
+/* The cheapest run of all methods with an error below a given one; the reference is left out. */
 struct rung {
     double at, time;
     int method, level;
@@ -39,7 +40,7 @@ static char *error_text(const struct study_table *t, double error) {
     return t->has_scale ? scene_node_text("%.3g %%", 100 * error) : scene_node_text("%.3g", error);
 }
 
-/* Two digits, and no exponent in front of the point. */
+/* Formats a number with two digits and without exponent. */
 enum { DIGITS = 32 };
 static const char *two_digits(double x, char text[DIGITS]) {
     const double digit = x > 0 ? pow(10, fmax(floor(log10(x)) - 1, 0)) : 1;
@@ -57,13 +58,13 @@ static char *joined(char *a, char *b) {
     return both;
 }
 
-/* What another method takes at an error, over what the cheapest one does. */
+/* Time of another method at an error, divided by the time of the cheapest one. */
 struct other {
     const char *method;
-    double factor; /* NAN: it does not get there */
+    double factor; /* NAN: the method does not reach the error */
 };
 
-/* Of many methods: how many get there, and in which times. */
+/* For many methods: how many reach the error, and in which range of times. */
 static char *counted(const struct other *other, int n, const char *error) {
     double least = INFINITY, most = 0;
     int reached = 0;
@@ -93,7 +94,7 @@ static char *named(const struct other *other, int n, const char *error) {
     return text;
 }
 
-/* What the other methods would have cost at the last rung's error; nothing is said of the reference's own run. */
+/* Text on what the other methods would have cost at the last run's error; the reference's own run is left out. */
 static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last, double *work) {
     const struct study_variants *methods = &r->plan->study->methods;
     const int levels = r->plan->study->levels.n;
@@ -135,7 +136,7 @@ char *study_advice_write(const struct study_result *r, const struct study_table 
         const struct rung next = rung_of(r, t, study_iso_round(k), work);
         if (next.method < 0) break;
         if (rungs && next.method == rung[rungs - 1].method && next.level == rung[rungs - 1].level)
-            rungs--; /* the same run reaches more */
+            rungs--; /* the same run also reaches the smaller error */
         if (rungs == RUNGS) memmove(rung, rung + 1, (size_t)(--rungs) * sizeof *rung);
         rung[rungs++] = next;
     }

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A method's curve: its points that have an error and a time. Arrays are owned by the caller. */
+/* A method's curve: its points with an error and a time. The arrays are owned by the caller. */
 static struct postproc_curve curve_new(const struct study_result *r, const struct study_table *t, int method) {
     const struct study *s = r->plan->study;
     double *time = malloc((size_t)s->levels.n * sizeof *time), *error = malloc((size_t)s->levels.n * sizeof *error);
@@ -33,7 +33,7 @@ static void curve_free(const struct postproc_curve *c) {
     free((void *)(size_t)c->label);
 }
 
-/* Whether it could be drawn, where there is something to draw. */
+/* Draws a table's plot, if it has points. Returns whether gnuplot succeeded. */
 static int draw(const struct study_result *r, struct study_table *t, const char *out) {
     const struct study *s = r->plan->study;
     struct postproc_curve *curve = calloc((size_t)s->methods.n, sizeof *curve);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A CSV cell: in quotes where it holds a comma or a quote. */
+/* Writes a CSV cell, in quotes if it contains a comma or a quote. */
 static void put_text(FILE *f, const char *text) {
     if (!strpbrk(text, ",\"\n")) {
         fputs(text, f);
@@ -21,7 +21,7 @@ static void put_text(FILE *f, const char *text) {
     fputc('"', f);
 }
 
-/* Nothing where there is no number. */
+/* Writes an empty cell if there is no number. */
 static void put(FILE *f, double x, int digits) {
     fputc(',', f);
     if (isfinite(x)) fprintf(f, "%.*g", digits, x);

@@ -18,12 +18,12 @@ static void put(FILE *f, double x, int digits) {
         fputs("– ", f);
 }
 
-/* 10 %, 0.3 %, or as a number where errors have no scale. */
+/* 10 %, 0.3 %, or a plain number if errors have no scale. */
 static char *error_text(const struct study_table *t, double error) {
     return t->has_scale ? scene_node_text("%.3g %%", 100 * error) : scene_node_text("%.3g", error);
 }
 
-/* Columns of the costs that some run has. */
+/* Whether some run has these costs, which need columns of the table. */
 static int has_cells(const struct study_result *r, const struct study_table *t) {
     for (int i = 0; i < r->plan->cases; i++)
         if (isfinite(t->point[i].cell_step)) return 1;
@@ -107,16 +107,16 @@ static void put_fits(FILE *f, const struct study_result *r, const struct study_t
     }
 }
 
-/* When a method reaches an error. */
+/* The time in which a method reaches an error. */
 struct reach {
-    double time; /* s; NAN: not, or said already */
-    int at_most; /* 1: its coarsest level is better */
+    double time; /* s; NAN: not reached, or already written */
+    int at_most; /* 1: the error of its coarsest level is smaller */
 };
 
 /* "dual 1.3 s, uniform 6.2 s: 4.8 times as long". */
 static void put_reached(FILE *f, const struct study_variants *methods, struct reach *reach, int reached) {
     struct reach best = {NAN, 0};
-    for (int k = 0; k < reached; k++) { /* the fastest of those not said yet */
+    for (int k = 0; k < reached; k++) { /* the fastest of those not yet written */
         int next = -1;
         for (int m = 0; m < methods->n; m++)
             if (isfinite(reach[m].time) && (next < 0 || reach[m].time < reach[next].time)) next = m;
@@ -132,7 +132,8 @@ static void put_reached(FILE *f, const struct study_variants *methods, struct re
     fputs("\n", f);
 }
 
-/* At one error; 0, and nothing is said, where fewer than two methods reach it or all do at their coarsest. */
+/* Writes the times at one error. Returns 0 and writes nothing if fewer than two methods reach the error or if all reach
+ * it at their coarsest level. */
 static int put_iso(FILE *f, const struct study_result *r, const struct study_table *t, double at, double *work,
                    struct reach *reach) {
     const struct study_variants *methods = &r->plan->study->methods;
@@ -166,7 +167,7 @@ static void put_isos(FILE *f, const struct study_result *r, const struct study_t
     free(reach);
 }
 
-/* Repeats that did not give the same value. */
+/* Writes by how much the values of repeats differ. */
 static void put_spread(FILE *f, const struct study_result *r, const struct study_table *t) {
     double worst = 0;
     for (int i = 0; i < r->plan->cases; i++)

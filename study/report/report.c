@@ -1,4 +1,4 @@
-/* Names, machine description and status texts that the CSV file and the page share. */
+/* Names, description of the machine and status texts, shared by the CSV file and the page. */
 #include "study/report/report.h"
 #include "base/libraries.h"
 #include "base/machine.h"

@@ -1,8 +1,8 @@
-/* What a study leaves behind: NAME.csv, NAME.md, and a plot a quantity. */
+/* The report of a study: NAME.csv, NAME.md, and a plot for each quantity. */
 #pragma once
 #include "study/result/result.h"
 
-/* Where and by what it was measured. */
+/* The machine and the build of the measurements. */
 struct study_maker {
     char processor[128], compiler[128], flags[512], version[64], revision[64], mpi[128], fftw[128], date[32];
     int cores;
@@ -11,14 +11,15 @@ struct study_maker study_report_maker(void);
 
 void study_csv_write(const struct study_result *r, const struct study_maker *maker, const char *out);
 void study_page_write(const struct study_result *r, const struct study_maker *maker, const char *out);
-/* Error against wall time, both in logarithms; marks what is plotted. 0: gnuplot is missing or failed. */
+/* Plots error against wall time, both logarithmic; marks the tables that are plotted. Returns 0 if gnuplot is missing
+ * or has failed. */
 int study_chart_draw(struct study_result *r, const char *out);
 
-/* NAME, or NAME_QUANTITY where there are several; malloc'ed. */
+/* NAME, or NAME_QUANTITY if there are several quantities; malloc'ed. */
 char *study_report_name(const struct study_result *r, const struct study_table *t);
 const char *study_report_status(const struct study_point *p, char status[32]); /* "done", "failed 3", "no value" */
-/* What the reference is, in words; malloc'ed. */
+/* The reference in words; malloc'ed. */
 char *study_report_reference(const struct study_result *r, const struct study_table *t);
-/* What a user can act on, in one sentence: what run gets below each of the smallest round errors that were reached, its
- * wall time, and what the other methods would have cost. Empty where no run does; malloc'ed. */
+/* A sentence for the user: the cheapest run below each of the smallest round errors that were reached, its wall time,
+ * and what the other methods would have cost. Empty if no run reaches one; malloc'ed. */
 char *study_advice_write(const struct study_result *r, const struct study_table *t);

@@ -30,7 +30,8 @@ double study_iso_round(int k) { return pow(10, -(k / 2)) * (k % 2 ? 0.3 : 1); }
 
 int study_iso_cheapest(int n, const double *error, const double *time, double at) {
     int found = -1;
-    for (int i = n - 1; i >= 0 && !(error[i] > at); i--) /* a finer one that is worse: it got there by chance */
+    for (int i = n - 1; i >= 0 && !(error[i] > at); i--) /* a finer level above the error: the coarser one was below it
+                                                          * by chance */
         if (isfinite(error[i]) && time[i] > 0 && (found < 0 || time[i] <= time[found])) found = i;
     return found;
 }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An extrapolation is believed for orders in this range. */
+/* An extrapolation is used only if its order is in this range. */
 static const double order_low = 0.5, order_high = 8;
 
 static int levels_of(const struct study_result *r) { return r->plan->study->levels.n; }
@@ -18,7 +18,7 @@ const struct study_point *study_result_point(const struct study_result *r, const
     return &t->point[method * levels_of(r) + level];
 }
 
-/* A number of every repeat that is done, ascending; how many there are. */
+/* Collects a number from all repeats that have finished, in ascending order. Returns how many there are. */
 struct column {
     int n;
     double *x; /* [repeats] work */
@@ -74,7 +74,7 @@ static void point_fill(struct study_point *p, const struct study_plan *plan, int
     p->spread = c->n ? c->x[c->n - 1] - c->x[0] : NAN;
 }
 
-/* The finest levels of a method that are done and have a value: [3], the finest first; how many. */
+/* The finest levels of a method that have finished with a value: [3], the finest first. Returns how many there are. */
 static int finest_of(const struct study_result *r, const struct study_table *t, int method, int level[3]) {
     int n = 0;
     for (int l = levels_of(r) - 1; l >= 0 && n < 3; l--)
@@ -100,7 +100,7 @@ static void richardson_fill(const struct study_result *r, struct study_table *t,
         c->richardson = study_richardson_three(f, h);
 }
 
-/* Half the range of the finest levels: what is known of the finest where nothing can be extrapolated. */
+/* Half the range of the finest levels: the uncertainty of the finest one if no extrapolation is possible. */
 static double half_range(const struct study_result *r, const struct study_table *t, int method) {
     int level[3];
     double low = INFINITY, high = -INFINITY;
@@ -137,7 +137,7 @@ static void errors_fill(const struct study_result *r, struct study_table *t) {
         }
 }
 
-/* Orders of what the reference resolves. */
+/* Orders, from the errors that the reference resolves. */
 static void orders_fill(const struct study_result *r, struct study_table *t, int m, double *work) {
     const int levels = levels_of(r);
     double *const size = work, *const error = work + levels, *const time = work + 2 * levels;

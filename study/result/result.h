@@ -1,41 +1,41 @@
-/* What the runs of a study say together: errors, orders and times, quantity by quantity. */
+/* Results of a study: errors, orders and run times by quantity. */
 #pragma once
 #include "study/result/richardson.h"
 #include "study/runs/plan.h"
 
-/* A quantity by a method at a level. NAN where there is no such number. */
+/* A quantity by a method at a level. NAN: no such number. */
 struct study_point {
-    enum study_state state;                 /* of the repeats: done if one was */
-    int exit_code;                          /* of a repeat that failed */
-    int repeats;                            /* that gave a value */
-    double value, spread;                   /* median; largest less smallest */
-    double error, relative;                 /* |value - reference|; over the scale */
+    enum study_state state;                 /* state of the repeats: done if one of them is */
+    int exit_code;                          /* of a failed repeat */
+    int repeats;                            /* number of repeats that gave a value */
+    double value, spread;                   /* median; largest minus smallest */
+    double error, relative;                 /* |value - reference|; the same divided by the scale */
     int resolved;                           /* 1: the error is larger than the reference's uncertainty */
     double order;                           /* between this level and the one before */
-    double wall, wall_min, wall_iqr, setup; /* s: median, smallest, between the quartiles; median */
-    double cell_step, bond_sweep;           /* ns of one core, medians */
+    double wall, wall_min, wall_iqr, setup; /* s: median, smallest, interquartile range; median */
+    double cell_step, bond_sweep;           /* ns on one core, medians */
     double memory;                          /* bytes, all ranks, largest */
     long steps;
     int ranks;
 };
 
-/* A curve of a quantity. */
+/* The results of a method for a quantity. */
 struct study_curve {
     double order;                       /* fitted: slope of the error over the size */
     double gain;                        /* fitted: slope of the error over the wall time */
-    int finest;                         /* level of the finest run that is done, -1: none */
+    int finest;                         /* level of the finest finished run, -1: none */
     struct study_richardson richardson; /* of its finest levels */
 };
 
 struct study_table {
     const struct study_quantity *quantity; /* borrowed */
-    double reference, uncertainty, scale;  /* reference NAN: there is none, as the run it needs is not done */
+    double reference, uncertainty, scale;  /* reference NAN: the run of the reference has not finished */
     int has_scale;                         /* 0: errors are absolute, scale is 1 */
-    int method;                            /* finest: whose; -1: the reference is a given value */
-    int extrapolated;                      /* finest: 1: the reference is Richardson's value */
+    int method;                            /* finest: the method of the reference; -1: the reference is a given value */
+    int extrapolated;                      /* finest: 1: the reference is the Richardson extrapolation */
     struct study_curve *curve;             /* [methods] */
     struct study_point *point;             /* [methods][levels] */
-    int plotted;                           /* 1: its plot is there */
+    int plotted;                           /* 1: its plot exists */
 };
 
 struct study_result {
@@ -46,9 +46,9 @@ struct study_result {
 
 struct study_result *study_result_new(const struct study_plan *plan);
 void study_result_free(struct study_result *r);
-/* Of a table: the point of a method at a level. */
+/* The point of a table for a method at a level. */
 const struct study_point *study_result_point(const struct study_result *r, const struct study_table *t, int method,
                                              int level);
-/* A method's error (relative, in units of the scale) and wall time, level by level; NAN where there is none. */
+/* A method's error (relative, in units of the scale) and wall time for all levels; NAN: none. */
 void study_result_curve(const struct study_result *r, const struct study_table *t, int method, double *error,
                         double *time);

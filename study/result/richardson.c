@@ -28,7 +28,7 @@ static double spread_of(double p, double s, double ln21, double ln32) {
     return p * ln21 - log(a / b);
 }
 
-/* The order by bisection; NAN where there is no positive one. */
+/* The order by bisection; NAN if there is no positive one. */
 static double order_of(double ratio, double r21, double r32) {
     const double s = ratio > 0 ? 1 : -1, at = log(fabs(ratio)), ln21 = log(r21), ln32 = log(r32);
     double low = 1e-9, high = ORDER_MAX;

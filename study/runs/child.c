@@ -38,7 +38,8 @@ int study_child_stopped(void) {
     return stopped;
 }
 
-/* In a group of its own, so that a terminal's ^C comes here only, and with no signal blocked. */
+/* Starts the program in a process group of its own, so that a terminal's ^C reaches only this program; no signal is
+ * blocked in it. */
 static int start(const struct study_child *c, pid_t *pid) {
     const sigset_t ours = waited_for(1);
     sigset_t none;

@@ -1,16 +1,17 @@
-/* Programs that a study starts, one at a time, and the signals that end them and it. */
+/* Programs that a study starts, one at a time, and the signals that stop the study. */
 #pragma once
 
 struct study_child {
-    char *const *argv;  /* argv[0]: looked for in PATH where it has no slash */
-    const char *folder; /* it starts in; NULL: this one */
-    const char *said,
-        *errs; /* files for what it prints, written anew; errs is added to; absolute or from the folder here */
+    char *const *argv;       /* argv[0] is searched for in PATH if it contains no slash */
+    const char *folder;      /* working folder of the program; NULL: this program's */
+    const char *said, *errs; /* files for its output, overwritten; errs is appended to; absolute, or relative to this
+                              * program's folder */
 };
 
-/* From now on SIGINT, SIGTERM and SIGHUP wait to be asked for; SIGTERM is then handed on to the program that runs. */
+/* From this call on SIGINT, SIGTERM and SIGHUP are only noted (study_child_stopped), and passed on to the running
+ * program as SIGTERM. */
 void study_child_begin(void);
-/* Its exit code; 128 + n where signal n has ended it; 127 where it could not be started (errno). A first signal to this
- * program is handed on as SIGTERM, a second as SIGKILL. */
+/* Runs the program. Returns its exit code; 128 + n if signal n has ended it; 127 if it could not be started (errno). A
+ * first signal to this program is passed on as SIGTERM, a second one as SIGKILL. */
 int study_child_run(const struct study_child *c);
-int study_child_stopped(void); /* the signal that this program has had so far, or 0 */
+int study_child_stopped(void); /* the signal that this program has received, or 0 */

@@ -1,4 +1,4 @@
-/* Reads how a run ended and what it took from its run.json. */
+/* Reads the result and the costs of a run from its run.json. */
 #include "study/runs/outcome.h"
 #include "base/version.h"
 #include "files/folder.h"

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the case's scene resolves to; NULL, and its mistakes said, where it is refused. */
+/* The resolved scene of a case; NULL if it has mistakes, which are reported. */
 static char *resolve(const struct study *s, const struct study_case *c, const char *text) {
     struct scene_problems problems = {0};
     const struct study_variant *method = &s->methods.variant[c->method], *level = &s->levels.variant[c->level];
@@ -39,7 +39,7 @@ static void case_begin(struct study_case *c, const struct study *s, int level, i
     if (!c->resolved) exit(EXIT_CODE_SCENE);
 }
 
-/* Two names that would share a folder. */
+/* Reports two names that would give the same folder. */
 static void check_slugs(const struct study *s, const struct study_variants *v) {
     for (int i = 0; i < v->n; i++)
         for (int j = 0; j < i; j++) {

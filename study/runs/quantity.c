@@ -41,7 +41,7 @@ static double of_series(const struct study_quantity *q, const char *folder, char
     return value;
 }
 
-/* The next cell of a line of CSV, in place; quotes are taken off. */
+/* The next cell of a CSV line, in place, without quotes. */
 static char *cell(char **line) {
     char *at = *line, *to = at, *start = at;
     if (!at) return NULL;
@@ -56,7 +56,7 @@ static char *cell(char **line) {
     return start;
 }
 
-/* The row of that quantity, in the column value (or ours, as a case's summary has it). */
+/* The row of that quantity, in the column value (or ours, in a case's summary). */
 static double of_csv(const struct study_quantity *q, const char *path, char *text, char **why) {
     int name = -1, number = -1;
     for (char *line; (line = strsep(&text, "\n"));) {
@@ -100,7 +100,7 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
     return value;
 }
 
-/* What a shell's last line says, of the command run in the run folder. */
+/* The last line printed by a shell command run in the run folder. */
 static double of_command(const struct study_quantity *q, const char *folder, char **why) {
     char shell[] = "/bin/sh", option[] = "-c", said[FOLDER_PATH], errs[FOLDER_PATH];
     char *const argv[] = {shell, option, q->command, NULL};

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The words of the launcher, with {ranks} replaced; returns how many, each malloc'ed. */
+/* Splits the launcher's command into words and replaces {ranks}. Returns the number of words, each malloc'ed. */
 static int launcher_words(const char *launcher, int ranks, char **word) {
     int n = 0;
     for (const char *at = launcher + strspn(launcher, " "); *at; at += strspn(at, " ")) {
@@ -70,7 +70,7 @@ static void measure(const struct study_plan *p, struct study_run *run) {
     }
 }
 
-/* "about 3 min left" */
+/* Prints "about 3 min left". */
 static void say_left(const struct study_plan *p, int next) {
     const double left = study_plan_left(p, next);
     if (isnan(left) || left == 0)

@@ -1,7 +1,7 @@
-/* Makes the runs of a plan that are not there yet, one after the other. */
+/* Makes the missing runs of a plan, one after another. */
 #pragma once
 #include "study/runs/plan.h"
 
-/* program: what to start as frana. fresh: keeps nothing. Returns 0, or the exit code to leave with where a signal has
- * stopped it. What a run gave stands in the plan afterwards. */
+/* program: the frana to start. fresh: no existing run is kept. Returns 0, or the exit code for the end of the program
+ * if a signal has stopped the study. The results are in the plan. */
 int study_runs_make(struct study_plan *p, const char *program, int fresh);

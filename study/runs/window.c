@@ -13,7 +13,7 @@ double study_window(const struct study_samples *s, enum study_at at, double afte
             length += t - t_last;
         }
         if (isnan(time) && x > above) time = t;
-        most = fmax(most, x); /* fmax passes over NAN */
+        most = fmax(most, x); /* fmax ignores NAN */
         least = fmin(least, x);
         last = x;
         t_last = t;

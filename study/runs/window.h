@@ -3,10 +3,10 @@
 #include "study/file/file.h"
 
 struct study_samples {
-    long n, stride;      /* sample i stands at i * stride */
-    const double *t, *x; /* s, any unit; where x is NAN there is no value */
+    long n, stride;      /* sample i is at i * stride */
+    const double *t, *x; /* s, any unit; x NAN: no value */
 };
 
-/* last, max, min, mean over time (trapezium rule), or the time when x is first above the limit, over the samples of
- * after <= t <= before; NAN where there are none. */
+/* last, max, min, mean over time (trapezium rule), or the time when x is first above the limit, over the samples with
+ * after <= t <= before; NAN without samples. */
 double study_window(const struct study_samples *s, enum study_at at, double after, double before, double above);
