@@ -23,8 +23,8 @@ struct adapt {
     int least;   /* substeps in it, at least: 0, or what one is made again with */
     int tries;   /* times that the present step has been made again */
     int replays; /* 1: steps that have been are made once more, to come to the state before another: nothing is said */
-    double
-        approach; /* m, by which two particles may have come nearer since contact was looked at; part of a checkpoint */
+    /* State (coupling/run_state.c): m, by which two particles may have come nearer since contact was looked at. */
+    double approach;
     struct fluid_limits limits; /* after the last step, where limits_of is its number */
     long limits_of;
     double first;                 /* s, the first step of the stage */

@@ -34,13 +34,14 @@ struct run_markers {
     uint8_t *active;
 };
 
-/* What the rates of a refined plate were found from; part of a checkpoint. */
+/* What the rates of a refined plate were found from. */
 struct run_refined {
-    int level;    /* finest when they were, -1: not yet in this stage */
+    long level;   /* finest when they were, -1: not yet in this stage */
     double rate2; /* solid_refine_rate_bound then, 1/s2 */
 };
 
 struct run {
+    /* Parameters: read-only once the run is made. What the parts hold is state, parameters and work in its turn. */
     const struct scene *scene; /* borrowed */
     struct setup_needs needs;
     struct fluid *fluid;           /* NULL: no fluid */
@@ -48,39 +49,42 @@ struct run {
     struct solid_surface *surface; /* NULL unless immersed */
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
-    struct run_markers markers;
-    double (*demand)[3];   /* [n] waits for markers (coupling/forcing_guess.h); NULL: none does */
-    double *v_last[3];     /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
-    double (*carried)[3];  /* [bodies] by their carried mass, N (coupling/balance.h); or NULL */
-    double load[3];        /* force of the fluid on the solid at the last probe, whole solid, N */
-    struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
+    struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
+    double wall_start;
+    double setup_seconds; /* from wall_start until the first step; 0: not there yet */
+    long resumed;         /* step of the checkpoint it started from, 0: none */
 
-    /* where the run stands */
-    double t;        /* s */
-    long step;       /* over all stages */
-    int stage;       /* index into scene->stage */
-    long stage_step; /* steps done of it */
-
-    struct adapt adapt; /* how its steps are found */
-
-    /* of the present stage */
-    double dt;    /* s */
-    int substeps; /* of the solid in a step */
+    /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
+     * looks that it has every member from t to solid_bound. */
+    double t;             /* s */
+    double dt;            /* s */
+    long step;            /* over all stages */
+    long stage_step;      /* steps done of the present stage */
+    int stage;            /* index into scene->stage */
+    int substeps;         /* of the solid in a step */
+    long moved;           /* step after which the solid last moved, 0: as it was made */
+    double load[3];       /* force of the fluid on the solid at the last probe, whole solid, N */
+    double *v_last[3];    /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
+    double (*carried)[3]; /* [bodies] by their carried mass, N (coupling/balance.h); or NULL */
+    double (*demand)[3];  /* [n] waits for markers (coupling/forcing_guess.h); NULL: none does */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with what touches now */
     enum solid_bound solid_bound; /* and what bounds it */
+
+    /* Parts of a step, put together when a stage begins. */
     int parts;
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
+    struct adapt adapt; /* how its steps are found */
 
-    long moved;                          /* step after which the solid last moved, 0: as it was made */
-    long deposited;                      /* step of the last deposit, -1: none */
-    double *position[3];                 /* [n] work of the deposit, m */
-    long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond */
-    long resumed;                        /* step of the checkpoint it started from, 0: none */
-    double wall_start;
-    double setup_seconds; /* from wall_start until the first step; 0: not there yet */
+    /* Work: found anew from the state. */
+    struct run_markers markers;
+    double *position[3]; /* [n] of the deposit, m */
+    long deposited;      /* step of the last deposit, -1: none */
+
+    /* Counters, for ns per cell-step and per bond. */
+    long fluid_cell_steps, solid_sweeps;
 };
 
 struct run *run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only shows when it is made. */

@@ -1,11 +1,13 @@
-/* The solid's whole state kept in memory and put back: what a checkpoint stores, and what else a later step may depend
- * on to the bit (accelerations that still hold, contact's lists and its record of torn bonds, which segments were
- * judged first). So the same steps from a state put back are the same to the bit.
+/* The solid's whole state kept in memory and put back: what the table of its state (solid/state_table.c) says is kept.
+ * That is what a checkpoint stores, and what else a later step may depend on to the bit (accelerations that still hold,
+ * contact's lists and its record of torn bonds, which segments were judged first). So the same steps from a state put
+ * back are the same to the bit.
  *
  * Copies go with the number of particles; bonds, contact's lists and its record only with what has changed. Several
  * states may be kept at a time; putting one back makes those kept after it useless until they are taken anew. A state
  * is taken between steps, when the surface has been looked at, and does not outlive a refinement. */
 #pragma once
+#include "files/state_item.h"
 #include "solid/surface/surface.h"
 
 struct solid_keep; /* opaque */
@@ -16,3 +18,8 @@ void solid_keep_free(struct solid_keep *k);
 void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_surface *surface); /* Not collective. */
 /* Ghosts' displacements and velocities come back with the others. Not collective. */
 void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surface *surface);
+
+/* For the table: the items that are not simply copied. Their `keep` is a struct solid_keep, their owner a struct
+ * solid_state_owner. */
+extern const struct state_kept solid_keep_sweep, solid_keep_bonds, solid_keep_given, solid_keep_paths,
+    solid_keep_contact, solid_keep_surface;

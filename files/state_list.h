@@ -1,0 +1,18 @@
+/* The items of several tables of state that a scene has, in the order of a checkpoint. */
+#pragma once
+#include "files/state_item.h"
+
+enum { STATE_LIST_MAX = 96 };
+
+struct state_list {
+    int n, parts;
+    const struct state_part *part; /* [parts] borrowed */
+    struct {
+        const struct state_item *item;
+        const struct state_part *part;
+    } at[STATE_LIST_MAX];
+};
+
+/* The tables one after another; an item with `after`, and those below it in its table, follow that item instead. So the
+ * tables that others point into stand before or behind, as they like. Not collective. */
+void state_list_make(struct state_list *list, const struct state_part *part, int parts);
