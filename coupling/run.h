@@ -41,7 +41,7 @@ struct run_refined {
 };
 
 struct run {
-    /* Parameters: read-only once the run is made. What the parts hold is state, parameters and work in its turn. */
+    /* Parameters: read-only once the run is made. The parts have parameters, state and work of their own. */
     const struct scene *scene; /* borrowed */
     struct setup_needs needs;
     struct fluid *fluid;           /* NULL: no fluid */
@@ -50,9 +50,6 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
-    double wall_start;
-    double setup_seconds; /* from wall_start until the first step; 0: not there yet */
-    long resumed;         /* step of the checkpoint it started from, 0: none */
 
     /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
      * looks that it has every member from t to solid_bound. */
@@ -83,8 +80,11 @@ struct run {
     double *position[3]; /* [n] of the deposit, m */
     long deposited;      /* step of the last deposit, -1: none */
 
-    /* Counters, for ns per cell-step and per bond. */
-    long fluid_cell_steps, solid_sweeps;
+    /* Counters and clocks: no step depends on them. */
+    long fluid_cell_steps, solid_sweeps; /* for ns per cell-step and per bond */
+    long resumed;                        /* step of the checkpoint it started from, 0: none */
+    double wall_start;
+    double setup_seconds; /* from wall_start until the first step; 0: not there yet */
 };
 
 struct run *run_new(const struct scene *scene); /* Collective. Dies (exit 2) on what only shows when it is made. */

@@ -2,6 +2,8 @@
 #include "files/state_item.h"
 #include "base/ensure.h"
 
+#include <string.h>
+
 static int is_value(const struct state_item *item) { return item->shape == STATE_ONE || item->shape == STATE_SHARE; }
 
 /* Pointers that a member consists of: one, or one a component. */
@@ -11,8 +13,11 @@ static int pointers_of(const struct state_item *item) {
 
 void *state_item_array(const struct state_item *item, const struct state_part *part, int c) {
     char *const member = (char *)part->base + item->offset;
+    void *array;
     ENSURE(item->bytes > 0, "%s has no member", item->name);
-    return is_value(item) ? (void *)member : ((void **)(void *)member)[c];
+    if (is_value(item)) return member;
+    memcpy(&array, member + (size_t)c * sizeof array, sizeof array);
+    return array;
 }
 
 int state_item_is_part(const struct state_item *item, const struct state_part *part) {

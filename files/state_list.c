@@ -18,26 +18,25 @@ static void insert(struct state_list *list, int k, const struct state_item *item
     list->n++;
 }
 
-/* From the item `from` on those up to the next with `after`; returns that one. */
-static int insert_run(struct state_list *list, int k, const struct state_part *part, int from) {
+/* Inserts the item `from` and those below it up to the next with `after`; returns that one. */
+static int insert_block(struct state_list *list, int k, const struct state_part *part, int from) {
     int i = from;
     do insert(list, k++, &part->item[i], part);
     while (++i < part->items && !part->item[i].after);
     return i;
 }
 
-/* All items, for their order, then without those that the scene does not have. */
 void state_list_make(struct state_list *list, const struct state_part *part, int parts) {
     int next[8];
     ENSURE(parts <= 8, "%d tables of state", parts);
     *list = (struct state_list){.part = part, .parts = parts};
-    for (int p = 0; p < parts; p++) next[p] = insert_run(list, list->n, &part[p], 0);
+    for (int p = 0; p < parts; p++) next[p] = insert_block(list, list->n, &part[p], 0);
     for (int p = 0; p < parts; p++)
         while (next[p] < part[p].items) {
             const int k = place_of(list, part[p].item[next[p]].after);
-            next[p] = insert_run(list, k < list->n ? k + 1 : k, &part[p], next[p]);
+            next[p] = insert_block(list, k < list->n ? k + 1 : k, &part[p], next[p]);
         }
-    int n = 0;
+    int n = 0; /* of those that the scene has */
     for (int k = 0; k < list->n; k++)
         if (state_item_is_part(list->at[k].item, list->at[k].part)) list->at[n++] = list->at[k];
     list->n = n;

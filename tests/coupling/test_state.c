@@ -458,6 +458,13 @@ struct group {
     size_t from, to;
 };
 
+/* The item whose member ends at an offset. */
+static const char *behind(const struct group *g, size_t at) {
+    for (int k = 0; k < g->part.items; k++)
+        if (g->part.item[k].offset + g->part.item[k].bytes == at) return g->part.item[k].name;
+    return "nothing";
+}
+
 /* No member has been added to a struct's state that its table does not have. */
 static void test_covered(void **state) {
     (void)state;
@@ -481,8 +488,8 @@ static void test_covered(void **state) {
         while ((at = state_item_uncovered(g->part.item, g->part.items, at, g->to)) < g->to) {
             size_t end = at;
             while (end < g->to && state_item_uncovered(g->part.item, g->part.items, end, g->to) == end) end++;
-            print_message("struct %s: bytes %zu to %zu of its state (%zu to %zu) are no member that %s lists\n",
-                          g->name, at, end - 1, g->from, g->to - 1, g->table);
+            print_message("struct %s: bytes %zu to %zu, behind %s, are state and in no line of %s\n", g->name, at,
+                          end - 1, behind(g, at), g->table);
             at = end;
             gaps++;
         }
