@@ -1,8 +1,10 @@
 /* The last good state, kept in memory. */
 #pragma once
 #include "coupling/run.h"
+#include "files/state_item.h"
 
-/* A copy of the run's state in memory, known to be good; an unstable run ends with it. */
+/* The state kept in memory as the last one known to be good; what a run that has gone unstable leaves behind. What it
+ * consists of is in the tables of state (coupling/run_state.c). */
 struct guard; /* opaque */
 struct guard *guard_new(const struct run *r);
 void guard_free(struct guard *g);
@@ -12,3 +14,6 @@ int guard_fits(const struct guard *g, const struct run *r);
 /* Restores the kept state. Returns its step, or -1 if none was kept, or none that fits the present particles.
  * Collective. */
 long guard_restore(struct guard *g, struct run *r);
+
+/* For the table: the forcing's starting guess. Its `keep` is a struct guard, its owner the run. */
+extern const struct state_kept guard_forcing_guess;

@@ -60,13 +60,16 @@ struct fluid_input {
     int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
 };
 
-/* Exactly what a checkpoint stores, with t and step. Arrays as in fluid/grid/grid.h; their ghosts are not stored. */
+/* Arrays as fluid/grid/grid.h; ghosts are rebuilt. From u to driving it is the state: exactly what the table in
+ * fluid/state_table.c lists, as tests/coupling/test_state.c looks. */
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
-    double driving;    /* the present pressure gradient, Pa/m; its mean over the stage if it depends on time */
-    double driven;     /* its mean over the last step, Pa/m; not stored */
-    double t;          /* time at the start of the step, s: set by the caller, advanced by fluid_step */
+    double driving;    /* the pressure gradient now applied, Pa/m; its mean over the stage where it goes with time */
+
+    /* Work. */
+    double driven; /* mean of `driving` over the last step, Pa/m */
+    double t;      /* s, when the step begins: set by whoever steps, advanced by fluid_step */
 };
 
 struct fluid; /* opaque: grid, parameters, state, work, plans */

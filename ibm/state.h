@@ -90,15 +90,22 @@ struct ibm_tally {
 };
 
 struct ibm {
+    /* Parameters: read-only once it is made. */
     struct fluid *fluid;           /* borrowed */
     const struct fluid_grid *grid; /* borrowed */
     int iterations;
+    int implicit;                        /* diffusion is implicit: ibm/implicit.c */
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */
     int *owner[3];                       /* [n[direction]] contribution of a cell to the number of the rank that owns
                                           * it; x: NULL */
     int inner_low[3], inner_high[3];     /* cells of the whole domain in which a marker is an inner one */
 
+    /* State: vector[IBM_DEMAND] alone, by marker. The table has it by particle, as `demand` (coupling/run_state.c). */
+    double (
+        *vector[IBM_VECTORS])[3]; /* [served] of the implicit forcing's equation, by enum ibm_vector; others: work */
+
+    /* Work: the layout of the markers, found anew whenever they are set. */
     struct ibm_route route; /* of the markers */
     int served;             /* number of markers that have arrived; sorted: inner markers first, then edges */
     int *arrival;           /* [served] index of each in the order of arrival */
@@ -116,23 +123,21 @@ struct ibm {
     struct ibm_edge *edge;
     int pieces, piece_capacity;
     struct ibm_piece *piece;
-    double (*increment)[3];           /* [served] (V - U) A_h dx / cell volume, m/s */
-    double (*received)[3];            /* [served] sum of the increments over stages and iterations */
-    int implicit;                     /* diffusion is implicit: ibm/implicit.c */
-    double (*vector[IBM_VECTORS])[3]; /* [served] vectors of the implicit forcing, by enum ibm_vector */
-    double *home;                     /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
-    size_t home_size;
+    struct ibm_route probe;
 
-    /* sums over the blocks of edges, m/s: of this rank's edges, then those received from other ranks */
+    /* Work: of a stage or a step. */
+    double (*increment)[3]; /* [served] (V - U) A_h dx / cell volume, m/s */
+    double (*received)[3];  /* [served] its sum over stages and iterations */
+    double *home;           /* [n][3] the demand, as its markers came */
+    size_t home_size;
+    /* sums over the blocks of edges, m/s: those of this rank's edges, then those of other ranks */
     double (*sum)[3], (*sent)[3]; /* [edges + swapped], [swapped] */
     int swapped;                  /* number of sums shared with other ranks, counted once for each of these ranks */
     int *swap_edge;               /* [swapped] the edge, by rank */
     struct par_swap *swap;
-
     double given[3]; /* sum over stages of gamma_r rho Q_h V_h of the markers counted here, N */
     double *by_marker;
     size_t by_marker_size;
-    struct ibm_route probe;
 };
 
 /* The four lists of a slab. */

@@ -2,6 +2,7 @@
 #include "solid/keep.h"
 #include "base/ensure.h"
 #include "base/memory.h"
+#include "files/state_copy.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -10,11 +11,12 @@
 #include "solid/contact/keep.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/imposed/given.h"
+#include "solid/state_table.h"
 #include "solid/surface/state.h"
 
 #include <string.h>
 
-enum { VECTORS = 4, ARRAYS = 3 * VECTORS, SHARES = 5, PATHS = 2 };
+enum { PATHS = 2 };
 
 /* Data that the last sweep has left for the next one over a body's bonds, such as which segments are tested first. */
 struct path {
@@ -24,92 +26,78 @@ struct path {
 };
 
 struct solid_keep {
-    int taken;
-    double *copy[ARRAYS];
-    size_t count[ARRAYS];
-    double t, share[SHARES], *factor;
-    int broke, a_holds;
-    struct solid_stage stage_of_a;
-    uint8_t *flag;
+    int taken, may_break;
+    struct state_copy *copy; /* what the table copies; the members below belong to the items with their own functions */
+    /* sweep */
+    int a_held;         /* the accelerations held: a copy of them is there */
+    double *a_bonds[3]; /* [n] v_old */
+    /* bonds; lost NULL: none ever breaks */
+    struct solid_lost *lost; /* whose bits are not those of now */
+    uint8_t *bits;           /* [n][bytes] */
+    long version;
+    int differs; /* of the last restore: bonds or flags were not those of the kept state */
+    /* given */
+    double *factor; /* [loads] */
+    /* paths */
     struct path *path; /* [bodies] */
     int bodies;
-    /* bonds; lost NULL: no bond ever breaks */
-    struct solid_lost *lost; /* finds the particles whose bits differ from the present bonds */
-    uint8_t *bits;           /* [n][bytes] */
-    long version, bonds_broken;
     struct solid_contact_keep contact;
     struct solid_surface_keep *surface;
 };
 
-/* Displacement and velocity with their ghosts, load, and the parts of the acceleration due to bonds and contact. */
-static void arrays_of(const struct solid *s, double *array[ARRAYS], size_t count[ARRAYS]) {
-    const size_t n = (size_t)s->n, all = n + (size_t)s->n_ghost;
-    for (int c = 0; c < 3; c++) {
-        double *const vector[VECTORS] = {s->d[c], s->v[c], s->load[c], s->v_old[c]};
-        for (int k = 0; k < VECTORS; k++) {
-            array[3 * k + c] = vector[k];
-            count[3 * k + c] = vector[k] ? k < 2 ? all : n : 0;
-        }
+static struct solid *solid_of(void *owner) { return ((struct solid_state_owner *)owner)->solid; }
+static struct solid_surface *surface_of(void *owner) { return ((struct solid_state_owner *)owner)->surface; }
+
+/* Bonds' and contact's part of the acceleration (Verlet) is copied only while it holds. */
+static void sweep_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    for (int c = 0; c < s->dim; c++) k->a_bonds[c] = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof(double));
+}
+
+static void sweep_take(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    k->a_held = s->a_holds;
+    for (int c = 0; c < s->dim && k->a_held; c++) memcpy(k->a_bonds[c], s->v_old[c], (size_t)s->n * sizeof(double));
+}
+
+/* Rates of a stage before are multiplied by 0 at the next: they must be numbers. */
+static void clear_rates(struct solid *s) {
+    for (int c = 0; c < s->dim; c++) {
+        memset(s->v_old[c], 0, (size_t)s->n * sizeof(double));
+        memset(s->a_old[c], 0, (size_t)s->n * sizeof(double));
     }
 }
 
-static int is_acceleration(int array) { return array >= 3 * (VECTORS - 1); }
-
-static void shares_of(struct solid *s, double *at[SHARES]) {
-    double *const all[SHARES] = {&s->e_damped, &s->e_fracture, &s->e_constraint, &s->work_load, &s->power_pairwise};
-    memcpy(at, all, sizeof all);
+static void sweep_restore(void *keep, void *owner) {
+    const struct solid_keep *k = keep;
+    struct solid *s = solid_of(owner);
+    if (!k->a_held) clear_rates(s);
+    for (int c = 0; c < s->dim && k->a_held; c++) memcpy(s->v_old[c], k->a_bonds[c], (size_t)s->n * sizeof(double));
 }
 
-static int path_of(const struct solid *s, int b, void *at[PATHS], size_t size[PATHS]) {
-    const struct solid_lattice *t = s->family->lattice[b];
-    const struct solid_list *list = s->family->list[b];
-    at[0] = t ? (void *)t->segments->large : (void *)list->large;
-    at[1] = t ? (void *)t->segments->high : (void *)list->power;
-    size[0] = 1;
-    size[1] = t ? sizeof *t->segments->high : sizeof *list->power;
-    return t ? t->segments->n : list->n;
+static void sweep_drop(void *keep) {
+    for (int c = 0; c < 3; c++) memory_free(((struct solid_keep *)keep)->a_bonds[c]);
 }
 
-struct solid_keep *solid_keep_new(const struct solid *s, const struct solid_surface *surface, int may_break) {
-    struct solid_keep *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
-    const size_t n = (size_t)s->n;
-    double *array[ARRAYS];
-    arrays_of(s, array, k->count);
-    for (int i = 0; i < ARRAYS; i++)
-        if (array[i]) k->copy[i] = memory_new(MEMORY_OUTPUT, k->count[i] + 1, sizeof(double));
-    k->flag = memory_new(MEMORY_OUTPUT, n + (size_t)s->n_ghost + 1, 1);
-    k->factor = memory_new(MEMORY_OUTPUT, (size_t)s->in.loads + 1, sizeof *k->factor);
-    k->bodies = s->family->bodies;
-    k->path = memory_new(MEMORY_OUTPUT, (size_t)k->bodies, sizeof *k->path);
-    for (int b = 0; b < k->bodies; b++) {
-        void *at[PATHS];
-        k->path[b].n = path_of(s, b, at, k->path[b].size);
-        for (int i = 0; i < PATHS; i++)
-            k->path[b].copy[i] = memory_new(MEMORY_OUTPUT, (size_t)k->path[b].n + 1, k->path[b].size[i]);
-    }
-    if (surface) k->surface = solid_surface_state_keep_new(s);
-    if (!may_break) return k;
+const struct state_kept solid_keep_sweep = {sweep_make, sweep_take, sweep_restore, sweep_drop};
+
+static void bonds_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    if (!k->may_break) return;
     k->lost = solid_lost_new(s);
-    k->bits = memory_new(MEMORY_OUTPUT, n * (size_t)solid_family_bytes(s) + 1, 1);
-    k->version = -1; /* the bits of all bonds are to be copied */
-    return k;
+    k->bits = memory_new(MEMORY_OUTPUT, (size_t)s->n * (size_t)solid_family_bytes(s) + 1, 1);
+    k->version = -1; /* all bonds are to be taken */
 }
 
-void solid_keep_free(struct solid_keep *k) {
-    if (!k) return;
-    for (int i = 0; i < ARRAYS; i++) memory_free(k->copy[i]);
-    for (int b = 0; b < k->bodies; b++)
-        for (int i = 0; i < PATHS; i++) memory_free(k->path[b].copy[i]);
-    solid_lost_free(k->lost);
-    solid_contact_keep_free(&k->contact);
-    solid_surface_state_keep_free(k->surface);
-    void *const own[] = {k->flag, k->factor, k->path, k->bits, k};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
-}
-
-static void take_bonds(struct solid_keep *k, const struct solid *s) {
+static void bonds_take(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
     const size_t bytes = (size_t)solid_family_bytes(s);
     const int all = k->version != s->bonds_version;
+    if (!k->lost) return;
     if (all) solid_lost_forget(k->lost, s);
     const int found = solid_lost_find(k->lost, s), n = all ? s->n : found;
     for (int i = 0; i < n; i++) {
@@ -117,7 +105,6 @@ static void take_bonds(struct solid_keep *k, const struct solid *s) {
         solid_family_save(s, h, k->bits + (size_t)h * bytes);
     }
     k->version = s->bonds_version;
-    k->bonds_broken = s->bonds_broken;
 }
 
 static int count_bits(const uint8_t *bits, size_t n) {
@@ -126,8 +113,8 @@ static int count_bits(const uint8_t *bits, size_t n) {
     return count;
 }
 
-/* Restores the families that have lost bonds since the state was taken. Returns how many. */
-static int restore_bonds(struct solid_keep *k, struct solid *s) {
+/* Families that have lost bonds since; returns how many. */
+static int restore_lost(struct solid_keep *k, struct solid *s) {
     const size_t bytes = (size_t)solid_family_bytes(s);
     const int found = solid_lost_find(k->lost, s);
     for (int i = 0; i < found; i++) {
@@ -140,58 +127,78 @@ static int restore_bonds(struct solid_keep *k, struct solid *s) {
     }
     if (found > 0) solid_lost_find(k->lost, s); /* updates the counts of the rows as well */
     k->version = s->bonds_version = ++s->versions;
-    s->bonds_broken = k->bonds_broken;
     return found;
 }
 
-void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_surface *surface) {
-    double *array[ARRAYS], *share[SHARES];
-    size_t count[ARRAYS];
-    arrays_of(s, array, count);
-    for (int i = 0; i < ARRAYS; i++)
-        if (array[i] && (s->a_holds || !is_acceleration(i))) memcpy(k->copy[i], array[i], count[i] * sizeof(double));
-    shares_of(s, share);
-    for (int i = 0; i < SHARES; i++) k->share[i] = *share[i];
-    solid_given_keep(s, k->factor);
-    memcpy(k->flag, s->flag, (size_t)(s->n + s->n_ghost));
+/* Before the flags come back: those of now say who has lost a bond. */
+static void bonds_restore(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    struct solid *s = solid_of(owner);
+    const int lost = k->lost ? restore_lost(k, s) : 0;
+    k->differs = lost > 0 || memcmp(state_copy_of(k->copy, "flag"), s->flag, (size_t)s->n) != 0;
+}
+
+static void bonds_drop(void *keep) {
+    struct solid_keep *k = keep;
+    solid_lost_free(k->lost);
+    memory_free(k->bits);
+}
+
+const struct state_kept solid_keep_bonds = {bonds_make, bonds_take, bonds_restore, bonds_drop};
+
+static void given_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    k->factor = memory_new(MEMORY_OUTPUT, (size_t)solid_of(owner)->in.loads + 1, sizeof *k->factor);
+}
+
+static void given_take(void *keep, void *owner) {
+    solid_given_keep(solid_of(owner), ((struct solid_keep *)keep)->factor);
+}
+
+static void given_restore(void *keep, void *owner) {
+    solid_given_restore(solid_of(owner), ((struct solid_keep *)keep)->factor);
+}
+
+static void given_drop(void *keep) { memory_free(((struct solid_keep *)keep)->factor); }
+
+const struct state_kept solid_keep_given = {given_make, given_take, given_restore, given_drop};
+
+static int path_of(const struct solid *s, int b, void *at[PATHS], size_t size[PATHS]) {
+    const struct solid_lattice *t = s->family->lattice[b];
+    const struct solid_list *list = s->family->list[b];
+    at[0] = t ? (void *)t->segments->large : (void *)list->large;
+    at[1] = t ? (void *)t->segments->high : (void *)list->power;
+    size[0] = 1;
+    size[1] = t ? sizeof *t->segments->high : sizeof *list->power;
+    return t ? t->segments->n : list->n;
+}
+
+static void paths_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    k->bodies = s->family->bodies;
+    k->path = memory_new(MEMORY_OUTPUT, (size_t)k->bodies, sizeof *k->path);
+    for (int b = 0; b < k->bodies; b++) {
+        void *at[PATHS];
+        k->path[b].n = path_of(s, b, at, k->path[b].size);
+        for (int i = 0; i < PATHS; i++)
+            k->path[b].copy[i] = memory_new(MEMORY_OUTPUT, (size_t)k->path[b].n + 1, k->path[b].size[i]);
+    }
+}
+
+static void paths_take(void *keep, void *owner) {
+    struct solid_keep *k = keep;
     for (int b = 0; b < k->bodies; b++) {
         void *at[PATHS];
         struct path *p = &k->path[b];
-        path_of(s, b, at, p->size);
+        path_of(solid_of(owner), b, at, p->size);
         for (int i = 0; i < PATHS; i++) memcpy(p->copy[i], at[i], (size_t)p->n * p->size[i]);
     }
-    k->t = s->t;
-    k->broke = s->broke;
-    k->a_holds = s->a_holds;
-    k->stage_of_a = s->stage_of_a;
-    if (k->lost) take_bonds(k, s);
-    if (s->in.contact) solid_contact_keep_take(&k->contact, s);
-    if (surface) solid_surface_state_keep_take(k->surface, surface);
-    k->taken = 1;
 }
 
-/* The next stage multiplies the rates of the last stage by 0, so they must be finite. */
-static void clear_rates(struct solid *s) {
-    for (int c = 0; c < s->dim; c++) {
-        memset(s->v_old[c], 0, (size_t)s->n * sizeof(double));
-        memset(s->a_old[c], 0, (size_t)s->n * sizeof(double));
-    }
-}
-
-void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surface *surface) {
-    double *array[ARRAYS], *share[SHARES];
-    size_t count[ARRAYS];
-    ENSURE(k->taken, "no state of the solid to put back, %d particles", s->n);
-    const int lost = k->lost ? restore_bonds(k, s) : 0;
-    const int same = lost == 0 && memcmp(k->flag, s->flag, (size_t)s->n) == 0;
-    if (!k->a_holds) clear_rates(s);
-    arrays_of(s, array, count);
-    for (int i = 0; i < ARRAYS; i++)
-        if (array[i] && (k->a_holds || !is_acceleration(i))) memcpy(array[i], k->copy[i], count[i] * sizeof(double));
-    shares_of(s, share);
-    for (int i = 0; i < SHARES; i++) *share[i] = k->share[i];
-    solid_given_restore(s, k->factor);
-    memcpy(s->flag, k->flag, (size_t)(s->n + s->n_ghost));
+static void paths_restore(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    struct solid *s = solid_of(owner);
     for (int b = 0; b < k->bodies; b++) {
         void *at[PATHS];
         struct path *p = &k->path[b];
@@ -199,10 +206,77 @@ void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surf
         path_of(s, b, at, p->size);
         for (int i = 0; i < PATHS; i++) memcpy(at[i], p->copy[i], (size_t)p->n * p->size[i]);
     }
-    s->t = k->t;
-    s->a_holds = k->a_holds;
-    s->stage_of_a = k->stage_of_a;
-    if (s->in.contact) solid_contact_keep_restore(&k->contact, s);
-    if (surface) solid_surface_state_keep_restore(k->surface, s, surface, same ? NULL : k->lost);
-    s->broke = k->broke;
+}
+
+static void paths_drop(void *keep) {
+    struct solid_keep *k = keep;
+    for (int b = 0; b < k->bodies; b++)
+        for (int i = 0; i < PATHS; i++) memory_free(k->path[b].copy[i]);
+    memory_free(k->path);
+}
+
+const struct state_kept solid_keep_paths = {paths_make, paths_take, paths_restore, paths_drop};
+
+static void contact_make(void *keep, void *owner) { (void)keep, (void)owner; /* as there is contact */ }
+static void contact_take(void *keep, void *owner) {
+    solid_contact_keep_take(&((struct solid_keep *)keep)->contact, solid_of(owner));
+}
+static void contact_restore(void *keep, void *owner) {
+    solid_contact_keep_restore(&((struct solid_keep *)keep)->contact, solid_of(owner));
+}
+static void contact_drop(void *keep) { solid_contact_keep_free(&((struct solid_keep *)keep)->contact); }
+
+const struct state_kept solid_keep_contact = {contact_make, contact_take, contact_restore, contact_drop};
+
+static void surface_make(void *keep, void *owner) {
+    ((struct solid_keep *)keep)->surface = solid_surface_state_keep_new(solid_of(owner));
+}
+
+static void surface_take(void *keep, void *owner) {
+    solid_surface_state_keep_take(((struct solid_keep *)keep)->surface, surface_of(owner));
+}
+
+static void surface_restore(void *keep, void *owner) {
+    const struct solid_keep *k = keep;
+    solid_surface_state_keep_restore(k->surface, solid_of(owner), surface_of(owner), k->differs ? k->lost : NULL);
+}
+
+static void surface_drop(void *keep) { solid_surface_state_keep_free(((struct solid_keep *)keep)->surface); }
+
+const struct state_kept solid_keep_surface = {surface_make, surface_take, surface_restore, surface_drop};
+
+/* The table and its owner. What only reads the solid casts its const away here. */
+static struct state_part part_of(struct solid_state_owner *owner, const struct solid *s,
+                                 const struct solid_surface *surface) {
+    *owner = (struct solid_state_owner){(struct solid *)s, (struct solid_surface *)surface};
+    return solid_state_table_part(owner);
+}
+
+struct solid_keep *solid_keep_new(const struct solid *s, const struct solid_surface *surface, int may_break) {
+    struct solid_keep *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
+    struct solid_state_owner owner;
+    const struct state_part part = part_of(&owner, s, surface);
+    k->may_break = may_break;
+    k->copy = state_copy_new(&part, k);
+    return k;
+}
+
+void solid_keep_free(struct solid_keep *k) {
+    if (!k) return;
+    state_copy_free(k->copy, k);
+    memory_free(k);
+}
+
+void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_surface *surface) {
+    struct solid_state_owner owner;
+    const struct state_part part = part_of(&owner, s, surface);
+    state_copy_take(k->copy, &part, k);
+    k->taken = 1;
+}
+
+void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surface *surface) {
+    struct solid_state_owner owner;
+    const struct state_part part = part_of(&owner, s, surface);
+    ENSURE(k->taken, "no state of the solid to put back, %d particles", s->n);
+    state_copy_restore(k->copy, &part, k);
 }

@@ -1,12 +1,14 @@
-/* Keeps the solid's whole state in memory and restores it: the state that a checkpoint stores, and the other data that
- * a later step may depend on to the bit (accelerations that are still valid, contact's lists and its record of torn
- * pairs, which segments are tested first). So the same steps after a restoration give the same results to the bit.
+/* The solid's whole state kept in memory and put back: what the table of its state (solid/state_table.c) says is kept.
+ * That is what a checkpoint stores, and what else a later step may depend on to the bit (accelerations that still hold,
+ * contact's lists and its record of torn bonds, which segments were judged first). So the same steps from a state put
+ * back are the same to the bit.
  *
  * The arrays of the particles are copied each time; bonds, contact's lists and its record only as far as they have
  * changed. Several states may be kept at a time. After one is restored, those kept after it are invalid until they are
  * taken again. A state is taken between steps, after the surface was updated, and is valid until the next
  * refinement. */
 #pragma once
+#include "files/state_item.h"
 #include "solid/surface/surface.h"
 
 struct solid_keep; /* opaque */
@@ -17,3 +19,8 @@ void solid_keep_free(struct solid_keep *k);
 void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_surface *surface); /* Not collective. */
 /* Restores also the ghosts' displacements and velocities. Not collective. */
 void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surface *surface);
+
+/* For the table: the items that are not simply copied. Their `keep` is a struct solid_keep, their owner a struct
+ * solid_state_owner. */
+extern const struct state_kept solid_keep_sweep, solid_keep_bonds, solid_keep_given, solid_keep_paths,
+    solid_keep_contact, solid_keep_surface;

@@ -1,0 +1,15 @@
+/* The table of the solid's state. */
+#pragma once
+#include "files/state_item.h"
+#include "solid/surface/surface.h"
+
+/* What the table's functions take. */
+struct solid_state_owner {
+    struct solid *solid;           /* borrowed */
+    struct solid_surface *surface; /* borrowed; NULL unless immersed */
+};
+
+extern const struct state_item solid_state_table[];
+/* Of a solid with its bonds. owner: stays the caller's, and is needed as long as the part. Not collective. */
+struct state_part solid_state_table_part(struct solid_state_owner *owner);
+void solid_state_table_size(const struct solid *s, struct state_size *size); /* Not collective. */
