@@ -3,7 +3,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_pencil.h"
+#include "base/par_piece.h"
 #include "ibm/state.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "coupling/forcing_guess.h"
 #include "files/folder.h"
 #include "files/log.h"

@@ -4,7 +4,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
 #include "solid/bonds/cut_bonds.h"

@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
-#include "base/par_pencil.h"
+#include "base/par_piece.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"

@@ -1,7 +1,7 @@
 /* Finds near pairs of particles that never shared a bond, also pairs on different ranks. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/store.h"
 #include "solid/contact/cells.h"

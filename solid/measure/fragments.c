@@ -2,7 +2,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "base/vec.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"

@@ -1,7 +1,7 @@
 /* Carries out a refinement: renumbers the particles, moves their state and renews their bonds. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"

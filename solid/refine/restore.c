@@ -1,7 +1,7 @@
 /* Stores a refined body's particles in a checkpoint, and restores the solid to them. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/list.h"

@@ -3,7 +3,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
