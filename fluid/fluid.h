@@ -82,7 +82,6 @@ struct fluid_state *fluid_state_of(struct fluid *f);
  *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001:
  * sec. 3.4.3) and with implicit diffusion fluid_predict(f, r, dt); [ibm_implicit_force_again(..)];
  * fluid_diffusion_stage(f, r, dt); [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
-extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 
 /* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), with the values on the sides' faces; ghosts are left to
  * fluid_predicted_refresh. Collective. */

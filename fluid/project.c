@@ -6,6 +6,7 @@
 #include "fluid/internal.h"
 #include "fluid/momentum/correction.h"
 #include "fluid/momentum/momentum.h"
+#include "physics/rk3.h"
 
 #include <string.h>
 
@@ -121,7 +122,7 @@ static void refresh_pressure(struct fluid *f) {
 }
 
 void fluid_project(struct fluid *f, int r, double dt) {
-    const double stage = fluid_gamma[r] * dt;
+    const double stage = physics_rk3_gamma[r] * dt;
     clock_begin(CLOCK_POISSON);
     const double length2 = f->diffusion ? fluid_diffusion_length2(f, r, dt) : 0;
     const int apart = f->audit.on && f->diffusion;
@@ -130,7 +131,7 @@ void fluid_project(struct fluid *f, int r, double dt) {
     const double c = stage / f->in.density, bulk = forward(f, c, length2);
     if (apart) fluid_audit_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
-    f->state.driven = (r == 0 ? 0 : f->state.driven) + fluid_gamma[r] * f->state.driving;
+    f->state.driven = (r == 0 ? 0 : f->state.driven) + physics_rk3_gamma[r] * f->state.driving;
     project(f, c, r == 2);
     if (f->diffusion) refresh_pressure(f);
     if (f->audit.on) fluid_audit_pressure(f, r);

@@ -14,6 +14,7 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "ibm/state.h"
+#include "physics/rk3.h"
 
 #include <math.h>
 #include <string.h>
@@ -86,8 +87,8 @@ static double slip_time(const struct ibm *b) { return fluid_limits_explicit_step
 /* Counts what q gives in a stage. */
 static void tally(struct ibm *b, int r, double dt) {
     const struct fluid_grid *g = b->grid;
-    const double stage = fluid_gamma[r] * dt;
-    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] * fluid_gamma[r];
+    const double stage = physics_rk3_gamma[r] * dt;
+    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] * physics_rk3_gamma[r];
     const vector3 *q = (const vector3 *)b->vector[IBM_FORCE];
     for (int c = 0; c < 3 && r == 0; c++) b->given[c] = 0;
     for (int h = 0; h < b->served; h++)
@@ -107,7 +108,7 @@ void ibm_implicit_force_again(struct ibm *b, int r, double dt) {
         for (int c = 0; c < 3; c++) residual[h][c] *= -slip_time(b);
     memcpy(b->vector[IBM_TARGET], q, (size_t)b->served * sizeof *q);
     for (int h = 0; h < b->served; h++)
-        for (int c = 0; c < 3; c++) b->vector[IBM_TARGET][h][c] *= fluid_gamma[r] * dt;
+        for (int c = 0; c < 3; c++) b->vector[IBM_TARGET][h][c] *= physics_rk3_gamma[r] * dt;
     ibm_implicit_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
     clock_end(CLOCK_FORCING);
 }
@@ -126,7 +127,7 @@ static void begin(struct ibm *b) {
 static void apply(struct ibm *b, int r, double dt) {
     double *const *u = fluid_diffusion_field(b->fluid);
     vector3 *kd = b->vector[IBM_KD], *read = b->vector[IBM_TARGET];
-    const double s = slip_time(b), stage = fluid_gamma[r] * dt;
+    const double s = slip_time(b), stage = physics_rk3_gamma[r] * dt;
     fluid_diffusion_clear(b->fluid);
     ibm_implicit_write(b, u, (const vector3 *)b->vector[IBM_BD]);
     ibm_implicit_read(b, u, 0, read);
@@ -139,7 +140,7 @@ static void apply(struct ibm *b, int r, double dt) {
 
 void ibm_implicit_force(struct ibm *b, int r, double dt) {
     vector3 **v = b->vector, *residual = v[IBM_RESIDUAL], *z = v[IBM_Z], *d = v[IBM_D], *bd = v[IBM_BD];
-    const double stage = fluid_gamma[r] * dt;
+    const double stage = physics_rk3_gamma[r] * dt;
     double before = 0, start = 0;
     clock_begin(CLOCK_FORCING);
     begin(b);

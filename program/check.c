@@ -5,12 +5,12 @@
 #include "coupling/blocked.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "physics/waves.h"
 #include "program/program.h"
 #include "program/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
 #include "solid/law/material.h"
-#include "solid/law/waves.h"
 #include "solid/refine/refine.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
@@ -177,7 +177,9 @@ static void say_groups(const struct run *r) {
         const struct scene_material *s = &scene->solid->material[m];
         const struct solid_material *material = &r->solid->in.material[m];
         const struct solid_input *in = &r->solid->in;
-        const struct solid_waves c = solid_waves_of(in->model, s->youngs_modulus, s->density);
+        const enum physics_model model = (enum physics_model)in->model;
+        const struct physics_waves c =
+            physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density);
         const double s0 =
             solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
         if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);

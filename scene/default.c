@@ -1,5 +1,6 @@
 /* Fills in defaults that follow from other values: spacing, Poisson's ratio, retraction, measurement box. */
 #include "scene/default.h"
+#include "physics/retraction.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -56,7 +57,7 @@ static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
     if (scene_node_child(node, "poisson_ratio")) return;
     int at = 0;
     while (at < node->n && strcmp(node->child[at]->key, "density") != 0) at++;
-    s->solid->material[m].poisson_ratio = s->solid->model == SCENE_PLANE_STRESS ? 1.0 / 3 : 0.25;
+    s->solid->material[m].poisson_ratio = physics_model_poisson_ratio((enum physics_model)s->solid->model);
     scene_node_insert(node, at + 1, number(node, "poisson_ratio", s->solid->material[m].poisson_ratio));
 }
 
@@ -99,7 +100,8 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
 static void fill_retraction(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
     if (scene_node_child(coupling, "retraction")) return;
-    s->coupling->retraction = s->coupling->surface == SCENE_SURFACE_SHAPE ? SCENE_RETRACTION_SHAPE : SCENE_RETRACTION;
+    s->coupling->retraction =
+        s->coupling->surface == SCENE_SURFACE_SHAPE ? PHYSICS_RETRACTION_SHAPE : PHYSICS_RETRACTION;
     int at = 0;
     while (at < coupling->n && strcmp(coupling->child[at]->key, "surface") != 0) at++;
     scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));

@@ -3,6 +3,7 @@
 #include "base/par_halo.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
+#include "physics/rk3.h"
 
 #include <math.h>
 #include <string.h>
@@ -189,7 +190,7 @@ void fluid_audit_flux(struct fluid *f, int r) {
     for (int c = 0; c < 3; c++) {
         const double flux = flux_force(f, q, kind, c);
         if (r == 0) f->audit.force[c] = 0; /* of the last step, where one is taken several times */
-        f->audit.force[c] += fluid_alpha[r] * flux + fluid_beta[r] * f->audit.flux[c];
+        f->audit.force[c] += physics_rk3_alpha[r] * flux + physics_rk3_beta[r] * f->audit.flux[c];
         f->audit.flux[c] = flux;
     }
 }
@@ -199,18 +200,18 @@ void fluid_audit_diffusion(struct fluid *f, int r) {
     const double *const q[3] = {f->state.u, f->state.v, f->state.w};
     const double *const next[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
     const double nu = f->in.viscosity, b = fluid_diffusion_length2(f, r, 1) / nu;
-    const struct flux_kind before = {0, (fluid_gamma[r] - b) * nu}, after = {0, b * nu};
+    const struct flux_kind before = {0, (physics_rk3_gamma[r] - b) * nu}, after = {0, b * nu};
     fluid_predicted_refresh(f, 1);
     for (int c = 0; c < 3; c++) f->audit.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
 }
 
 void fluid_audit_pressure_part(struct fluid *f, int r, double sign) {
-    for (int c = 0; c < 3; c++) f->audit.force[c] += sign * fluid_gamma[r] * pressure_force(f, c);
+    for (int c = 0; c < 3; c++) f->audit.force[c] += sign * physics_rk3_gamma[r] * pressure_force(f, c);
 }
 
 void fluid_audit_pressure(struct fluid *f, int r) {
     for (int c = 0; c < 3; c++)
-        f->audit.force[c] += fluid_gamma[r] * (pressure_force(f, c) + source_force(f, c, f->state.driving));
+        f->audit.force[c] += physics_rk3_gamma[r] * (pressure_force(f, c) + source_force(f, c, f->state.driving));
 }
 
 void fluid_audit_end(struct fluid *f, double out[3]) {

@@ -1,5 +1,6 @@
 /* Table of the scene's rules: unit, default, range and place of every key. */
 #include "scene/rules/rule.h"
+#include "physics/limits.h"
 #include "scene/text/node.h"
 
 #include <math.h>
@@ -23,7 +24,6 @@ enum {
 };
 #define BOTH (FLUID | SOLID)
 #define CELLS_MAX 1e6
-#define LEVELS_MAX 4
 #define PROBES_MAX 10000
 
 #define RULE(its_path, its_unit, ...)                                                                                  \
@@ -150,7 +150,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("solid.initial[].width", "m", ABOVE(0)),
     RULE("solid.initial[].displacement", "m"),
     RULE("solid.refinement", "section", .only = PLATE),
-    RULE("solid.refinement.levels", "1", "1", WITHIN(1, LEVELS_MAX)),
+    RULE("solid.refinement.levels", "1", "1", WITHIN(1, PHYSICS_LEVELS_MAX)),
     RULE("solid.refinement.energy", "1", "0.4", WITHIN(0, 1), .open = 1, .word = "off", .load = "0"),
     RULE("solid.refinement.damage", "1", "off", WITHIN(0, 1), .open = 3, .word = "off", .load = "0"),
     RULE("solid.refinement.from", "s", "0", FROM(0)),
@@ -163,7 +163,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("solid.refinement.start", "list"),
     RULE("solid.refinement.start[].low", "m"),
     RULE("solid.refinement.start[].high", "m"),
-    RULE("solid.refinement.start[].level", "1", WITHIN(1, LEVELS_MAX)),
+    RULE("solid.refinement.start[].level", "1", WITHIN(1, PHYSICS_LEVELS_MAX)),
     RULE("solid.surface_correction", "bool", "true"),
     RULE("solid.body_force", "m/s2", "[0, 0, 0]"),
     RULE("solid.contact", "section", "{}"),

@@ -3,7 +3,7 @@
 #include "scene/rules/schema.h"
 
 enum { NEEDED = CYAML_FLAG_DEFAULT, OPTIONAL = CYAML_FLAG_OPTIONAL, LIST = CYAML_FLAG_OPTIONAL | CYAML_FLAG_POINTER };
-enum { BODIES_MAX = 255, LIST_MAX = 10000 }; /* a particle knows its body by one byte */
+enum { LIST_MAX = 10000 };
 
 extern const cyaml_schema_value_t scene_schema_real;
 extern const cyaml_strval_t scene_schema_axes[3];

@@ -1,4 +1,5 @@
 /* libcyaml schema of the scene's section solid. */
+#include "physics/limits.h"
 #include "scene/rules/schema_parts.h"
 
 static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};
@@ -140,8 +141,8 @@ const cyaml_schema_field_t scene_schema_solid[] = {
     VECTOR("lattice_offset", OPTIONAL, scene_solid, lattice_offset),
     CHOICE("partial_volume", OPTIONAL, scene_solid, partial_volume, partials),
     CHOICE("horizons", OPTIONAL, scene_solid, horizons, horizons),
-    ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, BODIES_MAX),
-    ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, BODIES_MAX),
+    ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, PHYSICS_BODIES_MAX),
+    ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, PHYSICS_BODIES_MAX),
     ENTRIES("cracks", LIST, scene_solid, crack, cracks, &crack, 0, LIST_MAX),
     ENTRIES("constraints", LIST, scene_solid, constraint, constraints, &constraint, 0, LIST_MAX),
     ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),

@@ -67,17 +67,16 @@ static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long
 }
 
 /* The family of a particle: all it has bonds with, ordered by xi: z, then y, then x. */
-enum { SOLID_NEAR_MAX = 512 };
 struct solid_cloud_near {
     int n;
-    long number[SOLID_NEAR_MAX];
-    int image[SOLID_NEAR_MAX];    /* see solid_image_of */
-    double xi[SOLID_NEAR_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
+    long number[SOLID_FAMILY_MAX];
+    int image[SOLID_FAMILY_MAX];    /* see solid_image_of */
+    double xi[SOLID_FAMILY_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
 };
 
 /* 1: a particle, or its image, stands at x, m, as far as places are told apart. Not collective. */
 int solid_cloud_near_holds(const struct solid_cloud *t, const double x[3]);
-/* Dies (exit 2) when there are more than SOLID_NEAR_MAX or two particles coincide. Not collective. */
+/* Dies (exit 2) when there are more than SOLID_FAMILY_MAX or two particles coincide. Not collective. */
 void solid_cloud_near_find(const struct solid_cloud *cloud, long i, struct solid_cloud_near *near);
 /* How many there are, cheaper. */
 int solid_cloud_near_count(const struct solid_cloud *cloud, long i);

@@ -85,8 +85,9 @@ static int is_bond(struct search *k, long l, int image, const double *xi) {
     if (xi[0] == 0 && xi[1] == 0 && xi[2] == 0)
         die(EXIT_CODE_SCENE, "two particles of solid body %s coincide", k->cloud->name);
     if (!solid_pair_exists(&k->cloud->law, xi, &k->end, &other)) return 0;
-    if (k->n == SOLID_NEAR_MAX)
-        die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name, SOLID_NEAR_MAX);
+    if (k->n == SOLID_FAMILY_MAX)
+        die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name,
+            SOLID_FAMILY_MAX);
     return 1;
 }
 

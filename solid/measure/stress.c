@@ -32,7 +32,7 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
         const double length = sqrt(xi2), now = sqrt(zeta2), stretch = q / (length * (now + length));
         if (now > 0) add(t, zeta, zeta, 0.5 * view->alpha[b] * view->micro[b] * stretch / now * view->weight[b]);
     }
-    if (s->in.model == SOLID_PLANE_STRAIN) t[2] = 0.25 * (t[0] + t[1]);
+    if (s->in.model == SOLID_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
 }
 
 /* The same for a row of a lattice: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r (1 + r)), and nothing where r = 0. */

@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "physics/limits.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
 #include "solid/imposed/constraint.h"
@@ -41,7 +42,7 @@ struct solid_refine *solid_refine_new(struct solid_input *in) {
     if (!in->refinement || in->model == SOLID_3D) return NULL;
     struct solid_refine *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
     r->in = *in->refinement;
-    ENSURE(r->in.levels <= SOLID_REFINE_LEVELS, "%d levels", r->in.levels);
+    ENSURE(r->in.levels <= PHYSICS_LEVELS_MAX, "%d levels", r->in.levels);
     r->in.start = copied(r->in.start, (size_t)r->in.starts, sizeof *r->in.start);
     r->bodies = in->bodies;
     r->cells = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *r->cells);

@@ -11,8 +11,6 @@
 #pragma once
 #include "solid/state.h"
 
-enum { SOLID_REFINE_LEVELS = 4 };
-
 /* Marks what the triggers say (000: sec. 2.1.1) and refines it with its families (sec. 2.1.2). Returns how many
  * particles were refined, 0: the solid is as it was. Ghosts must be current. Collective. */
 long solid_refine_look(struct solid *s);

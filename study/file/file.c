@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000, RANKS_MAX = 1000000 };
+enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000 };
 
 static void read_names(struct study *s, const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
@@ -53,7 +53,7 @@ static void read_study(struct study *s, const struct study_key *k) {
                                        "methods", "quantity", "quantities", "reference", "levels"};
     if (!study_key_known(k, (int)(sizeof word / sizeof *word), word)) return;
     s->title = study_key_text(k, "title", s->name);
-    s->ranks = study_key_whole(k, "ranks", 1, RANKS_MAX, 1);
+    s->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 1);
     s->repeats = study_key_whole(k, "repeats", 1, REPEATS_MAX, 5);
     read_scene(s, k);
     read_launcher(s, k);

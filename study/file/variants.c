@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VARIANTS_MAX = 1000, RANKS_MAX = 1000000 };
+enum { VARIANTS_MAX = 1000 };
 
 static struct study_variant *add(struct study_variants *v) {
     v->variant = realloc(v->variant, (size_t)(v->n + 1) * sizeof *v->variant);
@@ -32,7 +32,7 @@ static void read_variant(struct study_variant *v, const struct study_key *k, int
         const struct scene_node *set = scene_node_child(k->mapping, "set");
         study_key_missing(k, "name", "what it is called in tables and plots");
         v->name = study_key_text(k, "name", "");
-        v->ranks = study_key_whole(k, "ranks", 1, RANKS_MAX, 0);
+        v->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 0);
         v->size = study_key_number(k, "size", STUDY_KEY_POSITIVE, NAN);
         char *path = study_key_path(k, "set");
         if (set) study_sets_read(&v->sets, set, path, k->problems);

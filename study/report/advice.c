@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUND_ERRORS = 24, RUNGS = 3, NAMED_MOST = 4 };
+enum { RUNGS = 3, NAMED_MOST = 4 };
 
 /* Where the finest run is itself the reference it is at no distance from it, which says nothing of its error. */
 static int reference_level(const struct study_table *t, int method) {
@@ -35,7 +35,7 @@ static struct rung rung_of(const struct study_result *r, const struct study_tabl
 }
 
 static char *error_text(const struct study_table *t, double error) {
-    if (error <= study_iso_round(ROUND_ERRORS - 1)) return scene_node_text("round-off");
+    if (error <= study_iso_round(STUDY_ROUND_ERRORS - 1)) return scene_node_text("round-off");
     return t->has_scale ? scene_node_text("%.3g %%", 100 * error) : scene_node_text("%.3g", error);
 }
 
@@ -131,7 +131,7 @@ char *study_advice_write(const struct study_result *r, const struct study_table 
     double *work = malloc(2 * (size_t)s->levels.n * sizeof *work);
     struct rung rung[RUNGS];
     int rungs = 0;
-    for (int k = 0; k < ROUND_ERRORS && study_iso_round(k) >= floor; k++) {
+    for (int k = 0; k < STUDY_ROUND_ERRORS && study_iso_round(k) >= floor; k++) {
         const struct rung next = rung_of(r, t, study_iso_round(k), work);
         if (next.method < 0) break;
         if (rungs && next.method == rung[rungs - 1].method && next.level == rung[rungs - 1].level)

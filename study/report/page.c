@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUND_ERRORS = 24 };
-
 static void put(FILE *f, double x, int digits) {
     fputs("| ", f);
     if (isfinite(x))
@@ -160,7 +158,7 @@ static void put_isos(FILE *f, const struct study_result *r, const struct study_t
     struct reach *reach = malloc((size_t)s->methods.n * sizeof *reach);
     int said = 0;
     fputs("\nWall time at equal error, between the levels in logarithms:\n\n", f);
-    for (int k = 0; k < ROUND_ERRORS; k++) said += put_iso(f, r, t, study_iso_round(k), work, reach);
+    for (int k = 0; k < STUDY_ROUND_ERRORS; k++) said += put_iso(f, r, t, study_iso_round(k), work, reach);
     if (!said) fputs("* no round error is reached by two methods.\n", f);
     free(work);
     free(reach);

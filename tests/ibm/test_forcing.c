@@ -1,6 +1,7 @@
 /* Markers and forcing against plain sums over the whole grid. */
 #include "base/par.h"
 #include "bodies.h"
+#include "physics/rk3.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -267,7 +268,7 @@ static void force_total_is_what_the_fluid_received(void **state) {
             assert_true(fabs(total[c]) > 1e-3);
             close_to(total[c], received[c], 1e-12 * fabs(received[c]) + 1e-13 / dt);
         }
-        for (int r = 0; r < 3; r++) close_to(fluid_gamma[r], gamma[r], 1e-15);
+        for (int r = 0; r < 3; r++) close_to(physics_rk3_gamma[r], gamma[r], 1e-15);
         body_free(&mine);
         ibm_free(b);
         fluid_free(f);

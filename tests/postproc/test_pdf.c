@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
+#include "tests/close.h"
 
 /* The n quantiles of the standard normal law at (i + 1/2)/n, by bisection of erfc: a sample without noise. */
 static double normal_quantile(double q) {

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
+#include "tests/close.h"
 #include <sys/stat.h>
 
 static const char base[] = FRANA_BINARY_DIR "/tests/postproc/plates";

@@ -10,7 +10,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
+#include "tests/close.h"
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
+#include "tests/close.h"
 
 enum { WIDTH = 400, HEIGHT = 300 };
 static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};

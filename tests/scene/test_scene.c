@@ -1,5 +1,6 @@
 /* A scene's values are read, defaults are filled in, and --set changes them. */
 #include "base/par.h"
+#include "physics/retraction.h"
 #include "scene/outline.h"
 #include "scene_sample.h"
 
@@ -87,7 +88,7 @@ static void test_defaults_are_filled_in(void **state) {
     assert_true(s->solid->surface_correction && s->solid->contact_exponent == 1);
     assert_true(s->solid->constraint[0].direction[0] && s->solid->constraint[0].direction[1]);
     assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
-    assert_true(s->coupling->retraction == SCENE_RETRACTION && s->coupling->probe_length == 2);
+    assert_true(s->coupling->retraction == PHYSICS_RETRACTION && s->coupling->probe_length == 2);
     assert_int_equal(s->coupling->surface, SCENE_SURFACE_LATTICE);
     assert_int_equal(s->coupling->load, SCENE_LOAD_PROBE);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
@@ -105,7 +106,7 @@ static void test_retraction_follows_the_surface(void **state) {
     for (int n = 1; n <= 2; n++) {
         struct scene *s = read_or_fail("coupled.yaml", n, set);
         assert_int_equal(s->coupling->surface, SCENE_SURFACE_SHAPE);
-        assert_true(s->coupling->retraction == (n == 1 ? SCENE_RETRACTION_SHAPE : 0.25));
+        assert_true(s->coupling->retraction == (n == 1 ? PHYSICS_RETRACTION_SHAPE : 0.25));
         assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.3" : "retraction: 0.25"));
         scene_free(s);
     }

@@ -57,12 +57,12 @@ static void test_constants(void **state) {
     };
     for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
         const struct solid_material m = {of[k].young, DENSITY, of[k].energy, of[k].ratio, SOLID_CONSTANT};
-        const struct solid_constants is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
+        const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
         assert_near(is.c / of[k].c, 1, of[k].within);
         assert_near(is.s0 / of[k].s0, 1, of[k].within);
     }
     const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-    const struct solid_constants space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
+    const struct physics_bond space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
     assert_near(space.c / solid_material_micromodulus(&m, SPACING), 1, 1e-15);
     assert_near(space.s0 / solid_material_critical_stretch(&m, SPACING), 1, 1e-15);
 }
