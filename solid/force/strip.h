@@ -2,25 +2,12 @@
  *     REAL, OF(op)   vec or vec4, and its functions      PLACES   sites of the strip
  *     NAME(name)     what things are called here         LANES    of them at a time */
 
+#include "solid/force/series_of.h"
+
 struct NAME(result) {
     REAL high, low; /* of eps over the bonds */
     REAL power;     /* sum of viscous bond forces times closing speeds, of directed bonds, m2/s3 */
 };
-
-/* Both short in steps that wait for one another rather than in number: a bond waits for its own alone.
- * g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), times c; where |eps| is small a Chebyshev fit of degree four to g/eps. */
-static inline REAL NAME(g_times)(REAL e, REAL c, const int exact) {
-    const REAL root = exact ? OF(sqrt)(1 + e) : e, e2 = e * e;
-    if (exact) return e * c / ((1 + root) * root);
-    return (e * c) * ((G0 + e * G1) + e2 * ((G2 + e * G3) + e2 * G4));
-}
-
-/* 1/(1 + eps); where |eps| is small (1 - eps)(1 + eps^2)(1 + eps^4), which is it but for a factor 1 - eps^8. */
-static inline REAL NAME(inverse)(REAL e, const int exact) {
-    if (exact) return 1 / (1 + e);
-    const REAL e2 = e * e, two = (1 - e) + (1 - e) * e2;
-    return two + two * (e2 * e2);
-}
 
 /* Adds to a  (SPEC 2; 001: eqs 3.20, 3.41), each bond once if it is paired, from one end if not,
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2 = (1 + s)^2 - 1
