@@ -150,11 +150,11 @@ void fluid_measures_mean_pressure(struct fluid *f, int direction,
                                   double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
-void fluid_measures_box_force(struct fluid *f, double out[3]);
+void fluid_box_force(struct fluid *f, double out[3]);
 /* The same as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
-void fluid_audit_begin(struct fluid *f);
-void fluid_audit_end(struct fluid *f, double out[3]);
+void fluid_box_force_begin(struct fluid *f);
+void fluid_box_force_end(struct fluid *f, double out[3]);
 void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 
 size_t fluid_cells(const struct fluid *f); /* of the whole domain */

@@ -1,6 +1,7 @@
 /* Predictor of a Runge-Kutta stage: u* from the explicit momentum equation.  (001: eq. 3.66) */
 #include "base/clock.h"
 #include "base/par_halo.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/grid/outflow.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
@@ -35,7 +36,7 @@ void fluid_predict(struct fluid *f, int r, double dt) {
                                      .viscosity = f->in.implicit ? 0 : f->in.viscosity,
                                      .inverse_density = 1 / f->in.density,
                                      .work = f->flux};
-    if (f->audit.on) fluid_audit_flux(f, r);
+    if (f->audit.on) fluid_box_force_flux(f, r);
     clock_begin(CLOCK_MOMENTUM);
     count_faces(g, s.faces);
     driving_of_stage(f, r, dt);

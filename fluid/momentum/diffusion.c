@@ -4,7 +4,9 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
+#include "fluid/poisson/poisson.h"
 #include "physics/rk3.h"
 
 #include <stdlib.h>
