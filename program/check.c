@@ -68,7 +68,7 @@ static void say_holdings(struct run *r) {
 static void say_touch(struct run *r, const struct scene_stage *stage) {
     if (!(r->substeps > 0) || !r->needs.contact || !solid_contact_is_possible(r->solid)) return;
     const double limit =
-        solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_stable_touch(r->solid), NULL);
+        solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_contact_rate_touch(r->solid), NULL);
     const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
     if (stage->substeps == 0 && least > r->substeps)
         say("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n", stage->name,
@@ -114,8 +114,8 @@ static void say_limits(struct run *r) {
         solid_rates_of(r->solid, &rates);
         for (int k = 0; k < 2 + 2 * touches; k++)
             say("  %-42s %.6g\n", name[k / 2][k % 2],
-                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3, k / 2 ? solid_stable_touch(r->solid) : 0,
-                                NULL));
+                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3,
+                                k / 2 ? solid_contact_rate_touch(r->solid) : 0, NULL));
     }
     if (r->needs.bonds && r->solid->refine) say_levels(r);
     say("\nstages\n");

@@ -87,6 +87,14 @@ static struct scene *load(const char *path, struct scene_node *root, struct scen
     return s;
 }
 
+void scene_read_free(struct scene *s) {
+    if (!s) return;
+    free(s->resolved);
+    s->resolved = NULL;
+    scene_derive_free(s);
+    scene_schema_free(s);
+}
+
 struct scene *scene_read(const char *path, const char *text, size_t bytes, int n, const char *const *set,
                          int look_for_files, struct scene_problems *problems) {
     problems->file = path;
@@ -103,7 +111,7 @@ struct scene *scene_read(const char *path, const char *text, size_t bytes, int n
     scene_node_free(root);
     if (problems->n > 0) {
         scene_problem_sort(problems);
-        scene_free(s);
+        scene_read_free(s);
         s = NULL;
     }
     return s;

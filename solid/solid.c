@@ -154,7 +154,7 @@ struct solid *solid_new(const struct solid_input *in) {
     points_check(s, sites, cloud);
     solid_cut_bonds(s, cloud);
     solid_build_edges(s);
-    solid_given_new(s, sites);
+    solid_given_new(s, sites, NULL);
     for (int b = 0; b < in->bodies; b++) {
         solid_sites_free(sites[b]);
         if (s->dim == 2)

@@ -143,7 +143,7 @@ static void check_missing(struct scene_walk *w, struct scene_node *node, const c
         const struct scene_node place = {
             .kind = SCENE_NODE_MAPPING, .line = node->line, .set = node->set, .set_inner = 1};
         const struct scene_node *s = rule && rule->sibling ? scene_node_child(node, rule->sibling) : NULL;
-        char *unit = scene_walk_in_units(rule);
+        char *unit = scene_rule_in_units(rule);
         c = scene_node_new(SCENE_NODE_SCALAR, field->key, NULL);
         c->line = node->line;
         if (s)

@@ -260,3 +260,10 @@ int scene_rule_admits(const struct scene_rule *rule, double value) {
     if (value < rule->low || (rule->open & 1 && value == rule->low)) return 0;
     return value <= rule->high && !(rule->open & 2 && value == rule->high);
 }
+
+char *scene_rule_in_units(const struct scene_rule *rule) {
+    static const char *const none[] = {"1", "text", "bool", "choice", "section", "list", "file"};
+    for (size_t i = 0; rule && i < sizeof none / sizeof *none; i++)
+        if (!strcmp(rule->unit, none[i])) rule = NULL;
+    return rule ? scene_node_text(" (%s)", rule->unit) : scene_node_text("%s", "");
+}

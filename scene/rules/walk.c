@@ -30,13 +30,6 @@ static int is_number(const char *s) {
     return power > 0 && !s[power];
 }
 
-char *scene_walk_in_units(const struct scene_rule *rule) {
-    static const char *const none[] = {"1", "text", "bool", "choice", "section", "list", "file"};
-    for (size_t i = 0; rule && i < sizeof none / sizeof *none; i++)
-        if (!strcmp(rule->unit, none[i])) rule = NULL;
-    return rule ? scene_node_text(" (%s)", rule->unit) : scene_node_text("%s", "");
-}
-
 /* ", or auto" where a word may stand for the number. */
 static char *or_word(const struct scene_rule *rule) {
     return rule && rule->word ? scene_node_text(", or %s", rule->word) : scene_node_text("%s", "");
@@ -60,7 +53,7 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
     const double value = form ? strtod(node->value, NULL) : 0;
     const double largest = !whole ? DBL_MAX : v->data_size == sizeof(int) ? INT_MAX : 9e15; /* exact in a double */
     const int admitted = !rule || scene_rule_admits(rule, value);
-    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_walk_in_units(rule);
+    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_rule_in_units(rule);
     if (!form)
         SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
                        range ? ", " : "", range ? range : "", unit, word);

@@ -107,7 +107,7 @@ void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node 
                        : is_size && node->kind == SCENE_NODE_LIST && node->n == 2 ? ": a plate, of 2, has no fluid yet"
                        : is_vector && w->dimension == 2                           ? " in a plate"
                                                                                   : "";
-    char *unit = scene_walk_in_units(rule);
+    char *unit = scene_rule_in_units(rule);
     SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s",
                    is_vector && w->dimension == 2 ? 2 : (int)v->sequence.max,
                    scene_walk_place_entry_name(v->sequence.entry), unit, more);

@@ -20,8 +20,3 @@ struct solid_contact_keep {
 void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s);
 void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s);
 void solid_contact_keep_free(struct solid_contact_keep *k);
-
-/* Before new lists are made: the present ones go where somebody keeps them. Not collective. */
-void solid_contact_keep_put_away(struct solid_contact *c);
-/* Of a contact that is given up. */
-void solid_contact_keep_put_away_free(struct solid_contact *c);

@@ -16,3 +16,9 @@ struct physics_bond solid_material_constants(enum solid_model model, double thic
     return physics_bond_of((enum physics_model)model, (enum physics_micromodulus)m->micromodulus, thickness,
                            m->youngs_modulus, m->fracture_energy, delta);
 }
+
+double solid_material_c0(const struct solid_input *in, const struct solid_material *m) {
+    return physics_bond_of((enum physics_model)in->model, PHYSICS_CONSTANT, in->thickness, m->youngs_modulus,
+                           m->fracture_energy, m->horizon_ratio * in->spacing)
+        .c;
+}

@@ -9,3 +9,5 @@ struct physics_bond solid_material_constants(enum solid_model model, double thic
 /* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.28) */
 double solid_material_micromodulus(const struct solid_material *m, double spacing);
 double solid_material_critical_stretch(const struct solid_material *m, double spacing);
+/* c0 that a constant micromodulus would have, whatever the material's is: contact is measured by it. */
+double solid_material_c0(const struct solid_input *in, const struct solid_material *m);

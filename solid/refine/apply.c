@@ -162,7 +162,7 @@ static void impose(struct solid *s) {
     if (s->given) {
         solid_given_free(s->given);
         s->given = NULL;
-        solid_given_new(s, NULL);
+        solid_given_new(s, NULL, solid_refine_area_lengths);
     }
     solid_constraint_flags(s);
     solid_constraint_displacement(s, s->t);

@@ -17,7 +17,7 @@ struct solid_refine {
 };
 
 /* 1: the body is a polygon, whose particles may be refined. */
-int solid_refine_is_possible(const struct solid *s, int body);
+int solid_refine_plan_is_possible(const struct solid *s, int body);
 /* The body's particles as they are, to be planned with. kept [cloud->n] or NULL. Not collective. */
 struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int body, const uint8_t *kept);
 /* The cloud that a plan makes, its new particles with their parents' ranks: a rank's old particles keep their order,
@@ -42,4 +42,5 @@ void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct soli
 
 /* Adds the boundary from one point to the other by number in the body's cloud, m; 0 where it does not run so. Not
  * collective. */
-int solid_refine_lengths(const struct solid *s, int body, const double from[2], const double to[2], double *length);
+int solid_refine_area_lengths(const struct solid *s, int body, const double from[2], const double to[2],
+                              double *length);

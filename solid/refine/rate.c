@@ -71,7 +71,7 @@ double solid_refine_rate_lattice(const struct solid *s, int level) {
         const struct solid_cloud *t = s->family->cloud[b];
         const double horizon = s->refine->in.horizon_kept ? t->law.horizon : ldexp(t->law.horizon, -level),
                      side = ldexp(1, -level), unit = t->unit / (t->spacing * t->spacing);
-        const int n = solid_refine_is_possible(s, b) ? bonds_of(&t->law, horizon, side, bond) : 0;
+        const int n = solid_refine_plan_is_possible(s, b) ? bonds_of(&t->law, horizon, side, bond) : 0;
         for (int i = 0; n > 0 && i <= WAVES; i++)
             for (int j = 0; j <= WAVES; j++)
                 most =

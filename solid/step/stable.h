@@ -30,6 +30,3 @@ double solid_stable_of(const struct solid_rates *rates, enum solid_integrator in
 /* The largest stable step of one oscillator x'' + g x' + w x = 0, s: up to it no step makes it grow. Of g, pairwise and
  * absolute damping are told apart, because Verlet's see different velocities. */
 double solid_stable_oscillator(enum solid_integrator integrator, double w, double pairwise, double absolute);
-/* What one contact between particles that nothing else holds can add to the rates, 1/s2: two neighbours at r = r_c, of
- * the material for which it is most; 0 where no contact can come about. */
-double solid_stable_touch(const struct solid *s);

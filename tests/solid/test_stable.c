@@ -252,7 +252,7 @@ static void test_one_pair(void **state) {
     assert_true(solid_contact_rate_bound(s, NULL, NULL) == 0);
     solid_contact_update(s);
     assert_non_null(s->contact);
-    const double touch = solid_stable_touch(s);
+    const double touch = solid_contact_rate_touch(s);
     assert_near(touch /
                     (2 * 2 * 15 * solid_material_micromodulus(s->in.material, SPACING) * SPACING * SPACING / DENSITY),
                 1, 1e-12);
