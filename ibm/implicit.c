@@ -26,19 +26,6 @@ enum { ITERATIONS = 40 };
 
 typedef double vector3[3];
 
-void ibm_implicit_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]) {
-    ibm_sweep_read(b, u, velocity);
-    ibm_edge_sum(b, u, 0, b->pieces);
-    ibm_share_sums(b);
-    ibm_edge_velocity(b, with_sides, velocity + b->inner);
-}
-
-void ibm_implicit_write(struct ibm *b, double *const u[3], const double (*strength)[3]) {
-    memcpy(b->increment, strength, (size_t)b->served * sizeof *strength);
-    ibm_sweep_scatter(b, u, 0, b->inner);
-    ibm_edge_scatter(b, u, 0, b->pieces);
-}
-
 static double weight_of(const struct ibm *b, int h) {
     return h < b->inner ? b->stencil[h].volume : b->edge[h - b->inner].volume;
 }
@@ -76,8 +63,8 @@ static void multidirect(struct ibm *b, const vector3 *e, vector3 *x, vector3 *le
         for (int h = 0; h < b->served; h++)
             for (int c = 0; c < 3; c++) increment[h][c] = weight_of(b, h) * left[h][c];
         add(b, x, 1, (const vector3 *)increment);
-        ibm_implicit_write(b, u, (const vector3 *)increment);
-        ibm_implicit_read(b, u, 0, left);
+        ibm_whole_write(b, u, (const vector3 *)increment);
+        ibm_whole_read(b, u, 0, left);
         turn(b, left, -1, e);
     }
 }
@@ -109,14 +96,14 @@ void ibm_implicit_force_again(struct ibm *b, int r, double dt) {
     memcpy(b->vector[IBM_TARGET], q, (size_t)b->served * sizeof *q);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) b->vector[IBM_TARGET][h][c] *= physics_rk3_gamma[r] * dt;
-    ibm_implicit_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
+    ibm_whole_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
     clock_end(CLOCK_FORCING);
 }
 
 /* The residual once u* is there: += V - J u*. Collective. */
 static void begin(struct ibm *b) {
     vector3 *residual = b->vector[IBM_RESIDUAL], *velocity = b->vector[IBM_TARGET];
-    ibm_implicit_read(b, fluid_predicted(b->fluid), 1, velocity);
+    ibm_whole_read(b, fluid_predicted(b->fluid), 1, velocity);
     for (int h = 0; h < b->served; h++) {
         const double *v = h < b->inner ? b->stencil[h].v : b->edge[h - b->inner].v;
         for (int c = 0; c < 3; c++) residual[h][c] += v[c] - velocity[h][c];
@@ -129,12 +116,12 @@ static void apply(struct ibm *b, int r, double dt) {
     vector3 *kd = b->vector[IBM_KD], *read = b->vector[IBM_TARGET];
     const double s = slip_time(b), stage = physics_rk3_gamma[r] * dt;
     fluid_diffusion_clear(b->fluid);
-    ibm_implicit_write(b, u, (const vector3 *)b->vector[IBM_BD]);
-    ibm_implicit_read(b, u, 0, read);
+    ibm_whole_write(b, u, (const vector3 *)b->vector[IBM_BD]);
+    ibm_whole_read(b, u, 0, read);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) kd[h][c] = s * (b->vector[IBM_D][h][c] - read[h][c]);
     fluid_diffusion_solve(b->fluid, r, dt);
-    ibm_implicit_read(b, u, 0, read);
+    ibm_whole_read(b, u, 0, read);
     add(b, kd, stage, (const vector3 *)read);
 }
 

@@ -136,9 +136,9 @@ static inline int ibm_slab_first(const struct ibm *b, enum ibm_list list, int sl
 }
 
 /* Room for this many doubles, contents not kept. */
-void ibm_reserve(double **buffer, size_t *size, size_t wanted);
+void ibm_buffer_reserve(double **buffer, size_t *size, size_t wanted);
 /* Coordinate in cells: within [0, n) where periodic. */
-double ibm_wrap(const struct fluid_grid *g, int direction, double x);
+double ibm_cell_wrap(const struct fluid_grid *g, int direction, double x);
 /* The cell of a coordinate in cells, -1 outside; the far end belongs to the last cell. */
 static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) {
     if (!(s >= 0 && s <= g->n[direction])) return -1;
@@ -199,8 +199,8 @@ void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, 
 void ibm_demand_home(struct ibm *b);
 void ibm_demand_out(struct ibm *b, int same);
 /* All markers' velocities, velocity [served]; with what the sides' conditions add to it, or without. Collective. */
-void ibm_implicit_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
+void ibm_whole_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
 /* u += strength delta, of all markers, strength [served]. Not collective. */
-void ibm_implicit_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
+void ibm_whole_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
 void ibm_share_sums(struct ibm *b);

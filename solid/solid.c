@@ -133,7 +133,7 @@ struct solid *solid_new(const struct solid_input *in) {
     f->stencils = in->materials;
     f->stencil = memory_new(MEMORY_SOLID, (size_t)in->materials, sizeof *f->stencil);
     for (int m = 0; s->dim == 3 && m < in->materials; m++)
-        f->stencil[m] = solid_weight_stencil_new(in->spacing, in->material[m].horizon_ratio);
+        f->stencil[m] = solid_stencil_new(in->spacing, in->material[m].horizon_ratio);
 
     struct solid_sites **sites = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *sites);
     for (int b = 0; b < in->bodies; b++) {
@@ -202,7 +202,7 @@ void solid_free(struct solid *s) {
     struct solid_family *f = s->family;
     solid_contact_free(s);
     solid_forget_bonds(s);
-    for (int m = 0; m < f->stencils; m++) solid_weight_stencil_free(f->stencil[m]);
+    for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};
     for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);
     for (int c = 0; c < 3; c++) {

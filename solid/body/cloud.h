@@ -70,7 +70,7 @@ static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long
 struct solid_cloud_near {
     int n;
     long number[SOLID_FAMILY_MAX];
-    int image[SOLID_FAMILY_MAX];    /* see solid_image_of */
+    int image[SOLID_FAMILY_MAX];    /* see solid_cloud_image_of */
     double xi[SOLID_FAMILY_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
 };
 
@@ -87,10 +87,10 @@ void solid_cloud_near_visit(const struct solid_cloud *cloud, const double place[
 
 /* Periodic images: -1, 0 or 1 periods in each direction. */
 enum { SOLID_IMAGES = 27, SOLID_NO_IMAGE = 13 };
-static inline int solid_image_code(const int image[3]) {
+static inline int solid_cloud_image_code(const int image[3]) {
     return SOLID_NO_IMAGE + image[0] + 3 * image[1] + 9 * image[2];
 }
-static inline int solid_image_of(int code, int c) {
+static inline int solid_cloud_image_of(int code, int c) {
     static const int power[3] = {1, 3, 9};
     return code / power[c] % 3 - 1;
 }

@@ -26,7 +26,7 @@ static inline __attribute__((always_inline)) void visit_image(const struct solid
         shift[c] = image[c] * t->period[c];
         if (!range(t, c, place[c] - shift[c], reach, &from[c], &to[c])) return;
     }
-    const int code = solid_image_code(image);
+    const int code = solid_cloud_image_code(image);
     for (int k = from[2]; k <= to[2]; k++)
         for (int j = from[1]; j <= to[1]; j++) {
             const long line = ((long)k * t->cells.cells[1] + j) * t->cells.cells[0];

@@ -1,11 +1,7 @@
 /* Families being found. Inside the room only. */
 #pragma once
+#include "solid/bonds/key.h"
 #include "solid/bonds/list.h"
-
-/* What tells the other ends of bonds apart: global id and periodic image. */
-static inline long solid_key_of(long id, int image) { return SOLID_IMAGES * id + image; }
-static inline long solid_key_id(long key) { return key / SOLID_IMAGES; }
-static inline int solid_key_image(long key) { return (int)(key % SOLID_IMAGES); }
 
 /* Pairs that have been computed, by what they are computed from: on a lattice of levels there are few. */
 enum { SOLID_PAIRS_KEPT = 1024 };

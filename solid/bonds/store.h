@@ -1,7 +1,7 @@
 /* What both stores of bonds share. Inside the room only. */
 #pragma once
 #include "solid/body/sites.h"
-#include "solid/law/weight.h"
+#include "solid/law/stencil.h"
 
 /* The bonds' law in a body.  (001: eqs 3.21, 3.28) */
 struct solid_law {

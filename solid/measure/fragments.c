@@ -12,8 +12,6 @@
 
 #include <stdlib.h>
 
-enum { ROW = VEC_LANES };
-
 /* Pieces of particles that intact bonds join, of those known here, owned or ghost. parent: a tree each, roots the
  * smallest. */
 static int find(int *parent, int h) {
@@ -46,12 +44,13 @@ static void join_segment(const struct solid_lattice *t, int g, int *piece, int *
     const uint32_t *entry = all->entry + all->first[g];
     for (int strip = 0; strip < SOLID_STRIPS; strip++)
         for (int i = 0; i < all->count[g][strip]; i++, entry++)
-            join_at(t, all->cell[g] + solid_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece, parent);
+            join_at(t, all->cell[g] + solid_segments_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece,
+                    parent);
 }
 
 /* Nearest neighbours first: most of a body is then one piece, and further bonds have nothing to join. */
 static void join_lattice(const struct solid_lattice *t, int *parent) {
-    int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * ROW, sizeof *piece);
+    int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * SOLID_ROW, sizeof *piece);
     const int offsets = t->stencil->n;
     for (long i = 0; i < t->sites; i++) piece[i] = t->local[i];
     for (int o = 0; o < offsets; o++) {

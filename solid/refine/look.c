@@ -61,14 +61,6 @@ static double energy_bound(const struct solid_list *t, int i) {
     return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach * (0.26 * eps * eps);
 }
 
-void solid_refine_look_energy(const struct solid *s, double *energy) {
-    for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_list *t = s->family->list[b];
-        solid_sweep_list_fill(s, t);
-        for (int i = 0; i < t->n; i++) energy[t->first + i] = energy_of(t, i);
-    }
-}
-
 /* The part of the family's volume that is behind broken bonds, the same for mirror images. */
 static double damage_of(const struct solid *s, int h) {
     struct solid_family_view view;

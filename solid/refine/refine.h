@@ -17,10 +17,6 @@ long solid_refine_look(struct solid *s);
 /* The same for particles marked by hand, mark [n]. Collective. */
 long solid_refine_marked(struct solid *s, const uint8_t *mark);
 
-/* Of each owned particle, [n]: the elastic energy density of its halves of intact bonds, J/m3, the same to the bit for
- * mirror images. Ghosts must be current. Not collective. */
-void solid_refine_look_energy(const struct solid *s, double *energy);
-
 int solid_refine_level(const struct solid *s, int h); /* of an owned particle. Not collective. */
 int solid_refine_finest(const struct solid *s);       /* level of all bodies. Not collective. */
 long solid_refine_events(const struct solid *s);      /* refinements since the solid was made. Not collective. */

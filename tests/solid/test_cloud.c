@@ -5,6 +5,7 @@
 
 #include "solid/law/material.h"
 #include "solid/law/pair.h"
+#include "solid/law/stencil.h"
 #include "solid/law/weight.h"
 #include "solid/law/weight_plane.h"
 
@@ -199,9 +200,9 @@ static void test_full_volume(void **state) {
     assert_near(solid_pair_full_volume(&law, 1.5, 0.5) * 4 / full, 1, 1e-14);
     assert_near(solid_pair_full_volume(&law, 3, 0.97) / full, 1, 0);
     solid.table = solid_weight_table_new();
-    struct solid_stencil *stencil = solid_weight_stencil_new(1, 3);
+    struct solid_stencil *stencil = solid_stencil_new(1, 3);
     assert_near(solid_pair_full_volume(&solid, 3, 1) / stencil->full_volume, 1, 1e-13); /* rounded weights */
-    solid_weight_stencil_free(stencil);
+    solid_stencil_free(stencil);
     solid_weight_table_free(solid.table);
 }
 
