@@ -1,5 +1,5 @@
 /* Coordinates in cells, across periodic sides. */
-#include "ibm/state.h"
+#include "ibm/cell.h"
 
 #include <math.h>
 

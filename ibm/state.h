@@ -8,6 +8,7 @@
 #pragma once
 #include "base/par_exchange.h"
 #include "base/par_swap.h"
+#include "ibm/cell.h"
 #include "ibm/ibm.h"
 #include "ibm/kernel.h"
 
@@ -137,14 +138,6 @@ static inline int ibm_slab_first(const struct ibm *b, enum ibm_list list, int sl
 
 /* Room for this many doubles, contents not kept. */
 void ibm_buffer_reserve(double **buffer, size_t *size, size_t wanted);
-/* Coordinate in cells: within [0, n) where periodic. */
-double ibm_cell_wrap(const struct fluid_grid *g, int direction, double x);
-/* The cell of a coordinate in cells, -1 outside; the far end belongs to the last cell. */
-static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) {
-    if (!(s >= 0 && s <= g->n[direction])) return -1;
-    const int i = (int)s;
-    return i < g->n[direction] ? i : i - 1;
-}
 /* Room for n items of so many doubles, contents not kept; returns whether a new plan is needed for their number alone.
  */
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles);

@@ -1,5 +1,6 @@
 /* Table of the scene's rules: unit, default, range and place of every key. */
 #include "scene/rules/rule.h"
+#include "base/text.h"
 #include "physics/limits.h"
 #include "scene/text/node.h"
 
@@ -250,9 +251,9 @@ const struct scene_rule *scene_rule_find(const char *path) {
 char *scene_rule_range(const struct scene_rule *rule) {
     if (rule->low == rule->high) return NULL;
     const char *below = rule->open & 2 ? "less than" : "at most", *above = rule->open & 1 ? "greater than" : "at least";
-    if (isinf(rule->high)) return scene_node_text("%s %.15g", above, rule->low);
-    if (!rule->open) return scene_node_text("between %.15g and %.15g", rule->low, rule->high);
-    return scene_node_text("%s %.15g and %s %.15g", above, rule->low, below, rule->high);
+    if (isinf(rule->high)) return text_new("%s %.15g", above, rule->low);
+    if (!rule->open) return text_new("between %.15g and %.15g", rule->low, rule->high);
+    return text_new("%s %.15g and %s %.15g", above, rule->low, below, rule->high);
 }
 
 int scene_rule_admits(const struct scene_rule *rule, double value) {
@@ -265,5 +266,5 @@ char *scene_rule_in_units(const struct scene_rule *rule) {
     static const char *const none[] = {"1", "text", "bool", "choice", "section", "list", "file"};
     for (size_t i = 0; rule && i < sizeof none / sizeof *none; i++)
         if (!strcmp(rule->unit, none[i])) rule = NULL;
-    return rule ? scene_node_text(" (%s)", rule->unit) : scene_node_text("%s", "");
+    return rule ? text_new(" (%s)", rule->unit) : text_new("%s", "");
 }

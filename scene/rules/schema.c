@@ -1,5 +1,6 @@
 /* libcyaml schema of the scene, except for the section solid. */
 #include "scene/rules/schema.h"
+#include "base/text.h"
 #include "scene/rules/schema_parts.h"
 #include "scene/text/node.h"
 
@@ -171,7 +172,7 @@ struct scene *scene_schema_load(const char *text, char **why) {
     *why = NULL;
     const cyaml_err_t error = cyaml_load_data((const uint8_t *)text, strlen(text), &config, &scene_schema, &data, NULL);
     if (error == CYAML_OK) return (struct scene *)data;
-    if (!*why) *why = scene_node_text("%s", cyaml_strerror(error));
+    if (!*why) *why = text_new("%s", cyaml_strerror(error));
     return NULL;
 }
 

@@ -1,6 +1,7 @@
 /* Checks of single scene values: numbers, choices, texts. */
 #include "scene/rules/walk.h"
 #include "base/ensure.h"
+#include "base/text.h"
 
 #include <float.h>
 #include <limits.h>
@@ -32,7 +33,7 @@ static int is_number(const char *s) {
 
 /* ", or auto" where a word may stand for the number. */
 static char *or_word(const struct scene_rule *rule) {
-    return rule && rule->word ? scene_node_text(", or %s", rule->word) : scene_node_text("%s", "");
+    return rule && rule->word ? text_new(", or %s", rule->word) : text_new("%s", "");
 }
 
 int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
@@ -68,9 +69,9 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
 }
 
 char *scene_walk_joined(int n, const char *const *word) {
-    char *text = scene_node_text("%s", "");
+    char *text = text_new("%s", "");
     for (int i = 0; i < n; i++) {
-        char *longer = scene_node_text("%s%s%s", text, i ? ", " : "", word[i]);
+        char *longer = text_new("%s%s%s", text, i ? ", " : "", word[i]);
         free(text);
         text = longer;
     }

@@ -1,5 +1,6 @@
 /* A scene's values are read, defaults are filled in, and --set changes them. */
 #include "base/par.h"
+#include "base/text.h"
 #include "physics/retraction.h"
 #include "scene/outline.h"
 #include "scene_sample.h"
@@ -7,7 +8,7 @@
 #include <math.h>
 
 static struct scene *read_or_fail(const char *name, int n, const char *const *set) {
-    char *path = scene_node_text("%s%s", SCENES, name);
+    char *path = text_new("%s%s", SCENES, name);
     struct scene *s = scene_new(path, n, set);
     free(path);
     return s;
