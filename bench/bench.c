@@ -64,18 +64,18 @@ static struct bench_size *sizes_of(const char *list, int *n) {
     return size;
 }
 
-int bench_run(const struct command *c) {
-    if (c->table) return par_rank() == 0 ? bench_table(c) : EXIT_CODE_DONE;
-    struct bench b = {.quick = c->quick, .effort = {c->repeats, c->quick ? 0.005 : 0.15}};
+int bench_run(const struct bench_options *o) {
+    if (o->page) return par_rank() == 0 ? bench_table(o) : EXIT_CODE_DONE;
+    struct bench b = {.quick = o->quick, .effort = {o->repeats, o->quick ? 0.005 : 0.15}};
     struct bench_size *size = NULL;
     if (b.effort.repeats > BENCH_REPEATS_MAX)
-        die_all(EXIT_CODE_SCENE, "--repeats %d: must be 5 to %d", c->repeats, BENCH_REPEATS_MAX);
-    if (c->only) check_only(c->only);
-    if (c->sizes) b.size = size = sizes_of(c->sizes, &b.sizes);
-    bench_row_begin(&b.table, c->out[0] ? c->out : NULL);
+        die_all(EXIT_CODE_SCENE, "--repeats %d: must be 5 to %d", o->repeats, BENCH_REPEATS_MAX);
+    if (o->only) check_only(o->only);
+    if (o->sizes) b.size = size = sizes_of(o->sizes, &b.sizes);
+    bench_row_begin(&b.table, o->out);
     b.table.limits = bench_limits_measure(&b.effort, b.quick ? 1 << 20 : 1 << 23);
     for (int k = 0; k < PARTS; k++)
-        if (c->only ? holds(c->only, part[k].name) : !part[k].asked_only) part[k].measure(&b);
+        if (o->only ? holds(o->only, part[k].name) : !part[k].asked_only) part[k].measure(&b);
     bench_row_end(&b.table);
     free(size);
     return EXIT_CODE_DONE;

@@ -214,11 +214,11 @@ static void sent(const struct bench_cells *c) {
     printf("\n");
 }
 
-int bench_table(const struct command *c) {
+int bench_table(const struct bench_options *o) {
     struct page p = {0};
-    for (int k = 0; k < c->files; k++) read_file(&p, c->file[k]);
+    for (int k = 0; k < o->files; k++) read_file(&p, o->file[k]);
     if (!p.rows || !p.rows->rows) die(EXIT_CODE_FILE, "frana bench --table: none of the files holds measured times");
-    if (c->table == COMMAND_TABLE_PERFORMANCE) {
+    if (o->page == BENCH_PAGE_PERFORMANCE) {
         performance(&p);
     } else {
         machine(p.rows);

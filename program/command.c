@@ -65,8 +65,8 @@ static int whole(const char *text, const char *name, int least) {
 }
 
 static int table_of(const char *word) {
-    if (!strcmp(word, "performance")) return COMMAND_TABLE_PERFORMANCE;
-    if (!strcmp(word, "growth")) return COMMAND_TABLE_GROWTH;
+    if (!strcmp(word, "performance")) return BENCH_PAGE_PERFORMANCE;
+    if (!strcmp(word, "growth")) return BENCH_PAGE_GROWTH;
     die_all(EXIT_CODE_SCENE, "--table=%s: must be performance or growth", word);
 }
 

@@ -1,5 +1,6 @@
 /* The command line.  (SPEC 9) */
 #pragma once
+#include "bench/bench.h"
 
 enum command_verb {
     COMMAND_RUN,
@@ -10,8 +11,6 @@ enum command_verb {
     COMMAND_VERSION,
     COMMAND_HELP
 };
-
-enum command_table { COMMAND_TABLE_NONE, COMMAND_TABLE_PERFORMANCE, COMMAND_TABLE_GROWTH };
 
 struct command {
     enum command_verb verb;
@@ -32,7 +31,7 @@ struct command {
     double level, magnify;     /* 0: not given */
     /* bench */
     int quick, repeats;
-    enum command_table table; /* of tables measured before, nothing is measured */
+    enum bench_page table;    /* of tables measured before, nothing is measured */
     const char *only, *sizes; /* lists of words with commas, or NULL: all, the standard ones */
 };
 

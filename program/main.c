@@ -41,7 +41,14 @@ int main(int argc, char **argv) {
     } else if (c->verb == COMMAND_POST) {
         code = post(c);
     } else if (c->verb == COMMAND_BENCH) {
-        code = bench_run(c);
+        code = bench_run(&(struct bench_options){.page = c->table,
+                                                 .files = c->files,
+                                                 .file = c->file,
+                                                 .out = c->out[0] ? c->out : NULL,
+                                                 .quick = c->quick,
+                                                 .repeats = c->repeats,
+                                                 .only = c->only,
+                                                 .sizes = c->sizes});
     } else if (c->verb == COMMAND_STUDY) {
         code = study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
     } else if (par_rank() == 0) {

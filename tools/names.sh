@@ -21,7 +21,8 @@ common="state internal parts input"
 names() {
     git ls-files $rooms | sed -n 's/^\(.*\)\.[ch]$/file \1/p' | sort -u
     find "$build/CMakeFiles" -path '*/frana_*.dir/*' -name '*.c.o' -exec nm -A -g --defined-only {} + |
-        sed -n 's|^[^:]*/frana_[a-z]*\.dir/\([^:]*\)\.c\.o:[0-9a-f]* [A-Z] \(.*\)$|name \1 \2 c|p'
+        sed -n 's|^[^:]*/frana_[a-z]*\.dir/\([^:]*\)\.c\.o:[0-9a-f]* [A-Z] \([a-z][a-z_0-9]*\)$|name \1 \2 c|p'
+    # shellcheck disable=SC2016 # awk's
     git ls-files -z $rooms | grep -z '\.h$' | xargs -0 awk '
         function function_name(text) {
             if (!match(text, /[a-z_0-9]+\(/) || text ~ /NAME\(/) return ""

@@ -1,7 +1,6 @@
 /* Searches the particles near a place of a cloud, and the family of a particle, across periodic sides. */
 #include "base/die.h"
 #include "solid/body/cloud.h"
-#include "solid/bonds/family.h"
 
 #include <math.h>
 

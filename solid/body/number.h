@@ -1,8 +1,16 @@
 /* Global ids: who owns which, and which copies a rank needs. Inside the room only. */
 #pragma once
-#include "solid/bonds/store.h"
+#include "solid/body/sites.h"
 
 /* first [size+1]: ids divided so that ranks have equal work; rows of eight sites are never cut. Collective. */
 void solid_number_divide(struct solid_sites *const *sites, int bodies, int general_bonds, long *first);
 /* Sorts and makes unique; returns how many are left. Not collective. */
 int solid_number_unique(long *id, long n);
+
+/* Where a global id stands on this rank: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: nowhere. */
+struct solid_numbering {
+    long from, to; /* owned ids */
+    int ghosts;
+    const long *ghost_id;
+};
+int solid_number_local(const struct solid_numbering *numbering, long id);

@@ -1,6 +1,6 @@
 /* What both stores of bonds share. Inside the room only. */
 #pragma once
-#include "solid/body/sites.h"
+#include "solid/body/number.h"
 #include "solid/law/stencil.h"
 
 /* The bonds' law in a body.  (001: eqs 3.21, 3.28) */
@@ -9,14 +9,6 @@ struct solid_law {
     double density;   /* kg/m3 */
     double eps_limit; /* (1 + s0)^2 - 1 */
 };
-
-/* Where a global id stands on this rank: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: nowhere. */
-struct solid_numbering {
-    long from, to; /* owned ids */
-    int ghosts;
-    const long *ghost_id;
-};
-int solid_number_local(const struct solid_numbering *numbering, long id);
 
 /* What a sweep over the bonds is asked. */
 struct solid_sweep {

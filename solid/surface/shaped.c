@@ -1,7 +1,7 @@
 /* Depth and normal of interface particles by the shape they were cut from, turned along with the deformation. */
 #include "solid/surface/shaped.h"
 #include "base/memory.h"
-#include "solid/geometry/piece.h"
+#include "solid/surface/piece.h"
 #include "solid/surface/normal.h"
 
 #include <math.h>
