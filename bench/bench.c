@@ -64,32 +64,6 @@ static struct bench_size *sizes_of(const char *list, int *n) {
     return size;
 }
 
-void bench_limits(struct bench *b) {
-    const struct bench_limits *l = &b->table.limits;
-    const struct bench_row row[3] = {{.part = "triad_one_rank",
-                                      .time = l->triad_alone,
-                                      .units = l->triad_length,
-                                      .unit = "element",
-                                      .bytes = 24,
-                                      .flops = 2},
-                                     {.part = "triad",
-                                      .time = l->triad,
-                                      .units = par_size() * l->triad_length,
-                                      .unit = "element",
-                                      .bytes = 24,
-                                      .flops = 2},
-                                     {.part = "multiply_add",
-                                      .time = l->fma,
-                                      .units = par_size() * l->fma_length / 2,
-                                      .unit = "multiply-add",
-                                      .flops = 2}};
-    for (int k = 0; k < 3; k++) {
-        struct bench_row r = row[k];
-        snprintf(r.size, sizeof r.size, "%.0f", r.units);
-        bench_row_write(&b->table, &r);
-    }
-}
-
 int bench_run(const struct bench_input *in) {
     if (in->page) return par_rank() == 0 ? bench_table(in) : EXIT_CODE_DONE;
     struct bench b = {.quick = in->quick, .effort = {in->repeats, in->quick ? 0.005 : 0.15}};

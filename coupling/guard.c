@@ -1,8 +1,6 @@
 /* Keeps the last good state of a run in memory and restores it. */
 #include "base/clock.h"
 #include "base/ensure.h"
-#include "base/memory.h"
-#include "coupling/forcing_guess.h"
 #include "coupling/guard.h"
 #include "coupling/run_state.h"
 #include "files/state_copy.h"
@@ -16,32 +14,16 @@ struct guard {
     struct state_copy *run;
     struct state_copy *fluid; /* NULL: there is none */
     struct solid_keep *solid; /* NULL: nothing of it changes */
-    double (*demand)[3];      /* [n] of the implicit forcing; NULL: it has none */
+    double (*demand)[3];      /* [n] the forcing's starting guess (forcing_guess_kept); NULL: it has none */
     int kept;
     long refined; /* number of refinements when the arrays were made */
 };
-
-static void guess_make(void *keep, void *owner) {
-    struct guard *g = keep;
-    const struct run *r = owner;
-    g->demand = memory_new(MEMORY_OUTPUT, (size_t)r->solid->n + 1, sizeof *g->demand);
-}
-
-static void guess_take(void *keep, void *owner) { forcing_guess_take(owner, ((struct guard *)keep)->demand); }
-
-static void guess_restore(void *keep, void *owner) {
-    forcing_guess_put(owner, (const double(*)[3])((struct guard *)keep)->demand);
-}
-
-static void guess_drop(void *keep) { memory_free(((struct guard *)keep)->demand); }
-
-const struct state_kept guard_forcing_guess = {guess_make, guess_take, guess_restore, guess_drop};
 
 struct guard *guard_new(const struct run *r) {
     struct guard *g = calloc(1, sizeof *g);
     ENSURE(g, "no memory for %zu bytes", sizeof *g);
     const struct state_part run = run_state_part((struct run *)r);
-    g->run = state_copy_new(&run, g);
+    g->run = state_copy_new(&run, &g->demand);
     if (r->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
         g->fluid = state_copy_new(&fluid, g);
@@ -54,7 +36,7 @@ struct guard *guard_new(const struct run *r) {
 
 void guard_free(struct guard *g) {
     if (!g) return;
-    state_copy_free(g->run, g);
+    state_copy_free(g->run, &g->demand);
     state_copy_free(g->fluid, g);
     solid_keep_free(g->solid);
     free(g);
@@ -72,7 +54,7 @@ void guard_keep(struct guard *g, struct run *r) {
         state_copy_take(g->fluid, &fluid, g);
     }
     if (g->solid) solid_keep_take(g->solid, r->solid, r->surface);
-    state_copy_take(g->run, &run, g);
+    state_copy_take(g->run, &run, &g->demand);
     g->kept = 1;
     clock_end(CLOCK_OUTPUT);
 }
@@ -87,7 +69,7 @@ long guard_restore(struct guard *g, struct run *r) {
         state_copy_restore(g->fluid, &fluid, g);
     }
     if (g->solid) solid_keep_restore(g->solid, r->solid, r->surface);
-    state_copy_restore(g->run, &run, g);
+    state_copy_restore(g->run, &run, &g->demand);
     /* work that belongs to another state */
     r->adapt.limits_of = -1;
     if (r->deposited > r->step) r->deposited = -1;

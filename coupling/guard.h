@@ -1,7 +1,6 @@
 /* The last good state, kept in memory. */
 #pragma once
 #include "coupling/run.h"
-#include "files/state_item.h"
 
 /* The state kept in memory as the last one known to be good; what a run that has gone unstable leaves behind. What it
  * consists of is in the tables of state (coupling/run_state.c). */
@@ -14,6 +13,3 @@ int guard_fits(const struct guard *g, const struct run *r);
 /* Restores the kept state. Returns its step, or -1 if none was kept, or none that fits the present particles.
  * Collective. */
 long guard_restore(struct guard *g, struct run *r);
-
-/* For the table: the forcing's starting guess. Its `keep` is a struct guard, its owner the run. */
-extern const struct state_kept guard_forcing_guess;

@@ -1,7 +1,6 @@
 /* The table of a run's own state: where it stands, and what a step hands to the next.  (docs/design/state.md) */
 #include "coupling/run_state.h"
 #include "coupling/forcing_guess.h"
-#include "coupling/guard.h"
 #include "fluid/state_table.h"
 
 #include <stdio.h>
@@ -99,7 +98,7 @@ const struct state_item run_state_table[] = {
      .after = "sweep"},
     /* once the surface is there */
     {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(demand), .comps = 3, .last = 1, .in = STATE_BOTH, .missing = STATE_LEFT,
-     .after = "surface", .is_part = has_guess, .save = save_guess, .load = load_guess, .kept = &guard_forcing_guess},
+     .after = "surface", .is_part = has_guess, .save = save_guess, .load = load_guess, .kept = &forcing_guess_kept},
 };
 
 #undef OF

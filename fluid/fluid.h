@@ -80,12 +80,10 @@ const struct fluid_grid *fluid_grid_of(const struct fluid *f);
 const struct fluid_input *fluid_input_of(const struct fluid *f);
 struct fluid_state *fluid_state_of(struct fluid *f);
 
-/* One low-storage RK3 step is, for r = 0, 1, 2  (001: sec. 3.4.3):
- *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);
- * and with implicit diffusion
- *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt);
- *     [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
-extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
+/* One low-storage RK3 step is, for r = 0, 1, 2:
+ *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001:
+ * sec. 3.4.3) and with implicit diffusion fluid_predict(f, r, dt); [ibm_implicit_force_again(..)];
+ * fluid_diffusion_stage(f, r, dt); [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
 
 /* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), and the values on the sides' faces. Ghosts are not set;
  * fluid_predicted_refresh does that. Collective. */
@@ -155,11 +153,11 @@ void fluid_measures_mean_pressure(struct fluid *f, int direction,
                                   double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
-void fluid_measures_box_force(struct fluid *f, double out[3]);
-/* The same force as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
+void fluid_box_force(struct fluid *f, double out[3]);
+/* The same as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
-void fluid_audit_begin(struct fluid *f);
-void fluid_audit_end(struct fluid *f, double out[3]);
+void fluid_box_force_begin(struct fluid *f);
+void fluid_box_force_end(struct fluid *f, double out[3]);
 void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 
 size_t fluid_cells(const struct fluid *f); /* of the whole domain */

@@ -1,7 +1,9 @@
 /* Stability limits of the fluid's time step, and the check for NaN and too large velocities. */
 #include "base/par.h"
 #include "base/step_status.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
+#include "fluid/momentum/diffusion.h"
 
 #include <math.h>
 #include <string.h>

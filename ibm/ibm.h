@@ -6,10 +6,6 @@
 /* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.78) */
 double ibm_kernel(double t);
 
-/* The frozen retraction r_d: the distance of a marker inside the true wetted face, in cells. A particle's centre is
- * half a spacing inside, so the marker is placed (1/2 - r_d) dx outward of it. Measured: docs/retraction.md. */
-#define IBM_RETRACTION 0.6
-
 struct ibm; /* opaque: markers served here, their weights, the exchange */
 
 /* iterations: N_s. Arrays are allocated when the first markers arrive. Collective. */

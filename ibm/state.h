@@ -8,6 +8,7 @@
 #pragma once
 #include "base/par_exchange.h"
 #include "base/par_swap.h"
+#include "ibm/cell.h"
 #include "ibm/ibm.h"
 #include "ibm/kernel.h"
 
@@ -146,18 +147,10 @@ static inline int ibm_slab_first(const struct ibm *b, enum ibm_list list, int sl
     return b->slab_at[(int)list * (b->slabs + 1) + slab];
 }
 
-/* Makes the buffer hold this many doubles; its contents are lost. */
-void ibm_reserve(double **buffer, size_t *size, size_t wanted);
-/* A coordinate in cells, wrapped to [0, n) in a periodic direction. */
-double ibm_wrap(const struct fluid_grid *g, int direction, double x);
-/* The cell of a coordinate in cells, -1 outside; the far end belongs to the last cell. */
-static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) {
-    if (!(s >= 0 && s <= g->n[direction])) return -1;
-    const int i = (int)s;
-    return i < g->n[direction] ? i : i - 1;
-}
-/* Makes room for n items of so many doubles; contents are lost. Returns 1 if the number of items has changed, so that a
- * new plan is needed. */
+/* Room for this many doubles, contents not kept. */
+void ibm_buffer_reserve(double **buffer, size_t *size, size_t wanted);
+/* Room for n items of so many doubles, contents not kept; returns whether a new plan is needed for their number alone.
+ */
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles);
 void ibm_route_free(struct ibm_route *route);
 
@@ -210,10 +203,9 @@ void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, 
  * sort. Unless the markers are the same, the guesses are set to zero. Collective. */
 void ibm_demand_home(struct ibm *b);
 void ibm_demand_out(struct ibm *b, int same);
-/* Velocities at all markers, velocity [served]; with_sides: with the part that comes from the sides' boundary
- * conditions. Collective. */
-void ibm_implicit_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
-/* u += strength delta, for all markers, strength [served]. Not collective. */
-void ibm_implicit_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
+/* All markers' velocities, velocity [served]; with what the sides' conditions add to it, or without. Collective. */
+void ibm_whole_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
+/* u += strength delta, of all markers, strength [served]. Not collective. */
+void ibm_whole_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
 void ibm_share_sums(struct ibm *b);

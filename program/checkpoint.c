@@ -2,6 +2,7 @@
 #include "program/checkpoint.h"
 #include "base/clock.h"
 #include "base/die.h"
+#include "base/par_ghost.h"
 #include "coupling/run_state.h"
 #include "files/folder.h"
 #include "files/log.h"

@@ -8,7 +8,6 @@
  * taken again. A state is taken between steps, after the surface was updated, and is valid until the next
  * refinement. */
 #pragma once
-#include "files/state_item.h"
 #include "solid/surface/surface.h"
 
 struct solid_keep; /* opaque */
@@ -19,8 +18,3 @@ void solid_keep_free(struct solid_keep *k);
 void solid_keep_take(struct solid_keep *k, struct solid *s, const struct solid_surface *surface); /* Not collective. */
 /* Restores also the ghosts' displacements and velocities. Not collective. */
 void solid_keep_restore(struct solid_keep *k, struct solid *s, struct solid_surface *surface);
-
-/* For the table: the items that are not simply copied. Their `keep` is a struct solid_keep, their owner a struct
- * solid_state_owner. */
-extern const struct state_kept solid_keep_sweep, solid_keep_bonds, solid_keep_given, solid_keep_paths,
-    solid_keep_contact, solid_keep_surface;

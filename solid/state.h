@@ -92,3 +92,15 @@ static inline void solid_position(const struct solid *s, int h, double x[3]) {
     x[2] = 0;
     for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h] + s->d[c][h];
 }
+
+/* The shortest of x and its images across periodic sides. */
+static inline double solid_shortest(const struct solid *s, int c, double x) {
+    return s->in.periodic[c] ? x - s->in.length[c] * __builtin_rint(x / s->in.length[c]) : x;
+}
+
+/* X_l - X_h now, the shortest across periodic sides, m. */
+static inline void solid_relative(const struct solid *s, int h, int l, double zeta[3]) {
+    for (int c = 0; c < 3; c++) {
+        zeta[c] = solid_shortest(s, c, (s->x0[c][l] - s->x0[c][h]) + (s->d[c][l] - s->d[c][h]));
+    }
+}

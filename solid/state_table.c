@@ -3,10 +3,11 @@
 #include "solid/state_table.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/imposed/given.h"
-#include "solid/keep.h"
+#include "solid/kept.h"
 #include "solid/refine/refine.h"
 #include "solid/surface/state.h"
 
@@ -79,10 +80,10 @@ const struct state_item solid_state_table[] = {
     {"displacement", STATE_DOUBLE, STATE_PARTICLE, OF(d), .ghosts = 1, .in = STATE_BOTH},
     {"velocity", STATE_DOUBLE, STATE_PARTICLE, OF(v), .ghosts = 1, .in = STATE_BOTH},
     {"load", STATE_DOUBLE, STATE_PARTICLE, OF(load), .in = STATE_BOTH},
-    {"sweep", STATE_DOUBLE, STATE_PARTICLE, OF(v_old), .in = STATE_BOTH, .kept = &solid_keep_sweep},
+    {"sweep", STATE_DOUBLE, STATE_PARTICLE, OF(v_old), .in = STATE_BOTH, .kept = &solid_kept_sweep},
     /* bonds; before `flag`, because their restoring reads the flags of now */
     {"bonds", STATE_BYTE, STATE_PARTICLE, OF(family), .in = STATE_BOTH, .comps_of = bond_bytes, .save = save_bonds,
-     .load = load_bonds, .kept = &solid_keep_bonds},
+     .load = load_bonds, .kept = &solid_kept_bonds},
     {"flag", STATE_BYTE, STATE_PARTICLE, OF(flag), .ghosts = 1, .in = STATE_BOTH},
     /* energies */
     {"e_damped", STATE_DOUBLE, STATE_SHARE, OF(e_damped), .in = STATE_BOTH},
@@ -92,22 +93,22 @@ const struct state_item solid_state_table[] = {
     {"power_pairwise", STATE_DOUBLE, STATE_SHARE, OF(power_pairwise), .in = STATE_BOTH},
     /* the interface's normals: once bonds, flags and displacements are in place, with their ghosts */
     {"surface", STATE_DOUBLE, STATE_PARTICLE, .last = 1, .in = STATE_BOTH, .is_part = is_immersed,
-     .comps_of = surface_comps, .save = save_surface, .load = load_surface, .kept = &solid_keep_surface},
+     .comps_of = surface_comps, .save = save_surface, .load = load_surface, .kept = &solid_kept_surface},
     /* what only the same steps from a kept state need, to be the same to the bit */
     {"solid_t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_KEPT,
      .why = "between steps it is the run's t, from which it is set when a checkpoint is read"},
     {"bonds_broken", STATE_LONG, STATE_ONE, OF(bonds_broken), .in = STATE_KEPT,
      .why = "it is counted from the bonds when a checkpoint is read"},
     {"given", STATE_DOUBLE, STATE_PARTICLE, OF(given), .in = STATE_KEPT, .is_part = is_loaded,
-     .kept = &solid_keep_given, .why = "the loads given are a function of time, and are added anew after reading"},
-    {"paths", STATE_BYTE, STATE_PARTICLE, .in = STATE_KEPT, .kept = &solid_keep_paths,
+     .kept = &solid_kept_given, .why = "the loads given are a function of time, and are added anew after reading"},
+    {"paths", STATE_BYTE, STATE_PARTICLE, .in = STATE_KEPT, .kept = &solid_kept_paths,
      .why = "it is round-off: which of two forms of the same force each bond takes next"},
     {"a_holds", STATE_INT, STATE_ONE, OF(a_holds), .in = STATE_KEPT,
      .why = "a run that is resumed sets it when its stage begins"},
     {"stage_of_a", STATE_BYTE, STATE_ONE, OF(stage_of_a), .in = STATE_KEPT,
      .why = "a run that is resumed sets it when its stage begins"},
     {"contact", STATE_BYTE, STATE_PARTICLE, OF(contact), .in = STATE_KEPT, .is_part = is_in_contact,
-     .kept = &solid_keep_contact, .why = "its lists are made from positions and bonds after reading"},
+     .kept = &solid_kept_contact, .why = "its lists are made from positions and bonds after reading"},
     /* behind the surface, which notes what it has seen */
     {"broke", STATE_INT, STATE_ONE, OF(broke), .last = 1, .in = STATE_KEPT,
      .why = "after reading, surface and contact are made from all bonds"},

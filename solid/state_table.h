@@ -1,13 +1,6 @@
 /* The table of the solid's state. */
 #pragma once
-#include "files/state_item.h"
-#include "solid/surface/surface.h"
-
-/* What the table's functions take. */
-struct solid_state_owner {
-    struct solid *solid;           /* borrowed */
-    struct solid_surface *surface; /* borrowed; NULL unless immersed */
-};
+#include "solid/kept.h"
 
 extern const struct state_item solid_state_table[];
 /* Of a solid with its bonds. owner: stays the caller's, and is needed as long as the part. Not collective. */

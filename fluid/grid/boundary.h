@@ -72,3 +72,8 @@ static inline void fluid_boundary_others(int direction, int *a, int *b) {
     *a = direction == 0 ? 1 : 0;
     *b = direction == 2 ? 1 : 2;
 }
+
+/* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. Not
+ * collective. */
+void fluid_boundary_advanced(const struct fluid_boundary *b, const struct fluid_grid *g, int c, int low[3],
+                             int high[3]);

@@ -2,7 +2,7 @@
 #pragma once
 #include "files/table.h"
 #include "files/vtkhdf.h"
-#include "postproc/data/waves.h"
+#include "physics/waves.h"
 #include "postproc/tree.h"
 #include "scene/scene.h"
 
@@ -35,8 +35,8 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
 void postproc_history_free(struct postproc_history *h);
 
 /* Of the first body's material; NAN without a solid. */
-struct postproc_waves postproc_history_waves(const struct postproc_history *h);
-/* (t - origin) / t0, or t - origin in s without t0. */
+struct physics_waves postproc_history_waves(const struct postproc_history *h);
+/* (t - origin) / t0, or s where there is no t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */
 /* The values of a column of the series: [rows], malloc'ed; NULL if there is no such column. */

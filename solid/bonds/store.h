@@ -1,7 +1,7 @@
 /* Declarations common to both bond stores. For solid/ only. */
 #pragma once
-#include "solid/body/sites.h"
-#include "solid/law/weight.h"
+#include "solid/body/number.h"
+#include "solid/law/stencil.h"
 
 /* Constants of the bonds of a body.  (001: eqs 3.21, 3.27) */
 struct solid_law {
@@ -10,15 +10,7 @@ struct solid_law {
     double eps_limit; /* (1 + s0)^2 - 1 */
 };
 
-/* Local index of a global id: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: not on this rank. */
-struct solid_numbering {
-    long from, to; /* owned ids */
-    int ghosts;
-    const long *ghost_id;
-};
-int solid_number_local(const struct solid_numbering *numbering, long id);
-
-/* Options of a sweep over the bonds. */
+/* What a sweep over the bonds is asked. */
 struct solid_sweep {
     int may_break;
     double damping; /* k_d, N s/m7 */

@@ -37,5 +37,6 @@ double solid_contact_rate_bound(struct solid *s, solid_contact_enough *enough, c
  * approached by more than the margin. 0: no pairs are near. Not collective. */
 double solid_contact_rate_margin(const struct solid *s);
 void solid_contact_free(struct solid *s);
-/* The c0 in k_c = stiffness * c0: that of a constant micromodulus. Not collective. */
-double solid_contact_c0(const struct solid *s, const struct solid_material *m);
+/* What one contact between particles that nothing else holds can add to the rates, 1/s2: two neighbours at r = r_c, of
+ * the material for which it is most; 0 where no contact can come about. */
+double solid_contact_rate_touch(const struct solid *s);

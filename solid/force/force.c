@@ -1,6 +1,6 @@
 /* Assembles the accelerations: bonds, contact, loads, damping, added mass, constraints. */
 #include "solid/force/force.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "base/vec.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"

@@ -2,7 +2,9 @@
 #pragma once
 #include "study/result/result.h"
 
-/* The machine and the build of the measurements. */
+enum { STUDY_ROUND_ERRORS = 24 }; /* round errors, from large to small, at which run times are compared */
+
+/* Where and by what it was measured. */
 struct study_maker {
     char processor[128], compiler[128], flags[512], version[64], revision[64], mpi[128], fftw[128], date[32];
     int cores;

@@ -2,6 +2,7 @@
 /* Permeability of a simple cubic array of spheres as bodies are made here: markers at the outer layer of a lattice,
  * with the frozen retraction. k / L^2 = 0.0398542 at a solid fraction of 1/8 (Zick and Homsy 1982: K = 4.292). */
 #include "flows.h"
+#include "physics/retraction.h"
 #include "tests/check.h"
 
 #include <setjmp.h>
@@ -10,7 +11,7 @@
 #include <cmocka.h>
 
 static double error_of(int n, const double sphere[3], const double lattice[3]) {
-    struct array_case c = {.n = n, .retraction = IBM_RETRACTION, .iterations = 2, .fraction = 1};
+    struct array_case c = {.n = n, .retraction = PHYSICS_RETRACTION, .iterations = 2, .fraction = 1};
     for (int d = 0; d < 3; d++) c.sphere[d] = sphere[d], c.lattice[d] = lattice[d];
     struct flow_result result;
     const double error = array_permeability(&c, &result) / ARRAY_PERMEABILITY - 1;

@@ -80,7 +80,7 @@ static void linear_flow_between_walls(void **state) {
     const double *const at[3] = {x[0], x[1], x[2]};
     ibm_markers_set(b, n, at, at, volume);
     fill(g, shear, u);
-    ibm_implicit_read(b, u, 1, velocity);
+    ibm_whole_read(b, u, 1, velocity);
     check_above(b->edges, 0);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) {
@@ -116,7 +116,7 @@ static void what_is_written_is_shared(void **state) {
                 if (e) check_between(e->share[c], -1e-14, 1 + 1e-14);
             }
         }
-        ibm_implicit_write(b, u, (const double(*)[3])strength);
+        ibm_whole_write(b, u, (const double(*)[3])strength);
         for (int c = 0; c < 3; c++)
             for (int k = -1; k < g->m[2]; k++)
                 for (int j = -1; j < g->m[1]; j++)

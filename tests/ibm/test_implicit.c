@@ -3,6 +3,7 @@
  * bodies that move, sides with conditions. */
 #include "base/step_status.h"
 #include "flows.h"
+#include "physics/retraction.h"
 #include "tests/check.h"
 
 #include <setjmp.h>
@@ -43,7 +44,7 @@ static struct fluid_input box(int implicit) {
 
 static struct body sphere(void) {
     const double centre[3] = {0.5 * N, 0.5 * N, 0.5 * N}, lattice[3] = {0.5, 0.5, 0.5};
-    return body_sphere_lattice(centre, ARRAY_RADIUS * N, 1, lattice, 0.5 - IBM_RETRACTION);
+    return body_sphere_lattice(centre, ARRAY_RADIUS * N, 1, lattice, 0.5 - PHYSICS_RETRACTION);
 }
 
 /* k/L^2 after so many steps; each step's momentum balance, with the force on the fluid. */

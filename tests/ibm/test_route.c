@@ -2,6 +2,7 @@
  * on their way. */
 #include "base/memory.h"
 #include "base/par.h"
+#include "ibm/cell.h"
 #include "ibm/state.h"
 #include "tests/check.h"
 
@@ -10,16 +11,16 @@ static const struct fluid_grid grid = {.n = {10, 7, 5}, .d = {0.1, 0.3, 2}, .per
 static void periodic_places_come_back(void **state) {
     (void)state;
     const double x[] = {0, 0.25, 0.95, -0.05, 1.05, -3.65, 127.15}, s[] = {0, 2.5, 9.5, 9.5, 0.5, 3.5, 1.5};
-    for (int k = 0; k < 7; k++) check_close(ibm_wrap(&grid, 0, x[k]), s[k], 1e-11);
+    for (int k = 0; k < 7; k++) check_close(ibm_cell_wrap(&grid, 0, x[k]), s[k], 1e-11);
     const double hair[] = {-1e-17, -1e-300, -1e-15, 1 - 1e-16, 1, nextafter(1, 0), -1, 1e9 + 0.1};
     for (int k = 0; k < 8; k++) {
-        const double at = ibm_wrap(&grid, 0, hair[k]);
+        const double at = ibm_cell_wrap(&grid, 0, hair[k]);
         check_at_least(at, 0);
         check_below(at, 10);
         check_at_least(ibm_cell(&grid, 0, at), 0);
     }
-    check_close(ibm_wrap(&grid, 1, -0.6), -2, 1e-14); /* not periodic: as it is */
-    check_close(ibm_wrap(&grid, 1, 300), 1000, 1e-10);
+    check_close(ibm_cell_wrap(&grid, 1, -0.6), -2, 1e-14); /* not periodic: as it is */
+    check_close(ibm_cell_wrap(&grid, 1, 300), 1000, 1e-10);
 }
 
 static void cells_and_ends(void **state) {
@@ -56,20 +57,20 @@ static void buffers_grow_and_stay(void **state) {
     (void)state;
     double *buffer = NULL;
     size_t size = 0;
-    ibm_reserve(&buffer, &size, 100);
+    ibm_buffer_reserve(&buffer, &size, 100);
     check_at_least(size, 100);
     buffer[99] = 5;
     const double *before = buffer;
-    ibm_reserve(&buffer, &size, 100);
-    ibm_reserve(&buffer, &size, 3);
+    ibm_buffer_reserve(&buffer, &size, 100);
+    ibm_buffer_reserve(&buffer, &size, 3);
     assert_ptr_equal(buffer, before);
     check_equal(buffer[99], 5);
-    ibm_reserve(&buffer, &size, 2 * size);
+    ibm_buffer_reserve(&buffer, &size, 2 * size);
     check_at_least(size, 200);
     buffer[199] = 7;
     size_t none = 0;
     double *last = buffer;
-    ibm_reserve(&last, &none, 0);
+    ibm_buffer_reserve(&last, &none, 0);
     assert_ptr_equal(last, buffer);
     memory_free(buffer);
 }

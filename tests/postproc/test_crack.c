@@ -1,8 +1,7 @@
-/* Wave speeds, grids, contours and crack shapes against known answers. */
+/* Grids, contours and crack shapes against known answers. */
 #include "base/par.h"
 #include "postproc/data/contour.h"
 #include "postproc/data/crack_shape.h"
-#include "postproc/data/waves.h"
 #include "tests/check.h"
 
 #include <setjmp.h>
@@ -11,28 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-
-/* c_R/c_s = 0.919402 for nu = 1/4, and for a plate in plane stress with nu = 1/3, which has the same c_d/c_s = sqrt 3;
- * 0.955313 for an incompressible solid (Rayleigh 1885), near which nu = 0.4999 is. Then the materials of the documents.
- */
-static void rayleigh(void **state) {
-    (void)state;
-    const struct postproc_waves solid = postproc_waves_of(2.5, 0.25, 1, 0),
-                                plate = postproc_waves_of(8 / 3., 1 / 3., 1, 1);
-    check_close(solid.shear, 1, 1e-14);
-    check_close(solid.dilatation, sqrt(3), 1e-14);
-    check_close(solid.rayleigh, sqrt(2 - 2 / sqrt(3)), 1e-12); /* the root in closed form */
-    check_close(solid.rayleigh, 0.919402, 5e-7);
-    check_close(plate.shear, 1, 1e-14);
-    check_close(plate.dilatation, sqrt(3), 1e-14);
-    check_close(plate.rayleigh, solid.rayleigh, 1e-12);
-    check_close(postproc_waves_of(2.9998, 0.4999, 1, 0).rayleigh, 0.955313, 1e-4);
-    check_close(postproc_waves_of(191e9, 0.25, 8000, 0).rayleigh, 2841.2, 0.05);
-    check_close(postproc_waves_of(190e9, 0.25, 8000, 0).rayleigh, 2833.8, 0.05);
-    check_close(postproc_waves_of(65e9, 1 / 3., 2235, 1).rayleigh, 3036, 0.5);
-    check_close(postproc_waves_of(65e9, 1 / 3., 2235, 1).dilatation, 5720, 1);
-    check_close(postproc_waves_of(72e9, 1 / 3., 2440, 1).rayleigh, 3058, 0.5);
-}
 
 /* Nodes of values f(x, y) on [0, 1]^2. */
 static struct postproc_grid *square_of(int n, double (*f)(double x, double y)) {
@@ -306,7 +283,6 @@ static void chord_of_a_kinked_crack(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rayleigh),
         cmocka_unit_test(circle),
         cmocka_unit_test(holes_and_open_lines),
         cmocka_unit_test(saddle),

@@ -3,6 +3,7 @@
 #include "postproc/draw/colour.h"
 #include "postproc/draw/font.h"
 #include "postproc/draw/picture.h"
+#include "postproc/draw/ray.h"
 #include "postproc/draw/render.h"
 #include "postproc/draw/voxels.h"
 #include "tests/check.h"
@@ -117,7 +118,7 @@ static void strays_left_out(void **state) {
 static void ray_meets_cells(void **state) {
     (void)state;
     struct postproc_ray ray;
-    postproc_voxels_ray(&ray, (const double[3]){-1, 0, 0}, 3.6);
+    postproc_ray_cast(&ray, (const double[3]){-1, 0, 0}, 3.6);
     assert_int_equal(ray.cells, 4);
     for (int i = 0; i < 4; i++) {
         assert_int_equal(ray.step[i][0], -(i + 1));
@@ -126,7 +127,7 @@ static void ray_meets_cells(void **state) {
     /* slope 1/2: x crosses walls at x = 0.5, 1.5, 2.5, y at x = 1, 3, for which the way is x sqrt(5)/2 */
     static const int cell[5][2] = {{1, 0}, {1, 1}, {2, 1}, {3, 1}, {3, 2}};
     static const double at[5] = {0.5, 1, 1.5, 2.5, 3};
-    postproc_voxels_ray(&ray, (const double[3]){2 / sqrt(5), 1 / sqrt(5), 0}, 3.4);
+    postproc_ray_cast(&ray, (const double[3]){2 / sqrt(5), 1 / sqrt(5), 0}, 3.4);
     assert_int_equal(ray.cells, 5);
     for (int i = 0; i < 5; i++) {
         assert_int_equal(ray.step[i][0], cell[i][0]);
@@ -137,11 +138,11 @@ static void ray_meets_cells(void **state) {
     const double x[2][3] = {{0.05, 0.05, 0.05}, {0.35, 0.05, 0.05}};
     struct postproc_voxels *v = postproc_voxels_new(2, x, 0.1, low, high);
     assert_int_equal(v->n[0], 4);
-    postproc_voxels_ray(&ray, (const double[3]){1, 0, 0}, 10);
-    check_close(postproc_voxels_hit(&ray, v, (const int[3]){0, 0, 0}), 2.5, 1e-6);
-    check_close(postproc_voxels_hit(&ray, v, (const int[3]){-2, 0, 0}), 1.5, 1e-6); /* comes in from outside */
-    check_close(postproc_voxels_hit(&ray, v, (const int[3]){3, 0, 0}), -1, 0);
-    check_close(postproc_voxels_hit(&ray, v, (const int[3]){0, 1, 0}), -1, 0);
+    postproc_ray_cast(&ray, (const double[3]){1, 0, 0}, 10);
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){0, 0, 0}), 2.5, 1e-6);
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){-2, 0, 0}), 1.5, 1e-6); /* comes in from outside */
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){3, 0, 0}), -1, 0);
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){0, 1, 0}), -1, 0);
     postproc_voxels_free(v);
 }
 

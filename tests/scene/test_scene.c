@@ -1,5 +1,7 @@
 /* A scene's values are read, defaults are filled in, and --set changes them. */
 #include "base/par.h"
+#include "base/text.h"
+#include "physics/retraction.h"
 #include "scene/outline.h"
 #include "scene_sample.h"
 #include "tests/check.h"
@@ -7,7 +9,7 @@
 #include <math.h>
 
 static struct scene *read_or_fail(const char *name, int n, const char *const *set) {
-    char *path = scene_node_text("%s%s", SCENES, name);
+    char *path = text_new("%s%s", SCENES, name);
     struct scene *s = scene_new(path, n, set);
     free(path);
     return s;
@@ -109,7 +111,7 @@ static void test_defaults_are_filled_in(void **state) {
     check_equal(s->solid->contact_exponent, 1);
     assert_true(s->solid->constraint[0].direction[0] && s->solid->constraint[0].direction[1]);
     assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
-    check_equal(s->coupling->retraction, SCENE_RETRACTION);
+    check_equal(s->coupling->retraction, PHYSICS_RETRACTION);
     check_equal(s->coupling->probe_length, 2);
     assert_int_equal(s->coupling->surface, SCENE_SURFACE_LATTICE);
     assert_int_equal(s->coupling->load, SCENE_LOAD_PROBE);
@@ -134,7 +136,7 @@ static void test_retraction_follows_the_surface(void **state) {
     for (int n = 1; n <= 2; n++) {
         struct scene *s = read_or_fail("coupled.yaml", n, set);
         assert_int_equal(s->coupling->surface, SCENE_SURFACE_SHAPE);
-        check_equal(s->coupling->retraction, n == 1 ? SCENE_RETRACTION_SHAPE : 0.25);
+        check_equal(s->coupling->retraction, n == 1 ? PHYSICS_RETRACTION_SHAPE : 0.25);
         assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.3" : "retraction: 0.25"));
         scene_free(s);
     }

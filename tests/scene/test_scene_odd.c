@@ -2,6 +2,7 @@
 /* Odd scenes: numbers that look like numbers, texts that are no YAML, keys of other parts, kinds of values that are not
  * meant. Each mistake gives its own one line. Files as other systems write them are read. */
 #include "base/par.h"
+#include "base/text.h"
 #include "scene_sample.h"
 #include "tests/check.h"
 
@@ -383,7 +384,7 @@ static void test_too_much_of_a_thing(void **state) {
         {"fluid", "start-up", "", "n", "", "stages[0].name = nnnnnnn"}};
     for (size_t k = 0; k < sizeof heap / sizeof *heap; k++) {
         const size_t entry = strlen(heap[k].entry);
-        char *sample = scene_node_text("%s%s.yaml", SCENES, heap[k].sample), *from = sample_text(sample);
+        char *sample = text_new("%s%s.yaml", SCENES, heap[k].sample), *from = sample_text(sample);
         char *more = calloc(1, entry * MANY + 100), *at = more + sprintf(more, "%s", heap[k].begin);
         for (int i = 0; i < MANY; i++, at += entry) memcpy(at, heap[k].entry, entry);
         strcpy(at, heap[k].end);

@@ -1,5 +1,6 @@
 /* The resolved scene reads back as the same scene. */
 #include "base/par.h"
+#include "base/text.h"
 #include "scene_sample.h"
 #include "tests/check.h"
 
@@ -137,7 +138,7 @@ static void test_texts_survive_the_resolved_scene(void **state) {
         "  blanks  "};
     char *sample = sample_text(SCENES "fluid.yaml");
     for (size_t i = 0; i < sizeof title / sizeof *title; i++) {
-        char *text = scene_node_text("title: %s\n%s", title[i], sample);
+        char *text = text_new("title: %s\n%s", title[i], sample);
         struct scene_problems problems, none;
         struct scene *s = sample_read(text, 0, NULL, &problems);
         assert_non_null(s);

@@ -5,6 +5,7 @@
 
 #include "solid/law/material.h"
 #include "solid/law/pair.h"
+#include "solid/law/stencil.h"
 #include "solid/law/weight.h"
 #include "solid/law/weight_plane.h"
 #include "tests/check.h"
@@ -60,12 +61,12 @@ static void test_constants(void **state) {
     };
     for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
         const struct solid_material m = {of[k].young, DENSITY, of[k].energy, of[k].ratio, SOLID_CONSTANT};
-        const struct solid_constants is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
+        const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
         check_close(is.c / of[k].c, 1, of[k].within);
         check_close(is.s0 / of[k].s0, 1, of[k].within);
     }
     const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-    const struct solid_constants space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
+    const struct physics_bond space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
     check_close(space.c / solid_material_micromodulus(&m, SPACING), 1, 1e-15);
     check_close(space.s0 / solid_material_critical_stretch(&m, SPACING), 1, 1e-15);
 }
@@ -203,9 +204,9 @@ static void test_full_volume(void **state) {
     check_close(solid_pair_full_volume(&law, 1.5, 0.5) * 4 / full, 1, 1e-14);
     check_close(solid_pair_full_volume(&law, 3, 0.97) / full, 1, 0);
     solid.table = solid_weight_table_new();
-    struct solid_stencil *stencil = solid_weight_stencil_new(1, 3);
+    struct solid_stencil *stencil = solid_stencil_new(1, 3);
     check_close(solid_pair_full_volume(&solid, 3, 1) / stencil->full_volume, 1, 1e-13); /* rounded weights */
-    solid_weight_stencil_free(stencil);
+    solid_stencil_free(stencil);
     solid_weight_table_free(solid.table);
 }
 

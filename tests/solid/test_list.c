@@ -1,8 +1,8 @@
 /* Bond lists: the sweep against single bonds, both ends of a bond, memory. */
+#include "base/par_ghost.h"
 #include "make.h"
 
 #include "base/memory.h"
-#include "base/par_exchange.h"
 #include "base/vec.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"

@@ -6,7 +6,7 @@
 static const double YOUNG = 65e9, G0 = 204, THICKNESS = 2e-3, DELTA = 3e-3;
 
 /* c(xi): constant, or falling to 0 at the horizon. */
-static double c_at(const struct solid_constants *k, enum solid_micromodulus_kind kind, double xi) {
+static double c_at(const struct physics_bond *k, enum solid_micromodulus_kind kind, double xi) {
     return kind == SOLID_CONICAL ? k->c * (1 - xi / DELTA) : k->c;
 }
 
@@ -23,7 +23,7 @@ static void energies_of_the_bonds(void **state) {
         for (int conical = 0; conical < 2; conical++) {
             const enum solid_micromodulus_kind kind = conical ? SOLID_CONICAL : SOLID_CONSTANT;
             const struct solid_material material = {YOUNG, 2440, G0, 3, kind};
-            const struct solid_constants k = solid_material_constants(model[m], THICKNESS, &material, DELTA);
+            const struct physics_bond k = solid_material_constants(model[m], THICKNESS, &material, DELTA);
             double energy = 0, crack = 0;
             for (int n = 0; n < 2 * INTERVALS; n++) {
                 const double xi = DELTA / INTERVALS * (n / 2 + 0.5 + (n % 2 ? 0.5 : -0.5) / sqrt(3));
@@ -44,7 +44,7 @@ static void lattice_numbers(void **state) {
     (void)state;
     const struct solid_material material = {YOUNG, 2440, G0, 3, SOLID_CONSTANT},
                                 endless = {YOUNG, 2440, INFINITY, 3, SOLID_CONSTANT};
-    const struct solid_constants k = solid_material_constants(SOLID_3D, 0, &material, DELTA);
+    const struct physics_bond k = solid_material_constants(SOLID_3D, 0, &material, DELTA);
     check_relative(solid_material_micromodulus(&material, DELTA / 3), k.c, 1e-14);
     check_relative(solid_material_critical_stretch(&material, DELTA / 3), k.s0, 1e-14);
     check_equal(solid_material_constants(SOLID_PLANE_STRESS, THICKNESS, &endless, DELTA).s0, INFINITY);

@@ -1,10 +1,10 @@
 /* Bond lists of a plate of unequal points: mirror symmetry to the bit, both ends, ranks, renewal. */
 /* Lists of a plate: points of unequal size and horizon, mirror images to the bit, both ends of a bond, ranks, and a
  * body that changes. */
+#include "base/par_ghost.h"
 #include "make.h"
 
 #include "base/memory.h"
-#include "base/par_exchange.h"
 #include "solid/bonds/list.h"
 #include "solid/body/number.h"
 #include "solid/bonds/ghosts.h"

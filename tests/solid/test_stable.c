@@ -285,7 +285,7 @@ static void test_one_pair(void **state) {
     check_equal(solid_contact_rate_bound(s, NULL, NULL), 0);
     solid_contact_update(s);
     assert_non_null(s->contact);
-    const double touch = solid_stable_touch(s);
+    const double touch = solid_contact_rate_touch(s);
     check_close(touch /
                     (2 * 2 * 15 * solid_material_micromodulus(s->in.material, SPACING) * SPACING * SPACING / DENSITY),
                 1, 1e-12);

@@ -1,5 +1,6 @@
 /* Partial volumes: closed forms, symmetry, and cells that make up the ball. */
 #include "base/par.h"
+#include "solid/law/stencil.h"
 #include "solid/law/weight.h"
 #include "tests/check.h"
 
@@ -69,7 +70,7 @@ static void symmetric_and_kept(void **state) {
 static void stencil_of_three(void **state) {
     (void)state;
     const double spacing = 0.01;
-    struct solid_stencil *t = solid_weight_stencil_new(spacing, 3);
+    struct solid_stencil *t = solid_stencil_new(spacing, 3);
     double sum = 0;
     assert_int_equal(t->n, 178);
     assert_int_equal(t->reach, 3);
@@ -85,7 +86,7 @@ static void stencil_of_three(void **state) {
     /* the ball less the middle cell, and less corners of cells that no bond goes to */
     const double all = (ball * 27 - 1) * spacing * spacing * spacing;
     check_between(t->full_volume / all, 0.99, 1);
-    solid_weight_stencil_free(t);
+    solid_stencil_free(t);
 }
 
 int main(int argc, char **argv) {

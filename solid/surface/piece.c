@@ -1,5 +1,5 @@
 /* Finds the smooth surface piece of a sphere, cylinder, box or cavity next to a particle: depth and normal. */
-#include "solid/geometry/piece.h"
+#include "solid/surface/piece.h"
 #include "solid/surface/sector.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Longitudinal, shear and Rayleigh wave speeds of a material. */
-#include "solid/law/waves.h"
+/* Longitudinal, shear and Rayleigh wave speeds from modulus, Poisson's ratio and density. */
+#include "physics/waves.h"
 
 #include <math.h>
 
@@ -17,10 +17,11 @@ static double rayleigh(double q) {
     return sqrt(low);
 }
 
-struct solid_waves solid_waves_of(enum solid_model model, double e, double density) {
-    const double nu = model == SOLID_PLANE_STRESS ? 1. / 3 : 0.25;
-    const double lateral = model == SOLID_PLANE_STRESS ? 1 / (1 - nu * nu) : (1 - nu) / ((1 + nu) * (1 - 2 * nu));
-    struct solid_waves w = {sqrt(lateral * e / density), sqrt(e / (2 * (1 + nu) * density)), 0};
+struct physics_waves physics_waves_of(enum physics_model model, double youngs_modulus, double poisson_ratio,
+                                      double density) {
+    const double e = youngs_modulus, nu = poisson_ratio;
+    const double lateral = model == PHYSICS_PLANE_STRESS ? 1 / (1 - nu * nu) : (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    struct physics_waves w = {sqrt(lateral * e / density), sqrt(e / (2 * (1 + nu) * density)), 0};
     w.rayleigh = w.shear * rayleigh(w.shear * w.shear / (w.longitudinal * w.longitudinal));
     return w;
 }
