@@ -42,8 +42,6 @@ struct fluid_vortices {
     int along[3];    /* 1: they vary in it */
 };
 
-extern const char *const fluid_boundary_side_name[3][2]; /* x_low ...: as a scene has them, [direction][low, high] */
-
 struct fluid_input {
     int n[3];
     double length[3];

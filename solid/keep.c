@@ -1,5 +1,6 @@
 /* Keeps the solid's whole state in memory and restores it, to the bit. */
 #include "solid/keep.h"
+#include "base/bits.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "solid/bonds/family.h"
@@ -120,12 +121,6 @@ static void take_bonds(struct solid_keep *k, const struct solid *s) {
     k->bonds_broken = s->bonds_broken;
 }
 
-static int count_bits(const uint8_t *bits, size_t n) {
-    int count = 0;
-    for (size_t i = 0; i < n; i++) count += __builtin_popcount(bits[i]);
-    return count;
-}
-
 /* Families that have lost bonds since; returns how many. */
 static int restore_bonds(struct solid_keep *k, struct solid *s) {
     const size_t bytes = (size_t)solid_family_bytes(s);
@@ -134,7 +129,7 @@ static int restore_bonds(struct solid_keep *k, struct solid *s) {
         const int h = k->lost->h[i];
         const uint8_t *bits = k->bits + (size_t)h * bytes;
         solid_family_load(s, h, bits);
-        k->lost->intact[h] = (uint16_t)count_bits(bits, bytes);
+        k->lost->intact[h] = (uint16_t)bits_count(bits, bytes);
         struct solid_list *t = s->family->list[s->body[h]];
         if (t) t->counted[h - t->first] = 0;
     }

@@ -7,7 +7,6 @@
 #include "solid/refine/parts.h"
 
 #include <math.h>
-#include <string.h>
 
 /* A sum of numbers not below 0 that is the same in any order: of multiples of a digit that leaves room for 2^9 of the
  * largest, rounded by the last digit of a number that large. */
