@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Columns along the largest component, on cells x cells points of the face; each column's length within the sphere is
