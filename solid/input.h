@@ -1,14 +1,17 @@
 /* What a solid is made from: model, materials, bodies, cuts, constraints, loads.  (001: ch. 3.3; docs/scene.md) */
 #pragma once
+#include "base/ensure.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
 /* What the bonds stand for: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
  * stress, 1/4 in plane strain). A plate has two components of everything, and the third arrays are NULL. */
 enum solid_model { SOLID_3D, SOLID_PLANE_STRESS, SOLID_PLANE_STRAIN };
+enum { SOLID_MODELS = SOLID_PLANE_STRAIN + 1 };
 
-/* c(xi) = c0, or c1 (1 - xi/delta).  (000: eqs 9, 10) */
-enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL };
+/* How c depends on the length of a bond: solid/law/micromodulus.h.  (000: eqs 9, 10) */
+enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL, SOLID_MICROMODULI };
 
 /* Gamma: the exact fraction of a particle's cell inside the horizon, or the linear ramp.  (SPEC 2; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
@@ -164,9 +167,18 @@ struct solid_input {
     int shape_surface; /* 1: the wetted surface is the shapes' own, not the lattice's (solid/surface/shaped.h) */
 };
 
-static inline int solid_dim(const struct solid_input *in) { return in->model == SOLID_3D ? 3 : 2; }
+static inline int solid_dim(const struct solid_input *in) {
+    switch (in->model) {
+    case SOLID_3D:
+        return 3;
+    case SOLID_PLANE_STRESS:
+    case SOLID_PLANE_STRAIN:
+        return 2;
+    }
+    ENSURE(0, "model %d", (int)in->model);
+}
 /* Depth of a plate, m; 1 in 3D: a particle's volume is spacing^dim times it. */
-static inline double solid_depth(const struct solid_input *in) { return in->model == SOLID_3D ? 1 : in->thickness; }
+static inline double solid_depth(const struct solid_input *in) { return solid_dim(in) == 3 ? 1 : in->thickness; }
 
 /* Dies (exit 2) on numbers that make no solid. Collective (all ranks alike). */
 void solid_input_check(const struct solid_input *in);

@@ -17,6 +17,7 @@
 #include "solid/imposed/given.h"
 #include "solid/input.h"
 #include "solid/law/material.h"
+#include "solid/law/micromodulus.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>
@@ -44,7 +45,7 @@ static struct solid_cloud *cloud_new(const struct solid_input *in, const struct 
                                      const struct solid_sites *sites) {
     if (sites->is_lattice) {
         const struct solid_material *m = &in->material[body->material];
-        const int fast = !in->general_bonds && in->partial == SOLID_PARTIAL_EXACT && m->micromodulus == SOLID_CONSTANT;
+        const int fast = !in->general_bonds && in->partial == SOLID_PARTIAL_EXACT && solid_micromodulus_of(m->micromodulus)->is_constant;
         return fast ? NULL : solid_cloud_lattice(in, body, sites);
     }
     return body->shape == SOLID_POLYGON ? solid_plane_cloud(in, body, sites) : solid_cloud_points(in, body, sites);

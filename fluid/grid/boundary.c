@@ -4,43 +4,25 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
-#include "fluid/grid/profile.h"
+#include "fluid/grid/side.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 const char *const fluid_boundary_side_name[3][2] = {{"x_low", "x_high"}, {"y_low", "y_high"}, {"z_low", "z_high"}};
 
-/* The conditions that a type of side stands for. */
-static void conditions(const struct fluid_side *in, int d, struct fluid_boundary_side *s) {
-    const int general = in->type == FLUID_GENERAL;
-    const int held = in->type == FLUID_WALL || in->type == FLUID_INFLOW;
-    s->normal = in->type == FLUID_OUTFLOW    ? FLUID_NORMAL_CONVECTIVE
-                : in->type == FLUID_PRESSURE ? FLUID_NORMAL_FREE
-                                             : FLUID_NORMAL_GIVEN;
-    for (int c = 0; c < 3; c++) {
-        s->condition[c] = general ? in->condition[c] : held || c == d ? FLUID_DIRICHLET : FLUID_NEUMANN;
-        s->value[c] = general || (in->type == FLUID_WALL && c != d) ? in->velocity[c] : 0;
-    }
-    s->condition[3] = general ? in->condition[3] : in->type == FLUID_PRESSURE ? FLUID_DIRICHLET : FLUID_NEUMANN;
-    s->value[3] = s->condition[3] == FLUID_DIRICHLET ? in->pressure : 0;
-    if (s->condition[3] == FLUID_DIRICHLET) {
-        s->normal = FLUID_NORMAL_FREE;
-        s->condition[d] = FLUID_NEUMANN;
-    }
-}
-
 static void refuse_contradictions(const struct fluid_input *in) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_side *s = &in->side[d][side];
+            const struct fluid_side_kind *kind = fluid_side_kind_of(s->type);
             if ((s->type == FLUID_PERIODIC) != (in->side[d][!side].type == FLUID_PERIODIC))
                 die_all(EXIT_CODE_SCENE, "fluid.sides.%s: periodic on one side and not on the other",
                         fluid_boundary_side_name[d][side]);
-            if (s->type == FLUID_WALL && s->velocity[d] != 0)
+            if (kind->moves && s->velocity[d] != 0)
                 die_all(EXIT_CODE_SCENE, "fluid.sides.%s.velocity: a wall moves in its own plane only",
                         fluid_boundary_side_name[d][side]);
-            if (s->type == FLUID_GENERAL && s->condition[d] == s->condition[3])
+            if (kind->is_general && s->condition[d] == s->condition[3])
                 die_all(EXIT_CODE_SCENE,
                         "fluid.sides.%s: needs a Dirichlet condition on either the normal velocity or the "
                         "pressure, and a "
@@ -57,13 +39,10 @@ static double fill_plane(const struct fluid_grid *g, const struct fluid_input *i
     const double sign = side ? -1 : 1, area = g->d[a] * g->d[b];
     const int na = g->n[a], nb = g->n[b];
     double *profile = memory_new(MEMORY_FLUID, (size_t)na * (size_t)nb, sizeof *profile);
-    const enum fluid_side_type type = in->side[d][side].type;
-    if (type == FLUID_INFLOW) fluid_profile_inflow(in, d, side, profile);
+    const struct fluid_side_kind *kind = fluid_side_kind_of(in->side[d][side].type);
+    if (kind->values) kind->values(in, d, side, profile);
     double sum = 0;
-    for (int i = 0; i < na * nb; i++) {
-        if (type == FLUID_GENERAL) profile[i] = sign * in->side[d][side].velocity[d];
-        sum += profile[i];
-    }
+    for (int i = 0; i < na * nb; i++) sum += profile[i];
     if (s->here) {
         s->plane = memory_new(MEMORY_FLUID, (size_t)g->m[a] * (size_t)g->m[b], sizeof *s->plane);
         for (int l = 0; l < g->m[b]; l++)
@@ -83,7 +62,7 @@ struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const stru
             struct fluid_boundary_side *s = &boundary->side[d][side];
             if (g->periodic[d]) continue;
             s->here = par_halo_at_side(g->halos, d, side);
-            conditions(&in->side[d][side], d, s);
+            fluid_side_conditions(&in->side[d][side], d, s);
             const double flux = s->normal == FLUID_NORMAL_FREE ? 0 : fill_plane(g, in, d, side, s);
             if (s->normal == FLUID_NORMAL_FREE) boundary->open = 1;
             if (s->normal != FLUID_NORMAL_GIVEN && side == 0) boundary->low_unowned = 1;

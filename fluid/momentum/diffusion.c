@@ -52,7 +52,7 @@ static void refuse_open(const struct fluid *f) {
                         fluid_boundary_side_name[d][side]);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            if (f->in.side[d][side].type == FLUID_OUTFLOW && f->grid->n[d] / f->grid->ranks[d] < 2)
+            if (f->boundary->side[d][side].normal == FLUID_NORMAL_CONVECTIVE && f->grid->n[d] / f->grid->ranks[d] < 2)
                 die_all(EXIT_CODE_SCENE,
                         "fluid.diffusion: implicit with an outflow at %s needs two cells a rank in %c, and "
                         "there are %d for %d ranks",

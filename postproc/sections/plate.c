@@ -1,4 +1,5 @@
 /* Section of the report with pictures and a film of a plate. */
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "files/folder.h"
 #include "postproc/draw/flat.h"
@@ -34,9 +35,12 @@ static const double *values_of(const struct postproc_plate *p, enum postproc_qua
         return p->energy;
     case POSTPROC_DISPLACEMENT_X:
         return &p->u[0][0];
-    default:
+    case POSTPROC_DISPLACEMENT_Y:
         return &p->u[0][1];
+    case POSTPROC_QUANTITIES:
+        break;
     }
+    ENSURE(0, "quantity %d", (int)q);
 }
 
 static int ascending(const void *a, const void *b) {

@@ -1,5 +1,7 @@
 /* Micromodulus and critical stretch from a material's constants.  (001: eqs 3.21, 3.28; 000: eqs 9, 10, 16, 17) */
 #include "solid/law/material.h"
+#include "base/ensure.h"
+#include "solid/law/micromodulus.h"
 
 #include <math.h>
 
@@ -12,30 +14,26 @@ double solid_material_critical_stretch(const struct solid_material *m, double sp
     return sqrt(5 * m->fracture_energy / (6 * m->youngs_modulus * m->horizon_ratio * spacing));
 }
 
-/* A cone's stiffness is that of a constant when c1 = 5 c0 in space and 4 c0 in a plate; its bonds are shorter in the
- * mean, and s0^2 is 6/5 and 5/4 of the constant's for the same G0. */
+/* c0 and, in place of s0, s0^2 of the constant law. */
+static struct solid_constants constant_law(enum solid_model model, double thickness, const struct solid_material *m,
+                                           double delta) {
+    const double e = m->youngs_modulus, g = m->fracture_energy;
+    switch (model) {
+    case SOLID_3D:
+        return (struct solid_constants){12 * e / (M_PI * delta * delta * delta * delta), 5 * g / (6 * e * delta)};
+    case SOLID_PLANE_STRESS:
+        return (struct solid_constants){9 * e / (M_PI * thickness * delta * delta * delta),
+                                        4 * M_PI * g / (9 * e * delta)};
+    case SOLID_PLANE_STRAIN:
+        return (struct solid_constants){48 * e / (5 * M_PI * thickness * delta * delta * delta),
+                                        5 * M_PI * g / (12 * e * delta)};
+    }
+    ENSURE(0, "model %d", (int)model);
+}
+
 struct solid_constants solid_material_constants(enum solid_model model, double thickness,
                                                 const struct solid_material *m, double delta) {
-    const double e = m->youngs_modulus, g = m->fracture_energy;
-    struct solid_constants k;
-    double s2;
-    switch (model) {
-    case SOLID_PLANE_STRESS:
-        k.c = 9 * e / (M_PI * thickness * delta * delta * delta);
-        s2 = 4 * M_PI * g / (9 * e * delta);
-        break;
-    case SOLID_PLANE_STRAIN:
-        k.c = 48 * e / (5 * M_PI * thickness * delta * delta * delta);
-        s2 = 5 * M_PI * g / (12 * e * delta);
-        break;
-    default:
-        k.c = 12 * e / (M_PI * delta * delta * delta * delta);
-        s2 = 5 * g / (6 * e * delta);
-    }
-    if (m->micromodulus == SOLID_CONICAL) {
-        k.c *= model == SOLID_3D ? 5 : 4;
-        s2 *= model == SOLID_3D ? 6. / 5 : 5. / 4;
-    }
-    k.s0 = sqrt(s2);
-    return k;
+    const struct solid_micromodulus *law = solid_micromodulus_of(m->micromodulus);
+    const struct solid_constants constant = constant_law(model, thickness, m, delta);
+    return (struct solid_constants){constant.c * law->stiffness[model], sqrt(constant.s0 * law->stretch2[model])};
 }

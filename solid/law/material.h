@@ -3,7 +3,7 @@
 #include "solid/input.h"
 
 struct solid_constants {
-    double c;  /* c0, or c1 of a conical micromodulus, N/m6 */
+    double c;  /* c(0): c0, or c1 of a law that varies with |xi|, N/m6 */
     double s0; /* critical stretch; INFINITY: never breaks */
 };
 

@@ -1,6 +1,7 @@
 /* Stiffness, breaking limit and partial volume of one bond from its two ends.  (000: sec. 1.2.5) */
 #include "solid/law/pair.h"
 #include "solid/law/material.h"
+#include "solid/law/micromodulus.h"
 #include "solid/law/weight.h"
 #include "solid/law/weight_plane.h"
 
@@ -14,10 +15,10 @@ static const double INSIDE = 1 - 1e-12;
 struct solid_bond_law solid_pair_law(const struct solid_input *in, const struct solid_material *m) {
     const struct solid_constants k =
         solid_material_constants(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
-    return (struct solid_bond_law){.dim = in->model == SOLID_3D ? 3 : 2,
+    return (struct solid_bond_law){.dim = solid_dim(in),
                                    .partial = in->partial,
                                    .horizons = in->horizons,
-                                   .micromodulus = m->micromodulus,
+                                   .micromodulus = solid_micromodulus_of(m->micromodulus),
                                    .horizon = m->horizon_ratio,
                                    .c = k.c,
                                    .s0 = k.s0,
@@ -32,10 +33,10 @@ static double square(const struct solid_bond_law *law, const double *xi) {
 }
 
 /* In space the cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that the disc
- * meets. The ramp ends half a spacing beyond, and a cone's stiffness at the horizon itself. */
+ * meets. The ramp ends half a spacing beyond, and a law that falls to 0 at the horizon itself. */
 int solid_pair_holds(const struct solid_bond_law *law, const double *xi, double delta, double size) {
     const double xi2 = square(law, xi);
-    if (law->micromodulus == SOLID_CONICAL && xi2 >= delta * delta * INSIDE) return 0;
+    if (law->micromodulus->ends_at_horizon && xi2 >= delta * delta * INSIDE) return 0;
     if (law->dim == 2 && law->partial == SOLID_PARTIAL_EXACT) {
         const double x = fmax(fabs(xi[0]) - 0.5 * size, 0), y = fmax(fabs(xi[1]) - 0.5 * size, 0);
         return x * x + y * y < delta * delta * INSIDE;
@@ -65,7 +66,7 @@ static double micromodulus(const struct solid_bond_law *law, double xi2, double 
     double c = law->c;
     if (delta != law->horizon)
         for (int k = 0; k <= law->dim; k++) c *= law->horizon / delta;
-    return law->micromodulus == SOLID_CONICAL ? c * (1 - sqrt(xi2) / delta) : c;
+    return c * law->micromodulus->profile(sqrt(xi2) / delta);
 }
 
 /* s0_h^2, which goes as 1/delta. */

@@ -11,6 +11,8 @@
 #pragma once
 #include "solid/state.h"
 
+struct solid_micromodulus; /* solid/law/micromodulus.h */
+
 /* One end. */
 struct solid_end {
     double size;    /* side of the particle's cell */
@@ -23,7 +25,7 @@ struct solid_bond_law {
     int dim;
     enum solid_partial partial;
     enum solid_horizons horizons;
-    enum solid_micromodulus_kind micromodulus;
+    const struct solid_micromodulus *micromodulus;
     double horizon;                   /* the material's own */
     double c, s0;                     /* at it: c0 or c1 in N/m6, critical stretch */
     double density;                   /* kg/m3 */

@@ -38,7 +38,7 @@ static void own_cuts(struct solid_input *in) {
 }
 
 struct solid_refine *solid_refine_new(struct solid_input *in) {
-    if (!in->refinement || in->model == SOLID_3D) return NULL;
+    if (!in->refinement || solid_dim(in) == 3) return NULL;
     struct solid_refine *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
     r->in = *in->refinement;
     ENSURE(r->in.levels <= SOLID_REFINE_LEVELS, "%d levels", r->in.levels);

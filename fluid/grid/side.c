@@ -1,0 +1,86 @@
+/* Table of the types of sides: conditions of u, v, w and p, and whether fluid passes.  (001: sec. 3.4.2) */
+#include "fluid/grid/side.h"
+#include "base/ensure.h"
+#include "fluid/grid/profile.h"
+
+#include <assert.h>
+
+/* The given normal velocity. */
+static void own_value(const struct fluid_input *in, int d, int side, double *values) {
+    int a, b;
+    fluid_boundary_others(d, &a, &b);
+    const double sign = side ? -1 : 1;
+    for (int i = 0; i < in->n[a] * in->n[b]; i++) values[i] = sign * in->side[d][side].velocity[d];
+}
+
+static const struct fluid_side_kind kind[] = {
+    [FLUID_PERIODIC] = {.name = "periodic"}, /* has no conditions */
+    [FLUID_WALL] = {.name = "wall",
+                    .moves = 1,
+                    .normal = FLUID_NORMAL_GIVEN,
+                    .tangential = FLUID_DIRICHLET,
+                    .pressure = FLUID_NEUMANN,
+                    .flow = FLUID_FLOW_NONE},
+    [FLUID_SLIP] = {.name = "slip",
+                    .normal = FLUID_NORMAL_GIVEN,
+                    .tangential = FLUID_NEUMANN,
+                    .pressure = FLUID_NEUMANN,
+                    .flow = FLUID_FLOW_NONE},
+    [FLUID_INFLOW] = {.name = "inflow",
+                      .normal = FLUID_NORMAL_GIVEN,
+                      .tangential = FLUID_DIRICHLET,
+                      .pressure = FLUID_NEUMANN,
+                      .values = fluid_profile_inflow,
+                      .flow = FLUID_FLOW_IN},
+    [FLUID_OUTFLOW] = {.name = "outflow",
+                       .normal = FLUID_NORMAL_CONVECTIVE,
+                       .tangential = FLUID_NEUMANN,
+                       .pressure = FLUID_NEUMANN,
+                       .flow = FLUID_FLOW_OUT},
+    [FLUID_PRESSURE] = {.name = "pressure",
+                        .normal = FLUID_NORMAL_FREE,
+                        .tangential = FLUID_NEUMANN,
+                        .pressure = FLUID_DIRICHLET,
+                        .flow = FLUID_FLOW_OUT},
+    [FLUID_GENERAL] = {.name = "general", .is_general = 1, .values = own_value, .flow = FLUID_FLOW_BY_VALUE}};
+static_assert(sizeof kind / sizeof *kind == FLUID_SIDE_TYPES, "every enum fluid_side_type needs its line");
+
+const struct fluid_side_kind *fluid_side_kind_of(enum fluid_side_type type) {
+    ENSURE((unsigned)type < FLUID_SIDE_TYPES && kind[type].name, "side type %d", (int)type);
+    return &kind[type];
+}
+
+void fluid_side_conditions(const struct fluid_side *in, int d, struct fluid_boundary_side *s) {
+    const struct fluid_side_kind *k = fluid_side_kind_of(in->type);
+    s->normal = k->normal;
+    for (int c = 0; c < 3; c++) {
+        s->condition[c] = k->is_general ? in->condition[c] : c == d ? FLUID_DIRICHLET : k->tangential;
+        s->value[c] = k->is_general || (k->moves && c != d) ? in->velocity[c] : 0;
+    }
+    s->condition[3] = k->is_general ? in->condition[3] : k->pressure;
+    s->value[3] = s->condition[3] == FLUID_DIRICHLET ? in->pressure : 0;
+    if (s->condition[3] == FLUID_DIRICHLET) {
+        s->normal = FLUID_NORMAL_FREE;
+        s->condition[d] = FLUID_NEUMANN;
+    }
+}
+
+int fluid_side_is_wall(const struct fluid_side *s, int component) {
+    const struct fluid_side_kind *k = fluid_side_kind_of(s->type);
+    return k->moves || (k->is_general && s->condition[component] == FLUID_DIRICHLET);
+}
+
+int fluid_side_flow(const struct fluid_side *s, int d, int high) {
+    const double in = high ? -s->velocity[d] : s->velocity[d];
+    switch (fluid_side_kind_of(s->type)->flow) {
+    case FLUID_FLOW_NONE:
+        return 0;
+    case FLUID_FLOW_IN:
+        return 1;
+    case FLUID_FLOW_OUT:
+        return -1;
+    case FLUID_FLOW_BY_VALUE:
+        return s->condition[d] == FLUID_NEUMANN || in < 0 ? -1 : in > 0;
+    }
+    ENSURE(0, "side type %d", (int)s->type);
+}
