@@ -45,7 +45,7 @@ struct solid_cut {
     const double (*point)[3]; /* m; z is 0 in a plate */
 };
 
-enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS, SOLID_POLYGON };
+enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS, SOLID_POLYGON, SOLID_SHAPES };
 
 /* A body cut from a cubic lattice whose points stand at origin + (i + 1/2) spacing. */
 struct solid_body {

@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
+#include "solid/geometry/shape.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/refine/parts.h"
@@ -77,7 +78,9 @@ void solid_refine_free(struct solid_refine *r) {
     memory_free(r);
 }
 
-int solid_refine_is_possible(const struct solid *s, int b) { return s->in.body[b].shape == SOLID_POLYGON; }
+int solid_refine_is_possible(const struct solid *s, int b) {
+    return solid_shape_of(&s->in.body[b])->places == SOLID_PLACES_CELLS;
+}
 
 struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *kept) {
     const struct solid_body *body = &s->in.body[b];
