@@ -1,6 +1,7 @@
 /* Parses the command line. */
 #include "program/command.h"
 #include "base/die.h"
+#include "base/ensure.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -150,10 +151,31 @@ static void options(struct command *c, int argc, char **argv) {
         case 'p':
             c->repeats = whole(optarg, "--repeats", 5);
             break;
-        default:
+        case 't':
             c->table = table_of(optarg);
+            break;
+        default:
+            ENSURE(0, "option %s has no case", word);
         }
     }
+}
+
+/* What a command reads. */
+static const char *read_by(enum command_verb verb) {
+    switch (verb) {
+    case COMMAND_RUN:
+    case COMMAND_CHECK:
+        return "scene";
+    case COMMAND_POST:
+        return "run folder";
+    case COMMAND_STUDY:
+        return "study";
+    case COMMAND_BENCH:
+    case COMMAND_VERSION:
+    case COMMAND_HELP:
+        break;
+    }
+    ENSURE(0, "command %d reads nothing", (int)verb);
 }
 
 /* What stands behind the options. */
@@ -164,14 +186,9 @@ static void check_files(const struct command *c, const char *word) {
             die_all(EXIT_CODE_SCENE, "frana bench %s: takes files with --table only", c->file[0]);
         return;
     }
-    if (c->files == 0)
-        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word,
-                c->verb == COMMAND_POST    ? "run folder"
-                : c->verb == COMMAND_STUDY ? "study"
-                                           : "scene");
+    if (c->files == 0) die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word, read_by(c->verb));
     if (c->files > 1 && c->verb != COMMAND_POST)
-        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", word, c->file[0], c->file[1],
-                c->verb == COMMAND_STUDY ? "study" : "scene");
+        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", word, c->file[0], c->file[1], read_by(c->verb));
 }
 
 struct command *command_new(int argc, char **argv) {

@@ -28,26 +28,45 @@ static int post(const struct command *c) {
     return code;
 }
 
+static void say_version(void) {
+    char text[2048];
+    record_version(text, sizeof text);
+    fputs(text, stdout);
+}
+
+static int with_scene(const struct command *c) {
+    struct scene *scene = scene_new(c->file[0], c->sets, c->set);
+    setup_check(scene);
+    const int code = c->verb == COMMAND_RUN ? program_run(c, scene) : check_scene(scene);
+    scene_free(scene);
+    return code;
+}
+
 int main(int argc, char **argv) {
     /* a study starts mpiexec, which a process that is a rank itself cannot */
     if (argc < 2 || strcmp(argv[1], "study")) par_begin(&argc, &argv);
     struct command *c = command_new(argc, argv);
     int code = EXIT_CODE_DONE;
-    if (c->verb == COMMAND_RUN || c->verb == COMMAND_CHECK) {
-        struct scene *scene = scene_new(c->file[0], c->sets, c->set);
-        setup_check(scene);
-        code = c->verb == COMMAND_RUN ? program_run(c, scene) : check_scene(scene);
-        scene_free(scene);
-    } else if (c->verb == COMMAND_POST) {
+    switch (c->verb) {
+    case COMMAND_RUN:
+    case COMMAND_CHECK:
+        code = with_scene(c);
+        break;
+    case COMMAND_POST:
         code = post(c);
-    } else if (c->verb == COMMAND_BENCH) {
+        break;
+    case COMMAND_BENCH:
         code = bench_run(c);
-    } else if (c->verb == COMMAND_STUDY) {
+        break;
+    case COMMAND_STUDY:
         code = study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
-    } else if (par_rank() == 0) {
-        char text[2048];
-        record_version(text, sizeof text);
-        fputs(c->verb == COMMAND_VERSION ? text : command_usage(), stdout);
+        break;
+    case COMMAND_VERSION:
+        if (par_rank() == 0) say_version();
+        break;
+    case COMMAND_HELP:
+        if (par_rank() == 0) fputs(command_usage(), stdout);
+        break;
     }
     command_free(c);
     par_end();

@@ -1,5 +1,6 @@
 /* Fills in defaults that follow from other values: spacing, Poisson's ratio, retraction, measurement box. */
 #include "scene/default.h"
+#include "base/ensure.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -48,7 +49,29 @@ static double cell_of(const struct scene_domain *d) {
     return cell;
 }
 
-/* What the model has, and no other. */
+/* The one that the model has. */
+static double poisson_of(enum scene_model model) {
+    switch (model) {
+    case SCENE_3D:
+    case SCENE_PLANE_STRAIN:
+        return 0.25;
+    case SCENE_PLANE_STRESS:
+        return 1.0 / 3;
+    }
+    ENSURE(0, "model %d", (int)model);
+}
+
+/* The calibrated value of the surface. */
+static double retraction_of(enum scene_surface surface) {
+    switch (surface) {
+    case SCENE_SURFACE_LATTICE:
+        return SCENE_RETRACTION;
+    case SCENE_SURFACE_SHAPE:
+        return SCENE_RETRACTION_SHAPE;
+    }
+    ENSURE(0, "surface %d", (int)surface);
+}
+
 static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
     char *path = scene_node_text("solid.materials[%d]", m);
     struct scene_node *node = scene_node_find(root, path);
@@ -56,7 +79,7 @@ static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
     if (scene_node_child(node, "poisson_ratio")) return;
     int at = 0;
     while (at < node->n && strcmp(node->child[at]->key, "density") != 0) at++;
-    s->solid->material[m].poisson_ratio = s->solid->model == SCENE_PLANE_STRESS ? 1.0 / 3 : 0.25;
+    s->solid->material[m].poisson_ratio = poisson_of(s->solid->model);
     scene_node_insert(node, at + 1, number(node, "poisson_ratio", s->solid->material[m].poisson_ratio));
 }
 
@@ -99,7 +122,7 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
 static void fill_retraction(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
     if (scene_node_child(coupling, "retraction")) return;
-    s->coupling->retraction = s->coupling->surface == SCENE_SURFACE_SHAPE ? SCENE_RETRACTION_SHAPE : SCENE_RETRACTION;
+    s->coupling->retraction = retraction_of(s->coupling->surface);
     int at = 0;
     while (at < coupling->n && strcmp(coupling->child[at]->key, "surface") != 0) at++;
     scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));

@@ -76,3 +76,17 @@ void scene_free(struct scene *s) {
     scene_derive_free(s);
     scene_schema_free(s);
 }
+
+int scene_varies_along(enum scene_axes axes, int direction) {
+    switch (axes) {
+    case SCENE_XY:
+        return direction != 2;
+    case SCENE_XZ:
+        return direction != 1;
+    case SCENE_YZ:
+        return direction != 0;
+    case SCENE_XYZ:
+        return 1;
+    }
+    ENSURE(0, "axes %d", (int)axes);
+}

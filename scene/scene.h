@@ -44,6 +44,7 @@ struct scene_side {
     enum scene_condition u, v, w, p; /* general */
 };
 enum scene_axes { SCENE_XY, SCENE_XZ, SCENE_YZ, SCENE_XYZ };
+int scene_varies_along(enum scene_axes axes, int direction); /* whether the direction is one of them */
 enum scene_driving { SCENE_DRIVING_NONE, SCENE_DRIVING_GRADIENT, SCENE_DRIVING_BULK };
 enum scene_diffusion { SCENE_DIFFUSION_EXPLICIT, SCENE_DIFFUSION_IMPLICIT };
 struct scene_fluid {
@@ -63,6 +64,7 @@ struct scene_fluid {
 };
 
 enum scene_model { SCENE_3D, SCENE_PLANE_STRESS, SCENE_PLANE_STRAIN };
+enum { SCENE_MODELS = SCENE_PLANE_STRAIN + 1 };
 enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP };
 enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
 enum scene_micromodulus { SCENE_CONSTANT, SCENE_CONICAL };

@@ -1,5 +1,6 @@
 /* Stiffness, breaking limit and partial volume of one bond from its two ends.  (000: sec. 1.2.5) */
 #include "solid/law/pair.h"
+#include "base/ensure.h"
 #include "solid/law/material.h"
 #include "solid/law/micromodulus.h"
 #include "solid/law/weight.h"
@@ -52,13 +53,17 @@ int solid_pair_exists(const struct solid_bond_law *law, const double *xi, const 
 }
 
 double solid_pair_gamma(const struct solid_bond_law *law, const double *xi, double delta, double size) {
-    if (law->partial == SOLID_PARTIAL_RAMP) {
+    switch (law->partial) {
+    case SOLID_PARTIAL_RAMP: {
         const double part = (delta + 0.5 * size - sqrt(square(law, xi))) / size;
         return part < 1 ? fmax(part, 0) : 1;
     }
-    if (law->dim == 2) return solid_weight_plane_fraction(xi, size, delta);
-    return law->table ? solid_weight_fraction_kept(law->table, xi, size, delta, law->columns)
-                      : solid_weight_fraction(xi, size, delta, law->columns);
+    case SOLID_PARTIAL_EXACT:
+        if (law->dim == 2) return solid_weight_plane_fraction(xi, size, delta);
+        return law->table ? solid_weight_fraction_kept(law->table, xi, size, delta, law->columns)
+                          : solid_weight_fraction(xi, size, delta, law->columns);
+    }
+    ENSURE(0, "partial volume %d", (int)law->partial);
 }
 
 /* c_h(xi); c0 and c1 go as delta^-(dim + 1).  (000: eqs 9, 10) */
@@ -108,10 +113,15 @@ static double limit_of(struct half a, struct half b) {
 struct solid_pair solid_pair_of(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
                                 const struct solid_end *l) {
     const struct half here = half_of(law, xi, h->horizon, l->size);
-    if (law->horizons == SOLID_ONE_SIDED)
+    switch (law->horizons) {
+    case SOLID_ONE_SIDED:
         return (struct solid_pair){here.stiffness, eps_of(sqrt(here.stretch2)), here.gamma};
-    const struct half there = half_of(law, xi, l->horizon, h->size);
-    return (struct solid_pair){0.5 * (here.stiffness + there.stiffness), limit_of(here, there), here.gamma};
+    case SOLID_DUAL_HORIZON: {
+        const struct half there = half_of(law, xi, l->horizon, h->size);
+        return (struct solid_pair){0.5 * (here.stiffness + there.stiffness), limit_of(here, there), here.gamma};
+    }
+    }
+    ENSURE(0, "horizons %d", (int)law->horizons);
 }
 
 double solid_pair_limit(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,

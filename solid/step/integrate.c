@@ -16,23 +16,39 @@ static int impose(struct solid *s, double dt) {
     return solid_given_set(s, s->t, dt) | varies;
 }
 
-void solid_integrate(struct solid *s, double dt, int substeps) {
-    clock_begin(CLOCK_SOLID);
-    const int verlet = s->stage.integrator == SOLID_VERLET;
+static void rk3(struct solid *s, double dt, int substeps) {
+    const double start = s->t;
+    for (int i = 0; i < substeps; i++) {
+        impose(s, dt);
+        solid_rk3_step(s, dt);
+        s->t = start + (i + 1) * dt;
+    }
+}
+
+static void verlet(struct solid *s, double dt, int substeps) {
     const double start = s->t;
     for (int i = 0; i < substeps; i++) {
         const int changed = impose(s, dt);
-        if (verlet && i == 0)
+        if (i == 0)
             solid_verlet_begin(s);
-        else if (verlet && changed)
+        else if (changed)
             solid_verlet_again(s);
-        if (verlet)
-            solid_verlet_step(s, dt);
-        else
-            solid_rk3_step(s, dt);
+        solid_verlet_step(s, dt);
         s->t = start + (i + 1) * dt;
     }
-    if (verlet) solid_verlet_end(s);
+    solid_verlet_end(s);
+}
+
+void solid_integrate(struct solid *s, double dt, int substeps) {
+    clock_begin(CLOCK_SOLID);
+    switch (s->stage.integrator) {
+    case SOLID_RK3:
+        rk3(s, dt, substeps);
+        break;
+    case SOLID_VERLET:
+        verlet(s, dt, substeps);
+        break;
+    }
     clock_end(CLOCK_SOLID);
 }
 
