@@ -1,5 +1,6 @@
 /* Opens a run folder: scene, series, field files, and the scales that results are divided by. */
 #include "postproc/data/history.h"
+#include "base/ensure.h"
 #include "files/folder.h"
 
 #include <errno.h>
@@ -54,7 +55,13 @@ static double bulk_velocity(const struct scene_fluid *f) {
 static double factor(const struct scene *s, const struct scene_material *m) {
     if (s->dimension != 2) return 5 / 6.;
     const double constant = s->solid->model == SCENE_PLANE_STRAIN ? 5 * M_PI / 12 : 4 * M_PI / 9;
-    return m->micromodulus == SCENE_CONICAL ? 1.25 * constant : constant;
+    switch (m->micromodulus) {
+    case SCENE_CONSTANT:
+        return constant;
+    case SCENE_CONICAL:
+        return 1.25 * constant;
+    }
+    ENSURE(0, "micromodulus %d", (int)m->micromodulus);
 }
 
 static void scales(struct postproc_history *h) {
