@@ -67,14 +67,14 @@ enum scene_model { SCENE_3D, SCENE_PLANE_STRESS, SCENE_PLANE_STRAIN };
 enum { SCENE_MODELS = SCENE_PLANE_STRAIN + 1 };
 enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP };
 enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
-enum scene_micromodulus { SCENE_CONSTANT, SCENE_CONICAL };
+enum scene_micromodulus { SCENE_CONSTANT, SCENE_CONICAL, SCENE_EXPONENTIAL };
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
     double poisson_ratio;                 /* the one that the model has: 1/3 in plane stress, else 1/4 */
     double fracture_energy;               /* J/m2; left out: never breaks (INFINITY) */
     double horizon_ratio;                 /* m, default 3; from 1 to below, in a plate up to the numbers above */
-    enum scene_micromodulus micromodulus; /* constant (default), conical */
+    enum scene_micromodulus micromodulus; /* constant (default), conical, exponential */
 };
 
 /* A factor that goes with time: straight between the given times, constant before the first and after the last. n =

@@ -11,7 +11,7 @@ enum solid_model { SOLID_3D, SOLID_PLANE_STRESS, SOLID_PLANE_STRAIN };
 enum { SOLID_MODELS = SOLID_PLANE_STRAIN + 1 };
 
 /* How c depends on the length of a bond: solid/law/micromodulus.h.  (000: eqs 9, 10) */
-enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL, SOLID_MICROMODULI };
+enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL, SOLID_EXPONENTIAL, SOLID_MICROMODULI };
 
 /* Gamma: the exact fraction of a particle's cell inside the horizon, or the linear ramp.  (SPEC 2; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };

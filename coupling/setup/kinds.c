@@ -74,6 +74,8 @@ enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus ki
         return SOLID_CONSTANT;
     case SCENE_CONICAL:
         return SOLID_CONICAL;
+    case SCENE_EXPONENTIAL:
+        return SOLID_EXPONENTIAL;
     }
     ENSURE(0, "micromodulus %d of the scene", (int)kind);
 }

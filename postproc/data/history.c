@@ -53,13 +53,16 @@ static double bulk_velocity(const struct scene_fluid *f) {
 /* E delta s0^2 / G0.  (001: eq. 3.28; of a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
  * 48 E/(5 pi delta^3) in plane strain; conical: c1 = 4 c0, G0 = c1 s0^2 delta^4/20) */
 static double factor(const struct scene *s, const struct scene_material *m) {
-    if (s->dimension != 2) return 5 / 6.;
-    const double constant = s->solid->model == SCENE_PLANE_STRAIN ? 5 * M_PI / 12 : 4 * M_PI / 9;
+    const int in_space = s->dimension != 2;
+    const double plate = s->solid->model == SCENE_PLANE_STRAIN ? 5 * M_PI / 12 : 4 * M_PI / 9;
+    const double constant = in_space ? 5 / 6. : plate, e = exp(-2);
     switch (m->micromodulus) {
     case SCENE_CONSTANT:
         return constant;
     case SCENE_CONICAL:
-        return 1.25 * constant;
+        return in_space ? constant : 1.25 * constant;
+    case SCENE_EXPONENTIAL: /* solid/law/micromodulus_exponential.c */
+        return constant * (in_space ? 2 * (3 - 19 * e) / (5 * (3 - 21 * e)) : 3 * (1 - 5 * e) / (2 * (3 - 19 * e)));
     }
     ENSURE(0, "micromodulus %d", (int)m->micromodulus);
 }

@@ -4,7 +4,8 @@
 static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};
 static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}};
 static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL}, {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
-static const cyaml_strval_t micromoduli[] = {{"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}};
+static const cyaml_strval_t micromoduli[] = {
+    {"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}, {"exponential", SCENE_EXPONENTIAL}};
 static const cyaml_strval_t shapes[] = {
     {"box", SCENE_BOX},   {"sphere", SCENE_SPHERE},   {"cylinder", SCENE_CYLINDER}, {"rectangle", SCENE_RECTANGLE},
     {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}, {"points", SCENE_POINTS}};

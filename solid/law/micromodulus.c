@@ -5,8 +5,9 @@
 #include <assert.h>
 #include <stddef.h>
 
-static const struct solid_micromodulus *const law[] = {
-    [SOLID_CONSTANT] = &solid_micromodulus_constant, [SOLID_CONICAL] = &solid_micromodulus_conical};
+static const struct solid_micromodulus *const law[] = {[SOLID_CONSTANT] = &solid_micromodulus_constant,
+                                                       [SOLID_CONICAL] = &solid_micromodulus_conical,
+                                                       [SOLID_EXPONENTIAL] = &solid_micromodulus_exponential};
 static_assert(sizeof law / sizeof *law == SOLID_MICROMODULI, "every enum solid_micromodulus_kind needs its law");
 
 const struct solid_micromodulus *solid_micromodulus_of(enum solid_micromodulus_kind kind) {

@@ -18,7 +18,8 @@ struct solid_micromodulus {
     double stretch2[SOLID_MODELS];  /* s0^2 over the constant law's */
 };
 
-extern const struct solid_micromodulus solid_micromodulus_constant, solid_micromodulus_conical;
+extern const struct solid_micromodulus solid_micromodulus_constant, solid_micromodulus_conical,
+    solid_micromodulus_exponential;
 
 /* The law of a kind. Not collective. */
 const struct solid_micromodulus *solid_micromodulus_of(enum solid_micromodulus_kind kind);

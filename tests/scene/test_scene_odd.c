@@ -182,7 +182,7 @@ static const struct sample_broken table[] = {
     {"block", "along: z", "along: xy", "it.yaml:15: solid.initial[0].along = xy: must be one of x, y, z"},
     {"block", "width: 0.002", "width: wide", "it.yaml:15: solid.initial[0].width = wide: must be a number, greater than 0 (m)"},
     {"block", "lattice_offset: [0.5, 0, 0]", "lattice_offset: [2, 0, 0]", "it.yaml:5: solid.lattice_offset[0] = 2: must be between -1 and 1"},
-    {"block", "micromodulus: conical", "micromodulus: 1", "it.yaml:7: solid.materials[0].micromodulus = 1: must be one of constant, conical"},
+    {"block", "micromodulus: conical", "micromodulus: 1", "it.yaml:7: solid.materials[0].micromodulus = 1: must be one of constant, conical, exponential"},
     {"block", "shape: gaussian, ", "", "it.yaml:15: solid.initial[0].shape: missing"},
     /* bytes that are no text */
     {"fluid", "density: 1", "density: \377", "it.yaml:3: not valid YAML: invalid leading UTF-8 octet"},
