@@ -3,8 +3,6 @@
 #include "base/ensure.h"
 #include "fluid/grid/profile.h"
 
-#include <assert.h>
-
 /* The given normal velocity. */
 static void own_value(const struct fluid_input *in, int d, int side, double *values) {
     int a, b;
@@ -13,41 +11,59 @@ static void own_value(const struct fluid_input *in, int d, int side, double *val
     for (int i = 0; i < in->n[a] * in->n[b]; i++) values[i] = sign * in->side[d][side].velocity[d];
 }
 
-static const struct fluid_side_kind kind[] = {
-    [FLUID_PERIODIC] = {.name = "periodic"}, /* has no conditions */
-    [FLUID_WALL] = {.name = "wall",
-                    .moves = 1,
-                    .normal = FLUID_NORMAL_GIVEN,
-                    .tangential = FLUID_DIRICHLET,
-                    .pressure = FLUID_NEUMANN,
-                    .flow = FLUID_FLOW_NONE},
-    [FLUID_SLIP] = {.name = "slip",
-                    .normal = FLUID_NORMAL_GIVEN,
-                    .tangential = FLUID_NEUMANN,
-                    .pressure = FLUID_NEUMANN,
-                    .flow = FLUID_FLOW_NONE},
-    [FLUID_INFLOW] = {.name = "inflow",
-                      .normal = FLUID_NORMAL_GIVEN,
-                      .tangential = FLUID_DIRICHLET,
-                      .pressure = FLUID_NEUMANN,
-                      .values = fluid_profile_inflow,
-                      .flow = FLUID_FLOW_IN},
-    [FLUID_OUTFLOW] = {.name = "outflow",
-                       .normal = FLUID_NORMAL_CONVECTIVE,
-                       .tangential = FLUID_NEUMANN,
-                       .pressure = FLUID_NEUMANN,
-                       .flow = FLUID_FLOW_OUT},
-    [FLUID_PRESSURE] = {.name = "pressure",
-                        .normal = FLUID_NORMAL_FREE,
-                        .tangential = FLUID_NEUMANN,
-                        .pressure = FLUID_DIRICHLET,
-                        .flow = FLUID_FLOW_OUT},
-    [FLUID_GENERAL] = {.name = "general", .is_general = 1, .values = own_value, .flow = FLUID_FLOW_BY_VALUE}};
-static_assert(sizeof kind / sizeof *kind == FLUID_SIDE_TYPES, "every enum fluid_side_type needs its line");
+/* It has no conditions. */
+static const struct fluid_side_kind periodic = {.name = "periodic"};
+static const struct fluid_side_kind wall = {.name = "wall",
+                                            .moves = 1,
+                                            .normal = FLUID_NORMAL_GIVEN,
+                                            .tangential = FLUID_DIRICHLET,
+                                            .pressure = FLUID_NEUMANN,
+                                            .flow = FLUID_FLOW_NONE};
+static const struct fluid_side_kind slip = {.name = "slip",
+                                            .normal = FLUID_NORMAL_GIVEN,
+                                            .tangential = FLUID_NEUMANN,
+                                            .pressure = FLUID_NEUMANN,
+                                            .flow = FLUID_FLOW_NONE};
+static const struct fluid_side_kind inflow = {.name = "inflow",
+                                              .normal = FLUID_NORMAL_GIVEN,
+                                              .tangential = FLUID_DIRICHLET,
+                                              .pressure = FLUID_NEUMANN,
+                                              .values = fluid_profile_inflow,
+                                              .flow = FLUID_FLOW_IN};
+static const struct fluid_side_kind outflow = {.name = "outflow",
+                                               .normal = FLUID_NORMAL_CONVECTIVE,
+                                               .tangential = FLUID_NEUMANN,
+                                               .pressure = FLUID_NEUMANN,
+                                               .flow = FLUID_FLOW_OUT};
+static const struct fluid_side_kind pressure = {.name = "pressure",
+                                                .normal = FLUID_NORMAL_FREE,
+                                                .tangential = FLUID_NEUMANN,
+                                                .pressure = FLUID_DIRICHLET,
+                                                .flow = FLUID_FLOW_OUT};
+static const struct fluid_side_kind general = {
+    .name = "general", .is_general = 1, .values = own_value, .flow = FLUID_FLOW_BY_VALUE};
 
+/* The table: a type without a line does not compile. */
 const struct fluid_side_kind *fluid_side_kind_of(enum fluid_side_type type) {
-    ENSURE((unsigned)type < FLUID_SIDE_TYPES && kind[type].name, "side type %d", (int)type);
-    return &kind[type];
+    switch (type) {
+    case FLUID_PERIODIC:
+        return &periodic;
+    case FLUID_WALL:
+        return &wall;
+    case FLUID_SLIP:
+        return &slip;
+    case FLUID_INFLOW:
+        return &inflow;
+    case FLUID_OUTFLOW:
+        return &outflow;
+    case FLUID_PRESSURE:
+        return &pressure;
+    case FLUID_GENERAL:
+        return &general;
+    case FLUID_SIDE_TYPES:
+        break;
+    }
+    ENSURE(0, "side type %d", (int)type);
 }
 
 void fluid_side_conditions(const struct fluid_side *in, int d, struct fluid_boundary_side *s) {

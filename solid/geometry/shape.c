@@ -1,23 +1,26 @@
-/* Table of the shapes. */
+/* Table of the shapes; a shape without a line does not compile. */
 #include "solid/geometry/shape.h"
 #include "base/ensure.h"
-
-#include <assert.h>
-#include <stddef.h>
 
 static const struct solid_shape_kind points = {.name = "points", .places = SOLID_PLACES_POINTS},
                                      polygon = {.name = "polygon", .places = SOLID_PLACES_CELLS};
 
-static const struct solid_shape_kind *const kind[] = {[SOLID_BOX] = &solid_shape_box,
-                                                      [SOLID_SPHERE] = &solid_shape_sphere,
-                                                      [SOLID_CYLINDER] = &solid_shape_cylinder,
-                                                      [SOLID_POINTS] = &points,
-                                                      [SOLID_POLYGON] = &polygon};
-static_assert(sizeof kind / sizeof *kind == SOLID_SHAPES, "every enum solid_shape needs its line");
-
 const struct solid_shape_kind *solid_shape_of(const struct solid_body *b) {
-    ENSURE((unsigned)b->shape < SOLID_SHAPES && kind[b->shape], "shape %d", (int)b->shape);
-    return kind[b->shape];
+    switch (b->shape) {
+    case SOLID_BOX:
+        return &solid_shape_box;
+    case SOLID_SPHERE:
+        return &solid_shape_sphere;
+    case SOLID_CYLINDER:
+        return &solid_shape_cylinder;
+    case SOLID_POINTS:
+        return &points;
+    case SOLID_POLYGON:
+        return &polygon;
+    case SOLID_SHAPES:
+        break;
+    }
+    ENSURE(0, "shape %d", (int)b->shape);
 }
 
 int solid_shape_is_on_lattice(const struct solid_body *b) { return solid_shape_of(b)->places == SOLID_PLACES_LATTICE; }
