@@ -29,6 +29,7 @@ static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
     case SCENE_BOX:
     case SCENE_SPHERE:
     case SCENE_CYLINDER:
+    case SCENE_ELLIPSOID:
     case SCENE_POINTS:
         break;
     }
@@ -44,6 +45,7 @@ static int has_outline(enum scene_shape shape) {
     case SCENE_BOX:
     case SCENE_SPHERE:
     case SCENE_CYLINDER:
+    case SCENE_ELLIPSOID:
     case SCENE_POINTS:
         return 0;
     }

@@ -98,7 +98,7 @@ struct scene_outline {
     int is_hole;
 };
 
-enum scene_shape { SCENE_BOX, SCENE_SPHERE, SCENE_CYLINDER, SCENE_POINTS, SCENE_RECTANGLE, SCENE_DISC, SCENE_POLYGON };
+enum scene_shape { SCENE_BOX, SCENE_SPHERE, SCENE_CYLINDER, SCENE_ELLIPSOID, SCENE_POINTS, SCENE_RECTANGLE, SCENE_DISC, SCENE_POLYGON };
 struct scene_part {           /* a further piece of a plate's body, or a hole in it */
     enum scene_shape shape;   /* rectangle, disc, polygon */
     double low[3], high[3];   /* rectangle */
@@ -112,6 +112,7 @@ struct scene_body {
     enum scene_shape shape;
     double low[3], high[3];           /* box */
     double centre[3], radius, length; /* sphere, cylinder */
+    double radii[3];                  /* ellipsoid, along x, y, z */
     int axis;                         /* cylinder: x, y or z */
     char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon] */
     int has_cavities;                 /* cavities: {period, radius, centre} */

@@ -45,7 +45,15 @@ struct solid_cut {
     const double (*point)[3]; /* m; z is 0 in a plate */
 };
 
-enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS, SOLID_POLYGON, SOLID_SHAPES };
+enum solid_shape {
+    SOLID_BOX,
+    SOLID_SPHERE,
+    SOLID_CYLINDER,
+    SOLID_ELLIPSOID,
+    SOLID_POINTS,
+    SOLID_POLYGON,
+    SOLID_SHAPES
+};
 
 /* A body cut from a cubic lattice whose points stand at origin + (i + 1/2) spacing. */
 struct solid_body {
@@ -55,6 +63,7 @@ struct solid_body {
     double centre[3], radius; /* sphere, cylinder */
     int axis;                 /* cylinder */
     double length;            /* cylinder */
+    double radii[3];          /* ellipsoid, along x, y, z */
     /* spherical cavities on a cubic array, cut out of any shape; period 0: none */
     double cavity_period, cavity_radius, cavity_centre[3];
     /* SOLID_POINTS: particles as they are, on no lattice; borrowed, [points] */

@@ -47,6 +47,7 @@ void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
     memcpy(to->centre, from->centre, sizeof to->centre);
+    memcpy(to->radii, from->radii, sizeof to->radii);
     if (from->has_cavities) {
         to->cavity_period = from->cavity_period;
         to->cavity_radius = from->cavity_radius;

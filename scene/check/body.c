@@ -41,6 +41,9 @@ int scene_check_body_bounds(const struct scene_body *body, double low[3], double
         half[body->axis] = body->length / 2;
         bounds_about(body->centre, half, low, high);
         return 1;
+    case SCENE_ELLIPSOID:
+        bounds_about(body->centre, body->radii, low, high);
+        return 1;
     case SCENE_RECTANGLE:
     case SCENE_DISC:
     case SCENE_POLYGON:
@@ -135,8 +138,9 @@ static int check_own(const struct scene_check *c, struct scene_path path, enum s
         return scene_check_body_box(c, path, low, high);
     case SCENE_POLYGON:
         return check_corners(c, scene_check_parts_path("%s.outline", path.text), corners, corner);
-    case SCENE_SPHERE: /* their rules say that radius and length are above 0 */
+    case SCENE_SPHERE: /* their rules say that radius, radii and length are above 0 */
     case SCENE_CYLINDER:
+    case SCENE_ELLIPSOID:
     case SCENE_DISC:
     case SCENE_POINTS:
         return 1;

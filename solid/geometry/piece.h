@@ -10,6 +10,7 @@ struct solid_piece {
     int mask[3];
     int inside;               /* +1: the material is within the radius, -1: beyond it */
     double centre[3], radius; /* m */
+    double radii[3];          /* of an ellipsoid, m */
 };
 
 /* The points whose distance from centre is radius, in the directions of the mask alone (bit c: direction c). Three

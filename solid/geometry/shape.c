@@ -13,6 +13,8 @@ const struct solid_shape_kind *solid_shape_of(const struct solid_body *b) {
         return &solid_shape_sphere;
     case SOLID_CYLINDER:
         return &solid_shape_cylinder;
+    case SOLID_ELLIPSOID:
+        return &solid_shape_ellipsoid;
     case SOLID_POINTS:
         return &points;
     case SOLID_POLYGON:

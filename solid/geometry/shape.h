@@ -19,7 +19,7 @@ struct solid_shape_kind {
     int (*pieces)(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]);
 };
 
-extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder;
+extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder, solid_shape_ellipsoid;
 
 const struct solid_shape_kind *solid_shape_of(const struct solid_body *body); /* Not collective. */
 /* The same, of a body whose particles stand on the lattice: shapes that have bounds, a surface, and may have cavities.

@@ -116,8 +116,12 @@ static void test_words(void **state) {
 /* Scene and solid know the same bounds of a shape. */
 static void test_bounds(void **state) {
     (void)state;
-    struct scene *s = scene_new(SCENES "coupled.yaml", 0, NULL);
+    const char *const set[] = {
+        "solid.bodies.ball={name: egg, material: glass, shape: ellipsoid, centre: [0.03, 0.01, 0.01], radii: [0.004, "
+        "0.003, 0.005]}"};
+    struct scene *s = scene_new(SCENES "coupled.yaml", 1, set);
     struct solid_input *in = setup_solid(s);
+    assert_true(in->body[1].shape == SOLID_ELLIPSOID && in->body[1].radii[1] == 0.003);
     for (int b = 0; b < in->bodies; b++) {
         double low[3], high[3], low2[3], high2[3];
         assert_true(scene_check_body_bounds(&s->solid->body[b], low, high));

@@ -128,7 +128,7 @@ static const struct sample_broken table[] = {
     {"solid", "spacing: 0.001", "spacing: 0.0011", "it.yaml:5: solid.spacing = 0.0011: the periodic direction z (0.02 m) must hold a whole number of particles, not 18.1818"},
     {"solid", "spacing: 0.001", "spacing: 0.004", "it.yaml:2: domain.size = [0.01, 0.01, 0.02]: a particle's family would meet itself across the periodic direction z: more than 0.028 m are needed"},
     {"solid", "file: points.txt", "file: nowhere/points.txt", "it.yaml:9: solid.bodies[0].file = nowhere/points.txt: there is no such file (looked for @/nowhere/points.txt)"},
-    {"solid", "file: points.txt", "file: points.txt, cavities: {period: 1, radius: 0.1, centre: [0, 0, 0]}", "it.yaml:9: solid.bodies[0].cavities: only with shape box, sphere or cylinder, here it is points"},
+    {"solid", "file: points.txt", "file: points.txt, cavities: {period: 1, radius: 0.1, centre: [0, 0, 0]}", "it.yaml:9: solid.bodies[0].cavities: only with shape box, sphere, cylinder or ellipsoid, here it is points"},
     /* a plate: what it has and what not */
     {"plate", "size: [0.1, 0.04]", "size: [0.1]", "it.yaml:3: domain.size = [0.1]: must be a list of 3 numbers (m), or of 2 for a plate"},
     {"plate", "size: [0.1, 0.04]", "size: [0.1, -0.04]", "it.yaml:3: domain.size[1] = -0.04: must be greater than 0"},
@@ -151,7 +151,7 @@ static const struct sample_broken table[] = {
     {"solid", "spacing: 0.001", "spacing: 0.001\n  model: plane_stress", "it.yaml:6: solid.model = plane_stress: only in a plate, where domain.size has two numbers"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  partial_volume: ramp", "it.yaml:6: solid.partial_volume = ramp: must be exact in 3D"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  refinement: {levels: 2}", "it.yaml:6: solid.refinement: only in a plate, where domain.size has two numbers"},
-    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, points in 3D"},
+    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, ellipsoid, points in 3D"},
     {"solid", "low: [0.002, 0.002, 0]", "low: [0.002, 0.002]", "it.yaml:10: solid.bodies[1].low = [0.002, 0.002]: must be a list of 3 numbers (m)"},
     /* a plate: bodies */
     {"plate", "name: pad, material: steel, shape: rectangle", "name: pad, material: steel, shape: box", "it.yaml:32: solid.bodies[2].shape = box: must be one of rectangle, disc, polygon, points in a plate"},
@@ -256,7 +256,7 @@ static void test_all_mistakes_at_once(void **state) {
         ("it.yaml:16: fluid.driving.direction = z: must be a periodic direction: z_low is periodic, "
          "z_high is wall"),
         "it.yaml:21: solid.materials[1].youngs_modulus = -7: must be greater than 0",
-        "it.yaml:29: solid.bodies[1].shape = ball: must be one of box, sphere, cylinder, points",
+        "it.yaml:29: solid.bodies[1].shape = ball: must be one of box, sphere, cylinder, ellipsoid, points",
         "it.yaml:32: solid.constraints[0].directions = xyzz: is too long: 4 characters, at most 3",
         "it.yaml:39: coupling.retraction = 7: must be between -1 and 1",
         "it.yaml:44: stages[2].name = fracture: is the name of stages[1] too"};
