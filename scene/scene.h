@@ -98,7 +98,16 @@ struct scene_outline {
     int is_hole;
 };
 
-enum scene_shape { SCENE_BOX, SCENE_SPHERE, SCENE_CYLINDER, SCENE_ELLIPSOID, SCENE_POINTS, SCENE_RECTANGLE, SCENE_DISC, SCENE_POLYGON };
+enum scene_shape {
+    SCENE_BOX,
+    SCENE_SPHERE,
+    SCENE_CYLINDER,
+    SCENE_ELLIPSOID,
+    SCENE_POINTS,
+    SCENE_RECTANGLE,
+    SCENE_DISC,
+    SCENE_POLYGON
+};
 struct scene_part {           /* a further piece of a plate's body, or a hole in it */
     enum scene_shape shape;   /* rectangle, disc, polygon */
     double low[3], high[3];   /* rectangle */
