@@ -1,6 +1,7 @@
 /* Boundary conditions of the six sides: values on the sides' faces and in the ghost cells.  (001: sec. 3.4.2) */
 #include "fluid/grid/boundary.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
@@ -197,4 +198,15 @@ void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fl
                                                (q[b][n] - q[b][n - (size_t)sb]) / g->d[b]);
             }
     }
+}
+
+enum fluid_end fluid_boundary_end(const struct fluid_boundary *b, int direction, int side, int quantity) {
+    const enum fluid_condition condition = b->side[direction][side].condition[quantity];
+    switch (condition) {
+    case FLUID_DIRICHLET:
+        return FLUID_END_DIRICHLET;
+    case FLUID_NEUMANN:
+        return FLUID_END_NEUMANN;
+    }
+    ENSURE(0, "condition %d", (int)condition);
 }

@@ -23,10 +23,9 @@ struct fluid_diffusion {
 static void ends_of(const struct fluid *f, int c, enum fluid_end end[3][2]) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            end[d][side] = f->grid->periodic[d]                                         ? FLUID_END_PERIODIC
-                           : c == d                                                     ? FLUID_END_FACE
-                           : f->boundary->side[d][side].condition[c] == FLUID_DIRICHLET ? FLUID_END_DIRICHLET
-                                                                                        : FLUID_END_NEUMANN;
+            end[d][side] = f->grid->periodic[d] ? FLUID_END_PERIODIC
+                           : c == d             ? FLUID_END_FACE
+                                                : fluid_boundary_end(f->boundary, d, side, c);
 }
 
 static struct fluid_poisson *new_solver(const struct fluid *f, int c) {

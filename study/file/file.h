@@ -34,6 +34,7 @@ struct study_reference {
 };
 
 enum study_at { STUDY_LAST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME };
+enum { STUDY_ATS = STUDY_TIME + 1 };
 
 /* A number that a run folder holds: of the series, of a table or JSON file, or what a command prints last. */
 struct study_quantity {
