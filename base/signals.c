@@ -57,8 +57,15 @@ enum signals_reason signals_stop_also(double reserve, double *also, int n) {
 enum signals_reason signals_stop(double reserve) { return signals_stop_also(reserve, NULL, 0); }
 
 const char *signals_name(enum signals_reason reason) {
-    if (reason == SIGNALS_MAX_WALL) return "--max-wall";
-    if (reason == SIGNALS_BATCH) return "the batch system's limit";
-    if (reason == SIGNALS_NONE) return "no reason";
+    switch (reason) {
+    case SIGNALS_NONE:
+        return "no reason";
+    case SIGNALS_MAX_WALL:
+        return "--max-wall";
+    case SIGNALS_BATCH:
+        return "the batch system's limit";
+    case SIGNALS_SIGNAL:
+        break;
+    }
     return caught == SIGTERM ? "SIGTERM" : caught == SIGUSR1 ? "SIGUSR1" : caught == SIGINT ? "SIGINT" : "a signal";
 }

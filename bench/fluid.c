@@ -1,4 +1,5 @@
 /* Measures a step of the fluid alone and its parts, with the bytes and flops that they need. */
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
@@ -53,9 +54,9 @@ struct fluid *bench_fluid_new(const int cells[3], int channel) {
 struct work {
     double doubles, flops;
 };
-enum { STEP, MOMENTUM, POISSON, FORWARD, COLUMNS, BACKWARD, HALO, PARTS };
+enum part { STEP, MOMENTUM, POISSON, FORWARD, COLUMNS, BACKWARD, HALO, PARTS };
 
-static struct work work_of(int part, const int n[3]) {
+static struct work work_of(enum part part, const int n[3]) {
     const double transforms = 2.5 * (log2(n[0]) + log2(n[1]));
     const struct work momentum = {11, 3 * 36}, forward = {4, 11 + transforms}, backward = {9, 15 + transforms};
     switch (part) {
@@ -70,9 +71,13 @@ static struct work work_of(int part, const int n[3]) {
     case STEP:
         return (struct work){momentum.doubles + forward.doubles + backward.doubles,
                              momentum.flops + forward.flops + backward.flops};
-    default:
+    case COLUMNS:
+    case HALO:
         return (struct work){0, 0};
+    case PARTS:
+        break;
     }
+    ENSURE(0, "part %d", (int)part);
 }
 
 static const struct {
@@ -91,7 +96,7 @@ static void measure_step(struct bench *b, struct flow *f, const int n[3], int ch
     struct bench_sample of[1][BENCH_CHANNELS];
     bench_measure(&b->effort, step, 1, (void *[]){f}, of);
     for (int k = 0; k < parts; k++) {
-        const struct work w = work_of(k, n);
+        const struct work w = work_of((enum part)k, n);
         struct bench_row row = {.part = part[k].name[channel],
                                 .time = of[0][part[k].channel],
                                 .units = (double)fluid_cells(f->fluid),

@@ -1,4 +1,5 @@
 add_compile_options(-Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wpointer-arith
+  -Wswitch-enum -Werror=switch -Werror=switch-enum # a kind that a switch forgets does not compile
   -fno-math-errno -fno-trapping-math -ffp-contract=fast)
 if(FRANA_ARCH)
   add_compile_options(-march=${FRANA_ARCH})

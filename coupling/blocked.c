@@ -1,35 +1,20 @@
 /* Finds prescribed inflows and driven directions from which no path through pore cells leads out. */
 #include "coupling/blocked.h"
 #include "base/side.h"
+#include "fluid/grid/side.h"
 
 #include <stdio.h>
-
-/* 1: the side prescribes a flow into the domain; -1: fluid may leave through it; 0: neither. */
-static int flows(const struct fluid_side *s, int d, int high) {
-    const double in = high ? -s->velocity[d] : s->velocity[d];
-    switch (s->type) {
-    case FLUID_INFLOW:
-        return 1;
-    case FLUID_OUTFLOW:
-    case FLUID_PRESSURE:
-        return -1;
-    case FLUID_GENERAL:
-        return s->condition[d] == FLUID_NEUMANN || in < 0 ? -1 : in > 0;
-    default:
-        return 0;
-    }
-}
 
 int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
     int outlets[3][2], n = 0;
     if (!r->needs.immersed) return 0;
     const struct fluid_input *in = fluid_input_of(r->fluid);
     for (int d = 0; d < 3; d++)
-        for (int high = 0; high < 2; high++) outlets[d][high] = flows(&in->side[d][high], d, high) < 0;
+        for (int high = 0; high < 2; high++) outlets[d][high] = fluid_side_flow(&in->side[d][high], d, high) < 0;
     run_deposit(r);
     for (int d = 0; d < 3; d++)
         for (int high = 0; high < 2; high++) {
-            if (flows(&in->side[d][high], d, high) <= 0) continue;
+            if (fluid_side_flow(&in->side[d][high], d, high) <= 0) continue;
             const double part = medium_cut_off(r->medium, d, high, (const int(*)[2])outlets, 1);
             if (part > 0)
                 snprintf(sentence[n++], BLOCKED_SENTENCE,

@@ -1,5 +1,6 @@
 /* Sets markers and probes from the interface, and turns traction into loads.  (001: secs 3.5.2, 3.5.3) */
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/balance.h"
@@ -9,7 +10,17 @@
 
 #include <math.h>
 
-static int is_at_wall(const struct run *r) { return r->scene->coupling->load != SCENE_LOAD_PROBE; }
+/* Whether the load is carried from the probes to the wall. */
+static int is_at_wall(const struct run *r) {
+    switch (r->scene->coupling->load) {
+    case SCENE_LOAD_PROBE:
+        return 0;
+    case SCENE_LOAD_WALL:
+    case SCENE_LOAD_BALANCED:
+        return 1;
+    }
+    ENSURE(0, "load form %d", (int)r->scene->coupling->load);
+}
 
 static void grow(double **array, int count) {
     memory_free(*array);

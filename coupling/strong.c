@@ -1,5 +1,6 @@
 /* Strongly coupled step: iterates fluid and solid until the interface's velocity has converged. */
 #include "coupling/strong.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/guard.h"
@@ -30,14 +31,22 @@ struct strong {
     struct strong_count count;
 };
 
+static enum quasi_newton_kind kind_of(enum scene_relaxation relaxation) {
+    switch (relaxation) {
+    case SCENE_QUASI_NEWTON:
+        return QUASI_NEWTON_LEAST_SQUARES;
+    case SCENE_AITKEN:
+        return QUASI_NEWTON_AITKEN;
+    }
+    ENSURE(0, "relaxation %d", (int)relaxation);
+}
+
 struct strong *strong_new(struct run *r) {
     const struct scene_coupling *scene = r->scene->coupling;
     if (!r->needs.immersed || !r->needs.bonds || scene->scheme != SCENE_STRONG) return NULL;
     struct strong *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
-    k->relaxation = quasi_newton_new(&(struct quasi_newton_input){
-        .kind = scene->relaxation == SCENE_AITKEN ? QUASI_NEWTON_AITKEN : QUASI_NEWTON_LEAST_SQUARES,
-        .relaxation = RELAXATION,
-        .filter = FILTER});
+    k->relaxation = quasi_newton_new(
+        &(struct quasi_newton_input){.kind = kind_of(scene->relaxation), .relaxation = RELAXATION, .filter = FILTER});
     k->start = guard_new(r);
     return k;
 }

@@ -2,6 +2,7 @@
 #include "files/store.h"
 #include "base/clock.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "files/aside.h"
@@ -30,7 +31,15 @@ struct store *store_begin(const char *folder, const char *name, int keep) {
 }
 
 hid_t store_h5_type(enum store_type type) {
-    return type == STORE_DOUBLE ? H5T_NATIVE_DOUBLE : type == STORE_BYTE ? H5T_NATIVE_UINT8 : H5T_NATIVE_INT64;
+    switch (type) {
+    case STORE_DOUBLE:
+        return H5T_NATIVE_DOUBLE;
+    case STORE_BYTE:
+        return H5T_NATIVE_UINT8;
+    case STORE_LONG:
+        return H5T_NATIVE_INT64;
+    }
+    ENSURE(0, "store type %d", (int)type);
 }
 
 size_t store_row(enum store_type type, int comps) { return (type == STORE_BYTE ? 1 : 8) * (size_t)comps; }

@@ -19,9 +19,7 @@ static struct fluid_poisson *new_poisson(const struct fluid *f) {
         in.d[d] = g->d[d];
         in.ranks[d] = g->ranks[d];
         for (int side = 0; side < 2; side++)
-            in.end[d][side] = g->periodic[d]                                               ? FLUID_END_PERIODIC
-                              : f->boundary->side[d][side].condition[3] == FLUID_DIRICHLET ? FLUID_END_DIRICHLET
-                                                                                           : FLUID_END_NEUMANN;
+            in.end[d][side] = g->periodic[d] ? FLUID_END_PERIODIC : fluid_boundary_end(f->boundary, d, side, 3);
     }
     return fluid_poisson_new(&in);
 }

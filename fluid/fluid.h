@@ -11,7 +11,8 @@ enum fluid_side_type {
     FLUID_INFLOW,   /* normal velocity from a profile; pressure Neumann */
     FLUID_OUTFLOW,  /* convective, mass-conserving; pressure correction Neumann */
     FLUID_PRESSURE, /* open: given pressure, velocities Neumann; pressure correction Dirichlet */
-    FLUID_GENERAL   /* each of u, v, w separately Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
+    FLUID_GENERAL,  /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
+    FLUID_SIDE_TYPES
 };
 enum fluid_profile { FLUID_UNIFORM, FLUID_POISEUILLE, FLUID_PROFILE_FILE };
 enum fluid_condition { FLUID_DIRICHLET, FLUID_NEUMANN };

@@ -1,4 +1,5 @@
 /* Stability limits of the fluid's time step, and the check for NaN and too large velocities. */
+#include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
 #include "fluid/grid/boundary.h"
@@ -86,10 +87,15 @@ double fluid_limits_speed(const struct fluid *f) {
         }
     }
     for (int d = 0; d < 3; d++) most = fmax(most, sqrt(fabs(in->body_force[d]) * length));
-    if (in->driving.type == FLUID_DRIVING_GRADIENT)
-        most = fmax(most, sqrt(fabs(in->driving.value) * length / in->density));
-    if (in->driving.type == FLUID_DRIVING_BULK) most = fmax(most, fabs(in->driving.value));
-    return most;
+    switch (in->driving.type) {
+    case FLUID_DRIVING_NONE:
+        return most;
+    case FLUID_DRIVING_GRADIENT:
+        return fmax(most, sqrt(fabs(in->driving.value) * length / in->density));
+    case FLUID_DRIVING_BULK:
+        return fmax(most, fabs(in->driving.value));
+    }
+    ENSURE(0, "driving %d", (int)in->driving.type);
 }
 
 static int bad(double value, double most) { return !(fabs(value) <= most); }

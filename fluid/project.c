@@ -101,7 +101,7 @@ static double level(struct fluid *f) {
     if (f->boundary->open) return 0; /* fixed by the pressure of that side */
     for (int d = 0; d < 3; d++)
         for (int side = 1; side >= 0; side--)
-            if (f->in.side[d][side].type == FLUID_OUTFLOW)
+            if (f->boundary->side[d][side].normal == FLUID_NORMAL_CONVECTIVE)
                 return -par_sum(section_mean(f, d, side) + fluid_poisson_section_mean(f->poisson, d, side));
     return 0;
 }

@@ -4,16 +4,10 @@
 
 #include <math.h>
 
-/* What a kind multiplies the constants of the constant micromodulus by: [in a plate, in space]. */
-static const struct {
-    double c[2], s2[2];
-} factor[] = {[PHYSICS_CONSTANT] = {{1, 1}, {1, 1}}, [PHYSICS_CONICAL] = {{4, 5}, {5. / 4, 6. / 5}}};
-_Static_assert(sizeof factor / sizeof *factor == PHYSICS_MICROMODULI, "each micromodulus needs its factors");
-
 struct physics_bond physics_bond_of(enum physics_model model, enum physics_micromodulus kind, double thickness,
                                     double youngs_modulus, double fracture_energy, double delta) {
     const double e = youngs_modulus, g = fracture_energy;
-    const int in_space = model == PHYSICS_3D;
+    const struct physics_micromodulus_law *law = physics_micromodulus_of(kind);
     struct physics_bond k = {0};
     double s2 = 0;
     switch (model) {
@@ -29,8 +23,8 @@ struct physics_bond physics_bond_of(enum physics_model model, enum physics_micro
         k.c = 12 * e / (M_PI * delta * delta * delta * delta);
         s2 = 5 * g / (6 * e * delta);
     }
-    k.c *= factor[kind].c[in_space];
-    k.s0 = sqrt(s2 * factor[kind].s2[in_space]);
+    k.c *= law->stiffness[model];
+    k.s0 = sqrt(s2 * law->stretch2[model]);
     return k;
 }
 

@@ -1,6 +1,7 @@
 /* frana post for one run: makes the folders, runs each section, writes the report. */
 #include "postproc/post.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "files/folder.h"
 #include "postproc/report.h"
 #include "postproc/sections/sections.h"
@@ -56,9 +57,10 @@ static const char *plots_missing(enum postproc_plot_status status) {
         return "No plots: their scripts could not be written.";
     case POSTPROC_PLOT_FAILED:
         return "Some plots are missing: gnuplot did not accept their scripts in post/plots (*.gp).";
-    default:
+    case POSTPROC_PLOT_DONE:
         return NULL;
     }
+    ENSURE(0, "plots end with %d", (int)status);
 }
 
 int postproc_post(const char *rundir, const struct postproc_options *options) {

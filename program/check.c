@@ -1,5 +1,6 @@
 /* frana check: prints parts of the run, stable steps and their limits, memory, dimensionless groups. Takes no step. */
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/blocked.h"
@@ -30,6 +31,18 @@ static void say(const char *format, ...) {
     va_end(args);
 }
 
+static const char *model_name(enum solid_model model) {
+    switch (model) {
+    case SOLID_3D:
+        return "3D";
+    case SOLID_PLANE_STRESS:
+        return "plane stress";
+    case SOLID_PLANE_STRAIN:
+        return "plane strain";
+    }
+    ENSURE(0, "model %d", (int)model);
+}
+
 static void say_holdings(struct run *r) {
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     say("%s\n\nholds\n", r->scene->title);
@@ -43,8 +56,7 @@ static void say_holdings(struct run *r) {
         say("  solid      %ld particles %.6g m apart, %ld bonds\n", r->solid->n_global, r->solid->in.spacing,
             directed / 2);
         if (r->solid->dim == 2)
-            say("  plate      %s, %.6g m thick\n",
-                r->solid->in.model == SOLID_PLANE_STRESS ? "plane stress" : "plane strain", r->solid->in.thickness);
+            say("  plate      %s, %.6g m thick\n", model_name(r->solid->in.model), r->solid->in.thickness);
         if (r->solid->in.cuts > 0 && r->needs.bonds) {
             solid_family_count(r->solid);
             say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);

@@ -1,6 +1,7 @@
 /* Makes outlines of a plate body from rectangles, discs and polygons, and finds their bounds. */
 #include "scene/outline.h"
 #include "base/die.h"
+#include "base/ensure.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,13 +19,41 @@ static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
     const struct scene_corner rectangle[4] = {
         {.at = {low[0], low[1]}}, {.at = {high[0], low[1]}}, {.at = {high[0], high[1]}}, {.at = {low[0], high[1]}}};
     const struct scene_corner disc[2] = {{{c[0] - r, c[1]}, {c[0], c[1]}, 1}, {{c[0] + r, c[1]}, {c[0], c[1]}, 1}};
-    if (p->shape == SCENE_RECTANGLE) return curve_new(4, rectangle, is_hole);
-    if (p->shape == SCENE_DISC) return curve_new(2, disc, is_hole);
-    return curve_new(p->corners, p->corner, is_hole);
+    switch (p->shape) {
+    case SCENE_RECTANGLE:
+        return curve_new(4, rectangle, is_hole);
+    case SCENE_DISC:
+        return curve_new(2, disc, is_hole);
+    case SCENE_POLYGON:
+        return curve_new(p->corners, p->corner, is_hole);
+    case SCENE_BOX:
+    case SCENE_SPHERE:
+    case SCENE_CYLINDER:
+    case SCENE_ELLIPSOID:
+    case SCENE_POINTS:
+        break;
+    }
+    ENSURE(0, "shape %d has no outline", (int)p->shape);
+}
+
+static int has_outline(enum scene_shape shape) {
+    switch (shape) {
+    case SCENE_RECTANGLE:
+    case SCENE_DISC:
+    case SCENE_POLYGON:
+        return 1;
+    case SCENE_BOX:
+    case SCENE_SPHERE:
+    case SCENE_CYLINDER:
+    case SCENE_ELLIPSOID:
+    case SCENE_POINTS:
+        return 0;
+    }
+    ENSURE(0, "shape %d", (int)shape);
 }
 
 void scene_outline_make(struct scene_body *body) {
-    if (body->shape != SCENE_RECTANGLE && body->shape != SCENE_DISC && body->shape != SCENE_POLYGON) return;
+    if (!has_outline(body->shape)) return;
     struct scene_part own = {
         .shape = body->shape, .radius = body->radius, .corners = body->corners, .corner = body->corner};
     memcpy(own.low, body->low, sizeof own.low);

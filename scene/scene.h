@@ -41,6 +41,7 @@ struct scene_side {
     enum scene_condition u, v, w, p; /* general */
 };
 enum scene_axes { SCENE_XY, SCENE_XZ, SCENE_YZ, SCENE_XYZ };
+int scene_axes_has(enum scene_axes axes, int direction); /* whether the direction is one of them */
 enum scene_driving { SCENE_DRIVING_NONE, SCENE_DRIVING_GRADIENT, SCENE_DRIVING_BULK };
 enum scene_diffusion { SCENE_DIFFUSION_EXPLICIT, SCENE_DIFFUSION_IMPLICIT };
 struct scene_fluid {
@@ -64,16 +65,21 @@ enum scene_model {
     SCENE_PLANE_STRESS = PHYSICS_PLANE_STRESS,
     SCENE_PLANE_STRAIN = PHYSICS_PLANE_STRAIN
 };
+enum { SCENE_MODELS = SCENE_PLANE_STRAIN + 1 };
 enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP };
 enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
-enum scene_micromodulus { SCENE_CONSTANT = PHYSICS_CONSTANT, SCENE_CONICAL = PHYSICS_CONICAL };
+enum scene_micromodulus {
+    SCENE_CONSTANT = PHYSICS_CONSTANT,
+    SCENE_CONICAL = PHYSICS_CONICAL,
+    SCENE_EXPONENTIAL = PHYSICS_EXPONENTIAL
+};
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
-    double poisson_ratio;                 /* fixed by the model: 1/3 in plane stress, else 1/4 */
-    double fracture_energy;               /* J/m2; left out: INFINITY, bonds never break */
-    double horizon_ratio;                 /* m, default 3; at least 1; below 4.5 in 3D, at most 12 in a plate */
-    enum scene_micromodulus micromodulus; /* constant (default), conical */
+    double poisson_ratio;                 /* the one that the model has: 1/3 in plane stress, else 1/4 */
+    double fracture_energy;               /* J/m2; left out: never breaks (INFINITY) */
+    double horizon_ratio;                 /* m, default 3; from 1 to below, in a plate up to the numbers above */
+    enum scene_micromodulus micromodulus; /* constant (default), conical, exponential */
 };
 
 /* A factor as a function of time: linear between the given times, constant before the first and after the last. n = 0:
@@ -98,7 +104,16 @@ struct scene_outline {
     int is_hole;
 };
 
-enum scene_shape { SCENE_BOX, SCENE_SPHERE, SCENE_CYLINDER, SCENE_POINTS, SCENE_RECTANGLE, SCENE_DISC, SCENE_POLYGON };
+enum scene_shape {
+    SCENE_BOX,
+    SCENE_SPHERE,
+    SCENE_CYLINDER,
+    SCENE_ELLIPSOID,
+    SCENE_POINTS,
+    SCENE_RECTANGLE,
+    SCENE_DISC,
+    SCENE_POLYGON
+};
 struct scene_part {           /* a further piece of a plate's body, or a hole in it */
     enum scene_shape shape;   /* rectangle, disc, polygon */
     double low[3], high[3];   /* rectangle */
@@ -112,6 +127,7 @@ struct scene_body {
     enum scene_shape shape;
     double low[3], high[3];           /* box */
     double centre[3], radius, length; /* sphere, cylinder */
+    double radii[3];                  /* ellipsoid, along x, y, z */
     int axis;                         /* cylinder: x, y or z */
     char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon] */
     int has_cavities;                 /* cavities: {period, radius, centre} */

@@ -1,5 +1,6 @@
 /* The input of a solid: model, materials, bodies, initial cracks, constraints, loads.  (001: ch. 3.3; docs/scene.md) */
 #pragma once
+#include "base/ensure.h"
 #include "physics/bond.h"
 #include <stddef.h>
 #include <stdint.h>
@@ -13,9 +14,14 @@ enum solid_model {
     SOLID_PLANE_STRESS = PHYSICS_PLANE_STRESS,
     SOLID_PLANE_STRAIN = PHYSICS_PLANE_STRAIN
 };
+enum { SOLID_MODELS = SOLID_PLANE_STRAIN + 1 };
 
-/* c(xi) = c0, or c1 (1 - xi/delta).  (000: eqs 9, 10) */
-enum solid_micromodulus_kind { SOLID_CONSTANT = PHYSICS_CONSTANT, SOLID_CONICAL = PHYSICS_CONICAL };
+/* How c depends on the length of a bond: physics/micromodulus.h.  (000: eqs 9, 10) */
+enum solid_micromodulus_kind {
+    SOLID_CONSTANT = PHYSICS_CONSTANT,
+    SOLID_CONICAL = PHYSICS_CONICAL,
+    SOLID_EXPONENTIAL = PHYSICS_EXPONENTIAL
+};
 
 /* Gamma: the exact part of a particle's cell in the horizon, or a ramp.  (001: eq. 3.33, mended; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
@@ -49,7 +55,15 @@ struct solid_cut {
     const double (*point)[3]; /* m; z is 0 in a plate */
 };
 
-enum solid_shape { SOLID_BOX, SOLID_SPHERE, SOLID_CYLINDER, SOLID_POINTS, SOLID_POLYGON };
+enum solid_shape {
+    SOLID_BOX,
+    SOLID_SPHERE,
+    SOLID_CYLINDER,
+    SOLID_ELLIPSOID,
+    SOLID_POINTS,
+    SOLID_POLYGON,
+    SOLID_SHAPES
+};
 
 /* A body cut from a cubic lattice whose points are at origin + (i + 1/2) spacing. */
 struct solid_body {
@@ -59,7 +73,8 @@ struct solid_body {
     double centre[3], radius; /* sphere, cylinder */
     int axis;                 /* cylinder */
     double length;            /* cylinder */
-    /* spherical cavities on a cubic array, removed from any shape; period 0: none */
+    double radii[3];          /* ellipsoid, along x, y, z */
+    /* spherical cavities on a cubic array, cut out of any shape; period 0: none */
     double cavity_period, cavity_radius, cavity_centre[3];
     /* SOLID_POINTS: given particles, on no lattice; borrowed, [points] */
     long points;
@@ -174,9 +189,18 @@ struct solid_input {
     int shape_surface; /* 1: the wetted surface is that of the shapes, not of the lattice (solid/surface/shaped.h) */
 };
 
-static inline int solid_dim(const struct solid_input *in) { return in->model == SOLID_3D ? 3 : 2; }
-/* Depth of a plate, m; 1 in 3D. The volume of a particle is spacing^dim times the depth. */
-static inline double solid_depth(const struct solid_input *in) { return in->model == SOLID_3D ? 1 : in->thickness; }
+static inline int solid_dim(const struct solid_input *in) {
+    switch (in->model) {
+    case SOLID_3D:
+        return 3;
+    case SOLID_PLANE_STRESS:
+    case SOLID_PLANE_STRAIN:
+        return 2;
+    }
+    ENSURE(0, "model %d", (int)in->model);
+}
+/* Depth of a plate, m; 1 in 3D: a particle's volume is spacing^dim times it. */
+static inline double solid_depth(const struct solid_input *in) { return solid_dim(in) == 3 ? 1 : in->thickness; }
 
 /* Dies (exit 2) on numbers that make no solid. Collective (same input on all ranks). */
 void solid_input_check(const struct solid_input *in);

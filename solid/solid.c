@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "physics/micromodulus.h"
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
 #include "solid/bonds/cut_bonds.h"
@@ -13,6 +14,7 @@
 #include "solid/bonds/list.h"
 #include "solid/build.h"
 #include "solid/contact/contact.h"
+#include "solid/geometry/shape.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/input.h"
@@ -40,15 +42,24 @@ static void overlap_check(const struct solid_input *in, struct solid_sites *cons
         }
 }
 
-/* The cloud of a body that is on no lattice, or for which the list store is asked for. */
+/* Whether the lattice store can hold the body: one micromodulus, exact partial volumes. */
+static int is_fast(const struct solid_input *in, const struct solid_material *m) {
+    return !in->general_bonds && in->partial == SOLID_PARTIAL_EXACT &&
+           physics_micromodulus_of((enum physics_micromodulus)m->micromodulus)->is_constant;
+}
+
+/* The particles of a body that has lists of bonds; NULL: it goes into the lattice store. */
 static struct solid_cloud *cloud_new(const struct solid_input *in, const struct solid_body *body,
                                      const struct solid_sites *sites) {
-    if (sites->is_lattice) {
-        const struct solid_material *m = &in->material[body->material];
-        const int fast = !in->general_bonds && in->partial == SOLID_PARTIAL_EXACT && m->micromodulus == SOLID_CONSTANT;
-        return fast ? NULL : solid_cloud_lattice(in, body, sites);
+    switch (solid_shape_of(body)->places) {
+    case SOLID_PLACES_LATTICE:
+        return is_fast(in, &in->material[body->material]) ? NULL : solid_cloud_lattice(in, body, sites);
+    case SOLID_PLACES_CELLS:
+        return solid_plane_cloud(in, body, sites);
+    case SOLID_PLACES_POINTS:
+        return solid_cloud_points(in, body, sites);
     }
-    return body->shape == SOLID_POLYGON ? solid_plane_cloud(in, body, sites) : solid_cloud_points(in, body, sites);
+    ENSURE(0, "shape %d", (int)body->shape);
 }
 
 /* Checks that no point has the position of a particle of another body. */
@@ -108,15 +119,25 @@ static void arrays_new(struct solid *s) {
     s->flag = memory_new(MEMORY_SOLID, all, 1);
 }
 
-/* Coordinates relative to the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the
- * bit. */
+/* The displacement's factor, r widths from the centre. */
+static double initial_part(enum solid_initial_shape shape, double r) {
+    switch (shape) {
+    case SOLID_GAUSSIAN:
+        return exp(-r * r);
+    case SOLID_SINE:
+        return sin(2 * M_PI * r);
+    }
+    ENSURE(0, "initial shape %d", (int)shape);
+}
+
+/* Coordinates beside the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the bit. */
 static void initial_set(struct solid *s) {
     for (int k = 0; k < s->in.initials; k++) {
         const struct solid_initial *i = &s->in.initial[k];
         for (int h = 0; h < s->n; h++) {
             const double steps = ldexp(rint(ldexp((s->x0[i->along][h] - i->centre) / s->in.spacing, 32)), -32);
             const double r = steps * (s->in.spacing / i->width);
-            const double part = i->shape == SOLID_SINE ? sin(2 * M_PI * r) : exp(-r * r);
+            const double part = initial_part(i->shape, r);
             for (int c = 0; c < s->dim; c++) s->d[c][h] += i->displacement[c] * part;
         }
     }

@@ -1,6 +1,7 @@
 /* Translates bodies, outlines and cracks of the scene into the solid's input. */
 #include "base/ensure.h"
 #include "base/par.h"
+#include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
 
 #include <stdio.h>
@@ -37,11 +38,7 @@ void setup_body_outlines(const struct scene_body *from, struct solid_body *to) {
 }
 
 void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
-    static const enum solid_shape shape[] = {
-        [SCENE_BOX] = SOLID_BOX,        [SCENE_SPHERE] = SOLID_SPHERE,     [SCENE_CYLINDER] = SOLID_CYLINDER,
-        [SCENE_POINTS] = SOLID_POINTS,  [SCENE_RECTANGLE] = SOLID_POLYGON, [SCENE_DISC] = SOLID_POLYGON,
-        [SCENE_POLYGON] = SOLID_POLYGON};
-    *to = (struct solid_body){.shape = shape[from->shape],
+    *to = (struct solid_body){.shape = setup_kinds_shape(from->shape),
                               .radius = from->radius,
                               .axis = from->axis,
                               .length = from->length,
@@ -50,6 +47,7 @@ void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
     memcpy(to->centre, from->centre, sizeof to->centre);
+    memcpy(to->radii, from->radii, sizeof to->radii);
     if (from->has_cavities) {
         to->cavity_period = from->cavity_period;
         to->cavity_radius = from->cavity_radius;

@@ -1,6 +1,7 @@
 /* Translates loads, imposed and initial displacements and refinement from the scene to the solid's input. */
 #include "coupling/setup/given.h"
 #include "base/ensure.h"
+#include "coupling/setup/kinds.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -11,9 +12,8 @@ static struct solid_time time_of(const struct scene_time *from) {
 }
 
 static void load_add(const struct scene_load *from, struct solid_load *to) {
-    *to = (struct solid_load){.kind = from->kind == SCENE_LOAD_EDGE ? SOLID_LOAD_EDGE : SOLID_LOAD_REGION,
-                              .over_horizon = from->over_horizon,
-                              .time = time_of(&from->time)};
+    *to = (struct solid_load){
+        .kind = setup_kinds_load(from->kind), .over_horizon = from->over_horizon, .time = time_of(&from->time)};
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
     memcpy(to->force, from->force, sizeof to->force);
@@ -51,7 +51,7 @@ void given_add(const struct scene *scene, struct solid_input *in) {
     ENSURE(load && initial, "no memory for %d loads", s->loads);
     for (int k = 0; k < s->loads; k++) load_add(&s->load[k], &load[k]);
     for (int k = 0; k < s->initials; k++) {
-        initial[k].shape = s->initial[k].shape == SCENE_SINE ? SOLID_SINE : SOLID_GAUSSIAN;
+        initial[k].shape = setup_kinds_initial(s->initial[k].shape);
         initial[k].along = s->initial[k].along;
         initial[k].centre = s->initial[k].centre;
         initial[k].width = s->initial[k].width;

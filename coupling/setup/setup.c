@@ -1,6 +1,7 @@
 /* Translates the scene into the inputs of fluid and solid. */
 #include "coupling/setup/setup.h"
 #include "base/ensure.h"
+#include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
 
 #include <math.h>
@@ -11,21 +12,14 @@
 static void copy3(double to[3], const double from[3]) { memcpy(to, from, 3 * sizeof(double)); }
 
 static void setup_side(const struct scene_side *from, struct fluid_side *to) {
-    static const enum fluid_side_type type[] = {
-        [SCENE_PERIODIC] = FLUID_PERIODIC, [SCENE_WALL] = FLUID_WALL,       [SCENE_SLIP] = FLUID_SLIP,
-        [SCENE_INFLOW] = FLUID_INFLOW,     [SCENE_OUTFLOW] = FLUID_OUTFLOW, [SCENE_PRESSURE] = FLUID_PRESSURE,
-        [SCENE_GENERAL] = FLUID_GENERAL};
-    static const enum fluid_profile profile[] = {[SCENE_UNIFORM] = FLUID_UNIFORM,
-                                                 [SCENE_POISEUILLE] = FLUID_POISEUILLE,
-                                                 [SCENE_PROFILE_FILE] = FLUID_PROFILE_FILE};
     const enum scene_condition condition[4] = {from->u, from->v, from->w, from->p};
-    to->type = type[from->type];
+    to->type = setup_kinds_side(from->type);
     copy3(to->velocity, from->velocity);
-    to->profile = profile[from->profile];
+    to->profile = setup_kinds_profile(from->profile);
     to->bulk_velocity = from->bulk_velocity;
     snprintf(to->file, sizeof to->file, "%s", from->file);
     to->pressure = from->pressure;
-    for (int q = 0; q < 4; q++) to->condition[q] = condition[q] == SCENE_NEUMANN ? FLUID_NEUMANN : FLUID_DIRICHLET;
+    for (int q = 0; q < 4; q++) to->condition[q] = setup_kinds_condition(condition[q]);
 }
 
 /* The fastest sqrt(E/rho) of an elastic solid, m/s. */
@@ -37,15 +31,10 @@ static double wave_speed(const struct scene *scene) {
 }
 
 void setup_fluid(const struct scene *scene, struct fluid_input *in) {
-    static const enum fluid_driving_type driving[] = {[SCENE_DRIVING_NONE] = FLUID_DRIVING_NONE,
-                                                      [SCENE_DRIVING_GRADIENT] = FLUID_DRIVING_GRADIENT,
-                                                      [SCENE_DRIVING_BULK] = FLUID_DRIVING_BULK};
-    static const int along[][3] = {
-        [SCENE_XY] = {1, 1, 0}, [SCENE_XZ] = {1, 0, 1}, [SCENE_YZ] = {0, 1, 1}, [SCENE_XYZ] = {1, 1, 1}};
     const struct scene_fluid *f = scene->fluid;
     *in = (struct fluid_input){.density = f->density,
                                .viscosity = f->viscosity,
-                               .driving = {driving[f->driving], f->driving_direction, f->driving_value},
+                               .driving = {setup_kinds_driving(f->driving), f->driving_direction, f->driving_value},
                                .driving_frequency = f->driving_frequency,
                                .initial_poiseuille = f->initial_poiseuille,
                                .immersed = scene->solid != NULL,
@@ -57,7 +46,7 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
     copy3(in->initial_velocity, f->initial_velocity);
     if (f->has_taylor_green) {
         in->vortices.velocity = f->taylor_green_velocity;
-        memcpy(in->vortices.along, along[f->taylor_green_axes], sizeof in->vortices.along);
+        for (int d = 0; d < 3; d++) in->vortices.along[d] = scene_axes_has(f->taylor_green_axes, d);
     }
     for (int c = 0; c < 3; c++)
         for (int e = 0; e < 2; e++) setup_side(&f->side[c][e], &in->side[c][e]);
@@ -75,7 +64,7 @@ static void setup_material(const struct scene_material *from, struct solid_mater
                                   .density = from->density,
                                   .fracture_energy = from->fracture_energy,
                                   .horizon_ratio = from->horizon_ratio,
-                                  .micromodulus = from->micromodulus == SCENE_CONICAL ? SOLID_CONICAL : SOLID_CONSTANT};
+                                  .micromodulus = setup_kinds_micromodulus(from->micromodulus)};
 }
 
 /* n elements and one more, so that n = 0 also gives an array. */
@@ -86,8 +75,6 @@ static void *array_of(int n, size_t size) {
 }
 
 struct solid_input *setup_solid(const struct scene *scene) {
-    static const enum solid_model model[] = {
-        [SCENE_3D] = SOLID_3D, [SCENE_PLANE_STRESS] = SOLID_PLANE_STRESS, [SCENE_PLANE_STRAIN] = SOLID_PLANE_STRAIN};
     const struct scene_solid *s = scene->solid;
     setup_check(scene);
     struct solid_input *in = array_of(1, sizeof *in);
@@ -104,28 +91,27 @@ struct solid_input *setup_solid(const struct scene *scene) {
         copy3(unbreakable[k].low, s->unbreakable[k].low);
         copy3(unbreakable[k].high, s->unbreakable[k].high);
     }
-    *in = (struct solid_input){
-        .model = model[s->model],
-        .thickness = s->thickness,
-        .partial = s->partial_volume == SCENE_PARTIAL_RAMP ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
-        .horizons = s->horizons == SCENE_HORIZONS_ONE_SIDED ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON,
-        .cuts = s->cracks,
-        .cut = cut,
-        .spacing = s->spacing,
-        .bodies = s->bodies,
-        .body = body,
-        .materials = s->materials,
-        .material = material,
-        .constraints = s->constraints,
-        .constraint = constraint,
-        .unbreakables = s->unbreakables,
-        .unbreakable = unbreakable,
-        .surface_correction = s->surface_correction,
-        .contact = s->contact,
-        .contact_stiffness = s->contact_stiffness,
-        .contact_exponent = s->contact_exponent,
-        .contact_radius = s->contact_radius,
-        .shape_surface = scene->coupling && scene->coupling->surface == SCENE_SURFACE_SHAPE};
+    *in = (struct solid_input){.model = setup_kinds_model(s->model),
+                               .thickness = s->thickness,
+                               .partial = setup_kinds_partial(s->partial_volume),
+                               .horizons = setup_kinds_horizons(s->horizons),
+                               .cuts = s->cracks,
+                               .cut = cut,
+                               .spacing = s->spacing,
+                               .bodies = s->bodies,
+                               .body = body,
+                               .materials = s->materials,
+                               .material = material,
+                               .constraints = s->constraints,
+                               .constraint = constraint,
+                               .unbreakables = s->unbreakables,
+                               .unbreakable = unbreakable,
+                               .surface_correction = s->surface_correction,
+                               .contact = s->contact,
+                               .contact_stiffness = s->contact_stiffness,
+                               .contact_exponent = s->contact_exponent,
+                               .contact_radius = s->contact_radius,
+                               .shape_surface = scene->coupling && scene->coupling->surface == SCENE_SURFACE_SHAPE};
     for (int d = 0; d < scene->dimension; d++) in->origin[d] = s->lattice_offset[d] * s->spacing;
     copy3(in->body_force, s->body_force);
     copy3(in->length, scene->domain.size);
@@ -147,7 +133,7 @@ void setup_solid_free(struct solid_input *in) {
 }
 
 void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
-    *to = (struct solid_stage){.integrator = from->integrator == SCENE_VERLET ? SOLID_VERLET : SOLID_RK3,
+    *to = (struct solid_stage){.integrator = setup_kinds_integrator(from->integrator),
                                .breakage = from->breakage,
                                .damping_relative = from->damping_relative,
                                .damping_absolute = from->damping_absolute};

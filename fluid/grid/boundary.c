@@ -1,51 +1,50 @@
 /* Boundary conditions of the six sides: values on the sides' faces and in the ghost cells.  (001: sec. 3.4.2) */
 #include "fluid/grid/boundary.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
 #include "base/side.h"
 #include "fluid/grid/profile.h"
+#include "fluid/grid/side.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* The conditions that a type of side stands for. */
-static void conditions(const struct fluid_side *in, int d, struct fluid_boundary_side *s) {
-    const int general = in->type == FLUID_GENERAL;
-    const int held = in->type == FLUID_WALL || in->type == FLUID_INFLOW;
-    s->normal = in->type == FLUID_OUTFLOW    ? FLUID_NORMAL_CONVECTIVE
-                : in->type == FLUID_PRESSURE ? FLUID_NORMAL_FREE
-                                             : FLUID_NORMAL_GIVEN;
-    for (int c = 0; c < 3; c++) {
-        s->condition[c] = general ? in->condition[c] : held || c == d ? FLUID_DIRICHLET : FLUID_NEUMANN;
-        s->value[c] = general || (in->type == FLUID_WALL && c != d) ? in->velocity[c] : 0;
-    }
-    s->condition[3] = general ? in->condition[3] : in->type == FLUID_PRESSURE ? FLUID_DIRICHLET : FLUID_NEUMANN;
-    s->value[3] = s->condition[3] == FLUID_DIRICHLET ? in->pressure : 0;
-    if (s->condition[3] == FLUID_DIRICHLET) {
-        s->normal = FLUID_NORMAL_FREE;
-        s->condition[d] = FLUID_NEUMANN;
-    }
-}
 
 static void refuse_contradictions(const struct fluid_input *in) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_side *s = &in->side[d][side];
+            const struct fluid_side_kind *kind = fluid_side_kind_of(s->type);
             if ((s->type == FLUID_PERIODIC) != (in->side[d][!side].type == FLUID_PERIODIC))
                 die_all(EXIT_CODE_SCENE, "fluid.sides.%s: periodic on one side and not on the other",
                         side_name[d][side]);
-            if (s->type == FLUID_WALL && s->velocity[d] != 0)
+            if (kind->moves && s->velocity[d] != 0)
                 die_all(EXIT_CODE_SCENE, "fluid.sides.%s.velocity: a wall moves in its own plane only",
                         side_name[d][side]);
-            if (s->type == FLUID_GENERAL && s->condition[d] == s->condition[3])
+            if (kind->is_general && s->condition[d] == s->condition[3])
                 die_all(EXIT_CODE_SCENE,
                         "fluid.sides.%s: needs a Dirichlet condition on either the normal velocity or the "
                         "pressure, and a "
                         "Neumann condition on the other",
                         side_name[d][side]);
         }
+}
+
+/* The normal velocity on a side's face, into the domain, m/s; values [n_b][n_a] are 0 before. */
+static void values_of(const struct fluid_input *in, int d, int side, int n, double *values) {
+    const double sign = side ? -1 : 1;
+    switch (fluid_side_kind_of(in->side[d][side].type)->values) {
+    case FLUID_VALUES_ZERO:
+        break;
+    case FLUID_VALUES_PROFILE:
+        fluid_profile_inflow(in, d, side, values);
+        break;
+    case FLUID_VALUES_OWN:
+        for (int i = 0; i < n; i++) values[i] = sign * in->side[d][side].velocity[d];
+        break;
+    }
 }
 
 /* Fills the plane of values of a side. Returns the sum over the whole side of velocity into the domain times area,
@@ -57,13 +56,9 @@ static double fill_plane(const struct fluid_grid *g, const struct fluid_input *i
     const double sign = side ? -1 : 1, area = g->d[a] * g->d[b];
     const int na = g->n[a], nb = g->n[b];
     double *profile = memory_new(MEMORY_FLUID, (size_t)na * (size_t)nb, sizeof *profile);
-    const enum fluid_side_type type = in->side[d][side].type;
-    if (type == FLUID_INFLOW) fluid_profile_inflow(in, d, side, profile);
+    values_of(in, d, side, na * nb, profile);
     double sum = 0;
-    for (int i = 0; i < na * nb; i++) {
-        if (type == FLUID_GENERAL) profile[i] = sign * in->side[d][side].velocity[d];
-        sum += profile[i];
-    }
+    for (int i = 0; i < na * nb; i++) sum += profile[i];
     if (s->here) {
         s->plane = memory_new(MEMORY_FLUID, (size_t)g->m[a] * (size_t)g->m[b], sizeof *s->plane);
         for (int l = 0; l < g->m[b]; l++)
@@ -83,7 +78,7 @@ struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const stru
             struct fluid_boundary_side *s = &boundary->side[d][side];
             if (g->periodic[d]) continue;
             s->here = par_halo_at_side(g->halos, d, side);
-            conditions(&in->side[d][side], d, s);
+            fluid_side_conditions(&in->side[d][side], d, s);
             const double flux = s->normal == FLUID_NORMAL_FREE ? 0 : fill_plane(g, in, d, side, s);
             if (s->normal == FLUID_NORMAL_FREE) boundary->open = 1;
             if (s->normal != FLUID_NORMAL_GIVEN && side == 0) boundary->low_unowned = 1;
@@ -229,4 +224,15 @@ void fluid_boundary_advanced(const struct fluid_boundary *b, const struct fluid_
     const struct fluid_boundary_side *side = b->side[c];
     if (side[0].here && side[0].normal == FLUID_NORMAL_FREE) low[c] = -1;
     if (side[1].here && side[1].normal != FLUID_NORMAL_FREE) high[c] = g->m[c] - 1;
+}
+
+enum fluid_end fluid_boundary_end(const struct fluid_boundary *b, int direction, int side, int quantity) {
+    const enum fluid_condition condition = b->side[direction][side].condition[quantity];
+    switch (condition) {
+    case FLUID_DIRICHLET:
+        return FLUID_END_DIRICHLET;
+    case FLUID_NEUMANN:
+        return FLUID_END_NEUMANN;
+    }
+    ENSURE(0, "condition %d", (int)condition);
 }

@@ -7,6 +7,7 @@
 #pragma once
 #include "base/par_halo.h"
 #include "fluid/fluid.h"
+#include "fluid/poisson/transform.h"
 
 /* What decides the normal velocity on the side's face. */
 enum fluid_normal {
@@ -55,6 +56,9 @@ void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_
 /* Free normal velocities on low sides. No array stores them; they follow from continuity in the cells behind them. Not
  * collective. */
 void fluid_boundary_close(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
+
+/* The end of a solver's lines at a side, of values at cell centres: of u, v, w or p. Not collective. */
+enum fluid_end fluid_boundary_end(const struct fluid_boundary *b, int direction, int side, int quantity);
 
 /* The distance, in doubles, from a cell to the next along a direction. */
 static inline ptrdiff_t fluid_boundary_stride(const struct fluid_grid *g, int direction) {

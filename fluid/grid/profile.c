@@ -4,7 +4,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "fluid/grid/boundary.h"
+#include "fluid/grid/side.h"
 #include "fluid/poisson/transform.h"
 
 #include <lapacke.h>
@@ -12,12 +12,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static int holds(const struct fluid_side *s, int component) {
-    return s->type == FLUID_WALL || (s->type == FLUID_GENERAL && s->condition[component] == FLUID_DIRICHLET);
-}
-
 static int walls(const struct fluid_input *in, int d, int component) {
-    return holds(&in->side[d][0], component) && holds(&in->side[d][1], component);
+    return fluid_side_is_wall(&in->side[d][0], component) && fluid_side_is_wall(&in->side[d][1], component);
 }
 
 static void parabola(int n, double d, double *q) {
@@ -114,10 +110,17 @@ void fluid_profile_inflow(const struct fluid_input *in, int direction, int side,
     int a, b;
     fluid_boundary_others(direction, &a, &b);
     const int count = in->n[a] * in->n[b];
-    if (s->profile == FLUID_PROFILE_FILE) {
+    switch (s->profile) {
+    case FLUID_PROFILE_FILE:
         read_file(s->file, in->n[a], in->n[b], profile);
         return;
+    case FLUID_POISEUILLE:
+        fluid_profile_developed(in, direction, profile);
+        for (int i = 0; i < count; i++) profile[i] = s->bulk_velocity * profile[i];
+        return;
+    case FLUID_UNIFORM:
+        for (int i = 0; i < count; i++) profile[i] = s->bulk_velocity;
+        return;
     }
-    if (s->profile == FLUID_POISEUILLE) fluid_profile_developed(in, direction, profile);
-    for (int i = 0; i < count; i++) profile[i] = s->bulk_velocity * (s->profile == FLUID_POISEUILLE ? profile[i] : 1.0);
+    ENSURE(0, "profile %d", (int)s->profile);
 }

@@ -27,10 +27,9 @@ struct fluid_diffusion {
 static void ends_of(const struct fluid *f, int c, enum fluid_end end[3][2]) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            end[d][side] = f->grid->periodic[d]                                         ? FLUID_END_PERIODIC
-                           : c == d                                                     ? FLUID_END_FACE
-                           : f->boundary->side[d][side].condition[c] == FLUID_DIRICHLET ? FLUID_END_DIRICHLET
-                                                                                        : FLUID_END_NEUMANN;
+            end[d][side] = f->grid->periodic[d] ? FLUID_END_PERIODIC
+                           : c == d             ? FLUID_END_FACE
+                                                : fluid_boundary_end(f->boundary, d, side, c);
 }
 
 static struct fluid_poisson *new_solver(const struct fluid *f, int c) {
@@ -56,7 +55,7 @@ static void refuse_open(const struct fluid *f) {
                         side_name[d][side]);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            if (f->in.side[d][side].type == FLUID_OUTFLOW && f->grid->n[d] / f->grid->ranks[d] < 2)
+            if (f->boundary->side[d][side].normal == FLUID_NORMAL_CONVECTIVE && f->grid->n[d] / f->grid->ranks[d] < 2)
                 die_all(EXIT_CODE_SCENE,
                         "fluid.diffusion: implicit with an outflow at %s needs two cells a rank in %c, and "
                         "there are %d for %d ranks",

@@ -16,17 +16,24 @@ struct fluid_transform {
 static void kinds(enum fluid_end low, enum fluid_end high, fftw_r2r_kind *forward, fftw_r2r_kind *backward) {
     ENSURE((low == FLUID_END_PERIODIC) == (high == FLUID_END_PERIODIC), "one end is periodic");
     ENSURE((low == FLUID_END_FACE) == (high == FLUID_END_FACE), "one end is a face");
-    if (low == FLUID_END_PERIODIC) {
+    switch (low) {
+    case FLUID_END_PERIODIC:
         *forward = FFTW_R2HC;
         *backward = FFTW_HC2R;
-    } else if (low == FLUID_END_FACE) {
+        return;
+    case FLUID_END_FACE:
         *forward = *backward = FFTW_RODFT00;
-    } else if (low == high) {
-        *forward = low == FLUID_END_NEUMANN ? FFTW_REDFT10 : FFTW_RODFT10;
-        *backward = low == FLUID_END_NEUMANN ? FFTW_REDFT01 : FFTW_RODFT01;
-    } else {
-        *forward = *backward = low == FLUID_END_NEUMANN ? FFTW_REDFT11 : FFTW_RODFT11;
+        return;
+    case FLUID_END_NEUMANN:
+        *forward = low == high ? FFTW_REDFT10 : FFTW_REDFT11;
+        *backward = low == high ? FFTW_REDFT01 : FFTW_REDFT11;
+        return;
+    case FLUID_END_DIRICHLET:
+        *forward = low == high ? FFTW_RODFT10 : FFTW_RODFT11;
+        *backward = low == high ? FFTW_RODFT01 : FFTW_RODFT11;
+        return;
     }
+    ENSURE(0, "end %d", (int)low);
 }
 
 /* -(2/d)^2 sin^2(theta/2), theta = 2 pi k/n periodic (k and n-k for the two halves of R2HC), pi k/n, k = 0.. (NN)

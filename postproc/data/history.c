@@ -1,5 +1,6 @@
 /* Opens a run folder: scene, series, field files, and the scales that results are divided by. */
 #include "postproc/data/history.h"
+#include "base/ensure.h"
 #include "files/folder.h"
 #include "physics/bond.h"
 

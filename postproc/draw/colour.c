@@ -1,5 +1,6 @@
 /* Colour maps, and conversion between sRGB and linear light. */
 #include "postproc/draw/colour.h"
+#include "base/ensure.h"
 
 #include <math.h>
 
@@ -13,6 +14,16 @@ static const unsigned magma[NODES] = {0x000004, 0x180f3e, 0x451077, 0x721f81, 0x
 static const unsigned viridis[NODES] = {0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e,
                                         0x1f9e89, 0x35b779, 0x6dcd59, 0xb4de2c, 0xfde725};
 
+static const unsigned *table_of(enum postproc_map map) {
+    switch (map) {
+    case POSTPROC_MAGMA_REVERSED:
+        return magma;
+    case POSTPROC_VIRIDIS:
+        return viridis;
+    }
+    ENSURE(0, "colour map %d", (int)map);
+}
+
 void postproc_colour_map(enum postproc_map map, double t, double srgb[3]) {
     if (isnan(t)) {
         for (int c = 0; c < 3; c++) srgb[c] = 0.5;
@@ -20,7 +31,7 @@ void postproc_colour_map(enum postproc_map map, double t, double srgb[3]) {
     }
     t = fmin(fmax(t, 0), 1);
     if (map == POSTPROC_MAGMA_REVERSED) t = 1 - t;
-    const unsigned *table = map == POSTPROC_VIRIDIS ? viridis : magma;
+    const unsigned *table = table_of(map);
     const int i = (int)fmin(t * (NODES - 1), NODES - 2);
     const double f = t * (NODES - 1) - i;
     for (int c = 0; c < 3; c++) {

@@ -1,4 +1,5 @@
 /* Section of the report with pictures and a film of a plate. */
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/sort.h"
 #include "files/folder.h"
@@ -34,9 +35,12 @@ static const double *values_of(const struct postproc_plate *p, enum postproc_qua
         return p->energy;
     case POSTPROC_DISPLACEMENT_X:
         return &p->u[0][0];
-    default:
+    case POSTPROC_DISPLACEMENT_Y:
         return &p->u[0][1];
+    case POSTPROC_QUANTITIES:
+        break;
     }
+    ENSURE(0, "quantity %d", (int)q);
 }
 
 /* Bounds of the colours: 0 ... 1 for damage; from 0, or from the lower quantile where there are negative values, to the

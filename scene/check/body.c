@@ -1,4 +1,5 @@
 /* Checks the scene's bodies: materials and names, closed outlines, position in the domain. */
+#include "base/ensure.h"
 #include "physics/limits.h"
 #include "scene/check/check.h"
 #include "scene/outline.h"
@@ -6,13 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
-    const int is_box = body->shape == SCENE_BOX;
-    for (int d = 0; d < 3; d++) {
-        const double half = body->shape == SCENE_CYLINDER && d == body->axis ? body->length / 2 : body->radius;
-        low[d] = is_box ? body->low[d] : body->centre[d] - half;
-        high[d] = is_box ? body->high[d] : body->centre[d] + half;
-    }
+/* The bounds of all outlines that are no holes. */
+static void bounds_of_outlines(const struct scene_body *body, double low[3], double high[3]) {
     for (int i = 0; i < body->outlines; i++) {
         double its_low[2], its_high[2];
         scene_outline_bounds(&body->outline[i], its_low, its_high);
@@ -21,8 +17,43 @@ int scene_check_body_bounds(const struct scene_body *body, double low[3], double
             high[d] = i == 0 ? its_high[d] : fmax(high[d], its_high[d]);
         }
     }
-    if (body->outlines > 0) low[2] = high[2] = 0;
-    return body->shape != SCENE_POINTS;
+    low[2] = high[2] = 0;
+}
+
+/* centre -+ half */
+static void bounds_about(const double centre[3], const double half[3], double low[3], double high[3]) {
+    for (int d = 0; d < 3; d++) {
+        low[d] = centre[d] - half[d];
+        high[d] = centre[d] + half[d];
+    }
+}
+
+int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
+    double half[3] = {body->radius, body->radius, body->radius};
+    switch (body->shape) {
+    case SCENE_BOX:
+        memcpy(low, body->low, sizeof body->low);
+        memcpy(high, body->high, sizeof body->high);
+        return 1;
+    case SCENE_SPHERE:
+        bounds_about(body->centre, half, low, high);
+        return 1;
+    case SCENE_CYLINDER:
+        half[body->axis] = body->length / 2;
+        bounds_about(body->centre, half, low, high);
+        return 1;
+    case SCENE_ELLIPSOID:
+        bounds_about(body->centre, body->radii, low, high);
+        return 1;
+    case SCENE_RECTANGLE:
+    case SCENE_DISC:
+    case SCENE_POLYGON:
+        bounds_of_outlines(body, low, high);
+        return 1;
+    case SCENE_POINTS:
+        return 0;
+    }
+    ENSURE(0, "shape %d", (int)body->shape);
 }
 
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
@@ -100,21 +131,35 @@ static int check_corners(const struct scene_check *c, struct scene_path outline,
     return 1;
 }
 
-static int check_part(const struct scene_check *c, const char *list, int b, int i, const struct scene_part *part) {
-    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].%s[%d]", b, list, i);
-    if (part->shape == SCENE_RECTANGLE) return scene_check_body_box(c, path, part->low, part->high);
-    return part->shape != SCENE_POLYGON ||
-           check_corners(c, scene_check_parts_path("%s.outline", path.text), part->corners, part->corner);
+/* Whether the numbers of a shape, of a body or a part of it, bound anything. */
+static int check_own(const struct scene_check *c, struct scene_path path, enum scene_shape shape, const double low[3],
+                     const double high[3], int corners, const struct scene_corner *corner) {
+    switch (shape) {
+    case SCENE_BOX:
+    case SCENE_RECTANGLE:
+        return scene_check_body_box(c, path, low, high);
+    case SCENE_POLYGON:
+        return check_corners(c, scene_check_parts_path("%s.outline", path.text), corners, corner);
+    case SCENE_SPHERE: /* their rules say that radius, radii and length are above 0 */
+    case SCENE_CYLINDER:
+    case SCENE_ELLIPSOID:
+    case SCENE_DISC:
+    case SCENE_POINTS:
+        return 1;
+    }
+    ENSURE(0, "shape %d", (int)shape);
 }
 
-/* Checks that a plate's outlines are closed curves. */
-static int check_curves(const struct scene_check *c, int b) {
+static int check_part(const struct scene_check *c, const char *list, int b, int i, const struct scene_part *part) {
+    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].%s[%d]", b, list, i);
+    return check_own(c, path, part->shape, part->low, part->high, part->corners, part->corner);
+}
+
+/* Whether a body's shape, its pieces and its holes bound anything. */
+static int check_shape(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
-    int good = 1;
-    if (body->shape == SCENE_RECTANGLE)
-        good &= scene_check_body_box(c, scene_check_parts_path("solid.bodies[%d]", b), body->low, body->high);
-    if (body->shape == SCENE_POLYGON)
-        good &= check_corners(c, scene_check_parts_path("solid.bodies[%d].outline", b), body->corners, body->corner);
+    int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), body->shape, body->low, body->high,
+                         body->corners, body->corner);
     for (int i = 0; i < body->pieces; i++) good &= check_part(c, "pieces", b, i, &body->piece[i]);
     for (int i = 0; i < body->holes; i++) good &= check_part(c, "holes", b, i, &body->hole[i]);
     return good;
@@ -137,8 +182,6 @@ void scene_check_body(const struct scene_check *c, int b) {
         scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].cavities.radius", b).text,
                          "leaves nothing of the body: must be less than %.4g m, sqrt(3)/2 periods",
                          sqrt(0.75) * body->cavity_period);
-    if (!check_curves(c, b) || !scene_check_body_bounds(body, low, high)) return;
-    if (body->shape == SCENE_BOX && !scene_check_body_box(c, scene_check_parts_path("solid.bodies[%d]", b), low, high))
-        return;
+    if (!check_shape(c, b) || !scene_check_body_bounds(body, low, high)) return;
     check_body_place(c, b, low, high);
 }

@@ -1,10 +1,30 @@
 /* Checks that the fluid's sides, driving, initial flow and diffusion scheme fit together. */
+#include "base/ensure.h"
 #include "base/side.h"
 #include "scene/check/check.h"
 
 #include <math.h>
 
-static const char *const type_name[] = {"periodic", "wall", "slip", "inflow", "outflow", "pressure", "general"};
+/* Its word in the scene. */
+static const char *type_name(enum scene_side_type type) {
+    switch (type) {
+    case SCENE_PERIODIC:
+        return "periodic";
+    case SCENE_WALL:
+        return "wall";
+    case SCENE_SLIP:
+        return "slip";
+    case SCENE_INFLOW:
+        return "inflow";
+    case SCENE_OUTFLOW:
+        return "outflow";
+    case SCENE_PRESSURE:
+        return "pressure";
+    case SCENE_GENERAL:
+        return "general";
+    }
+    ENSURE(0, "side type %d", (int)type);
+}
 
 static struct scene_path side_path(int d, int end, const char *key) {
     return scene_check_parts_path("fluid.sides.%s%s%s", side_name[d][end], *key ? "." : "", key);
@@ -34,7 +54,7 @@ static void check_pair(const struct scene_check *c, int d) {
     if (low != high)
         scene_problem_at(c->problems, c->root, side_path(d, low ? 0 : 1, "type").text,
                          "periodic sides come in pairs, but %s is %s", side_name[d][low ? 1 : 0],
-                         type_name[side[low ? 1 : 0].type]);
+                         type_name(side[low ? 1 : 0].type));
 }
 
 /* Checks the values given for one side against its type. */
@@ -69,13 +89,32 @@ static void check_flux(const struct scene_check *c) {
         for (int end = 0; end < 2; end++) {
             const struct scene_side *s = &f->side[d][end];
             const double area = size[0] * size[1] * size[2] / size[d], normal = end ? -s->velocity[d] : s->velocity[d];
-            const int given = s->type == SCENE_GENERAL && condition_of(s, d) == SCENE_DIRICHLET;
-            const double in = s->type == SCENE_INFLOW ? s->bulk_velocity * area : given ? normal * area : 0;
+            const int given = condition_of(s, d) == SCENE_DIRICHLET; /* of a general side */
+            double in = 0;
+            switch (s->type) {
+            case SCENE_INFLOW:
+                in = s->bulk_velocity * area;
+                from_file |= s->profile == SCENE_PROFILE_FILE;
+                source = 1;
+                break;
+            case SCENE_OUTFLOW:
+                open = 1;
+                break;
+            case SCENE_PRESSURE:
+                open = source = 1;
+                break;
+            case SCENE_GENERAL:
+                in = given ? normal * area : 0;
+                open |= !given;
+                source = 1;
+                break;
+            case SCENE_PERIODIC:
+            case SCENE_WALL:
+            case SCENE_SLIP:
+                break;
+            }
             net += in;
             scale += fabs(in);
-            from_file |= s->type == SCENE_INFLOW && s->profile == SCENE_PROFILE_FILE;
-            open |= s->type == SCENE_OUTFLOW || s->type == SCENE_PRESSURE || (s->type == SCENE_GENERAL && !given);
-            source |= s->type == SCENE_INFLOW || s->type == SCENE_PRESSURE || s->type == SCENE_GENERAL;
         }
     if (!open && (from_file || fabs(net) > 1e-12 * scale))
         scene_problem_at(c->problems, c->root, "fluid.sides",
@@ -96,22 +135,20 @@ static void check_driving(const struct scene_check *c) {
     if (f->side[d][0].type != SCENE_PERIODIC || f->side[d][1].type != SCENE_PERIODIC)
         scene_problem_at(c->problems, c->root, "fluid.driving.direction",
                          "must be a periodic direction: %s is %s, %s is %s", side_name[d][0],
-                         type_name[f->side[d][0].type], side_name[d][1], type_name[f->side[d][1].type]);
+                         type_name(f->side[d][0].type), side_name[d][1], type_name(f->side[d][1].type));
 }
 
 /* In each direction in which the vortices vary there is one wave, sin or cos, which must fit the direction's sides. */
 static void check_taylor_green(const struct scene_check *c) {
-    static const int along[][3] = {
-        [SCENE_XY] = {1, 1, 0}, [SCENE_XZ] = {1, 0, 1}, [SCENE_YZ] = {0, 1, 1}, [SCENE_XYZ] = {1, 1, 1}};
     const struct scene_fluid *f = c->scene->fluid;
     if (!f->has_taylor_green || !scene_node_is_clean(c->root, "fluid.initial")) return;
     for (int d = 0; d < 3; d++) {
-        if (!along[f->taylor_green_axes][d]) continue;
+        if (!scene_axes_has(f->taylor_green_axes, d)) continue;
         for (int end = 0; end < 2; end++)
             if (sides_clean(c, d) && f->side[d][end].type != SCENE_PERIODIC && f->side[d][end].type != SCENE_SLIP)
                 scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
                                  "%s must be periodic or slip, it is %s", side_name[d][end],
-                                 type_name[f->side[d][end].type]);
+                                 type_name(f->side[d][end].type));
         if (scene_node_is_clean(c->root, "domain.cells") && c->scene->domain.cells[d] < 4)
             scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
                              "needs at least 4 cells in %c, there are %d", "xyz"[d], c -> scene -> domain.cells[d]);

@@ -237,7 +237,11 @@ static void check_value(struct scene_walk *w, struct scene_node *node, const cya
     case CYAML_MAPPING:
         good = check_mapping(w, node, v, path);
         break;
-    default:
+    case CYAML_UINT:
+    case CYAML_FLAGS:
+    case CYAML_BITFIELD:
+    case CYAML_IGNORE:
+    case CYAML__TYPE_COUNT:
         ENSURE(0, "%s has a type that no check knows", path);
     }
     if (!good) stand_in(w, node, v, path);

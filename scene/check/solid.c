@@ -2,6 +2,7 @@
 #include "base/ensure.h"
 #include "scene/check/check.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@ static void check_poisson(const struct scene_check *c, int m) {
     } of[] = {[SCENE_3D] = {"0.25", "1/4", "3D", 0.25 - 1e-9, 0.25 + 1e-9},
               [SCENE_PLANE_STRESS] = {"0.333 to 0.3334", "1/3", "plane stress", 0.333, 0.3334},
               [SCENE_PLANE_STRAIN] = {"0.25", "1/4", "plane strain", 0.25 - 1e-9, 0.25 + 1e-9}};
+    static_assert(sizeof of / sizeof *of == SCENE_MODELS, "every enum scene_model needs its line");
     const struct scene_solid *s = c->scene->solid;
     const struct scene_path path = scene_check_parts_path("solid.materials[%d].poisson_ratio", m);
     if (!scene_check_parts_clean(c, path) || !scene_node_is_clean(c->root, "domain.size") ||

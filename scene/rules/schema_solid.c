@@ -5,10 +5,16 @@
 static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};
 static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}};
 static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL}, {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
-static const cyaml_strval_t micromoduli[] = {{"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}};
-static const cyaml_strval_t shapes[] = {
-    {"box", SCENE_BOX},   {"sphere", SCENE_SPHERE},   {"cylinder", SCENE_CYLINDER}, {"rectangle", SCENE_RECTANGLE},
-    {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}, {"points", SCENE_POINTS}};
+static const cyaml_strval_t micromoduli[] = {
+    {"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}, {"exponential", SCENE_EXPONENTIAL}};
+static const cyaml_strval_t shapes[] = {{"box", SCENE_BOX},
+                                        {"sphere", SCENE_SPHERE},
+                                        {"cylinder", SCENE_CYLINDER},
+                                        {"ellipsoid", SCENE_ELLIPSOID},
+                                        {"rectangle", SCENE_RECTANGLE},
+                                        {"disc", SCENE_DISC},
+                                        {"polygon", SCENE_POLYGON},
+                                        {"points", SCENE_POINTS}};
 static const cyaml_strval_t part_shapes[] = {
     {"rectangle", SCENE_RECTANGLE}, {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}};
 static const cyaml_strval_t turns[] = {{"straight", 0}, {"left", 1}, {"right", -1}};
@@ -56,6 +62,7 @@ static const cyaml_schema_field_t body_fields[] = {
     VECTOR("high", OPTIONAL, scene_body, high),
     VECTOR("centre", OPTIONAL, scene_body, centre),
     NUMBER("radius", OPTIONAL, scene_body, radius),
+    VECTOR("radii", OPTIONAL, scene_body, radii),
     NUMBER("length", OPTIONAL, scene_body, length),
     CHOICE("axis", OPTIONAL, scene_body, axis, scene_schema_parts_axes),
     ENTRIES("outline", LIST, scene_body, corner, corners, &corner, 1, LIST_MAX),

@@ -1,4 +1,5 @@
 /* Decides where a key may appear: together with which other keys, in which scenes, in a plate or in 3D. */
+#include "base/ensure.h"
 #include "base/text.h"
 #include "scene/rules/walk.h"
 
@@ -90,9 +91,19 @@ const char *scene_walk_place_entry_name(const cyaml_schema_value_t *entry) {
         return "true or false";
     case CYAML_SEQUENCE_FIXED:
         return "lists of numbers";
-    default:
+    case CYAML_MAPPING:
         return "mappings";
+    case CYAML_UINT:
+    case CYAML_ENUM:
+    case CYAML_FLAGS:
+    case CYAML_STRING:
+    case CYAML_BITFIELD:
+    case CYAML_SEQUENCE:
+    case CYAML_IGNORE:
+    case CYAML__TYPE_COUNT:
+        break;
     }
+    ENSURE(0, "a list of entries of type %d", (int)entry->type);
 }
 
 int scene_walk_place_entries(const struct scene_walk *w, const cyaml_schema_value_t *v, const char *path) {

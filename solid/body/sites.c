@@ -4,28 +4,10 @@
 #include "base/memory.h"
 #include "solid/geometry/curve.h"
 #include "solid/geometry/outline.h"
+#include "solid/geometry/shape.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-static int in_shape(const struct solid_body *b, const double x[3], double spacing) {
-    const double tiny = 1e-9 * spacing;
-    if (b->shape == SOLID_BOX) {
-        for (int c = 0; c < 3; c++)
-            if (x[c] < b->low[c] - tiny || x[c] >= b->high[c] - tiny) return 0;
-        return 1;
-    }
-    double r2 = 0;
-    for (int c = 0; c < 3; c++) {
-        const double r = x[c] - b->centre[c];
-        if (b->shape == SOLID_CYLINDER && c == b->axis) {
-            if (r < -b->length / 2 - tiny || r >= b->length / 2 - tiny) return 0;
-        } else {
-            r2 += r * r;
-        }
-    }
-    return r2 < b->radius * b->radius;
-}
 
 /* Whether x is in the nearest of the cavities of the cubic array. */
 static int in_cavity(const struct solid_body *b, const double x[3]) {
@@ -38,15 +20,7 @@ static int in_cavity(const struct solid_body *b, const double x[3]) {
 }
 
 int solid_sites_body_contains(const struct solid_body *b, const double x[3], double spacing) {
-    return in_shape(b, x, spacing) && !(b->cavity_period > 0 && in_cavity(b, x));
-}
-
-static void bounds(const struct solid_body *b, double low[3], double high[3]) {
-    for (int c = 0; c < 3; c++) {
-        const double half = b->shape == SOLID_CYLINDER && c == b->axis ? b->length / 2 : b->radius;
-        low[c] = b->shape == SOLID_BOX ? b->low[c] : b->centre[c] - half;
-        high[c] = b->shape == SOLID_BOX ? b->high[c] : b->centre[c] + half;
-    }
+    return solid_shape_of(b)->contains(b, x, 1e-9 * spacing) && !(b->cavity_period > 0 && in_cavity(b, x));
 }
 
 struct keyed {
@@ -149,7 +123,7 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
                              int reach) {
     double low[3], high[3];
     int top[3] = {0}, n[3];
-    bounds(b, low, high);
+    solid_shape_of(b)->bounds(b, low, high);
     for (int c = 0; c < 3; c++) {
         t->low[c] = (int)floor((low[c] - in->origin[c]) / in->spacing - 1);
         n[c] = (int)ceil((high[c] - in->origin[c]) / in->spacing + 1) - t->low[c] + 1;
@@ -221,14 +195,19 @@ static void number_points(const struct solid_input *in, const struct solid_body 
 
 struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first, int reach) {
     struct solid_sites *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
-    t->is_lattice = b->shape != SOLID_POINTS && b->shape != SOLID_POLYGON;
+    t->is_lattice = solid_shape_is_on_lattice(b);
     t->first = first;
-    if (t->is_lattice)
+    switch (solid_shape_of(b)->places) {
+    case SOLID_PLACES_LATTICE:
         cut_from_lattice(in, b, t, reach);
-    else if (b->shape == SOLID_POLYGON)
+        break;
+    case SOLID_PLACES_CELLS:
         cut_from_plane(in, b, t, reach);
-    else
+        break;
+    case SOLID_PLACES_POINTS:
         number_points(in, b, t);
+        break;
+    }
     if (t->count == 0)
         die_all(EXIT_CODE_SCENE, "solid body %s holds no particle at spacing %g m", b->name, in->spacing);
     return t;

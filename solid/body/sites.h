@@ -29,5 +29,5 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
 void solid_sites_free(struct solid_sites *sites);
 /* The global id of a lattice site, also across periodic sides; -1: not in the body. Not collective. */
 long solid_sites_id(const struct solid_sites *sites, const int site[3]);
-/* Whether a point belongs to the body's shape. Not collective. */
+/* Whether a point belongs to a body on the lattice: in its shape, and in none of its cavities. Not collective. */
 int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing);

@@ -1,6 +1,7 @@
 /* Bounds of the bodies' positions and displacements, and whether anything could touch within them. */
 #include "base/par.h"
 #include "solid/contact/list.h"
+#include "solid/geometry/shape.h"
 
 #include <math.h>
 
@@ -48,8 +49,8 @@ int solid_contact_bounds_near(const struct solid *s, const double *a, const doub
 
 double solid_contact_bounds_apart(const struct solid *s, int body) {
     const struct solid_body *b = &s->in.body[body];
-    /* on a lattice a family is |xi| < delta + spacing/2; in a plate at least that */
-    return b->least_horizon + (b->shape == SOLID_POINTS ? 0 : 0.5) * s->in.spacing;
+    /* a family is |xi| < delta + spacing/2 on the lattice; in a plate it is that and more */
+    return b->least_horizon + (solid_shape_of(b)->places == SOLID_PLACES_POINTS ? 0 : 0.5) * s->in.spacing;
 }
 
 int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds *of, double reach) {

@@ -3,6 +3,8 @@
 #include "base/vec.h"
 #include "solid/force/series.h"
 
+#include <assert.h>
+
 #define REAL vec
 #define OF(op) vec_##op
 #define NAME(name) wide_##name
@@ -77,6 +79,7 @@ SEGMENT_KERNEL(8)
 
 static segment_kernel *const kernels[] = {segment_0, segment_1, segment_2, segment_3, segment_4,
                                           segment_5, segment_6, segment_7, segment_8};
+static_assert(sizeof kernels / sizeof *kernels == KERNEL_JUDGE + 1, "every kernel of enum solid_kernel needs its line");
 
 struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *t, int g,
                                        enum solid_kernel kernel, double *power) {

@@ -6,6 +6,7 @@
 #include "solid/body/cloud.h"
 #include "solid/bonds/store.h"
 #include "solid/geometry/outline.h"
+#include "solid/geometry/shape.h"
 
 #include <math.h>
 
@@ -44,7 +45,7 @@ struct solid_edges *solid_edge_load_new(const struct solid_input *in) {
     int wanted = 0;
     for (int k = 0; k < in->loads; k++) wanted += in->load[k].kind == SOLID_LOAD_EDGE;
     for (int b = 0; wanted && b < in->bodies; b++)
-        if (in->body[b].shape == SOLID_POLYGON) find_in_body(e, in, b, text, sizeof text);
+        if (solid_shape_of(&in->body[b])->places == SOLID_PLACES_CELLS) find_in_body(e, in, b, text, sizeof text);
     for (int k = 0; k < in->loads; k++) {
         const struct solid_load *load = &in->load[k];
         if (load->kind == SOLID_LOAD_EDGE && !e->lengths[k])

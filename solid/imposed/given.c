@@ -62,12 +62,17 @@ void solid_given_new(struct solid *s, struct solid_sites *const *sites, solid_ed
     struct solid_edges *edges = sites ? solid_edge_load_new(&s->in) : NULL;
     for (int k = 0; k < g->loads; k++) {
         for (int c = 0; c < s->dim; c++) memset(force[c], 0, (size_t)s->n * sizeof **force);
-        if (s->in.load[k].kind == SOLID_LOAD_EDGE && !sites)
-            solid_edge_load_force_refined(s, of_cloud, k, force);
-        else if (s->in.load[k].kind == SOLID_LOAD_EDGE)
-            solid_edge_load_force(s, sites, edges, k, force);
-        else
+        switch (s->in.load[k].kind) {
+        case SOLID_LOAD_REGION:
             of_region(s, &s->in.load[k], force);
+            break;
+        case SOLID_LOAD_EDGE:
+            if (sites)
+                solid_edge_load_force(s, sites, edges, k, force);
+            else
+                solid_edge_load_force_refined(s, of_cloud, k, force);
+            break;
+        }
         share_new(s, &g->share[k], force);
         if (par_sum_long(g->share[k].n) == 0) die_all(EXIT_CODE_SCENE, "solid.loads[%d]: no particle takes it up", k);
         for (int i = 0; i < g->share[k].n; i++) touched[g->share[k].h[i]] = 1;

@@ -1,5 +1,7 @@
 /* The numbers of a material's bonds, by the formulas of physics/bond.c. */
 #include "solid/law/material.h"
+#include "base/ensure.h"
+#include "physics/micromodulus.h"
 
 double solid_material_micromodulus(const struct solid_material *m, double spacing) {
     return physics_bond_of(PHYSICS_3D, PHYSICS_CONSTANT, 0, m->youngs_modulus, m->fracture_energy,

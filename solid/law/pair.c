@@ -1,5 +1,7 @@
 /* Stiffness, breaking limit and partial volume of one bond from its two ends.  (000: sec. 1.2.5) */
 #include "solid/law/pair.h"
+#include "base/ensure.h"
+#include "physics/micromodulus.h"
 #include "solid/law/material.h"
 #include "solid/law/weight.h"
 #include "solid/law/weight_plane.h"
@@ -13,10 +15,10 @@ static const double INSIDE = 1 - 1e-12;
 
 struct solid_bond_law solid_pair_law(const struct solid_input *in, const struct solid_material *m) {
     const struct physics_bond k = solid_material_constants(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
-    return (struct solid_bond_law){.dim = in->model == SOLID_3D ? 3 : 2,
+    return (struct solid_bond_law){.dim = solid_dim(in),
                                    .partial = in->partial,
                                    .horizons = in->horizons,
-                                   .micromodulus = m->micromodulus,
+                                   .micromodulus = physics_micromodulus_of((enum physics_micromodulus)m->micromodulus),
                                    .horizon = m->horizon_ratio,
                                    .c = k.c,
                                    .s0 = k.s0,
@@ -30,11 +32,11 @@ static double square(const struct solid_bond_law *law, const double *xi) {
     return sum;
 }
 
-/* In 3D the family holds cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that
- * overlaps the disc. The ramp ends half a spacing beyond the horizon, a conical micromodulus at the horizon itself. */
+/* In space the cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that the disc
+ * meets. The ramp ends half a spacing beyond, and a law that falls to 0 at the horizon itself. */
 int solid_pair_holds(const struct solid_bond_law *law, const double *xi, double delta, double size) {
     const double xi2 = square(law, xi);
-    if (law->micromodulus == SOLID_CONICAL && xi2 >= delta * delta * INSIDE) return 0;
+    if (law->micromodulus->ends_at_horizon && xi2 >= delta * delta * INSIDE) return 0;
     if (law->dim == 2 && law->partial == SOLID_PARTIAL_EXACT) {
         const double x = fmax(fabs(xi[0]) - 0.5 * size, 0), y = fmax(fabs(xi[1]) - 0.5 * size, 0);
         return x * x + y * y < delta * delta * INSIDE;
@@ -50,13 +52,17 @@ int solid_pair_exists(const struct solid_bond_law *law, const double *xi, const 
 }
 
 double solid_pair_gamma(const struct solid_bond_law *law, const double *xi, double delta, double size) {
-    if (law->partial == SOLID_PARTIAL_RAMP) {
+    switch (law->partial) {
+    case SOLID_PARTIAL_RAMP: {
         const double part = (delta + 0.5 * size - sqrt(square(law, xi))) / size;
         return part < 1 ? fmax(part, 0) : 1;
     }
-    if (law->dim == 2) return solid_weight_plane_fraction(xi, size, delta);
-    return law->table ? solid_weight_fraction_kept(law->table, xi, size, delta, law->columns)
-                      : solid_weight_fraction(xi, size, delta, law->columns);
+    case SOLID_PARTIAL_EXACT:
+        if (law->dim == 2) return solid_weight_plane_fraction(xi, size, delta);
+        return law->table ? solid_weight_fraction_kept(law->table, xi, size, delta, law->columns)
+                          : solid_weight_fraction(xi, size, delta, law->columns);
+    }
+    ENSURE(0, "partial volume %d", (int)law->partial);
 }
 
 /* c_h(xi); c0 and c1 are proportional to delta^-(dim + 1).  (000: eqs 9, 10) */
@@ -64,7 +70,7 @@ static double micromodulus(const struct solid_bond_law *law, double xi2, double 
     double c = law->c;
     if (delta != law->horizon)
         for (int k = 0; k <= law->dim; k++) c *= law->horizon / delta;
-    return law->micromodulus == SOLID_CONICAL ? c * (1 - sqrt(xi2) / delta) : c;
+    return c * law->micromodulus->profile(sqrt(xi2) / delta);
 }
 
 /* s0_h^2, proportional to 1/delta. */
@@ -106,10 +112,15 @@ static double limit_of(struct half a, struct half b) {
 struct solid_pair solid_pair_of(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
                                 const struct solid_end *l) {
     const struct half here = half_of(law, xi, h->horizon, l->size);
-    if (law->horizons == SOLID_ONE_SIDED)
+    switch (law->horizons) {
+    case SOLID_ONE_SIDED:
         return (struct solid_pair){here.stiffness, eps_of(sqrt(here.stretch2)), here.gamma};
-    const struct half there = half_of(law, xi, l->horizon, h->size);
-    return (struct solid_pair){0.5 * (here.stiffness + there.stiffness), limit_of(here, there), here.gamma};
+    case SOLID_DUAL_HORIZON: {
+        const struct half there = half_of(law, xi, l->horizon, h->size);
+        return (struct solid_pair){0.5 * (here.stiffness + there.stiffness), limit_of(here, there), here.gamma};
+    }
+    }
+    ENSURE(0, "horizons %d", (int)law->horizons);
 }
 
 double solid_pair_limit(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,

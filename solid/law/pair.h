@@ -12,7 +12,9 @@
 #pragma once
 #include "solid/state.h"
 
-/* One end of a bond. */
+struct physics_micromodulus_law; /* physics/micromodulus.h */
+
+/* One end. */
 struct solid_end {
     double size;    /* side of the particle's cell */
     double horizon; /* delta */
@@ -24,9 +26,9 @@ struct solid_bond_law {
     int dim;
     enum solid_partial partial;
     enum solid_horizons horizons;
-    enum solid_micromodulus_kind micromodulus;
-    double horizon;                   /* horizon of the material */
-    double c, s0;                     /* at this horizon: c0 or c1 in N/m6, critical stretch */
+    const struct physics_micromodulus_law *micromodulus;
+    double horizon;                   /* the material's own */
+    double c, s0;                     /* at it: c0 or c1 in N/m6, critical stretch */
     double density;                   /* kg/m3 */
     int columns;                      /* of the quadrature of partial volumes in 3D */
     struct solid_weight_table *table; /* table of earlier partial volumes; borrowed */

@@ -6,6 +6,7 @@
 #include "physics/limits.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
+#include "solid/geometry/shape.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/refine/parts.h"
@@ -33,7 +34,7 @@ static void own_cuts(struct solid_input *in) {
 }
 
 struct solid_refine *solid_refine_new(struct solid_input *in) {
-    if (!in->refinement || in->model == SOLID_3D) return NULL;
+    if (!in->refinement || solid_dim(in) == 3) return NULL;
     struct solid_refine *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
     r->in = *in->refinement;
     ENSURE(r->in.levels <= PHYSICS_LEVELS_MAX, "%d levels", r->in.levels);

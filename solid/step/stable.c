@@ -1,11 +1,12 @@
 /* Stable step of both integrators from the largest rates of stiffness, damping and contact. */
 #include "solid/step/stable.h"
+#include "base/ensure.h"
 #include "solid/step/verlet.h"
 
 #include <complex.h>
 #include <math.h>
 
-const char *const solid_stable_bound_name[] = {"nothing", "bonds", "damping", "contact"};
+const char *const solid_stable_bound_name[SOLID_BOUNDS] = {"nothing", "bonds", "damping", "contact"};
 
 enum { SAMPLES = 64 };
 static const double RK3_REAL = 2.5127453266; /* |R(-z)| = 1 */
@@ -37,8 +38,13 @@ static double verlet_limit(double w, double theta_g) {
 }
 
 double solid_stable_oscillator(enum solid_integrator integrator, double w, double pairwise, double absolute) {
-    return integrator == SOLID_RK3 ? rk3_limit(w, pairwise + absolute)
-                                   : verlet_limit(w, SOLID_VERLET_PAIRWISE * pairwise + absolute);
+    switch (integrator) {
+    case SOLID_RK3:
+        return rk3_limit(w, pairwise + absolute);
+    case SOLID_VERLET:
+        return verlet_limit(w, SOLID_VERLET_PAIRWISE * pairwise + absolute);
+    }
+    ENSURE(0, "integrator %d", (int)integrator);
 }
 
 /* The least limit over the oscillators on the polygon's upper boundary; for RK3, of those below it only strongly damped

@@ -2,6 +2,7 @@
 #include "solid/surface/area.h"
 
 #include "base/par.h"
+#include "solid/geometry/shape.h"
 #include "solid/surface/surface.h"
 #include "solid/surface/sector.h"
 
@@ -43,7 +44,8 @@ static double facing_of(const struct solid_family_view *view, const struct solid
 double solid_surface_area_share(const struct solid *s, int h, const struct solid_family_view *view,
                                 const struct solid_facing *start) {
     const double square = solid_surface_area_fresh(s, h);
-    if (s->in.body[s->body[h]].shape == SOLID_POINTS) return (start->two_sided ? 2 : 1) * square;
+    if (solid_shape_of(&s->in.body[s->body[h]])->places == SOLID_PLACES_POINTS)
+        return (start->two_sided ? 2 : 1) * square;
     double share = 0;
     for (int f = 0; f < SOLID_FACES; f++)
         if (start->open >> f & 1) share += square * facing_of(view, start, f, s->in.spacing);

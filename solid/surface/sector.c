@@ -1,6 +1,7 @@
 /* Tests which of six cones around a particle are void.  (001: sec. 3.3.7) */
 #include "solid/surface/sector.h"
 #include "solid/bonds/lattice.h"
+#include "solid/geometry/shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -22,7 +23,8 @@ void solid_sector_axis(int f, double e[3]) {
 }
 
 double solid_sector_spacing(const struct solid *s, int h) {
-    return s->in.body[s->body[h]].shape == SOLID_POINTS ? cbrt(s->volume[h]) : s->in.spacing;
+    const enum solid_places places = solid_shape_of(&s->in.body[s->body[h]])->places;
+    return places == SOLID_PLACES_POINTS ? cbrt(s->volume[h]) : s->in.spacing;
 }
 
 void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w) {

@@ -16,7 +16,7 @@ static void find(struct solid_shaped *shaped, const struct solid *s, const struc
     solid_normal_look_start(s, h, &view, f->bare[h], &start);
     if (start.two_sided != SOLID_ONE_FACE) return;
     shaped->on[h] = 1;
-    shaped->depth[h] = solid_piece_depth(&piece, x, normal);
+    shaped->depth[h] = piece.depth(&piece, x, normal);
     for (int c = 0; c < 3; c++) {
         shaped->normal[c][h] = normal[c];
         shaped->lattice[c][h] = start.n[c];

@@ -34,6 +34,7 @@ struct study_reference {
 };
 
 enum study_at { STUDY_LAST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME };
+enum { STUDY_ATS = STUDY_TIME + 1 };
 
 /* A number from a run folder: from the series, from a table or JSON file, or the last line that a command prints. */
 struct study_quantity {

@@ -1,5 +1,6 @@
 /* Richardson extrapolation from two or three levels, with the grid convergence index.  (Roache 1994) */
 #include "study/result/richardson.h"
+#include "base/ensure.h"
 
 #include <math.h>
 
@@ -60,6 +61,17 @@ struct study_richardson study_richardson_two(const double f[2], const double h[2
 }
 
 const char *study_richardson_name(enum study_convergence kind) {
-    static const char *const name[] = {"unknown", "monotone", "oscillatory", "divergent", "flat"};
-    return name[kind];
+    switch (kind) {
+    case STUDY_UNKNOWN:
+        return "unknown";
+    case STUDY_MONOTONE:
+        return "monotone";
+    case STUDY_OSCILLATORY:
+        return "oscillatory";
+    case STUDY_DIVERGENT:
+        return "divergent";
+    case STUDY_FLAT:
+        return "flat";
+    }
+    ENSURE(0, "convergence %d", (int)kind);
 }

@@ -1,5 +1,6 @@
 /* Reduces a sampled curve within a time window to its last, largest, least or mean value, or a time. */
 #include "study/runs/window.h"
+#include "base/ensure.h"
 
 #include <math.h>
 
@@ -27,7 +28,8 @@ double study_window(const struct study_samples *s, enum study_at at, double afte
         return length > 0 ? area / length : last;
     case STUDY_TIME:
         return time;
-    default:
+    case STUDY_LAST:
         return last;
     }
+    ENSURE(0, "a curve's value at %d", (int)at);
 }

@@ -1,7 +1,13 @@
 /* Translation of a scene into the solid's input; plates and point files that are refused. */
 #include "base/die.h"
 #include "base/par.h"
+#include "coupling/setup/kinds.h"
 #include "coupling/setup/setup.h"
+#include "fluid/grid/side.h"
+#include "physics/micromodulus.h"
+#include "scene/check/check.h"
+#include "scene/rules/schema.h"
+#include "solid/geometry/shape.h"
 #include "tests/check.h"
 
 #include <stdarg.h>
@@ -82,6 +88,76 @@ static void test_a_block(void **state) {
     check_equal(in->body[0].point[2][0], 0.0005);
     assert_false(in->body[0].point_horizon);
     check_equal(in->body[0].point_volume[1], 1e-9);
+    setup_solid_free(in);
+    scene_free(s);
+}
+
+/* The words of a choice of the schema, of lists' entries too. */
+static const cyaml_schema_value_t *choice_of(const char *const *key) {
+    const cyaml_schema_value_t *v = &scene_schema;
+    for (; *key; key++) {
+        while (v->type == CYAML_SEQUENCE) v = v->sequence.entry;
+        const cyaml_schema_field_t *f = v->mapping.fields;
+        while (f->key && strcmp(f->key, *key)) f++;
+        assert_non_null(f->key);
+        v = &f->value;
+    }
+    assert_int_equal(v->type, CYAML_ENUM);
+    return v;
+}
+
+static const char *micromodulus_name(int64_t scene) {
+    return physics_micromodulus_of((enum physics_micromodulus)setup_kinds_micromodulus((enum scene_micromodulus)scene))
+        ->name;
+}
+
+static const char *side_name(int64_t scene) {
+    return fluid_side_kind_of(setup_kinds_side((enum scene_side_type)scene))->name;
+}
+
+/* Of shapes with several words, the polygon of each is one. */
+static const char *shape_name(int64_t scene) {
+    return solid_shape_of(&(struct solid_body){.shape = setup_kinds_shape((enum scene_shape)scene)})->name;
+}
+
+/* A scene's words are the names in the tables of laws, shapes and sides, one for each line. */
+static void test_words(void **state) {
+    (void)state;
+    static const struct {
+        const char *key[5];
+        const char *(*name)(int64_t scene);
+        int lines;
+    } table[] = {{{"solid", "materials", "micromodulus"}, micromodulus_name, PHYSICS_MICROMODULI},
+                 {{"fluid", "sides", "x_low", "type"}, side_name, FLUID_SIDE_TYPES},
+                 {{"solid", "bodies", "shape"}, shape_name, SOLID_SHAPES}};
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+        const cyaml_schema_value_t *v = choice_of(table[k].key);
+        int found = 0;
+        for (uint32_t i = 0; i < v->enumeration.count; i++) {
+            const char *word = v->enumeration.strings[i].str, *name = table[k].name(v->enumeration.strings[i].val);
+            if (strcmp(word, name) && strcmp(name, "polygon")) fail_msg("%s in a scene, %s in the table", word, name);
+            found += !strcmp(word, name);
+        }
+        if (found != table[k].lines)
+            fail_msg("%s: %d words in scene/rules for %d lines of the table", table[k].key[2], found, table[k].lines);
+    }
+}
+
+/* Scene and solid know the same bounds of a shape. */
+static void test_bounds(void **state) {
+    (void)state;
+    const char *const set[] = {
+        "solid.bodies.ball={name: egg, material: glass, shape: ellipsoid, centre: [0.03, 0.01, 0.01], radii: [0.004, "
+        "0.003, 0.005]}"};
+    struct scene *s = scene_new(SCENES "coupled.yaml", 1, set);
+    struct solid_input *in = setup_solid(s);
+    assert_true(in->body[1].shape == SOLID_ELLIPSOID && in->body[1].radii[1] == 0.003);
+    for (int b = 0; b < in->bodies; b++) {
+        double low[3], high[3], low2[3], high2[3];
+        assert_true(scene_check_body_bounds(&s->solid->body[b], low, high));
+        solid_shape_of(&in->body[b])->bounds(&in->body[b], low2, high2);
+        for (int c = 0; c < 3; c++) assert_true(low[c] == low2[c] && high[c] == high2[c]);
+    }
     setup_solid_free(in);
     scene_free(s);
 }
@@ -169,7 +245,8 @@ int main(int argc, char **argv) {
         failed = cmocka_run_group_tests(leaving, NULL, NULL);
     }
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_plate), cmocka_unit_test(test_a_block)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_plate), cmocka_unit_test(test_a_block),
+                                       cmocka_unit_test(test_words), cmocka_unit_test(test_bounds)};
     failed += cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -43,9 +43,9 @@ static void test_every_key_has_a_rule(void **state) {
     check_above(keys.n, 160);
     int rules = 0;
     while (scene_rule_table[rules].path) rules++;
-    assert_int_equal(keys.n, rules);
-    for (int i = 0; i < keys.n; i++)
+    for (int i = 0; i < keys.n && i < rules; i++)
         assert_string_equal(keys.path[i], scene_rule_table[i].path); /* and in the same order */
+    assert_int_equal(keys.n, rules);
     free_keys(&keys);
 }
 

@@ -1,8 +1,11 @@
 /* Depth and normal of interface particles against the shapes that bodies are cut from. */
+#include "solid/geometry/shape.h"
 #include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
 #include "tests/check.h"
+
+#include <stdlib.h>
 
 static struct solid *make(const struct solid_body *body, int periodic, int sites, struct solid_surface **f) {
     struct solid_input in = bodies_input(1, body);
@@ -196,10 +199,104 @@ static void cavity_and_crack(void **state) {
     give_up(s, f);
 }
 
+static double depth_of(const struct solid_body *b, const double x[3], double normal[3]) {
+    struct solid_piece piece[SOLID_PIECES_MAX];
+    assert_int_equal(solid_shape_of(b)->pieces(b, piece), 1);
+    return piece[0].depth(&piece[0], x, normal);
+}
+
+/* The ellipsoid of a body with points all over it: the least distance of x from any of them. */
+static double sampled(const struct solid_body *b, const double x[3]) {
+    enum { N = 500 };
+    double least = INFINITY;
+    for (int j = 0; j <= N; j++)
+        for (int i = 0; i < 2 * N; i++) {
+            const double a = M_PI * j / N, o = M_PI * i / N;
+            const double p[3] = {b->centre[0] + b->radii[0] * sin(a) * cos(o),
+                                 b->centre[1] + b->radii[1] * sin(a) * sin(o), b->centre[2] + b->radii[2] * cos(a)};
+            least = fmin(least, distance(x, p));
+        }
+    return least;
+}
+
+/* Depth and normal: of equal radii a sphere's; else the distance from a dense sampling; the point that they lead to is
+ * on the surface, with that normal; on the planes and axes of symmetry too, and at the centre. */
+static void ellipsoid_depth(void **state) {
+    (void)state;
+    struct solid_body egg = {.shape = SOLID_ELLIPSOID, .centre = {0.3, -0.2, 0.1}, .radii = {2, 2, 2}},
+                      ball = {.shape = SOLID_SPHERE, .centre = {0.3, -0.2, 0.1}, .radius = 2};
+    static const double radii[][3] = {{2, 2, 2}, {3, 2, 1}, {1, 1, 2.5}, {1.5, 0.1, 1.5}, {1, 40, 3}};
+    srand(5);
+    for (size_t k = 0; k < sizeof radii / sizeof *radii; k++)
+        for (int trial = 0; trial < 400; trial++) {
+            double x[3], normal[3], expected[3], at[3], sum = 0, steep = 0, align = 0;
+            memcpy(egg.radii, radii[k], sizeof egg.radii);
+            const double size = fmin(radii[k][0], fmin(radii[k][1], radii[k][2]));
+            for (int c = 0; c < 3; c++) {
+                const double part = trial & 1 << c && trial & 8 ? 0 : 2. * rand() / RAND_MAX - 1;
+                x[c] = egg.centre[c] + 1.3 * radii[k][c] * part * (trial % 5 ? 1 : 1e-9);
+            }
+            const double depth = depth_of(&egg, x, normal);
+            for (int c = 0; c < 3; c++) at[c] = x[c] + depth * normal[c];
+            for (int c = 0; c < 3; c++) {
+                const double q = (at[c] - egg.centre[c]) / radii[k][c];
+                sum += q * q;
+                steep += q * q / (radii[k][c] * radii[k][c]);
+                align += q / radii[k][c] * normal[c];
+            }
+            assert_true(fabs(sum - 1) < 1e-11);
+            assert_true(fabs(align / sqrt(steep) - 1) < 1e-11); /* normal out of the surface there */
+            assert_true((depth > 0) == solid_shape_of(&egg)->contains(&egg, x, 0) || fabs(depth) < 1e-12);
+            if (k == 0) {
+                assert_true(fabs(depth - depth_of(&ball, x, expected)) < 1e-14);
+                for (int c = 0; c < 3 && depth < 1.999; c++) assert_true(fabs(normal[c] - expected[c]) < 1e-14);
+            } else if (trial < 12) {
+                const double least = sampled(&egg, x); /* a sample is within some 1e-2 radii of the nearest point */
+                assert_true(fabs(depth) <= least + 1e-12);
+                assert_true(least - fabs(depth) < 0.02 * size + 1e-3 * radii[k][k == 4]);
+            }
+        }
+}
+
+/* Its particles fill 4/3 pi a b c, and their points of the surface are on it. */
+static void ellipsoid(void **state) {
+    (void)state;
+    struct solid_surface *f;
+    struct solid_body body = round_body(SOLID_ELLIPSOID, 0);
+    double error[2];
+    for (int k = 0; k < 2; k++) {
+        const double radii[3] = {6.3, 4.2, 5.1};
+        for (int c = 0; c < 3; c++) {
+            body.radii[c] = (k + 1) * radii[c] * SPACING;
+            body.centre[c] = (k + 1) * middle[c] * SPACING;
+        }
+        struct solid *s = make(&body, -1, 0, &f);
+        const double volume = 4 / 3. * M_PI * body.radii[0] * body.radii[1] * body.radii[2];
+        error[k] = fabs((double)s->n_global * SPACING * SPACING * SPACING / volume - 1);
+        for (int i = 0; i < f->n; i++) {
+            double x[3], sum = 0;
+            point(s, f, i, x);
+            for (int c = 0; c < 3; c++) {
+                const double q = (x[c] * SPACING - body.centre[c]) / body.radii[c];
+                sum += q * q;
+            }
+            assert_true(fabs(sum - 1) < 1e-12);
+            assert_true(f->depth[i] >= 0 && f->depth[i] <= SPACING);
+        }
+        give_up(s, f);
+    }
+    print_message("ellipsoid: volume within %.4f, of twice the size %.4f\n", error[0], error[1]);
+    assert_true(error[0] < 0.02 && error[1] < 0.005);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ball), cmocka_unit_test(cylinder), cmocka_unit_test(box),
-                                       cmocka_unit_test(cavity_and_crack)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ball),
+                                       cmocka_unit_test(cylinder),
+                                       cmocka_unit_test(box),
+                                       cmocka_unit_test(cavity_and_crack),
+                                       cmocka_unit_test(ellipsoid_depth),
+                                       cmocka_unit_test(ellipsoid)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

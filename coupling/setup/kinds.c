@@ -1,0 +1,151 @@
+/* Translates the scene's kinds (side types, shapes, models, ...) to those of fluid and solid. */
+#include "coupling/setup/kinds.h"
+#include "base/ensure.h"
+
+enum fluid_side_type setup_kinds_side(enum scene_side_type kind) {
+    switch (kind) {
+    case SCENE_PERIODIC:
+        return FLUID_PERIODIC;
+    case SCENE_WALL:
+        return FLUID_WALL;
+    case SCENE_SLIP:
+        return FLUID_SLIP;
+    case SCENE_INFLOW:
+        return FLUID_INFLOW;
+    case SCENE_OUTFLOW:
+        return FLUID_OUTFLOW;
+    case SCENE_PRESSURE:
+        return FLUID_PRESSURE;
+    case SCENE_GENERAL:
+        return FLUID_GENERAL;
+    }
+    ENSURE(0, "side type %d of the scene", (int)kind);
+}
+
+enum fluid_profile setup_kinds_profile(enum scene_profile kind) {
+    switch (kind) {
+    case SCENE_UNIFORM:
+        return FLUID_UNIFORM;
+    case SCENE_POISEUILLE:
+        return FLUID_POISEUILLE;
+    case SCENE_PROFILE_FILE:
+        return FLUID_PROFILE_FILE;
+    }
+    ENSURE(0, "profile %d of the scene", (int)kind);
+}
+
+enum fluid_condition setup_kinds_condition(enum scene_condition kind) {
+    switch (kind) {
+    case SCENE_DIRICHLET:
+        return FLUID_DIRICHLET;
+    case SCENE_NEUMANN:
+        return FLUID_NEUMANN;
+    }
+    ENSURE(0, "condition %d of the scene", (int)kind);
+}
+
+enum fluid_driving_type setup_kinds_driving(enum scene_driving kind) {
+    switch (kind) {
+    case SCENE_DRIVING_NONE:
+        return FLUID_DRIVING_NONE;
+    case SCENE_DRIVING_GRADIENT:
+        return FLUID_DRIVING_GRADIENT;
+    case SCENE_DRIVING_BULK:
+        return FLUID_DRIVING_BULK;
+    }
+    ENSURE(0, "driving %d of the scene", (int)kind);
+}
+
+enum solid_model setup_kinds_model(enum scene_model kind) {
+    switch (kind) {
+    case SCENE_3D:
+        return SOLID_3D;
+    case SCENE_PLANE_STRESS:
+        return SOLID_PLANE_STRESS;
+    case SCENE_PLANE_STRAIN:
+        return SOLID_PLANE_STRAIN;
+    }
+    ENSURE(0, "model %d of the scene", (int)kind);
+}
+
+enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus kind) {
+    switch (kind) {
+    case SCENE_CONSTANT:
+        return SOLID_CONSTANT;
+    case SCENE_CONICAL:
+        return SOLID_CONICAL;
+    case SCENE_EXPONENTIAL:
+        return SOLID_EXPONENTIAL;
+    }
+    ENSURE(0, "micromodulus %d of the scene", (int)kind);
+}
+
+enum solid_partial setup_kinds_partial(enum scene_partial kind) {
+    switch (kind) {
+    case SCENE_PARTIAL_EXACT:
+        return SOLID_PARTIAL_EXACT;
+    case SCENE_PARTIAL_RAMP:
+        return SOLID_PARTIAL_RAMP;
+    }
+    ENSURE(0, "partial volume %d of the scene", (int)kind);
+}
+
+enum solid_horizons setup_kinds_horizons(enum scene_horizons kind) {
+    switch (kind) {
+    case SCENE_HORIZONS_DUAL:
+        return SOLID_DUAL_HORIZON;
+    case SCENE_HORIZONS_ONE_SIDED:
+        return SOLID_ONE_SIDED;
+    }
+    ENSURE(0, "horizons %d of the scene", (int)kind);
+}
+
+enum solid_shape setup_kinds_shape(enum scene_shape kind) {
+    switch (kind) {
+    case SCENE_BOX:
+        return SOLID_BOX;
+    case SCENE_SPHERE:
+        return SOLID_SPHERE;
+    case SCENE_CYLINDER:
+        return SOLID_CYLINDER;
+    case SCENE_ELLIPSOID:
+        return SOLID_ELLIPSOID;
+    case SCENE_POINTS:
+        return SOLID_POINTS;
+    case SCENE_RECTANGLE:
+    case SCENE_DISC:
+    case SCENE_POLYGON:
+        return SOLID_POLYGON;
+    }
+    ENSURE(0, "shape %d of the scene", (int)kind);
+}
+
+enum solid_load_kind setup_kinds_load(enum scene_load_kind kind) {
+    switch (kind) {
+    case SCENE_LOAD_REGION:
+        return SOLID_LOAD_REGION;
+    case SCENE_LOAD_EDGE:
+        return SOLID_LOAD_EDGE;
+    }
+    ENSURE(0, "load %d of the scene", (int)kind);
+}
+
+enum solid_initial_shape setup_kinds_initial(enum scene_initial_shape kind) {
+    switch (kind) {
+    case SCENE_GAUSSIAN:
+        return SOLID_GAUSSIAN;
+    case SCENE_SINE:
+        return SOLID_SINE;
+    }
+    ENSURE(0, "initial shape %d of the scene", (int)kind);
+}
+
+enum solid_integrator setup_kinds_integrator(enum scene_integrator kind) {
+    switch (kind) {
+    case SCENE_RK3:
+        return SOLID_RK3;
+    case SCENE_VERLET:
+        return SOLID_VERLET;
+    }
+    ENSURE(0, "integrator %d of the scene", (int)kind);
+}

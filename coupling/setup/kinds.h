@@ -1,0 +1,19 @@
+/* The scene's kinds in the words of fluid and solid. A kind that has no translation does not compile. Not collective.
+ */
+#pragma once
+#include "fluid/fluid.h"
+#include "scene/scene.h"
+#include "solid/state.h"
+
+enum fluid_side_type setup_kinds_side(enum scene_side_type kind);
+enum fluid_profile setup_kinds_profile(enum scene_profile kind);
+enum fluid_condition setup_kinds_condition(enum scene_condition kind);
+enum fluid_driving_type setup_kinds_driving(enum scene_driving kind);
+enum solid_model setup_kinds_model(enum scene_model kind);
+enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus kind);
+enum solid_partial setup_kinds_partial(enum scene_partial kind);
+enum solid_horizons setup_kinds_horizons(enum scene_horizons kind);
+enum solid_shape setup_kinds_shape(enum scene_shape kind);
+enum solid_load_kind setup_kinds_load(enum scene_load_kind kind);
+enum solid_initial_shape setup_kinds_initial(enum scene_initial_shape kind);
+enum solid_integrator setup_kinds_integrator(enum scene_integrator kind);

@@ -1,0 +1,23 @@
+/* Depth below a ball, the side of a cylinder or a pair of planes, and the normal there. */
+#include "solid/geometry/piece.h"
+
+#include <math.h>
+#include <string.h>
+
+static double round_depth(const struct solid_piece *p, const double x[3], double normal[3]) {
+    double r2 = 0;
+    for (int c = 0; c < 3; c++) {
+        normal[c] = p->mask[c] ? x[c] - p->centre[c] : 0;
+        r2 += normal[c] * normal[c];
+    }
+    const double length = sqrt(r2);
+    for (int c = 0; c < 3; c++) normal[c] *= length > 0 ? p->inside / length : 0;
+    return p->inside * (p->radius - length);
+}
+
+struct solid_piece solid_piece_round(int mask, int inside, const double centre[3], double radius) {
+    struct solid_piece p = {
+        .depth = round_depth, .mask = {mask & 1, mask >> 1 & 1, mask >> 2 & 1}, .inside = inside, .radius = radius};
+    memcpy(p.centre, centre, sizeof p.centre);
+    return p;
+}

@@ -1,0 +1,18 @@
+/* Smooth pieces of the surface of a shape that a body was cut from, and of its cavities (solid/geometry/shape.h). */
+#pragma once
+#include "solid/state.h"
+
+enum { SOLID_PIECES_MAX = 4, SOLID_PIECE_ALL = 7 };
+
+struct solid_piece {
+    /* depth of x below the piece, m, > 0 in the material, and the piece's unit normal out of it there */
+    double (*depth)(const struct solid_piece *piece, const double x[3], double normal[3]);
+    int mask[3];
+    int inside;               /* +1: the material is within the radius, -1: beyond it */
+    double centre[3], radius; /* m */
+    double radii[3];          /* of an ellipsoid, m */
+};
+
+/* The points whose distance from centre is radius, in the directions of the mask alone (bit c: direction c). Three
+ * directions: a ball or a cavity; two: the side of a cylinder; one: a pair of planes. Not collective. */
+struct solid_piece solid_piece_round(int mask, int inside, const double centre[3], double radius);

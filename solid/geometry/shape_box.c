@@ -1,0 +1,28 @@
+/* Box with faces along x, y and z. A place on a low face is in it, one on a high face is not. */
+#include "solid/geometry/shape.h"
+
+#include <string.h>
+
+static int contains(const struct solid_body *b, const double x[3], double tiny) {
+    for (int c = 0; c < 3; c++)
+        if (x[c] < b->low[c] - tiny || x[c] >= b->high[c] - tiny) return 0;
+    return 1;
+}
+
+static void bounds(const struct solid_body *b, double low[3], double high[3]) {
+    memcpy(low, b->low, sizeof b->low);
+    memcpy(high, b->high, sizeof b->high);
+}
+
+/* Three pairs of planes. */
+static int pieces(const struct solid_body *b, struct solid_piece piece[SOLID_PIECES_MAX]) {
+    for (int c = 0; c < 3; c++) {
+        double centre[3] = {0};
+        centre[c] = (b->low[c] + b->high[c]) / 2;
+        piece[c] = solid_piece_round(1 << c, 1, centre, (b->high[c] - b->low[c]) / 2);
+    }
+    return 3;
+}
+
+const struct solid_shape_kind solid_shape_box = {
+    .name = "box", .places = SOLID_PLACES_LATTICE, .contains = contains, .bounds = bounds, .pieces = pieces};

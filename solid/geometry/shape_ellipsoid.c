@@ -1,0 +1,92 @@
+/* Ellipsoid with axes along x, y and z. */
+#include "solid/geometry/shape.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { ROUNDS = 200 };
+
+/* Sum of ((x - centre)/radius)^2: less than 1 inside. */
+static double level(const double centre[3], const double radii[3], const double x[3]) {
+    double sum = 0;
+    for (int c = 0; c < 3; c++) {
+        const double q = (x[c] - centre[c]) / radii[c];
+        sum += q * q;
+    }
+    return sum;
+}
+
+static int contains(const struct solid_body *b, const double x[3], double tiny) {
+    (void)tiny;
+    return level(b->centre, b->radii, x) < 1;
+}
+
+static void bounds(const struct solid_body *b, double low[3], double high[3]) {
+    for (int c = 0; c < 3; c++) {
+        low[c] = b->centre[c] - b->radii[c];
+        high[c] = b->centre[c] + b->radii[c];
+    }
+}
+
+/* q = n/(r - 1 + u), the nearest point over the radii; returns |q|^2. */
+static double nearest(const double n[3], const double r[3], double u, double q[3]) {
+    double sum = 0;
+    for (int c = 0; c < 3; c++) {
+        q[c] = n[c] > 0 ? n[c] / (r[c] - 1 + u) : 0;
+        sum += q[c] * q[c];
+    }
+    return sum;
+}
+
+/* The root u > 0 of |q(u)| = 1, which falls with u, from least, which is n of the shortest radius; 0 where there is
+ * none. Halves the interval, by its ratio while that is large, until no number is left between its ends. */
+static double root_of(const double n[3], const double r[3], double least) {
+    double low = least, high = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), q[3];
+    if (least == 0 && nearest(n, r, 0, q) <= 1) return 0;
+    for (int k = 0; k < ROUNDS; k++) {
+        const double u = low > 0 && high > 4 * low ? sqrt(low) * sqrt(high) : 0.5 * (low + high);
+        if (u <= low || u >= high) break;
+        if (nearest(n, r, u, q) > 1)
+            low = u;
+        else
+            high = u;
+    }
+    return 0.5 * (low + high);
+}
+
+/* The nearest point p of the ellipsoid has y - p = t p/e^2 for some t, e the radii, y = |x - centre|: p = e q with
+ * q = e y/(t + e^2) and |q| = 1. In units of the shortest radius m, r = (e/m)^2, n = e y/m^2, u = 1 + t/m^2, the root
+ * is between n of that radius and |n|  (Eberly 2013: Distance from a point to an ellipse, an ellipsoid, or a
+ * hyperellipsoid). In the middle plane of the shortest radius there may be no root: u = 0, and q of that radius follows
+ * from |q| = 1. The depth is -t |q/e|. */
+static double depth(const struct solid_piece *p, const double x[3], double normal[3]) {
+    const double *e = p->radii;
+    double n[3], r[3], q[3], steep = 0;
+    int m = 0;
+    for (int c = 1; c < 3; c++)
+        if (e[c] < e[m]) m = c;
+    for (int c = 0; c < 3; c++) {
+        r[c] = (e[c] / e[m]) * (e[c] / e[m]);
+        n[c] = e[c] / e[m] * (fabs(x[c] - p->centre[c]) / e[m]);
+    }
+    const double u = root_of(n, r, n[m]);
+    const double others = nearest(n, r, u, q);
+    if (u == 0) q[m] = sqrt(1 - others);
+    for (int c = 0; c < 3; c++) {
+        normal[c] = q[c] / e[c];
+        steep += normal[c] * normal[c];
+    }
+    steep = sqrt(steep);
+    for (int c = 0; c < 3; c++) normal[c] *= (x[c] < p->centre[c] ? -1 : 1) / steep;
+    return (1 - u) * e[m] * e[m] * steep;
+}
+
+static int pieces(const struct solid_body *b, struct solid_piece piece[SOLID_PIECES_MAX]) {
+    piece[0] = (struct solid_piece){.depth = depth, .inside = 1};
+    memcpy(piece[0].centre, b->centre, sizeof piece[0].centre);
+    memcpy(piece[0].radii, b->radii, sizeof piece[0].radii);
+    return 1;
+}
+
+const struct solid_shape_kind solid_shape_ellipsoid = {
+    .name = "ellipsoid", .places = SOLID_PLACES_LATTICE, .contains = contains, .bounds = bounds, .pieces = pieces};

@@ -1,0 +1,27 @@
+/* Sphere. */
+#include "solid/geometry/shape.h"
+
+static int contains(const struct solid_body *b, const double x[3], double tiny) {
+    double r2 = 0;
+    (void)tiny;
+    for (int c = 0; c < 3; c++) {
+        const double r = x[c] - b->centre[c];
+        r2 += r * r;
+    }
+    return r2 < b->radius * b->radius;
+}
+
+static void bounds(const struct solid_body *b, double low[3], double high[3]) {
+    for (int c = 0; c < 3; c++) {
+        low[c] = b->centre[c] - b->radius;
+        high[c] = b->centre[c] + b->radius;
+    }
+}
+
+static int pieces(const struct solid_body *b, struct solid_piece piece[SOLID_PIECES_MAX]) {
+    piece[0] = solid_piece_round(SOLID_PIECE_ALL, 1, b->centre, b->radius);
+    return 1;
+}
+
+const struct solid_shape_kind solid_shape_sphere = {
+    .name = "sphere", .places = SOLID_PLACES_LATTICE, .contains = contains, .bounds = bounds, .pieces = pieces};
