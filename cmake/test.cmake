@@ -5,7 +5,7 @@ if(FRANA_SANITIZE)
 endif()
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 120])
-# One executable of cmocka tests, run by ctest once for each number of ranks.
+# One executable of cmocka tests; ctest runs it once for each number of ranks.
 function(frana_test source)
   cmake_parse_arguments(T "" "ROOM;TIMEOUT" "RANKS;LABELS" ${ARGN})
   string(REGEX REPLACE "[/.]" "_" name ${source})
@@ -16,7 +16,7 @@ function(frana_test source)
   if(NOT T_RANKS)
     set(T_RANKS 1)
   endif()
-  if(CMAKE_CROSSCOMPILING) # one rank, by the emulator
+  if(CMAKE_CROSSCOMPILING) # one rank, in the emulator
     foreach(n ${T_RANKS})
       add_test(NAME ${name}_${n} COMMAND ${name})
       set_tests_properties(${name}_${n} PROPERTIES TIMEOUT 3600 LABELS "${T_ROOM};${T_LABELS}")

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The tests of one rank on another processor: an arm64 root from Debian's packages, a cross build, and qemu. As root, because
-# debootstrap wants it; needs debootstrap, gcc-aarch64-linux-gnu, qemu-user-static, cmake and ninja.
+# Runs the tests of one rank for another processor: an arm64 root made from Debian's packages, a cross build, and qemu.
+# To be run as root, because debootstrap needs it. Needs debootstrap, gcc-aarch64-linux-gnu, qemu-user-static, cmake and
+# ninja.
 #   tools/aarch64.sh [ctest's arguments: -R solid_ ...]          SYSROOT=build-aarch64-root to keep the root elsewhere
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,7 +20,7 @@ if [ ! -e "$sysroot/unpacked" ]; then
         --include=libc6-dev,libopenmpi-dev,libhdf5-openmpi-dev,libfftw3-dev,liblapacke-dev,libcyaml-dev,libyaml-dev,libpng-dev,libcmocka-dev \
         bookworm "$sysroot" >"$sysroot.log"
     for package in "$sysroot"/var/cache/apt/archives/*.deb; do dpkg-deb -x "$package" "$sysroot"; done
-    # what the packages' scripts would have linked
+    # links that the packages' scripts would have made
     cd "$sysroot/usr/lib/aarch64-linux-gnu"
     for library in blas lapack; do
         ln -sf "$library-netlib.pc" "pkgconfig/$library.pc"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Formats the C files in place (.clang-format, clang-format 14), or with --check says which are not.
+# Formats the C files in place (.clang-format, clang-format 14); with --check reports the files that are not formatted.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 how=(-i)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What the system refuses in the middle of a run: a limit on files' sizes, a full disk, a folder turned read-only, a folder that
-# is gone. Exit code 4 and one sentence that names the file; what is finished is whole; resumed, the run ends as it would have.
+# Faults of the system during a run: a limit on the size of files, a full disk, a read-only folder, a deleted folder.
+# Exit code 4 and one sentence with the name of the file; finished files are intact; the resumed run ends with the same
+# results.
 # usage: refused.sh FRANA SOURCE WORK LOOK
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4")
@@ -8,7 +9,7 @@ scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 200/; /name: settle/s/steps: 
   -e 's/fields_every: .*/fields_every: 80/; s/checkpoint_every: .*/checkpoint_every: 40/' >scene.yaml
 code 0 ranks 2 run scene.yaml --out whole
 
-# begin FOLDER [COMMAND...]: a run of two ranks in the background, until its first checkpoint is there
+# begin FOLDER [COMMAND...]: starts a run on two ranks in the background and waits for its first checkpoint
 begin() {
   local folder=$1
   said=$PWD/${1//\//_}; shift
@@ -17,7 +18,7 @@ begin() {
   cat "$said.out" "$said.err" >&2
   fail "$folder: no checkpoint"
 }
-# A launcher may fall over its own finalize after frana has left with 4.
+# After frana has ended with code 4, the launcher may fail in its own finalize.
 refused() { # FOLDER WHY
   local got=0
   wait "$mpiexec" || got=$?
@@ -26,7 +27,7 @@ refused() { # FOLDER WHY
   grep -Eq "^frana: (rank 0: )?$1/[a-z0-9_/.]+: cannot be written: $2" "$said.err" || { cat "$said.err" >&2; fail "$2: not what was to be said"; }
   echo "$(grep '^frana: ' "$said.err")"
 }
-whole() { # FOLDER [COMMAND...]: nothing is damaged, and it can be gone on from
+whole() { # FOLDER [COMMAND...]: no file is damaged, and the run can be resumed
   local folder=$1; shift
   "$look" "$folder" >found || { cat found >&2; fail "$folder: damaged"; }
   code 0 "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" --resume
@@ -34,20 +35,20 @@ whole() { # FOLDER [COMMAND...]: nothing is damaged, and it can be gone on from
   [ "$("$look" "$folder" | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "$folder: other files than of the uninterrupted run"
 }
 
-# a limit on files' sizes: of the series, which grows; of checkpoints and fields
+# a limit on the size of files: of the growing series; of checkpoints and fields
 begin limit
 for pid in $(pgrep -P "$mpiexec" -x frana); do prlimit --pid "$pid" --fsize=1000:1000; done
 refused limit 'File too large'
 whole limit
 
-# the folder is gone, and comes back
+# the folder is deleted, then made again
 begin gone
 mv gone away
 refused gone 'No such file or directory'
 mv away gone
 whole gone
 
-# read-only, for one who is not root
+# read-only, for a user other than root
 user=()
 if [ "$(id -u)" = 0 ]; then
   user=(setpriv --reuid=65534 --regid=65534 --clear-groups env "HOME=$PWD/readonly.home" "XDG_CACHE_HOME=$PWD/readonly.home")

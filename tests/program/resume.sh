@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# A run stopped anywhere and resumed on another number of ranks gives the same series; ranks do not matter either.
+# A run stopped at any step and resumed on another number of ranks gives the same series; any number of ranks gives the
+# same.
 . "$(dirname "$0")/common.sh" "$@"
-scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml # their number follows contact: part of the state
+scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml # the number of substeps follows contact and is part of the state
 code 0 ranks 2 run scene.yaml --out whole
 grep -q '"status": *"done"' whole/run.json || fail "run.json does not say done"
 rows=$(($(wc -l <whole/series.csv) - 2))
@@ -14,7 +15,7 @@ for n in 1 3 4; do
   same whole/series.csv ranks$n/series.csv
 done
 
-# stopped at a random step by a signal, resumed on other ranks until done
+# stopped at a random step by a signal and resumed on another number of ranks, until the run is done
 RANDOM=$$
 n=2
 rm -rf stopped
@@ -40,12 +41,12 @@ done
 echo "stopped $stops times"
 same whole/series.csv stopped/series.csv
 
-# another run starts from the end of a stage
+# another run starts from a stage's checkpoint
 code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5
 sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 120' whole/series.csv >>tail.csv
 same tail.csv branch/series.csv
 
-# with balanced loads, what bodies carried in the last step is part of the state
+# with balanced loads, the force of the carried mass in the last step is part of the state
 code 0 ranks 2 run scene.yaml --out balanced --set coupling.load=balanced
 code 0 ranks 3 run scene.yaml --out again --set coupling.load=balanced --resume=balanced/checkpoint/step_00000150.h5
 sed -n '1,2p' balanced/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 150' balanced/series.csv >>tail.csv
