@@ -32,8 +32,8 @@ static void sleep_in_forcing(void *with) {
     clock_end(CLOCK_FORCING);
 }
 
-/* A call that sleeps takes at least its sleep, on the wall clock and on its part's, though one rank alone sleeps; two
- * calls are told apart; repeats last as long as asked. What a busy machine adds is not limited here. */
+/* A call that sleeps takes at least that time, on the wall clock and on its part's clock, also if only one rank sleeps.
+ * Two calls are distinguished. Repeats last as long as asked. Times that a busy machine adds are not limited here. */
 static void sleeps(void **state) {
     (void)state;
     struct nap nap[2] = {{.seconds = 2e-3}, {.seconds = 8e-3}};
@@ -52,7 +52,8 @@ static void sleeps(void **state) {
     assert_true(of[1][BENCH_WALL].median > of[0][BENCH_WALL].low + 5e-3);
 }
 
-/* The roofline takes the slower of the two; more ranks have no less of either than one, a busy machine apart. */
+/* The roofline takes the longer of the two times; more ranks have at least the rates of one, unless the machine is
+ * busy. */
 static void limits(void **state) {
     (void)state;
     const struct bench_limits given = {.together = 10, .peak = 100};

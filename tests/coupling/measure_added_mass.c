@@ -1,7 +1,7 @@
 /* Measures the added mass that the coupled step gives a porous block set in motion. */
-/* How the fluid answers when a porous block is set in motion as a whole within one step and then kept going: the
- * probes' force in each of the next steps, times the step, over the block's momentum. The sum over the steps, less the
- * drag that stays, is the added mass as the coupled step feels it, in units of the solid's mass (docs/design.md).
+/* A porous block is set in motion as a whole within one step and then keeps its velocity. Printed is the probes' force
+ * in each of the next steps, times the step, over the block's momentum. The sum over the steps, minus the steady drag,
+ * is the added mass in the coupled step, in units of the solid's mass (docs/design.md).
  * usage: measure_added_mass SCENE.yaml [--set-like overrides]...   one rank; the scene's first stage must be elastic */
 #include "base/die.h"
 #include "base/par.h"
@@ -12,7 +12,7 @@
 #include <stdio.h>
 
 enum { STEPS = 8, HELD = SOLID_HELD_X };
-static const double VELOCITY = 1e-6; /* m/s: nothing moves by a bond's worth */
+static const double VELOCITY = 1e-6; /* m/s: displacements stay far below a bond's length */
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
@@ -30,7 +30,7 @@ int main(int argc, char **argv) {
     printf("step, force dt/(m V)\n");
     for (int n = 0; n < STEPS; n++) {
         for (int c = 0; c < 3; c++)
-            for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h]; /* the carried part is not looked at */
+            for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h]; /* without the carried part */
         interface_markers_update(r);
         ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
                         r->markers.volume);

@@ -1,6 +1,6 @@
 /* Coupled step: no force on a body that moves with the flow, momentum balance, parts of a stage. */
-/* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together
- * from what the stage needs. */
+/* A body that moves with the flow has no force; the box's momentum balance closes; a step consists of the parts that
+ * the stage needs. */
 #include "ball.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -53,7 +53,7 @@ static void test_parts(void **state) {
     struct scene *scene = scene_of(box, rigid, 0, NULL);
     struct run *r = run_new(scene);
     step_begin_stage(r);
-    assert_true(SCENE_RETRACTION == IBM_RETRACTION); /* a scene's default is the value that was measured */
+    assert_true(SCENE_RETRACTION == IBM_RETRACTION); /* a scene's default is the measured value */
     assert_int_equal(r->parts, 1);
     assert_string_equal(r->part_name[0], "fluid with forcing");
     assert_int_equal(r->substeps, 0);
@@ -72,7 +72,7 @@ static void test_parts(void **state) {
     scene_free(scene);
 }
 
-/* Number of substeps: the outcome of a step must converge with it, at the integrator's order. */
+/* Number of substeps: the result of a step must converge with it, at the integrator's order. */
 static double displacement_after(const char *substeps) {
     const char *set[] = {substeps, "stages.drift.steps=4", "stages.drift.damping_relative=6.0e10"};
     struct scene *scene = scene_of(box, drift, 3, set);
@@ -96,7 +96,7 @@ static void test_substeps_converge(void **state) {
     assert_true(two < 0.3 * one || one < 1e-9 * fine);
 }
 
-/* A particle without bonds, alone in still fluid: slowed by Stokes' drag, and what it loses the fluid has. */
+/* A particle without bonds, alone in a fluid at rest: it is slowed by Stokes' drag, and the fluid gets its momentum. */
 static void test_set_free(void **state) {
     (void)state;
     const char *set[] = {"solid.bodies.ball.radius=0.006", "solid.bodies.ball.centre=[0.085, 0.085, 0.085]",
@@ -115,7 +115,7 @@ static void test_set_free(void **state) {
         velocity = par_sum(r->solid->n ? r->solid->v[0][0] : 0);
         fluid_measures_momentum(r->fluid, momentum);
         assert_true(fabs(momentum[0] + mass * (velocity - start)) < 1e-12 * mass * start);
-        if (n == 0) { /* the forcing's later passes see less of a difference: at most a tenth of it here */
+        if (n == 0) { /* the later forcing iterations see a smaller difference: at most a tenth less here */
             const double rate = (before - velocity) / r->dt / start, stokes = 3 * M_PI * 1.0 * diameter / mass;
             assert_true(rate < stokes && rate > 0.85 * stokes);
         }

@@ -24,7 +24,7 @@ static void take(int fd, char *text, size_t bytes) {
 
 static int window_columns = 100;
 
-/* What the calls of a run put on the screen (a terminal or a file) and into run.log. */
+/* Records the output of a run's calls on the screen (a terminal or a file) and in run.log. */
 static void record(int terminal, int quiet, int resume, void (*calls)(void)) {
     int mine = -1, other = -1;
     char on_screen[FOLDER_PATH];

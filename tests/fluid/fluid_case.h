@@ -1,4 +1,4 @@
-/* Scenes in brief, and a pseudo-random field that depends on the global place only. */
+/* Short inputs of fluids, and a pseudo-random field that depends on the global position only. */
 #pragma once
 #include "base/par.h"
 #include "fluid/fluid.h"
@@ -21,7 +21,7 @@ static inline double random_at(long a, long b, long c, long d) {
     return (double)((h ^ (h >> 32)) >> 11) * 0x1p-53 - 0.5;
 }
 
-/* The larger of a and |b|; infinite where b is no number, which fmax would swallow. */
+/* The larger of a and |b|; infinite if b is NaN, which fmax would ignore. */
 static inline double worse(double a, double b) { return isfinite(b) ? fmax(a, fabs(b)) : INFINITY; }
 
 static inline void all_sides(struct fluid_input *in, int d, enum fluid_side_type type) {

@@ -234,7 +234,7 @@ static const struct sample_broken table[] = {
      "it.yaml:9: solid.bodies[0].file = nowhere/points.txt: there is no such file (looked for @/nowhere/points.txt)"},
     {"solid", "file: points.txt", "file: points.txt, cavities: {period: 1, radius: 0.1, centre: [0, 0, 0]}",
      "it.yaml:9: solid.bodies[0].cavities: only with shape box, sphere or cylinder, here it is points"},
-    /* a plate: what it has and what not */
+    /* keys that a plate has, and keys that it has not */
     {"plate", "size: [0.1, 0.04]", "size: [0.1]",
      "it.yaml:3: domain.size = [0.1]: must be a list of 3 numbers (m), or of 2 for a plate"},
     {"plate", "size: [0.1, 0.04]", "size: [0.1, -0.04]", "it.yaml:3: domain.size[1] = -0.04: must be greater than 0"},
@@ -522,7 +522,7 @@ static void test_garbled_scenes_do_not_crash(void **state) {
     garble(SCENES "plate.yaml");
 }
 
-/* What a process says on stderr and leaves with when it asks for the scene. */
+/* Standard error and exit code of a process that reads the scene. */
 static int leaves_with(const char *path, int n, const char *const *set, char *said, size_t size) {
     int pipes[2], status;
     assert_int_equal(pipe(pipes), 0);

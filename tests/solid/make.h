@@ -14,7 +14,7 @@
 #include <string.h>
 #include <cmocka.h>
 
-/* |value - expected| <= tolerance, or the test says all three. */
+/* |value - expected| <= tolerance; a failure prints all three. */
 #define assert_near(value, expected, tolerance)                                                                        \
     do {                                                                                                               \
         const double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                               \
