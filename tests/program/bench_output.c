@@ -1,8 +1,8 @@
 /* Times the work beside the step: checks, kept state, samples, fields, checkpoints. */
-/* Wall seconds of the work besides the step: checks, guard, the parts of a sample, fields, checkpoints. usage: [mpiexec
- * -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]... FOLDER must have the subfolders
- * checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median of the repeats, the slowest
- * rank's. */
+/* Wall seconds of the work besides the step: checks, guard, the parts of a sample, fields, checkpoints.
+ * usage: [mpiexec -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]...
+ * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median
+ * of the repeats, the slowest rank's. */
 #include "base/die.h"
 #include "base/par.h"
 #include "base/signals.h"
