@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_count.h"
+#include "base/par_piece.h"
 
 #include <mpi.h>
 #include <stdlib.h>

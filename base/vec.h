@@ -237,7 +237,7 @@ static inline int vec_any_above(vec a, double b) {
 }
 
 /* The power of two at or below a > 0; 0 for 0, infinity for NaN. */
-static inline double power_below(double a) {
+static inline double vec_power_below(double a) {
     uint64_t bits;
     memcpy(&bits, &a, sizeof bits);
     bits &= UINT64_C(0x7ff) << 52;

@@ -64,44 +64,18 @@ static struct bench_size *sizes_of(const char *list, int *n) {
     return size;
 }
 
-void bench_limits(struct bench *b) {
-    const struct bench_limits *l = &b->table.limits;
-    const struct bench_row row[3] = {{.part = "triad_one_rank",
-                                      .time = l->triad_alone,
-                                      .units = l->triad_length,
-                                      .unit = "element",
-                                      .bytes = 24,
-                                      .flops = 2},
-                                     {.part = "triad",
-                                      .time = l->triad,
-                                      .units = par_size() * l->triad_length,
-                                      .unit = "element",
-                                      .bytes = 24,
-                                      .flops = 2},
-                                     {.part = "multiply_add",
-                                      .time = l->fma,
-                                      .units = par_size() * l->fma_length / 2,
-                                      .unit = "multiply-add",
-                                      .flops = 2}};
-    for (int k = 0; k < 3; k++) {
-        struct bench_row r = row[k];
-        snprintf(r.size, sizeof r.size, "%.0f", r.units);
-        bench_row_write(&b->table, &r);
-    }
-}
-
-int bench_run(const struct command *c) {
-    if (c->table) return par_rank() == 0 ? bench_table(c) : EXIT_CODE_DONE;
-    struct bench b = {.quick = c->quick, .effort = {c->repeats, c->quick ? 0.005 : 0.15}};
+int bench_run(const struct bench_input *in) {
+    if (in->page) return par_rank() == 0 ? bench_table(in) : EXIT_CODE_DONE;
+    struct bench b = {.quick = in->quick, .effort = {in->repeats, in->quick ? 0.005 : 0.15}};
     struct bench_size *size = NULL;
     if (b.effort.repeats > BENCH_REPEATS_MAX)
-        die_all(EXIT_CODE_SCENE, "--repeats %d: must be 5 to %d", c->repeats, BENCH_REPEATS_MAX);
-    if (c->only) check_only(c->only);
-    if (c->sizes) b.size = size = sizes_of(c->sizes, &b.sizes);
-    bench_row_begin(&b.table, c->out[0] ? c->out : NULL);
+        die_all(EXIT_CODE_SCENE, "--repeats %d: must be 5 to %d", in->repeats, BENCH_REPEATS_MAX);
+    if (in->only) check_only(in->only);
+    if (in->sizes) b.size = size = sizes_of(in->sizes, &b.sizes);
+    bench_row_begin(&b.table, in->out);
     b.table.limits = bench_limits_measure(&b.effort, b.quick ? 1 << 20 : 1 << 23);
     for (int k = 0; k < PARTS; k++)
-        if (c->only ? holds(c->only, part[k].name) : !part[k].asked_only) part[k].measure(&b);
+        if (in->only ? holds(in->only, part[k].name) : !part[k].asked_only) part[k].measure(&b);
     bench_row_end(&b.table);
     free(size);
     return EXIT_CODE_DONE;

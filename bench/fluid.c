@@ -80,7 +80,7 @@ static const struct {
     const char *name[2]; /* with inflow and outflow; periodic along x */
     int channel;
 } part[PARTS] = {[STEP] = {{"fluid_step", "channel_step"}, BENCH_WALL},
-                 [MOMENTUM] = {{"fluid_measures_momentum", "channel_momentum"}, BENCH_CLOCK + CLOCK_MOMENTUM},
+                 [MOMENTUM] = {{"fluid_momentum", "channel_momentum"}, BENCH_CLOCK + CLOCK_MOMENTUM},
                  [POISSON] = {{"fluid_poisson", "channel_poisson"}, BENCH_CLOCK + CLOCK_POISSON},
                  [FORWARD] = {{"fluid_poisson_forward", "channel_poisson_forward"}, BENCH_CLOCK + CLOCK_FORWARD},
                  [COLUMNS] = {{"fluid_poisson_columns", "channel_poisson_columns"}, BENCH_CLOCK + CLOCK_COLUMNS},

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/vec.h"
+#include "bench/parts.h"
 
 struct triad {
     long n;
@@ -63,4 +64,30 @@ struct bench_limits bench_limits_measure(const struct bench_effort *effort, long
     l.together = par_size() * bytes / l.triad.low;
     l.peak = par_size() * l.fma_length / l.fma.low;
     return l;
+}
+
+void bench_limits(struct bench *b) {
+    const struct bench_limits *l = &b->table.limits;
+    const struct bench_row row[3] = {{.part = "triad_one_rank",
+                                      .time = l->triad_alone,
+                                      .units = l->triad_length,
+                                      .unit = "element",
+                                      .bytes = 24,
+                                      .flops = 2},
+                                     {.part = "triad",
+                                      .time = l->triad,
+                                      .units = par_size() * l->triad_length,
+                                      .unit = "element",
+                                      .bytes = 24,
+                                      .flops = 2},
+                                     {.part = "multiply_add",
+                                      .time = l->fma,
+                                      .units = par_size() * l->fma_length / 2,
+                                      .unit = "multiply-add",
+                                      .flops = 2}};
+    for (int k = 0; k < 3; k++) {
+        struct bench_row r = row[k];
+        snprintf(r.size, sizeof r.size, "%.0f", r.units);
+        bench_row_write(&b->table, &r);
+    }
 }

@@ -215,17 +215,22 @@ static void sent(const struct bench_cells *c) {
     printf("\n");
 }
 
-int bench_table(const struct command *c) {
+int bench_table(const struct bench_input *in) {
     struct page p = {0};
-    for (int k = 0; k < c->files; k++) read_file(&p, c->file[k]);
+    for (int k = 0; k < in->files; k++) read_file(&p, in->file[k]);
     if (!p.rows || !p.rows->rows) die(EXIT_CODE_FILE, "frana bench --table: none of the files holds measured times");
-    if (c->table == COMMAND_TABLE_PERFORMANCE) {
+    switch (in->page) {
+    case BENCH_PAGE_NONE:
+        break;
+    case BENCH_PAGE_PERFORMANCE:
         performance(&p);
-    } else {
+        break;
+    case BENCH_PAGE_GROWTH:
         machine(p.rows);
         growth_of(p.rows, "fluid_step", "cells");
         growth_of(p.rows, "sweep_full", "particles");
         if (p.traffic) sent(p.traffic);
+        break;
     }
     bench_cells_free(p.rows);
     bench_cells_free(p.traffic);

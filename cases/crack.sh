@@ -1,11 +1,14 @@
-# Sourced by the cases of plates: runs, numbers of a run's post/, rows of summary.csv.
+# shellcheck shell=bash
+# Sourced by the cases of plates: runs under $runs, and numbers of their cracks from post/ and crack.csv.
+# shellcheck source=cases/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 frana=${FRANA:-build/frana}
 
 # go NAME SCENE [--set ...]: runs it into $runs/NAME and reads its crack, unless that is done
 go() {
   local name=$1 scene=$2
   shift 2
-  if ! grep -qs '"status": *"done"' "$runs/$name/run.json"; then
+  if ! is_done "$runs/$name"; then
     rm -rf "${runs:?}/$name"
     "$frana" run "$scene" --out "$runs/$name" "$@"
   fi
@@ -18,14 +21,17 @@ of() {
     "$runs/$1/post/crack-summary.csv"
 }
 
-# json NAME KEY: a number of its run.json
-json() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$runs/$1/run.json" | head -n 1; }
+# variation NAME SCENE WORD...: go with the words, in which :_ stands for a colon and a space; what it says goes to
+# $runs/NAME.log
+variation() {
+  local name=$1 scene=$2 words=() w
+  shift 2
+  for w in "$@"; do words+=("${w//:_/: }"); done
+  go "$name" "$scene" "${words[@]}" >"$runs/$name.log"
+}
 
-# scaled FACTOR [VALUE]: their product, nothing without a value
-scaled() { [ -z "${2-}" ] || awk -v f="$1" -v v="$2" 'BEGIN { printf "%.6g\n", f * v }'; }
-
-# meet NAME AXIS REACH: x (m) where the branch's way, a straight line by least squares through the left tip's places over REACH behind
-# the place from which undamaged particles part the branches, comes from the axis y = AXIS
+# meet NAME AXIS REACH: x (m) where the branch's way, a straight line by least squares through the left tip's places
+# over REACH behind the place from which undamaged particles part the branches, comes from the axis y = AXIS
 meet() {
   local from
   from=$(of "$1" "branching, x")
@@ -33,7 +39,8 @@ meet() {
     NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i }
     NR > 2 { x = $k["left_x"]; y = $k["left_y"] - axis }
     NR > 2 && x >= p && x <= p + reach && !seen[x]++ { n++; sx += x; sy += y; sxx += x * x; sxy += x * y }
-    END { b = (n * sxy - sx * sy) / (n * sxx - sx * sx); if (b > 0) printf "%.6g\n", (sx - sy / b) / n }' "$runs/$1/crack.csv"
+    END { b = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+      if (b > 0) printf "%.6g\n", (sx - sy / b) / n }' "$runs/$1/crack.csv"
 }
 
 # top NAME WINDOW: largest speed (m/s) of the upper tip over windows (s) that stand end to end, as 000's eq. 41 has them
@@ -48,10 +55,11 @@ top() {
     END { printf "%.6g\n", most }' "$runs/$1/crack.csv"
 }
 
-# row QUANTITY UNIT OURS REFERENCE SOURCE [LOW HIGH]: a line of $summary; passes between LOW and HIGH
-row() {
-  awk -v q="$1" -v u="$2" -v x="$3" -v r="$4" -v s="$5" -v a="${6-}" -v b="${7-}" 'BEGIN {
-    t = a == "" ? "" : a " to " b
-    p = a == "" ? "" : (x != "" && x + 0 >= a + 0 && x + 0 <= b + 0 ? "yes" : "no")
-    printf "%s, %s, %s, %s, %s, %s, %s\n", q, u, x, r, s, t, p }' >>"$summary"
+# mirrored NAME AXIS SPACING: a row: of the run's particles, how many are not their mirror image's about y = AXIS to the
+# bit
+mirrored() {
+  local state
+  state=$("$(dirname "${BASH_SOURCE[0]}")/symmetric.sh" "$runs/$1" "$2" "$3") || true
+  row "$1: particles that are no mirror image to the bit" 1 \
+    "$(awk '{ print $1 == "symmetric" ? 0 : $1 == "unsymmetric" ? $2 : "" }' <<<"$state")" 0 "symmetry" 0 0
 }

@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
 # Is the state at a run's end its own mirror image about y = AXIS, to the last bit? Needs h5dump (Debian: hdf5-tools).
-# The places X0 are the last field's current places less its displacements, rounded to thousandths of SPACING; the displacements and
-# velocities that are compared are the checkpoint's doubles, written with 17 digits.
-# usage: cases/symmetric.sh RUN AXIS SPACING         prints "symmetric N" or "unsymmetric K of N"; exit code 1 where it is not
+# The places X0 are the last field's current places less its displacements, rounded to thousandths of SPACING; the
+# displacements and velocities that are compared are the checkpoint's doubles, written with 17 digits.
+# usage: cases/symmetric.sh RUN AXIS SPACING
+# Prints "symmetric N" or "unsymmetric K of N"; leaves with 1 where it is not.
 set -euo pipefail
+# shellcheck source=cases/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 run=$1 axis=$2 spacing=$3
 field=$(ls "$run"/fields/solid_*.hdf | tail -n 1) state=$(ls "$run"/checkpoint/stage_*.h5 | tail -n 1)
-values() { h5dump -y -w 0 -m %.17g -d "$2" "$1" | sed -n '/DATA {/,/}/p' | tr -d '{}DAT ' | tr ',' '\n' | grep -v '^$'; }
 paste -d ' ' \
-  <(values "$field" /VTKHDF/Points | paste -d ' ' - - -) \
-  <(values "$field" /VTKHDF/PointData/displacement | paste -d ' ' - - -) \
-  <(values "$state" /displacement | paste -d ' ' - -) \
-  <(values "$state" /velocity | paste -d ' ' - -) |
+  <(h5_values "$field" /VTKHDF/Points %.17g 3) \
+  <(h5_values "$field" /VTKHDF/PointData/displacement %.17g 3) \
+  <(h5_values "$state" /displacement %.17g 2) \
+  <(h5_values "$state" /velocity %.17g 2) |
   awk -v axis="$axis" -v s="$spacing" '
     function negative(v) { return v ~ /^-/ ? substr(v, 2) : (v == "0" ? v : "-" v) }
     function site(v) { return sprintf("%.0f", 1000 * v / s) }

@@ -155,8 +155,8 @@ static enum adapt_verdict finer(struct run *r, int substeps, const char *why) {
 static enum adapt_verdict judge_failure(struct run *r, struct step_status *status) {
     step_status_agree(status);
     if (is_automatic(r)) return shorter(r, SHORTER * r->dt, status);
-    const int solid = status->field[0] == 'd' || status->field[0] == 's'; /* displacement, or the solid's velocity */
-    return solid && has_substeps(r) ? finer(r, 2 * r->substeps, status->field) : ADAPT_LOST;
+    return status->seen_in == STEP_STATUS_SOLID && has_substeps(r) ? finer(r, 2 * r->substeps, status->field)
+                                                                   : ADAPT_LOST;
 }
 
 static enum adapt_verdict judge_convection(struct run *r, double rate, struct step_status *status) {
@@ -165,7 +165,7 @@ static enum adapt_verdict judge_convection(struct run *r, double rate, struct st
     a->limits = fluid_limits_of(r->fluid, rate);
     a->limits_of = r->step;
     if (r->dt <= fmax(BEYOND * cfl, 1) * a->limits.convective) return ADAPT_HOLDS;
-    *status = (struct step_status){.rank = par_rank(), .field = "convection"};
+    *status = (struct step_status){.seen_in = STEP_STATUS_COUPLING, .rank = par_rank(), .field = "convection"};
     status->failed = fluid_limits_convection_rate(r->fluid, status->x) == rate;
     status->value = r->dt / a->limits.convective;
     step_status_agree(status);
@@ -182,7 +182,8 @@ static enum adapt_verdict judge_contact(struct run *r, double fastest, struct st
         char why[96];
         snprintf(why, sizeof why, "bound by %s (stable up to %.4g s)", solid_stable_bound_name[r->solid_bound],
                  r->solid_stable);
-        *status = (struct step_status){.failed = 1, .field = "substep", .value = r->dt / r->substeps};
+        *status = (struct step_status){
+            .failed = 1, .seen_in = STEP_STATUS_COUPLING, .field = "substep", .value = r->dt / r->substeps};
         return finer(r, least, why);
     }
     if (least > r->substeps) set_substeps(r, least);

@@ -24,8 +24,8 @@ struct adapt {
     int least;   /* least number of substeps in it: 0, or the number with which a rejected step is made again */
     int tries;   /* number of times that the present step was made again */
     int replays; /* 1: earlier steps are repeated, to get back to the state before a rejected step; nothing is logged */
-    double approach; /* m, by which two particles may have approached since the contact's rate was computed; part of a
-                      * checkpoint */
+    /* State (coupling/run_state.c): m, by which two particles may have come nearer since contact was looked at. */
+    double approach;
     struct fluid_limits limits; /* after the last step, if limits_of is its number */
     long limits_of;
     double first;                 /* s, the first step of the stage */

@@ -14,11 +14,12 @@
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "physics/limits.h"
 #include "solid/imposed/given.h"
 
 #include <string.h>
 
-enum { BODIES_MAX = 255, VOLUME = 0, LACK, COLUMNS = LACK + 3 };
+enum { VOLUME = 0, LACK, COLUMNS = LACK + 3 };
 
 static int is_inside(const struct run *r, int h) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
@@ -92,8 +93,8 @@ void balance_keep(struct run *r) {
 
 void balance_loads(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
-    double body[BODIES_MAX][COLUMNS] = {{0}};
-    ENSURE(s->in.bodies <= BODIES_MAX, "%d bodies", s->in.bodies);
+    double body[PHYSICS_BODIES_MAX][COLUMNS] = {{0}};
+    ENSURE(s->in.bodies <= PHYSICS_BODIES_MAX, "%d bodies", s->in.bodies);
     ibm_forcing_by_marker(r->ibm, r->dt, r->markers.force);
     sum_bodies(r, body);
     par_sum_array(body[0], s->in.bodies * COLUMNS);

@@ -41,3 +41,14 @@ void forcing_guess_hand_on(struct run *r) {
     memory_free(r->demand);
     r->demand = NULL;
 }
+
+static void make(void *keep, void *owner) {
+    double(**demand)[3] = keep;
+    *demand = memory_new(MEMORY_OUTPUT, (size_t)((struct run *)owner)->solid->n + 1, sizeof **demand);
+}
+
+static void take(void *keep, void *owner) { forcing_guess_take(owner, *(double(**)[3])keep); }
+static void restore(void *keep, void *owner) { forcing_guess_put(owner, (const double(*)[3]) * (double(**)[3])keep); }
+static void drop(void *keep) { memory_free(*(double(**)[3])keep); }
+
+const struct state_kept forcing_guess_kept = {make, take, restore, drop};

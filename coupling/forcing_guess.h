@@ -2,6 +2,7 @@
  * memory. */
 #pragma once
 #include "coupling/run.h"
+#include "files/state_item.h"
 
 /* 1: the run has such a guess. Not collective. */
 int forcing_guess_is_part_of(const struct run *r);
@@ -13,3 +14,7 @@ void forcing_guess_take(struct run *r, double (*all)[3]);
 void forcing_guess_put(struct run *r, const double (*all)[3]);
 /* After ibm_markers_set: gives a stored guess to the markers. Collective. */
 void forcing_guess_hand_on(struct run *r);
+
+/* For the table of state: its `keep` is a double (**)[3], an array that is made when it is first needed; its owner is
+ * the run. */
+extern const struct state_kept forcing_guess_kept;

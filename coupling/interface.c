@@ -1,5 +1,4 @@
 /* Sets markers and probes from the interface, and turns traction into loads.  (001: secs 3.5.2, 3.5.3) */
-/* The interface: markers, probes, and the load on the particles.  (001: secs 3.5.2, 3.5.3; SPEC 3, 4) */
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -127,7 +126,7 @@ void interface_markers_update(struct run *r) {
     }
 }
 
-/* F_h = t_h A_h / V_h  (001: eq. 3.96, sign as in SPEC 4), less the added mass. sum: the force on the whole solid, with
+/* F_h = t_h A_h / V_h  (001: eq. 3.96, mended), less the added mass. sum: the force on the whole solid, with
  * the added mass. */
 static void load_by_probe(struct run *r, double sum[3]) {
     struct solid *s = r->solid;

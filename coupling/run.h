@@ -34,13 +34,14 @@ struct run_markers {
     uint8_t *active;
 };
 
-/* The state for which the rates of a refined plate were computed; part of a checkpoint. */
+/* What the rates of a refined plate were found from. */
 struct run_refined {
-    int level;    /* finest level then, -1: not yet in this stage */
+    long level;   /* finest level then, -1: not yet in this stage */
     double rate2; /* solid_refine_rate_bound then, 1/s2 */
 };
 
 struct run {
+    /* Parameters: read-only once the run is made. The parts have parameters, state and work of their own. */
     const struct scene *scene; /* borrowed */
     struct setup_needs needs;
     struct fluid *fluid;           /* NULL: no fluid */
@@ -48,36 +49,39 @@ struct run {
     struct solid_surface *surface; /* NULL unless immersed */
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
-    struct run_markers markers;
-    double (*demand)[3];   /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
-    double *v_last[3];     /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed */
-    double (*carried)[3];  /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
-    double load[3];        /* force of the fluid on the solid at the last probe, whole solid, N */
-    struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
+    struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 
-    /* time and step of the run */
-    double t;        /* s */
-    long step;       /* over all stages */
-    int stage;       /* index into scene->stage */
-    long stage_step; /* number of steps done in the stage */
-
-    struct adapt adapt; /* how its steps are chosen */
-
-    /* of the present stage */
-    double dt;    /* s */
-    int substeps; /* of the solid in a step */
+    /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
+     * looks that it has every member from t to solid_bound. */
+    double t;             /* s */
+    double dt;            /* s */
+    long step;            /* over all stages */
+    long stage_step;      /* steps done of the present stage */
+    int stage;            /* index into scene->stage */
+    int substeps;         /* of the solid in a step */
+    long moved;           /* step after which the solid last moved; 0: it has not moved */
+    double load[3];       /* force of the fluid on the solid at the last probe, whole solid, N */
+    double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed */
+    double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
+    double (*demand)[3];  /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */
     enum solid_bound solid_bound; /* what limits it */
+
+    /* Parts of a step, put together when a stage begins. */
     int parts;
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
+    struct adapt adapt; /* how its steps are chosen */
 
-    long moved;                          /* step after which the solid last moved; 0: it has not moved */
-    long deposited;                      /* step of the last deposit, -1: none */
-    double *position[3];                 /* [n] work of the deposit, m */
-    long fluid_cell_steps, solid_sweeps; /* counters for ns per cell-step and per bond sweep */
+    /* Work: found anew from the state. */
+    struct run_markers markers;
+    double *position[3]; /* [n] of the deposit, m */
+    long deposited;      /* step of the last deposit, -1: none */
+
+    /* Counters and clocks: no step depends on them. */
+    long fluid_cell_steps, solid_sweeps; /* for ns per cell-step and per bond */
     long resumed;                        /* step of the checkpoint that the run started from, 0: none */
     double wall_start;
     double setup_seconds; /* from wall_start to the first step; 0: no step yet */

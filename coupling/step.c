@@ -1,7 +1,6 @@
-/* The time step: the list of parts that a stage needs, and the loop over it.  (001: sec. 4.3) */
+/* The time step: the box of all parts, those of it that a stage needs, and the loop over them.  (001: sec. 4.3) */
 #include "base/die.h"
 #include "base/ensure.h"
-#include "base/memory.h"
 #include "base/par.h"
 #include "base/step_status.h"
 #include "coupling/balance.h"
@@ -9,16 +8,13 @@
 #include "coupling/interface.h"
 #include "coupling/refinement.h"
 #include "coupling/run.h"
+#include "coupling/stage.h"
 #include "coupling/step.h"
 #include "files/log.h"
 #include "solid/contact/contact.h"
 #include "solid/refine/refine.h"
 #include "solid/step/integrate.h"
-#include "solid/step/rates.h"
 #include "solid/step/relax.h"
-#include "solid/step/stable.h"
-
-#include <math.h>
 
 static void part_refine(struct run *r) {
     const long before = solid_refine_events(r->solid);
@@ -42,7 +38,7 @@ static void part_markers(struct run *r) {
     forcing_guess_hand_on(r);
 }
 
-/* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.65-3.69, 3.80-3.82) */
+/* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.70-3.73, 3.79-3.82) */
 static void part_fluid_forced(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
     for (int s = 0; s < 3; s++) {
@@ -89,72 +85,44 @@ static void part_relax(struct run *r) {
     r->moved = r->step + 1;
 }
 
-static void add(struct run *r, run_part *part, const char *name) {
-    ENSURE(r->parts < RUN_PARTS_MAX, "a step of more than %d parts", RUN_PARTS_MAX);
-    r->part_name[r->parts] = name;
-    r->part[r->parts++] = part;
-}
+/* The box: the parts of a step in their order. A stage has a part if it has all needs of `with` and none of `without`.
+ * (001: sec. 4.3) */
+static const struct step_part box[] = {
+    {"relaxation", STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
+    {"time step from the fluid's limits", STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
+    {"markers", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG, part_markers},    /* 001: sec. 3.5.2, X^n and V^n */
+    {"fluid", STAGE_FLUID, STAGE_IMMERSED, part_fluid},                         /* 001: eqs 3.70-3.74 */
+    {"fluid with forcing", STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG, part_fluid_forced}, /* 001: eqs 3.70-3.82 */
+    {"fluid with forcing, implicit diffusion", STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG, part_fluid_implicit},
+    {"probe", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG, interface_probe}, /* 001: eqs 3.83-3.96 */
+    {"refinement", STAGE_REFINES, STAGE_STRONG, part_refine},                 /* 000: ch. 2 */
+    {"contact", STAGE_TOUCHES, 0, part_contact},                              /* lists of pairs for 001: eq. 3.40 */
+    {"number of substeps", STAGE_FOLLOWS, 0, adapt_substeps},                 /* the solid's stable step */
+    {"solid", STAGE_ELASTIC, STAGE_STRONG, part_solid},                       /* 001: eqs 3.38, 3.47, 3.48 */
+    {"fluid, probe and solid, iterated", STAGE_STRONG, 0, strong_step},       /* Degroote et al. 2009 */
+    {"surface", STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface},             /* 001: secs 3.3.7, 3.3.9 */
+};
 
-static void stable_step(struct run *r) {
-    if (r->scene->solid->refinement)
-        refinement_rates(r);
-    else
-        solid_rates_of(r->solid, &r->solid_rates);
-    r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
+int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]) {
+    int n = 0;
+    for (size_t k = 0; k < sizeof box / sizeof *box; k++) {
+        if ((needs & box[k].with) != box[k].with || needs & box[k].without) continue;
+        ENSURE(n < RUN_PARTS_MAX, "a step of more than %d parts, needs %#x", RUN_PARTS_MAX, needs);
+        part[n++] = &box[k];
+    }
+    return n;
 }
 
 void step_begin_stage(struct run *r) {
-    const struct scene_stage *stage = &r->scene->stage[r->stage];
-    const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
-    const double dt = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0; /* that before a refinement */
-    r->parts = 0;
-    adapt_begin(r);
-    if (stage->time_step > 0 || !r->fluid || r->stage_step == 0) r->dt = stage->time_step;
-    if (!elastic || r->stage_step == 0) r->substeps = 0;
-    if (r->stage_step == 0) r->refined.level = -1;
-    if (elastic) {
-        setup_stage(stage, &r->solid->stage);
-        if (!stage->relax) stable_step(r);
-        if (r->stage_step > 0) solid_verlet_resume(r->solid);
-        if (!r->fluid && r->dt <= 0 && !isfinite(r->solid_stable))
-            die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);
-        if (!r->fluid && r->dt <= 0) r->dt = dt > 0 ? dt : stage->safety * r->solid_stable;
+    const struct step_part *part[RUN_PARTS_MAX];
+    const unsigned needs = stage_begin(r);
+    r->parts = step_parts_of(needs, part);
+    for (int k = 0; k < r->parts; k++) {
+        r->part[k] = part[k]->run;
+        r->part_name[k] = part[k]->name;
     }
-    if (stage->relax) {
-        add(r, part_relax, "relaxation");
-        return;
-    }
-    if (r->fluid && stage->time_step <= 0) add(r, adapt_time_step, "time step from the fluid's limits");
-    const int touches = elastic && r->needs.contact && solid_contact_is_possible(r->solid);
-    const int follows = stage->substeps == 0 && (touches || (r->fluid && stage->time_step <= 0));
-    if (elastic && stage->substeps > 0)
-        r->substeps = stage->substeps;
-    else if (elastic && r->dt > 0 && (r->substeps == 0 || !follows))
-        r->substeps = adapt_substeps_wanted(r);
-    if (elastic && r->strong) {
-        if (touches) add(r, part_contact, "contact");
-        if (follows) add(r, adapt_substeps, "number of substeps");
-        strong_parts(r->strong, part_markers, part_fluid_forced); /* never with implicit diffusion: the scene's checks
-                                                                   * refuse it */
-        add(r, strong_step, "fluid, probe and solid, iterated");
-        add(r, part_surface, "surface");
-        return;
-    }
-    if (r->ibm && elastic)
-        add(r, part_markers, "markers");
-    else if (r->ibm)
-        part_markers(r); /* a solid at rest: once a stage */
-    if (r->fluid && r->ibm && fluid_input_of(r->fluid)->implicit)
-        add(r, part_fluid_implicit, "fluid with forcing, implicit diffusion");
-    else if (r->fluid)
-        add(r, r->ibm ? part_fluid_forced : part_fluid, r->ibm ? "fluid with forcing" : "fluid");
-    if (!elastic) return;
-    if (r->ibm) add(r, interface_probe, "probe");
-    if (r->solid->refine) add(r, part_refine, "refinement");
-    if (touches) add(r, part_contact, "contact");
-    if (follows) add(r, adapt_substeps, "number of substeps");
-    add(r, part_solid, "solid");
-    if (r->surface) add(r, part_surface, "surface");
+    if (needs & STAGE_STRONG) strong_parts(r->strong, part_markers, part_fluid_forced);
+    if (needs & STAGE_IMMERSED && !(needs & STAGE_ELASTIC)) part_markers(r); /* a solid at rest: once a stage */
 }
 
 void step_advance(struct run *r) {
@@ -163,7 +131,7 @@ void step_advance(struct run *r) {
     r->step++;
     r->stage_step++;
     r->fluid_cell_steps += r->fluid ? (long)fluid_cells(r->fluid) : 0;
-    r->solid_sweeps += (long)r->substeps * (r->solid && r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
+    r->solid_sweeps += r->solid ? solid_integrate_sweeps(r->solid, r->substeps) : 0;
 }
 
 /* 1: a value in one plane of p is NaN or infinite. */

@@ -1,6 +1,15 @@
-/* The time step: the list of the parts that a stage needs.  (001: sec. 4.3; SPEC 5) */
+/* The time step, put together from the parts that a stage needs.  (001: sec. 4.3) */
 #pragma once
 #include "coupling/run.h"
+
+/* A line of the box: a stage has the part if it has all needs of `with` and none of `without` (coupling/stage.h). */
+struct step_part {
+    const char *name;
+    unsigned with, without;
+    run_part *run;
+};
+/* The parts of a step with these needs, in order; returns how many. Not collective. */
+int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]);
 
 /* Makes the list of the present stage's step. Collective. */
 void step_begin_stage(struct run *r);

@@ -176,7 +176,7 @@ static void add_up(struct run *r, int iterations) {
     count->iterations += iterations;
     count->most = iterations > count->most ? iterations : count->most;
     r->fluid_cell_steps += (iterations - 1) * (long)fluid_cells(r->fluid);
-    r->solid_sweeps += (iterations - 1) * (long)r->substeps * (r->solid->stage.integrator == SOLID_VERLET ? 1 : 3);
+    r->solid_sweeps += (iterations - 1) * solid_integrate_sweeps(r->solid, r->substeps);
     if (r->stage_step + 1 == r->scene->stage[r->stage].steps)
         log_line("strong coupling: %.2f iterations a step, %ld at most; %ld steps not converged",
                  (double)count->iterations / (double)count->steps, count->most, count->unconverged);

@@ -1,5 +1,5 @@
 /* The strongly coupled step: repeats fluid, probe and solid from the state at t_n, until the interface velocity given
- * to the fluid for t_{n+1} equals the one that the solid returns.  (SPEC 5) */
+ * to the fluid for t_{n+1} equals the one that the solid returns.  (Kuettler and Wall 2008) */
 #pragma once
 
 struct run;

@@ -1,12 +1,12 @@
 /* Creates and frees the fluid, gives access to its state, and steps it without immersed bodies. */
 #include "base/die.h"
 #include "base/memory.h"
-#include "base/par_halo.h"
-#include "fluid/grid/outflow.h"
-#include "fluid/grid/reach.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/correction.h"
+#include "fluid/momentum/diffusion.h"
 #include "fluid/momentum/momentum.h"
+#include "fluid/poisson/poisson.h"
 #include "fluid/poisson/wisdom.h"
 
 #include <stdlib.h>
@@ -82,43 +82,8 @@ void fluid_free(struct fluid *f) {
     free(f);
 }
 
-const struct fluid_grid *fluid_grid_of(const struct fluid *f) { return f->grid; }
 const struct fluid_input *fluid_input_of(const struct fluid *f) { return &f->in; }
-struct fluid_state *fluid_state_of(struct fluid *f) {
-    return &f->state;
-}
-double *const *fluid_predicted(struct fluid *f) { return f->predicted; }
-size_t fluid_cells(const struct fluid *f) {
-    return (size_t)f->grid->n[0] * (size_t)f->grid->n[1] * (size_t)f->grid->n[2];
-}
-
-void fluid_predicted_refresh(struct fluid *f, int layers) {
-    fluid_boundary_velocity(f->boundary, f->grid, f->predicted, layers);
-}
-
-/* A free low side is closed by continuity, which reads one ghost layer of the neighbours; so these ghosts are filled
- * first. */
-static void state_refresh(struct fluid *f, const struct par_halo_part *part) {
-    double *const q[3] = {f->state.u, f->state.v, f->state.w};
-    fluid_outflow_take(f->boundary, f->grid, q);
-    if (f->boundary->low_unowned) {
-        fluid_boundary_velocity(f->boundary, f->grid, q, 1);
-        fluid_boundary_close(f->boundary, f->grid, q);
-        fluid_outflow_take(f->boundary, f->grid, q);
-    }
-    fluid_boundary_velocity_part(f->boundary, f->grid, q, part);
-    fluid_boundary_pressure(f->boundary, f->grid, f->state.p, part);
-}
-
-void fluid_state_refresh(struct fluid *f) {
-    const struct par_halo_part whole = par_halo_whole(f->grid->halos, f->grid->halo);
-    state_refresh(f, &whole);
-}
-
-void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]) {
-    const struct par_halo_part part = fluid_reach(f->grid, layers, low, high);
-    state_refresh(f, &part);
-}
+size_t fluid_cells(const struct fluid *f) { return fluid_grid_cells(f->grid); }
 
 void fluid_step(struct fluid *f, double dt) {
     for (int r = 0; r < 3; r++) {

@@ -60,13 +60,16 @@ struct fluid_input {
     int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
 };
 
-/* Exactly what a checkpoint stores, with t and step. Arrays as in fluid/grid/grid.h; their ghosts are not stored. */
+/* Arrays as fluid/grid/grid.h; ghosts are rebuilt. From u to driving it is the state: exactly what the table in
+ * fluid/state_table.c lists, as tests/coupling/test_state.c looks. */
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
     double driving;    /* the present pressure gradient, Pa/m; its mean over the stage if it depends on time */
-    double driven;     /* its mean over the last step, Pa/m; not stored */
-    double t;          /* time at the start of the step, s: set by the caller, advanced by fluid_step */
+
+    /* Work. */
+    double driven; /* mean of `driving` over the last step, Pa/m */
+    double t;      /* time at the start of the step, s: set by the caller, advanced by fluid_step */
 };
 
 struct fluid; /* opaque: grid, parameters, state, work, plans */
@@ -82,7 +85,6 @@ struct fluid_state *fluid_state_of(struct fluid *f);
  * and with implicit diffusion
  *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt);
  *     [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
-extern const double fluid_alpha[3], fluid_beta[3], fluid_gamma[3];
 
 /* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), and the values on the sides' faces. Ghosts are not set;
  * fluid_predicted_refresh does that. Collective. */
@@ -152,11 +154,11 @@ void fluid_measures_mean_pressure(struct fluid *f, int direction,
                                   double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
-void fluid_measures_box_force(struct fluid *f, double out[3]);
+void fluid_box_force(struct fluid *f, double out[3]);
 /* The same force as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
-void fluid_audit_begin(struct fluid *f);
-void fluid_audit_end(struct fluid *f, double out[3]);
+void fluid_box_force_begin(struct fluid *f);
+void fluid_box_force_end(struct fluid *f, double out[3]);
 void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 
 size_t fluid_cells(const struct fluid *f); /* of the whole domain */

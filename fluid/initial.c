@@ -1,5 +1,6 @@
 /* Initial velocity: uniform flow or developed profile, plus Taylor-Green vortices. */
 #include "base/memory.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/grid/profile.h"
 #include "fluid/internal.h"
 

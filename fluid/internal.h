@@ -1,9 +1,10 @@
 /* Shared by the files of fluid/ only. */
 #pragma once
 #include "fluid/fluid.h"
-#include "fluid/grid/boundary.h"
-#include "fluid/momentum/diffusion.h"
-#include "fluid/poisson/poisson.h"
+
+struct fluid_boundary;  /* fluid/grid/boundary.h */
+struct fluid_poisson;   /* fluid/poisson/poisson.h */
+struct fluid_diffusion; /* fluid/momentum/diffusion.h */
 
 /* The force on the box, summed during a step. */
 struct fluid_audit {
@@ -34,12 +35,10 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
     return c == 0 ? s->u : c == 1 ? s->v : s->w;
 }
 
-void fluid_audit_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */
-void fluid_audit_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is computed. Collective. */
-void fluid_audit_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */
+void fluid_box_force_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */
+void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is computed. Collective. */
+void fluid_box_force_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */
 /* Adds sign times the present p: for a change of p that exerts no force in this stage. Not collective. */
-void fluid_audit_pressure_part(struct fluid *f, int r, double sign);
-void fluid_initial_fill(struct fluid *f); /* the initial velocity. Not collective. */
-/* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. */
-void fluid_advanced(const struct fluid *f, int c, int low[3], int high[3]);
+void fluid_box_force_pressure_part(struct fluid *f, int r, double sign);
+void fluid_initial_fill(struct fluid *f);  /* the initial velocity. Not collective. */
 void fluid_project_start(struct fluid *f); /* makes the initial velocity divergence-free. Collective. */

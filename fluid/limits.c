@@ -1,7 +1,9 @@
 /* Stability limits of the fluid's time step, and the check for NaN and too large velocities. */
 #include "base/par.h"
 #include "base/step_status.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
+#include "fluid/momentum/diffusion.h"
 
 #include <math.h>
 #include <string.h>
@@ -109,6 +111,7 @@ struct step_status fluid_limits_check(struct fluid *f) {
                 const int at[3] = {i + g->lo[0], j + g->lo[1], k + g->lo[2]};
                 for (int d = 0; d < 3; d++) s.x[d] = (at[d] + (d == c ? 1.0 : 0.5)) * g->d[d];
                 s.failed = 1;
+                s.seen_in = STEP_STATUS_FLUID;
                 s.rank = par_rank();
                 s.value = row[i];
                 strcpy(s.field, c == 0 ? "u" : c == 1 ? "v" : c == 2 ? "w" : "p");

@@ -1,16 +1,13 @@
 /* Predictor of a Runge-Kutta stage: u* from the explicit momentum equation.  (001: eq. 3.66) */
 #include "base/clock.h"
 #include "base/par_halo.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/grid/outflow.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
+#include "physics/rk3.h"
 
 #include <math.h>
-
-/* Low-storage Runge-Kutta of third order.  (001: eq. 3.66; Wesseling 2001) */
-const double fluid_alpha[3] = {8.0 / 15, 5.0 / 12, 3.0 / 4};
-const double fluid_beta[3] = {0, -17.0 / 60, -5.0 / 12};
-const double fluid_gamma[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};
 
 /* The number of faces advanced: a side's own face is not advanced with the inner ones. */
 static void count_faces(const struct fluid_grid *g, int faces[3]) {
@@ -23,8 +20,8 @@ static void driving_of_stage(struct fluid *f, int r, double dt) {
     const struct fluid_driving *d = &f->in.driving;
     double begin = f->state.t;
     if (d->type != FLUID_DRIVING_GRADIENT || !(f->in.driving_frequency > 0)) return;
-    for (int s = 0; s < r; s++) begin += fluid_gamma[s] * dt;
-    const double w = 2 * M_PI * f->in.driving_frequency, half = 0.5 * fluid_gamma[r] * dt, h = w * half;
+    for (int s = 0; s < r; s++) begin += physics_rk3_gamma[s] * dt;
+    const double w = 2 * M_PI * f->in.driving_frequency, half = 0.5 * physics_rk3_gamma[r] * dt, h = w * half;
     f->state.driving = d->value * cos(w * (begin + half)) * (h > 0 ? sin(h) / h : 1);
 }
 
@@ -32,14 +29,14 @@ void fluid_predict(struct fluid *f, int r, double dt) {
     const struct fluid_grid *g = f->grid;
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
     struct fluid_momentum_stage s = {.grid = g,
-                                     .a = dt * fluid_alpha[r],
-                                     .b = dt * fluid_beta[r],
-                                     .c = dt * fluid_gamma[r],
+                                     .a = dt * physics_rk3_alpha[r],
+                                     .b = dt * physics_rk3_beta[r],
+                                     .c = dt * physics_rk3_gamma[r],
                                      .keep = r < 2,
                                      .viscosity = f->in.implicit ? 0 : f->in.viscosity,
                                      .inverse_density = 1 / f->in.density,
                                      .work = f->flux};
-    if (f->audit.on) fluid_audit_flux(f, r);
+    if (f->audit.on) fluid_box_force_flux(f, r);
     clock_begin(CLOCK_MOMENTUM);
     count_faces(g, s.faces);
     driving_of_stage(f, r, dt);

@@ -2,10 +2,14 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "base/par_halo.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/grid/outflow.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/correction.h"
+#include "fluid/momentum/diffusion.h"
 #include "fluid/momentum/momentum.h"
+#include "fluid/poisson/poisson.h"
+#include "physics/rk3.h"
 
 #include <string.h>
 
@@ -73,7 +77,7 @@ static double forward(struct fluid *f, double c, double length2) {
  * so over this stage. */
 static void hold_bulk(struct fluid *f, double bulk, double stage) {
     const int d = f->in.driving.direction;
-    f->shift[d] = f->in.driving.value - par_sum(bulk) / (double)fluid_cells(f);
+    f->shift[d] = f->in.driving.value - par_sum(bulk) / (double)fluid_grid_cells(f->grid);
     f->state.driving += f->in.density * f->shift[d] / stage;
 }
 
@@ -121,19 +125,19 @@ static void refresh_pressure(struct fluid *f) {
 }
 
 void fluid_project(struct fluid *f, int r, double dt) {
-    const double stage = fluid_gamma[r] * dt;
+    const double stage = physics_rk3_gamma[r] * dt;
     clock_begin(CLOCK_POISSON);
     const double length2 = f->diffusion ? fluid_diffusion_length2(f, r, dt) : 0;
     const int apart = f->audit.on && f->diffusion;
-    if (apart) fluid_audit_diffusion(f, r);
-    if (apart) fluid_audit_pressure_part(f, r, 1);
+    if (apart) fluid_box_force_diffusion(f, r);
+    if (apart) fluid_box_force_pressure_part(f, r, 1);
     const double c = stage / f->in.density, bulk = forward(f, c, length2);
-    if (apart) fluid_audit_pressure_part(f, r, -1);
+    if (apart) fluid_box_force_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
-    f->state.driven = (r == 0 ? 0 : f->state.driven) + fluid_gamma[r] * f->state.driving;
+    f->state.driven = (r == 0 ? 0 : f->state.driven) + physics_rk3_gamma[r] * f->state.driving;
     project(f, c, r == 2);
     if (f->diffusion) refresh_pressure(f);
-    if (f->audit.on) fluid_audit_pressure(f, r);
+    if (f->audit.on) fluid_box_force_pressure(f, r);
     clock_end(CLOCK_POISSON);
 }
 

@@ -7,12 +7,12 @@
 
 /* Scratch, [served][3]. */
 static double (*scratch(struct ibm *b))[3] {
-    ibm_reserve(&b->by_marker, &b->by_marker_size, 3 * (size_t)b->served + 1);
+    ibm_buffer_reserve(&b->by_marker, &b->by_marker_size, 3 * (size_t)b->served + 1);
     return (double(*)[3])b->by_marker;
 }
 
 static void forget(struct ibm *b) {
-    ibm_reserve(&b->home, &b->home_size, 3 * (size_t)b->route.n + 1);
+    ibm_buffer_reserve(&b->home, &b->home_size, 3 * (size_t)b->route.n + 1);
     memset(b->home, 0, 3 * (size_t)b->route.n * sizeof *b->home);
 }
 

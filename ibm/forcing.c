@@ -86,7 +86,7 @@ void ibm_forcing_stage(struct ibm *b, int r, double dt) {
 void ibm_forcing_by_marker(struct ibm *b, double dt, double *const force[3]) {
     const struct fluid_grid *g = b->grid;
     const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    ibm_reserve(&b->by_marker, &b->by_marker_size, 3 * (size_t)(b->served + b->route.n) + 1);
+    ibm_buffer_reserve(&b->by_marker, &b->by_marker_size, 3 * (size_t)(b->served + b->route.n) + 1);
     double(*served)[3] = (double(*)[3])b->by_marker, (*mine)[3] = served + b->served;
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) served[b->arrival[h]][c] = b->received[h][c] * scale;

@@ -3,12 +3,8 @@
 #include "fluid/fluid.h"
 #include <stdint.h>
 
-/* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.79) */
+/* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.78) */
 double ibm_kernel(double t);
-
-/* The frozen retraction r_d: the distance of a marker inside the true wetted face, in cells. A particle's centre is
- * half a spacing inside, so the marker is placed (1/2 - r_d) dx outward of it. Measured: docs/retraction.md. */
-#define IBM_RETRACTION 0.6
 
 struct ibm; /* opaque: markers served here, their weights, the exchange */
 
@@ -46,7 +42,8 @@ ibm_forcing_slip(struct ibm *b); /* root mean square of V_h - U_h after the last
  * read. The pressure gradient at the root is rho (f - dV_h/dt).n, with f the fluid's body force and driving. Pressures
  * and tractions include the linear part of a driving pressure gradient, -G x (x as given, not wrapped), so that it acts
  * on a body as on the fluid. acceleration_n [n]: dV_h/dt . n at the root, m/s2; may be NULL (at rest). A point whose
- * tip lies outside the domain gets 0 and active[i] = 0. Collective.  (001: eqs 3.83-3.95, signs as in SPEC 4)
+ * tip lies outside the domain gets 0 and active[i] = 0. Collective.  (001: eqs 3.83-3.95; 3.85, 3.87, 3.93
+ * mended)
  * With the wall's velocity given, pressure and stress are extrapolated from the tip to the wall in second order
  * (ibm/probe.c). Without it the stress at the tip is used for the wall's, and the pressure gradient is that of a
  * boundary layer. */

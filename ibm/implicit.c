@@ -15,6 +15,7 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "ibm/state.h"
+#include "physics/rk3.h"
 
 #include <math.h>
 #include <string.h>
@@ -25,19 +26,6 @@ static const double PART = 0.05, OF_SLIP = 2e-3;
 enum { ITERATIONS = 40 };
 
 typedef double vector3[3];
-
-void ibm_implicit_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]) {
-    ibm_sweep_read(b, u, velocity);
-    ibm_edge_sum(b, u, 0, b->pieces);
-    ibm_share_sums(b);
-    ibm_edge_velocity(b, with_sides, velocity + b->inner);
-}
-
-void ibm_implicit_write(struct ibm *b, double *const u[3], const double (*strength)[3]) {
-    memcpy(b->increment, strength, (size_t)b->served * sizeof *strength);
-    ibm_sweep_scatter(b, u, 0, b->inner);
-    ibm_edge_scatter(b, u, 0, b->pieces);
-}
 
 static double weight_of(const struct ibm *b, int h) {
     return h < b->inner ? b->stencil[h].volume : b->edge[h - b->inner].volume;
@@ -76,8 +64,8 @@ static void multidirect(struct ibm *b, const vector3 *e, vector3 *x, vector3 *le
         for (int h = 0; h < b->served; h++)
             for (int c = 0; c < 3; c++) increment[h][c] = weight_of(b, h) * left[h][c];
         add(b, x, 1, (const vector3 *)increment);
-        ibm_implicit_write(b, u, (const vector3 *)increment);
-        ibm_implicit_read(b, u, 0, left);
+        ibm_whole_write(b, u, (const vector3 *)increment);
+        ibm_whole_read(b, u, 0, left);
         turn(b, left, -1, e);
     }
 }
@@ -87,8 +75,8 @@ static double slip_time(const struct ibm *b) { return fluid_limits_explicit_step
 /* Adds the impulse of q in a stage to the sums of the forcing. */
 static void tally(struct ibm *b, int r, double dt) {
     const struct fluid_grid *g = b->grid;
-    const double stage = fluid_gamma[r] * dt;
-    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] * fluid_gamma[r];
+    const double stage = physics_rk3_gamma[r] * dt;
+    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] * physics_rk3_gamma[r];
     const vector3 *q = (const vector3 *)b->vector[IBM_FORCE];
     for (int c = 0; c < 3 && r == 0; c++) b->given[c] = 0;
     for (int h = 0; h < b->served; h++)
@@ -108,15 +96,15 @@ void ibm_implicit_force_again(struct ibm *b, int r, double dt) {
         for (int c = 0; c < 3; c++) residual[h][c] *= -slip_time(b);
     memcpy(b->vector[IBM_TARGET], q, (size_t)b->served * sizeof *q);
     for (int h = 0; h < b->served; h++)
-        for (int c = 0; c < 3; c++) b->vector[IBM_TARGET][h][c] *= fluid_gamma[r] * dt;
-    ibm_implicit_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
+        for (int c = 0; c < 3; c++) b->vector[IBM_TARGET][h][c] *= physics_rk3_gamma[r] * dt;
+    ibm_whole_write(b, fluid_predicted(b->fluid), (const vector3 *)b->vector[IBM_TARGET]);
     clock_end(CLOCK_FORCING);
 }
 
 /* Completes the residual once u* is diffused: += V - J u*. Collective. */
 static void begin(struct ibm *b) {
     vector3 *residual = b->vector[IBM_RESIDUAL], *velocity = b->vector[IBM_TARGET];
-    ibm_implicit_read(b, fluid_predicted(b->fluid), 1, velocity);
+    ibm_whole_read(b, fluid_predicted(b->fluid), 1, velocity);
     for (int h = 0; h < b->served; h++) {
         const double *v = h < b->inner ? b->stencil[h].v : b->edge[h - b->inner].v;
         for (int c = 0; c < 3; c++) residual[h][c] += v[c] - velocity[h][c];
@@ -127,20 +115,20 @@ static void begin(struct ibm *b) {
 static void apply(struct ibm *b, int r, double dt) {
     double *const *u = fluid_diffusion_field(b->fluid);
     vector3 *kd = b->vector[IBM_KD], *read = b->vector[IBM_TARGET];
-    const double s = slip_time(b), stage = fluid_gamma[r] * dt;
+    const double s = slip_time(b), stage = physics_rk3_gamma[r] * dt;
     fluid_diffusion_clear(b->fluid);
-    ibm_implicit_write(b, u, (const vector3 *)b->vector[IBM_BD]);
-    ibm_implicit_read(b, u, 0, read);
+    ibm_whole_write(b, u, (const vector3 *)b->vector[IBM_BD]);
+    ibm_whole_read(b, u, 0, read);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) kd[h][c] = s * (b->vector[IBM_D][h][c] - read[h][c]);
     fluid_diffusion_solve(b->fluid, r, dt);
-    ibm_implicit_read(b, u, 0, read);
+    ibm_whole_read(b, u, 0, read);
     add(b, kd, stage, (const vector3 *)read);
 }
 
 void ibm_implicit_force(struct ibm *b, int r, double dt) {
     vector3 **v = b->vector, *residual = v[IBM_RESIDUAL], *z = v[IBM_Z], *d = v[IBM_D], *bd = v[IBM_BD];
-    const double stage = fluid_gamma[r] * dt;
+    const double stage = physics_rk3_gamma[r] * dt;
     double before = 0, start = 0;
     clock_begin(CLOCK_FORCING);
     begin(b);

@@ -2,20 +2,12 @@
  * Rows are read four wide, for one vector register. The fourth value is ignored in reading, and 0 is added to it in
  * writing. It lies in the third ghost layer at most. */
 #pragma once
+#include "ibm/row.h"
+
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
-
-typedef double ibm_row __attribute__((vector_size(32)));
-
-static inline ibm_row ibm_row_load(const double *p) {
-    ibm_row r;
-    memcpy(&r, p, sizeof r);
-    return r;
-}
-static inline void ibm_row_store(double *p, ibm_row r) { memcpy(p, &r, sizeof r); }
-static inline ibm_row ibm_row_set(double a) { return (ibm_row){a, a, a, a}; }
 
 /* phi(t - i), i = -1, 0, 1, for a point at t in [-1/2, 1/2] cells from the grid point 0. The outer two follow from the
  * middle one, because sum phi = 1 and sum (t - i) phi = 0: one square root a direction.  (001: eq. 3.78) */

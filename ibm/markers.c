@@ -1,70 +1,11 @@
 /* Sends markers to the ranks whose cells they reach, and renews their kernel weights when they move. */
 #include "base/clock.h"
-#include "base/ensure.h"
-#include "base/memory.h"
 #include "base/par.h"
-#include "base/par_pencil.h"
+#include "ibm/cell.h"
 #include "ibm/state.h"
 
 #include <math.h>
 #include <string.h>
-
-/* For each cell along this direction: the ranks that the block of a marker there reaches. */
-static struct ibm_touch *touch_new(const struct fluid_grid *g, int d) {
-    const int n = g->n[d];
-    struct ibm_touch *touch = memory_new(MEMORY_IBM, (size_t)n, sizeof *touch);
-    for (int i = 0; i < n; i++) {
-        int low = i - IBM_BEFORE, high = i + IBM_BEHIND;
-        if (low < 0) low = g->periodic[d] ? low + n : 0;
-        if (high >= n) high = g->periodic[d] ? high - n : n - 1;
-        touch[i].low = (short)par_piece_of(n, g->ranks[d], low);
-        touch[i].high = (short)par_piece_of(n, g->ranks[d], high);
-    }
-    return touch;
-}
-
-static int *owner_new(const struct fluid_grid *g, int d) {
-    int *owner = memory_new(MEMORY_IBM, (size_t)g->n[d], sizeof *owner);
-    for (int i = 0; i < g->n[d]; i++) owner[i] = par_piece_of(g->n[d], g->ranks[d], i) * (d == 2 ? g->ranks[1] : 1);
-    return owner;
-}
-
-struct ibm *ibm_new(struct fluid *f, int iterations) {
-    ENSURE(iterations >= 0, "%d iterations of the forcing", iterations);
-    struct ibm *b = memory_new(MEMORY_IBM, 1, sizeof *b);
-    const struct fluid_grid *g = b->grid = fluid_grid_of(f);
-    b->fluid = f;
-    b->iterations = iterations;
-    b->implicit = fluid_input_of(f)->implicit;
-    ENSURE(g->halo >= 3, "%d ghost layers: the kernel's rows and the probe need three", g->halo);
-    for (int d = 0; d < 3; d++) {
-        const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];
-        b->inner_low[d] = g->lo[d] + IBM_BEFORE;
-        b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face lies on the side */
-        if (d > 0) b->touch[d] = touch_new(g, d), b->owner[d] = owner_new(g, d);
-        for (int c = 0; c < 3; c++)
-            for (int side = 0; side < 2; side++) b->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
-    }
-    b->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
-    b->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(b->slabs + 1), sizeof *b->slab_at);
-    const size_t bins = (size_t)ibm_layout_bins(b) + 2 * (size_t)b->slabs + 2;
-    b->bin = memory_new(MEMORY_IBM, bins > (size_t)g->n[0] + 2 ? bins : (size_t)g->n[0] + 2, sizeof *b->bin);
-    b->peer = memory_new(MEMORY_IBM, 3 * (size_t)par_size(), sizeof *b->peer);
-    b->swap = par_swap_new();
-    return b;
-}
-
-void ibm_free(struct ibm *b) {
-    if (!b) return;
-    ibm_route_free(&b->route);
-    ibm_route_free(&b->probe);
-    par_swap_free(b->swap);
-    void *const owned[] = {b->touch[1], b->touch[2], b->owner[1], b->owner[2],  b->slab_at,   b->bin,      b->peer,
-                           b->arrival,  b->place,    b->by_x,     b->stencil,   b->increment, b->received, b->edge,
-                           b->piece,    b->sum,      b->sent,     b->swap_edge, b->by_marker, b->home,     b};
-    for (int k = 0; k < IBM_VECTORS; k++) memory_free(b->vector[k]);
-    for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
-}
 
 /* Makes the items to send and compares them with the last ones. differs[0]: a different rank must serve some item; [1]:
  * some number has changed. */
@@ -78,7 +19,7 @@ static void fill(struct ibm *b, int n, const double *const x[3], const double *c
         double item[IBM_ITEM], *last = b->route.mine + (size_t)h * IBM_ITEM;
         int cell[3];
         for (int d = 0; d < 3; d++) {
-            item[d] = ibm_wrap(g, d, x[d][h]);
+            item[d] = ibm_cell_wrap(g, d, x[d][h]);
             item[IBM_V + d] = v[d][h];
             cell[d] = ibm_cell(g, d, item[d]);
         }
@@ -111,7 +52,7 @@ static void renew_plan(struct ibm *b) {
     }
     route->plan = par_exchange_renew(route->plan, copies, route->item, route->dest);
     b->served = par_exchange_count(route->plan);
-    ibm_reserve(&route->served, &route->served_size, (size_t)b->served * IBM_ITEM + 1);
+    ibm_buffer_reserve(&route->served, &route->served_size, (size_t)b->served * IBM_ITEM + 1);
 }
 
 static long cell_number(const struct fluid_grid *g, const int cell[3]) {

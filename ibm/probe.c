@@ -11,6 +11,7 @@
  * order. */
 #include "base/clock.h"
 #include "base/par.h"
+#include "ibm/cell.h"
 #include "ibm/state.h"
 
 enum { SENT = IBM_TIP_SENT, RETURNED = IBM_TIP_RETURNED };
@@ -29,7 +30,7 @@ static void set_out(const struct ibm *b, const struct ibm_probe_input *in, const
         double *item = route->mine + (size_t)h * SENT;
         int cell[3];
         for (int d = 0; d < 3; d++) {
-            item[d] = ibm_wrap(g, d, in->x[d][h] + length[d] * in->normal[d][h]);
+            item[d] = ibm_cell_wrap(g, d, in->x[d][h] + length[d] * in->normal[d][h]);
             item[IBM_TIP_NORMAL + d] = in->normal[d][h];
             item[IBM_TIP_VELOCITY + d] = in->velocity[d] ? in->velocity[d][h] : 0;
             cell[d] = ibm_cell(g, d, item[d]);
@@ -71,7 +72,7 @@ static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, c
     }
     refresh(b, agreed);
     const size_t served = (size_t)par_exchange_count(route->plan);
-    ibm_reserve(&route->served, &route->served_size, served * (SENT + RETURNED) + 1);
+    ibm_buffer_reserve(&route->served, &route->served_size, served * (SENT + RETURNED) + 1);
     par_exchange_forward(route->plan, sent, route->served, SENT * sizeof(double));
     double *result = route->served + served * SENT;
     const struct ibm_tip_form form = {
@@ -117,7 +118,7 @@ void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const tr
             push_n += push[d] * in->normal[d][h];
             drive += gradient[d] * in->x[d][h];
         }
-        /* dp/dn|m for an outward n  (001: eq. 3.85) */
+        /* dp/dn|m for an outward n  (001: eqs 3.85, 3.87, mended) */
         double at_root = push_n - (in->is_carried ? 0 : fluid->density * acceleration);
         if (in->velocity[0]) at_root += viscous(e, fluid->density, push_n, acceleration);
         pressure[h] = e[0] - 0.5 * dl * (at_root + e[IBM_TIP_SLOPE]) - drive;

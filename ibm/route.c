@@ -2,25 +2,7 @@
 #include "base/memory.h"
 #include "ibm/state.h"
 
-#include <math.h>
 #include <string.h>
-
-void ibm_reserve(double **buffer, size_t *size, size_t wanted) {
-    if (wanted <= *size) return;
-    memory_free(*buffer);
-    *size = wanted + wanted / 4;
-    *buffer = memory_new(MEMORY_IBM, *size, sizeof(double));
-}
-
-double ibm_wrap(const struct fluid_grid *g, int direction, double x) {
-    const double n = g->n[direction];
-    double s = x / g->d[direction];
-    if (g->periodic[direction]) {
-        s -= n * floor(s / n);
-        if (s >= n) s = 0; /* s slightly below 0 rounds to n */
-    }
-    return s;
-}
 
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles) {
     const int other = n != route->n || !route->plan;

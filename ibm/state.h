@@ -8,6 +8,7 @@
 #pragma once
 #include "base/par_exchange.h"
 #include "base/par_swap.h"
+#include "ibm/cell.h"
 #include "ibm/ibm.h"
 #include "ibm/kernel.h"
 
@@ -90,15 +91,22 @@ struct ibm_tally {
 };
 
 struct ibm {
+    /* Parameters: read-only once it is made. */
     struct fluid *fluid;           /* borrowed */
     const struct fluid_grid *grid; /* borrowed */
     int iterations;
+    int implicit;                        /* diffusion is implicit: ibm/implicit.c */
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */
     int *owner[3];                       /* [n[direction]] contribution of a cell to the number of the rank that owns
                                           * it; x: NULL */
     int inner_low[3], inner_high[3];     /* cells of the whole domain in which a marker is an inner one */
 
+    /* State: vector[IBM_DEMAND] alone, by marker. The table has it by particle, as `demand` (coupling/run_state.c). */
+    double (
+        *vector[IBM_VECTORS])[3]; /* [served] of the implicit forcing's equation, by enum ibm_vector; others: work */
+
+    /* Work: the layout of the markers, found anew whenever they are set. */
     struct ibm_route route; /* of the markers */
     int served;             /* number of markers that have arrived; sorted: inner markers first, then edges */
     int *arrival;           /* [served] index of each in the order of arrival */
@@ -116,23 +124,21 @@ struct ibm {
     struct ibm_edge *edge;
     int pieces, piece_capacity;
     struct ibm_piece *piece;
-    double (*increment)[3];           /* [served] (V - U) A_h dx / cell volume, m/s */
-    double (*received)[3];            /* [served] sum of the increments over stages and iterations */
-    int implicit;                     /* diffusion is implicit: ibm/implicit.c */
-    double (*vector[IBM_VECTORS])[3]; /* [served] vectors of the implicit forcing, by enum ibm_vector */
-    double *home;                     /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
-    size_t home_size;
+    struct ibm_route probe;
 
+    /* Work: of a stage or a step. */
+    double (*increment)[3]; /* [served] (V - U) A_h dx / cell volume, m/s */
+    double (*received)[3];  /* [served] sum of the increments over stages and iterations */
+    double *home;           /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
+    size_t home_size;
     /* sums over the blocks of edges, m/s: of this rank's edges, then those received from other ranks */
     double (*sum)[3], (*sent)[3]; /* [edges + swapped], [swapped] */
     int swapped;                  /* number of sums shared with other ranks, counted once for each of these ranks */
     int *swap_edge;               /* [swapped] the edge, by rank */
     struct par_swap *swap;
-
     double given[3]; /* sum over stages of gamma_r rho Q_h V_h of the markers counted here, N */
     double *by_marker;
     size_t by_marker_size;
-    struct ibm_route probe;
 };
 
 /* The four lists of a slab. */
@@ -142,15 +148,7 @@ static inline int ibm_slab_first(const struct ibm *b, enum ibm_list list, int sl
 }
 
 /* Makes the buffer hold this many doubles; its contents are lost. */
-void ibm_reserve(double **buffer, size_t *size, size_t wanted);
-/* A coordinate in cells, wrapped to [0, n) in a periodic direction. */
-double ibm_wrap(const struct fluid_grid *g, int direction, double x);
-/* The cell of a coordinate in cells, -1 outside; the far end belongs to the last cell. */
-static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) {
-    if (!(s >= 0 && s <= g->n[direction])) return -1;
-    const int i = (int)s;
-    return i < g->n[direction] ? i : i - 1;
-}
+void ibm_buffer_reserve(double **buffer, size_t *size, size_t wanted);
 /* Makes room for n items of so many doubles; contents are lost. Returns 1 if the number of items has changed, so that a
  * new plan is needed. */
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles);
@@ -207,8 +205,8 @@ void ibm_demand_home(struct ibm *b);
 void ibm_demand_out(struct ibm *b, int same);
 /* Velocities at all markers, velocity [served]; with_sides: with the part that comes from the sides' boundary
  * conditions. Collective. */
-void ibm_implicit_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
+void ibm_whole_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
 /* u += strength delta, for all markers, strength [served]. Not collective. */
-void ibm_implicit_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
+void ibm_whole_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
 void ibm_share_sums(struct ibm *b);

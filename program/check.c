@@ -5,13 +5,14 @@
 #include "coupling/blocked.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "physics/waves.h"
 #include "program/program.h"
 #include "program/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
 #include "solid/law/material.h"
-#include "solid/law/waves.h"
 #include "solid/refine/refine.h"
+#include "solid/step/integrate.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
 
@@ -68,7 +69,7 @@ static void say_holdings(struct run *r) {
 static void say_touch(struct run *r, const struct scene_stage *stage) {
     if (!(r->substeps > 0) || !r->needs.contact || !solid_contact_is_possible(r->solid)) return;
     const double limit =
-        solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_stable_touch(r->solid), NULL);
+        solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_contact_rate_touch(r->solid), NULL);
     const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
     if (stage->substeps == 0 && least > r->substeps)
         say("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n", stage->name,
@@ -86,9 +87,10 @@ static void say_levels(struct run *r) {
         struct solid_rates finer = rates;
         char name[64];
         finer.stiffness = fmax(rates.stiffness, solid_refine_rate_lattice(r->solid, level));
-        for (int k = 0; k < 2; k++) {
-            snprintf(name, sizeof name, "solid, bonds of level %d, %s", level, k ? "velocity Verlet" : "RK3");
-            say("  %-42s %.6g\n", name, solid_stable_of(&finer, k ? SOLID_VERLET : SOLID_RK3, 0, NULL));
+        for (int k = 0; k < SOLID_INTEGRATORS; k++) {
+            const enum solid_integrator integrator = (enum solid_integrator)k;
+            snprintf(name, sizeof name, "solid, bonds of level %d, %s", level, solid_integrate_kind(integrator)->name);
+            say("  %-42s %.6g\n", name, solid_stable_of(&finer, integrator, 0, NULL));
         }
     }
 }
@@ -114,8 +116,8 @@ static void say_limits(struct run *r) {
         solid_rates_of(r->solid, &rates);
         for (int k = 0; k < 2 + 2 * touches; k++)
             say("  %-42s %.6g\n", name[k / 2][k % 2],
-                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3, k / 2 ? solid_stable_touch(r->solid) : 0,
-                                NULL));
+                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3,
+                                k / 2 ? solid_contact_rate_touch(r->solid) : 0, NULL));
     }
     if (r->needs.bonds && r->solid->refine) say_levels(r);
     say("\nstages\n");
@@ -177,7 +179,9 @@ static void say_groups(const struct run *r) {
         const struct scene_material *s = &scene->solid->material[m];
         const struct solid_material *material = &r->solid->in.material[m];
         const struct solid_input *in = &r->solid->in;
-        const struct solid_waves c = solid_waves_of(in->model, s->youngs_modulus, s->density);
+        const enum physics_model model = (enum physics_model)in->model;
+        const struct physics_waves c =
+            physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density);
         const double s0 =
             solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
         if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);

@@ -1,4 +1,4 @@
-/* The whole state by global index: can be resumed on any number of ranks.  (SPEC 9) */
+/* The whole state by global index: can be resumed on any number of ranks.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
 

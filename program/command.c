@@ -1,6 +1,7 @@
 /* Parses the command line. */
 #include "program/command.h"
 #include "base/die.h"
+#include "base/ensure.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -64,9 +65,9 @@ static int whole(const char *text, const char *name, int least) {
     return (int)value;
 }
 
-static int table_of(const char *word) {
-    if (!strcmp(word, "performance")) return COMMAND_TABLE_PERFORMANCE;
-    if (!strcmp(word, "growth")) return COMMAND_TABLE_GROWTH;
+static enum bench_page table_of(const char *word) {
+    if (!strcmp(word, "performance")) return BENCH_PAGE_PERFORMANCE;
+    if (!strcmp(word, "growth")) return BENCH_PAGE_GROWTH;
     die_all(EXIT_CODE_SCENE, "--table=%s: must be performance or growth", word);
 }
 
@@ -150,10 +151,32 @@ static void options(struct command *c, int argc, char **argv) {
         case 'p':
             c->repeats = whole(optarg, "--repeats", 5);
             break;
-        default:
+        case 't':
             c->table = table_of(optarg);
+            break;
+        default:
+            ENSURE(0, "no case for the option %s, letter %c", word, o);
         }
     }
+}
+
+/* What a command reads. */
+static const char *file_of(enum command_verb verb) {
+    switch (verb) {
+    case COMMAND_RUN:
+    case COMMAND_CHECK:
+        return "scene";
+    case COMMAND_POST:
+        return "run folder";
+    case COMMAND_STUDY:
+        return "study";
+    case COMMAND_BENCH:
+        return "measured table";
+    case COMMAND_VERSION:
+    case COMMAND_HELP:
+        break;
+    }
+    return "file";
 }
 
 /* Checks the arguments after the options. */
@@ -164,14 +187,9 @@ static void check_files(const struct command *c, const char *word) {
             die_all(EXIT_CODE_SCENE, "frana bench %s: takes files with --table only", c->file[0]);
         return;
     }
-    if (c->files == 0)
-        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word,
-                c->verb == COMMAND_POST    ? "run folder"
-                : c->verb == COMMAND_STUDY ? "study"
-                                           : "scene");
+    if (c->files == 0) die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word, file_of(c->verb));
     if (c->files > 1 && c->verb != COMMAND_POST)
-        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", word, c->file[0], c->file[1],
-                c->verb == COMMAND_STUDY ? "study" : "scene");
+        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", word, c->file[0], c->file[1], file_of(c->verb));
 }
 
 struct command *command_new(int argc, char **argv) {

@@ -1,5 +1,6 @@
-/* The command line.  (SPEC 9) */
+/* The command line. */
 #pragma once
+#include "bench/bench.h"
 
 enum command_verb {
     COMMAND_RUN,
@@ -10,8 +11,6 @@ enum command_verb {
     COMMAND_VERSION,
     COMMAND_HELP
 };
-
-enum command_table { COMMAND_TABLE_NONE, COMMAND_TABLE_PERFORMANCE, COMMAND_TABLE_GROWTH };
 
 struct command {
     enum command_verb verb;
@@ -32,7 +31,7 @@ struct command {
     double level, magnify;     /* 0: not given */
     /* bench */
     int quick, repeats;
-    enum command_table table; /* writes tables from earlier measurements, measures nothing */
+    enum bench_page table;    /* writes tables from earlier measurements, measures nothing */
     const char *only, *sizes; /* comma-separated lists, or NULL: all parts, the standard sizes */
 };
 

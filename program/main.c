@@ -1,5 +1,6 @@
 /* Program entry: calls the command that the command line names. */
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "bench/bench.h"
 #include "coupling/setup/setup.h"
@@ -28,27 +29,76 @@ static int post(const struct command *c) {
     return code;
 }
 
+static int bench(const struct command *c) {
+    return bench_run(&(struct bench_input){.quick = c->quick,
+                                           .repeats = c->repeats,
+                                           .only = c->only,
+                                           .sizes = c->sizes,
+                                           .out = c->out[0] ? c->out : NULL,
+                                           .page = c->table,
+                                           .files = c->files,
+                                           .file = c->file});
+}
+
+static struct scene *scene_of(const struct command *c) {
+    struct scene *scene = scene_new(c->file[0], c->sets, c->set);
+    setup_check(scene);
+    return scene;
+}
+
+static int run(const struct command *c) {
+    struct scene *scene = scene_of(c);
+    const int code = program_run(c, scene);
+    scene_free(scene);
+    return code;
+}
+
+static int check(const struct command *c) {
+    struct scene *scene = scene_of(c);
+    const int code = check_scene(scene);
+    scene_free(scene);
+    return code;
+}
+
+/* Rank 0 prints. */
+static int say(const char *text) {
+    if (par_rank() == 0) fputs(text, stdout);
+    return EXIT_CODE_DONE;
+}
+
+static int version(void) {
+    char text[2048];
+    record_version(text, sizeof text);
+    return say(text);
+}
+
+/* Does what the command line asks for; the exit code. Collective. */
+static int obey(const struct command *c) {
+    switch (c->verb) {
+    case COMMAND_RUN:
+        return run(c);
+    case COMMAND_CHECK:
+        return check(c);
+    case COMMAND_POST:
+        return post(c);
+    case COMMAND_BENCH:
+        return bench(c);
+    case COMMAND_STUDY:
+        return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
+    case COMMAND_VERSION:
+        return version();
+    case COMMAND_HELP:
+        return say(command_usage());
+    }
+    ENSURE(0, "no command of number %d", (int)c->verb);
+    return EXIT_CODE_SCENE;
+}
+
 int main(int argc, char **argv) {
     /* a study starts mpiexec, which a process that is itself an MPI rank cannot do */
     if (argc < 2 || strcmp(argv[1], "study")) par_begin(&argc, &argv);
     struct command *c = command_new(argc, argv);
-    int code = EXIT_CODE_DONE;
-    if (c->verb == COMMAND_RUN || c->verb == COMMAND_CHECK) {
-        struct scene *scene = scene_new(c->file[0], c->sets, c->set);
-        setup_check(scene);
-        code = c->verb == COMMAND_RUN ? program_run(c, scene) : check_scene(scene);
-        scene_free(scene);
-    } else if (c->verb == COMMAND_POST) {
-        code = post(c);
-    } else if (c->verb == COMMAND_BENCH) {
-        code = bench_run(c);
-    } else if (c->verb == COMMAND_STUDY) {
-        code = study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
-    } else if (par_rank() == 0) {
-        char text[2048];
-        record_version(text, sizeof text);
-        fputs(c->verb == COMMAND_VERSION ? text : command_usage(), stdout);
-    }
+    const int code = obey(c);
     command_free(c);
     par_end();
     return code;

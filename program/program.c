@@ -5,7 +5,7 @@
 #include "base/signals.h"
 #include "base/step_status.h"
 #include "coupling/blocked.h"
-#include "coupling/guard.h"
+#include "coupling/march.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "files/aside.h"
@@ -22,10 +22,6 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Number of steps between tests of the whole fluid for values beyond reason, and between the states kept for the case
- * of an unstable run. */
-enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
-
 struct program {
     const struct command *command;
     const struct scene *scene;
@@ -34,8 +30,9 @@ struct program {
     struct crack *crack;               /* NULL: no crack is tracked */
     struct probes *probes;             /* NULL: none */
     struct fluid_probes *fluid_probes; /* NULL: none */
-    struct guard *guard;
-    long checked; /* last step with a checkpoint, -1: none */
+    struct march *march;
+    enum signals_reason reason; /* to stop after the present step */
+    long checked;               /* last step with a checkpoint, -1: none */
     double slowest_step, checkpoint_seconds;
 };
 
@@ -79,78 +76,36 @@ static void progress(struct program *p) {
 /* Ends an unstable run: reports the position, the value and the stable step, writes the last good state, returns exit
  * code 3. status: this rank's. */
 static int unstable(struct program *p, struct step_status *status) {
-    struct run *r = p->run;
-    const double dt = r->dt;
-    const int substeps = r->substeps;
-    char what[256], why[256] = "the solid has been refined since a state was kept";
-    step_status_agree(status);
-    adapt_made(r);
-    snprintf(what, sizeof what, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step,
-             status->field, status->value, status->x[0], status->x[1], status->x[2], status->rank);
-    const long step = guard_restore(p->guard, r);
-    if (step >= 0) adapt_explain(r, dt, substeps, why, sizeof why);
-    if (step >= 0 && step != p->checked) checkpoint_write(r, p->command->out);
-    log_line("%s; %s", what, why);
-    if (par_rank() == 0) fprintf(stderr, "frana: %s; %s\n", what, why);
-    if (step >= 0) log_line("the last good state is that of step %ld: its checkpoint can be resumed", step);
+    const struct march_loss loss = march_give_up(p->march, status);
+    if (loss.step >= 0 && loss.step != p->checked) checkpoint_write(p->run, p->command->out);
+    log_line("%s; %s", loss.what, loss.why);
+    if (par_rank() == 0) fprintf(stderr, "frana: %s; %s\n", loss.what, loss.why);
+    if (loss.step >= 0) log_line("the last good state is that of step %ld: its checkpoint can be resumed", loss.step);
     record_write(p->run, p->command->out, "unstable", EXIT_CODE_UNSTABLE);
     return EXIT_CODE_UNSTABLE;
 }
 
-static int stopped(struct program *p, enum signals_reason reason) {
+static int stopped(struct program *p) {
     struct step_status status;
     double failed = step_check(p->run, 1, &status);
     signals_stop_also(0, &failed, 1);
     if (failed > 0) return unstable(p, &status);
     checkpoint(p);
-    log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(reason),
+    log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(p->reason),
              p->run->step);
     record_write(p->run, p->command->out, "stopped", EXIT_CODE_REQUEUE);
     return EXIT_CODE_REQUEUE;
 }
 
-/* Goes back to the state before the last step: restores the last state kept, and repeats the steps from there. Returns
- * whether that was possible. */
-static int go_back(struct program *p) {
-    struct run *r = p->run;
-    struct adapt *a = &r->adapt;
-    const long before = r->step - 1, kept = guard_restore(p->guard, r);
-    const double most = a->most;
-    const int least = a->least, tries = a->tries;
-    if (kept < 0) return 0;
-    strong_forget(r->strong);
-    a->most = INFINITY;
-    a->least = 0;
-    for (a->replays = 1; r->step < before;) {
-        struct step_status status = {0};
-        double number[ADAPT_NUMBERS];
-        step_advance(r);
-        adapt_look(r, 0, number);
-        par_max_array(number, ADAPT_NUMBERS);
-        adapt_judge(r, number, &status);
-    }
-    a->replays = 0;
-    if (r->step > kept) guard_keep(p->guard, r);
-    a->most = most;
-    a->least = least;
-    a->tries = tries;
-    return 1;
+static void prepare_sample(void *program) {
+    const struct program *p = program;
+    series_prepare(p->series, p->run);
 }
 
-/* Takes a step, and repeats it with other parameters as long as it is rejected and these are left to try. Returns 1 if
- * the run is lost. */
-static int advance(struct program *p, int sampled, int whole, enum signals_reason *reason, struct step_status *status) {
-    struct run *r = p->run;
-    for (;;) {
-        double number[ADAPT_NUMBERS];
-        if (sampled) series_prepare(p->series, r);
-        step_advance(r);
-        adapt_look(r, step_check(r, whole, status), number);
-        *reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, ADAPT_NUMBERS);
-        const enum adapt_verdict verdict = adapt_judge(r, number, status);
-        if (verdict != ADAPT_MAKE_AGAIN) return verdict == ADAPT_LOST;
-        if (!go_back(p)) return 1;
-    }
+/* The step's one reduction also says whether to stop. */
+static void largest(void *program, double *number, int n) {
+    struct program *p = program;
+    p->reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, n);
 }
 
 /* Takes one step and writes the output that is due after it. A state that is kept or written was tested as a whole.
@@ -163,25 +118,15 @@ static int step(struct program *p) {
     const int sampled = due(out->series_every, now) || (last && out->series_every > 0);
     const int drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
     const int saved = due(out->checkpoint_every, now);
-    const int whole = sampled || drawn || saved || last || due(LOOK_EVERY, now) || due(KEEP_EVERY, now);
+    const struct march_caller caller = {.with = p, .before = sampled ? prepare_sample : NULL, .largest = largest};
     const double start = par_seconds();
     struct step_status status;
-    enum signals_reason reason;
-    if (advance(p, sampled, whole, &reason, &status)) return unstable(p, &status);
+    if (!march_step(p->march, sampled || drawn || saved || last, &caller, &status)) return unstable(p, &status);
     if (sampled) series_sample(p->series, r);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
     if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
-    const int fits = guard_fits(p->guard, r);
-    if (!fits) {
-        guard_free(p->guard);
-        p->guard = guard_new(r);
-    }
-    if (due(KEEP_EVERY, now) || !fits || r->adapt.tries > 0) {
-        guard_keep(p->guard, r);
-        strong_forget(r->strong);
-    }
-    adapt_made(r);
+    march_settle(p->march);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     progress(p);
     if (drawn) fields_write(r, p->command->out);
@@ -189,7 +134,7 @@ static int step(struct program *p) {
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
                                                      * continues */
     if (saved) checkpoint(p);
-    return reason != SIGNALS_NONE ? stopped(p, reason) : -1;
+    return p->reason != SIGNALS_NONE ? stopped(p) : -1;
 }
 
 static int stages(struct program *p) {
@@ -204,7 +149,7 @@ static int stages(struct program *p) {
         if (r->substeps > 0)
             log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                      r->dt / r->substeps, r->solid_stable);
-        guard_keep(p->guard, r);
+        march_begin(p->march);
         while (r->stage_step < stage->steps) {
             const int code = step(p);
             if (code >= 0) return code;
@@ -252,7 +197,7 @@ static void begin(struct program *p) {
     if (p->crack) crack_series_open(p->crack, p->run, c->out, here ? p->run->step : -1);
     if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
-    p->guard = guard_new(p->run);
+    p->march = march_new(p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
     char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
@@ -268,7 +213,7 @@ int program_run(const struct command *c, const struct scene *scene) {
         record_write(p.run, c->out, "done", code);
         log_line("done: %ld steps in %.1f s", p.run->step, par_seconds() - p.run->wall_start);
     }
-    guard_free(p.guard);
+    march_free(p.march);
     series_free(p.series);
     crack_series_free(p.crack);
     probes_free(p.probes);

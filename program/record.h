@@ -1,4 +1,4 @@
-/* run.json: version, machine, wall time by part, and the parts left out.  (SPEC 9) */
+/* run.json: version, machine, wall time by part, and the parts left out.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
 

@@ -108,7 +108,7 @@ const struct series_sample *series_last(const struct series *s) { return &s->now
 void series_prepare(struct series *s, struct run *r) {
     if (!r->needs.immersed) return;
     fluid_measures_momentum(r->fluid, s->momentum);
-    fluid_audit_begin(r->fluid);
+    fluid_box_force_begin(r->fluid);
     s->prepared = 1;
 }
 
@@ -118,7 +118,7 @@ static double momentum_residual(struct series *s, struct run *r) {
     if (!s->prepared) return NAN;
     s->prepared = 0;
     fluid_measures_momentum(r->fluid, momentum);
-    fluid_audit_end(r->fluid, box);
+    fluid_box_force_end(r->fluid, box);
     for (int c = 0; c < 3; c++) {
         const double rate = (momentum[c] - s->momentum[c]) / r->dt;
         residual += pow(rate - box[c] - s->now.forcing[c], 2);

@@ -1,4 +1,4 @@
-/* series.csv: the columns of a scene, and a sample of them.  (SPEC 9) */
+/* series.csv: the columns of a scene, and a sample of them.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
 

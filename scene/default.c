@@ -1,5 +1,7 @@
 /* Fills in defaults that follow from other values: spacing, Poisson's ratio, retraction, measurement box. */
 #include "scene/default.h"
+#include "base/text.h"
+#include "physics/retraction.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,11 +11,11 @@
 /* The shortest text that reads back as the same number. */
 static char *number_text(double value) {
     for (int digits = 15; digits < 17; digits++) {
-        char *text = scene_node_text("%.*g", digits, value);
+        char *text = text_new("%.*g", digits, value);
         if (strtod(text, NULL) == value) return text;
         free(text);
     }
-    return scene_node_text("%.17g", value);
+    return text_new("%.17g", value);
 }
 
 static struct scene_node *scalar(const struct scene_node *parent, const char *key, const char *value) {
@@ -50,13 +52,13 @@ static double cell_of(const struct scene_domain *d) {
 
 /* Sets Poisson's ratio to the one that the model has. */
 static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
-    char *path = scene_node_text("solid.materials[%d]", m);
+    char *path = text_new("solid.materials[%d]", m);
     struct scene_node *node = scene_node_find(root, path);
     free(path);
     if (scene_node_child(node, "poisson_ratio")) return;
     int at = 0;
     while (at < node->n && strcmp(node->child[at]->key, "density") != 0) at++;
-    s->solid->material[m].poisson_ratio = s->solid->model == SCENE_PLANE_STRESS ? 1.0 / 3 : 0.25;
+    s->solid->material[m].poisson_ratio = physics_model_poisson_ratio((enum physics_model)s->solid->model);
     scene_node_insert(node, at + 1, number(node, "poisson_ratio", s->solid->material[m].poisson_ratio));
 }
 
@@ -77,7 +79,7 @@ static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_
 
 static void fill_body(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
     struct scene_body *body = &s->solid->body[b];
-    char *path = scene_node_text("solid.bodies[%d]", b);
+    char *path = text_new("solid.bodies[%d]", b);
     struct scene_node *node = scene_node_find(root, path);
     if (!scene_node_child(node, "name")) {
         snprintf(body->name, sizeof body->name, "body%d", b + 1);
@@ -88,7 +90,7 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
             memcpy(body->material, s->solid->material[0].name, sizeof body->material);
             scene_node_insert(node, 1, scalar(node, "material", body->material));
         } else {
-            char *missing = scene_node_text("%s.material", path);
+            char *missing = text_new("%s.material", path);
             scene_problem_at(problems, root, missing, "missing: solid.materials has %d to choose from",
                              s->solid->materials);
             free(missing);
@@ -100,7 +102,8 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
 static void fill_retraction(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
     if (scene_node_child(coupling, "retraction")) return;
-    s->coupling->retraction = s->coupling->surface == SCENE_SURFACE_SHAPE ? SCENE_RETRACTION_SHAPE : SCENE_RETRACTION;
+    s->coupling->retraction =
+        s->coupling->surface == SCENE_SURFACE_SHAPE ? PHYSICS_RETRACTION_SHAPE : PHYSICS_RETRACTION;
     int at = 0;
     while (at < coupling->n && strcmp(coupling->child[at]->key, "surface") != 0) at++;
     scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));

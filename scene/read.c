@@ -1,5 +1,6 @@
 /* Reads a scene from text: parses, applies --set, checks, loads, fills in defaults, writes it resolved. */
 #include "scene/read.h"
+#include "base/text.h"
 #include "scene/check/check.h"
 #include "scene/default.h"
 #include "scene/derive.h"
@@ -16,9 +17,7 @@
 /* The folder that holds the file, absolute; malloc'ed. */
 static char *folder_of(const char *path) {
     const char *slash = strrchr(path, '/');
-    char *folder = !slash          ? scene_node_text(".")
-                   : slash == path ? scene_node_text("/")
-                                   : scene_node_text("%.*s", (int)(slash - path), path);
+    char *folder = !slash ? text_new(".") : slash == path ? text_new("/") : text_new("%.*s", (int)(slash - path), path);
     char *absolute = realpath(folder, NULL);
     if (!absolute) return folder;
     free(folder);
@@ -31,8 +30,7 @@ static void resolve_file(struct scene_node *root, struct scene_path path, const 
     struct scene_node *node = scene_node_find(root, path.text);
     struct stat info;
     if (!node || !scene_node_is_clean(root, path.text)) return;
-    char *absolute =
-        node->value[0] == '/' ? scene_node_text("%s", node->value) : scene_node_text("%s/%s", folder, node->value);
+    char *absolute = node->value[0] == '/' ? text_new("%s", node->value) : text_new("%s/%s", folder, node->value);
     if (strlen(absolute) >= SCENE_PATH)
         scene_problem_value(problems, node, path.text,
                             "with its folder is %zu characters long, at most %d are possible", strlen(absolute),
@@ -87,6 +85,14 @@ static struct scene *load(const char *path, struct scene_node *root, struct scen
     return s;
 }
 
+void scene_read_free(struct scene *s) {
+    if (!s) return;
+    free(s->resolved);
+    s->resolved = NULL;
+    scene_derive_free(s);
+    scene_schema_free(s);
+}
+
 struct scene *scene_read(const char *path, const char *text, size_t bytes, int n, const char *const *set,
                          int look_for_files, struct scene_problems *problems) {
     problems->file = path;
@@ -103,7 +109,7 @@ struct scene *scene_read(const char *path, const char *text, size_t bytes, int n
     scene_node_free(root);
     if (problems->n > 0) {
         scene_problem_sort(problems);
-        scene_free(s);
+        scene_read_free(s);
         s = NULL;
     }
     return s;

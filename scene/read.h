@@ -7,3 +7,4 @@
  * look_for_files is 0. Returns NULL if problems were found; these are then sorted by line. */
 struct scene *scene_read(const char *path, const char *text, size_t bytes, int n, const char *const *set,
                          int look_for_files, struct scene_problems *problems);
+void scene_read_free(struct scene *scene); /* NULL: nothing */

@@ -3,9 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "scene/derive.h"
 #include "scene/read.h"
-#include "scene/rules/schema.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -70,10 +68,4 @@ struct scene *scene_new(const char *path, int n, const char *const *set) {
     return s;
 }
 
-void scene_free(struct scene *s) {
-    if (!s) return;
-    free(s->resolved);
-    s->resolved = NULL;
-    scene_derive_free(s);
-    scene_schema_free(s);
-}
+void scene_free(struct scene *s) { scene_read_free(s); }

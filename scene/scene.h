@@ -1,13 +1,11 @@
 /* The scene: the user's input, checked, with every default filled in. Each section of the YAML file is a struct; the
  * members' names are the file's keys. A missing section is NULL: that part is left out of the run. (docs/scene.md) */
 #pragma once
+#include "physics/bond.h"
 #include <stddef.h>
 
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
-/* The default retraction of the markers, in cells; for surface = lattice and for surface = shape.  (Breugem 2012) */
-#define SCENE_RETRACTION 0.6
-#define SCENE_RETRACTION_SHAPE 0.3
 /* Limit of the horizon ratio m: a family holds at most 512 bonds. |xi| < (m + 1/2) spacing gives 484 bonds just below m
  * = 4.5 and 514 just above. */
 #define SCENE_HORIZON_MAX 4.5
@@ -62,10 +60,14 @@ struct scene_fluid {
     double body_force[3];     /* m/s2 */
 };
 
-enum scene_model { SCENE_3D, SCENE_PLANE_STRESS, SCENE_PLANE_STRAIN };
+enum scene_model {
+    SCENE_3D = PHYSICS_3D,
+    SCENE_PLANE_STRESS = PHYSICS_PLANE_STRESS,
+    SCENE_PLANE_STRAIN = PHYSICS_PLANE_STRAIN
+};
 enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP };
 enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
-enum scene_micromodulus { SCENE_CONSTANT, SCENE_CONICAL };
+enum scene_micromodulus { SCENE_CONSTANT = PHYSICS_CONSTANT, SCENE_CONICAL = PHYSICS_CONICAL };
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;

@@ -1,5 +1,6 @@
 /* Applies --set key.path=value to the scene's tree. */
 #include "scene/set.h"
+#include "base/text.h"
 #include "scene/text/yaml.h"
 
 #include <stdlib.h>
@@ -20,18 +21,18 @@ static char *step_of(const char **path) {
         if (n == 0 || at[1 + n] != ']') return NULL;
         *path = at + n + 2;
         if (**path == '.' && !*++*path) return NULL;
-        return scene_node_text("%.*s", (int)n, at + 1);
+        return text_new("%.*s", (int)n, at + 1);
     }
     const size_t n = strcspn(at, ".[");
     if (n == 0) return NULL;
     *path = at + n;
     if (**path == '.' && !*++*path) return NULL;
-    return scene_node_text("%.*s", (int)n, at);
+    return text_new("%.*s", (int)n, at);
 }
 
 static void mark(struct scene_node *node, const char *path, int inner) {
     free(node->set);
-    node->set = scene_node_text("%s", path);
+    node->set = text_new("%s", path);
     node->set_inner = inner;
     node->line = 0;
     for (int i = 0; i < node->n; i++) mark(node->child[i], path, 1);
@@ -49,8 +50,8 @@ static int entry_of(const struct setting *s, const struct scene_node *list, cons
     if (strspn(step, "0123456789") == strlen(step)) {
         const long i = strtol(step, NULL, 10);
         if (i < list->n) return (int)i;
-        refuse(s, list->n ? scene_node_text("there is no entry %s: %s has 0 to %d", step, of, list->n - 1)
-                          : scene_node_text("there is no entry %s: %s is empty", step, of));
+        refuse(s, list->n ? text_new("there is no entry %s: %s has 0 to %d", step, of, list->n - 1)
+                          : text_new("there is no entry %s: %s is empty", step, of));
         return -1;
     }
     const char *name[NAMES];
@@ -62,8 +63,8 @@ static int entry_of(const struct setting *s, const struct scene_node *list, cons
         if (n < NAMES) name[n++] = c->value;
     }
     const char *nearest = scene_problem_nearest(step, n, name);
-    refuse(s, nearest ? scene_node_text("there is no entry named %s; did you mean %s?", step, nearest)
-                      : scene_node_text("there is no entry named %s in %s", step, of));
+    refuse(s, nearest ? text_new("there is no entry named %s; did you mean %s?", step, nearest)
+                      : text_new("there is no entry named %s in %s", step, of));
     return -1;
 }
 
@@ -90,7 +91,7 @@ static void put(const struct setting *s, struct scene_node *node, struct scene_n
                 at = node->n - 1;
             }
         } else {
-            refuse(s, scene_node_text("%s is a value: nothing is in it", node->key ? node->key : "the entry"));
+            refuse(s, text_new("%s is a value: nothing is in it", node->key ? node->key : "the entry"));
             at = -1;
         }
         free(step);
@@ -99,7 +100,7 @@ static void put(const struct setting *s, struct scene_node *node, struct scene_n
             return;
         }
         if (!*path) {
-            value->key = node->child[at]->key ? scene_node_text("%s", node->child[at]->key) : NULL;
+            value->key = node->child[at]->key ? text_new("%s", node->child[at]->key) : NULL;
             scene_node_free(node->child[at]);
             node->child[at] = value;
             mark(value, s->path, 0);
@@ -107,21 +108,20 @@ static void put(const struct setting *s, struct scene_node *node, struct scene_n
         }
         node = node->child[at];
     }
-    refuse(s, scene_node_text("not a path: write it as stages[0].steps or stages.flow.steps"));
+    refuse(s, text_new("not a path: write it as stages[0].steps or stages.flow.steps"));
     scene_node_free(value);
 }
 
 void scene_set(struct scene_node *root, int n, const char *const *set, struct scene_problems *problems) {
     for (int i = 0; i < n; i++) {
         const char *equals = strchr(set[i], '=');
-        char *path = equals ? scene_node_text("%.*s", (int)(equals - set[i]), set[i]) : scene_node_text("%s", set[i]),
-             *why = NULL;
+        char *path = equals ? text_new("%.*s", (int)(equals - set[i]), set[i]) : text_new("%s", set[i]), *why = NULL;
         const struct setting s = {problems, path};
         struct scene_node *value = equals ? scene_yaml_parse_value(equals + 1, &why) : NULL;
         if (!equals)
-            refuse(&s, scene_node_text("needs a value: --set key.path=value"));
+            refuse(&s, text_new("needs a value: --set key.path=value"));
         else if (!value)
-            refuse(&s, scene_node_text("%s", why));
+            refuse(&s, text_new("%s", why));
         else
             put(&s, root, value);
         free(why);

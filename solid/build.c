@@ -2,7 +2,7 @@
 #include "solid/build.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/body/number.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"

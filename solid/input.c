@@ -2,6 +2,7 @@
 #include "solid/input.h"
 #include "base/die.h"
 #include "base/memory.h"
+#include "physics/limits.h"
 #include "solid/imposed/time.h"
 
 #include <math.h>
@@ -42,8 +43,8 @@ void solid_input_check(const struct solid_input *in) {
     if (!(in->spacing > 0)) die_all(EXIT_CODE_SCENE, "solid.spacing = %g: must be above 0", in->spacing);
     if (in->model != SOLID_3D && !(in->thickness > 0))
         die_all(EXIT_CODE_SCENE, "solid.thickness = %g: must be above 0", in->thickness);
-    if (in->bodies < 1 || in->bodies > 255)
-        die_all(EXIT_CODE_SCENE, "solid.bodies: %d of them; must be 1 to 255", in->bodies);
+    if (in->bodies < 1 || in->bodies > PHYSICS_BODIES_MAX)
+        die_all(EXIT_CODE_SCENE, "solid.bodies: %d of them; must be 1 to %d", in->bodies, PHYSICS_BODIES_MAX);
     for (int b = 0; b < in->bodies; b++) {
         const int m = in->body[b].material;
         if (m < 0 || m >= in->materials)

@@ -1,19 +1,26 @@
 /* The input of a solid: model, materials, bodies, initial cracks, constraints, loads.  (001: ch. 3.3; docs/scene.md) */
 #pragma once
+#include "physics/bond.h"
 #include <stddef.h>
 #include <stdint.h>
 
+enum { SOLID_FAMILY_MAX = 512 }; /* bonds of a particle at most */
+
 /* The model of the bonds: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
  * stress, 1/4 in plane strain). In a plate all vectors have two components, and the third arrays are NULL. */
-enum solid_model { SOLID_3D, SOLID_PLANE_STRESS, SOLID_PLANE_STRAIN };
+enum solid_model {
+    SOLID_3D = PHYSICS_3D,
+    SOLID_PLANE_STRESS = PHYSICS_PLANE_STRESS,
+    SOLID_PLANE_STRAIN = PHYSICS_PLANE_STRAIN
+};
 
 /* c(xi) = c0, or c1 (1 - xi/delta).  (000: eqs 9, 10) */
-enum solid_micromodulus_kind { SOLID_CONSTANT, SOLID_CONICAL };
+enum solid_micromodulus_kind { SOLID_CONSTANT = PHYSICS_CONSTANT, SOLID_CONICAL = PHYSICS_CONICAL };
 
-/* Gamma: the exact fraction of a particle's cell inside the horizon, or the linear ramp.  (SPEC 2; 000: eq. 22) */
+/* Gamma: the exact part of a particle's cell in the horizon, or a ramp.  (001: eq. 3.33, mended; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
 
-/* Bonds between particles of different horizons: each end contributes half (Ren, Zhuang and Rabczuk 2016), or each end
+/* Bonds between particles of different horizons: each end contributes half (Ren et al. 2016), or each end
  * uses its own horizon (000: sec. 1.2.5). */
 enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
 

@@ -4,7 +4,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
 #include "solid/bonds/cut_bonds.h"
@@ -17,6 +17,7 @@
 #include "solid/imposed/given.h"
 #include "solid/input.h"
 #include "solid/law/material.h"
+#include "solid/law/stencil.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>
@@ -134,7 +135,7 @@ struct solid *solid_new(const struct solid_input *in) {
     f->stencils = in->materials;
     f->stencil = memory_new(MEMORY_SOLID, (size_t)in->materials, sizeof *f->stencil);
     for (int m = 0; s->dim == 3 && m < in->materials; m++)
-        f->stencil[m] = solid_weight_stencil_new(in->spacing, in->material[m].horizon_ratio);
+        f->stencil[m] = solid_stencil_new(in->spacing, in->material[m].horizon_ratio);
 
     struct solid_sites **sites = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *sites);
     for (int b = 0; b < in->bodies; b++) {
@@ -155,7 +156,7 @@ struct solid *solid_new(const struct solid_input *in) {
     points_check(s, sites, cloud);
     solid_cut_bonds(s, cloud);
     solid_build_edges(s);
-    solid_given_new(s, sites);
+    solid_given_new(s, sites, NULL);
     for (int b = 0; b < in->bodies; b++) {
         solid_sites_free(sites[b]);
         if (s->dim == 2)
@@ -203,7 +204,7 @@ void solid_free(struct solid *s) {
     struct solid_family *f = s->family;
     solid_contact_free(s);
     solid_forget_bonds(s);
-    for (int m = 0; m < f->stencils; m++) solid_weight_stencil_free(f->stencil[m]);
+    for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};
     for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);
     for (int c = 0; c < 3; c++) {

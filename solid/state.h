@@ -35,56 +35,74 @@ enum solid_flag {
 };
 
 struct solid {
-    struct solid_input in; /* copy of the input; body, material and the other arrays are owned copies */
-    int dim;               /* 2: a plate, component [2] of x0, d, v, a, load, v_old, a_old is NULL; 3 */
-    struct solid_stage stage;
+    /* Parameters: set by solid_new, and anew by a refinement; read-only otherwise. */
+    struct solid_input in;    /* copy of the input; body, material and the other arrays are owned copies */
+    int dim;                  /* 2: a plate, component [2] of x0, d, v, a, load, v_old, a_old is NULL; 3 */
+    struct solid_stage stage; /* set at the start of a stage */
     long n_global;
     long *first; /* [size+1] */
     int n, n_ghost;
     struct par_ghost *ghost;
-    /* parameters, [n + n_ghost] */
-    double *x0[3];         /* m */
-    double *volume;        /* m3 */
-    double *family_volume; /* V_h = sum Gamma V of the unbroken family, m3 (ghosts too) */
-    uint8_t *body;
-    uint8_t *flag; /* enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
-    /* state, [n + n_ghost]; with the bonds' lambda and t, the content of a checkpoint */
-    double t;     /* s; advanced by the integrators; a caller may set it */
-    double *d[3]; /* displacement X - X0, m */
-    double *v[3]; /* velocity, m/s */
-    /* work, [n] */
-    double *a[3];    /* acceleration of the last force sweep, m/s2 */
-    double *load[3]; /* external force per unit volume F_h, N/m3: the input's loads, and those of the coupling */
-    struct solid_given *given;            /* NULL: none */
+    double *x0[3];                        /* [n + n_ghost] m */
+    double *volume;                       /* [n + n_ghost] m3 */
+    double *family_volume;                /* [n + n_ghost] V_h = sum Gamma V of the unbroken family, m3 */
+    uint8_t *body;                        /* [n + n_ghost] */
     const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
-    struct solid_family *family;
+    long bonds_total; /* undirected, whole solid, of the families as made at the start or by a refinement */
+
+    /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c looks that it has every
+     * member from d to stage_of_a. */
+    double *d[3];    /* [n + n_ghost] displacement X - X0, m */
+    double *v[3];    /* [n + n_ghost] velocity, m/s */
+    double *load[3]; /* [n] external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
+    double
+        *v_old[3]; /* [n] bonds' and contact's part of the last sweep's a (Verlet); RK3: work, the stage's before v */
+    uint8_t *flag; /* [n + n_ghost] enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
+    struct solid_family *family;   /* the bonds' lambda; the rest of it are parameters and work */
     struct solid_contact *contact; /* NULL until something can touch */
-    struct solid_refine *refine;   /* NULL: no refinement */
-    /* counters and energies, this rank's share */
-    long bonds_total;    /* undirected, whole solid, of the families as made at the start or by a refinement */
-    long bonds_broken;   /* undirected, whole solid; valid after solid_family_count */
-    int broke;           /* set of enum solid_broke bits: a bond of an owned particle broke since each reader last
-                          * asked */
-    double e_damped;     /* energy dissipated by damping so far, J */
-    double e_fracture;   /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
-    double e_constraint; /* work of driven layers so far, J */
-    double work_load;    /* work of load and body force so far, J */
+    struct solid_given *given;     /* the factors of the loads now in `load`; NULL: none */
+    struct solid_refine *refine;   /* the particles' levels; NULL: nothing is refined */
+    double t;                      /* s; advanced by the integrators; a caller may set it */
+    /* energies, this rank's share */
+    double e_damped;       /* energy dissipated by damping so far, J */
+    double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
+                            * breaking */
+    double e_constraint;   /* work of driven layers so far, J */
+    double work_load;      /* work of load and body force so far, J */
+    double power_pairwise; /* power_damped of the sweep that v_old belongs to, W (Verlet) */
+    long bonds_broken;     /* undirected, whole solid; valid after solid_family_count */
+    int broke;             /* bits of who has yet to look at bonds that broke (solid/bonds/lost.h) */
+    int a_holds;           /* 1: a belongs to the present d, v and bonds (Verlet); code that changes one of them clears
+                            * it */
+    struct solid_stage stage_of_a;
+
+    /* Work: found anew in each sweep. */
+    double *a[3];     /* [n] acceleration of the last force sweep, m/s2 */
+    double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
     double power_added; /* the part of power_load due to the added mass */
+
+    /* Counters: they only rise, and no step depends on their values. */
     long sweeps;        /* force sweeps so far */
     long versions;      /* version numbers given so far to states of the bonds and of contact's record (solid/keep.h) */
     long bonds_version; /* version of the bonds; changes whenever kept bonds are restored */
-    /* work of the integrators, [n]: rates of the last stage (RK3); the bonds' and contact's part of a, the last a
-     * (Verlet) */
-    double *v_old[3], *a_old[3];
-    int a_holds; /* 1: a belongs to the present d, v and bonds (Verlet); code that changes one of them clears it */
-    struct solid_stage stage_of_a;
-    double power_pairwise; /* of the sweep that v_old comes from, W (Verlet) */
 };
 
 /* The present position X0 + d; z is 0 in a plate. */
 static inline void solid_position(const struct solid *s, int h, double x[3]) {
     x[2] = 0;
     for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h] + s->d[c][h];
+}
+
+/* The shortest of x and its images across periodic sides. */
+static inline double solid_shortest(const struct solid *s, int c, double x) {
+    return s->in.periodic[c] ? x - s->in.length[c] * __builtin_rint(x / s->in.length[c]) : x;
+}
+
+/* The present X_l - X_h, to the nearest periodic image, m. */
+static inline void solid_relative(const struct solid *s, int h, int l, double zeta[3]) {
+    for (int c = 0; c < 3; c++) {
+        zeta[c] = solid_shortest(s, c, (s->x0[c][l] - s->x0[c][h]) + (s->d[c][l] - s->d[c][h]));
+    }
 }

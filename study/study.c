@@ -1,6 +1,7 @@
 /* frana study: plans the runs, makes them, writes the report. */
 #include "study/study.h"
 #include "base/die.h"
+#include "base/text.h"
 #include "scene/text/node.h"
 #include "study/report/report.h"
 #include "study/runs/child.h"
@@ -57,7 +58,7 @@ int study_run(const struct study_options *o) {
         die_all(EXIT_CODE_SCENE, "frana study: starts the ranks of its runs itself: call it without mpiexec");
     program_of(program, sizeof program);
     struct study *s = study_file_new(o->file);
-    char *out = o->out ? scene_node_text("%s", o->out) : scene_node_text("%s/results", s->folder);
+    char *out = o->out ? text_new("%s", o->out) : text_new("%s/results", s->folder);
     struct study_plan *plan = study_plan_new(s, out);
     environment(s, program);
     study_child_begin();

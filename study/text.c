@@ -1,5 +1,6 @@
 /* Reads files and numbers as text, and turns names into folder names. */
 #include "study/text.h"
+#include "base/text.h"
 #include "scene/text/yaml.h"
 
 #include <ctype.h>
@@ -44,7 +45,7 @@ double study_text_number(const char *text) {
 }
 
 char *study_text_slug(const char *text) {
-    char *slug = scene_node_text("%s", *text ? text : "-");
+    char *slug = text_new("%s", *text ? text : "-");
     for (char *c = slug; *c; c++)
         if (!isalnum((unsigned char)*c) && *c != '.' && *c != '_') *c = '-';
     if (slug[0] == '.') slug[0] = '-';

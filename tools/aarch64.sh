@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Runs the tests of one rank for another processor: an arm64 root made from Debian's packages, a cross build, and qemu.
-# To be run as root, because debootstrap needs it. Needs debootstrap, gcc-aarch64-linux-gnu, qemu-user-static, cmake and
-# ninja.
+# The tests of one rank on another processor: an arm64 root from Debian's packages, a cross build, and qemu. As root,
+# because debootstrap wants it; needs debootstrap, gcc-aarch64-linux-gnu, qemu-user-static, cmake and ninja.
 #   tools/aarch64.sh [ctest's arguments: -R solid_ ...]          SYSROOT=build-aarch64-root to keep the root elsewhere
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -9,7 +8,8 @@ sysroot=${SYSROOT:-$PWD/build-aarch64-root}
 
 for command in debootstrap aarch64-linux-gnu-gcc qemu-aarch64-static cmake ninja; do
     command -v "$command" >/dev/null || {
-        echo "$command is missing; Debian: apt-get install debootstrap gcc-aarch64-linux-gnu qemu-user-static cmake ninja-build" >&2
+        echo "$command is missing; Debian: apt-get install" \
+            "debootstrap gcc-aarch64-linux-gnu qemu-user-static cmake ninja-build" >&2
         exit 2
     }
 done
@@ -31,7 +31,8 @@ if [ ! -e "$sysroot/unpacked" ]; then
     touch "$sysroot/unpacked"
 fi
 
-cmake -S . -B build-aarch64 -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64.cmake" -DFRANA_SYSROOT="$sysroot" -DFRANA_ARCH= \
+cmake -S . -B build-aarch64 -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64.cmake" -DFRANA_SYSROOT="$sysroot" \
+    -DFRANA_ARCH= \
     -DFRANA_WERROR=ON
 ninja -C build-aarch64
 ctest --test-dir build-aarch64 --output-on-failure -LE nightly "$@"

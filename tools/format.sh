@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Formats the C files in place (.clang-format, clang-format 14); with --check reports the files that are not formatted.
+# Formats all C files that git tracks in place (.clang-format, clang-format 14), or with --check says which are not. The
+# width of lines, comments and scripts included, is tools/columns.sh's.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 how=(-i)

@@ -27,7 +27,8 @@ setup_quietly() {
         "$@" >"$log" 2>&1 </dev/null &
         pid=$!
         while kill -0 "$pid" 2>/dev/null; do
-            printf '\r%-*.*s' "$width" "$width" "-- $what, $((SECONDS - from)) s: $(tail -n 1 "$log" | tr -d '\r' | tr -c '[:print:]' ' ')"
+            printf '\r%-*.*s' "$width" "$width" \
+                "-- $what, $((SECONDS - from)) s: $(tail -n 1 "$log" | tr -d '\r' | tr -c '[:print:]' ' ')"
             sleep 0.5
         done
         wait "$pid" || status=$?
@@ -57,7 +58,8 @@ setup_apt() {
     shift
     # the list of packages may be out of date or missing
     $as_root apt-get -o DPkg::Lock::Timeout=300 update -q
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -q -y --no-install-recommends "$@"
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -q -y \
+        --no-install-recommends "$@"
 }
 
 # Packages cannot be installed from here, because of $1: continues if everything needed is there.
@@ -107,7 +109,8 @@ setup_build() {
 }
 
 setup_cores() { getconf _NPROCESSORS_ONLN; }
-setup_tests() { echo $((2 * $(setup_cores))); } # ranks at a time: for much of its time a test waits for ranks to start and end
+# ranks at a time: a test waits for much of its time, for ranks to start and end
+setup_tests() { echo $((2 * $(setup_cores))); }
 
 setup_mpi() {
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

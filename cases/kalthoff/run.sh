@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Both steels on uniform grids and refined where they crack, and in 3D; what the result depends on. Writes results/.
 # usage: cases/kalthoff/run.sh [RUNS]      (runs/kalthoff)
+# shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/kalthoff} case=cases/kalthoff out=cases/kalthoff/results
@@ -13,16 +14,9 @@ grid() {
     "--set solid.cracks.upper.points=[[0,0.125],[0.05,0.125]]" \
     "--set solid.constraints[0].low=[0,0.075] --set solid.constraints[0].high=[$1,0.125]"
 }
-# variation NAME SCENE words of --set, with _ for spaces
-variation() {
-  local name=$1 scene=$2 words=() w
-  shift 2
-  for w in "$@"; do words+=("${w//:_/: }"); done
-  go "$name" "$case/$scene.yaml" "${words[@]}" >"$runs/$name.log"
-}
-# path NAME HEIGHT: of the upper crack, whose notch is HEIGHT up: the angle (degrees) of the chord from the notch's tip to where the crack is
-# at the end, the angle of the line by least squares through the tip's places, the time (s) from which the tip is 2 mm off the notch, and
-# the top speed (m/s) over windows of 1.82 and 9.1 us
+# path NAME HEIGHT: of the upper crack, whose notch is HEIGHT up: the angle (degrees) of the chord from the notch's tip
+# to where the crack is at the end, the angle of the line by least squares through the tip's places, the time (s) from
+# which the tip is 2 mm off the notch, and the top speed (m/s) over windows of 1.82 and 9.1 us
 path() {
   awk -F, -v y0="$2" '
     NR < 3 { next }
@@ -39,8 +33,6 @@ path() {
       printf "%.2f %.2f %.4g %.0f %.0f\n", d * atan2(y[n] - y0, x[n] - 0.05), d * atan2(bb - b * b / m, ab - a * b / m),
         start, top(1.82e-6), top(9.1e-6) }' "$runs/$1/crack.csv"
 }
-# mirrored NAME SPACING: of the particles, how many are not their mirror image's to the bit
-mirrored() { { cases/symmetric.sh "$runs/$1" 0.1 "$2" || true; } | awk '{ print $1 == "symmetric" ? 0 : $2 }'; }
 # measured STEEL NAME HEIGHT SPACING ANGLE C_R PARTICLES: its rows; ANGLE and PARTICLES are the thesis's
 measured() {
   local p
@@ -50,23 +42,22 @@ measured() {
   row "$2: the crack has left the notch" s "${p[2]}" "" ""
   row "$2: top speed over 1.82 us" m/s "${p[3]}" "below 2000" "000 figs. 75 and 76" 0 2000
   row "$2: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "$1" 0 "$6"
-  [ -z "$4" ] || row "$2: particles that are not their mirror image's to the bit" 1 "$(mirrored "$2" "$4")" 0 "symmetry" 0 0
+  [ -z "$4" ] || mirrored "$2" 0.1 "$4"
   row "$2: particles at the end" 1 "$(json "$2" particles)" "$7" "000 table 10"
   row "$2: wall time of the steps" s "$(json "$2" wall_seconds | cut -c 1-5)" "" ""
 }
 
 refine='solid.refinement={levels:_1,damage:_0.01,energy:'
 for steel in x2nicomo 18ni1900; do
-  variation ${steel}_2mm $steel
-  variation ${steel}_1mm $steel $(grid 1.0e-3)
-  variation ${steel}_half_mm $steel $(grid 5.0e-4) --set output.fields_every=1300
+  variation ${steel}_2mm $case/$steel.yaml
+  variation ${steel}_1mm $case/$steel.yaml $(grid 1.0e-3)
+  variation ${steel}_half_mm $case/$steel.yaml $(grid 5.0e-4) --set output.fields_every=1300
 done
-variation x2nicomo_refined x2nicomo --set "${refine}_0.35,from:_2.0e-5}"
-variation 18ni1900_refined 18ni1900 --set "${refine}_0.7,from:_1.533e-5}"
-variation slab slab
+variation x2nicomo_refined $case/x2nicomo.yaml --set "${refine}_0.35,from:_2.0e-5}"
+variation 18ni1900_refined $case/18ni1900.yaml --set "${refine}_0.7,from:_1.533e-5}"
+variation slab $case/slab.yaml
 
-summary=$out/summary.csv
-echo "quantity, unit, ours, reference, source, tolerance, pass" >"$summary"
+summary_begin "$out/summary.csv"
 while read -r steel angle c_r nodes; do
   measured "$steel" ${steel}_2mm 0.124 0.002 "$angle" "$c_r" ""
   measured "$steel" ${steel}_refined 0.124 0.001 "$angle" "$c_r" "$nodes"
@@ -82,7 +73,7 @@ measured x2nicomo slab 0.125 "" 71 2841.2 ""
 table=$out/sensitivity.csv
 echo "changed, angle to the end (deg), angle by least squares (deg), left the notch (s), top speed over 1.82 us (m/s), over 9.1 us (m/s)" >"$table"
 while read -r name words; do
-  variation "x_$name" x2nicomo $words --set output.fields_every=0
+  variation "x_$name" $case/x2nicomo.yaml $words --set output.fields_every=0
   height=0.124
   case $name in notch_74) height=0.126 ;; notch_75*) height=0.125 ;; esac
   echo "$name, $(path "x_$name" $height | sed 's/ /, /g')" >>"$table"
@@ -105,4 +96,5 @@ refined_by_energy_alone --set solid.refinement={levels:_1,energy:_0.35,from:_2.0
 refined_by_18ni_triggers --set solid.refinement={levels:_1,damage:_0.01,energy:_0.7,from:_1.533e-5}
 CHANGES
 for name in x2nicomo_half_mm 18ni1900_refined; do cp "$runs/$name/post/pictures/damage.png" "$out/$name.png"; done
-cat "$summary" "$table"
+cat "$table"
+finish

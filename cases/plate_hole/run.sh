@@ -1,22 +1,17 @@
 #!/usr/bin/env bash
-# The three cracks on uniform grids and refined where they run, and with the hole in the middle of the plate. Writes results/.
+# The three cracks on uniform grids and refined where they run, and with the hole in the middle of the plate. Writes
+# results/.
 # usage: cases/plate_hole/run.sh [RUNS]      (runs/plate_hole)
+# shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/plate_hole} case=cases/plate_hole out=cases/plate_hole/results
 . cases/crack.sh
 mkdir -p "$runs" "$out"
-# run NAME SCENE words of --set, with _ for spaces
-run() {
-  local name=$1 scene=$2 words=() w
-  shift 2
-  for w in "$@"; do words+=("${w//:_/: }"); done
-  go "$name" "$case/$scene.yaml" "${words[@]}" >"$runs/$name.log"
-}
 # grid SPACING: with a clamp of one layer
 grid() { echo "--set solid.spacing=$1 --set solid.constraints[0].high=[0.03,$1]"; }
-# path NAME X Y RADIUS WIDTH: of the crack that began as the initial one: the time (s) from which its tip is more than 1 mm ahead,
-# where it is at the end (mm), how far that is from the edge of the hole (mm), and what became of it
+# path NAME X Y RADIUS WIDTH: of the crack that began as the initial one: the time (s) from which its tip is more than 1
+# mm ahead, where it is at the end (mm), how far that is from the edge of the hole (mm), and what became of it
 path() {
   awk -F, -v cx="$2" -v cy="$3" -v r="$4" -v width="$5" '
     NR < 3 { next }
@@ -26,7 +21,8 @@ path() {
       printf "%.4g %.4g %.4g %.2f %s\n", start, 1e3 * x, 1e3 * y, 1e3 * gap,
         (gap < 0.002 ? "drawn_in" : x > width - 0.003 ? "passes" : "stops") }' "$runs/$1/crack.csv"
 }
-# measured NAME X Y RADIUS OUTCOME [PARTICLES]: its rows; what becomes of the crack passes where it is OUTCOME (-: not said)
+# measured NAME X Y RADIUS OUTCOME [PARTICLES]: its rows; what becomes of the crack passes where it is OUTCOME (-: not
+# said)
 measured() {
   local p
   read -r -a p <<<"$(path "$1" "$2" "$3" "$4" 0.03)"
@@ -34,9 +30,10 @@ measured() {
   row "$1: x of the tip at the end" mm "${p[1]}" "" ""
   row "$1: y of the tip at the end" mm "${p[2]}" "" ""
   row "$1: from there to the hole" mm "${p[3]}" "" ""
-  if [ "$5" = - ]; then row "$1: what becomes of the crack" "" "${p[4]}" "" ""; else
-    echo "$1: what becomes of the crack, , ${p[4]}, $5, expected (the figures of 000 are not at hand), the same," \
-      "$([ "${p[4]}" = "$5" ] && echo yes || echo no)" >>"$summary"
+  if [ "$5" = - ]; then
+    shown "$1: what becomes of the crack" "" "${p[4]}" "" ""
+  else
+    same "$1: what becomes of the crack" "" "${p[4]}" "$5" "expected (the figures of 000 are not at hand)"
   fi
   row "$1: particles at the end" 1 "$(json "$1" particles)" "${6-}" "${6:+000 table 15}"
   row "$1: wall time of the steps" s "$(json "$1" wall_seconds | cut -c 1-5)" "" ""
@@ -45,15 +42,14 @@ measured() {
 middle="--set domain.size=[0.03,0.045] --set solid.bodies.plate.high=[0.03,0.045] --set solid.loads[0].edge.from=[0,0.045]
   --set solid.loads[0].edge.to=[0.03,0.045] --set solid.bodies.plate.holes[0].centre=[0.015,0.0225]
   --set solid.bodies.plate.holes[0].radius=0.006"
-summary=$out/summary.csv
-echo "quantity, unit, ours, reference, source, tolerance, pass" >"$summary"
+summary_begin "$out/summary.csv"
 while read -r m from outcome nodes; do
-  run ${m}_1mm $m
-  run ${m}_refined $m --set "solid.refinement={levels:_1,energy:_0.7,damage:_0.01,from:_$from}"
-  run ${m}_half_mm $m $(grid 5.0e-4)
-  run ${m}_quarter_mm $m $(grid 2.5e-4) --set output.fields_every=0
-  run ${m}_middle_1mm $m $middle
-  run ${m}_middle_half_mm $m $middle $(grid 5.0e-4)
+  variation ${m}_1mm $case/$m.yaml
+  variation ${m}_refined $case/$m.yaml --set "solid.refinement={levels:_1,energy:_0.7,damage:_0.01,from:_$from}"
+  variation ${m}_half_mm $case/$m.yaml $(grid 5.0e-4)
+  variation ${m}_quarter_mm $case/$m.yaml $(grid 2.5e-4) --set output.fields_every=0
+  variation ${m}_middle_1mm $case/$m.yaml $middle
+  variation ${m}_middle_half_mm $case/$m.yaml $middle $(grid 5.0e-4)
   measured ${m}_1mm 0.02 0.008 0.004 "$outcome" 1238
   measured ${m}_refined 0.02 0.008 0.004 "$outcome" "$nodes"
   measured ${m}_half_mm 0.02 0.008 0.004 "$outcome"
@@ -66,4 +62,4 @@ b 1.80e-5 - 2409
 c 1.92e-5 drawn_in 2492
 MODELS
 for name in a_half_mm c_half_mm; do cp "$runs/$name/post/pictures/damage.png" "$out/$name.png"; done
-cat "$summary"
+finish

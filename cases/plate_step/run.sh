@@ -2,6 +2,8 @@
 # Runs the models and writes results/: summary.csv beside the thesis's numbers, the energies, their plot.
 # usage: cases/plate_step/run.sh [FRANA [RUNS [RESULTS]]]
 set -euo pipefail
+# shellcheck source=cases/common.sh
+. "$(dirname "$0")/../common.sh"
 here=$(cd "$(dirname "$0")" && pwd)
 frana=${1:-build/frana} runs=${2:-runs/plate_step} out=${3:-$here/results}
 mkdir -p "$runs" "$out"
@@ -9,7 +11,8 @@ mkdir -p "$runs" "$out"
 one=(--set solid.horizons=one_sided) none=(--set 'solid.refinement={from: 1}') # not before 1 s: never
 # one particle and its family instead of a row of them: 7 x 7 mm
 patch=(--set 'solid.refinement.start=[{low: [0.0169, 0.0199], high: [0.0231, 0.0201], level: 1},
-  {low: [0.0179, 0.0179], high: [0.0221, 0.0221], level: 1}, {low: [0.0199, 0.0169], high: [0.0201, 0.0231], level: 1}]')
+  {low: [0.0179, 0.0179], high: [0.0221, 0.0221], level: 1},
+  {low: [0.0199, 0.0169], high: [0.0201, 0.0231], level: 1}]')
 # the supported rows are three as well, in a plate two fine rows shorter
 fine=(--set solid.spacing=5.0e-4 --set solid.bodies.plate.high='[0.04, 0.041]')
 run() { # run NAME options...: the step, and the plate at rest under the same load
@@ -17,7 +20,8 @@ run() { # run NAME options...: the step, and the plate at rest under the same lo
   shift
   rm -rf "${runs:?}/$name" "${runs:?}/${name}_rest"
   "$frana" run "$here/scene.yaml" --out "$runs/$name" --quiet "$@"
-  "$frana" run "$here/scene.yaml" --out "$runs/${name}_rest" --quiet "$@" --set 'stages=[{name: rest, relax: true, steps: 4000}]'
+  "$frana" run "$here/scene.yaml" --out "$runs/${name}_rest" --quiet "$@" \
+    --set 'stages=[{name: rest, relax: true, steps: 4000}]'
 }
 run uniform "${none[@]}"
 run uniform_fine "${none[@]}" "${fine[@]}"
@@ -29,8 +33,8 @@ run patch_b "${one[@]}" "${patch[@]}"
 run patch_b_corrected "${one[@]}" --set solid.refinement.interface=corrected "${patch[@]}"
 run patch_dual "${patch[@]}"
 
-names='FNR == 1 { delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { next }'
-# Largest |kinetic + strain - what load and support have put in|, over the largest energy, %: made or lost by the coupling.
+# Largest |kinetic + strain - what load and support have put in|, over the largest energy, %: made or lost by the
+# coupling.
 unbalanced() {
   awk -F, "$names"' { e = $k["e_kinetic_solid"] + $k["e_strain"]; d = e - $k["work_load"] - $k["e_constraint"]
       if (e > top) top = e; if (d < 0) d = -d; if (d > most) most = d }
@@ -52,39 +56,32 @@ peak() { # peak NAME PROBE COLUMN
 }
 # How much farther the loaded edge goes at rest than on the uniform coarse grid, %.
 longer() {
-  awk -F, "$names"' $k["probe"] == 2 { if (FILENAME == ARGV[1]) uniform = $k["displacement_y"]; else here = $k["displacement_y"] }
+  awk -F, "$names"' $k["probe"] == 2 { if (FILENAME == ARGV[1]) uniform = $k["displacement_y"];
+    else here = $k["displacement_y"] }
     END { print 100 * (here / uniform - 1) }' "$runs/uniform_rest/probes.csv" "$runs/$1_rest/probes.csv"
 }
-particles() { sed -n 's/.*"particles": \([0-9]*\).*/\1/p' "$runs/$1/run.json"; }
 
-summary="$out/summary.csv"
-echo "quantity,unit,ours,reference,source,tolerance,pass" >"$summary"
-# row QUANTITY UNIT OURS REFERENCE SOURCE LOW HIGH: passes between LOW and HIGH in magnitude; without them it is only shown
-row() {
-  awk -v q="$1" -v u="$2" -v x="$3" -v r="$4" -v s="$5" -v a="${6:-}" -v b="${7:-}" 'BEGIN {
-    t = b == "" ? "" : (a == b ? "exactly " a : (a == 0 ? "at most " b : a " to " b))
-    m = x < 0 ? -x : x + 0
-    printf "%s,%s,%.4g,%s,%s,%s,%s\n", q, u, x, r, s, t, t == "" ? "" : (m >= a + 0 && m <= b + 0 ? "yes" : "no") }' >>"$summary"
-}
-row "particles: uniform" 1 "$(particles uniform)" "" ""
-row "particles: band" 1 "$(particles dual)" "" ""
-row "particles: patch" 1 "$(particles patch_dual)" "" ""
-of() { # of LABEL NAME REFERENCE SOURCE LIMIT LIMIT: both measures
-  row "$1: energy made or lost" % "$(unbalanced "$2")" "$3" "$4" 0 "$5"
-  row "$1: energy less than uniform coarse's" % "$(deviation "$2")" "$3" "$4" 0 "$6"
+digits=4
+summary_begin "$out/summary.csv"
+row "particles: uniform" 1 "$(json uniform particles)" "" ""
+row "particles: band" 1 "$(json dual particles)" "" ""
+row "particles: patch" 1 "$(json patch_dual particles)" "" ""
+measures() { # measures LABEL NAME REFERENCE SOURCE LIMIT LIMIT: both measures
+  at_most "$1: energy made or lost" % "$(unbalanced "$2")" "$3" "$4" "$5"
+  at_most "$1: energy less than uniform coarse's" % "$(deviation "$2")" "$3" "$4" "$6"
   row "$1: at rest longer than uniform coarse" % "$(longer "$2")" "" ""
 }
-row "uniform coarse: energy made or lost" % "$(unbalanced uniform)" 0 exact 0 0.02
-row "uniform fine: energy made or lost" % "$(unbalanced uniform_fine)" 0 exact 0 0.02
+at_most "uniform coarse: energy made or lost" % "$(unbalanced uniform)" 0 exact 0.02
+at_most "uniform fine: energy made or lost" % "$(unbalanced uniform_fine)" 0 exact 0.02
 row "uniform fine: energy less than uniform coarse's" % "$(deviation uniform_fine)" "" ""
 row "uniform fine: at rest longer than uniform coarse" % "$(longer uniform_fine)" "" ""
-of "band; B" b 7.15 "000 fig. 48" 7.15 7.15
-of "band; B corrected" b_corrected 13.65 "000 fig. 48" 13.65 13.65
-of "band; dual horizon" dual 0 "no loss" 0.02 1
-of "band; dual horizon kept" dual_kept 0 "no loss" 0.02 1
-of "patch; B" patch_b 7.15 "000 fig. 48" 7.15 7.15
-of "patch; B corrected" patch_b_corrected 13.65 "000 fig. 48" 13.65 13.65
-of "patch; dual horizon" patch_dual 0 "no loss" 0.02 1
+measures "band; B" b 7.15 "000 fig. 48" 7.15 7.15
+measures "band; B corrected" b_corrected 13.65 "000 fig. 48" 13.65 13.65
+measures "band; dual horizon" dual 0 "no loss" 0.02 1
+measures "band; dual horizon kept" dual_kept 0 "no loss" 0.02 1
+measures "patch; B" patch_b 7.15 "000 fig. 48" 7.15 7.15
+measures "patch; B corrected" patch_b_corrected 13.65 "000 fig. 48" 13.65 13.65
+measures "patch; dual horizon" patch_dual 0 "no loss" 0.02 1
 for m in uniform_fine b b_corrected dual dual_kept patch_dual; do
   row "$m: greatest displacement at (0.02 0.02)" % "$(peak $m 0 displacement_y)" "" ""
   row "$m: greatest energy density at (0.02 0.02)" % "$(peak $m 0 energy_density)" "" ""
@@ -109,7 +106,8 @@ set datafile separator ","
 set xlabel "t, s"
 set ylabel "(energy of the uniform coarse grid - energy)/its largest, %"
 stats "$out/energy.csv" every ::2 using 2 nooutput
-plot for [c=4:7] "$out/energy.csv" every ::2 using 1:(100*(column(2)-column(c))/STATS_max) with lines lw 1.5 title word("B B-corrected dual dual-kept", c-3)
+plot for [c=4:7] "$out/energy.csv" every ::2 using 1:(100*(column(2)-column(c))/STATS_max) \
+  with lines lw 1.5 title word("B B-corrected dual dual-kept", c-3)
 GP
 fi
-cat "$summary"
+finish

@@ -2,6 +2,8 @@
 # results/ from the runs' folders: series, plots, pictures, wall times, and summary.csv beside the thesis's numbers.
 # usage: cases/porous_channel/collect.sh RUNS
 set -euo pipefail
+# shellcheck source=cases/common.sh
+. "$(dirname "$0")/../common.sh"
 runs=$1 out=$(dirname "$0")/results
 mkdir -p "$out"
 column() { # column NAME first|last FILE: the value of the first sample of the last stage, or of the last sample
@@ -9,38 +11,32 @@ column() { # column NAME first|last FILE: the value of the first sample of the l
     NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i }
     NR > 2 && $1 >= from { if (!seen++) first = $c; last = $c } END { print which == "first" ? first : last }' "$3"
 }
-number() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$1" | head -n 1; }
-text() { sed -n "s/.*\"$2\": *\"\(.*\)\".*/\1/p" "$1" | head -n 1; }
-summary="$out/summary.csv"
-echo "quantity, unit, ours, reference, source, tolerance, pass" >"$summary"
-# row QUANTITY UNIT OURS REFERENCE SOURCE LOW HIGH: passes between LOW and HIGH
-row() {
-  awk -v q="$1" -v u="$2" -v x="$3" -v r="$4" -v s="$5" -v a="$6" -v b="$7" 'BEGIN {
-    t = a == "" ? "" : (b == "" ? ">= " a : (a == b ? "exactly " a : a " to " b))
-    p = a == "" ? "" : ((x + 0 >= a + 0 && (b == "" || x + 0 <= b + 0)) ? "yes" : "no")
-    printf "%s, %s, %.6g, %s, %s, %s, %s\n", q, u, x, r, s, t, p }' >>"$summary"
-}
+digits=6
+summary_begin "$out/summary.csv"
 start=$(awk '/name: (flow|settle)/ { gsub(/.*steps: |,.*/, ""); n += $0 } END { print n }' "$(dirname "$0")/s1.yaml")
 p0=10
 row "particles" 1 "$(number "$runs/s1/run.json" particles)" 54662 "001 ch. 5" 53569 55755
 for s in s1 s2 s3; do
-  series="$runs/$s/series.csv" json="$runs/$s/run.json"
+  series="$runs/$s/series.csv"
   cp "$series" "$out/series_$s.csv"
   before() { column "$1" first "$runs/s1/series.csv" "$start"; }
   after() { column "$1" last "$series" "$start"; }
   fall=$(awk -v a="$(before dp)" -v b="$(after dp)" 'BEGIN { print (a - b) / a }')
   total=$(awk -v a="$(after bonds_broken)" -v b="$(after bonds_intact)" 'BEGIN { print a / (a + b) }')
-  [ $s = s1 ] && row "dp/p0 before fracture" 1 "$(awk -v a="$(before dp)" 'BEGIN { print a / '$p0' }')" 190 "001 sec. 6.4.1" 142.5 237.5
+  [ $s = s1 ] && row "dp/p0 before fracture" 1 "$(awk -v a="$(before dp)" 'BEGIN { print a / '$p0' }')" 190 \
+    "001 sec. 6.4.1" 142.5 237.5
   [ $s = s1 ] && row "porosity before fracture" 1 "$(before porosity)" "about 0.725" "from 54662 particles" 0.70 0.75
-  [ $s = s1 ] && row "permeability before fracture" m2 "$(before permeability)" 3.947e-6 "from dp/p0 = 190" 3.16e-6 5.26e-6
-  row "$s: dp/p0 at the end" 1 "$(awk -v a="$(after dp)" 'BEGIN { print a / '$p0' }')" "" "" "" ""
-  row "$s: porosity at the end" 1 "$(after porosity)" "" "" "" ""
-  row "$s: permeability at the end" m2 "$(after permeability)" "" "" "" ""
-  row "$s: bonds broken" 1 "$(after bonds_broken)" "" "" "" ""
-  row "$s: fragments" 1 "$(after fragments)" "" "" "" ""
+  [ $s = s1 ] && row "permeability before fracture" m2 "$(before permeability)" 3.947e-6 "from dp/p0 = 190" 3.16e-6 \
+    5.26e-6
+  row "$s: dp/p0 at the end" 1 "$(awk -v a="$(after dp)" 'BEGIN { print a / '$p0' }')" "" ""
+  row "$s: porosity at the end" 1 "$(after porosity)" "" ""
+  row "$s: permeability at the end" m2 "$(after permeability)" "" ""
+  row "$s: bonds broken" 1 "$(after bonds_broken)" "" ""
+  row "$s: fragments" 1 "$(after fragments)" "" ""
   case $s in
   s1) row "s1: share of bonds broken" 1 "$total" "intact" "001 sec. 6.3" 0 1e-3
-    row "s1: fragments beside the block" 1 "$(awk -v a="$(after fragments)" 'BEGIN { print a - 1 }')" 0 "001 sec. 6.3" 0 0
+    row "s1: fragments beside the block" 1 "$(awk -v a="$(after fragments)" 'BEGIN { print a - 1 }')" 0 "001 sec. 6.3" \
+      0 0
     row "s1: relative fall of dp" 1 "$fall" "flat" "001 fig. 6.6" -0.02 0.02 ;;
   s2) row "s2: share of bonds broken" 1 "$total" "partly broken" "001 sec. 6.3" 1e-3 0.3
     row "s2: relative fall of dp" 1 "$fall" "falls" "001 fig. 6.6" 0 1 ;;
@@ -52,7 +48,8 @@ for s in s1 s2 s3; do
     [ -f "$runs/$s/post/pictures/$view.png" ] && cp "$runs/$s/post/pictures/$view.png" "$out/${s}_$view.png"
   done
   for f in pdf_strain.csv pdf_stress.csv; do [ -f "$runs/$s/post/$f" ] && cp "$runs/$s/post/$f" "$out/${s}_$f"; done
-  for p in pdf_strain pdf_stress; do [ -f "$runs/$s/post/plots/$p.png" ] && cp "$runs/$s/post/plots/$p.png" "$out/${s}_$p.png"; done
+  for p in pdf_strain pdf_stress; do [ -f "$runs/$s/post/plots/$p.png" ] && cp "$runs/$s/post/plots/$p.png" \
+    "$out/${s}_$p.png"; done
 done
 [ -f "$runs/s1/post/plots/pressure.png" ] && cp "$runs/s1/post/plots/pressure.png" "$out/pressure.png"
 for p in pressure_drop porosity permeability bonds_broken fragments energy pdf_strain pdf_stress; do
@@ -72,4 +69,4 @@ done
   echo "ranks, $(number "$runs/s1/run.json" ranks)"
   for k in version revision compiler flags mpi hdf5 fftw; do echo "$k, \"$(text "$runs/s1/run.json" $k)\""; done
 } >"$out/machine.csv"
-cat "$summary"
+finish

@@ -4,11 +4,11 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 n=${1:-2} runs=${2:-runs/porous_channel} case=cases/porous_channel frana=build/frana
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+. cases/common.sh
 mkdir -p "$runs"
 go() { # go NAME [--resume...]: goes on with what is there, does nothing for what is done
   local name=$1; shift
-  grep -qs '"status": *"done"' "$runs/$name/run.json" && return
+  is_done "$runs/$name" && return
   if [ -f "$runs/$name/checkpoint/latest" ]; then set -- --resume; else rm -rf "${runs:?}/$name"; fi
   mpiexec -n "$n" "$frana" run "$case/$name.yaml" --out "$runs/$name" "$@"
 }

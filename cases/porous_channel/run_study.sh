@@ -1,25 +1,30 @@
 #!/usr/bin/env bash
-# What the main case's choices change and cost, in short runs of its S2, and how far round-off takes its runs apart. Stopped and
-# started again it goes on where it was. About 20 minutes on two cores, on which nothing else should run.
+# What the main case's choices change and cost, in short runs of its S2, and how far round-off takes its runs apart.
+# Stopped and started again it goes on where it was. About 20 minutes on two cores, on which nothing else should run.
 # usage: cases/porous_channel/run_study.sh [FRANA [RUNS [SETTLED]]]
-#   build/frana; runs/porous_channel_study; runs/porous_channel/s1/checkpoint/stage_settle.h5, which is made where it is missing
+#   build/frana; runs/porous_channel_study; runs/porous_channel/s1/checkpoint/stage_settle.h5, which is made where it is
+# missing
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-frana=$(realpath "${1:-build/frana}") runs=${2:-runs/porous_channel_study} case=cases/porous_channel out=cases/porous_channel/results
+frana=$(realpath "${1:-build/frana}") runs=${2:-runs/porous_channel_study} case=cases/porous_channel \
+  out=cases/porous_channel/results
 settled=${3:-runs/porous_channel/s1/checkpoint/stage_settle.h5}
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+. cases/common.sh
 mkdir -p "$runs" "$out"
 for study in iterations surface choices grid step; do
   "$frana" study "$case/study_$study.yaml" --out "$runs"
-  cp "$runs/study_$study".csv "$runs/study_$study".md "$runs/study_$study"_pressure-drop.png "$out"
+  cp "$runs/study_$study".csv "$runs/study_$study"_pressure-drop.png "$out"
+  # of the page's pictures that one is kept
+  sed '/^!\[.*\.png)$/{/_pressure-drop\.png)$/!d;}' "$runs/study_$study".md | cat -s >"$out/study_$study.md"
 done
 
 go() { # go FOLDER SCENE [...]: does nothing for what is done
   local folder=$1 scene=$2
   shift 2
-  grep -qs '"status": *"done"' "$folder/run.json" && return
+  is_done "$folder" && return
   rm -rf "$folder"
-  mpiexec -n 2 "$frana" run "$case/$scene" --out "$folder" --quiet --set output.fields_every=0 --set output.checkpoint_every=0 "$@"
+  mpiexec -n 2 "$frana" run "$case/$scene" --out "$folder" --quiet --set output.fields_every=0 \
+    --set output.checkpoint_every=0 "$@"
 }
 if [ ! -f "$settled" ]; then
   settled=$runs/settled/checkpoint/stage_settle.h5

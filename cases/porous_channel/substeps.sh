@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Does the number of substeps matter: the first 250 steps of fracture of S1, S2 and S3 from one settled state, with the automatic
-# number and with ten. Writes results/substeps.csv. Runs that are there already are kept.
+# Does the number of substeps matter: the first 250 steps of fracture of S1, S2 and S3 from one settled state, with the
+# automatic number and with ten. Writes results/substeps.csv. Runs that are there already are kept.
 # usage: cases/porous_channel/substeps.sh SETTLED [RANKS] [RUNS]    a stage_settle.h5; 2; runs/substeps
 set -euo pipefail
 settled=$(realpath "${1:?the checkpoint of a settled state: runs/porous_channel/s1/checkpoint/stage_settle.h5}")
 cd "$(dirname "$0")/../.."
 n=${2:-2} runs=${3:-runs/substeps} case=cases/porous_channel table=cases/porous_channel/results/substeps.csv
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+. cases/common.sh
 mkdir -p "$runs"
 echo "run, substeps, at the end, dp, bonds_broken, fragments, porosity, permeability" >"$table"
 for s in s1 s2 s3; do
@@ -14,13 +14,13 @@ for s in s1 s2 s3; do
     run=$runs/${s}_$substeps
     set -- --set stages.fracture.steps=250 --set output.fields_every=0
     [ $substeps = auto ] || set -- "$@" --set "stages.fracture.substeps=$substeps"
-    grep -qs '"status": *"done"' "$run/run.json" ||
+    is_done "$run" ||
       mpiexec -n "$n" build/frana run "$case/$s.yaml" --out "$run" --resume="$settled" "$@"
-    last=$(sed -n 's/.*"substeps": *\([0-9]*\).*/\1/p' "$run/run.json" | head -n 1)
+    last=$(number "$run/run.json" substeps)
     awk -F, -v run="$s" -v substeps="$substeps" -v last="$last" '
       NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i }
-      END { print run ", " substeps ", " last ", " $c["dp"] ", " $c["bonds_broken"] ", " $c["fragments"] ", " $c["porosity"] \
-        ", " $c["permeability"] }' "$run/series.csv" >>"$table"
+      END { print run ", " substeps ", " last ", " $c["dp"] ", " $c["bonds_broken"] ", " $c["fragments"] \
+        ", " $c["porosity"] ", " $c["permeability"] }' "$run/series.csv" >>"$table"
   done
 done
 cat "$table"

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Opening of the notch at its mouth (m) at the end of the run in this folder: displacement of the particle nearest to the corner above it,
-# less that of the one below. Needs h5dump (Debian: hdf5-tools).
+# Opening of the notch at its mouth (m) at the end of the run in this folder: displacement of the particle nearest to
+# the corner above it, less that of the one below. Needs h5dump (Debian: hdf5-tools).
 set -euo pipefail
+# shellcheck source=cases/common.sh
+. "$(dirname "$0")/../common.sh"
 field=$(ls fields/solid_*.hdf | tail -n 1)
-values() { h5dump -y -w 0 -m %.9g -d "$1" "$field" | sed -n '/DATA {/,/}/p' | tr -d '{}DAT ' | tr ',' '\n' | grep -v '^$' | paste -d ' ' - - -; }
-paste -d ' ' <(values /VTKHDF/Points) <(values /VTKHDF/PointData/displacement) | awk -v axis=0.02 '
+paste -d ' ' <(h5_values "$field" /VTKHDF/Points %.9g 3) <(h5_values "$field" /VTKHDF/PointData/displacement %.9g 3) |
+  awk -v axis=0.02 '
   { x = $1 - $4; y = $2 - $5 - axis; up = y > 0; r = x * x + y * y }
   y * y < 1e-16 { next }
   !(up in least) || r < least[up] { least[up] = r; u[up] = $5 }

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # The three plates of the source's tables 5 to 7, a finer one, and what the choices matter; results/ from them.
-# usage: cases/soda_lime/run.sh [RUNS]      (runs/soda_lime); FRANA is the program (build/frana); goes on with what is there
+# usage: cases/soda_lime/run.sh [RUNS]      (runs/soda_lime)
+# FRANA is the program (build/frana). Goes on with what is there.
+# shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 case=cases/soda_lime runs=${1:-runs/soda_lime} scene=$case/scene.yaml out=$case/results
@@ -20,30 +22,34 @@ for grid in 4000 16000; do
   go traction_11_$grid $scene "${spacing[@]}" $(traction 11.0e6)
   go ramp_$grid $scene "${spacing[@]}" --set solid.partial_volume=ramp
   go no_correction_$grid $scene "${spacing[@]}" --set solid.surface_correction=false
-  go ramp_no_correction_$grid $scene "${spacing[@]}" --set solid.partial_volume=ramp --set solid.surface_correction=false
-  go load_over_horizon_$grid $scene "${spacing[@]}" --set solid.loads[0].depth=horizon --set solid.loads[1].depth=horizon
+  go ramp_no_correction_$grid $scene "${spacing[@]}" --set solid.partial_volume=ramp \
+    --set solid.surface_correction=false
+  go load_over_horizon_$grid $scene "${spacing[@]}" --set solid.loads[0].depth=horizon \
+    --set solid.loads[1].depth=horizon
   go half_step_$grid $scene "${spacing[@]}" --set stages[0].time_step=2.5e-8 --set stages[0].steps=2000
 done
 "$frana" post "$runs"/uniform_4000 "$runs"/uniform_16000 "$runs"/adaptive --out "$runs/compared"
 
 axis=0.02 reach=0.005 rayleigh=$(of uniform_4000 "Rayleigh speed")
-summary=$out/summary.csv
-echo "quantity, unit, ours, reference, source, tolerance, pass" >"$summary"
+summary_begin "$out/summary.csv"
 # plate RUN START FORK PLACE FIRST LAST SPEED SECONDS FINEST: rows of one plate beside the source's numbers
 plate() {
-  local n=$1 state
+  local n=$1
   row "$n: particles at the end" 1 "$(json "$n" particles)" "${10}" "000 tab. 5"
   row "$n: initiation" us "$(scaled 1e6 "$(of "$n" "start of growth: first broken bond, t")")" "$2" "000 tab. 5" 5.7 6.3
-  row "$n: branches are seen" us "$(scaled 1e6 "$(of "$n" "branching: fronts apart from then on, t")")" "$3" "000 tab. 5" 21 23.5
-  row "$n: tip passes where undamaged particles part them" us "$(scaled 1e6 "$(of "$n" "branching: tip passes the place, t")")" "$3" "000 tab. 5"
+  row "$n: branches are seen" us "$(scaled 1e6 "$(of "$n" "branching: fronts apart from then on, t")")" "$3" \
+    "000 tab. 5" 21 23.5
+  row "$n: tip passes where undamaged particles part them" us \
+    "$(scaled 1e6 "$(of "$n" "branching: tip passes the place, t")")" "$3" "000 tab. 5"
   row "$n: branches' ways meet at x" mm "$(scaled 1e3 "$(meet "$n" $axis $reach)")" "$4" "000 tab. 5" 64 68
   row "$n: undamaged particles part them from x" mm "$(scaled 1e3 "$(of "$n" "branching, x")")" "$4" "000 tab. 5" 64 68
   row "$n: angle at first" deg "$(scaled 1 "$(of "$n" "angle of the branch to the left, at first")")" "$5" "000 tab. 5"
   row "$n: angle at last" deg "$(scaled 1 "$(of "$n" "angle of the branch to the left, at last")")" "$6" "000 tab. 5"
-  row "$n: top speed, windows of 2 us end to end" m/s "$(top "$n" 2.0e-6)" "$7" "000 tab. 6, eq. 41" "$(scaled 0.9 "$7")" "$(scaled 1.1 "$7")"
-  row "$n: top speed, any window of 2 us" m/s "$(scaled 1 "$(of "$n" "top speed of the tip")")" "below Rayleigh's" "$(scaled 1 "$rayleigh") m/s" 0 "$rayleigh"
-  state=$(cases/symmetric.sh "$runs/$n" $axis "$9") || true
-  row "$n: particles that are no mirror image to the bit" 1 "$(awk '{ print $1 == "symmetric" ? 0 : $1 == "unsymmetric" ? $2 : "" }' <<<"$state")" 0 "symmetry" 0 0
+  row "$n: top speed, windows of 2 us end to end" m/s "$(top "$n" 2.0e-6)" "$7" "000 tab. 6, eq. 41" \
+    "$(scaled 0.9 "$7")" "$(scaled 1.1 "$7")"
+  row "$n: top speed, any window of 2 us" m/s "$(scaled 1 "$(of "$n" "top speed of the tip")")" "below Rayleigh's" \
+    "$(scaled 1 "$rayleigh") m/s" 0 "$rayleigh"
+  mirrored "$n" $axis "$9"
   row "$n: wall time" s "$(scaled 1 "$(json "$n" wall_seconds)")" "$8" "000 tab. 7, MATLAB"
 }
 plate uniform_4000 6.05 "22.5 to 23.5" 67.0 "26 to 27" "11 to 12" 2062 5294 1.0e-3 4000
@@ -51,19 +57,22 @@ plate uniform_16000 6.00 "21 to 22" 65.5 "34.5 to 35.5" "15 to 16" 1803 34090 5.
 plate adaptive 5.75 "22.0 to 22.5" 64.5 "34.5 to 35.5" "21 to 22" 1750 12813 5.0e-4 6429
 row "Rayleigh speed" m/s "$(scaled 1 "$rayleigh")" 3058 "(2 - c2/cs2)^2 = 4 ..., plane stress" 3057 3059
 row "experiment: top speed" m/s "" 1580 "Bowden et al. 1967, in 000"
-# Freund 1990: K = 2 p/(1 - nu) sqrt(c_d t (1 - 2 nu)/pi) from when both waves have met at the notch, p twice the traction
+# Freund 1990: K = 2 p/(1 - nu) sqrt(c_d t (1 - 2 nu)/pi) from when both waves have met at the notch, p twice the
+# traction
 for s in 22 13.442; do
   n=uniform_16000; [ $s = 22 ] && n=traction_22_16000
   exact=$(awk -v s=$s 'BEGIN { E = 72e9; rho = 2440; G = 135; nu = 0.25; pi = atan2(0, -1)
     c = sqrt(E / rho / (1 - 1 / 9)); r = sqrt(E * G) * (1 - nu) / (4 * s * 1e6)
     printf "%.4g", 1e6 * (0.02 / c + pi * r * r / (c * (1 - 2 * nu))) }')
-  row "traction $s MPa, 16000: initiation" us "$(scaled 1e6 "$(of $n "start of growth: first broken bond, t")")" "$exact" \
+  row "traction $s MPa, 16000: initiation" us "$(scaled 1e6 "$(of $n "start of growth: first broken bond, t")")" \
+    "$exact" \
     "Freund's half-infinite crack" "$(scaled 0.95 "$exact")" "$(scaled 1.05 "$exact")"
 done
 
 {
   echo "choice, particles, initiation us, branches seen us, ways meet mm, undamaged between from mm, angle first deg, angle last deg, top speed end to end m/s, top speed m/s, released over G0"
-  for n in traction_22 traction_12 traction_11 uniform ramp no_correction ramp_no_correction load_over_horizon half_step; do
+  for n in traction_22 traction_12 traction_11 uniform ramp no_correction ramp_no_correction load_over_horizon \
+    half_step; do
     for grid in 4000 16000 64000; do
       r=${n}_$grid
       [ -d "$runs/$r" ] || continue
@@ -77,4 +86,4 @@ done
 cp "$runs/adaptive/post/pictures/damage.png" "$out/damage_adaptive.png"
 cp "$runs/uniform_16000/post/pictures/damage.png" "$out/damage_16000.png"
 cp "$runs/compared/plots/crack_speed.png" "$out/crack_speed.png"
-cat "$summary"
+finish

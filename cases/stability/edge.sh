@@ -1,12 +1,17 @@
+# shellcheck shell=bash
+# shellcheck disable=SC2154 # frana, here, runs, out, quick: of cases/verification/common.sh
 # What the maps share, besides cases/verification/common.sh: runs that hold or do not, and the edge between them.
-# Edges and points found are kept under RUNS by program, scene and settings, so a map that was stopped goes on where it was.
+# Edges and points found are kept under RUNS by program, scene and settings, so a map that was stopped goes on where it
+# was.
 build=$("$frana" --version)
 export LC_ALL=C OMP_NUM_THREADS=1
 
 # of_run DIR COLUMN COMMAND: COMMAND (awk, with n, t[], x[]) on a column of its series.
 of_run() {
-  awk -F, -v column="$2" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } NR > 2 { t[++n] = $2; x[n] = $at[column] }
-    function max(from, to,  k, m) { for (k = from; k <= to; k++) { y = x[k] < 0 ? -x[k] : x[k]; if (y > m || y != y) m = y } return m }
+  awk -F, -v column="$2" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } NR > 2 { t[++n] = $2;
+    x[n] = $at[column] }
+    function max(from, to,  k, m) { for (k = from; k <= to; k++) { y = x[k] < 0 ? -x[k] : x[k];
+      if (y > m || y != y) m = y } return m }
     END { '"$3"' }' "$1/series.csv"
 }
 # made DIR SCENE SETTING...: runs it; 1 where it went unstable, and leaves where it is refused or fails otherwise.
@@ -26,8 +31,8 @@ made() {
 # holds DIR SCENE SETTING...: made, and what the map's own function `judge DIR` asks for.
 holds() { made "$@" && judge "$1"; }
 
-# edge GOOD BAD WITHIN SCENE SETTING...: by bisection of @ in the settings, from GOOD, which should hold, towards BAD. Prints the middle
-# of what is left, 1 + WITHIN wide; BAD where that holds too, nan where not even GOOD does.
+# edge GOOD BAD WITHIN SCENE SETTING...: by bisection of @ in the settings, from GOOD, which should hold, towards BAD.
+# Prints the middle of what is left, 1 + WITHIN wide; BAD where that holds too, nan where not even GOOD does.
 edge() {
   local good=$1 bad=$2 within=$3 scene=$4 key kept dir mid
   key=$(printf '%s\n' "$build" "$(declare -f judge)" "$scene" "$(cat "$here/$scene.yaml")" "$@" | cksum | tr -d ' ')
@@ -61,7 +66,8 @@ stable_step() {
 # kept_point ARGUMENT...: what the map's function `point` prints of them.
 kept_point() {
   local kept
-  kept=$runs/points_found/$(printf '%s\n' "$build" "$(declare -f point judge || true)" "$(cat "$here"/*.yaml)" "$@" | cksum | tr -d ' ')
+  kept=$runs/points_found/$(printf '%s\n' "$build" "$(declare -f point judge || true)" "$(cat "$here"/*.yaml)" "$@" |
+    cksum | tr -d ' ')
   if [ ! -f "$kept" ]; then
     mkdir -p "$runs/points_found"
     point "$@" >"$kept.part"
@@ -69,7 +75,8 @@ kept_point() {
   fi
   cat "$kept"
 }
-# table NAME HEADER: lines of arguments from the standard input, two at a time through the map's function `point`, in their order.
+# table NAME HEADER: lines of arguments from the standard input, two at a time through the map's function `point`, in
+# their order.
 table() {
   local i=0 args
   mkdir -p "$runs/rows"
@@ -87,6 +94,7 @@ table() {
 plot() {
   [ ! "$quick" ] || return 0
   command -v gnuplot >/dev/null || return 0
-  { echo "set terminal pngcairo size 900,560 font 'sans,11'; set output '$out/$1.png'; set datafile separator ','; set grid; set key left top"
+  { echo "set terminal pngcairo size 900,560 font 'sans,11'; set output '$out/$1.png'; set datafile separator ','"
+    echo "set grid; set key left top"
     echo "cd '$out'"; cat; } | gnuplot
 }

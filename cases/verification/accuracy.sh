@@ -6,7 +6,28 @@ page=docs/accuracy.md work=$(mktemp)
 trap 'rm -f "$work"' EXIT
 
 # One paragraph of a README, from the line that begins with a word, bold or not, to the next blank line.
-paragraph() { awk -v word="$2" 'index($0, word) == 1 || index($0, "**" word) == 1 { on = 1 } /^$/ { on = 0 } on' "$1/README.md"; }
+paragraph() { awk -v word="$2" 'index($0, word) == 1 || index($0, "**" word) == 1 { on = 1 } /^$/ { on = 0 }
+  on' "$1/README.md"; }
+# moved FOLDER: a page that stands in FOLDER, its relative links as they are in docs/
+moved() {
+  awk -v folder="$1" '
+    function seen_from_docs(link,  part, n, i, k, path, up) {
+      if (link ~ /^(#|[a-z]+:)/) return link
+      n = split(folder "/" link, part, "/")
+      for (i = 1; i <= n; i++)
+        if (part[i] == "..") k--
+        else if (part[i] != "" && part[i] != ".") path[++k] = part[i]
+      up = path[1] == "docs" ? "" : "../"
+      for (i = up == "" ? 2 : 1; i <= k; i++) up = up path[i] (i < k ? "/" : "")
+      return up
+    }
+    { line = ""
+      while (match($0, /\]\([^()]*\)/)) {
+        line = line substr($0, 1, RSTART + 1) seen_from_docs(substr($0, RSTART + 2, RLENGTH - 3)) ")"
+        $0 = substr($0, RSTART + RLENGTH)
+      }
+      print line $0 }'
+}
 plot() { # plot CSV: of a study's first quantity: NAME.png, or NAME_QUANTITY.png of several
   local name=${1%.csv} first png
   first=$(sed -n 's/^# reference of \([^:]*\):.*/\1/p' "$1" | sed -n '1{s/[^A-Za-z0-9._]/-/g;p}')
@@ -28,11 +49,19 @@ case_section() {
   echo
   passed=$(grep -c ',yes$' "$summary" || true) missed=$(grep -c ',no$' "$summary" || true)
   echo "[$(basename "$dir")](../$dir): $passed of $((passed + missed)) tolerances met ([summary](../$summary))."
-  grep ',no$' "$summary" | awk -F, '{ n = NF; printf "* missed: %s: %s %s, asked %s\n", $1, $3, $2, $(n - 1) }' || true
+  awk '/,no$/ { # quantity, unit, ours, reference, source, tolerance; fields with a comma stand in quotes
+      n = 0
+      while (match($0, /^("([^"]|"")*"|[^,]*)(,|$)/) && RLENGTH > 0) {
+        cell[++n] = substr($0, 1, RLENGTH)
+        $0 = substr($0, RLENGTH + 1)
+        sub(/,$/, "", cell[n])
+        if (sub(/^"/, "", cell[n])) sub(/"$/, "", cell[n])
+      }
+      printf "* missed: %s: %s %s, asked %s\n", cell[1], cell[3], cell[2], cell[6] }' "$summary"
   for csv in "$dir"/results/*.csv; do
     if grep -qs '^method,level' "$csv"; then study "$csv"; fi
   done
-  [ -z "$(paragraph "$dir" 'Wanting')" ] || { echo; paragraph "$dir" 'Wanting'; }
+  [ -z "$(paragraph "$dir" 'Limitations')" ] || { echo; paragraph "$dir" 'Limitations' | moved "$dir"; }
 }
 {
   cat <<'END'
@@ -43,7 +72,7 @@ error costs is the wall time of the steps of the cheapest run that stays below i
 times are of the machine named in each table of results, errors are not.
 END
   cat cases/verification/*/results/*.csv | sed -n 's/^# machine: \(.*\)/Machine: \1./p' | sort -u | sed 's/^/\n/'
-  [ ! -f cases/verification/defaults.md ] || { echo; cat cases/verification/defaults.md; }
+  [ ! -f cases/verification/defaults.md ] || { echo; moved cases/verification <cases/verification/defaults.md; }
   for dir in cases/verification/*/; do
     [ ! -f "$dir/results/summary.csv" ] || case_section "${dir%/}"
   done

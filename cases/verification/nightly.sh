@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# All cases in full, one after the other; ends with a table of what passed, and makes docs/accuracy.md. Stopped and started
-# again it goes on where it was: cases that this build has finished are not run again.
+# All cases in full, one after the other; ends with a table of what passed, and makes docs/accuracy.md. Stopped and
+# started again it goes on where it was: cases that this build has finished are not run again.
 # usage: cases/verification/nightly.sh [FRANA [RUNS [CASE ...]]]      (build/frana, runs/verification, all)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/verification}
 shift $(($# < 2 ? $# : 2))
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+. cases/common.sh
 [ $# -gt 0 ] || set -- $(cd cases/verification && ls -d */ | tr -d /)
 build=$("$frana" --version)
 mkdir -p "$runs"

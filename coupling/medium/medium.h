@@ -1,5 +1,5 @@
 /* Measurements on a porous medium: a box of the domain, the solid fraction of every cell, and the flow through the box.
- * The mean flow is along x; the front face is the box's x_low, the back face its x_high.  (001: sec. 2.1; SPEC 7) */
+ * The mean flow is along x; the front face is the box's x_low, the back face its x_high.  (001: sec. 2.1) */
 #pragma once
 #include "fluid/fluid.h"
 

@@ -2,6 +2,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/text.h"
 #include "coupling/setup/parts.h"
 #include "scene/text/node.h"
 
@@ -49,12 +50,12 @@ static int take(struct rows *to, int dim, long at, int n, const double value[COL
     const int is_one = n == dim + 1 || n == dim + 2;
     if (to->columns == 0 && is_one) to->columns = n;
     if (n != to->columns && is_one)
-        to->why = scene_node_text("line %ld has %s horizon, unlike those before it", at, n == dim + 1 ? "no" : "a");
+        to->why = text_new("line %ld has %s horizon, unlike those before it", at, n == dim + 1 ? "no" : "a");
     else if (n != to->columns)
-        to->why = scene_node_text("line %ld is not the numbers %s", at, what_of(dim));
+        to->why = text_new("line %ld is not the numbers %s", at, what_of(dim));
     else if (!is_particle(value, dim, n))
-        to->why = scene_node_text("line %ld: %s must be greater than 0 and everything finite", at,
-                                  dim == 2 ? "area and horizon" : "volume and horizon");
+        to->why = text_new("line %ld: %s must be greater than 0 and everything finite", at,
+                           dim == 2 ? "area and horizon" : "volume and horizon");
     if (to->why) return 1;
     if (to->lines == to->capacity) {
         to->capacity = 2 * to->capacity + 64;
@@ -77,7 +78,7 @@ static void read_lines(struct rows *to, FILE *file, int dim) {
         if (n != 0) take(to, dim, at, n, value);
     }
     free(line);
-    if (!to->why && to->lines == 0) to->why = scene_node_text("holds no line %s", what_of(dim));
+    if (!to->why && to->lines == 0) to->why = text_new("holds no line %s", what_of(dim));
 }
 
 /* Reads all lines; dies on a line that is no particle. */

@@ -220,3 +220,14 @@ void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fl
             }
     }
 }
+
+void fluid_boundary_advanced(const struct fluid_boundary *b, const struct fluid_grid *g, int c, int low[3],
+                             int high[3]) {
+    for (int d = 0; d < 3; d++) {
+        low[d] = 0;
+        high[d] = g->m[d];
+    }
+    const struct fluid_boundary_side *side = b->side[c];
+    if (side[0].here && side[0].normal == FLUID_NORMAL_FREE) low[c] = -1;
+    if (side[1].here && side[1].normal != FLUID_NORMAL_FREE) high[c] = g->m[c] - 1;
+}

@@ -1,4 +1,4 @@
-/* Conditions of the six sides, by ghost cells.  (001: sec. 3.4.2)
+/* Conditions of the six sides, by ghost cells.  (001: secs 3.4.3, 4.1)
  *
  * A value at cell centres is extended about the side's face oddly for a Dirichlet, evenly for a Neumann condition:
  *     ghost(l) = 2 value - inner(l)         ghost(l) = inner(l) + (2l - 1) d gradient         l = 1 .. layers
@@ -72,3 +72,8 @@ static inline void fluid_boundary_others(int direction, int *a, int *b) {
     *a = direction == 0 ? 1 : 0;
     *b = direction == 2 ? 1 : 2;
 }
+
+/* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. Not
+ * collective. */
+void fluid_boundary_advanced(const struct fluid_boundary *b, const struct fluid_grid *g, int c, int low[3],
+                             int high[3]);

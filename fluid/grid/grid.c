@@ -4,7 +4,8 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
-#include "base/par_pencil.h"
+#include "base/par_piece.h"
+#include "fluid/internal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -81,11 +82,15 @@ struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const 
     return g;
 }
 
+const struct fluid_grid *fluid_grid_of(const struct fluid *f) { return f->grid; }
+
 void fluid_grid_free(struct fluid_grid *g) {
     if (!g) return;
     par_halo_free(g->halos);
     free(g);
 }
+
+size_t fluid_grid_cells(const struct fluid_grid *g) { return (size_t)g->n[0] * (size_t)g->n[1] * (size_t)g->n[2]; }
 
 int fluid_grid_rank_of(const struct fluid_grid *g, const double x[3]) {
     int cell[3];

@@ -36,6 +36,7 @@ static inline size_t fluid_grid_at(const struct fluid_grid *g, int i, int j, int
 /* Chooses the process grid. Dies (exit 2) if the mesh cannot be divided over the ranks. Collective. */
 struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo);
 void fluid_grid_free(struct fluid_grid *g);
+size_t fluid_grid_cells(const struct fluid_grid *g); /* of the whole domain */
 /* The rank that owns the cell holding the point, which is first wrapped in periodic directions; -1 outside the domain.
  * Not collective. */
 int fluid_grid_rank_of(const struct fluid_grid *g, const double x[3]);

@@ -1,4 +1,5 @@
 /* How u* continues beyond a side, for a reader without ghost cells. */
+#include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side) {

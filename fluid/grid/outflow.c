@@ -1,6 +1,7 @@
 /* Convective outflow condition for the normal velocity, with mass conserved.  (001: sec. 3.4.2) */
 #include "fluid/grid/outflow.h"
 #include "base/par.h"
+#include "fluid/grid/boundary.h"
 
 #include <math.h>
 

@@ -1,5 +1,4 @@
-/* Convective outflow  du/dt + U_c du/dn = 0  for the normal velocity on a side, mass-conserving.  (001: sec. 3.4.2;
- * SPEC 1)
+/* Convective outflow  du/dt + U_c du/dn = 0  for the normal velocity on a side, mass-conserving.  (001: sec. 5.1)
  *
  * The derivative is one-sided, from the face inside: dudn = (u_face - u_inside)/d. The tangential components need no
  * equation of their own: with an even extension their flux through the side is the upwind one. */

@@ -4,6 +4,7 @@
  * over the pairs of neighbours along d. w = 1/2 for a pair across a side, whose other end is a ghost: half a cell
  * belongs to such a pair. */
 #include "base/par.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 
 /* Squared differences of component c between neighbours along d, on this rank, m2/s2. A pair belongs to the rank that
@@ -16,7 +17,7 @@ static double sum_of_squares(const struct fluid *f, int c, int d) {
     const int sides = c != d, first = 0, last = g->m[d] - 1 + (sides && side[1].here);
     int low[3], high[3];
     double sum = 0;
-    fluid_advanced(f, c, low, high);
+    fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
     low[d] = first;
     high[d] = last + 1;
     for (int k = low[2]; k < high[2]; k++)

@@ -2,7 +2,9 @@
 #include "fluid/momentum/correction.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/momentum/momentum.h"
+#include "fluid/poisson/poisson.h"
 
 static int cut(const struct fluid_grid *g) { return g->ranks[1] > 1; }
 

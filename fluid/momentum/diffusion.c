@@ -4,7 +4,10 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
+#include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
+#include "fluid/poisson/poisson.h"
+#include "physics/rk3.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -168,7 +171,7 @@ static void diffuse(struct fluid *f, int c, int r, double dt) {
     double weight[3];
     int faces[3];
     faces_of(g, c, faces);
-    for (int d = 0; d < 3; d++) weight[d] = fluid_gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
+    for (int d = 0; d < 3; d++) weight[d] = physics_rk3_gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
     fluid_poisson_shift(solver, r, shift);
     for (int k = 0; k < g->m[2]; k++) {
         double *rhs = fluid_poisson_plane(solver, k);

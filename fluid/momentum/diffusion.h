@@ -1,4 +1,4 @@
-/* Implicit viscous term of a stage, for steps far beyond the viscous limit.  (SPEC 1)
+/* Implicit viscous term of a stage, for steps far beyond the viscous limit.
  *
  * With R = -div(uu) alone in the explicit part, a stage is
  *     (I - b_r dt nu lap)(u* - u) = dt (alpha R + beta R_old + gamma (nu lap u - grad p/rho + source + force)) ,

@@ -38,7 +38,7 @@ size_t fluid_momentum_work(const struct fluid_grid *g) {
 static void wait_y(const struct pass *s, ptrdiff_t n, double *y) {
     const struct fluid_grid *g = s->stage->grid;
     for (ptrdiff_t i = n - g->row, end = i + s->cells; i < end; i += VEC_LANES, y += WAITING * VEC_LANES) {
-        const struct flux f = flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
+        const struct flux f = fluid_flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
         vec_store(y, f.uy);
         vec_store(y + VEC_LANES, f.vy);
         vec_store(y + 2 * VEC_LANES, f.wy);
@@ -48,7 +48,7 @@ static void wait_y(const struct pass *s, ptrdiff_t n, double *y) {
 static void wait_z(const struct pass *s, ptrdiff_t n, double *z) {
     const struct fluid_grid *g = s->stage->grid;
     for (ptrdiff_t i = n - g->plane, end = i + s->cells; i < end; i += VEC_LANES, z += WAITING * VEC_LANES) {
-        const struct flux f = flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
+        const struct flux f = fluid_flux_at(&s->factors, g->row, g->plane, s->q[0] + i, s->q[1] + i, s->q[2] + i);
         vec_store(z, f.uz);
         vec_store(z + VEC_LANES, f.vz);
         vec_store(z + 2 * VEC_LANES, f.wz);
@@ -111,12 +111,12 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
     const struct flux_factors factors = s->factors;
     struct sum sum[3];
     for (int c = 0; c < 3; c++) sum[c] = (struct sum){s->stage->a, s->stage->b, s->pressure[c], s->constant[c]};
-    struct flux f =
-        flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* only its last lane is used */
+    struct flux f = fluid_flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* only its last
+                                                                                                       * lane is used */
     vec ux = f.ux, vx = f.vx, wx = f.wx;
     for (ptrdiff_t i = 0; i < cells; i += VEC_LANES, y += WAITING * VEC_LANES, z += WAITING * VEC_LANES) {
         ask_ahead(s, n, kind, rate, i);
-        f = flux_at(&factors, row, plane, u + i, v + i, w + i);
+        f = fluid_flux_at(&factors, row, plane, u + i, v + i, w + i);
         const vec p0 = vec_load(p + i);
         const vec du = f.ux - vec_before(ux, f.ux) + gain(f.uy, y) + gain(f.uz, z);
         const vec dv = f.vx - vec_before(vx, f.vx) + gain(f.vy, y + VEC_LANES) + gain(f.vz, z + VEC_LANES);

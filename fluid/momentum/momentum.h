@@ -1,5 +1,5 @@
 /* The momentum equation's explicit stage, as one pass over the grid, and the two kernels of the projection. Pure.
- * (001: eqs 3.64-3.68; SPEC 1) */
+ * (001: eqs 3.70, 3.72, 3.74) */
 #pragma once
 #include "fluid/grid/grid.h"
 

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_column.h"
-#include "base/par_pencil.h"
+#include "base/par_piece.h"
 #include "fluid/poisson/column_ends.h"
 
 #include <math.h>

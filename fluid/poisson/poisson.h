@@ -1,7 +1,7 @@
 /* Direct solution of the discrete Poisson equation on cell centres: x and y by fast transforms, plane by plane; z by
  * recurrences over the planes, which are divided over ranks (fluid/poisson/column.h). A plane is transformed while it
  * is in the cache: right after its right-hand side is computed, and right before its solution is used. With a shift the
- * same code solves the Helmholtz equation.  (001: secs 3.4.3, 4.1.1) */
+ * same code solves the Helmholtz equation.  (001: secs 3.4.3, 4.1) */
 #pragma once
 #include "fluid/poisson/transform.h"
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* Fast transforms of one direction in which the discrete second difference of cell-centred values is diagonal.
  * Kinds by the pair of conditions at the low and high end (FFTW's names, forward / backward):
- *     periodic R2HC / HC2R;  NN REDFT10 / 01;  DD RODFT10 / 01;  ND REDFT11;  DN RODFT11.     (001: sec. 4.1.1)
+ *     periodic R2HC / HC2R;  NN REDFT10 / 01;  DD RODFT10 / 01;  ND REDFT11;  DN RODFT11.     (001: sec. 4.1)
  * For values on the direction's own faces, with zero on both sides' faces: RODFT00 of the n-1 inner ones. A line still
  * has n values; the last one is on the high side: it is zero on input and not written. */
 #pragma once

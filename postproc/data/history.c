@@ -1,6 +1,7 @@
 /* Opens a run folder: scene, series, field files, and the scales that results are divided by. */
 #include "postproc/data/history.h"
 #include "files/folder.h"
+#include "physics/bond.h"
 
 #include <errno.h>
 #include <math.h>
@@ -49,12 +50,8 @@ static double bulk_velocity(const struct scene_fluid *f) {
     return size > 0 ? size : NAN;
 }
 
-/* E delta s0^2 / G0.  (001: eq. 3.28; in a plate from G0 = c0 s0^2 delta^4/4, c0 = 9 E/(pi delta^3) in plane stress and
- * 48 E/(5 pi delta^3) in plane strain; conical: c1 = 4 c0, G0 = c1 s0^2 delta^4/20) */
-static double factor(const struct scene *s, const struct scene_material *m) {
-    if (s->dimension != 2) return 5 / 6.;
-    const double constant = s->solid->model == SCENE_PLANE_STRAIN ? 5 * M_PI / 12 : 4 * M_PI / 9;
-    return m->micromodulus == SCENE_CONICAL ? 1.25 * constant : constant;
+static enum physics_model model_of(const struct scene *s) {
+    return s->dimension == 2 ? (enum physics_model)s->solid->model : PHYSICS_3D;
 }
 
 static void scales(struct postproc_history *h) {
@@ -73,7 +70,9 @@ static void scales(struct postproc_history *h) {
                                           : NAN;
     for (int m = 0; m < s->solid->materials; m++) {
         const struct scene_material *a = &s->solid->material[m];
-        const double s0 = sqrt(factor(s, a) * a->fracture_energy / (a->youngs_modulus * a->horizon_ratio * h->spacing));
+        const double s0 = physics_bond_of(model_of(s), (enum physics_micromodulus)a->micromodulus, 1, a->youngs_modulus,
+                                          a->fracture_energy, a->horizon_ratio * h->spacing)
+                              .s0;
         if (!isfinite(s0) || s0 >= h->s0) continue;
         h->s0 = s0;
         h->sigma0 = a->youngs_modulus * s0;
@@ -160,12 +159,11 @@ void postproc_history_free(struct postproc_history *h) {
     free(h);
 }
 
-struct postproc_waves postproc_history_waves(const struct postproc_history *h) {
+struct physics_waves postproc_history_waves(const struct postproc_history *h) {
     const struct scene_solid *s = h->scene->solid;
-    if (!s) return (struct postproc_waves){NAN, NAN, NAN};
+    if (!s) return (struct physics_waves){NAN, NAN, NAN};
     const struct scene_material *m = &s->material[s->bodies > 0 ? s->body[0].material_index : 0];
-    return postproc_waves_of(m->youngs_modulus, m->poisson_ratio, m->density,
-                             h->scene->dimension == 2 && s->model == SCENE_PLANE_STRESS);
+    return physics_waves_of(model_of(h->scene), m->youngs_modulus, m->poisson_ratio, m->density);
 }
 
 double postproc_history_when(const struct postproc_history *h, double t) {

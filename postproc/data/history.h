@@ -2,7 +2,7 @@
 #pragma once
 #include "files/table.h"
 #include "files/vtkhdf.h"
-#include "postproc/data/waves.h"
+#include "physics/waves.h"
 #include "postproc/tree.h"
 #include "scene/scene.h"
 
@@ -18,7 +18,7 @@ struct postproc_history {
     struct table_data *series;    /* series.csv, or NULL */
     struct table_data *crack;     /* crack.csv, or NULL */
     struct postproc_fields solid, fluid;
-    /* The time origin: the start of the last stage that the run has reached.  (001: sec. 5.2) */
+    /* The time origin: the start of the last stage that the run has reached.  (001: sec. 6.4.1) */
     const char *stage; /* its name */
     long origin_step;
     double origin; /* s */
@@ -35,7 +35,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
 void postproc_history_free(struct postproc_history *h);
 
 /* Of the first body's material; NAN without a solid. */
-struct postproc_waves postproc_history_waves(const struct postproc_history *h);
+struct physics_waves postproc_history_waves(const struct postproc_history *h);
 /* (t - origin) / t0, or t - origin in s without t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */

@@ -1,6 +1,7 @@
 /* Lighting of a picture: a lamp and the sky, with shadows by ray marching through voxels. */
 #include "postproc/draw/light.h"
 #include "base/memory.h"
+#include "postproc/draw/ray.h"
 
 #include <math.h>
 
@@ -38,7 +39,7 @@ struct postproc_light *postproc_light_new(const struct postproc_camera *camera) 
         double d[3];
         for (int k = 0; k < 3; k++) d[k] = light->lamp[k] + r * (cos(a) * camera->right[k] + sin(a) * camera->up[k]);
         normalise(d);
-        postproc_voxels_ray(&light->toward_lamp[i], d, lamp_length);
+        postproc_ray_cast(&light->toward_lamp[i], d, lamp_length);
     }
     for (int axis = 0; axis < 3; axis++)
         for (int side = 0; side < 2; side++)
@@ -48,7 +49,7 @@ struct postproc_light *postproc_light_new(const struct postproc_camera *camera) 
                 d[axis] = (side ? 1 : -1) * sqrt(1 - u);
                 d[(axis + 1) % 3] = r * cos(a);
                 d[(axis + 2) % 3] = r * sin(a);
-                postproc_voxels_ray(&light->sky[axis][side][i], d, sky_length);
+                postproc_ray_cast(&light->sky[axis][side][i], d, sky_length);
             }
     return light;
 }
@@ -84,7 +85,7 @@ void postproc_light_face(const struct postproc_light *light, const struct postpr
 
     double open = 0, shine = 0, lamp = 0, fill = 0;
     for (int i = 0; i < SKY_RAYS; i++) {
-        const double d = postproc_voxels_hit(&light->sky[axis][sign > 0][i], v, out);
+        const double d = postproc_ray_hit(&light->sky[axis][sign > 0][i], v, out);
         open += d < 0 ? 1 : 0.85 * d / sky_length;
     }
     open /= SKY_RAYS;
@@ -93,7 +94,7 @@ void postproc_light_face(const struct postproc_light *light, const struct postpr
         fill += n[k] * light->fill[k];
     }
     if (lamp > 0) {
-        for (int i = 0; i < LAMP_RAYS; i++) shine += postproc_voxels_hit(&light->toward_lamp[i], v, out) < 0;
+        for (int i = 0; i < LAMP_RAYS; i++) shine += postproc_ray_hit(&light->toward_lamp[i], v, out) < 0;
         shine *= lamp / LAMP_RAYS;
     }
     const double sky = open * (0.8 + 0.2 * n[1]);

@@ -19,16 +19,3 @@ static inline int postproc_voxels_at(const struct postproc_voxels *v, int i, int
     if (i < 0 || j < 0 || k < 0 || i >= v->n[0] || j >= v->n[1] || k >= v->n[2]) return -1;
     return v->first[((size_t)k * (size_t)v->n[1] + (size_t)j) * (size_t)v->n[0] + (size_t)i];
 }
-
-/* A ray as the list of the cells that it meets, relative to the cell in whose centre it starts. */
-enum { POSTPROC_RAY_CELLS = 192 };
-struct postproc_ray {
-    int cells;
-    signed char step[POSTPROC_RAY_CELLS][3];
-    float distance[POSTPROC_RAY_CELLS]; /* cells, to where the ray enters the cell */
-};
-/* The cells that the ray meets within `length` cells along the direction, without the first.  (Amanatides and Woo
- * 1987) */
-void postproc_voxels_ray(struct postproc_ray *ray, const double direction[3], double length);
-/* Distance to the first cell with a particle, or -1. */
-double postproc_voxels_hit(const struct postproc_ray *ray, const struct postproc_voxels *v, const int cell[3]);

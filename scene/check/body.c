@@ -1,4 +1,5 @@
 /* Checks the scene's bodies: materials and names, closed outlines, position in the domain. */
+#include "physics/limits.h"
 #include "scene/check/check.h"
 #include "scene/outline.h"
 
@@ -40,7 +41,7 @@ static void check_body_material(const struct scene_check *c, int b) {
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d].material", b);
     if (!scene_check_parts_clean(c, path) || !scene_check_parts_clean(c, scene_check_parts_path("solid.materials")))
         return;
-    const char *name[255];
+    const char *name[PHYSICS_BODIES_MAX];
     for (int m = 0; m < s->materials; m++) {
         name[m] = s->material[m].name;
         if (!strcmp(name[m], s->body[b].material)) return;

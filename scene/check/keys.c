@@ -1,5 +1,6 @@
 /* Checks the scene's tree against the schema and the rules: unknown, missing and wrong keys, ranges, types. */
 #include "base/ensure.h"
+#include "base/text.h"
 #include "scene/check/check.h"
 #include "scene/rules/walk.h"
 #include "scene/text/yaml.h"
@@ -21,13 +22,13 @@ static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_
         const char *value = v->type == CYAML_BOOL   ? "false"
                             : v->type == CYAML_ENUM ? v->enumeration.strings[0].str
                                                     : "1";
-        node->value = scene_node_text("%s", value);
+        node->value = text_new("%s", value);
     }
     if (node->kind == SCENE_NODE_LIST)
         for (uint32_t i = 0; i < v->sequence.min; i++) {
             struct scene_node *item = scene_node_new(SCENE_NODE_SCALAR, NULL, NULL);
             scene_node_append(node, item);
-            char *inner = scene_node_text("%s[%u]", path, i);
+            char *inner = text_new("%s[%u]", path, i);
             stand_in(w, item, v->sequence.entry, inner);
             free(inner);
         }
@@ -43,7 +44,7 @@ static void stand_in(struct scene_walk *w, struct scene_node *node, const cyaml_
 static void wrap(struct scene_node *node, const char *key) {
     struct scene_node *list = scene_node_new(SCENE_NODE_LIST, key, NULL);
     list->line = node->line;
-    list->set = node->set ? scene_node_text("%s", node->set) : NULL;
+    list->set = node->set ? text_new("%s", node->set) : NULL;
     list->set_inner = 1;
     while (node->n > 0) {
         scene_node_insert(list, 0, node->child[node->n - 1]);
@@ -79,7 +80,7 @@ static int check_list(struct scene_walk *w, struct scene_node *node, const cyaml
         return 0;
     }
     for (int i = 0; i < node->n; i++) {
-        char *inner = scene_node_text("%s[%d]", path, i);
+        char *inner = text_new("%s[%d]", path, i);
         if (!fixed && rule && rule->bare && node->child[i]->kind == SCENE_NODE_LIST) wrap(node->child[i], rule->bare);
         check_value(w, node->child[i], entry, fixed || entry->type == CYAML_SEQUENCE_FIXED ? rule : NULL, inner);
         free(inner);
@@ -89,7 +90,7 @@ static int check_list(struct scene_walk *w, struct scene_node *node, const cyaml
 }
 
 static char *path_of(const char *path, const char *key) {
-    return *path ? scene_node_text("%s.%s", path, key) : scene_node_text("%s", key);
+    return *path ? text_new("%s.%s", path, key) : text_new("%s", key);
 }
 
 /* Drops keys that are given twice. An unknown key is taken for the known key that it is nearest to, unless that one is
@@ -115,7 +116,7 @@ static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, 
             free(allowed);
             if (nearest && !scene_node_child(node, nearest)) {
                 free(c->key);
-                c->key = scene_node_text("%s", nearest);
+                c->key = text_new("%s", nearest);
                 c->bad = 1;
                 drop = 0;
             }
@@ -137,13 +138,13 @@ static void check_missing(struct scene_walk *w, struct scene_node *node, const c
         c = scene_yaml_parse_value(in_plate && rule->in_plate ? rule->in_plate : rule->fallback, &why);
         ENSURE(c, "default of %s: %s", path, why);
         if (in_plate && c->kind == SCENE_NODE_LIST && c->n == 3) scene_node_drop(c, 2);
-        c->key = scene_node_text("%s", field->key);
+        c->key = text_new("%s", field->key);
         c->line = node->line;
     } else if (needed) {
         const struct scene_node place = {
             .kind = SCENE_NODE_MAPPING, .line = node->line, .set = node->set, .set_inner = 1};
         const struct scene_node *s = rule && rule->sibling ? scene_node_child(node, rule->sibling) : NULL;
-        char *unit = scene_walk_in_units(rule);
+        char *unit = scene_rule_in_units(rule);
         c = scene_node_new(SCENE_NODE_SCALAR, field->key, NULL);
         c->line = node->line;
         if (s)

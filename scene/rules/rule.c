@@ -1,5 +1,7 @@
 /* Table of the scene's rules: unit, default, range and place of every key. */
 #include "scene/rules/rule.h"
+#include "base/text.h"
+#include "physics/limits.h"
 #include "scene/text/node.h"
 
 #include <math.h>
@@ -23,7 +25,6 @@ enum {
 };
 #define BOTH (FLUID | SOLID)
 #define CELLS_MAX 1e6
-#define LEVELS_MAX 4
 #define PROBES_MAX 10000
 
 #define RULE(its_path, its_unit, ...)                                                                                  \
@@ -151,7 +152,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("solid.initial[].width", "m", ABOVE(0)),
     RULE("solid.initial[].displacement", "m"),
     RULE("solid.refinement", "section", .only = PLATE),
-    RULE("solid.refinement.levels", "1", "1", WITHIN(1, LEVELS_MAX)),
+    RULE("solid.refinement.levels", "1", "1", WITHIN(1, PHYSICS_LEVELS_MAX)),
     RULE("solid.refinement.energy", "1", "0.4", WITHIN(0, 1), .open = 1, .word = "off", .load = "0"),
     RULE("solid.refinement.damage", "1", "off", WITHIN(0, 1), .open = 3, .word = "off", .load = "0"),
     RULE("solid.refinement.from", "s", "0", FROM(0)),
@@ -164,7 +165,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("solid.refinement.start", "list"),
     RULE("solid.refinement.start[].low", "m"),
     RULE("solid.refinement.start[].high", "m"),
-    RULE("solid.refinement.start[].level", "1", WITHIN(1, LEVELS_MAX)),
+    RULE("solid.refinement.start[].level", "1", WITHIN(1, PHYSICS_LEVELS_MAX)),
     RULE("solid.surface_correction", "bool", "true"),
     RULE("solid.body_force", "m/s2", "[0, 0, 0]"),
     RULE("solid.contact", "section", "{}"),
@@ -251,13 +252,20 @@ const struct scene_rule *scene_rule_find(const char *path) {
 char *scene_rule_range(const struct scene_rule *rule) {
     if (rule->low == rule->high) return NULL;
     const char *below = rule->open & 2 ? "less than" : "at most", *above = rule->open & 1 ? "greater than" : "at least";
-    if (isinf(rule->high)) return scene_node_text("%s %.15g", above, rule->low);
-    if (!rule->open) return scene_node_text("between %.15g and %.15g", rule->low, rule->high);
-    return scene_node_text("%s %.15g and %s %.15g", above, rule->low, below, rule->high);
+    if (isinf(rule->high)) return text_new("%s %.15g", above, rule->low);
+    if (!rule->open) return text_new("between %.15g and %.15g", rule->low, rule->high);
+    return text_new("%s %.15g and %s %.15g", above, rule->low, below, rule->high);
 }
 
 int scene_rule_admits(const struct scene_rule *rule, double value) {
     if (rule->low == rule->high) return 1;
     if (value < rule->low || (rule->open & 1 && value == rule->low)) return 0;
     return value <= rule->high && !(rule->open & 2 && value == rule->high);
+}
+
+char *scene_rule_in_units(const struct scene_rule *rule) {
+    static const char *const none[] = {"1", "text", "bool", "choice", "section", "list", "file"};
+    for (size_t i = 0; rule && i < sizeof none / sizeof *none; i++)
+        if (!strcmp(rule->unit, none[i])) rule = NULL;
+    return rule ? text_new(" (%s)", rule->unit) : text_new("%s", "");
 }

@@ -39,3 +39,4 @@ const struct scene_rule *scene_rule_find(const char *path);
 /* "greater than 0", "between -1 and 1", ...: malloc'ed; NULL for a rule without a range. */
 char *scene_rule_range(const struct scene_rule *rule);
 int scene_rule_admits(const struct scene_rule *rule, double value);
+char *scene_rule_in_units(const struct scene_rule *rule); /* " (m)" where the key has a unit: malloc'ed */

@@ -1,5 +1,6 @@
 /* libcyaml schema of the scene, except for the section solid. */
 #include "scene/rules/schema.h"
+#include "base/text.h"
 #include "scene/rules/schema_parts.h"
 #include "scene/text/node.h"
 
@@ -7,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const cyaml_schema_value_t scene_schema_real = {CYAML_VALUE_FLOAT(NEEDED, double)};
-const cyaml_strval_t scene_schema_axes[3] = {{"x", 0}, {"y", 1}, {"z", 2}};
 static const cyaml_schema_value_t whole = {CYAML_VALUE_INT(NEEDED, int)};
 static const cyaml_schema_value_t boolean = {CYAML_VALUE_BOOL(NEEDED, int)};
 
@@ -63,7 +62,7 @@ static const cyaml_schema_field_t sides_fields[] = {SIDE("x_low", 0, 0),  SIDE("
 
 static const cyaml_schema_field_t driving_fields[] = {
     CHOICE("type", NEEDED, scene_fluid, driving, drivings),
-    CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, scene_schema_axes),
+    CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, scene_schema_parts_axes),
     NUMBER("value", OPTIONAL, scene_fluid, driving_value),
     NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency), CYAML_FIELD_END};
 
@@ -114,7 +113,7 @@ static const cyaml_schema_field_t crack_fields[] = {NUMBER("damage", OPTIONAL, s
                                                     WHOLE("every", OPTIONAL, scene_crack_output, every),
                                                     CYAML_FIELD_END};
 
-static const cyaml_schema_value_t place = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
+static const cyaml_schema_value_t place = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
 static const cyaml_schema_field_t probes_fields[] = {
     ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX), WHOLE("every", OPTIONAL, scene_probes, every),
     CYAML_FIELD_END};
@@ -173,7 +172,7 @@ struct scene *scene_schema_load(const char *text, char **why) {
     *why = NULL;
     const cyaml_err_t error = cyaml_load_data((const uint8_t *)text, strlen(text), &config, &scene_schema, &data, NULL);
     if (error == CYAML_OK) return (struct scene *)data;
-    if (!*why) *why = scene_node_text("%s", cyaml_strerror(error));
+    if (!*why) *why = text_new("%s", cyaml_strerror(error));
     return NULL;
 }
 

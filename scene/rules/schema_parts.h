@@ -3,16 +3,16 @@
 #include "scene/rules/schema.h"
 
 enum { NEEDED = CYAML_FLAG_DEFAULT, OPTIONAL = CYAML_FLAG_OPTIONAL, LIST = CYAML_FLAG_OPTIONAL | CYAML_FLAG_POINTER };
-enum { BODIES_MAX = 255, LIST_MAX = 10000 }; /* the body of a particle is stored in one byte */
+enum { LIST_MAX = 10000 };
 
-extern const cyaml_schema_value_t scene_schema_real;
-extern const cyaml_strval_t scene_schema_axes[3];
+extern const cyaml_schema_value_t scene_schema_parts_real;
+extern const cyaml_strval_t scene_schema_parts_axes[3];
 extern const cyaml_schema_field_t scene_schema_solid[]; /* of struct scene_solid */
 
 #define VECTOR(key, flags, type, member)                                                                               \
-    CYAML_FIELD_SEQUENCE_FIXED(key, flags, struct type, member, &scene_schema_real, 3)
+    CYAML_FIELD_SEQUENCE_FIXED(key, flags, struct type, member, &scene_schema_parts_real, 3)
 #define PAIR(key, flags, type, member)                                                                                 \
-    CYAML_FIELD_SEQUENCE_FIXED(key, flags, struct type, member, &scene_schema_real, 2)
+    CYAML_FIELD_SEQUENCE_FIXED(key, flags, struct type, member, &scene_schema_parts_real, 2)
 #define NUMBER(key, flags, type, member) CYAML_FIELD_FLOAT(key, flags, struct type, member)
 #define WHOLE(key, flags, type, member) CYAML_FIELD_INT(key, flags, struct type, member)
 #define BOOLEAN(key, flags, type, member) CYAML_FIELD_BOOL(key, flags, struct type, member)

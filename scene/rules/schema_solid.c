@@ -1,4 +1,5 @@
 /* libcyaml schema of the scene's section solid. */
+#include "physics/limits.h"
 #include "scene/rules/schema_parts.h"
 
 static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};
@@ -56,7 +57,7 @@ static const cyaml_schema_field_t body_fields[] = {
     VECTOR("centre", OPTIONAL, scene_body, centre),
     NUMBER("radius", OPTIONAL, scene_body, radius),
     NUMBER("length", OPTIONAL, scene_body, length),
-    CHOICE("axis", OPTIONAL, scene_body, axis, scene_schema_axes),
+    CHOICE("axis", OPTIONAL, scene_body, axis, scene_schema_parts_axes),
     ENTRIES("outline", LIST, scene_body, corner, corners, &corner, 1, LIST_MAX),
     ENTRIES("pieces", LIST, scene_body, piece, pieces, &part, 1, LIST_MAX),
     ENTRIES("holes", LIST, scene_body, hole, holes, &part, 1, LIST_MAX),
@@ -65,8 +66,8 @@ static const cyaml_schema_field_t body_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
 
-static const cyaml_schema_value_t triple = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 3)};
-static const cyaml_schema_value_t pair = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_real, 2)};
+static const cyaml_schema_value_t triple = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
+static const cyaml_schema_value_t pair = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 2)};
 
 static const cyaml_schema_field_t crack_fields[] = {
     TEXT("name", OPTIONAL, scene_crack, name),
@@ -101,12 +102,13 @@ static const cyaml_schema_field_t load_fields[] = {VECTOR("low", OPTIONAL, scene
                                                    CYAML_FIELD_END};
 static const cyaml_schema_value_t load = {CYAML_VALUE_MAPPING(NEEDED, struct scene_load, load_fields)};
 
-static const cyaml_schema_field_t initial_fields[] = {CHOICE("shape", NEEDED, scene_initial, shape, initial_shapes),
-                                                      CHOICE("along", NEEDED, scene_initial, along, scene_schema_axes),
-                                                      NUMBER("centre", NEEDED, scene_initial, centre),
-                                                      NUMBER("width", NEEDED, scene_initial, width),
-                                                      VECTOR("displacement", NEEDED, scene_initial, displacement),
-                                                      CYAML_FIELD_END};
+static const cyaml_schema_field_t initial_fields[] = {
+    CHOICE("shape", NEEDED, scene_initial, shape, initial_shapes),
+    CHOICE("along", NEEDED, scene_initial, along, scene_schema_parts_axes),
+    NUMBER("centre", NEEDED, scene_initial, centre),
+    NUMBER("width", NEEDED, scene_initial, width),
+    VECTOR("displacement", NEEDED, scene_initial, displacement),
+    CYAML_FIELD_END};
 static const cyaml_schema_value_t initial = {CYAML_VALUE_MAPPING(NEEDED, struct scene_initial, initial_fields)};
 
 static const cyaml_schema_field_t start_fields[] = {VECTOR("low", NEEDED, scene_refined, low),
@@ -140,8 +142,8 @@ const cyaml_schema_field_t scene_schema_solid[] = {
     VECTOR("lattice_offset", OPTIONAL, scene_solid, lattice_offset),
     CHOICE("partial_volume", OPTIONAL, scene_solid, partial_volume, partials),
     CHOICE("horizons", OPTIONAL, scene_solid, horizons, horizons),
-    ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, BODIES_MAX),
-    ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, BODIES_MAX),
+    ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, PHYSICS_BODIES_MAX),
+    ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, PHYSICS_BODIES_MAX),
     ENTRIES("cracks", LIST, scene_solid, crack, cracks, &crack, 0, LIST_MAX),
     ENTRIES("constraints", LIST, scene_solid, constraint, constraints, &constraint, 0, LIST_MAX),
     ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),

@@ -1,6 +1,7 @@
 /* Checks of single scene values: numbers, choices, texts. */
 #include "scene/rules/walk.h"
 #include "base/ensure.h"
+#include "base/text.h"
 
 #include <float.h>
 #include <limits.h>
@@ -30,16 +31,9 @@ static int is_number(const char *s) {
     return power > 0 && !s[power];
 }
 
-char *scene_walk_in_units(const struct scene_rule *rule) {
-    static const char *const none[] = {"1", "text", "bool", "choice", "section", "list", "file"};
-    for (size_t i = 0; rule && i < sizeof none / sizeof *none; i++)
-        if (!strcmp(rule->unit, none[i])) rule = NULL;
-    return rule ? scene_node_text(" (%s)", rule->unit) : scene_node_text("%s", "");
-}
-
 /* ", or auto" if the rule allows a word instead of a number. */
 static char *or_word(const struct scene_rule *rule) {
-    return rule && rule->word ? scene_node_text(", or %s", rule->word) : scene_node_text("%s", "");
+    return rule && rule->word ? text_new(", or %s", rule->word) : text_new("%s", "");
 }
 
 int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
@@ -63,7 +57,7 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
                                                          : 9e15; /* integers that a double
                                                                   * holds exactly */
     const int admitted = !rule || scene_rule_admits(rule, value);
-    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_walk_in_units(rule);
+    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_rule_in_units(rule);
     if (!form)
         SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
                        range ? ", " : "", range ? range : "", unit, word);
@@ -78,9 +72,9 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
 }
 
 char *scene_walk_joined(int n, const char *const *word) {
-    char *text = scene_node_text("%s", "");
+    char *text = text_new("%s", "");
     for (int i = 0; i < n; i++) {
-        char *longer = scene_node_text("%s%s%s", text, i ? ", " : "", word[i]);
+        char *longer = text_new("%s%s%s", text, i ? ", " : "", word[i]);
         free(text);
         text = longer;
     }

@@ -37,5 +37,4 @@ void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node 
                                   const struct scene_rule *rule, const char *path);
 
 int scene_walk_place_is_among(const char *word, const char *list); /* list: as "a b c" */
-char *scene_walk_in_units(const struct scene_rule *rule);          /* " (m)" where the key has a unit: malloc'ed */
 char *scene_walk_joined(int n, const char *const *word);           /* "a, b, c": malloc'ed */

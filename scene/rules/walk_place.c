@@ -1,4 +1,5 @@
 /* Decides where a key may appear: together with which other keys, in which scenes, in a plate or in 3D. */
+#include "base/text.h"
 #include "scene/rules/walk.h"
 
 #include <stdlib.h>
@@ -13,10 +14,10 @@ int scene_walk_place_is_among(const char *word, const char *list) {
 
 /* Turns "a b c" into "a, b or c": malloc'ed. */
 static char *alternatives(const char *list) {
-    char *text = scene_node_text("%s", "");
+    char *text = text_new("%s", "");
     for (const char *at = list; *at; at += strcspn(at, " "), at += *at == ' ') {
         const int n = (int)strcspn(at, " ");
-        char *longer = scene_node_text("%s%s%.*s", text, at == list ? "" : at[n] ? ", " : " or ", n, at);
+        char *longer = text_new("%s%s%.*s", text, at == list ? "" : at[n] ? ", " : " or ", n, at);
         free(text);
         text = longer;
     }
@@ -35,12 +36,12 @@ static char *lacks(const struct scene_walk *w, int only, int *unsure) {
     if (lacking & (SCENE_IN_3D | SCENE_IN_PLATE)) {
         *unsure = w->dimension == 0;
         if (*unsure) return NULL;
-        return scene_node_text("%s", lacking & SCENE_IN_3D ? "not in a plate, which has no fluid yet"
-                                                           : "only in a plate, where domain.size has two numbers");
+        return text_new("%s", lacking & SCENE_IN_3D ? "not in a plate, which has no fluid yet"
+                                                    : "only in a plate, where domain.size has two numbers");
     }
-    if (lacking & SCENE_WITHOUT_FLUID) return scene_node_text("only in a scene without fluid");
-    if (lacking && (only & both) == both) return scene_node_text("only in a scene with both fluid and solid");
-    if (lacking) return scene_node_text("only in a scene with a %s", lacking & SCENE_WITH_SOLID ? "solid" : "fluid");
+    if (lacking & SCENE_WITHOUT_FLUID) return text_new("only in a scene without fluid");
+    if (lacking && (only & both) == both) return text_new("only in a scene with both fluid and solid");
+    if (lacking) return text_new("only in a scene with a %s", lacking & SCENE_WITH_SOLID ? "solid" : "fluid");
     return NULL;
 }
 
@@ -51,10 +52,10 @@ char *scene_walk_place_why_not(const struct scene_walk *w, const struct scene_no
     char *reason = lacks(w, rule->only, unsure);
     if (reason || *unsure) return reason;
     if (rule->not_with && scene_node_child(mapping, rule->not_with))
-        return scene_node_text("not together with %s", rule->not_with);
+        return text_new("not together with %s", rule->not_with);
     if (rule->with && !scene_node_child(mapping, rule->with)) {
         *unsure = has_bad_child(mapping);
-        return *unsure ? NULL : scene_node_text("only together with %s", rule->with);
+        return *unsure ? NULL : text_new("only together with %s", rule->with);
     }
     if (!rule->sibling) return NULL;
     const struct scene_node *s = scene_node_child(mapping, rule->sibling);
@@ -62,8 +63,8 @@ char *scene_walk_place_why_not(const struct scene_walk *w, const struct scene_no
     if (*unsure || (s && s->kind == SCENE_NODE_SCALAR && scene_walk_place_is_among(s->value, rule->values)))
         return NULL;
     char *list = alternatives(rule->values);
-    reason = s ? scene_node_text("only with %s %s, here it is %s", rule->sibling, list, s->value)
-               : scene_node_text("only with %s %s", rule->sibling, list);
+    reason = s ? text_new("only with %s %s, here it is %s", rule->sibling, list, s->value)
+               : text_new("only with %s %s", rule->sibling, list);
     free(list);
     return reason;
 }
@@ -107,7 +108,7 @@ void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node 
                        : is_size && node->kind == SCENE_NODE_LIST && node->n == 2 ? ": a plate, of 2, has no fluid yet"
                        : is_vector && w->dimension == 2                           ? " in a plate"
                                                                                   : "";
-    char *unit = scene_walk_in_units(rule);
+    char *unit = scene_rule_in_units(rule);
     SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s",
                    is_vector && w->dimension == 2 ? 2 : (int)v->sequence.max,
                    scene_walk_place_entry_name(v->sequence.entry), unit, more);

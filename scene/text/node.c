@@ -1,27 +1,18 @@
 /* Tree of the scene's YAML: scalars, lists and mappings; creation, search and removal of nodes. */
 #include "scene/text/node.h"
 #include "base/die.h"
+#include "base/text.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-char *scene_node_text(const char *format, ...) {
-    va_list args;
-    va_start(args, format);
-    char *text = NULL;
-    if (vasprintf(&text, format, args) < 0) die(EXIT_CODE_FILE, "no memory left for the scene");
-    va_end(args);
-    return text;
-}
 
 struct scene_node *scene_node_new(enum scene_node_kind kind, const char *key, const char *value) {
     struct scene_node *node = calloc(1, sizeof *node);
     if (!node) die(EXIT_CODE_FILE, "no memory left for the scene");
     node->kind = kind;
-    node->key = key ? scene_node_text("%s", key) : NULL;
-    node->value = value ? scene_node_text("%s", value) : NULL;
+    node->key = key ? text_new("%s", key) : NULL;
+    node->value = value ? text_new("%s", value) : NULL;
     return node;
 }
 

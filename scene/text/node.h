@@ -34,6 +34,3 @@ struct scene_node *scene_node_find(const struct scene_node *root, const char *pa
 const struct scene_node *scene_node_near(const struct scene_node *root, const char *path);
 /* Whether the path exists and neither it nor a node below it has a mistake. */
 int scene_node_is_clean(const struct scene_node *root, const char *path);
-
-/* A malloc'ed text, as printf. */
-char *scene_node_text(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -1,6 +1,7 @@
 /* Collects the scene's mistakes as sentences with file, line, key and value, and finds the nearest word. */
 #include "scene/text/problem.h"
 #include "base/die.h"
+#include "base/text.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -60,15 +61,15 @@ static int can_show(const struct scene_node *node) {
 static char *shown(const struct scene_node *node) {
     char *text;
     if (node->kind == SCENE_NODE_SCALAR) {
-        text = node->quoted ? scene_node_text("\"%s\"", node->value) : scene_node_text("%s", node->value);
+        text = node->quoted ? text_new("\"%s\"", node->value) : text_new("%s", node->value);
     } else {
-        text = scene_node_text("[");
+        text = text_new("[");
         for (int i = 0; i < node->n && strlen(text) <= SHOWN; i++) {
-            char *longer = scene_node_text("%s%s%s", text, i ? ", " : "", node->child[i]->value);
+            char *longer = text_new("%s%s%s", text, i ? ", " : "", node->child[i]->value);
             free(text);
             text = longer;
         }
-        char *closed = scene_node_text("%s]", text);
+        char *closed = text_new("%s]", text);
         free(text);
         text = closed;
     }
@@ -77,7 +78,7 @@ static char *shown(const struct scene_node *node) {
     if (strlen(text) > SHOWN) {
         int end = SHOWN - 3;
         while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not inside a UTF-8 character */
-        char *cut = scene_node_text("%.*s...", end, text);
+        char *cut = text_new("%.*s...", end, text);
         free(text);
         text = cut;
     }
@@ -88,17 +89,16 @@ static char *shown(const struct scene_node *node) {
 static void say(struct scene_problems *p, const struct scene_node *node, const char *path, int with_value,
                 char *message) {
     const int has_value = with_value && can_show(node);
-    char *const value = has_value ? shown(node) : scene_node_text("%s", "");
+    char *const value = has_value ? shown(node) : text_new("%s", "");
     char *where, *name;
     if (node->set) {
-        where = scene_node_text("--set ");
-        name = node->set_inner ? scene_node_text("%s: %s", node->set, path) : scene_node_text("%s", node->set);
+        where = text_new("--set ");
+        name = node->set_inner ? text_new("%s: %s", node->set, path) : text_new("%s", node->set);
     } else {
-        where = node->line ? scene_node_text("%s:%d: ", p->file, node->line) : scene_node_text("%s: ", p->file);
-        name = scene_node_text("%s", path);
+        where = node->line ? text_new("%s:%d: ", p->file, node->line) : text_new("%s: ", p->file);
+        name = text_new("%s", path);
     }
-    add(p, node->set ? 0 : node->line,
-        scene_node_text("%s%s%s%s: %s", where, name, has_value ? " = " : "", value, message));
+    add(p, node->set ? 0 : node->line, text_new("%s%s%s%s: %s", where, name, has_value ? " = " : "", value, message));
     free(where);
     free(name);
     free(value);
@@ -110,8 +110,7 @@ void scene_problem_line(struct scene_problems *p, int line, const char *format, 
     va_start(args, format);
     char *message = message_of(format, args);
     va_end(args);
-    add(p, line,
-        line ? scene_node_text("%s:%d: %s", p->file, line, message) : scene_node_text("%s: %s", p->file, message));
+    add(p, line, line ? text_new("%s:%d: %s", p->file, line, message) : text_new("%s: %s", p->file, message));
     free(message);
 }
 

@@ -2,6 +2,7 @@
 #include "scene/text/yaml.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,8 +46,7 @@ static int next(struct reader *r) {
     int line = (int)(p->problem_mark.line ? p->problem_mark.line : p->context_mark.line) + 1;
     if (p->error == YAML_READER_ERROR) line = line_at(r, p->problem_offset); /* the bytes are not valid text */
     const char *context = p->context ? p->context : "", *joint = p->context ? ": " : "";
-    return fail(r, line,
-                scene_node_text("not valid YAML: %s%s%s", context, joint, p->problem ? p->problem : "unreadable"));
+    return fail(r, line, text_new("not valid YAML: %s%s%s", context, joint, p->problem ? p->problem : "unreadable"));
 }
 
 static int line_of(const struct reader *r) { return (int)r->event.start_mark.line + 1; }
@@ -54,7 +54,7 @@ static int line_of(const struct reader *r) { return (int)r->event.start_mark.lin
 static struct scene_node *scalar(struct reader *r, const char *key) {
     const char *value = (const char *)r->event.data.scalar.value;
     if (strlen(value) != r->event.data.scalar.length) {
-        fail(r, line_of(r), scene_node_text("a text holds a zero byte"));
+        fail(r, line_of(r), text_new("a text holds a zero byte"));
         return NULL;
     }
     struct scene_node *node = scene_node_new(SCENE_NODE_SCALAR, key, value);
@@ -70,7 +70,7 @@ static int pairs(struct reader *r, struct scene_node *mapping, int depth) {
     for (;;) {
         if (!next(r)) return 0;
         if (r->event.type == YAML_MAPPING_END_EVENT) return 1;
-        if (r->event.type != YAML_SCALAR_EVENT) return fail(r, line_of(r), scene_node_text("a key must be a word"));
+        if (r->event.type != YAML_SCALAR_EVENT) return fail(r, line_of(r), text_new("a key must be a word"));
         struct scene_node *key = scalar(r, NULL);
         if (!key) return 0;
         const int line = key->line;
@@ -96,18 +96,18 @@ static int items(struct reader *r, struct scene_node *list, int depth) {
 static struct scene_node *value(struct reader *r, const char *key, int depth) {
     const int line = line_of(r);
     if (depth > DEPTH) {
-        fail(r, line, scene_node_text("lists and mappings are nested more than %d deep", DEPTH));
+        fail(r, line, text_new("lists and mappings are nested more than %d deep", DEPTH));
         return NULL;
     }
     if (r->event.type == YAML_SCALAR_EVENT) return scalar(r, key);
     if (r->event.type == YAML_ALIAS_EVENT) {
         fail(r, line,
-             scene_node_text("an alias (*%s) is not read in a %s: write the value out",
-                             (const char *)r->event.data.alias.anchor, r->what));
+             text_new("an alias (*%s) is not read in a %s: write the value out",
+                      (const char *)r->event.data.alias.anchor, r->what));
         return NULL;
     }
     if (r->event.type != YAML_MAPPING_START_EVENT && r->event.type != YAML_SEQUENCE_START_EVENT) {
-        fail(r, line, scene_node_text("a value is missing"));
+        fail(r, line, text_new("a value is missing"));
         return NULL;
     }
     const int is_mapping = r->event.type == YAML_MAPPING_START_EVENT;
@@ -132,7 +132,7 @@ static struct scene_node *document(struct reader *r, const char *text, size_t by
         else if (next(r))
             root = value(r, NULL, 0);
         if (root && next(r) && next(r) && r->event.type != YAML_STREAM_END_EVENT)
-            fail(r, line_of(r), scene_node_text("a second document begins: a %s is one", r->what));
+            fail(r, line_of(r), text_new("a second document begins: a %s is one", r->what));
     }
     yaml_event_delete(&r->event);
     yaml_parser_delete(&r->parser);

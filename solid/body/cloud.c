@@ -10,7 +10,6 @@
 #include <string.h>
 
 enum {
-    ROW = 8,
     LATTICE_COLUMNS = 400
 }; /* number of columns for partial volumes: accurate to 1e-6, as in the lattice
     * store */
@@ -157,9 +156,9 @@ struct solid_cloud *solid_cloud_lattice(const struct solid_input *in, const stru
     long i = 0;
     for (int q = 0; q < t->filled; q++) {
         const int row = t->order[q];
-        const int site[3] = {t->low[0] + ROW * (row % t->rows[0]), t->low[1] + row / t->rows[0] % t->rows[1],
+        const int site[3] = {t->low[0] + SOLID_ROW * (row % t->rows[0]), t->low[1] + row / t->rows[0] % t->rows[1],
                              t->low[2] + row / t->rows[0] / t->rows[1]};
-        for (int k = 0; k < ROW; k++) {
+        for (int k = 0; k < SOLID_ROW; k++) {
             if (!(t->bits[row] >> k & 1)) continue;
             for (int c = 0; c < 3; c++) d.place[c][i] = site[c] + (c == 0 ? k : 0) + 0.5;
             d.volume[i++] = 1;

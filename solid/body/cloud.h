@@ -69,17 +69,16 @@ static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long
 }
 
 /* The family of a particle: all particles it has bonds with, ordered by xi: z, then y, then x. */
-enum { SOLID_NEAR_MAX = 512 };
 struct solid_cloud_near {
     int n;
-    long number[SOLID_NEAR_MAX];
-    int image[SOLID_NEAR_MAX];    /* see solid_image_of */
-    double xi[SOLID_NEAR_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
+    long number[SOLID_FAMILY_MAX];
+    int image[SOLID_FAMILY_MAX];    /* see solid_cloud_image_of */
+    double xi[SOLID_FAMILY_MAX][3]; /* X0_l - X0_h, spacings; the third 0 in a plate */
 };
 
 /* 1: a particle, or an image of one, is at x, m, to the precision of positions. Not collective. */
 int solid_cloud_near_holds(const struct solid_cloud *t, const double x[3]);
-/* Dies (exit 2) if there are more than SOLID_NEAR_MAX or if two particles coincide. Not collective. */
+/* Dies (exit 2) when there are more than SOLID_FAMILY_MAX or two particles coincide. Not collective. */
 void solid_cloud_near_find(const struct solid_cloud *cloud, long i, struct solid_cloud_near *near);
 /* Their number only, which is faster. */
 int solid_cloud_near_count(const struct solid_cloud *cloud, long i);
@@ -91,10 +90,10 @@ void solid_cloud_near_visit(const struct solid_cloud *cloud, const double place[
 
 /* Periodic images: -1, 0 or 1 periods in each direction. */
 enum { SOLID_IMAGES = 27, SOLID_NO_IMAGE = 13 };
-static inline int solid_image_code(const int image[3]) {
+static inline int solid_cloud_image_code(const int image[3]) {
     return SOLID_NO_IMAGE + image[0] + 3 * image[1] + 9 * image[2];
 }
-static inline int solid_image_of(int code, int c) {
+static inline int solid_cloud_image_of(int code, int c) {
     static const int power[3] = {1, 3, 9};
     return code / power[c] % 3 - 1;
 }

@@ -1,7 +1,6 @@
 /* Searches the particles near a position of a cloud, and the family of a particle, across periodic sides. */
 #include "base/die.h"
 #include "solid/body/cloud.h"
-#include "solid/bonds/family.h"
 
 #include <math.h>
 
@@ -26,7 +25,7 @@ static inline __attribute__((always_inline)) void visit_image(const struct solid
         shift[c] = image[c] * t->period[c];
         if (!range(t, c, place[c] - shift[c], reach, &from[c], &to[c])) return;
     }
-    const int code = solid_image_code(image);
+    const int code = solid_cloud_image_code(image);
     for (int k = from[2]; k <= to[2]; k++)
         for (int j = from[1]; j <= to[1]; j++) {
             const long line = ((long)k * t->cells.cells[1] + j) * t->cells.cells[0];
@@ -85,8 +84,9 @@ static int is_bond(struct search *k, long l, int image, const double *xi) {
     if (xi[0] == 0 && xi[1] == 0 && xi[2] == 0)
         die(EXIT_CODE_SCENE, "two particles of solid body %s coincide", k->cloud->name);
     if (!solid_pair_exists(&k->cloud->law, xi, &k->end, &other)) return 0;
-    if (k->n == SOLID_NEAR_MAX)
-        die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name, SOLID_NEAR_MAX);
+    if (k->n == SOLID_FAMILY_MAX)
+        die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name,
+            SOLID_FAMILY_MAX);
     return 1;
 }
 

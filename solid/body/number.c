@@ -5,12 +5,12 @@
 #include <stdlib.h>
 
 /* cost of a particle of the list store in a sweep, in units of a particle of a full row */
-enum { LIST_COST = 4, ROW = 8 };
+enum { LIST_COST = 4 };
 
 /* Walks over the indivisible units (rows, points) in the order of the ids. */
 static long cost_of(const struct solid_sites *t, long unit, int general_bonds) {
     if (!t->is_lattice) return LIST_COST;
-    return general_bonds ? LIST_COST * __builtin_popcount(t->bits[t->order[unit]]) : ROW;
+    return general_bonds ? LIST_COST * __builtin_popcount(t->bits[t->order[unit]]) : SOLID_ROW;
 }
 
 static long id_of(const struct solid_sites *t, long unit) {

@@ -8,8 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { ROW = 8 };
-
 static int in_shape(const struct solid_body *b, const double x[3], double spacing) {
     const double tiny = 1e-9 * spacing;
     if (b->shape == SOLID_BOX) {
@@ -88,12 +86,12 @@ static uint8_t *sites_inside(const struct solid_input *in, const struct solid_bo
 static int best_shift(const uint8_t *inside, const int n[3]) {
     int best = 0;
     long fewest = -1;
-    for (int shift = 0; shift < ROW; shift++) {
+    for (int shift = 0; shift < SOLID_ROW; shift++) {
         long rows = 0;
         for (long line = 0; line < (long)n[1] * n[2]; line++)
-            for (int from = -shift; from < n[0]; from += ROW) {
+            for (int from = -shift; from < n[0]; from += SOLID_ROW) {
                 int any = 0;
-                for (int i = from < 0 ? 0 : from; i < from + ROW && i < n[0]; i++) any |= inside[line * n[0] + i];
+                for (int i = from < 0 ? 0 : from; i < from + SOLID_ROW && i < n[0]; i++) any |= inside[line * n[0] + i];
                 rows += any;
             }
         if (fewest < 0 || rows < fewest) {
@@ -108,7 +106,7 @@ static void fill_rows(struct solid_sites *t, const uint8_t *inside, const int n[
     for (long line = 0; line < (long)n[1] * n[2]; line++)
         for (int i = 0; i < n[0]; i++)
             if (inside[line * n[0] + i])
-                t->bits[line * t->rows[0] + (i + shift) / ROW] |= (uint8_t)(1 << (i + shift) % ROW);
+                t->bits[line * t->rows[0] + (i + shift) / SOLID_ROW] |= (uint8_t)(1 << (i + shift) % SOLID_ROW);
 }
 
 static void number_rows(struct solid_sites *t) {
@@ -117,7 +115,7 @@ static void number_rows(struct solid_sites *t) {
     for (int r = 0; r < rows; r++) {
         if (!t->bits[r]) continue;
         const int i = r % t->rows[0], j = r / t->rows[0] % t->rows[1], k = r / t->rows[0] / t->rows[1];
-        const uint32_t brick[3] = {(uint32_t)i, (uint32_t)j / ROW, (uint32_t)k / ROW};
+        const uint32_t brick[3] = {(uint32_t)i, (uint32_t)j / SOLID_ROW, (uint32_t)k / SOLID_ROW};
         row[t->filled++] = (struct keyed){solid_curve_key(brick, 3), r};
     }
     qsort(row, (size_t)t->filled, sizeof *row, by_key);
@@ -160,7 +158,7 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     uint8_t *inside = sites_inside(in, b, t->low, n, t, top);
     const int shift = best_shift(inside, n);
     t->low[0] -= shift;
-    t->rows[0] = (n[0] + shift - 1) / ROW + 1;
+    t->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;
     const size_t rows = (size_t)t->rows[0] * (size_t)t->rows[1] * (size_t)t->rows[2];
     t->bits = memory_new(MEMORY_SOLID, rows, sizeof *t->bits);
     t->start = memory_new(MEMORY_SOLID, rows, sizeof *t->start);
@@ -256,10 +254,10 @@ long solid_sites_id(const struct solid_sites *t, const int site[3]) {
             at[c] = t->base[c] + (r < 0 ? r + t->wrap[c] : r);
         }
         at[c] -= t->low[c];
-        if (at[c] < 0 || at[c] >= (c == 0 ? ROW : 1) * t->rows[c]) return -1;
+        if (at[c] < 0 || at[c] >= (c == 0 ? SOLID_ROW : 1) * t->rows[c]) return -1;
     }
-    const long row = ((long)at[2] * t->rows[1] + at[1]) * t->rows[0] + at[0] / ROW;
-    const unsigned bit = 1u << at[0] % ROW;
+    const long row = ((long)at[2] * t->rows[1] + at[1]) * t->rows[0] + at[0] / SOLID_ROW;
+    const unsigned bit = 1u << at[0] % SOLID_ROW;
     if (!(t->bits[row] & bit)) return -1;
     return t->start[row] + __builtin_popcount(t->bits[row] & (bit - 1));
 }

@@ -3,6 +3,8 @@
 #pragma once
 #include "solid/state.h"
 
+enum { SOLID_ROW = 8 }; /* sites of a row */
+
 struct solid_sites {
     int is_lattice;
     long first, count; /* global ids first .. first+count-1 */

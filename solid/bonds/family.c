@@ -7,8 +7,6 @@
 
 #include <string.h>
 
-enum { ROW = 8 };
-
 /* The stencil offset of the b-th bond of lattice particle h. */
 static int offset_of(const struct solid_lattice *t, int h, int b) {
     const int cell = t->cell[h - t->first];
@@ -18,7 +16,7 @@ static int offset_of(const struct solid_lattice *t, int h, int b) {
 }
 
 static uint8_t *lambda_of(const struct solid_lattice *t, int h) {
-    return t->lambda + (size_t)t->row_of[t->cell[h - t->first] / ROW] * (size_t)t->stencil->n;
+    return t->lambda + (size_t)t->row_of[t->cell[h - t->first] / SOLID_ROW] * (size_t)t->stencil->n;
 }
 
 static void view_lattice(const struct solid_lattice *t, int h, struct solid_family_view *view) {
@@ -34,7 +32,7 @@ static void view_lattice(const struct solid_lattice *t, int h, struct solid_fami
         view->weight[n] = bond->weight;
         view->alpha[n] = 2 / (*solid_lattice_w(t, cell) + *solid_lattice_w(t, other));
         view->micro[n] = t->law.c0;
-        view->intact[n] = lambda[o] >> cell % ROW & 1;
+        view->intact[n] = lambda[o] >> cell % SOLID_ROW & 1;
         n++;
     }
     view->n = n;
@@ -122,7 +120,7 @@ void solid_family_save(const struct solid *s, int h, uint8_t *bits) {
         const uint8_t *lambda = lambda_of(t, h);
         for (int o = 0; o < t->stencil->n; o++) {
             if (t->local[cell + t->offset[o].shift] < 0) continue;
-            bits[b / 8] |= (uint8_t)((lambda[o] >> cell % ROW & 1) << b % 8);
+            bits[b / 8] |= (uint8_t)((lambda[o] >> cell % SOLID_ROW & 1) << b % 8);
             b++;
         }
     } else {
@@ -143,7 +141,7 @@ void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
         for (int o = 0; o < t->stencil->n; o++) {
             if (t->local[cell + t->offset[o].shift] < 0) continue;
             const unsigned intact = bits[b / 8] >> b % 8 & 1u;
-            lambda[o] = (uint8_t)((lambda[o] & ~(1u << cell % ROW)) | intact << cell % ROW);
+            lambda[o] = (uint8_t)((lambda[o] & ~(1u << cell % SOLID_ROW)) | intact << cell % SOLID_ROW);
             lost += !intact;
             b++;
         }

@@ -7,8 +7,6 @@
 #pragma once
 #include "solid/state.h"
 
-enum { SOLID_FAMILY_MAX = 512 };
-
 struct solid_family_view {
     int n;                           /* bonds in the family as made, broken ones included */
     int l[SOLID_FAMILY_MAX];         /* local index of the other end (owned or ghost) */

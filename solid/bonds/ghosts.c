@@ -1,6 +1,6 @@
 /* Copies displacements and velocities from owners to ghosts on other ranks. */
 #include "solid/bonds/ghosts.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 
 void solid_ghosts_begin(struct solid *s) {
     double *field[6];

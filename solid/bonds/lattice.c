@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { ROW = 8, NEEDED = -2, NOTHING = -1 };
+enum { NEEDED = -2, NOTHING = -1 };
 
 static void *solid_array(size_t n, size_t size) { return memory_new(MEMORY_SOLID, n + 1, size); }
 
@@ -17,7 +17,7 @@ static void site_of_cell(const struct solid_lattice *b, long cell, int site[3]) 
 }
 
 static void site_of_row(const struct solid_sites *t, int row, int site[3]) {
-    site[0] = t->low[0] + ROW * (row % t->rows[0]);
+    site[0] = t->low[0] + SOLID_ROW * (row % t->rows[0]);
     site[1] = t->low[1] + row / t->rows[0] % t->rows[1];
     site[2] = t->low[2] + row / t->rows[0] / t->rows[1];
 }
@@ -58,12 +58,12 @@ static void box_new(struct solid_lattice *b, const struct solid_sites *t, long f
     if (b->rows == 0) return;
     b->sites = 1;
     for (int c = 0; c < 3; c++) {
-        const int margin = c == 0 ? ROW : b->stencil->reach;
+        const int margin = c == 0 ? SOLID_ROW : b->stencil->reach;
         b->low[c] -= margin;
-        b->size[c] = high[c] - b->low[c] + margin + (c == 0 ? ROW : 1);
+        b->size[c] = high[c] - b->low[c] + margin + (c == 0 ? SOLID_ROW : 1);
         if (c == 0)
-            b->size[c] |= ROW; /* an odd number of rows, so that lines of sites use different sets of the
-                                * cache */
+            b->size[c] |= SOLID_ROW; /* an odd number of rows, so that lines of sites use different sets of the
+                                      * cache */
         b->sites *= b->size[c];
     }
     ENSURE(b->sites < 2000000000L, "a dense box of %ld sites on one rank", b->sites);
@@ -75,7 +75,7 @@ static void box_new(struct solid_lattice *b, const struct solid_sites *t, long f
 
 static unsigned neighbours(const int *local, long cell) {
     unsigned bits = 0;
-    for (int k = 0; k < ROW; k++) bits |= (unsigned)(local[cell + k] != NOTHING) << k;
+    for (int k = 0; k < SOLID_ROW; k++) bits |= (unsigned)(local[cell + k] != NOTHING) << k;
     return bits;
 }
 
@@ -90,14 +90,14 @@ static void rows_new(struct solid_lattice *b, const struct solid_sites *t, long 
         b->row_cell[r] = cell;
         b->row_first[r] = h;
         b->row_owned[r] = t->bits[row];
-        b->row_of[cell / ROW] = r;
+        b->row_of[cell / SOLID_ROW] = r;
         h += __builtin_popcount(t->bits[row]);
         r++;
     }
     b->n = h - b->first;
     b->cell = solid_array((size_t)b->n, sizeof *b->cell);
     for (r = 0, h = 0; r < b->rows; r++)
-        for (int k = 0; k < ROW; k++)
+        for (int k = 0; k < SOLID_ROW; k++)
             if (b->row_owned[r] >> k & 1) b->cell[h++] = b->row_cell[r] + k;
 }
 
@@ -112,9 +112,9 @@ static void bonds_new(struct solid_lattice *b, const struct solid_sites *t) {
     uint8_t *needed = solid_array((size_t)b->sites, 1);
     for (int r = 0; r < b->rows; r++) {
         solid_lattice_made(b, r, b->lambda + (size_t)r * (size_t)n);
-        for (int k = 0; k < ROW; k++) needed[b->row_cell[r] + k] |= b->row_owned[r] >> k & 1;
+        for (int k = 0; k < SOLID_ROW; k++) needed[b->row_cell[r] + k] |= b->row_owned[r] >> k & 1;
         for (int o = 0; o < n; o++)
-            for (int k = 0; k < ROW; k++)
+            for (int k = 0; k < SOLID_ROW; k++)
                 needed[b->row_cell[r] + b->offset[o].shift + k] |=
                     b->lambda[(size_t)r * (size_t)n + (size_t)o] >> k & 1;
     }
@@ -140,15 +140,16 @@ static void active_new(struct solid_lattice *b) {
 /* Indices of the rows in the field arrays. Rows that are adjacent on a line are adjacent in the arrays. Eight sites
  * that begin in a row that is not stored end in a stored one. */
 static void places_new(struct solid_lattice *b) {
-    const long rows = b->sites / ROW;
+    const long rows = b->sites / SOLID_ROW;
     b->place = solid_array((size_t)rows, sizeof *b->place);
-    b->places = ROW;
+    b->places = SOLID_ROW;
     for (long r = 0; r < rows; r++) {
-        if (neighbours(b->local, ROW * r)) {
+        if (neighbours(b->local, SOLID_ROW * r)) {
             b->place[r] = (int)b->places;
-            b->places += ROW;
+            b->places += SOLID_ROW;
         } else {
-            b->place[r] = (int)b->places - ROW; /* the last sites of such a row come before those of the next row */
+            b->place[r] = (int)b->places - SOLID_ROW; /* the last sites of such a row come before those of the next
+                                                       * row */
         }
     }
 }
@@ -158,7 +159,7 @@ static void places_new(struct solid_lattice *b) {
  * same offset. */
 static void fields_new(struct solid_lattice *b) {
     enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
-    size_t step = (size_t)b->places + 2 * ROW;
+    size_t step = (size_t)b->places + 2 * SOLID_ROW;
     step += (PAGE + PLACE - step % PAGE) % PAGE;
     double *field = b->field = solid_array(10 * step, sizeof *field);
     double **const of[] = {&b->d[0], &b->d[1], &b->d[2], &b->w,    &b->f[0],
@@ -180,8 +181,8 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     b->row_owned = solid_array(rows, 1);
     b->row_bulk = solid_array(rows, 1);
     b->lambda = solid_array(rows * (size_t)stencil->n, 1);
-    b->row_of = solid_array(sites / ROW, sizeof *b->row_of);
-    memset(b->row_of, 0xff, (sites / ROW) * sizeof *b->row_of);
+    b->row_of = solid_array(sites / SOLID_ROW, sizeof *b->row_of);
+    memset(b->row_of, 0xff, (sites / SOLID_ROW) * sizeof *b->row_of);
     b->local = solid_array(sites, sizeof *b->local);
     rows_new(b, t, from, to);
     bonds_new(b, t);
@@ -252,13 +253,15 @@ void solid_lattice_volumes(const struct solid_lattice *b, double *family_volume)
 }
 
 void solid_lattice_weights(struct solid_lattice *b, const double *family_volume, int surface_correction) {
-    for (long i = 0; i < b->places + ROW; i++) b->w[i] = 1; /* also for sites without bonds, to avoid a division by 0 */
+    for (long i = 0; i < b->places + SOLID_ROW; i++)
+        b->w[i] = 1; /* also for sites without bonds, to avoid a division
+                      * by 0 */
     for (int i = 0; i < b->copies; i++)
         if (surface_correction && family_volume[b->copy_local[i]] > 0)
             b->w[b->copy_at[i]] = family_volume[b->copy_local[i]] / b->stencil->full_volume;
     for (int r = 0; r < b->rows; r++) {
         b->row_bulk[r] = 1;
-        for (int k = 0; k < ROW; k++) {
+        for (int k = 0; k < SOLID_ROW; k++) {
             const int cell = b->row_cell[r] + k;
             if (!(b->row_owned[r] >> k & 1)) continue;
             if (*solid_lattice_w(b, cell) != 1) b->row_bulk[r] = 0;
@@ -272,8 +275,8 @@ void solid_lattice_weights(struct solid_lattice *b, const double *family_volume,
 }
 
 void solid_lattice_cut(struct solid_lattice *b, int h, int o) {
-    const int cell = b->cell[h - b->first], r = b->row_of[cell / ROW];
-    b->lambda[(size_t)r * (size_t)b->stencil->n + (size_t)o] &= (uint8_t) ~(1u << cell % ROW);
+    const int cell = b->cell[h - b->first], r = b->row_of[cell / SOLID_ROW];
+    b->lambda[(size_t)r * (size_t)b->stencil->n + (size_t)o] &= (uint8_t) ~(1u << cell % SOLID_ROW);
     solid_lattice_changed(b, h);
 }
 

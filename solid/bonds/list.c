@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "solid/body/number.h"
 #include "solid/bonds/list_find.h"
-#include "solid/force/sweep_family.h"
 #include "solid/law/weight.h"
 
 #include <math.h>
@@ -123,7 +122,7 @@ static double digit_of(const struct solid_list *b, int i) {
     double most = 0, xi[3];
     for (long j = b->start[i]; j < b->end[i]; j++)
         most = fmax(most, fabs(b->stiffness[j]) * solid_list_steps(b, j, xi));
-    return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * force_family_room(b, i) : 0;
+    return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * solid_list_room(b, i) : 0;
 }
 
 void solid_list_weights(struct solid_list *b, const double *family_volume, int surface_correction) {

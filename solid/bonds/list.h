@@ -134,3 +134,10 @@ double solid_list_weight(const struct solid_list *list, int h, long j, double mi
 double solid_list_damage(struct solid_list *list, int h);
 /* eps at which the bond breaks. */
 double solid_list_limit(const struct solid_list *list, int h, long j);
+
+/* Room for a plate's sums of the i-th family (solid/force/sweep_family.h). 1.5 2^L, 2^L at least the number of bonds:
+ * the shift in powers of two above all components, halved. */
+static inline double solid_list_room(const struct solid_list *b, int i) {
+    const unsigned blocks = (unsigned)((b->end[i] - b->start[i] + VEC_LANES - 1) / VEC_LANES);
+    return 1.5 * VEC_LANES * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);
+}

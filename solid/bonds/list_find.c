@@ -112,7 +112,7 @@ void solid_list_find_number(struct solid_list *b, const struct solid_cloud *clou
         const struct solid_end there = solid_cloud_end(cloud, l);
         double xi[3] = {0};
         for (int c = 0; c < b->dim; c++)
-            xi[c] = (cloud->place[c][l] - cloud->place[c][number]) + solid_image_of(image, c) * b->period[c];
+            xi[c] = (cloud->place[c][l] - cloud->place[c][number]) + solid_cloud_image_of(image, c) * b->period[c];
         volume += number_bond(b, xi, &here, &there, j, &limit);
     }
     b->limit[i] = limit;

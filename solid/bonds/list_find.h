@@ -1,11 +1,7 @@
 /* Families while they are found. For solid/ only. */
 #pragma once
+#include "solid/bonds/key.h"
 #include "solid/bonds/list.h"
-
-/* A key of the other end of a bond: global id and periodic image. */
-static inline long solid_key_of(long id, int image) { return SOLID_IMAGES * id + image; }
-static inline long solid_key_id(long key) { return key / SOLID_IMAGES; }
-static inline int solid_key_image(long key) { return (int)(key % SOLID_IMAGES); }
 
 /* Cache of computed pairs; on a lattice with levels there are few different ones. */
 enum { SOLID_PAIRS_KEPT = 1024 };

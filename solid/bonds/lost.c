@@ -7,8 +7,6 @@
 
 #include <string.h>
 
-enum { ROW = 8 };
-
 int solid_lost_take(struct solid *s, enum solid_broke reader) {
     const int news = s->broke & (SOLID_BROKE_NEW | (int)reader);
     if (!news) return 0;
@@ -42,7 +40,7 @@ static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice 
         if (row == row_intact[r]) continue;
         row_intact[r] = row;
         int h = t->row_first[r];
-        for (int k = 0; k < ROW; k++) {
+        for (int k = 0; k < SOLID_ROW; k++) {
             if (!(t->row_owned[r] >> k & 1)) continue;
             int intact = 0;
             for (int o = 0; o < n; o++) intact += lambda[o] >> k & 1;

@@ -9,15 +9,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { ROW = 8, NARROW = 4, COLUMNS = 7 };
+enum { NARROW = 4, COLUMNS = 7 };
 
 static void *solid_array(size_t n, size_t size) { return memory_new(MEMORY_SOLID, n + 1, size); }
 
 /* Eight consecutive bits from any cell, of bits that are stored in rows of eight: of[row], with a stride in bytes. */
 static unsigned bits_at(const struct solid_lattice *b, const uint8_t *of, size_t stride, long cell) {
-    const int low = b->row_of[cell / ROW], high = b->row_of[cell / ROW + 1], shift = (int)(cell % ROW);
+    const int low = b->row_of[cell / SOLID_ROW], high = b->row_of[cell / SOLID_ROW + 1],
+              shift = (int)(cell % SOLID_ROW);
     const unsigned first = low < 0 ? 0u : of[(size_t)low * stride], second = high < 0 ? 0u : of[(size_t)high * stride];
-    return (first | second << ROW) >> shift & 0xffu;
+    return (first | second << SOLID_ROW) >> shift & 0xffu;
 }
 
 /* Takes the next window of bits. Returns the even number of its strip; lambda: the bits from the strip's first site. */
@@ -58,7 +59,8 @@ static void pack(const struct solid_lattice *b, const struct solid_segments *t, 
                 unsigned lambda;
                 const int strip = window(&left, &lambda) + alone;
                 to->strip[to->n] = (uint8_t)strip;
-                to->far[to->n] = (int)solid_lattice_place(b, t->cell[g] + solid_strip_site(strip) + b->offset[o].shift);
+                to->far[to->n] =
+                    (int)solid_lattice_place(b, t->cell[g] + solid_segments_strip_site(strip) + b->offset[o].shift);
                 to->entry[to->n++] = name | lambda;
             }
         }
@@ -90,8 +92,8 @@ static int has_correction(const struct solid_lattice *b, const struct solid_segm
     const uint32_t *entry = t->entry + t->first[g];
     for (int strip = 0; strip < SOLID_STRIPS; strip++)
         for (int i = 0; i < t->count[g][strip]; i++, entry++)
-            for (int k = 0; k < ROW; k++) {
-                const long cell = t->cell[g] + solid_strip_site(strip) + k;
+            for (int k = 0; k < SOLID_ROW; k++) {
+                const long cell = t->cell[g] + solid_segments_strip_site(strip) + k;
                 if ((*entry >> k & 1) &&
                     (*solid_lattice_w(b, cell) != 1 || *solid_lattice_w(b, cell + b->offset[*entry >> 8].shift) != 1))
                     return 1;
@@ -131,11 +133,11 @@ static int reaches_away(const struct solid_lattice *b, long cell, unsigned parti
 
 /* Covers the lines of particles with segments; each segment begins at the first particle not yet covered. */
 static void cover(const struct solid_lattice *b, struct solid_segments *t) {
-    uint8_t *mine = solid_array((size_t)b->sites + ROW, 1), *start = solid_array((size_t)b->sites, 1);
+    uint8_t *mine = solid_array((size_t)b->sites + SOLID_ROW, 1), *start = solid_array((size_t)b->sites, 1);
     for (int i = 0; i < b->n; i++) mine[b->cell[i]] = 1;
     for (long cell = 0; cell < b->sites; cell++) {
         if (!mine[cell]) continue;
-        for (int k = 0; k < ROW; k++) {
+        for (int k = 0; k < SOLID_ROW; k++) {
             start[cell] |= (uint8_t)(mine[cell + k] << k);
             mine[cell + k] = 0;
         }
@@ -146,7 +148,7 @@ static void cover(const struct solid_lattice *b, struct solid_segments *t) {
     t->owned = solid_array((size_t)t->n, 1);
     for (int outer = 0, g = 0; outer < 2; outer++) {
         for (int r = 0; r < b->rows; r++)
-            for (int k = 0; k < ROW; k++) {
+            for (int k = 0; k < SOLID_ROW; k++) {
                 const int cell = b->row_cell[r] + k;
                 if (!start[cell] || reaches_away(b, cell, start[cell]) != outer) continue;
                 t->cell[g] = cell;
@@ -177,7 +179,7 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *b) {
         t->high[g] = INFINITY;
         pack(b, t, g, &p);
         t->first[g + 1] = t->first[g] + p.n;
-        for (int k = 0; k < ROW; k++) {
+        for (int k = 0; k < SOLID_ROW; k++) {
             if (!(t->owned[g] >> k & 1)) continue;
             t->of[b->local[t->cell[g] + k] - b->first] = g;
         }

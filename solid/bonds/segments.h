@@ -32,7 +32,7 @@ struct solid_segments {
     uint16_t *order;                 /* [offsets] order of the entries */
 };
 
-static inline int solid_strip_site(int strip) { return strip < 4 ? 0 : strip / 2 - 1; }
+static inline int solid_segments_strip_site(int strip) { return strip < 4 ? 0 : strip / 2 - 1; }
 
 struct solid_segments *solid_segments_new(const struct solid_lattice *lattice);
 void solid_segments_free(struct solid_segments *segments);

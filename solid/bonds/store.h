@@ -1,22 +1,14 @@
 /* Declarations common to both bond stores. For solid/ only. */
 #pragma once
-#include "solid/body/sites.h"
-#include "solid/law/weight.h"
+#include "solid/body/number.h"
+#include "solid/law/stencil.h"
 
-/* Constants of the bonds of a body.  (001: eqs 3.21, 3.28) */
+/* Constants of the bonds of a body.  (001: eqs 3.21, 3.27) */
 struct solid_law {
     double c0;        /* N/m6 */
     double density;   /* kg/m3 */
     double eps_limit; /* (1 + s0)^2 - 1 */
 };
-
-/* Local index of a global id: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: not on this rank. */
-struct solid_numbering {
-    long from, to; /* owned ids */
-    int ghosts;
-    const long *ghost_id;
-};
-int solid_number_local(const struct solid_numbering *numbering, long id);
 
 /* Options of a sweep over the bonds. */
 struct solid_sweep {

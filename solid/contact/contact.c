@@ -5,7 +5,8 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
-#include "solid/contact/keep.h"
+#include "solid/contact/pairs.h"
+#include "solid/contact/put_away.h"
 #include "solid/bonds/family.h"
 #include "solid/law/material.h"
 #include "solid/bonds/lost.h"
@@ -15,12 +16,6 @@
 #include <string.h>
 
 static const double skin = 0.5, rebuild = 0.2; /* in spacings */
-
-double solid_contact_c0(const struct solid *s, const struct solid_material *m) {
-    struct solid_material constant = *m;
-    constant.micromodulus = SOLID_CONSTANT;
-    return solid_material_constants(s->in.model, s->in.thickness, &constant, m->horizon_ratio * s->in.spacing).c;
-}
 
 /* The quantum of accelerations: 2^-46 of the acceleration by a neighbour at half of r_c. Sums of up to about thirty
  * such accelerations are exact. */
@@ -39,7 +34,7 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->skin = skin * s->in.spacing;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_material *m = &s->in.material[s->in.body[b].material];
-        c->c0[b] = solid_contact_c0(s, m);
+        c->c0[b] = solid_material_c0(&s->in, m);
         c->density[b] = m->density;
     }
     for (int k = 0; k < s->dim; k++) {
@@ -65,8 +60,8 @@ void solid_contact_free(struct solid *s) {
         memory_free(c->built[k]);
         memory_free(c->push[k]);
     }
-    solid_contact_keep_put_away_free(c);
-    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_torn_free(&c->pairs[kind]);
+    solid_contact_put_away_free(c);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
     void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
@@ -93,7 +88,7 @@ static double moved2(const struct solid *s, const struct solid_contact *c) {
 
 /* Makes all lists anew. Collective. */
 static void list(struct solid *s, struct solid_contact *c) {
-    solid_contact_keep_put_away(c);
+    solid_contact_put_away(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
     for (int k = 0; k < s->dim; k++) memcpy(c->built[k], s->d[k], (size_t)s->n * sizeof(double));
     solid_contact_bounds_of(s, c->bounds);

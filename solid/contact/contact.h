@@ -1,4 +1,4 @@
-/* Short-range repulsion of particles that no intact bond joins.  (001: eq. 3.40, corrected; SPEC 2)
+/* Short-range repulsion of particles that no intact bond joins.  (001: eq. 3.40, mended)
  *
  *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, to the nearest periodic image
  *
@@ -37,5 +37,6 @@ double solid_contact_rate_bound(struct solid *s, solid_contact_enough *enough, c
  * approached by more than the margin. 0: no pairs are near. Not collective. */
 double solid_contact_rate_margin(const struct solid *s);
 void solid_contact_free(struct solid *s);
-/* The c0 in k_c = stiffness * c0: that of a constant micromodulus. Not collective. */
-double solid_contact_c0(const struct solid *s, const struct solid_material *m);
+/* The largest rate that one contact between otherwise free particles can add, 1/s2: of two neighbours at r = r_c, for
+ * the material with the largest one; 0 if contact is not possible. */
+double solid_contact_rate_touch(const struct solid *s);

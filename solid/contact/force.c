@@ -4,7 +4,7 @@
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
 
-/* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40) */
+/* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40, mended) */
 static double repulsion(double r, double rc, double exponent) {
     return (exponent == 1 ? rc / r : pow(rc / r, exponent)) - 1;
 }
@@ -22,12 +22,12 @@ static inline double rounded(double x, double q) {
 
 static void push(struct solid *s, const struct solid_contact *c, int kind) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
-    double *const *d_other = solid_contact_other_d(s, c, kind);
+    double *const *d_other = solid_contact_pairs_other_d(s, c, kind);
     int found[SOLID_CONTACT_BLOCK];
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
         const int n = solid_contact_pairs_touching(p, s->d, d_other, from, c->radius, found);
         for (int k = 0; k < n; k++) {
-            const struct solid_contact_touch t = solid_contact_touch_of(s, c, kind, found[k]);
+            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
             const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
             const double on_h = f * t.volume / c->density[s->body[t.h]];
@@ -45,9 +45,10 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
     int found[SOLID_CONTACT_BLOCK];
     double sum = 0;
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n = solid_contact_pairs_touching(p, s->d, solid_contact_other_d(s, c, kind), from, c->radius, found);
+        const int n =
+            solid_contact_pairs_touching(p, s->d, solid_contact_pairs_other_d(s, c, kind), from, c->radius, found);
         for (int k = 0; k < n; k++) {
-            const struct solid_contact_touch t = solid_contact_touch_of(s, c, kind, found[k]);
+            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
             sum += t.k * potential(t.r, t.radius, s->in.contact_exponent) * t.volume * s->volume[t.h];
         }

@@ -21,8 +21,3 @@ struct solid_contact_keep {
 void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s);
 void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s);
 void solid_contact_keep_free(struct solid_contact_keep *k);
-
-/* Before new lists are made: moves the present ones aside if a kept state holds them. Not collective. */
-void solid_contact_keep_put_away(struct solid_contact *c);
-/* The same for a contact that is freed. */
-void solid_contact_keep_put_away_free(struct solid_contact *c);

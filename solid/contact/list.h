@@ -61,10 +61,6 @@ struct solid_contact {
 struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid *s);
 void solid_contact_rate_springs_free(struct solid_contact_springs *springs);
 
-/* Not collective. */
-void solid_contact_torn_free(struct solid_contact_pairs *pairs);
-void solid_contact_torn_add(struct solid_contact_pairs *pairs, int h, int l, const double xi[3]);
-
 /* scan: records all torn pairs of a solid, at the start. news: records those torn since the last check, and lists them
  * if they are nearer than reach. list: lists the recorded pairs that are near. Ghosts must be current. Not
  * collective. */
@@ -88,11 +84,6 @@ double solid_contact_bounds_apart(const struct solid *s, int body);
 
 /* X0 of one particle minus that of another, m, rounded to 2^-32 spacing as in the bonds, so that mirror images
  * agree. */
-static inline double solid_contact_between(const struct solid *s, double x0, double other) {
+static inline double solid_contact_list_between(const struct solid *s, double x0, double other) {
     return s->in.spacing * (0x1p-32 * __builtin_rint(0x1p32 * ((x0 - other) / s->in.spacing)));
-}
-
-/* The shortest of x and its images across periodic sides. */
-static inline double solid_contact_shortest(const struct solid *s, int c, double x) {
-    return s->in.periodic[c] ? x - s->in.length[c] * __builtin_rint(x / s->in.length[c]) : x;
 }

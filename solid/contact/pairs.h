@@ -4,16 +4,21 @@
 
 #include <math.h>
 
+/* Not collective. */
+void solid_contact_pairs_free(struct solid_contact_pairs *pairs);
+void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l, const double xi[3]);
+
 enum { SOLID_CONTACT_BLOCK = 256 };
 
 /* The displacements of the second ends of one kind of pairs. */
-static inline double *const *solid_contact_other_d(const struct solid *s, const struct solid_contact *c, int kind) {
+static inline double *const *solid_contact_pairs_other_d(const struct solid *s, const struct solid_contact *c,
+                                                         int kind) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.d : s->d;
 }
 
 /* Present X_h - X_l of pair k, m. */
-static inline void solid_contact_pair_x(const struct solid_contact_pairs *p, double *const d[3],
-                                        double *const d_other[3], int k, double x[3]) {
+static inline void solid_contact_pairs_x(const struct solid_contact_pairs *p, double *const d[3],
+                                         double *const d_other[3], int k, double x[3]) {
     x[2] = 0;
     for (int c = 0; c < p->dim; c++) x[c] = p->xi[c][k] + (d[c][p->h[k]] - d_other[c][p->l[k]]);
 }
@@ -43,11 +48,13 @@ static inline int solid_contact_pairs_touching(const struct solid_contact_pairs 
 }
 
 /* Body and volume of the other end. */
-static inline int solid_contact_other_body(const struct solid *s, const struct solid_contact *c, int kind, int l) {
+static inline int solid_contact_pairs_other_body(const struct solid *s, const struct solid_contact *c, int kind,
+                                                 int l) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].body : s->body[l];
 }
 
-static inline double solid_contact_other_volume(const struct solid *s, const struct solid_contact *c, int kind, int l) {
+static inline double solid_contact_pairs_other_volume(const struct solid *s, const struct solid_contact *c, int kind,
+                                                      int l) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].volume : s->volume[l];
 }
 
@@ -60,15 +67,15 @@ struct solid_contact_touch {
     double volume, density; /* of the other end, m3, kg/m3 */
 };
 
-static inline struct solid_contact_touch solid_contact_touch_of(const struct solid *s, const struct solid_contact *c,
-                                                                int kind, int k) {
+static inline struct solid_contact_touch solid_contact_pairs_touch_of(const struct solid *s,
+                                                                      const struct solid_contact *c, int kind, int k) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     struct solid_contact_touch t = {.h = p->h[k], .l = p->l[k]};
-    const int body = solid_contact_other_body(s, c, kind, t.l);
-    solid_contact_pair_x(p, s->d, solid_contact_other_d(s, c, kind), k, t.x);
+    const int body = solid_contact_pairs_other_body(s, c, kind, t.l);
+    solid_contact_pairs_x(p, s->d, solid_contact_pairs_other_d(s, c, kind), k, t.x);
     t.r = fmax(sqrt(t.x[0] * t.x[0] + t.x[1] * t.x[1] + t.x[2] * t.x[2]), 1e-6 * c->radius);
     t.k = s->in.contact_stiffness * 0.5 * (c->c0[s->body[t.h]] + c->c0[body]);
-    t.volume = solid_contact_other_volume(s, c, kind, t.l);
+    t.volume = solid_contact_pairs_other_volume(s, c, kind, t.l);
     t.density = c->density[body];
     t.radius = c->radius;
     if (s->refine) /* r_c of the smaller cell */

@@ -3,10 +3,12 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
 #include "solid/contact/room.h"
+#include "solid/law/material.h"
 
 #include <math.h>
 #include <string.h>
@@ -97,10 +99,11 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
     int found[SOLID_CONTACT_BLOCK];
     to->n[kind] = 0;
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n = solid_contact_pairs_touching(p, s->d, solid_contact_other_d(s, c, kind), from, reach, found);
+        const int n =
+            solid_contact_pairs_touching(p, s->d, solid_contact_pairs_other_d(s, c, kind), from, reach, found);
         to->of[kind] = solid_contact_room(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
         for (int k = 0; k < n; k++) {
-            const struct solid_contact_touch t = solid_contact_touch_of(s, c, kind, found[k]);
+            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             const double weight = fmin(((1 + MARGIN) * t.radius - t.r) / (MARGIN * t.radius), 1);
             if (weight <= 0) continue;
             const double rate = weight * t.k * exponent * pow(t.radius / t.r, exponent) / t.r;
@@ -178,4 +181,16 @@ double solid_contact_rate_bound(struct solid *s, solid_contact_enough *enough, c
     t->touched = 0;
     clock_end(CLOCK_CONTACT);
     return bound;
+}
+
+double solid_contact_rate_touch(const struct solid *s) {
+    double most = 0;
+    for (int m = 0; m < s->in.materials && s->in.contact; m++) {
+        const struct solid_material *material = &s->in.material[m];
+        const double stiffness = s->in.contact_stiffness * solid_material_c0(&s->in, material);
+        const double volume = pow(s->in.spacing, s->dim) * solid_depth(&s->in);
+        most = fmax(most, 2 * s->in.contact_exponent * stiffness * volume /
+                              (s->in.contact_radius * s->in.spacing * material->density));
+    }
+    return most;
 }

@@ -1,11 +1,12 @@
 /* Finds near pairs of particles that never shared a bond, also on different ranks. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/store.h"
 #include "solid/contact/cells.h"
 #include "solid/contact/list.h"
+#include "solid/contact/pairs.h"
 #include "solid/contact/room.h"
 
 #include <math.h>
@@ -88,7 +89,7 @@ static int is_near_box(const struct solid *s, const double x[3], const double bo
     for (int c = 0; c < 3; c++) {
         const double half = 0.5 * (-box[3 + c] - box[c]);
         if (!(half >= 0)) return 0; /* an empty box */
-        if (fabs(solid_contact_shortest(s, c, x[c] - (box[c] + half))) > half + reach &&
+        if (fabs(solid_shortest(s, c, x[c] - (box[c] + half))) > half + reach &&
             !(s->in.periodic[c] && 2 * half + 2 * reach > s->in.length[c]))
             return 0;
     }
@@ -180,7 +181,7 @@ static int is_family(const struct solid *s, const struct solid_strangers *t, int
         const double reach = solid_contact_bounds_apart(s, body);
         double r2 = 0;
         for (int c = 0; c < 3; c++) {
-            const double x = solid_contact_shortest(s, c, s->x0[c][h] - x0[c]);
+            const double x = solid_shortest(s, c, s->x0[c][h] - x0[c]);
             r2 += x * x;
         }
         return r2 < reach * reach * (1 - 1e-9);
@@ -199,8 +200,8 @@ static void pair_add(const struct solid *s, struct solid_contact *c, const struc
     double x0[3], xi[3], r2 = 0;
     for (int k = 0; k < s->dim; k++) {
         x0[k] = is_served ? c->crossing.other[l - s->n].x0[k] : s->x0[k][l];
-        const double between = solid_contact_between(s, s->x0[k][h], x0[k]);
-        const double x = t->x[i][k] - t->x[j][k], nearest = solid_contact_shortest(s, k, x);
+        const double between = solid_contact_list_between(s, s->x0[k][h], x0[k]);
+        const double x = t->x[i][k] - t->x[j][k], nearest = solid_shortest(s, k, x);
         xi[k] = between - (x - nearest);
         r2 += nearest * nearest;
     }
@@ -208,8 +209,8 @@ static void pair_add(const struct solid *s, struct solid_contact *c, const struc
     const int body = is_served ? c->crossing.other[l - s->n].body : s->body[l];
     const long id = is_served ? c->crossing.other[l - s->n].id : (long)t->id[l];
     if (is_family(s, t, h, body, x0, id)) return;
-    solid_contact_torn_add(&c->pairs[is_served ? SOLID_CONTACT_SERVED : SOLID_CONTACT_OWNED], h,
-                           is_served ? l - s->n : l, xi);
+    solid_contact_pairs_add(&c->pairs[is_served ? SOLID_CONTACT_SERVED : SOLID_CONTACT_OWNED], h,
+                            is_served ? l - s->n : l, xi);
     if (is_served) c->crossing.used[l - s->n] = 1;
 }
 

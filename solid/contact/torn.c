@@ -3,39 +3,21 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"
 #include "solid/contact/list.h"
+#include "solid/contact/pairs.h"
 #include "solid/contact/room.h"
 
 #include <string.h>
-
-void solid_contact_torn_free(struct solid_contact_pairs *p) {
-    void *const list[] = {p->h, p->l, p->xi[0], p->xi[1], p->xi[2]};
-    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
-}
-
-void solid_contact_torn_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
-    if (p->n == p->capacity) {
-        int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
-        p->h = solid_contact_room(p->h, &p->capacity, p->n + 1, sizeof *p->h);
-        p->l = solid_contact_room(p->l, &capacity[0], p->n + 1, sizeof *p->l);
-        for (int c = 0; c < p->dim; c++)
-            p->xi[c] = solid_contact_room(p->xi[c], &capacity[1 + c], p->n + 1, sizeof *p->xi[c]);
-    }
-    p->h[p->n] = h;
-    p->l[p->n] = l;
-    for (int c = 0; c < p->dim; c++) p->xi[c][p->n] = xi[c];
-    p->n++;
-}
 
 /* Lists h and l if they are nearer than reach. */
 static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
     double xi[3], r2 = 0;
     for (int k = 0; k < s->dim; k++) {
-        const double x0 = solid_contact_between(s, s->x0[k][h], s->x0[k][l]);
-        const double x = x0 + (s->d[k][h] - s->d[k][l]), nearest = solid_contact_shortest(s, k, x);
+        const double x0 = solid_contact_list_between(s, s->x0[k][h], s->x0[k][l]);
+        const double x = x0 + (s->d[k][h] - s->d[k][l]), nearest = solid_shortest(s, k, x);
         xi[k] = x0 - (x - nearest);
         r2 += nearest * nearest;
     }
-    if (r2 < reach2) solid_contact_torn_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
+    if (r2 < reach2) solid_contact_pairs_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
 }
 
 /* Records the bonds of h that have broken since the last check. */

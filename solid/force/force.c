@@ -1,6 +1,6 @@
 /* Assembles the accelerations: bonds, contact, loads, damping, added mass, constraints. */
 #include "solid/force/force.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "base/vec.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -9,7 +9,6 @@
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
 #include "solid/imposed/constraint.h"
-#include "solid/step/integrate.h"
 
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative) {
     const struct solid_sweep sweep = {.may_break = may_break, .damping = damping_relative};
@@ -68,9 +67,8 @@ void solid_force_loads(struct solid *s, double *const bonds[3], double damping_a
     }
 }
 
-void solid_force_rest(struct solid *s) {
-    const int kept = s->stage.integrator == SOLID_VERLET;
-    solid_force_loads(s, kept ? s->v_old : s->a, s->stage.damping_absolute);
+void solid_force_rest(struct solid *s, double *const pairs[3]) {
+    solid_force_loads(s, pairs, s->stage.damping_absolute);
     const double of_load = s->power_load;
     if (s->added) solid_added_mass_apply(s);
     s->power_added = s->power_load - of_load;
@@ -80,10 +78,9 @@ void solid_force_rest(struct solid *s) {
 void solid_force_pairs(struct solid *s, int may_break) {
     solid_force_bonds(s, may_break && s->stage.breakage, s->stage.damping_relative);
     if (s->in.contact && s->contact) solid_contact_force(s);
-    if (s->stage.integrator == SOLID_VERLET) solid_verlet_keep(s);
 }
 
 void solid_force(struct solid *s, int may_break) {
     solid_force_pairs(s, may_break);
-    solid_force_rest(s);
+    solid_force_rest(s, s->a);
 }

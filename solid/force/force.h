@@ -13,9 +13,9 @@ void solid_force(struct solid *s, int may_break);
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative);
 /* a = bonds + load/rho + body force - k_a v, bonds[3] [n] (may be a); sets power_load, power_damped. Not collective. */
 void solid_force_loads(struct solid *s, double *const bonds[3], double damping_absolute);
-/* The part that depends on pairs: bonds, pairwise damping, contact; in a, or stored by Verlet. Collective only through
+/* a = the part that depends on pairs: bonds, pairwise damping at the present v, contact. Collective only through
  * contact. */
 void solid_force_pairs(struct solid *s, int may_break);
-/* Completes a from the part of bonds and contact (in a, or stored by Verlet): adds loads, added mass, constraints, and
- * their powers. Not collective. */
-void solid_force_rest(struct solid *s);
+/* a = pairs + loads, absolute damping at the present v, added mass, constraints; and their powers. pairs[3] [n]: what
+ * solid_force_pairs has found; may be a. Not collective. */
+void solid_force_rest(struct solid *s, double *const pairs[3]);

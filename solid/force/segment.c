@@ -43,7 +43,7 @@ static inline __attribute__((always_inline)) struct solid_range segment(const st
         if (kernel & KERNEL_DAMPED) *power += vec_sum(wide.power);
     }
     for (int strip = 2; strip < SOLID_STRIPS; strip += 2) {
-        const long from = at + solid_strip_site(strip);
+        const long from = at + solid_segments_strip_site(strip);
         if (count[strip]) narrow_strip(in, from, entry, far, count[strip], &narrow, kernel, 1);
         entry += count[strip];
         far += count[strip];

@@ -2,28 +2,14 @@
  *     REAL, OF(op)   vec or vec4, and its functions      PLACES   sites of the strip
  *     NAME(name)     the names of the functions here     LANES    sites computed at a time */
 
+#include "solid/force/series_of.h"
+
 struct NAME(result) {
     REAL high, low; /* of eps over the bonds */
     REAL power;     /* sum of viscous bond forces times closing speeds, of directed bonds, m2/s3 */
 };
 
-/* Both are written for a short chain of dependent operations rather than for few operations, because the bonds are
- * independent of each other. g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), times c; where |eps| is small a Chebyshev fit of
- * degree four to g/eps. */
-static inline REAL NAME(g_times)(REAL e, REAL c, const int exact) {
-    const REAL root = exact ? OF(sqrt)(1 + e) : e, e2 = e * e;
-    if (exact) return e * c / ((1 + root) * root);
-    return (e * c) * ((G0 + e * G1) + e2 * ((G2 + e * G3) + e2 * G4));
-}
-
-/* 1/(1 + eps); for small |eps| (1 - eps)(1 + eps^2)(1 + eps^4), which differs by a factor 1 - eps^8. */
-static inline REAL NAME(inverse)(REAL e, const int exact) {
-    if (exact) return 1 / (1 + e);
-    const REAL e2 = e * e, two = (1 - e) + (1 - e) * e2;
-    return two + two * (e2 * e2);
-}
-
-/* Adds to a  (SPEC 2; 001: eqs 3.20, 3.41), each bond once if it is paired, else for one end only,
+/* Adds to a  (001: eqs 3.20, 3.41 mended), each bond once if it is paired, from one end if not,
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2 = (1 + s)^2 - 1
  *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2

@@ -3,51 +3,38 @@
 #include "base/vec.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
-#include "solid/force/series.h"
 
-struct force_family {
+struct solid_sweep_family {
     vec sum[3];    /* of bond forces over the density, separately for each lane, m/s2 */
     vec power;     /* of viscous forces times closing speeds, m2/s3 */
     vec high, far; /* the largest eps and |eps| */
     vec largest;   /* largest component of a bond force */
 };
 
-/* g(eps) = s/(1 + s) = 1 - 1/sqrt(1 + eps), times k. */
-static inline vec g_times(vec e, vec k, const int exact) {
-    if (!exact) return e * k * ((G0 + e * G1) + e * e * ((G2 + e * G3) + e * e * G4));
-    const vec root = vec_sqrt(1 + e);
-    return e * k / ((1 + root) * root);
-}
-
-/* 1/(1 + eps) */
-static inline vec inverse(vec e, const int exact) {
-    if (exact) return 1 / (1 + e);
-    const vec two = (1 - e) + (1 - e) * (e * e);
-    return two + two * (e * e * (e * e));
-}
+#define REAL vec
+#define OF(op) vec_##op
+#define NAME(name) solid_sweep_family_##name
+#include "solid/force/series_of.h"
+#undef REAL
+#undef OF
+#undef NAME
 
 /* In a plate sums are the same to the bit in any order, so that mirror images get mirror-image forces. Forces are
  * rounded to multiples of a digit that leaves room for the sum of all of them within 53 bits, by adding and subtracting
  * 1.5 2^52 times the digit. The digit follows from the power of two at or below the largest |eps| (with damping, the
  * largest component of a force). This power is mostly that of the sweep before, so that is tried first. */
 
-/* 1.5 2^L with 2^L at least the number of bonds: the shift in units of the power of two above all components,
- * halved. */
-static inline double force_family_room(const struct solid_list *b, int i) {
-    const unsigned blocks = (unsigned)((b->end[i] - b->start[i] + VEC_LANES - 1) / VEC_LANES);
-    return 1.5 * VEC_LANES * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);
-}
-
-/* The bond forces of the i-th particle, eight bonds at a time  (SPEC 2; 001: eqs 3.20, 3.41),
+/* The bond forces of the i-th particle, eight bonds at a time  (001: eqs 3.20, 3.41 mended),
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2      k = alpha K V/(rho |xi|)
  *     f  = k g(eps) zeta
  *     f += (k_d/c) k/(alpha |xi|) [(v_l - v_h).zeta]/(1 + eps) zeta     1/alpha = (w_h + w_l)/2
  * Lengths in spacings. viscous: k_d/(2 c), s/m. */
-static inline __attribute__((always_inline)) struct force_family
-force_family_of(const struct solid_list *b, int i, double viscous, const int dim, const int exact, const int damped) {
+static inline __attribute__((always_inline)) struct solid_sweep_family
+solid_sweep_family_of(const struct solid_list *b, int i, double viscous, const int dim, const int exact,
+                      const int damped) {
     const double *here = b->record + (long)b->width * i, *speed = b->speed + (long)SOLID_LIST_SPEED * i;
-    const vec zero = vec_set(0), shift = vec_set(b->power[i] * (damped ? force_family_room(b, i) : b->digit[i]));
-    struct force_family of = {{zero, zero, zero}, zero, zero, zero, zero};
+    const vec zero = vec_set(0), shift = vec_set(b->power[i] * (damped ? solid_list_room(b, i) : b->digit[i]));
+    struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
     vec d[3], v[3], w = zero;
     for (int c = 0; c < dim; c++) {
         d[c] = vec_set(here[c]);
@@ -73,13 +60,13 @@ force_family_of(const struct solid_list *b, int i, double viscous, const int dim
         const vec eps = vec_where(lambda, q * inv_xi2);
         of.high = vec_max(of.high, eps);
         of.far = vec_absmax(of.far, eps);
-        vec f = g_times(eps, k, exact);
+        vec f = solid_sweep_family_g_times(eps, k, exact);
         if (damped) {
             vec_gather4(b->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), b->at + j, speeds);
             vec closing = (speeds[0] - v[0]) * zeta[0];
             for (int c = 1; c < dim; c++) closing += (speeds[c] - v[c]) * zeta[c];
             const vec scale = k * vec_sqrt(inv_xi2) * ((w + speeds[3]) * viscous);
-            const vec fd = vec_where(lambda, closing * scale) * inverse(eps, exact);
+            const vec fd = vec_where(lambda, closing * scale) * solid_sweep_family_inverse(eps, exact);
             of.power += fd * closing;
             f += fd;
         }

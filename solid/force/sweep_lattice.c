@@ -7,8 +7,6 @@
 
 #include <math.h>
 
-enum { ROW = 8 };
-
 /* If the largest eps of a segment was above this fraction of the limit, its bonds are tested before the forces are
  * computed. */
 static const double NEAR_LIMIT = 0.9;
@@ -94,12 +92,12 @@ static int break_bond(struct solid *s, struct solid_lattice *b, long cell, int o
 static int break_segment(struct solid *s, struct solid_lattice *b, int g) {
     const struct solid_segments *t = b->segments;
     int broken = 0;
-    for (int k = 0; k < ROW; k++) {
+    for (int k = 0; k < SOLID_ROW; k++) {
         if (!(t->owned[g] >> k & 1)) continue;
         const long cell = t->cell[g] + k;
-        const uint8_t *lambda = b->lambda + (size_t)b->row_of[cell / ROW] * (size_t)b->stencil->n;
+        const uint8_t *lambda = b->lambda + (size_t)b->row_of[cell / SOLID_ROW] * (size_t)b->stencil->n;
         for (int o = 0; o < b->stencil->n; o++)
-            if (lambda[o] >> cell % ROW & 1) broken += break_bond(s, b, cell, o);
+            if (lambda[o] >> cell % SOLID_ROW & 1) broken += break_bond(s, b, cell, o);
     }
     if (broken) s->broke = 1;
     return broken;

@@ -34,10 +34,11 @@ static void fill(const struct solid *s, const struct solid_list *b, int damped) 
 
 /* The kernels of a family, compiled for a plate and for 3D, with and without damping, with square roots (exact) and
  * with the series. */
-typedef struct force_family kernel(const struct solid_list *, int i, double viscous);
+typedef struct solid_sweep_family kernel(const struct solid_list *, int i, double viscous);
 #define KERNEL(name, dim, exact, damped)                                                                               \
-    static __attribute__((noinline)) struct force_family name(const struct solid_list *b, int i, double viscous) {     \
-        return force_family_of(b, i, viscous, dim, exact, damped);                                                     \
+    static __attribute__((noinline)) struct solid_sweep_family name(const struct solid_list *b, int i,                 \
+                                                                    double viscous) {                                  \
+        return solid_sweep_family_of(b, i, viscous, dim, exact, damped);                                               \
     }
 KERNEL(plane_series, 2, 0, 0)
 KERNEL(plane_exact, 2, 1, 0)
@@ -104,30 +105,30 @@ struct sweep {
 };
 
 /* The values that determine the rounding digit of a sum. */
-static inline vec decides(const struct sweep *k, const struct force_family *of) {
+static inline vec decides(const struct sweep *k, const struct solid_sweep_family *of) {
     return k->damped ? of->largest : of->far;
 }
 
 /* The sums, rounded to the right digits. */
-static struct force_family in_digits(const struct sweep *k, int i, int exact) {
+static struct solid_sweep_family in_digits(const struct sweep *k, int i, int exact) {
     struct solid_list *b = k->b;
-    struct force_family of = k->kernels[exact](b, i, k->viscous);
+    struct solid_sweep_family of = k->kernels[exact](b, i, k->viscous);
     const vec a = decides(k, &of);
     if (b->dim == 3 || is_power_below(b->power[i], a)) return of;
-    b->power[i] = power_below(vec_highest(a));
+    b->power[i] = vec_power_below(vec_highest(a));
     return k->kernels[exact](b, i, k->viscous);
 }
 
-static inline int may_break_here(const struct sweep *k, int i, const struct force_family *of) {
+static inline int may_break_here(const struct sweep *k, int i, const struct solid_sweep_family *of) {
     return k->may_break && vec_any_above(of->high, k->b->limit[i] * NEAR_LIMIT);
 }
 
 /* Computes a family that needs another treatment than most: again, if bonds break or the series does not hold; with
  * square roots from the start, if eps was large. */
-static __attribute__((noinline)) struct force_family judged(const struct sweep *k, int i) {
+static __attribute__((noinline)) struct solid_sweep_family judged(const struct sweep *k, int i) {
     struct solid_list *b = k->b;
     const int exact = b->large[i];
-    const struct force_family of = in_digits(k, i, exact);
+    const struct solid_sweep_family of = in_digits(k, i, exact);
     const int too_large = vec_any_above(of.far, (exact ? 0.5 : 1) * SOLID_SERIES_LIMIT);
     const int broken = may_break_here(k, i, &of) && break_bonds(k->s, b, i);
     b->large[i] = (uint8_t)too_large;
@@ -140,7 +141,7 @@ static inline __attribute__((always_inline)) double sweep_all(const struct sweep
     double power = 0;
     for (int i = 0; i < b->n; i++) {
         const int h = b->first + i;
-        struct force_family of = force_family_of(b, i, k->viscous, dim, 0, damped);
+        struct solid_sweep_family of = solid_sweep_family_of(b, i, k->viscous, dim, 0, damped);
         if (b->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
             (dim == 2 && !is_power_below(b->power[i], damped ? of.largest : of.far)))
             of = judged(k, i);

@@ -1,5 +1,5 @@
-/* The order of the particles' numbers: along the Hilbert curve, so that near particles have near ids.  (001: sec.
- * 4.2) */
+/* The order of the particles' numbers: along the Hilbert curve, so that near particles have near ids.  (001:
+ * sec. 4.4) */
 #pragma once
 #include <stdint.h>
 

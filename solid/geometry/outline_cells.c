@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"
-#include "solid/geometry/outline_near.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -137,13 +136,30 @@ long solid_outline_cells_at(const struct solid_outline_cells *cells, int i, int 
     return -1;
 }
 
+int solid_outline_cells_near(const struct solid_outline_cells *cells, int i, int j, int reach, int only_inside,
+                             long near[SOLID_OUTLINE_NEAR]) {
+    long nearest = 0;
+    int n = 0;
+    for (int dj = -reach; dj <= reach; dj++)
+        for (int di = -reach; di <= reach; di++) {
+            const long away = (long)di * di + (long)dj * dj;
+            if (away == 0 || (n > 0 && away > nearest)) continue;
+            const long k = solid_outline_cells_at(cells, i + di, j + dj);
+            if (k < 0 || (only_inside && !cells->cell[k].is_inside)) continue;
+            if (away < nearest) n = 0;
+            nearest = away;
+            if (n < SOLID_OUTLINE_NEAR) near[n++] = k;
+        }
+    return n;
+}
+
 /* Gives the areas of cells with their centre outside to adjacent particles. */
 static void hand_over(struct solid_outline_cells *cells) {
     for (long k = 0; k < cells->n; k++) {
         struct solid_outline_cell *from = &cells->cell[k];
         long near[SOLID_OUTLINE_NEAR];
         if (from->is_inside) continue;
-        const int shares = solid_outline_near(cells, from->i, from->j, 1, 1, near);
+        const int shares = solid_outline_cells_near(cells, from->i, from->j, 1, 1, near);
         for (int s = 0; s < shares; s++) cells->cell[near[s]].area += from->area / shares;
         if (shares > 0) from->area = 0;
     }

@@ -2,7 +2,6 @@
 #include "base/memory.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"
-#include "solid/geometry/outline_near.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -43,8 +42,8 @@ static void share_out(struct collection *to, int i, int j, double length) {
         return;
     }
     long near[SOLID_OUTLINE_NEAR];
-    int n = solid_outline_near(to->cells, i, j, 1, 1, near);
-    for (int reach = 1; n == 0; reach *= 2) n = solid_outline_near(to->cells, i, j, reach, 0, near);
+    int n = solid_outline_cells_near(to->cells, i, j, 1, 1, near);
+    for (int reach = 1; n == 0; reach *= 2) n = solid_outline_cells_near(to->cells, i, j, reach, 0, near);
     for (int k = 0; k < n; k++) give(to, near[k], length / n);
 }
 

@@ -1,4 +1,4 @@
-/* Held and driven layers, unbreakable regions.  (001: sec. 3.3.8) */
+/* Held and driven layers, unbreakable regions.  (001: sec. 3.3.11) */
 #pragma once
 #include "solid/state.h"
 

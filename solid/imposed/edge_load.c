@@ -6,7 +6,6 @@
 #include "solid/body/cloud.h"
 #include "solid/bonds/store.h"
 #include "solid/geometry/outline.h"
-#include "solid/refine/parts.h"
 
 #include <math.h>
 
@@ -123,13 +122,14 @@ void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sit
     memory_free(length);
 }
 
-void solid_edge_load_force_refined(const struct solid *s, int k, double *const force[2]) {
+void solid_edge_load_force_refined(const struct solid *s, solid_edge_load_lengths *of_cloud, int k,
+                                   double *const force[2]) {
     const struct solid_load *load = &s->in.load[k];
     int found = 0;
     for (int b = 0; b < s->in.bodies && !found; b++) {
         const struct solid_cloud *cloud = s->family->cloud[b];
         double *length = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, sizeof *length);
-        found = solid_refine_lengths(s, b, load->edge[0], load->edge[1], length);
+        found = of_cloud(s, b, load->edge[0], load->edge[1], length);
         if (found && load->over_horizon)
             over_horizon(s, b, load, force);
         else if (found)

@@ -47,7 +47,7 @@ static void of_region(const struct solid *s, const struct solid_load *load, doub
             for (int c = 0; c < s->dim; c++) force[c][h] = load->force[c];
 }
 
-void solid_given_new(struct solid *s, struct solid_sites *const *sites) {
+void solid_given_new(struct solid *s, struct solid_sites *const *sites, solid_edge_load_lengths *of_cloud) {
     if (s->in.loads == 0) return;
     struct solid_given *g = memory_new(MEMORY_SOLID, 1, sizeof *g);
     double *force[3] = {NULL};
@@ -63,7 +63,7 @@ void solid_given_new(struct solid *s, struct solid_sites *const *sites) {
     for (int k = 0; k < g->loads; k++) {
         for (int c = 0; c < s->dim; c++) memset(force[c], 0, (size_t)s->n * sizeof **force);
         if (s->in.load[k].kind == SOLID_LOAD_EDGE && !sites)
-            solid_edge_load_force_refined(s, k, force);
+            solid_edge_load_force_refined(s, of_cloud, k, force);
         else if (s->in.load[k].kind == SOLID_LOAD_EDGE)
             solid_edge_load_force(s, sites, edges, k, force);
         else

@@ -4,10 +4,15 @@
 
 struct solid_given;
 
-/* Makes s->given: the input's loads on the owned particles, added to s->load with their values at s->t; NULL if there
- * are no loads. Dies (exit 2) on a load without a particle. sites: of the bodies; NULL once these are freed, the clouds
- * then hold the positions. Collective. */
-void solid_given_new(struct solid *s, struct solid_sites *const *sites);
+/* Adds the boundary from one point to the other by number in the body's cloud, m; returns 0 where it does not run so.
+ */
+typedef int solid_edge_load_lengths(const struct solid *s, int body, const double from[2], const double to[2],
+                                    double *length);
+
+/* s->given: the input's loads on the owned particles, added to s->load as they are at s->t; NULL where there are none.
+ * Dies (exit 2) on one that no particle takes up. sites: of the bodies; NULL once they are gone, when clouds say where
+ * particles are, by of_cloud. Collective. */
+void solid_given_new(struct solid *s, struct solid_sites *const *sites, solid_edge_load_lengths *of_cloud);
 void solid_given_free(struct solid_given *given);
 /* Replaces the loads' part of s->load by its mean over t .. t + dt (dt = 0: the value at t). Returns whether it has
  * changed. Not collective. */

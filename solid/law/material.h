@@ -1,16 +1,13 @@
-/* Constants of a material's bonds.  (001: eqs 3.21, 3.28; 000: eqs 9, 10, 16, 17) */
+/* Constants of a material's bonds.  (001: eqs 3.21, 3.27; 000: eqs 9, 10, 16, 17) */
 #pragma once
 #include "solid/input.h"
 
-struct solid_constants {
-    double c;  /* c0, or c1 of a conical micromodulus, N/m6 */
-    double s0; /* critical stretch; INFINITY: bonds never break */
-};
-
 /* At a horizon, m; thickness, m, is used for plates only. */
-struct solid_constants solid_material_constants(enum solid_model model, double thickness,
-                                                const struct solid_material *material, double horizon);
+struct physics_bond solid_material_constants(enum solid_model model, double thickness,
+                                             const struct solid_material *material, double horizon);
 
-/* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.28) */
+/* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.26) */
 double solid_material_micromodulus(const struct solid_material *m, double spacing);
 double solid_material_critical_stretch(const struct solid_material *m, double spacing);
+/* c0 that a constant micromodulus would have, whatever the material's is: contact is measured by it. */
+double solid_material_c0(const struct solid_input *in, const struct solid_material *m);

@@ -12,8 +12,7 @@ enum { COLUMNS = 24 }; /* of the quadrature of partial volumes, if few of them a
 static const double INSIDE = 1 - 1e-12;
 
 struct solid_bond_law solid_pair_law(const struct solid_input *in, const struct solid_material *m) {
-    const struct solid_constants k =
-        solid_material_constants(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
+    const struct physics_bond k = solid_material_constants(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
     return (struct solid_bond_law){.dim = in->model == SOLID_3D ? 3 : 2,
                                    .partial = in->partial,
                                    .horizons = in->horizons,

@@ -1,4 +1,4 @@
-/* Partial areas in a plate.  (000: eq. 22; SPEC 2) */
+/* Partial areas in a plate.  (000: eq. 22; 001: eq. 3.33, mended) */
 #pragma once
 
 /* The fraction of a square (with this side, centred at xi from the origin, sides along x and y) inside the disc of this

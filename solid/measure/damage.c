@@ -1,6 +1,6 @@
 /* Damage of each particle: the broken part of its family's volume. */
 #include "solid/bonds/list.h"
-#include "solid/bonds/rows.h"
+#include "solid/bonds/row.h"
 #include "solid/measure/damage.h"
 
 /* sum(Gamma V) of a row's intact bonds. */

@@ -1,4 +1,4 @@
-/* Damage of particles.  (SPEC 2) */
+/* Damage of particles.  (001: eq. 3.28) */
 #pragma once
 #include "solid/state.h"
 

@@ -3,7 +3,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/list.h"
-#include "solid/bonds/rows.h"
+#include "solid/bonds/row.h"
 #include "solid/bonds/segments.h"
 #include "solid/force/sweep_list.h"
 #include "solid/measure/energy.h"
@@ -133,7 +133,7 @@ static double of_segment(const struct solid_lattice *t, int g, int small, vec *l
     vec sum[2] = {vec_set(0), vec_set(0)};
     for (int strip = 0; strip < SOLID_STRIPS; strip++) {
         const int n = all->count[g][strip];
-        const long cell = all->cell[g] + solid_strip_site(strip);
+        const long cell = all->cell[g] + solid_segments_strip_site(strip);
         if (n == 0) continue;
         if (small && all->bulk[g])
             sum[strip % 2] += of_strip(t, cell, n, entry, 1, 1, largest);
@@ -150,7 +150,7 @@ static double of_segment(const struct solid_lattice *t, int g, int small, vec *l
 static double of_lattice(const struct solid *s, const struct solid_lattice *t) {
     const double spacing = t->stencil->spacing;
     double sum = 0;
-    solid_rows_begin(s, t);
+    solid_row_begin(s, t);
     for (int g = 0; g < t->segments->n; g++) {
         vec largest = vec_set(0);
         if (t->segments->stale[g]) solid_segments_pack(t, g);

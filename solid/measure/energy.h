@@ -1,4 +1,4 @@
-/* Energies of the solid, total and by particle; computed only for output.  (SPEC 7) */
+/* Energies of the solid, total and by particle; computed only for output.  (001: eq. 3.23) */
 #pragma once
 #include "solid/state.h"
 

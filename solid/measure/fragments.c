@@ -2,7 +2,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "base/vec.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
@@ -11,8 +11,6 @@
 #include "solid/measure/fragments.h"
 
 #include <stdlib.h>
-
-enum { ROW = VEC_LANES };
 
 /* The trees of particles that are connected by intact bonds, among those on this rank, owned or ghost. parent: of each
  * particle; the root is the one with the smallest index. */
@@ -46,12 +44,13 @@ static void join_segment(const struct solid_lattice *t, int g, int *piece, int *
     const uint32_t *entry = all->entry + all->first[g];
     for (int strip = 0; strip < SOLID_STRIPS; strip++)
         for (int i = 0; i < all->count[g][strip]; i++, entry++)
-            join_at(t, all->cell[g] + solid_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece, parent);
+            join_at(t, all->cell[g] + solid_segments_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece,
+                    parent);
 }
 
 /* Nearest neighbours first: most of a body is then connected, and the other bonds need little work. */
 static void join_lattice(const struct solid_lattice *t, int *parent) {
-    int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * ROW, sizeof *piece);
+    int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * SOLID_ROW, sizeof *piece);
     const int offsets = t->stencil->n;
     for (long i = 0; i < t->sites; i++) piece[i] = t->local[i];
     for (int o = 0; o < offsets; o++) {

@@ -1,4 +1,4 @@
-/* Fragments: connected components of intact bonds.  (SPEC 7) */
+/* Fragments: connected components of intact bonds. */
 #pragma once
 #include "solid/state.h"
 

@@ -1,6 +1,6 @@
 /* Stress from the flux of bond forces and strain by least squares over the family.  (Lehoucq and Silling 2008) */
 #include "solid/bonds/family.h"
-#include "solid/bonds/rows.h"
+#include "solid/bonds/row.h"
 #include "solid/measure/stress.h"
 #include "solid/measure/tensors.h"
 
@@ -32,7 +32,7 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
         const double length = sqrt(xi2), now = sqrt(zeta2), stretch = q / (length * (now + length));
         if (now > 0) add(t, zeta, zeta, 0.5 * view->alpha[b] * view->micro[b] * stretch / now * view->weight[b]);
     }
-    if (s->in.model == SOLID_PLANE_STRAIN) t[2] = 0.25 * (t[0] + t[1]);
+    if (s->in.model == SOLID_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
 }
 
 /* The same for a row of a lattice: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r (1 + r)); 0 if r = 0. */
@@ -59,7 +59,7 @@ void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
     struct solid_family_view view;
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_lattice *t = s->family->lattice[b];
-        if (t) solid_rows_begin(s, t);
+        if (t) solid_row_begin(s, t);
         for (int r = 0; t && r < t->rows; r++) {
             const struct solid_row row = solid_row_of(t, r);
             vec sum[6];
@@ -158,7 +158,7 @@ void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_lattice *t = s->family->lattice[b];
         const int end = s->family->first[b + 1];
-        if (t) solid_rows_begin(s, t);
+        if (t) solid_row_begin(s, t);
         for (int r = 0; t && r < t->rows; r++) {
             const struct solid_row row = solid_row_of(t, r);
             moments_of_row(&row, &m);

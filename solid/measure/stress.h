@@ -1,4 +1,4 @@
-/* Stress and strain tensors of particles.  (SPEC 7) */
+/* Stress and strain tensors of particles. */
 #pragma once
 #include "solid/state.h"
 

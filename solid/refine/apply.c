@@ -1,7 +1,7 @@
 /* Carries out a refinement: renumbers the particles, moves their state and renews their bonds. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
@@ -163,7 +163,7 @@ static void impose(struct solid *s) {
     if (s->given) {
         solid_given_free(s->given);
         s->given = NULL;
-        solid_given_new(s, NULL);
+        solid_given_new(s, NULL, solid_refine_area_lengths);
     }
     solid_constraint_flags(s);
     solid_constraint_displacement(s, s->t);

@@ -2,6 +2,8 @@
 #include "solid/refine/area.h"
 #include "base/memory.h"
 #include "solid/geometry/outline.h"
+#include "solid/refine/parts.h"
+#include "solid/refine/places.h"
 
 #include <math.h>
 #include <string.h>
@@ -34,19 +36,19 @@ static int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b)
 
 /* The site of a level whose cell contains x; x is the centre of a quarter of that cell. */
 static int site_of(int x, int level) {
-    const int h = solid_refine_spacing(level);
+    const int h = solid_refine_plan_spacing(level);
     return level == 0 ? h * floor_div(x, h) + h / 2 : h * floor_div(x + h / 2, h);
 }
 
 /* The particle at x, y if its level is at least this one, or -1. */
 static long at_level(const struct solid_refine_plan *p, int x, int y, int level) {
-    const long i = solid_refine_plan_at(p, x, y);
+    const long i = solid_refine_places_at(p, x, y);
     return i >= 0 && p->level[i] >= level ? i : -1;
 }
 
 /* The nearest particles to a site of the level among the eight sites next to it. */
 static int nearest(const struct solid_refine_plan *p, const int site[2], int level, long near[4]) {
-    const int h = solid_refine_spacing(level);
+    const int h = solid_refine_plan_spacing(level);
     for (int diagonal = 0; diagonal < 2; diagonal++) {
         int n = 0;
         for (int k = 0; k < 9; k++) {
@@ -77,7 +79,7 @@ static struct owners heirs(const struct solid_refine_plan *p, const int x[2], in
 
 /* Whether a part of the quarter may belong to a finer particle, by its cell or as a share. */
 static int is_split(const struct solid_refine_plan *p, const int x[2], int level, int owned) {
-    const int part = solid_refine_spacing(level) / 8;
+    const int part = solid_refine_plan_spacing(level) / 8;
     long near[4];
     if (level == p->in->levels) return 0;
     for (int k = 0; k < 4; k++) {
@@ -105,7 +107,7 @@ struct walk {
 
 static void walk_down(struct walk *w, const int x[2], int level, long owner) {
     const struct solid_refine_plan *p = w->plan;
-    const int part = solid_refine_spacing(level) / 8;
+    const int part = solid_refine_plan_spacing(level) / 8;
     const long here = at_level(p, site_of(x[0], level), site_of(x[1], level), level);
     if (here >= 0) owner = p->level[here] == level ? here : -1;
     if ((here >= 0 || owner < 0) && is_split(p, x, level, owner >= 0)) {
@@ -129,7 +131,7 @@ static double area_of(const struct solid_refine_plan *p, const int x[2], int sid
 }
 
 static void give_area(struct walk *w, const struct owners *to, const int x[2], int level) {
-    const int side = solid_refine_spacing(level) / 2;
+    const int side = solid_refine_plan_spacing(level) / 2;
     const double full = (double)side * side / (UNIT * UNIT), area = w->is_full ? full : area_of(w->plan, x, side);
     if (area > NOTHING * full && to->n > 0)
         for (int k = 0; k < to->n; k++) w->sum[to->owner[k]] += rounded(area / to->n);
@@ -215,7 +217,7 @@ static void give_place(struct walk *w, const struct owners *to, const int x[2], 
 
 int solid_refine_area_length(const struct solid_refine_plan *p, const double from[2], const double to[2],
                              double *length, char *text, size_t size) {
-    const int side = solid_refine_spacing(p->in->levels) / 2;
+    const int side = solid_refine_plan_spacing(p->in->levels) / 2;
     const double step = p->cloud->spacing * side / UNIT;
     struct solid_outline_lengths *l =
         solid_outline_lengths(p->body->outline, p->body->outlines, p->cloud->origin, step, NULL, from, to, text, size);
@@ -232,4 +234,13 @@ int solid_refine_area_length(const struct solid_refine_plan *p, const double fro
     }
     solid_outline_lengths_free(l);
     return 1;
+}
+
+int solid_refine_area_lengths(const struct solid *s, int b, const double from[2], const double to[2], double *length) {
+    char text[256];
+    if (!solid_refine_plan_is_possible(s, b)) return 0;
+    struct solid_refine_plan *plan = solid_refine_plan_of(s, b, NULL);
+    const int found = solid_refine_area_length(plan, from, to, length, text, sizeof text);
+    solid_refine_plan_free(plan);
+    return found;
 }

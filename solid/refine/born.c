@@ -1,4 +1,5 @@
 /* Interpolates displacement and velocity of a new particle from its neighbours.  (000: eq. 37, sec. 2.1.3) */
+#include "solid/refine/places.h"
 #include "solid/refine/plan.h"
 
 /* A new particle's value is interpolated from the eight neighbouring positions of the coarser lattice: the mean of two
@@ -11,21 +12,21 @@ static void source_add(struct solid_refine_born *b, int k, long source, double w
 }
 
 static void midway(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int dx, int dy) {
-    const long one = solid_refine_plan_at(p, at[0] - dx, at[1] - dy),
-               two = solid_refine_plan_at(p, at[0] + dx, at[1] + dy);
+    const long one = solid_refine_places_at(p, at[0] - dx, at[1] - dy),
+               two = solid_refine_places_at(p, at[0] + dx, at[1] + dy);
     if (one >= 0 && two >= 0) {
         source_add(b, 0, one, 0.5);
         source_add(b, 2, two, 0.5);
         return;
     }
     const int side = one >= 0 ? -1 : 1;
-    const long behind = solid_refine_plan_at(p, at[0] + 3 * side * dx, at[1] + 3 * side * dy);
+    const long behind = solid_refine_places_at(p, at[0] + 3 * side * dx, at[1] + 3 * side * dy);
     source_add(b, 0, one >= 0 ? one : two, behind >= 0 ? 1.5 : 1);
     if (behind >= 0) source_add(b, 1, behind, -0.5);
 }
 
 static long corner(const struct solid_refine_plan *p, const int at[2], int h, int x, int y) {
-    return solid_refine_plan_at(p, at[0] + x * h, at[1] + y * h);
+    return solid_refine_places_at(p, at[0] + x * h, at[1] + y * h);
 }
 
 /* The edge of the body runs along one direction (dx, dy): there are two particles on this side of it, at (sx, sy) from
@@ -78,7 +79,7 @@ static void amid(const struct solid_refine_plan *p, struct solid_refine_born *b,
  * one. */
 struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *p, const int at[2], int level) {
     struct solid_refine_born b = {0};
-    const int h = solid_refine_spacing(level), shift = level == 1 ? h : 0;
+    const int h = solid_refine_plan_spacing(level), shift = level == 1 ? h : 0;
     const int odd[2] = {(at[0] + shift) / h & 1, (at[1] + shift) / h & 1};
     if (odd[0] && odd[1])
         amid(p, &b, at, h);
@@ -86,7 +87,7 @@ struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *p,
         midway(p, &b, at, odd[0] * h, odd[1] * h);
     for (int k = 0; k < 9; k++) {
         if ((k % 3 != 1) != odd[0] || (k / 3 != 1) != odd[1]) continue;
-        const long parent = solid_refine_plan_at(p, at[0] + (k % 3 - 1) * h, at[1] + (k / 3 - 1) * h);
+        const long parent = solid_refine_places_at(p, at[0] + (k % 3 - 1) * h, at[1] + (k / 3 - 1) * h);
         if (parent >= 0) b.parent[b.parents++] = parent;
     }
     return b;

@@ -46,7 +46,7 @@ struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const st
     const struct solid_cloud *t = p->cloud;
     const size_t n = (size_t)p->n + 1;
     double *of[5], *volume = memory_new(MEMORY_SOLID, n, sizeof *volume);
-    const int is_lattice = solid_refine_is_possible(s, body);
+    const int is_lattice = solid_refine_plan_is_possible(s, body);
     for (int k = 0; k < 5; k++) of[k] = memory_new(MEMORY_SOLID, n, sizeof **of);
     *was = order_of(s, p, count);
     for (long i = 0; i < p->before; i++) volume[i] = t->volume[i];

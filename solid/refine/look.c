@@ -22,7 +22,7 @@ static double sum_of(const double *term, int n) {
 
 /* sum_of, eight terms at a time, padded with 0; most: the largest term. */
 static inline double sum_of_blocks(const double *term, long n, double most) {
-    const vec shift = vec_set(power_below(most) * 0x1.8p11);
+    const vec shift = vec_set(vec_power_below(most) * 0x1.8p11);
     vec sum = vec_set(0);
     for (long k = 0; k < n; k += VEC_LANES) sum += (vec_load(term + k) + shift) - shift;
     return vec_total(sum);
@@ -57,16 +57,8 @@ static double energy_of(const struct solid_list *t, int i) {
 static double energy_bound(const struct solid_list *t, int i) {
     const double eps = 2 * t->power[i];
     if (!(eps > 0) || eps > 0.03) return INFINITY;
-    const double force = t->digit[i] / force_family_room(t, i), reach = t->law.horizon + 1;
+    const double force = t->digit[i] / solid_list_room(t, i), reach = t->law.horizon + 1;
     return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach * (0.26 * eps * eps);
-}
-
-void solid_refine_look_energy(const struct solid *s, double *energy) {
-    for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_list *t = s->family->list[b];
-        solid_sweep_list_fill(s, t);
-        for (int i = 0; i < t->n; i++) energy[t->first + i] = energy_of(t, i);
-    }
 }
 
 /* The fraction of the family's volume with broken bonds, the same for mirror images. */

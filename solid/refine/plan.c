@@ -1,39 +1,15 @@
 /* Plans a refinement: new particles, their levels, and which neighbours must be refined too.  (000: sec. 2.1.2) */
 #include "solid/refine/plan.h"
 #include "base/memory.h"
+#include "solid/bonds/store.h"
 #include "solid/geometry/outline.h"
+#include "solid/refine/parts.h"
+#include "solid/refine/places.h"
 
 #include <math.h>
 #include <string.h>
 
 int solid_refine_plan_level(double size) { return size < 1 ? -ilogb(size) : 0; }
-
-/* A coordinate wrapped into the period. */
-static int wrapped(int x, int period) {
-    const int r = period ? x % period : x;
-    return r < 0 && period ? r + period : r;
-}
-
-static unsigned long hash_of(int x, int y) {
-    unsigned long z = (unsigned long)(uint32_t)x << 32 | (uint32_t)y;
-    z = (z ^ z >> 33) * 0xff51afd7ed558ccdu;
-    return z ^ z >> 29;
-}
-
-long solid_refine_plan_at(const struct solid_refine_plan *p, int x, int y) {
-    x = wrapped(x, p->period[0]);
-    y = wrapped(y, p->period[1]);
-    for (unsigned long k = hash_of(x, y);; k++) {
-        const long i = p->slot[(long)k & p->mask] - 1;
-        if (i < 0 || (p->at[i][0] == x && p->at[i][1] == y)) return i;
-    }
-}
-
-static void enter(struct solid_refine_plan *p, long i) {
-    unsigned long k = hash_of(p->at[i][0], p->at[i][1]);
-    while (p->slot[(long)k & p->mask]) k++;
-    p->slot[(long)k & p->mask] = i + 1;
-}
 
 static void *larger(void *old, long n, long room, size_t size) {
     char *more = memory_new(MEMORY_SOLID, (size_t)room, size);
@@ -54,7 +30,7 @@ static void make_room(struct solid_refine_plan *p, long n) {
     memory_free(p->slot);
     p->slot = memory_new(MEMORY_SOLID, (size_t)p->mask, sizeof *p->slot);
     p->mask--;
-    for (long i = 0; i < p->n; i++) enter(p, i);
+    for (long i = 0; i < p->n; i++) solid_refine_places_enter(p, i);
 }
 
 struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
@@ -65,12 +41,21 @@ struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud,
     make_room(p, cloud->n);
     for (; p->n < cloud->n; p->n++) {
         for (int c = 0; c < 2; c++)
-            p->at[p->n][c] = wrapped((int)lrint(cloud->place[c][p->n] * SOLID_REFINE_UNIT), p->period[c]);
+            p->at[p->n][c] =
+                solid_refine_places_wrapped((int)lrint(cloud->place[c][p->n] * SOLID_REFINE_UNIT), p->period[c]);
         p->level[p->n] = (uint8_t)solid_refine_plan_level(cloud->size[p->n]);
         p->kept[p->n] = kept ? kept[p->n] : 0;
-        enter(p, p->n);
+        solid_refine_places_enter(p, p->n);
     }
     return p;
+}
+
+int solid_refine_plan_is_possible(const struct solid *s, int b) { return s->in.body[b].shape == SOLID_POLYGON; }
+
+struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *kept) {
+    const struct solid_body *body = &s->in.body[b];
+    return solid_refine_plan_new(s->family->cloud[b], body, &s->refine->in,
+                                 s->in.material[body->material].horizon_ratio, kept);
 }
 
 void solid_refine_plan_free(struct solid_refine_plan *p) {
@@ -90,11 +75,11 @@ static double reach_of(const struct solid_refine_plan *p, int level) {
 
 /* 000: eq. 40. */
 double solid_refine_plan_horizon(const struct solid_refine_plan *p, long i) {
-    const int level = p->level[i], h = solid_refine_spacing(level);
+    const int level = p->level[i], h = solid_refine_plan_spacing(level);
     const double reach = reach_of(p, level);
     if (!p->in->interface_corrected || level == 0) return reach;
     for (int k = 0; k < 9; k++) {
-        const long near = solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
+        const long near = solid_refine_places_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
         if (near >= 0 && p->level[near] < level) return M_SQRT2 * reach;
     }
     return reach;
@@ -107,19 +92,19 @@ static int is_inside(const struct solid_refine_plan *p, const int at[2]) {
 }
 
 static void refine(struct solid_refine_plan *p, long i) {
-    const int level = ++p->level[i], h = solid_refine_spacing(level);
+    const int level = ++p->level[i], h = solid_refine_plan_spacing(level);
     p->refined++;
     for (int k = 0; k < 9; k++) {
-        const int at[2] = {wrapped(p->at[i][0] + (k % 3 - 1) * h, p->period[0]),
-                           wrapped(p->at[i][1] + (k / 3 - 1) * h, p->period[1])};
-        if (solid_refine_plan_at(p, at[0], at[1]) >= 0 || !is_inside(p, at)) continue;
+        const int at[2] = {solid_refine_places_wrapped(p->at[i][0] + (k % 3 - 1) * h, p->period[0]),
+                           solid_refine_places_wrapped(p->at[i][1] + (k / 3 - 1) * h, p->period[1])};
+        if (solid_refine_places_at(p, at[0], at[1]) >= 0 || !is_inside(p, at)) continue;
         const struct solid_refine_born born = solid_refine_born_at(p, at, level);
         make_room(p, p->n + 1);
         memcpy(p->at[p->n], at, sizeof at);
         p->level[p->n] = (uint8_t)level;
         for (int q = 0; q < born.parents; q++) p->kept[p->n] |= p->kept[born.parent[q]];
         p->born[p->n - p->before] = born;
-        enter(p, p->n++);
+        solid_refine_places_enter(p, p->n++);
     }
 }
 
@@ -127,7 +112,7 @@ static void refine(struct solid_refine_plan *p, long i) {
 typedef int visitor(struct solid_refine_plan *p, uint8_t *wanted, long i, long near);
 
 static int about(struct solid_refine_plan *p, uint8_t *wanted, long i, visitor *visit) {
-    const int level = p->level[i], h = solid_refine_spacing(level);
+    const int level = p->level[i], h = solid_refine_plan_spacing(level);
     const double reach = fmax(reach_of(p, level) * SOLID_REFINE_UNIT, 1.5 * h);
     const int steps = (int)(reach / h);
     int met = 0;
@@ -135,7 +120,7 @@ static int about(struct solid_refine_plan *p, uint8_t *wanted, long i, visitor *
         for (int j = -steps; j <= steps; j++) {
             const double dx = (double)j * h, dy = (double)k * h;
             if (dx * dx + dy * dy > reach * reach * (1 + 1e-12)) continue;
-            const long near = solid_refine_plan_at(p, p->at[i][0] + j * h, p->at[i][1] + k * h);
+            const long near = solid_refine_places_at(p, p->at[i][0] + j * h, p->at[i][1] + k * h);
             if (near >= 0 && near != i) met += visit(p, wanted, i, near);
         }
     return met;
@@ -154,19 +139,19 @@ static int want_coarser(struct solid_refine_plan *p, uint8_t *wanted, long i, lo
 
 /* Whether more than five of the eight positions at half its spacing have particles. */
 static int is_enclosed(const struct solid_refine_plan *p, long i) {
-    const int h = solid_refine_spacing(p->level[i] + 1);
+    const int h = solid_refine_plan_spacing(p->level[i] + 1);
     int n = -1; /* without the particle itself */
     for (int k = 0; k < 9; k++)
-        n += solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h) >= 0;
+        n += solid_refine_places_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h) >= 0;
     return n > 5;
 }
 
 /* Wants particles next to new ones if these enclose them. */
 static void want_enclosed(const struct solid_refine_plan *p, uint8_t *wanted) {
     for (long i = p->before; i < p->n; i++) {
-        const int h = solid_refine_spacing(p->level[i]);
+        const int h = solid_refine_plan_spacing(p->level[i]);
         for (int k = 0; k < 9; k++) {
-            const long near = solid_refine_plan_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
+            const long near = solid_refine_places_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h);
             if (near >= 0 && p->level[near] < p->level[i] && is_enclosed(p, near)) wanted[near] = 1;
         }
     }

@@ -32,8 +32,6 @@ struct solid_refine_plan {
 struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
                                                 const struct solid_refinement *in, double ratio, const uint8_t *kept);
 void solid_refine_plan_free(struct solid_refine_plan *plan);
-/* The particle at a position, also across periodic sides, or -1. */
-long solid_refine_plan_at(const struct solid_refine_plan *plan, int x, int y);
 /* Refines the marked particles; on request all of their families (000: criterion of visibility); the particles that
  * must be refined so that neighbours differ by at most one level; and those with particles on more than five of the
  * eight positions around them (000: "incolla"). */
@@ -42,7 +40,7 @@ void solid_refine_plan_close(struct solid_refine_plan *plan, const long *marked,
 /* The new particle of a level at an empty position, from the present particles. */
 struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *plan, const int at[2], int level);
 
-static inline int solid_refine_spacing(int level) { return SOLID_REFINE_UNIT >> level; }
+static inline int solid_refine_plan_spacing(int level) { return SOLID_REFINE_UNIT >> level; }
 /* delta of a particle, spacings. */
 double solid_refine_plan_horizon(const struct solid_refine_plan *plan, long i);
 /* Level of a cloud's particle. */

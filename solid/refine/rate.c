@@ -45,7 +45,7 @@ static int bonds_of(const struct solid_bond_law *law, double horizon, double sid
     for (int j = -reach; j <= reach; j++)
         for (int i = -reach; i <= reach; i++) {
             const double xi[3] = {i * side, j * side, 0}, length2 = xi[0] * xi[0] + xi[1] * xi[1];
-            if (length2 == 0 || n == SOLID_NEAR_MAX || !solid_pair_exists(law, xi, &end, &end)) continue;
+            if (length2 == 0 || n == SOLID_FAMILY_MAX || !solid_pair_exists(law, xi, &end, &end)) continue;
             const double k =
                 solid_pair_of(law, xi, &end, &end).stiffness * end.volume / (law->density * length2 * sqrt(length2));
             bond[n++] = (struct lattice_bond){{xi[0], xi[1]}, k * xi[0] * xi[0], k * xi[1] * xi[1], k * xi[0] * xi[1]};
@@ -66,12 +66,12 @@ static double of_wave(const struct lattice_bond *bond, int n, double kx, double 
 
 double solid_refine_rate_lattice(const struct solid *s, int level) {
     double most = 0;
-    struct lattice_bond bond[SOLID_NEAR_MAX];
+    struct lattice_bond bond[SOLID_FAMILY_MAX];
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_cloud *t = s->family->cloud[b];
         const double horizon = s->refine->in.horizon_kept ? t->law.horizon : ldexp(t->law.horizon, -level),
                      side = ldexp(1, -level), unit = t->unit / (t->spacing * t->spacing);
-        const int n = solid_refine_is_possible(s, b) ? bonds_of(&t->law, horizon, side, bond) : 0;
+        const int n = solid_refine_plan_is_possible(s, b) ? bonds_of(&t->law, horizon, side, bond) : 0;
         for (int i = 0; n > 0 && i <= WAVES; i++)
             for (int j = 0; j <= WAVES; j++)
                 most =

@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "physics/limits.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
 #include "solid/imposed/constraint.h"
@@ -41,7 +42,7 @@ struct solid_refine *solid_refine_new(struct solid_input *in) {
     if (!in->refinement || in->model == SOLID_3D) return NULL;
     struct solid_refine *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
     r->in = *in->refinement;
-    ENSURE(r->in.levels <= SOLID_REFINE_LEVELS, "%d levels", r->in.levels);
+    ENSURE(r->in.levels <= PHYSICS_LEVELS_MAX, "%d levels", r->in.levels);
     r->in.start = copied(r->in.start, (size_t)r->in.starts, sizeof *r->in.start);
     r->bodies = in->bodies;
     r->cells = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *r->cells);
@@ -77,14 +78,6 @@ void solid_refine_free(struct solid_refine *r) {
     memory_free(r);
 }
 
-int solid_refine_is_possible(const struct solid *s, int b) { return s->in.body[b].shape == SOLID_POLYGON; }
-
-struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *kept) {
-    const struct solid_body *body = &s->in.body[b];
-    return solid_refine_plan_new(s->family->cloud[b], body, &s->refine->in,
-                                 s->in.material[body->material].horizon_ratio, kept);
-}
-
 int solid_refine_level(const struct solid *s, int h) {
     const struct solid_cloud *t = s->family->cloud[s->body[h]];
     return s->refine ? solid_refine_plan_level(t->size[s->first[par_rank()] + h - t->first]) : 0;
@@ -94,7 +87,7 @@ int solid_refine_finest(const struct solid *s) {
     int finest = 0;
     for (int b = 0; s->refine && b < s->in.bodies; b++) {
         const struct solid_cloud *t = s->family->cloud[b];
-        for (long i = 0; solid_refine_is_possible(s, b) && i < t->n; i++) {
+        for (long i = 0; solid_refine_plan_is_possible(s, b) && i < t->n; i++) {
             const int level = solid_refine_plan_level(t->size[i]);
             finest = level > finest ? level : finest;
         }
@@ -103,15 +96,6 @@ int solid_refine_finest(const struct solid *s) {
 }
 
 long solid_refine_events(const struct solid *s) { return s->refine ? s->refine->events : 0; }
-
-int solid_refine_lengths(const struct solid *s, int b, const double from[2], const double to[2], double *length) {
-    char text[256];
-    if (!solid_refine_is_possible(s, b)) return 0;
-    struct solid_refine_plan *plan = solid_refine_plan_of(s, b, NULL);
-    const int found = solid_refine_area_length(plan, from, to, length, text, sizeof text);
-    solid_refine_plan_free(plan);
-    return found;
-}
 
 /* The particles of the body's cloud that have a constraint or a load, on every rank. Collective. */
 static uint8_t *kept_of(const struct solid *s, int b) {
@@ -175,7 +159,7 @@ long solid_refine_marked(struct solid *s, const uint8_t *mark) {
             long of_body = 0, *number = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *number);
             for (long k = 0; k < n; k++)
                 if (all[k] >= t->first && all[k] < t->first + t->n) number[of_body++] = all[k] - t->first;
-            if (solid_refine_is_possible(s, b)) solid_refine_plan_close(plan[b], number, of_body, 1);
+            if (solid_refine_plan_is_possible(s, b)) solid_refine_plan_close(plan[b], number, of_body, 1);
             memory_free(number);
         }
         refined = carry_out(s, plan);
@@ -208,7 +192,7 @@ void solid_refine_start(struct solid *s) {
     solid_constraint_flags(s);
     struct solid_refine_plan **plan = plans(s);
     for (int b = 0; b < s->in.bodies; b++)
-        for (int k = 0; solid_refine_is_possible(s, b) && k < s->refine->in.starts; k++)
+        for (int k = 0; solid_refine_plan_is_possible(s, b) && k < s->refine->in.starts; k++)
             start_region(plan[b], &s->refine->in.start[k]);
     if (carry_out(s, plan) == 0) die_all(EXIT_CODE_SCENE, "solid.refinement.start refines no particle");
     s->refine->events = 0;

@@ -12,17 +12,11 @@
 #pragma once
 #include "solid/state.h"
 
-enum { SOLID_REFINE_LEVELS = 4 };
-
 /* Marks the particles that the triggers select (000: sec. 2.1.1) and refines them with their families (sec. 2.1.2).
  * Returns how many particles were refined; 0: the solid is unchanged. Ghosts must be current. Collective. */
 long solid_refine_look(struct solid *s);
 /* Refines the particles marked by the caller, mark [n]. Collective. */
 long solid_refine_marked(struct solid *s, const uint8_t *mark);
-
-/* For each owned particle, [n]: the elastic energy density of its halves of intact bonds, J/m3, the same to the bit for
- * mirror images. Ghosts must be current. Not collective. */
-void solid_refine_look_energy(const struct solid *s, double *energy);
 
 int solid_refine_level(const struct solid *s, int h); /* of an owned particle. Not collective. */
 int solid_refine_finest(const struct solid *s);       /* the finest level of all bodies. Not collective. */

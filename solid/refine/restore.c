@@ -1,7 +1,7 @@
 /* Stores a refined body's particles in a checkpoint, and restores the solid to them. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/list.h"
@@ -79,7 +79,8 @@ static int fits(const struct solid *s, long n, const uint8_t *body, const uint8_
     }
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_cloud *t = s->family->cloud[b];
-        if (first[b + 1] <= first[b] || (!solid_refine_is_possible(s, b) && first[b + 1] - first[b] != t->n)) return 0;
+        if (first[b + 1] <= first[b] || (!solid_refine_plan_is_possible(s, b) && first[b + 1] - first[b] != t->n))
+            return 0;
         for (long i = first[b]; i < first[b + 1]; i++)
             for (int c = 0; c < 2; c++)
                 if (!(place[i][c] > t->cells.low[c] - 2 &&
@@ -106,7 +107,7 @@ int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uin
     long *first = memory_new(MEMORY_SOLID, (size_t)s->in.bodies + 1, sizeof *first);
     const int good = s->refine && fits(s, n, body, level, place, first);
     for (int b = 0; good && b < s->in.bodies; b++)
-        if (solid_refine_is_possible(s, b)) cloud_replace(s, b, first[b], first[b + 1], level, place);
+        if (solid_refine_plan_is_possible(s, b)) cloud_replace(s, b, first[b], first[b + 1], level, place);
     memory_free(first);
     if (!good) return 1;
     solid_contact_free(s);
@@ -125,7 +126,7 @@ int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uin
     solid_build_edges(s);
     solid_given_free(s->given);
     s->given = NULL;
-    solid_given_new(s, NULL);
+    solid_given_new(s, NULL, solid_refine_area_lengths);
     solid_constraint_flags(s);
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
     solid_ghosts_update(s);

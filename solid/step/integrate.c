@@ -5,9 +5,28 @@
 #include "base/step_status.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/step/rk3.h"
+#include "solid/step/verlet.h"
 
 #include <math.h>
 #include <stdio.h>
+
+static void nothing(struct solid *s) { (void)s; }
+
+static const struct solid_integrator_kind kinds[SOLID_INTEGRATORS] = {
+    [SOLID_RK3] = {"RK3", 3, nothing, nothing, solid_rk3_step, nothing},
+    [SOLID_VERLET] = {"velocity Verlet", 1, solid_verlet_begin, solid_verlet_again, solid_verlet_step,
+                      solid_verlet_end}};
+
+const struct solid_integrator_kind *solid_integrate_kind(enum solid_integrator integrator) {
+    return &kinds[integrator];
+}
+
+long solid_integrate_sweeps(const struct solid *s, int substeps) {
+    return (long)substeps * kinds[s->stage.integrator].sweeps;
+}
+
+void solid_integrate_resume(struct solid *s) { kinds[s->stage.integrator].end(s); }
 
 /* Sets loads and imposed velocities of the coming substep. Returns whether one of them may have changed. */
 static int impose(struct solid *s, double dt) {
@@ -18,21 +37,18 @@ static int impose(struct solid *s, double dt) {
 
 void solid_integrate(struct solid *s, double dt, int substeps) {
     clock_begin(CLOCK_SOLID);
-    const int verlet = s->stage.integrator == SOLID_VERLET;
+    const struct solid_integrator_kind *kind = &kinds[s->stage.integrator];
     const double start = s->t;
     for (int i = 0; i < substeps; i++) {
         const int changed = impose(s, dt);
-        if (verlet && i == 0)
-            solid_verlet_begin(s);
-        else if (verlet && changed)
-            solid_verlet_again(s);
-        if (verlet)
-            solid_verlet_step(s, dt);
-        else
-            solid_rk3_step(s, dt);
+        if (i == 0)
+            kind->begin(s);
+        else if (changed)
+            kind->again(s);
+        kind->step(s, dt);
         s->t = start + (i + 1) * dt;
     }
-    if (verlet) solid_verlet_end(s);
+    kind->end(s);
     clock_end(CLOCK_SOLID);
 }
 
@@ -82,6 +98,7 @@ struct step_status solid_integrate_check(const struct solid *s) {
         if (h < 0) continue;
         const int bad_d = !isfinite(s->d[c][h]);
         status.failed = 1;
+        status.seen_in = STEP_STATUS_SOLID;
         status.rank = par_rank();
         status.value = bad_d ? s->d[c][h] : s->v[c][h];
         for (int k = 0; k < s->dim; k++) status.x[k] = s->x0[k][h];

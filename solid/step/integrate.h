@@ -1,4 +1,4 @@
-/* The solid in time: substeps of the integrators.  (001: eqs 3.47, 3.48; SPEC 2) */
+/* The solid in time: substeps of the integrators.  (001: eqs 3.47, 3.48, mended) */
 #pragma once
 #include "base/step_status.h"
 #include "solid/state.h"
@@ -11,19 +11,21 @@ void solid_integrate(struct solid *s, double dt, int substeps);
 /* Finds NaN, and a speed of more than a hundred times the sum of sqrt(E/rho) and the given speed. Not collective. */
 struct step_status solid_integrate_check(const struct solid *s);
 
-/* The fraction of a Verlet step at which pairwise damping uses the velocity. A larger one damps the fastest waves more
- * than k_d says, a smaller one damps them less and allows longer steps (solid/step/stable.c; docs/design.md). */
-#define SOLID_VERLET_PAIRWISE 0.4
+/* What an integrator is: one line of the table in integrate.c. */
+enum { SOLID_INTEGRATORS = SOLID_VERLET + 1 };
+struct solid_integrator_kind {
+    const char *name;
+    int sweeps;                               /* force sweeps a substep */
+    void (*begin)(struct solid *s);           /* before the first of some substeps. Collective. */
+    void (*again)(struct solid *s);           /* before a later one, where loads or imposed velocities have changed.
+                                               * Not collective. */
+    void (*step)(struct solid *s, double dt); /* Collective. */
+    void (*end)(struct solid *s);             /* after the last one. Not collective. */
+};
+const struct solid_integrator_kind *solid_integrate_kind(enum solid_integrator integrator);
 
-void solid_rk3_step(struct solid *s, double dt);    /* Collective. */
-void solid_verlet_begin(struct solid *s);           /* computes a(t_n), unless a is still valid. Collective. */
-void solid_verlet_again(struct solid *s);           /* computes a(t_n) with changed loads and imposed velocities. Not
-                                                     * collective. */
-void solid_verlet_step(struct solid *s, double dt); /* Collective. */
-void solid_verlet_end(struct solid *s);             /* Not collective. */
-/* During a sweep: v_old becomes the present a, the part that depends on d and on velocity differences only; a is
- * scratch until solid_force_rest. Not collective. */
-void solid_verlet_keep(struct solid *s);
+/* Force sweeps that the stage's integrator takes in so many substeps. Not collective. */
+long solid_integrate_sweeps(const struct solid *s, int substeps);
 /* Continues in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep,
  * which used the velocity predicted then) and power_pairwise. To be called once the stage is set. Not collective. */
-void solid_verlet_resume(struct solid *s);
+void solid_integrate_resume(struct solid *s);

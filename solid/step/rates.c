@@ -3,10 +3,11 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/contact/contact.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
 #include "solid/step/rates.h"
@@ -179,5 +180,5 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
 double solid_rates_stable_step(struct solid *s, enum solid_integrator integrator) {
     struct solid_rates rates;
     solid_rates_of(s, &rates);
-    return solid_stable_of(&rates, integrator, s->contact ? 4 * solid_stable_touch(s) : 0, NULL);
+    return solid_stable_of(&rates, integrator, s->contact ? 4 * solid_contact_rate_touch(s) : 0, NULL);
 }

@@ -1,13 +1,9 @@
 /* Low-storage third-order Runge-Kutta substep of the solid.  (001: eqs 3.47-3.48) */
+#include "physics/rk3.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
-#include "solid/step/integrate.h"
-
-/* The fluid's low-storage Runge-Kutta scheme, for d and v and for the energies.  (001: eqs 3.47-3.48 without the third
- * term) */
-static const double ALPHA[3] = {8. / 15, 5. / 12, 3. / 4};
-static const double BETA[3] = {0, -17. / 60, -5. / 12};
+#include "solid/step/rk3.h"
 
 /* d += dt (alpha v + beta v_old), v += dt (alpha a + beta a_old); the rates of this stage become the old ones. [n] */
 static void update(int n, double alpha_dt, double beta_dt, double *restrict d, double *restrict v,
@@ -21,19 +17,21 @@ static void update(int n, double alpha_dt, double beta_dt, double *restrict d, d
     }
 }
 
+/* Of d and v, and of the energies; eqs 3.47-3.48 without the third term. */
 void solid_rk3_step(struct solid *s, double dt) {
     double damped = 0, load = 0, constraint = 0;
     for (int r = 0; r < 3; r++) {
         solid_ghosts_begin(s);
         solid_force(s, r == 0);
-        s->e_damped += dt * (ALPHA[r] * s->power_damped + BETA[r] * damped);
-        s->work_load += dt * (ALPHA[r] * s->power_load + BETA[r] * load);
-        s->e_constraint += dt * (ALPHA[r] * s->power_constraint + BETA[r] * constraint);
+        s->e_damped += dt * (physics_rk3_alpha[r] * s->power_damped + physics_rk3_beta[r] * damped);
+        s->work_load += dt * (physics_rk3_alpha[r] * s->power_load + physics_rk3_beta[r] * load);
+        s->e_constraint += dt * (physics_rk3_alpha[r] * s->power_constraint + physics_rk3_beta[r] * constraint);
         damped = s->power_damped;
         load = s->power_load;
         constraint = s->power_constraint;
         for (int c = 0; c < s->dim; c++)
-            update(s->n, ALPHA[r] * dt, BETA[r] * dt, s->d[c], s->v[c], s->a[c], s->v_old[c], s->a_old[c]);
+            update(s->n, physics_rk3_alpha[r] * dt, physics_rk3_beta[r] * dt, s->d[c], s->v[c], s->a[c], s->v_old[c],
+                   s->a_old[c]);
     }
     solid_constraint_displacement(s, s->t + dt);
     s->a_holds = 0;

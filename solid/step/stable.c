@@ -1,7 +1,6 @@
 /* Stable step of both integrators from the largest rates of stiffness, damping and contact. */
 #include "solid/step/stable.h"
-#include "solid/contact/contact.h"
-#include "solid/step/integrate.h"
+#include "solid/step/verlet.h"
 
 #include <complex.h>
 #include <math.h>
@@ -69,16 +68,4 @@ double solid_stable_of(const struct solid_rates *r, enum solid_integrator integr
                  : damped < 0.999 * bonds ? SOLID_BOUND_DAMPING
                                           : SOLID_BOUND_BONDS;
     return all;
-}
-
-double solid_stable_touch(const struct solid *s) {
-    double most = 0;
-    for (int m = 0; m < s->in.materials && s->in.contact; m++) {
-        const struct solid_material *material = &s->in.material[m];
-        const double stiffness = s->in.contact_stiffness * solid_contact_c0(s, material);
-        const double volume = pow(s->in.spacing, s->dim) * solid_depth(&s->in);
-        most = fmax(most, 2 * s->in.contact_exponent * stiffness * volume /
-                              (s->in.contact_radius * s->in.spacing * material->density));
-    }
-    return most;
 }

@@ -30,6 +30,3 @@ double solid_stable_of(const struct solid_rates *rates, enum solid_integrator in
 /* The largest stable step of one oscillator x'' + g x' + w x = 0, s: it does not grow in any step up to this one.
  * Pairwise and absolute damping are separate parts of g, because Verlet uses different velocities for them. */
 double solid_stable_oscillator(enum solid_integrator integrator, double w, double pairwise, double absolute);
-/* The largest rate that one contact between otherwise free particles can add, 1/s2: of two neighbours at r = r_c, for
- * the material with the largest one; 0 if contact is not possible. */
-double solid_stable_touch(const struct solid *s);

@@ -5,7 +5,7 @@
 #include "solid/bonds/store.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
-#include "solid/step/integrate.h"
+#include "solid/step/verlet.h"
 
 #include <string.h>
 
@@ -17,7 +17,10 @@ static void swap(double *x[3], double *y[3]) {
     }
 }
 
-void solid_verlet_keep(struct solid *s) {
+/* The part that depends on d and on differences of v alone goes to v_old, with its power; a is scratch until
+ * solid_force_rest. */
+static void sweep_pairs(struct solid *s) {
+    solid_force_pairs(s, 1);
     swap(s->a, s->v_old);
     s->power_pairwise = s->power_damped;
 }
@@ -45,7 +48,7 @@ static double predict(int n, double dt, double theta, double weight, const doubl
 
 void solid_verlet_again(struct solid *s) {
     s->power_damped = s->power_pairwise;
-    solid_force_rest(s);
+    solid_force_rest(s, s->v_old);
 }
 
 void solid_verlet_begin(struct solid *s) {
@@ -54,7 +57,8 @@ void solid_verlet_begin(struct solid *s) {
         solid_verlet_again(s);
     } else {
         solid_ghosts_begin(s);
-        solid_force(s, 1);
+        sweep_pairs(s);
+        solid_force_rest(s, s->v_old);
     }
 }
 
@@ -77,10 +81,10 @@ void solid_verlet_step(struct solid *s, double dt) {
     solid_constraint_displacement(s, s->t + dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);
-    solid_force_pairs(s, 1);
+    sweep_pairs(s);
     for (int c = 0; c < s->dim && theta < 1; c++)
         for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - theta) * dt * s->a_old[c][h];
-    solid_force_rest(s);
+    solid_force_rest(s, s->v_old);
     for (int c = 0; c < s->dim; c++) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
         for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);
@@ -88,10 +92,6 @@ void solid_verlet_step(struct solid *s, double dt) {
     s->e_damped += 0.5 * dt * (damped + s->power_damped);
     s->work_load += 0.5 * dt * (added + s->power_added);
     s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
-}
-
-void solid_verlet_resume(struct solid *s) {
-    if (s->stage.integrator == SOLID_VERLET) solid_verlet_end(s);
 }
 
 void solid_verlet_end(struct solid *s) {

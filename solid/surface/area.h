@@ -1,4 +1,4 @@
-/* The wetted area.  (001: sec. 3.5.4; SPEC 2) */
+/* The wetted area.  (001: sec. 3.5.3) */
 #pragma once
 #include "solid/surface/normal.h"
 

@@ -1,4 +1,4 @@
-/* Outward normals.  (001: sec. 3.3.9, eq. 3.46; SPEC 2) */
+/* Outward normals.  (001: sec. 3.3.9, eqs 3.45, 3.46) */
 #pragma once
 #include "solid/bonds/family.h"
 

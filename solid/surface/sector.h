@@ -1,4 +1,4 @@
-/* Sectors of solid angle about a particle, in the undeformed frame.  (001: sec. 3.3.7; SPEC 2)
+/* Sectors of solid angle about a particle, in the undeformed frame.  (001: sec. 3.3.7)
  *
  * In a plane, N_v = 2 consecutive of N_s = 8 sectors open 90 degrees. In 3D the sectors of the coordinate planes on
  * either side of an axis, void together, leave a cone of 45 degrees about that axis: six cones f = 0..5 for +x -x +y -y
@@ -43,11 +43,3 @@ struct solid_stencil;
 void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES]);
 /* Bit f is set if cone f is void now. Ghosts must be current. */
 unsigned solid_sector_void(const struct solid *s, const struct solid_watch *w);
-
-/* The present X_l - X_h, to the nearest periodic image, m. */
-static inline void solid_relative(const struct solid *s, int h, int l, double zeta[3]) {
-    for (int c = 0; c < 3; c++) {
-        zeta[c] = (s->x0[c][l] - s->x0[c][h]) + (s->d[c][l] - s->d[c][h]);
-        if (s->in.periodic[c]) zeta[c] -= s->in.length[c] * __builtin_rint(zeta[c] / s->in.length[c]);
-    }
-}

@@ -1,8 +1,8 @@
 /* Depth and normal of interface particles by the shape they were cut from, rotated with the deformation. */
 #include "solid/surface/shaped.h"
 #include "base/memory.h"
-#include "solid/geometry/piece.h"
 #include "solid/surface/normal.h"
+#include "solid/surface/piece.h"
 
 #include <math.h>
 

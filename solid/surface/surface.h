@@ -1,4 +1,4 @@
-/* The interface between solid and void: its particles, normals and areas.  (001: secs 3.3.7, 3.3.9; SPEC 2)
+/* The interface between solid and void: its particles, normals and areas.  (001: secs 3.3.7, 3.3.9)
  *
  * On a lattice the interface is exactly the set of particles with a void site among their six nearest
  * (solid/surface/sector.h). A site is void if it never held a particle bonded to this one, or if that bond is broken

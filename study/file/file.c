@@ -1,6 +1,7 @@
 /* Reads a study's file. */
 #include "study/file/file.h"
 #include "base/die.h"
+#include "base/text.h"
 #include "scene/text/yaml.h"
 #include "study/file/key.h"
 #include "study/file/parts.h"
@@ -11,19 +12,19 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000, RANKS_MAX = 1000000 };
+enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000 };
 
 static void read_names(struct study *s, const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
-    s->path = scene_node_text("%s", path);
-    s->folder = !slash ? scene_node_text(".") : scene_node_text("%.*s", slash == path ? 1 : (int)(slash - path), path);
-    s->name = dot && dot > name ? scene_node_text("%.*s", (int)(dot - name), name) : scene_node_text("%s", name);
+    s->path = text_new("%s", path);
+    s->folder = !slash ? text_new(".") : text_new("%.*s", slash == path ? 1 : (int)(slash - path), path);
+    s->name = dot && dot > name ? text_new("%.*s", (int)(dot - name), name) : text_new("%s", name);
 }
 
 static void read_scene(struct study *s, const struct study_key *k) {
     study_key_missing(k, "scene", "the scene's file, as seen from the study's folder");
     char *scene = study_key_text(k, "scene", "");
-    s->scene = scene[0] == '/' ? scene_node_text("%s", scene) : scene_node_text("%s/%s", s->folder, scene);
+    s->scene = scene[0] == '/' ? text_new("%s", scene) : text_new("%s/%s", s->folder, scene);
     if (*scene && access(s->scene, R_OK) != 0)
         scene_problem_value(k->problems, scene_node_child(k->mapping, "scene"), "scene",
                             "cannot be read: %s (looked for %s)", strerror(errno), s->scene);
@@ -53,7 +54,7 @@ static void read_study(struct study *s, const struct study_key *k) {
                                        "methods", "quantity", "quantities", "reference", "levels"};
     if (!study_key_known(k, (int)(sizeof word / sizeof *word), word)) return;
     s->title = study_key_text(k, "title", s->name);
-    s->ranks = study_key_whole(k, "ranks", 1, RANKS_MAX, 1);
+    s->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 1);
     s->repeats = study_key_whole(k, "repeats", 1, REPEATS_MAX, 5);
     read_scene(s, k);
     read_launcher(s, k);

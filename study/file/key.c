@@ -1,12 +1,13 @@
 /* Reads keys of a mapping in a study's file by type and reports what is wrong with them. */
 #include "study/file/key.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 char *study_key_path(const struct study_key *k, const char *key) {
-    return scene_node_text("%s%s%s", k->path, *k->path ? "." : "", key);
+    return text_new("%s%s%s", k->path, *k->path ? "." : "", key);
 }
 
 static const struct scene_node *find(const struct study_key *k, const char *key) {
@@ -78,13 +79,13 @@ int study_key_whole(const struct study_key *k, const char *key, int low, int hig
 int study_key_choice(const struct study_key *k, const char *key, int n, const char *const *word, int fallback) {
     const struct scene_node *node = find(k, key);
     if (!node) return fallback;
-    char *all = scene_node_text("%s", "");
+    char *all = text_new("%s", "");
     for (int w = 0; w < n; w++) {
         if (node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, word[w])) {
             free(all);
             return w;
         }
-        char *longer = scene_node_text("%s%s%s", all, w ? ", " : "", word[w]);
+        char *longer = text_new("%s%s%s", all, w ? ", " : "", word[w]);
         free(all);
         all = longer;
     }
@@ -103,9 +104,9 @@ int study_key_true(const struct study_key *k, const char *key) {
 
 char *study_key_text(const struct study_key *k, const char *key, const char *fallback) {
     const struct scene_node *node = find(k, key);
-    if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return scene_node_text("%s", node->value);
+    if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return text_new("%s", node->value);
     if (node) SAY(k, node, key, "must be a text");
-    return fallback ? scene_node_text("%s", fallback) : NULL;
+    return fallback ? text_new("%s", fallback) : NULL;
 }
 
 const struct scene_node *study_key_list(const struct study_key *k, const char *key, int needed) {

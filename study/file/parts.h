@@ -2,6 +2,8 @@
 #pragma once
 #include "study/file/file.h"
 
+enum { STUDY_RANKS_MAX = 1000000 };
+
 void study_sets_read(struct study_sets *sets, const struct scene_node *mapping, const char *path,
                      struct scene_problems *problems);
 void study_sets_join(struct study_sets *sets, const struct study_sets *more); /* appends copies of more */

@@ -1,4 +1,5 @@
 /* Reads the quantities and references of a study's file. */
+#include "base/text.h"
 #include "study/file/key.h"
 #include "study/file/parts.h"
 
@@ -114,7 +115,7 @@ void study_quantities_read(struct study *s, const struct scene_node *root, struc
     s->quantities = one ? 1 : many->n;
     s->quantity = calloc((size_t)s->quantities, sizeof *s->quantity);
     for (int i = 0; i < s->quantities; i++) {
-        char *path = one ? scene_node_text("quantity") : scene_node_text("quantities[%d]", i);
+        char *path = one ? text_new("quantity") : text_new("quantities[%d]", i);
         read_quantity(&s->quantity[i], one ? one : many->child[i], path, problems);
         for (int j = 0; j < i; j++)
             if (s->quantity[i].name && s->quantity[j].name && !strcmp(s->quantity[i].name, s->quantity[j].name))

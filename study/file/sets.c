@@ -1,4 +1,5 @@
 /* Reads values to set in the scene from a study's file, as --set arguments. */
+#include "base/text.h"
 #include "study/file/parts.h"
 
 #include <stdio.h>
@@ -64,7 +65,7 @@ void study_sets_read(struct study_sets *sets, const struct scene_node *mapping, 
 }
 
 void study_sets_join(struct study_sets *sets, const struct study_sets *more) {
-    for (int i = 0; i < more->n; i++) add(sets, scene_node_text("%s", more->text[i]));
+    for (int i = 0; i < more->n; i++) add(sets, text_new("%s", more->text[i]));
 }
 
 void study_sets_free(struct study_sets *sets) {

@@ -1,4 +1,5 @@
 /* Reads the methods and levels of a study's file: a list, or the product of several lists. */
+#include "base/text.h"
 #include "study/file/key.h"
 #include "study/file/parts.h"
 
@@ -6,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VARIANTS_MAX = 1000, RANKS_MAX = 1000000 };
+enum { VARIANTS_MAX = 1000 };
 
 static struct study_variant *add(struct study_variants *v) {
     v->variant = realloc(v->variant, (size_t)(v->n + 1) * sizeof *v->variant);
@@ -32,20 +33,20 @@ static void read_variant(struct study_variant *v, const struct study_key *k, int
         const struct scene_node *set = scene_node_child(k->mapping, "set");
         study_key_missing(k, "name", "what it is called in tables and plots");
         v->name = study_key_text(k, "name", "");
-        v->ranks = study_key_whole(k, "ranks", 1, RANKS_MAX, 0);
+        v->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 0);
         v->size = study_key_number(k, "size", STUDY_KEY_POSITIVE, NAN);
         char *path = study_key_path(k, "set");
         if (set) study_sets_read(&v->sets, set, path, k->problems);
         free(path);
     } else {
-        v->name = scene_node_text("%s", "");
+        v->name = text_new("%s", "");
     }
 }
 
 static void read_list(struct study_variants *v, const struct scene_node *list, const char *path, int with_size,
                       struct scene_problems *problems) {
     for (int i = 0; i < list->n; i++) {
-        char *its = scene_node_text("%s[%d]", path, i);
+        char *its = text_new("%s[%d]", path, i);
         const struct study_key k = {list->child[i], its, problems};
         read_variant(add(v), &k, with_size);
         free(its);
@@ -61,7 +62,7 @@ static void multiply(struct study_variants *a, const struct study_variants *b, c
             const struct study_variant *x = &a->variant[i], *y = &b->variant[j];
             struct study_variant *p = add(&product);
             p->line = y->line;
-            p->name = scene_node_text("%s %s", x->name, y->name);
+            p->name = text_new("%s %s", x->name, y->name);
             p->ranks = y->ranks ? y->ranks : x->ranks;
             p->size = isnan(x->size) ? y->size : x->size;
             study_sets_join(&p->sets, &x->sets);
@@ -80,7 +81,7 @@ static void read_product(struct study_variants *v, const struct scene_node *node
     if (!study_key_known(&k, 1, word)) return;
     const struct scene_node *lists = study_key_list(&k, "product", 1);
     for (int i = 0; lists && i < lists->n; i++) {
-        char *its = scene_node_text("%s.product[%d]", path, i);
+        char *its = text_new("%s.product[%d]", path, i);
         struct study_variants factor = {0};
         if (lists->child[i]->kind != SCENE_NODE_LIST || lists->child[i]->n == 0)
             scene_problem_value(problems, lists->child[i], its, "must be a list that is not empty");

@@ -1,4 +1,5 @@
 /* Writes one sentence for the user: the cheapest setting for each error. */
+#include "base/text.h"
 #include "study/report/report.h"
 #include "study/result/iso.h"
 
@@ -7,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUND_ERRORS = 24, RUNGS = 3, NAMED_MOST = 4 };
+enum { RUNGS = 3, NAMED_MOST = 4 };
 
 /* The level of the reference, if the method's finest run is the reference itself: its error is zero by definition and
  * tells nothing. */
@@ -36,8 +37,8 @@ static struct rung rung_of(const struct study_result *r, const struct study_tabl
 }
 
 static char *error_text(const struct study_table *t, double error) {
-    if (error <= study_iso_round(ROUND_ERRORS - 1)) return scene_node_text("round-off");
-    return t->has_scale ? scene_node_text("%.3g %%", 100 * error) : scene_node_text("%.3g", error);
+    if (error <= study_iso_round(STUDY_ROUND_ERRORS - 1)) return text_new("round-off");
+    return t->has_scale ? text_new("%.3g %%", 100 * error) : text_new("%.3g", error);
 }
 
 /* Formats a number with two digits and without exponent. */
@@ -52,7 +53,7 @@ static const char *two_digits(double x, char text[DIGITS]) {
 }
 
 static char *joined(char *a, char *b) {
-    char *both = scene_node_text("%s%s", a, b);
+    char *both = text_new("%s%s", a, b);
     free(a);
     free(b);
     return both;
@@ -74,22 +75,22 @@ static char *counted(const struct other *other, int n, const char *error) {
         most = fmax(most, other[k].factor);
         reached++;
     }
-    if (!reached) return scene_node_text("; none of the %d others gets to %s", n, error);
+    if (!reached) return text_new("; none of the %d others gets to %s", n, error);
     char from[DIGITS], to[DIGITS];
     two_digits(least, from);
     two_digits(most, to);
-    if (reached == 1) return scene_node_text("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
-    return scene_node_text("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from, to);
+    if (reached == 1) return text_new("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
+    return text_new("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from, to);
 }
 
 static char *named(const struct other *other, int n, const char *error) {
-    char *text = scene_node_text("; at %s", error);
+    char *text = text_new("; at %s", error);
     for (int k = 0; k < n; k++) {
         const char *comma = k ? "," : "", *name = other[k].method;
         char times[DIGITS];
-        text = joined(text, isfinite(other[k].factor) ? scene_node_text("%s %s takes %s times as long", comma, name,
-                                                                        two_digits(other[k].factor, times))
-                                                      : scene_node_text("%s %s does not get there", comma, name));
+        text = joined(text, isfinite(other[k].factor) ? text_new("%s %s takes %s times as long", comma, name,
+                                                                 two_digits(other[k].factor, times))
+                                                      : text_new("%s %s does not get there", comma, name));
     }
     return text;
 }
@@ -108,9 +109,7 @@ static char *others(const struct study_result *r, const struct study_table *t, c
         other[n++] = (struct other){methods->variant[m].name, l < 0 ? NAN : work[levels + l] / last->time};
     }
     char *error = error_text(t, last->at);
-    char *text = n == 0           ? scene_node_text("%s", "")
-                 : n > NAMED_MOST ? counted(other, n, error)
-                                  : named(other, n, error);
+    char *text = n == 0 ? text_new("%s", "") : n > NAMED_MOST ? counted(other, n, error) : named(other, n, error);
     free(error);
     free(other);
     return text;
@@ -120,10 +119,10 @@ static char *of_reference(const struct study_result *r, const struct study_table
     const struct study *s = r->plan->study;
     const int level = reference_level(t, t->method);
     char seconds[DIGITS];
-    if (level < 0) return scene_node_text("%s", "");
+    if (level < 0) return text_new("%s", "");
     two_digits(study_result_point(r, t, t->method, level)->wall, seconds);
-    return scene_node_text("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
-                           s->levels.variant[level].name, seconds);
+    return text_new("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
+                    s->levels.variant[level].name, seconds);
 }
 
 char *study_advice_write(const struct study_result *r, const struct study_table *t) {
@@ -132,7 +131,7 @@ char *study_advice_write(const struct study_result *r, const struct study_table 
     double *work = malloc(2 * (size_t)s->levels.n * sizeof *work);
     struct rung rung[RUNGS];
     int rungs = 0;
-    for (int k = 0; k < ROUND_ERRORS && study_iso_round(k) >= floor; k++) {
+    for (int k = 0; k < STUDY_ROUND_ERRORS && study_iso_round(k) >= floor; k++) {
         const struct rung next = rung_of(r, t, study_iso_round(k), work);
         if (next.method < 0) break;
         if (rungs && next.method == rung[rungs - 1].method && next.level == rung[rungs - 1].level)
@@ -140,12 +139,12 @@ char *study_advice_write(const struct study_result *r, const struct study_table 
         if (rungs == RUNGS) memmove(rung, rung + 1, (size_t)(--rungs) * sizeof *rung);
         rung[rungs++] = next;
     }
-    char *text = scene_node_text("%s", "");
+    char *text = text_new("%s", "");
     for (int k = 0; k < rungs; k++) {
         char *error = error_text(t, rung[k].at), seconds[DIGITS];
-        text = joined(text, scene_node_text(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
-                                            two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
-                                            s->levels.variant[rung[k].level].name));
+        text = joined(text, text_new(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
+                                     two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
+                                     s->levels.variant[rung[k].level].name));
         free(error);
     }
     if (rungs && s->methods.n > 1) text = joined(text, others(r, t, &rung[rungs - 1], work));

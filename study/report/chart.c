@@ -1,4 +1,5 @@
 /* Plots error against run time. */
+#include "base/text.h"
 #include "postproc/charts/plot.h"
 #include "study/report/report.h"
 
@@ -19,10 +20,10 @@ static struct postproc_curve curve_new(const struct study_result *r, const struc
         label[n++] = s->levels.variant[l].name;
     }
     const struct study_curve *c = &t->curve[method];
-    char *title = isnan(c->gain)    ? scene_node_text("%s", s->methods.variant[method].name)
-                  : isnan(c->order) ? scene_node_text("%s: slope %.2f", s->methods.variant[method].name, c->gain)
-                                    : scene_node_text("%s: slope %.2f, order %.2f", s->methods.variant[method].name,
-                                                      c->gain, c->order);
+    char *title = isnan(c->gain) ? text_new("%s", s->methods.variant[method].name)
+                  : isnan(c->order)
+                      ? text_new("%s: slope %.2f", s->methods.variant[method].name, c->gain)
+                      : text_new("%s: slope %.2f, order %.2f", s->methods.variant[method].name, c->gain, c->order);
     return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label};
 }
 
@@ -46,7 +47,7 @@ static int draw(const struct study_result *r, struct study_table *t, const char 
             curve_free(&curve[curves]);
     }
     const struct postproc_level level = {t->uncertainty / t->scale, "uncertainty of the reference"};
-    char *name = study_report_name(r, t), *title = scene_node_text("%s: %s", s->title, t->quantity->name);
+    char *name = study_report_name(r, t), *title = text_new("%s: %s", s->title, t->quantity->name);
     const enum postproc_plot_status status = curves == 0 ? POSTPROC_PLOT_DONE
                                                          : postproc_plot_draw(&(struct postproc_plot){
                                                                .folder = out,

@@ -1,4 +1,5 @@
 /* Writes NAME.csv: one row for each method, level and quantity. */
+#include "base/text.h"
 #include "files/aside.h"
 #include "files/folder.h"
 #include "study/report/report.h"
@@ -83,7 +84,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
 
 void study_csv_write(const struct study_result *r, const struct study_maker *maker, const char *out) {
     const struct study *s = r->plan->study;
-    char path[FOLDER_PATH], *name = scene_node_text("%s.csv", s->name);
+    char path[FOLDER_PATH], *name = text_new("%s.csv", s->name);
     struct aside a;
     aside_begin(&a, folder_path(path, out, name));
     free(name);

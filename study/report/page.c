@@ -1,4 +1,5 @@
 /* Writes NAME.md: tables, fits, and run times at equal error. */
+#include "base/text.h"
 #include "files/aside.h"
 #include "files/folder.h"
 #include "study/report/report.h"
@@ -7,8 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { ROUND_ERRORS = 24 };
 
 static void put(FILE *f, double x, int digits) {
     fputs("| ", f);
@@ -20,7 +19,7 @@ static void put(FILE *f, double x, int digits) {
 
 /* 10 %, 0.3 %, or a plain number if errors have no scale. */
 static char *error_text(const struct study_table *t, double error) {
-    return t->has_scale ? scene_node_text("%.3g %%", 100 * error) : scene_node_text("%.3g", error);
+    return t->has_scale ? text_new("%.3g %%", 100 * error) : text_new("%.3g", error);
 }
 
 /* Whether some run has these costs, which need columns of the table. */
@@ -40,7 +39,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
                     int cells, int bonds) {
     const struct study *s = r->plan->study;
     const struct study_point *p = study_result_point(r, t, method, level);
-    char status[32], *error = isfinite(p->relative) ? error_text(t, p->relative) : scene_node_text("–");
+    char status[32], *error = isfinite(p->relative) ? error_text(t, p->relative) : text_new("–");
     fprintf(f, "| %s | %s ", s->methods.variant[method].name, s->levels.variant[level].name);
     put(f, p->value, 7);
     fprintf(f, "| %s%s ", error, isfinite(p->relative) && !p->resolved ? " *" : "");
@@ -161,7 +160,7 @@ static void put_isos(FILE *f, const struct study_result *r, const struct study_t
     struct reach *reach = malloc((size_t)s->methods.n * sizeof *reach);
     int said = 0;
     fputs("\nWall time at equal error, between the levels in logarithms:\n\n", f);
-    for (int k = 0; k < ROUND_ERRORS; k++) said += put_iso(f, r, t, study_iso_round(k), work, reach);
+    for (int k = 0; k < STUDY_ROUND_ERRORS; k++) said += put_iso(f, r, t, study_iso_round(k), work, reach);
     if (!said) fputs("* no round error is reached by two methods.\n", f);
     free(work);
     free(reach);
@@ -192,7 +191,7 @@ static void put_quantity(FILE *f, const struct study_result *r, const struct stu
 
 void study_page_write(const struct study_result *r, const struct study_maker *m, const char *out) {
     const struct study *s = r->plan->study;
-    char path[FOLDER_PATH], *name = scene_node_text("%s.md", s->name);
+    char path[FOLDER_PATH], *name = text_new("%s.md", s->name);
     struct aside a;
     aside_begin(&a, folder_path(path, out, name));
     free(name);

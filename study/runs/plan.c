@@ -1,6 +1,7 @@
 /* Lists the runs of a study, with their scenes and folders, and finds those that exist already. */
 #include "study/runs/plan.h"
 #include "base/die.h"
+#include "base/text.h"
 #include "files/folder.h"
 #include "scene/read.h"
 #include "scene/scene.h"
@@ -22,7 +23,7 @@ static char *resolve(const struct study *s, const struct study_case *c, const ch
         fprintf(stderr, "frana: %s:%d: %s at level %s: %s\n", s->path, level->line, method->name, level->name,
                 problems.text[i]);
     scene_problem_free(&problems);
-    char *resolved = scene ? scene_node_text("%s", scene->resolved) : NULL;
+    char *resolved = scene ? text_new("%s", scene->resolved) : NULL;
     scene_free(scene);
     return resolved;
 }
@@ -56,7 +57,7 @@ static void check_slugs(const struct study *s, const struct study_variants *v) {
 static char *folder_of(const struct study_plan *p, const struct study_case *c, int repeat, const char *out) {
     char *method = study_text_slug(p->study->methods.variant[c->method].name),
          *level = study_text_slug(p->study->levels.variant[c->level].name),
-         *folder = scene_node_text("%s/runs/%s/%s/%s/%d", out, p->study->name, method, level, repeat + 1);
+         *folder = text_new("%s/runs/%s/%s/%s/%d", out, p->study->name, method, level, repeat + 1);
     free(method);
     free(level);
     return folder;

@@ -1,5 +1,6 @@
 /* Reads a measured quantity from a run folder: from the series, a file, or a command's output. */
 #include "study/runs/quantity.h"
+#include "base/text.h"
 #include "files/folder.h"
 #include "files/table.h"
 #include "study/runs/child.h"
@@ -11,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WHY(...) (*why = scene_node_text(__VA_ARGS__))
+#define WHY(...) (*why = text_new(__VA_ARGS__))
 
 static void no_column(const struct study_quantity *q, const struct table_data *d, const char *path, char **why) {
     const char *nearest = scene_problem_nearest(q->column, d->columns, (const char *const *)d->name);
@@ -104,7 +105,7 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
 static double of_command(const struct study_quantity *q, const char *folder, char **why) {
     char shell[] = "/bin/sh", option[] = "-c", said[FOLDER_PATH], errs[FOLDER_PATH];
     char *const argv[] = {shell, option, q->command, NULL};
-    char *slug = study_text_slug(q->name), *name = scene_node_text("quantity_%s.txt", slug);
+    char *slug = study_text_slug(q->name), *name = text_new("quantity_%s.txt", slug);
     folder_path(said, folder, name);
     free(slug);
     free(name);

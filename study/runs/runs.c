@@ -1,6 +1,7 @@
 /* Starts the missing runs of a study one after another and measures their quantities. */
 #include "study/runs/runs.h"
 #include "base/die.h"
+#include "base/text.h"
 #include "files/folder.h"
 #include "study/runs/child.h"
 #include "study/runs/quantity.h"
@@ -16,9 +17,9 @@ static int launcher_words(const char *launcher, int ranks, char **word) {
     int n = 0;
     for (const char *at = launcher + strspn(launcher, " "); *at; at += strspn(at, " ")) {
         const int length = (int)strcspn(at, " ");
-        char *plain = scene_node_text("%.*s", length, at), *mark = strstr(plain, "{ranks}");
-        word[n++] = mark ? scene_node_text("%.*s%d%s", (int)(mark - plain), plain, ranks, mark + strlen("{ranks}"))
-                         : scene_node_text("%s", plain);
+        char *plain = text_new("%.*s", length, at), *mark = strstr(plain, "{ranks}");
+        word[n++] = mark ? text_new("%.*s%d%s", (int)(mark - plain), plain, ranks, mark + strlen("{ranks}"))
+                         : text_new("%s", plain);
         free(plain);
         at += length;
     }
@@ -32,10 +33,10 @@ static char **words_of(const struct study_plan *p, const struct study_run *run, 
     char **word = calloc(strlen(s->launcher) + 2 * (size_t)c->sets.n + 8, sizeof *word);
     int n = c->ranks > 1 ? launcher_words(s->launcher, c->ranks, word) : 0;
     const char *const plain[] = {program, "run", s->scene, "--quiet", "--out", run->folder};
-    for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = scene_node_text("%s", plain[k]);
+    for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = text_new("%s", plain[k]);
     for (int i = 0; i < c->sets.n; i++) {
-        word[n++] = scene_node_text("--set");
-        word[n++] = scene_node_text("%s", c->sets.text[i]);
+        word[n++] = text_new("--set");
+        word[n++] = text_new("%s", c->sets.text[i]);
     }
     return word;
 }

@@ -15,6 +15,8 @@
 #include <time.h>
 #include <unistd.h>
 
+enum { AGES = 1000000 }; /* s: no machine is so slow that a limit of so long passes during a test */
+
 static void one_rank_stops_all(void **state) {
     (void)state;
     const int number[] = {SIGTERM, SIGUSR1, SIGINT};
@@ -65,10 +67,10 @@ static void a_write_that_is_refused_only_fails(void **state) {
 
 static void wall_time_ends_in_time(void **state) {
     (void)state;
-    signals_begin(1000);
-    assert_int_equal(signals_stop(900), SIGNALS_NONE);
-    assert_int_equal(signals_stop(1001), SIGNALS_MAX_WALL);
-    signals_begin(par_rank() == 0 ? 1e-9 : 1000); /* clocks differ slightly; the first rank to be late decides */
+    signals_begin(AGES);
+    assert_int_equal(signals_stop(0), SIGNALS_NONE);
+    assert_int_equal(signals_stop(AGES + 1), SIGNALS_MAX_WALL);
+    signals_begin(par_rank() == 0 ? 1e-9 : AGES); /* clocks differ slightly; the first rank to be late decides */
     assert_int_equal(signals_stop(0.1), SIGNALS_MAX_WALL);
     assert_string_equal(signals_name(SIGNALS_MAX_WALL), "--max-wall");
     signals_begin(0);
@@ -78,14 +80,14 @@ static void wall_time_ends_in_time(void **state) {
 static void the_batch_systems_limit_counts(void **state) {
     (void)state;
     char end[32];
-    snprintf(end, sizeof end, "%ld", (long)time(NULL) + 500);
+    snprintf(end, sizeof end, "%ld", (long)time(NULL) + AGES);
     setenv("SLURM_JOB_END_TIME", end, 1);
     signals_begin(0);
-    assert_int_equal(signals_stop(400), SIGNALS_NONE);
-    assert_int_equal(signals_stop(502), SIGNALS_BATCH);
+    assert_int_equal(signals_stop(0), SIGNALS_NONE);
+    assert_int_equal(signals_stop(AGES + 2), SIGNALS_BATCH);
     unsetenv("SLURM_JOB_END_TIME");
     signals_begin(0);
-    assert_int_equal(signals_stop(502), SIGNALS_NONE);
+    assert_int_equal(signals_stop(AGES + 2), SIGNALS_NONE);
 }
 
 int main(int argc, char **argv) {

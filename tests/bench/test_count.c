@@ -2,6 +2,7 @@
 #include "base/par.h"
 #include "base/par_count.h"
 #include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "base/par_halo.h"
 
 #include <setjmp.h>

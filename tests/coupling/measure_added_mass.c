@@ -1,8 +1,9 @@
 /* Measures the added mass that the coupled step gives a porous block set in motion. */
-/* A porous block is set in motion as a whole within one step and then keeps its velocity. Printed is the probes' force
- * in each of the next steps, times the step, over the block's momentum. The sum over the steps, minus the steady drag,
- * is the added mass in the coupled step, in units of the solid's mass (docs/design.md).
- * usage: measure_added_mass SCENE.yaml [--set-like overrides]...   one rank; the scene's first stage must be elastic */
+/* How the fluid answers when a porous block is set in motion as a whole within one step and then kept going: the
+ * probes' force in each of the next steps, times the step, over the block's momentum. The sum over the steps, less the
+ * drag that stays, is the added mass as the coupled step feels it, in units of the solid's mass
+ * (docs/design/coupling.md). usage: measure_added_mass SCENE.yaml [--set-like overrides]...   one rank; the scene's
+ * first stage must be elastic */
 #include "base/die.h"
 #include "base/par.h"
 #include "coupling/interface.h"

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/par.h"
 #include "scene/scene.h"
+#include "tests/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,7 +17,7 @@ static inline struct scene *scene_of(const char *one, const char *two, int n, co
     char path[] = "/tmp/frana_test_sceneXXXXXX";
     if (par_rank() == 0) {
         const int fd = mkstemp(path);
-        assert_true(fd >= 0);
+        check_at_least(fd, 0);
         assert_int_equal(write(fd, one, strlen(one)), (long)strlen(one));
         assert_int_equal(write(fd, two, strlen(two)), (long)strlen(two));
         close(fd);

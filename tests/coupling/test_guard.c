@@ -8,6 +8,7 @@
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
 #include "solid/refine/refine.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -167,7 +168,7 @@ static void assert_same(const struct snapshot *a, const struct snapshot *b) {
     if (differ)
         print_message("rank %d: %d of %d differ, first %d: %.17g %.17g\n", par_rank(), differ, a->n, first,
                       a->value[first], b->value[first]);
-    assert_true(par_max(differ) == 0);
+    check_equal(par_max(differ), 0);
 }
 
 static void steps(struct run *r, int n) {
@@ -217,9 +218,9 @@ static void go(const struct course *q) {
     guard_keep(other, r);
     steps(r, q->after - q->after / 2);
     struct snapshot first = snapshot_of(r);
-    if (q->breaks) assert_true(broken(r) > start);
+    if (q->breaks) check_above(broken(r), start);
     if (q->meets) assert_non_null(r->solid->contact);
-    if (q->meets) assert_true(solid_contact_force_energy(r->solid) > 0);
+    if (q->meets) check_above(solid_contact_force_energy(r->solid), 0);
     steps(r, q->after);
     for (int round = 0; round < 4; round++) {
         if (round == 2) spoil(r);
@@ -306,7 +307,7 @@ static void test_refined(void **state) {
     guard_keep(g, r);
     const long before = solid_refine_events(r->solid);
     while (solid_refine_events(r->solid) == before && r->step < 400) steps(r, 1);
-    assert_true(solid_refine_events(r->solid) > before);
+    check_above(solid_refine_events(r->solid), before);
     assert_false(guard_fits(g, r));
     assert_int_equal(guard_restore(g, r), -1);
     guard_free(g);

@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/medium/medium.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -27,7 +28,7 @@ static struct {
 } all;
 
 static void particle_add(double x, double y, double z, double volume) {
-    assert_true(all.n < PARTICLES_MAX);
+    check_below(all.n, PARTICLES_MAX);
     all.x[0][all.n] = x, all.x[1][all.n] = y, all.x[2][all.n] = z;
     all.volume[all.n++] = volume;
 }
@@ -98,12 +99,12 @@ static void test_volume_is_kept(void **state) {
         double volume = 0;
         for (int h = 0; h < all.n; h++) volume += all.volume[h];
         const double ours = fraction_sum(g, m) * g->d[0] * g->d[1] * g->d[2];
-        assert_true(fabs(ours - volume) < 1e-13 * volume);
-        assert_true(fabs(medium_measure_porosity(m) - (1 - volume / (1.3 * 1.2 * 1.5))) < 1e-13 * volume);
+        check_close(ours, volume, 1e-13 * volume);
+        check_close(medium_measure_porosity(m), 1 - volume / (1.3 * 1.2 * 1.5), 1e-13 * volume);
     }
     all.n = 0;
     deposit_shared(m);
-    assert_true(fraction_sum(g, m) == 0);
+    check_equal(fraction_sum(g, m), 0);
     medium_free(m);
     fluid_grid_free(g);
 }
@@ -127,9 +128,9 @@ static void test_every_cell(void **state) {
                     const int gj = (g->lo[1] + j + n[1]) % n[1], gk = g->lo[2] + k;
                     if (gk < 0 || gk >= n[2]) continue; /* beyond a closed side */
                     const double ours = medium_fraction(m)[fluid_grid_at(g, i, j, k)];
-                    worst = fmax(worst, fabs(ours - fraction_brute(g, i, gj, gk)));
+                    worst = check_worst(worst, ours - fraction_brute(g, i, gj, gk));
                 }
-        assert_true(par_max(worst) < 1e-13);
+        check_below(par_max(worst), 1e-13);
     }
     medium_free(m);
     fluid_grid_free(g);
@@ -170,17 +171,17 @@ static void test_cavity_lattice(void **state) {
                 if (i >= 6 && i < 10 && solid_at(i, j, k)) narrow += i == 6 ? 1 : 2; /* half of cell 6 */
                 const int lj = j - g->lo[1], lk = k - g->lo[2];
                 if (lj < 0 || lj >= g->m[1] || lk < 0 || lk >= g->m[2]) continue;
-                worst = fmax(worst, fabs(medium_fraction(m)[fluid_grid_at(g, i, lj, lk)] - solid_at(i, j, k)));
+                worst = check_worst(worst, medium_fraction(m)[fluid_grid_at(g, i, lj, lk)] - solid_at(i, j, k));
             }
-    assert_true(par_max(worst) < 1e-12);
-    assert_true(fabs(medium_measure_porosity(m) - (1 - (double)inside / 4096)) < 1e-13);
-    assert_true(fabs(medium_connect_porosity(m) - medium_measure_porosity(m)) < 1e-12); /* every cavity is open */
+    check_below(par_max(worst), 1e-12);
+    check_close(medium_measure_porosity(m), 1 - (double)inside / 4096, 1e-13);
+    check_close(medium_connect_porosity(m), medium_measure_porosity(m), 1e-12); /* every cavity is open */
     medium_free(m);
 
     const double cut_low[3] = {6.5 * d, 0, 0}, cut_high[3] = {10 * d, 16 * d, 16 * d};
     m = medium_new(g, cut_low, cut_high);
     deposit_shared(m);
-    assert_true(fabs(medium_measure_porosity(m) - (1 - 0.5 * (double)narrow / (3.5 * 256))) < 1e-13);
+    check_close(medium_measure_porosity(m), 1 - 0.5 * (double)narrow / (3.5 * 256), 1e-13);
     medium_free(m);
     fluid_grid_free(g);
 }
@@ -212,7 +213,7 @@ static struct medium *map_medium(struct fluid_grid *g) {
 static void assert_effective(struct medium *m, double cells) {
     const double ours = medium_connect_porosity(m) * M * M * M;
     if (fabs(ours - cells) > 1e-9) print_error("connected cells: %.12g, expected %.12g\n", ours, cells);
-    assert_true(fabs(ours - cells) <= 1e-9);
+    check_close(ours, cells, 1e-9);
 }
 
 /* A straight pore, a dead end from either face, and a closed cavity: only the first counts. */
@@ -227,7 +228,7 @@ static void test_closed_does_not_count(void **state) {
         for (int j = 5; j < 8; j++) map[k][j][5] = map[k][j][6] = 0;
     deposit_map(m);
     assert_effective(m, M);
-    assert_true(fabs(medium_measure_porosity(m) * M * M * M - (M + 16 + 18)) < 1e-9);
+    check_close(medium_measure_porosity(m) * M * M * M, M + 16 + 18, 1e-9);
     map[2][2][6] = 1; /* blocked */
     deposit_map(m);
     assert_effective(m, 0);
@@ -325,7 +326,8 @@ static void test_random_media(void **state) {
         medium_free(m);
         fluid_grid_free(g);
     }
-    assert_true(least == 0 && most > 200); /* the samples lie on both sides of the threshold */
+    check_equal(least, 0);
+    check_above(most, 200); /* the samples lie on both sides of the threshold */
 }
 
 /* Two channels from y_low: one turns, crosses the periodic sides of x and reaches y_high; one is closed. */
@@ -343,16 +345,16 @@ static void test_cut_off(void **state) {
         struct medium *m = map_medium(g);
         deposit_map(m);
         const double cells = M * M, through = wraps ? 1 : 0;
-        assert_true(fabs(medium_cut_off(m, 1, 0, y_high, 1) - (1 - through / cells)) < 1e-12);
-        assert_true(fabs(medium_cut_off(m, 1, 1, y_low, 1) - (1 - through / cells)) < 1e-12);
-        assert_true(fabs(medium_cut_off(m, 1, 0, y_low, 1) - (1 - 2 / cells)) < 1e-12);
+        check_close(medium_cut_off(m, 1, 0, y_high, 1), 1 - through / cells, 1e-12);
+        check_close(medium_cut_off(m, 1, 1, y_low, 1), 1 - through / cells, 1e-12);
+        check_close(medium_cut_off(m, 1, 0, y_low, 1), 1 - 2 / cells, 1e-12);
         medium_free(m);
         fluid_grid_free(g);
         g = fluid_grid_new(n, L, along_y, 1); /* y periodic: from end to end, or across as well */
         m = map_medium(g);
         deposit_map(m);
-        assert_true(fabs(medium_cut_off(m, 1, 0, y_high, 0) - (1 - 1 / cells)) < 1e-12);
-        assert_true(fabs(medium_cut_off(m, 1, 0, y_high, 1) - (1 - 2 / cells)) < 1e-12);
+        check_close(medium_cut_off(m, 1, 0, y_high, 0), 1 - 1 / cells, 1e-12);
+        check_close(medium_cut_off(m, 1, 0, y_high, 1), 1 - 2 / cells, 1e-12);
         medium_free(m);
         fluid_grid_free(g);
     }
@@ -372,7 +374,7 @@ static void test_half_full_cells(void **state) {
     particle_add(3.5, 6.5, 6.5, 0.2);
     deposit_shared(m);
     assert_effective(m, 0);
-    assert_true(fabs(medium_measure_porosity(m) * M * M * M - (M - 0.6)) < 1e-9);
+    check_close(medium_measure_porosity(m) * M * M * M, M - 0.6, 1e-9);
     medium_free(m);
     fluid_grid_free(g);
 }
@@ -384,9 +386,9 @@ static void test_memory(void **state) {
     struct fluid_grid *g = map_grid(0, 0);
     struct medium *m = map_medium(g);
     deposit_map(m);
-    assert_true(memory_bytes(MEMORY_COUPLING) > before);
+    check_above(memory_bytes(MEMORY_COUPLING), before);
     medium_free(m);
-    assert_true(memory_bytes(MEMORY_COUPLING) == before);
+    check_equal(memory_bytes(MEMORY_COUPLING), before);
     fluid_grid_free(g);
 }
 

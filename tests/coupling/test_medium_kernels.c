@@ -1,6 +1,7 @@
 /* Deposition of one cube and flood fill of one rank against results worked by hand. */
 #include "base/par.h"
 #include "coupling/medium/kernels.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -21,7 +22,7 @@ static void test_unit_cube_on_lattice(void **state) {
     medium_kernels_deposit(low, high, first, last, N, N * N, f);
     for (int k = 0; k < N; k++)
         for (int j = 0; j < N; j++)
-            for (int i = 0; i < N; i++) assert_true(at(f, i, j, k) == (i == 1 && j == 2 && k == 0));
+            for (int i = 0; i < N; i++) check_equal(at(f, i, j, k), i == 1 && j == 2 && k == 0);
 }
 
 /* Offsets of 1/4, 1/2 and 0 share the cube as (3/4, 1/4) x (1/2, 1/2) x 1: exact in binary. */
@@ -30,11 +31,13 @@ static void test_offset_cube(void **state) {
     double f[N * N * N] = {0};
     const double low[3] = {1.25, 0.5, 3}, high[3] = {2.25, 1.5, 4};
     medium_kernels_deposit(low, high, first, last, N, N * N, f);
-    assert_true(at(f, 1, 0, 3) == 0.375 && at(f, 2, 0, 3) == 0.125);
-    assert_true(at(f, 1, 1, 3) == 0.375 && at(f, 2, 1, 3) == 0.125);
+    check_equal(at(f, 1, 0, 3), 0.375);
+    check_equal(at(f, 2, 0, 3), 0.125);
+    check_equal(at(f, 1, 1, 3), 0.375);
+    check_equal(at(f, 2, 1, 3), 0.125);
     double sum = 0;
     for (int n = 0; n < N * N * N; n++) sum += f[n];
-    assert_true(sum == 1);
+    check_equal(sum, 1);
 }
 
 /* Three cells wide: whole cells inside, parts at the rim. */
@@ -43,7 +46,10 @@ static void test_wide_box(void **state) {
     double f[N * N * N] = {0};
     const double low[3] = {0.5, 0, 1}, high[3] = {3.5, 1, 2};
     medium_kernels_deposit(low, high, first, last, N, N * N, f);
-    assert_true(at(f, 0, 0, 1) == 0.5 && at(f, 1, 0, 1) == 1 && at(f, 2, 0, 1) == 1 && at(f, 3, 0, 1) == 0.5);
+    check_equal(at(f, 0, 0, 1), 0.5);
+    check_equal(at(f, 1, 0, 1), 1);
+    check_equal(at(f, 2, 0, 1), 1);
+    check_equal(at(f, 3, 0, 1), 0.5);
 }
 
 static void test_outside_is_dropped(void **state) {
@@ -53,7 +59,8 @@ static void test_outside_is_dropped(void **state) {
     medium_kernels_deposit(low, high, first, last, N, N * N, f);
     double sum = 0;
     for (int n = 0; n < N * N * N; n++) sum += f[n];
-    assert_true(sum == 0.125 && at(f, 0, 3, 1) == 0.125);
+    check_equal(sum, 0.125);
+    check_equal(at(f, 0, 3, 1), 0.125);
 }
 
 /* Sums on a 2x1x1 piece with one ghost: weights halve the first cell, the second is solid. */
@@ -68,11 +75,11 @@ static void test_sums(void **state) {
     v[o - row] = 4, v[o] = 4;             /* 4 in the first */
     const double wx[2] = {0.5, 1}, one[1] = {1};
     const double *const weight[3] = {wx, one, one};
-    assert_true(medium_kernels_sum_solid(m, row, plane, weight, f + o) == 0.75);
+    check_equal(medium_kernels_sum_solid(m, row, plane, weight, f + o), 0.75);
     const struct medium_sums s = medium_kernels_sum_flow(m, row, plane, weight, f + o, u + o, v + o, w + o);
-    assert_true(s.u == 0.5 * 3 + 5);
-    assert_true(s.pore_u == 0.5 * 3);
-    assert_true(s.pore_speed == 0.5 * 5);
+    check_equal(s.u, 0.5 * 3 + 5);
+    check_equal(s.pore_u, 0.5 * 3);
+    check_equal(s.pore_speed, 0.5 * 5);
 }
 
 /* x -->      # wall; the flood starts at S and must reach the five cells joined to it by faces, not x (corner only)

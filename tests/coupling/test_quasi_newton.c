@@ -1,6 +1,7 @@
 /* Fixed points of maps for which plain iteration diverges, on unevenly divided vectors. */
 #include "base/par.h"
 #include "coupling/quasi_newton.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -61,7 +62,7 @@ static struct quasi_newton *least_squares(void) {
 
 static double error_of(const struct map *m, const double *x) {
     double error = 0;
-    for (int i = 0; i < m->n; i++) error = fmax(error, fabs(x[i] - m->root[i]));
+    for (int i = 0; i < m->n; i++) error = check_worst(error, x[i] - m->root[i]);
     return par_max(error);
 }
 
@@ -74,9 +75,9 @@ static void test_finite_end(void **state) {
     double x[N];
     quasi_newton_begin(q, m.n, 0);
     const int iterations = solve(q, &m, 50, x);
-    assert_true(iterations <= MODES + 4);
-    assert_true(iterations >= 4); /* there are three modes to be found */
-    assert_true(error_of(&m, x) < 1e-9);
+    check_at_most(iterations, MODES + 4);
+    check_at_least(iterations, 4); /* there are three modes to be found */
+    check_below(error_of(&m, x), 1e-9);
     quasi_newton_free(q);
 }
 
@@ -89,10 +90,11 @@ static void test_learns(void **state) {
     quasi_newton_begin(q, one.n, 0);
     const int first = solve(q, &one, 50, x);
     quasi_newton_begin(q, other.n, 0);
-    assert_true(quasi_newton_columns(q) > 0);
+    check_above(quasi_newton_columns(q), 0);
     const int second = solve(q, &other, 50, x);
-    assert_true(second <= 3 && second < first);
-    assert_true(error_of(&other, x) < 1e-9);
+    check_at_most(second, 3);
+    check_below(second, first);
+    check_below(error_of(&other, x), 1e-9);
     quasi_newton_begin(q, other.n, par_rank() == par_size() - 1);
     assert_int_equal(quasi_newton_columns(q), 0);
     assert_int_equal(solve(q, &one, 50, x), first);
@@ -113,10 +115,10 @@ static void test_filters(void **state) {
         quasi_newton_begin(q, m.n, 0);
         const int iterations = solve(q, &m, 50, x);
         if (k > 0) most = iterations > most ? iterations : most;
-        assert_true(error_of(&m, x) < 1e-9);
+        check_below(error_of(&m, x), 1e-9);
     }
-    assert_true(quasi_newton_columns(q) <= MODES + 1);
-    assert_true(most < 12);
+    check_at_most(quasi_newton_columns(q), MODES + 1);
+    check_below(most, 12);
     quasi_newton_free(q);
 }
 
@@ -132,15 +134,15 @@ static void test_aitken(void **state) {
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 2; i++) image[i] = -3 * x[i] + 8;
         quasi_newton_next(q, x, image);
-        for (int i = 0; i < 2; i++) assert_true(fabs(x[i] - expected[k]) < 1e-14);
+        for (int i = 0; i < 2; i++) check_close(x[i], expected[k], 1e-14);
     }
     quasi_newton_free(q);
     q = quasi_newton_new(&(struct quasi_newton_input){QUASI_NEWTON_AITKEN, .relaxation = 0.1, .filter = 0});
     const struct map m = map_of(1);
     double y[N];
     quasi_newton_begin(q, m.n, 0);
-    assert_true(solve(q, &m, 200, y) < 200); /* one factor for three modes: slower, but it converges */
-    assert_true(error_of(&m, y) < 1e-9);
+    check_below(solve(q, &m, 200, y), 200); /* one factor for three modes: slower, but it converges */
+    check_below(error_of(&m, y), 1e-9);
     quasi_newton_free(q);
 }
 
@@ -151,7 +153,7 @@ static void test_at_rest(void **state) {
     double x[4] = {1, 2, 3, 4}, image[4] = {1, 2, 3, 4};
     quasi_newton_begin(q, 4, 0);
     for (int k = 0; k < 4; k++) quasi_newton_next(q, x, image);
-    for (int i = 0; i < 4; i++) assert_true(x[i] == i + 1);
+    for (int i = 0; i < 4; i++) check_equal(x[i], i + 1);
     assert_int_equal(quasi_newton_columns(q), 0);
     quasi_newton_free(q);
 }

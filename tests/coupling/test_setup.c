@@ -2,6 +2,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "coupling/setup/setup.h"
+#include "tests/check.h"
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,22 +22,42 @@ static void test_a_plate(void **state) {
     (void)state;
     struct scene *s = scene_new(SCENES "plate.yaml", 0, NULL);
     struct solid_input *in = setup_solid(s);
-    assert_true(in->model == SOLID_PLANE_STRESS && in->thickness == 0.002);
-    assert_true(in->partial == SOLID_PARTIAL_RAMP && in->horizons == SOLID_ONE_SIDED);
-    assert_true(in->origin[0] == 0.25 * 0.001 && in->origin[1] == -0.5 * 0.001 && in->origin[2] == 0);
-    assert_true(in->material[0].micromodulus == SOLID_CONICAL && in->material[1].micromodulus == SOLID_CONSTANT);
-    assert_true(in->cuts == 1 && in->cut[0].points == 3 && in->cut[0].point[2][1] == 0.021);
+    check_equal(in->model, SOLID_PLANE_STRESS);
+    check_equal(in->thickness, 0.002);
+    check_equal(in->partial, SOLID_PARTIAL_RAMP);
+    check_equal(in->horizons, SOLID_ONE_SIDED);
+    check_equal(in->origin[0], 0.25 * 0.001);
+    check_equal(in->origin[1], -0.5 * 0.001);
+    check_equal(in->origin[2], 0);
+    check_equal(in->material[0].micromodulus, SOLID_CONICAL);
+    check_equal(in->material[1].micromodulus, SOLID_CONSTANT);
+    check_equal(in->cuts, 1);
+    check_equal(in->cut[0].points, 3);
+    check_equal(in->cut[0].point[2][1], 0.021);
     const struct solid_body *plate = &in->body[0];
-    assert_true(plate->shape == SOLID_POLYGON && plate->outlines == 4 && plate->outline[0].corners == 6);
-    assert_true(plate->outline[0].turn[2] == 1 && plate->outline[0].centre[2][0] == 0.07);
-    assert_true(!plate->outline[1].is_hole && plate->outline[2].is_hole && plate->outline[3].turn[1] == -1);
-    assert_true(in->body[1].shape == SOLID_POLYGON && in->body[1].outlines == 2); /* a disc with a hole */
-    assert_true(in->body[2].shape == SOLID_POLYGON && in->body[2].outlines == 1); /* a rectangle */
+    check_equal(plate->shape, SOLID_POLYGON);
+    check_equal(plate->outlines, 4);
+    check_equal(plate->outline[0].corners, 6);
+    check_equal(plate->outline[0].turn[2], 1);
+    check_equal(plate->outline[0].centre[2][0], 0.07);
+    assert_false(plate->outline[1].is_hole);
+    assert_true(plate->outline[2].is_hole);
+    check_equal(plate->outline[3].turn[1], -1);
+    check_equal(in->body[1].shape, SOLID_POLYGON);
+    check_equal(in->body[1].outlines, 2); /* a disc with a hole */
+    check_equal(in->body[2].shape, SOLID_POLYGON);
+    check_equal(in->body[2].outlines, 1); /* a rectangle */
     const struct solid_body *grains = &in->body[3];
-    assert_true(grains->shape == SOLID_POINTS && grains->points == 2 && grains->outlines == 0);
-    assert_true(grains->point[0][1] == 0.0635 && grains->point[1][1] == 0.0005 && !grains->point[2]);
-    assert_true(grains->point_volume[0] == 1e-6 && grains->point_horizon[1] == 3e-3);
-    assert_true(in->constraint[0].direction[1] == 1 && in->constraint[0].direction[0] == 0);
+    check_equal(grains->shape, SOLID_POINTS);
+    check_equal(grains->points, 2);
+    check_equal(grains->outlines, 0);
+    check_equal(grains->point[0][1], 0.0635);
+    check_equal(grains->point[1][1], 0.0005);
+    assert_false(grains->point[2]);
+    check_equal(grains->point_volume[0], 1e-6);
+    check_equal(grains->point_horizon[1], 3e-3);
+    check_equal(in->constraint[0].direction[1], 1);
+    check_equal(in->constraint[0].direction[0], 0);
     setup_solid_free(in);
     scene_free(s);
 }
@@ -45,15 +66,22 @@ static void test_a_block(void **state) {
     (void)state;
     struct scene *s = scene_new(SCENES "block.yaml", 0, NULL);
     struct solid_input *in = setup_solid(s);
-    assert_true(in->model == SOLID_3D && in->origin[0] == 0.5 * 0.001 && in->origin[2] == 0);
-    assert_true(in->partial == SOLID_PARTIAL_EXACT && in->horizons == SOLID_DUAL_HORIZON);
-    assert_true(in->body[0].shape == SOLID_BOX && in->cuts == 1 && in->cut[0].points == 4);
+    check_equal(in->model, SOLID_3D);
+    check_equal(in->origin[0], 0.5 * 0.001);
+    check_equal(in->origin[2], 0);
+    check_equal(in->partial, SOLID_PARTIAL_EXACT);
+    check_equal(in->horizons, SOLID_DUAL_HORIZON);
+    check_equal(in->body[0].shape, SOLID_BOX);
+    check_equal(in->cuts, 1);
+    check_equal(in->cut[0].points, 4);
     setup_solid_free(in);
     scene_free(s);
     s = scene_new(SCENES "solid.yaml", 0, NULL); /* its points have no horizon */
     in = setup_solid(s);
-    assert_true(in->body[0].points == 2 && in->body[0].point[2][0] == 0.0005 && !in->body[0].point_horizon);
-    assert_true(in->body[0].point_volume[1] == 1e-9);
+    check_equal(in->body[0].points, 2);
+    check_equal(in->body[0].point[2][0], 0.0005);
+    assert_false(in->body[0].point_horizon);
+    check_equal(in->body[0].point_volume[1], 1e-9);
     setup_solid_free(in);
     scene_free(s);
 }

@@ -5,6 +5,7 @@
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "scene_of.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -28,7 +29,7 @@ static struct strong_count ball_after(int n, const char *const *set, double mean
         mean[c] = 0;
         for (int h = 0; h < r->solid->n; h++) mean[c] += r->solid->v[c][h];
         mean[c] = par_sum(mean[c]) / (double)r->solid->n_global;
-        for (int h = 0; h < r->solid->n; h++) *shake = fmax(*shake, fabs(r->solid->v[c][h] - mean[c]));
+        for (int h = 0; h < r->solid->n; h++) *shake = check_worst(*shake, r->solid->v[c][h] - mean[c]);
     }
     *shake = par_max(*shake);
     run_free(r);
@@ -43,12 +44,12 @@ static void test_one_answer(void **state) {
     const struct strong_count newton = ball_after(0, NULL, a, &shake);
     assert_int_equal(newton.steps, 6);
     assert_int_equal(newton.unconverged, 0);
-    assert_true(newton.iterations > newton.steps);
-    assert_true(a[0] > 0.02 && a[0] < 0.1); /* moves with the fluid, not faster than the flow */
+    check_above(newton.iterations, newton.steps);
+    check_between(a[0], 0.02, 0.1); /* moves with the fluid, not faster than the flow */
     const struct strong_count other = ball_after(1, aitken, b, &shake_b);
     assert_int_equal(other.unconverged, 0);
-    for (int c = 0; c < 3; c++) assert_true(fabs(a[c] - b[c]) < 1e-6 * 0.1);
-    assert_true(fabs(shake - shake_b) < 1e-5 * 0.1);
+    for (int c = 0; c < 3; c++) check_close(a[c], b[c], 1e-6 * 0.1);
+    check_close(shake, shake_b, 1e-5 * 0.1);
 }
 
 /* Verlet continues from its last sweep, which is part of the restored state. */
@@ -59,8 +60,8 @@ static void test_one_answer_of_verlet(void **state) {
     const struct strong_count newton = ball_after(1, set, a, &shake), other = ball_after(2, set, b, &shake_b);
     assert_int_equal(newton.unconverged + other.unconverged, 0);
     assert_true(newton.iterations != other.iterations); /* so the state was restored another number of times */
-    for (int c = 0; c < 3; c++) assert_true(fabs(a[c] - b[c]) < 1e-6 * 0.1);
-    assert_true(fabs(shake - shake_b) < 1e-5 * 0.1);
+    for (int c = 0; c < 3; c++) check_close(a[c], b[c], 1e-6 * 0.1);
+    check_close(shake, shake_b, 1e-5 * 0.1);
 }
 
 static void test_with_the_flow(void **state) {
@@ -74,8 +75,9 @@ static void test_with_the_flow(void **state) {
     while (r->stage_step < scene->stage[0].steps) step_advance(r);
     double error = 0;
     for (int c = 0; c < 3; c++)
-        for (int h = 0; h < r->solid->n; h++) error = fmax(error, fabs(r->solid->d[c][h] - velocity[c] * r->t) / r->t);
-    assert_true(par_max(error) < 1e-8 * 0.1);
+        for (int h = 0; h < r->solid->n; h++)
+            error = check_worst(error, fabs(r->solid->d[c][h] - velocity[c] * r->t) / r->t);
+    check_below(par_max(error), 1e-8 * 0.1);
     run_free(r);
     scene_free(scene);
 }

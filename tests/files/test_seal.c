@@ -1,6 +1,7 @@
 /* Every changed bit of a checkpoint is detected, and the damaged array is named. */
 #include "files/seal.h"
 #include "files/store.h"
+#include "tests/check.h"
 #include "tests/files/files.h"
 
 #include <setjmp.h>
@@ -23,7 +24,7 @@ static void of_any_division(void **state) {
     for (size_t row = 1; row <= BYTES; row++) {
         const uint64_t whole = seal_sum(value, 40, row, 0);
         for (size_t cut = 0; cut <= 40; cut++)
-            assert_true(seal_sum(value, cut, row, 0) + seal_sum(value + cut * row, 40 - cut, row, cut) == whole);
+            assert_int_equal(seal_sum(value, cut, row, 0) + seal_sum(value + cut * row, 40 - cut, row, cut), whole);
     }
 }
 
@@ -98,7 +99,7 @@ static void load(const char *path) {
     FILE *in = fopen(path, "rb");
     assert_non_null(in);
     bytes = fread(good, 1, sizeof good, in);
-    assert_true(bytes < sizeof good);
+    check_below(bytes, sizeof good);
     fclose(in);
     par_barrier();
 }

@@ -1,6 +1,7 @@
 /* Checkpoints written on one division of the arrays are read on any other. */
 #include "files/seal.h"
 #include "files/store.h"
+#include "tests/check.h"
 #include "tests/files/files.h"
 
 #include <math.h>
@@ -87,7 +88,7 @@ static void check_all(struct store *s, int axis, int empty, int halo) {
     for (int k = 0; k < b.m[2]; k++)
         for (int j = 0; j < b.m[1]; j++)
             for (int i = 0; i < b.m[0]; i++)
-                assert_true(u[at(&b, i, j, k)] == u_at(b.lo[0] + i, b.lo[1] + j, b.lo[2] + k));
+                check_equal(u[at(&b, i, j, k)], u_at(b.lo[0] + i, b.lo[1] + j, b.lo[2] + k));
     for (size_t i = 0; i <= size; i++) inside += a[i] != -7;
     assert_int_equal(inside, (size_t)b.m[0] * (size_t)b.m[1] * (size_t)b.m[2]); /* ghosts are not changed */
     free(a);
@@ -103,7 +104,8 @@ static void check_all(struct store *s, int axis, int empty, int halo) {
     assert_int_equal(store_read_range(s, "lambda", STORE_BYTE, BYTES, N, first, count, lambda), 0);
     assert_int_equal(store_read_range(s, "nothing", STORE_DOUBLE, 1, 0, 0, 0, NULL), 0);
     for (long h = 0; h < count; h++) {
-        assert_true(d[h] == 1.0 / (double)(first + h + 3) && id[h] == (first + h) << 35);
+        check_equal(d[h], 1.0 / (double)(first + h + 3));
+        check_equal(id[h], (first + h) << 35);
         for (int c = 0; c < BYTES; c++) assert_int_equal(lambda[h][c], (uint8_t)(first + h + c));
     }
     assert_int_equal(store_read_count(s, "id"), N);
@@ -111,7 +113,8 @@ static void check_all(struct store *s, int axis, int empty, int halo) {
     assert_int_equal(store_read_count(s, "none"), -1);
     assert_int_equal(store_read_double(s, "t", &t), 0);
     assert_int_equal(store_read_long(s, "step", &step), 0);
-    assert_true(t == 0.1 && step == 1L << 40);
+    check_equal(t, 0.1);
+    check_equal(step, 1L << 40);
     assert_int_equal(store_read_text(s, "scene", scene, sizeof scene), 0);
     assert_string_equal(scene, "domain:\n  size: [1, 2, 3]\n");
     assert_int_equal(store_read_text(s, "empty", scene, sizeof scene), 0);
@@ -150,7 +153,7 @@ static void what_does_not_fit_is_told(void **state) {
     assert_int_equal(store_read_range(s, "id", STORE_DOUBLE, 1, N, 0, N, value), 1);
     assert_int_equal(store_read_range(s, "lambda", STORE_BYTE, BYTES + 1, N, 0, 1, value), 1);
     assert_int_equal(store_read_range(s, "u", STORE_DOUBLE, 1, N, 0, N, value), 1);
-    assert_true(value[0] == 5);
+    check_equal(value[0], 5);
     assert_int_equal(store_read_double(s, "none", &t), 1);
     assert_int_equal(store_read_long(s, "t", &step), 1); /* a double is no integer */
     assert_non_null(strstr(store_read_error(), "its value t is of another kind"));

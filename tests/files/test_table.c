@@ -1,5 +1,6 @@
 /* The series table: rows as written, cut back on resume, read back. */
 #include "files/table.h"
+#include "tests/check.h"
 #include "tests/files/files.h"
 
 #include <math.h>
@@ -67,7 +68,7 @@ static void resume_cuts_back_to_the_step(void **state) {
     rows(7, 7, 6, 9);
     struct table_data *d = table_read(path, NULL);
     assert_int_equal(d->rows, 7);
-    assert_true(d->value[6 * 3 + 2] == 9);
+    check_equal(d->value[6 * 3 + 2], 9);
     table_read_free(d);
     par_barrier();
     rows(1, 1, 0, 1); /* nothing is kept */
@@ -91,8 +92,8 @@ static void what_was_written_reads_back(void **state) {
     assert_int_equal(table_read_column(d, "dp"), 2);
     assert_int_equal(table_read_column(d, "Dp"), -1);
     for (long r = 0; r < d->rows; r++) {
-        assert_true(d->value[3 * r + 1] == (double)(r + 1));
-        assert_true(fabs(d->value[3 * r] - 0.1 * (double)(r + 1)) <= 1e-15 * 0.1 * (double)(r + 1) * 5); /* 15 digits */
+        check_equal(d->value[3 * r + 1], (double)(r + 1));
+        check_close(d->value[3 * r], 0.1 * (double)(r + 1), 1e-15 * 0.1 * (double)(r + 1) * 5); /* 15 digits */
     }
     table_read_free(d);
     par_barrier();

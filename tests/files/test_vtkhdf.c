@@ -1,6 +1,7 @@
 /* VTKHDF files written by all ranks are read back by one. */
 #include "base/memory.h"
 #include "files/vtkhdf.h"
+#include "tests/check.h"
 #include "tests/files/files.h"
 
 #include <math.h>
@@ -47,7 +48,7 @@ static void check_field(struct vtkhdf_source *s, const char *name, int comps, do
     double *value = vtkhdf_read_double(s, name);
     assert_non_null(value);
     for (long i = 0; i < s->points; i++)
-        for (int c = 0; c < comps; c++) assert_true(fabs(value[i * comps + c] - sample(i, c)) <= tolerance);
+        for (int c = 0; c < comps; c++) check_close(value[i * comps + c], sample(i, c), tolerance);
     free(value);
 }
 
@@ -64,15 +65,19 @@ static void image_reads_back(void **state) {
             assert_int_equal(s->image, 1);
             assert_int_equal(s->points, 105);
             assert_memory_equal(s->n, n, sizeof n);
-            assert_true(s->time == 0.125 && s->step == 40);
-            assert_true(s->origin[2] == -1 && s->spacing[1] == 0.5);
+            check_equal(s->time, 0.125);
+            check_equal(s->step, 40);
+            check_equal(s->origin[2], -1);
+            check_equal(s->spacing[1], 0.5);
             assert_int_equal(s->fields, 2);
             /* a float has 24 bits, values are below 32: half a unit of the last place is 2^-20 */
             check_field(s, "pressure", 1, wide ? 0 : 0x1p-20);
             check_field(s, "velocity", 3, wide ? 0 : 0x1p-20);
             assert_null(vtkhdf_read_double(s, "no_such"));
             double(*x)[3] = vtkhdf_read_points(s);
-            assert_true(x[104][0] == 4.5 && x[104][1] == 1.25 && x[104][2] == 11);
+            check_equal(x[104][0], 4.5);
+            check_equal(x[104][1], 1.25);
+            check_equal(x[104][2], 11);
             free(x);
             vtkhdf_read_close(s);
             par_barrier();
@@ -121,8 +126,9 @@ static void points_read_back(void **state) {
         double *body = vtkhdf_read_double(s, "body"), (*x)[3] = vtkhdf_read_points(s);
         assert_null(vtkhdf_read_long(s, "stress"));
         for (long g = 0; g < count[k]; g++) {
-            assert_true(id[g] == g + (1L << 40) && body[g] == (double)(g % 251));
-            for (int c = 0; c < 3; c++) assert_true(x[g][c] == 0.1 * (double)g + c);
+            check_equal(id[g], g + (1L << 40));
+            check_equal(body[g], (double)(g % 251));
+            for (int c = 0; c < 3; c++) check_equal(x[g][c], 0.1 * (double)g + c);
         }
         free(id);
         free(body);
@@ -164,7 +170,8 @@ static void series_keeps_names_and_times(void **state) {
     vtkhdf_series_add(path, "fluid_000004.hdf", 0.7); /* written anew: replaced, not doubled */
     assert_int_equal(vtkhdf_series_read(path, &list), 5);
     assert_string_equal(list[3].file, "fluid_000003.hdf");
-    assert_true(fabs(list[3].time - 0.3) < 1e-15 && list[4].time == 0.7);
+    check_close(list[3].time, 0.3, 1e-15);
+    check_equal(list[4].time, 0.7);
     free(list);
     par_barrier();
     vtkhdf_series_cut(path, 0.1 + 0.2); /* 0.30000000000000004 keeps 0.3 */

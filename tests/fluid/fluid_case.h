@@ -2,6 +2,7 @@
 #pragma once
 #include "base/par.h"
 #include "fluid/fluid.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -21,9 +22,6 @@ static inline double random_at(long a, long b, long c, long d) {
     return (double)((h ^ (h >> 32)) >> 11) * 0x1p-53 - 0.5;
 }
 
-/* The larger of a and |b|; infinite if b is NaN, which fmax would ignore. */
-static inline double worse(double a, double b) { return isfinite(b) ? fmax(a, fabs(b)) : INFINITY; }
-
 static inline void all_sides(struct fluid_input *in, int d, enum fluid_side_type type) {
     in->side[d][0].type = in->side[d][1].type = type;
 }
@@ -32,17 +30,6 @@ static inline double *component(struct fluid *f, int c) {
     struct fluid_state *s = fluid_state_of(f);
     return c == 0 ? s->u : c == 1 ? s->v : c == 2 ? s->w : s->p;
 }
-
-#define assert_near(a, b, tolerance)                                                                                   \
-    do {                                                                                                               \
-        const double a_ = (a), b_ = (b), t_ = (tolerance);                                                             \
-        if (!(fabs(a_ - b_) <= t_)) fail_msg("%s = %.17g, expected %.17g within %g", #a, a_, b_, t_);                  \
-    } while (0)
-#define assert_below(a, b)                                                                                             \
-    do {                                                                                                               \
-        const double a_ = (a), b_ = (b);                                                                               \
-        if (!(a_ < b_)) fail_msg("%s = %g, not below %g", #a, a_, b_);                                                 \
-    } while (0)
 
 #define FLUID_TEST_MAIN(...)                                                                                           \
     int main(int argc, char **argv) {                                                                                  \

@@ -1,6 +1,7 @@
 /* Laminar flows with known solutions. Between walls at 0 and H the scheme holds, at the cell centres, the parabola plus
  * a constant: u = G/(2 mu) (y (H - y) + dy^2/4). */
 #include "fluid_case.h"
+#include "tests/check.h"
 
 /* A channel along `stream` between walls along `across`, thin in the third direction. */
 static struct fluid_input channel(int stream, int across, int n) {
@@ -29,7 +30,7 @@ static double off_parabola(struct fluid *f, int stream, int across, double gradi
                 for (int i = 0; i < g->m[0]; i++) {
                     const int at[3] = {i, j, k};
                     const double expected = c == stream ? parabola(g, across, at[across], gradient, mu) : 0;
-                    worst = worse(worst, (component(f, c)[fluid_grid_at(g, i, j, k)] - expected));
+                    worst = check_worst(worst, (component(f, c)[fluid_grid_at(g, i, j, k)] - expected));
                 }
     return par_max(worst) / most;
 }
@@ -45,7 +46,7 @@ static void poiseuille_by_gradient(void **state) {
             struct fluid *f = fluid_new(&in);
             const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
             for (double t = 0; t * 0.5 < 2.8; t += dt) fluid_step(f, dt);
-            assert_below(off_parabola(f, stream, across, 3), 1e-10);
+            check_below(off_parabola(f, stream, across, 3), 1e-10);
             fluid_free(f);
         }
 }
@@ -74,8 +75,8 @@ static void start_up(void **state) {
         par_sum_array(line, 33);
         const double at = 0.25 * 33 - 0.5;
         const int low = (int)at;
-        assert_near(line[16], centre[s], 1e-3);
-        assert_near(line[low] + (at - low) * (line[low + 1] - line[low]), quarter[s], 1e-3);
+        check_close(line[16], centre[s], 1e-3);
+        check_close(line[low] + (at - low) * (line[low + 1] - line[low]), quarter[s], 1e-3);
     }
     fluid_free(f);
 }
@@ -101,16 +102,16 @@ static void inflow_and_outflow(void **state) {
                 const double dt = 0.9 * fluid_limits_stable_step(f).step, end = uniform ? 6 : 0.2;
                 for (double t = 0; t < end; t += dt) {
                     fluid_step(f, dt);
-                    if (uniform && t < 10 * dt) assert_below(fluid_measures_divergence_max(f), 1e-12);
+                    if (uniform && t < 10 * dt) check_below(fluid_measures_divergence_max(f), 1e-12);
                 }
                 /* mean of the discrete parabola: G/(2 mu) (1/6 + dy^2/12 + dy^2/4) */
                 const double dy = 1.0 / n, gradient = 2 * mu * mean / (1.0 / 6 + dy * dy / 3);
-                assert_below(off_parabola(f, stream, across, gradient), uniform ? 1e-9 : 1e-11);
+                check_below(off_parabola(f, stream, across, gradient), uniform ? 1e-9 : 1e-11);
                 double pressure[12];
                 fluid_measures_mean_pressure(f, stream, pressure);
-                assert_near((pressure[3] - pressure[9]) / (6 * in.length[stream] / 12), gradient,
+                check_close((pressure[3] - pressure[9]) / (6 * in.length[stream] / 12), gradient,
                             1e-8 * fabs(gradient));
-                assert_near(fluid_measures_bulk_velocity(f, stream), mean, 1e-12);
+                check_close(fluid_measures_bulk_velocity(f, stream), mean, 1e-12);
                 fluid_free(f);
             }
 }
@@ -129,11 +130,11 @@ static void between_pressures(void **state) {
             struct fluid *f = fluid_new(&in);
             const double dt = 0.5 * fluid_limits_stable_step(f).viscous;
             for (double t = 0; t * 0.5 < 2.8; t += dt) fluid_step(f, dt);
-            assert_below(off_parabola(f, stream, across, reverse ? -2 : 2), 1e-10);
-            assert_below(fluid_measures_divergence_max(f), 1e-11);
+            check_below(off_parabola(f, stream, across, reverse ? -2 : 2), 1e-10);
+            check_below(fluid_measures_divergence_max(f), 1e-11);
             double pressure[6];
             fluid_measures_mean_pressure(f, stream, pressure);
-            assert_near(pressure[0], reverse ? 1.5 : 6.5, 1e-9);
+            check_close(pressure[0], reverse ? 1.5 : 6.5, 1e-9);
             fluid_free(f);
         }
 }
@@ -157,8 +158,8 @@ static void couette(void **state) {
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++) {
                 const double y = (j + g->lo[1] + 0.5) * g->d[1];
-                assert_near(fluid_state_of(f)->u[fluid_grid_at(g, 1, j, k)], 1.5 * y, 1e-10);
-                assert_near(fluid_state_of(f)->w[fluid_grid_at(g, 1, j, k)], 0.5 * y, 1e-10);
+                check_close(fluid_state_of(f)->u[fluid_grid_at(g, 1, j, k)], 1.5 * y, 1e-10);
+                check_close(fluid_state_of(f)->w[fluid_grid_at(g, 1, j, k)], 0.5 * y, 1e-10);
             }
         fluid_free(f);
     }
@@ -203,7 +204,7 @@ static void square_duct(void **state) {
         for (int r = 0; r < (stream ? 2 : 3); r++) {
             const double rate = duct(stream, cells[r]);
             error[r] = rate / 0.0351442537 - 1;
-            assert_near(rate, duct_modes(cells[r]), 1e-7 * rate);
+            check_close(rate, duct_modes(cells[r]), 1e-7 * rate);
             if (r == 0) continue;
             const double order = log(error[r - 1] / error[r]) / log((double)cells[r] / cells[r - 1]);
             if (!(order > 1.95 && order < 2.05)) fail_msg("order %g (errors %g %g)", order, error[r - 1], error[r]);
@@ -221,11 +222,11 @@ static void bulk_velocity_is_held(void **state) {
     const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
     for (int i = 0; i * dt * 0.5 < 2.8; i++) {
         fluid_step(f, dt);
-        if (i < 20) assert_near(fluid_measures_bulk_velocity(f, 2), 0.8, 1e-14);
+        if (i < 20) check_close(fluid_measures_bulk_velocity(f, 2), 0.8, 1e-14);
     }
     const double dy = 1.0 / 8, gradient = 2 * 0.8 / (1.0 / 6 + dy * dy / 3);
-    assert_near(fluid_state_of(f)->driving, gradient, 1e-8 * gradient);
-    assert_below(off_parabola(f, 2, 1, gradient), 1e-9);
+    check_close(fluid_state_of(f)->driving, gradient, 1e-8 * gradient);
+    check_below(off_parabola(f, 2, 1, gradient), 1e-9);
     fluid_free(f);
 }
 
@@ -240,7 +241,7 @@ static void oscillating_gradient(void **state) {
     struct fluid *f = fluid_new(&in);
     for (int s = 1; s <= 20; s++) {
         fluid_step(f, dt);
-        assert_near(fluid_measures_bulk_velocity(f, 0), 3 / in.density / w * sin(w * s * dt), 1e-14);
+        check_close(fluid_measures_bulk_velocity(f, 0), 3 / in.density / w * sin(w * s * dt), 1e-14);
     }
     fluid_free(f);
 }

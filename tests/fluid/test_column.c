@@ -1,9 +1,10 @@
 /* Column solver on any number of ranks against LAPACK, for every pair of ends and near-singular systems. */
 /* Columns divided over ranks, also where r^k vanishes, where the system is nearly singular, and where it is
  * singular. */
-#include "base/par_pencil.h"
+#include "base/par_piece.h"
 #include "fluid/poisson/column.h"
 #include "fluid_case.h"
+#include "tests/check.h"
 
 #include <lapacke.h>
 #include <stdlib.h>
@@ -84,17 +85,17 @@ static void against_lapack(int n, double d, int pair) {
                 const double *x = q + i * n;
                 const double before = k > 0 ? x[k - 1] : x[wraps ? n - 1 : 0];
                 const double after = k < n - 1 ? x[k + 1] : x[wraps ? 0 : n - 1];
-                worst = worse(worst, before - 2 * x[k] + after - d * d * (b[k] - sum / n));
+                worst = check_worst(worst, before - 2 * x[k] + after - d * d * (b[k] - sum / n));
                 most = fmax(most, fabs(x[k]));
                 average += x[k] / n;
             }
-            assert_near(average, mean, 1e-13 * most);
+            check_close(average, mean, 1e-13 * most);
             if (!(worst < 1e-14 * most)) fail_msg("ends %d, singular: residual %g of %g", pair, worst, most);
             continue;
         }
         reference(n, d, pair, lambda[i], b, expected);
         for (int k = 0; k < n; k++) {
-            worst = worse(worst, q[i * n + k] - expected[k]);
+            worst = check_worst(worst, q[i * n + k] - expected[k]);
             most = fmax(most, fabs(expected[k]));
         }
         /* round-off times the condition of the system, at most that of the whole operator over its smallest eigenvalue

@@ -1,5 +1,6 @@
 /* The loss of kinetic energy equals fluid_dissipation: convection and pressure do no work. */
 #include "fluid_case.h"
+#include "tests/check.h"
 
 static void fill(struct fluid *f) {
     const struct fluid_grid *g = fluid_grid_of(f);
@@ -24,8 +25,8 @@ static void balances(enum fluid_side_type x, enum fluid_side_type y, enum fluid_
     const double before = fluid_measures_kinetic_energy(f), rate = fluid_dissipation(f);
     fluid_step(f, dt);
     const double loss = (before - fluid_measures_kinetic_energy(f)) / dt, mean = 0.5 * (rate + fluid_dissipation(f));
-    assert_true(mean > 0.01);
-    assert_near(loss, mean, 1e-6 * mean);
+    check_above(mean, 0.01);
+    check_close(loss, mean, 1e-6 * mean);
     fluid_free(f);
 }
 
@@ -55,7 +56,7 @@ static void of_a_shear(void **state) {
                         3 * ((int[]){i, j, k}[across] + g->lo[across] + 0.5) / 6;
         fluid_state_refresh(f);
         const double expected = 2 * 0.5 * pow(3 / 1.5, 2) * pow(1.5, 3);
-        assert_near(fluid_dissipation(f), expected, 1e-12 * expected);
+        check_close(fluid_dissipation(f), expected, 1e-12 * expected);
         fluid_free(f);
     }
 }

@@ -1,6 +1,7 @@
 /* Halo exchange: each ghost is its owner's image, and adding back is the adjoint of filling. */
 #include "base/par_halo.h"
 #include "fluid_case.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 
@@ -37,7 +38,7 @@ static void fill_gives_images(void **state) {
                             }
                             const double expected =
                                 outside ? 77 : random_at(wrap(at[0], NX), wrap(at[1], NY), wrap(at[2], NZ), f);
-                            assert_true(q[f][fluid_grid_at(g, i, j, k)] == expected);
+                            check_equal(q[f][fluid_grid_at(g, i, j, k)], expected);
                         }
             free(q[0]);
             free(q[1]);
@@ -75,8 +76,8 @@ static void add_is_adjoint(void **state) {
                     for (int i = -layers; i < g->m[0] + layers; i++)
                         if (i < 0 || i >= g->m[0] || j < 0 || j >= g->m[1] || k < 0 || k >= g->m[2])
                             ghosts += fabs(b[fluid_grid_at(g, i, j, k)]);
-            assert_near(par_sum(left), par_sum(right), 1e-14 * par_sum(scale));
-            assert_true(par_sum(ghosts) == 0);
+            check_close(par_sum(left), par_sum(right), 1e-14 * par_sum(scale));
+            check_equal(par_sum(ghosts), 0);
             free(a);
             free(b);
             free(copy);
@@ -97,7 +98,7 @@ static void rank_of_finds_the_owner(void **state) {
         }
     assert_int_equal(fluid_grid_rank_of(g, (double[3]){0.5, 1.01, 0.5}), -1);
     assert_int_equal(fluid_grid_rank_of(g, (double[3]){0.5, -0.01, 0.5}), -1);
-    assert_true(fluid_grid_rank_of(g, (double[3]){0.5, 1.0, 0.5}) >= 0);
+    check_at_least(fluid_grid_rank_of(g, (double[3]){0.5, 1.0, 0.5}), 0);
     fluid_grid_free(g);
 }
 

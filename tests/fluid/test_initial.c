@@ -1,5 +1,6 @@
 /* Initial Taylor-Green vortices: their values on the faces, and zero discrete divergence. */
 #include "fluid_case.h"
+#include "tests/check.h"
 
 static struct fluid_input box(const int n[3], const double length[3]) {
     struct fluid_input in = {.density = 2, .viscosity = 0.1};
@@ -26,7 +27,7 @@ static double distance(struct fluid *f, int a, int b, int space, double h, const
                     const double expected = c == a   ? v * sin(x[a]) * cos(x[b]) * third
                                             : c == b ? -h * v * cos(x[a]) * sin(x[b]) * third
                                                      : 0;
-                    worst = worse(worst, component(f, c)[fluid_grid_at(g, i, j, k)] - expected - mean[c]);
+                    worst = check_worst(worst, component(f, c)[fluid_grid_at(g, i, j, k)] - expected - mean[c]);
                 }
     return par_max(worst);
 }
@@ -41,8 +42,8 @@ static void in_every_plane_and_in_space(void **state) {
         memcpy(in.vortices.along, along[p], sizeof along[p]);
         memcpy(in.initial_velocity, mean, sizeof mean);
         struct fluid *f = fluid_new(&in);
-        assert_below(distance(f, p == 2, p == 0 || p == 3 ? 1 : 2, p == 3, 1, mean), 1e-13);
-        assert_below(fluid_measures_divergence_max(f), 1e-13);
+        check_below(distance(f, p == 2, p == 0 || p == 3 ? 1 : 2, p == 3, 1, mean), 1e-13);
+        check_below(fluid_measures_divergence_max(f), 1e-13);
         fluid_free(f);
     }
 }
@@ -55,7 +56,7 @@ static void on_oblong_cells(void **state) {
     in.vortices = (struct fluid_vortices){1, {1, 1, 1}};
     struct fluid *f = fluid_new(&in);
     const double h = 8 * sin(M_PI / 8) / 1 / (12 * sin(M_PI / 12) / 3);
-    assert_below(distance(f, 0, 1, 1, h, (double[3]){0}), 1e-13);
+    check_below(distance(f, 0, 1, 1, h, (double[3]){0}), 1e-13);
     fluid_free(f);
 }
 

@@ -1,6 +1,7 @@
 /* The box's force equals the change of its momentum; stability limits; detection of NaN. */
 #include "base/step_status.h"
 #include "fluid_case.h"
+#include "tests/check.h"
 
 static struct fluid_input mixed(int sides) {
     struct fluid_input in = {.n = {12, 10, 9}, .length = {1.2, 1, 0.9}, .density = 1.3, .viscosity = 0.02};
@@ -37,19 +38,19 @@ static void box_force_changes_the_momentum(void **state) {
             double force[2][3], momentum[2][3];
             for (int i = 0; i < 30 << r; i++) fluid_step(f, dt);
             for (int i = 0; i < 2; i++) {
-                fluid_measures_box_force(f, force[i]);
+                fluid_box_force(f, force[i]);
                 fluid_measures_momentum(f, momentum[i]);
                 if (i == 0) fluid_step(f, dt);
             }
             for (int c = 0; c < 3; c++) {
                 const double mean = 0.5 * (force[0][c] + force[1][c]);
-                error[r] = worse(error[r], ((momentum[1][c] - momentum[0][c]) / dt - mean));
+                error[r] = check_worst(error[r], ((momentum[1][c] - momentum[0][c]) / dt - mean));
             }
             fluid_free(f);
         }
         /* the body force alone is 0.14 to 0.42 N; the pressure is that of the last stage, early by a part of the step
          */
-        assert_below(error[1], 1e-3);
+        check_below(error[1], 1e-3);
         if (!(error[0] > 1.8 * error[1])) fail_msg("sides %d: errors %g %g", sides, error[0], error[1]);
     }
 }
@@ -64,8 +65,8 @@ static void box_force_vanishes_when_steady(void **state) {
         double force[3];
         const double dt = 0.8 * fluid_limits_stable_step(f).step;
         for (double t = 0; t < 25; t += dt) fluid_step(f, dt);
-        fluid_measures_box_force(f, force);
-        for (int c = 0; c < 3; c++) assert_near(force[c], 0, 1e-10);
+        fluid_box_force(f, force);
+        for (int c = 0; c < 3; c++) check_close(force[c], 0, 1e-10);
         fluid_free(f);
     }
 }
@@ -82,10 +83,10 @@ static void limits(void **state) {
     struct fluid *f = fluid_new(&in);
     const struct fluid_limits l = fluid_limits_stable_step(f);
     const double cell = 0.2 / 32;
-    assert_near(l.viscous, 1.65 * cell * cell / (12 * 1e-3), 1e-15);
-    assert_near(l.convective, sqrt(3) * cell / 0.1, 1e-12);
-    assert_near(fluid_limits_cfl(f, l.convective), sqrt(3), 1e-12);
-    assert_near(l.step, fmin(l.viscous, l.convective), 0);
+    check_close(l.viscous, 1.65 * cell * cell / (12 * 1e-3), 1e-15);
+    check_close(l.convective, sqrt(3) * cell / 0.1, 1e-12);
+    check_close(fluid_limits_cfl(f, l.convective), sqrt(3), 1e-12);
+    check_close(l.step, fmin(l.viscous, l.convective), 0);
     fluid_free(f);
 }
 
@@ -107,8 +108,9 @@ static void check_finds_a_nan(void **state) {
             assert_int_equal(s.failed, par_rank() == par_size() - 1);
             assert_true(step_status_agree(&s));
             assert_int_equal(s.rank, par_size() - 1);
+            assert_int_equal(s.seen_in, STEP_STATUS_FLUID);
             assert_string_equal(s.field, c == 0 ? "u" : c == 1 ? "v" : c == 2 ? "w" : "p");
-            assert_near(s.x[0], c == 0 ? 0.6 : 0.55, 1e-12);
+            check_close(s.x[0], c == 0 ? 0.6 : 0.55, 1e-12);
             *q = keep;
         }
     fluid_free(f);

@@ -1,5 +1,6 @@
 /* Convective outflow: mass conserved at every step, vortices leave, all directions alike. */
 #include "fluid_case.h"
+#include "tests/check.h"
 
 /* A uniform stream, or a developing one between walls, along any direction, forwards or backwards. */
 static struct fluid_input stream_in(int d, int reverse, int n, double viscosity) {
@@ -59,7 +60,7 @@ static void vortex_leaves(void **state) {
             in.length[(d + 2) % 3] = 0.125;
             struct fluid *f = fluid_new(&in);
             const struct fluid_grid *g = fluid_grid_of(f);
-            assert_below(disturbance(f, d, mean), 1e-12);
+            check_below(disturbance(f, d, mean), 1e-12);
             for (int c = 0; c < 3; c++)
                 for (int k = 0; k < g->m[2]; k++)
                     for (int j = 0; j < g->m[1]; j++)
@@ -79,12 +80,13 @@ static void vortex_leaves(void **state) {
             double at_exit = 0;
             for (int i = 0; i < 180; i++) {
                 fluid_step(f, 0.01);
-                if (i % 20 == 0) assert_below(imbalance(f), 1e-14);
-                if (i % 20 == 0) assert_below(fluid_measures_divergence_max(f), 1e-11);
+                if (i % 20 == 0) check_below(imbalance(f), 1e-14);
+                if (i % 20 == 0) check_below(fluid_measures_divergence_max(f), 1e-11);
                 if (i == 60) at_exit = disturbance(f, d, mean);
             }
-            assert_true(before > 0.05 && at_exit > 0.6 * before); /* it is still there shortly before */
-            assert_below(disturbance(f, d, mean), 0.04 * before);
+            check_above(before, 0.05);
+            check_above(at_exit, 0.6 * before); /* it is still there shortly before */
+            check_below(disturbance(f, d, mean), 0.04 * before);
             fluid_free(f);
         }
 }
@@ -106,16 +108,17 @@ static void all_directions_alike(void **state) {
             for (int i = 0; i < 40; i++) fluid_step(f, 0.02);
             double pressure[64], force[3], seen[5];
             fluid_measures_mean_pressure(f, d, pressure);
-            fluid_measures_box_force(f, force);
+            fluid_box_force(f, force);
             seen[0] = fluid_measures_kinetic_energy(f);
             seen[1] = fabs(force[d]);
             seen[2] = force[across];
             seen[3] = force[span];
             seen[4] = reverse ? pressure[15] - pressure[4] : pressure[4] - pressure[15];
             if (d == 0 && !reverse) memcpy(first, seen, sizeof first);
-            for (int i = 0; i < 5; i++) assert_near(seen[i], first[i], 1e-11 * (fabs(first[i]) + 1));
-            assert_true(first[0] > 0.1 && first[4] > 1e-3);
-            assert_below(fabs(pressure[reverse ? 0 : 19]), 1e-12 * first[4]); /* its level is the outlet's */
+            for (int i = 0; i < 5; i++) check_close(seen[i], first[i], 1e-11 * (fabs(first[i]) + 1));
+            check_above(first[0], 0.1);
+            check_above(first[4], 1e-3);
+            check_below(fabs(pressure[reverse ? 0 : 19]), 1e-12 * first[4]); /* its level is the outlet's */
             fluid_free(f);
         }
 }

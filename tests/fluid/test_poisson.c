@@ -1,6 +1,7 @@
 /* The direct Poisson solver against the discrete operator, for every pair of conditions in every direction. */
 #include "fluid/poisson/poisson.h"
 #include "fluid_case.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 
@@ -85,7 +86,7 @@ static struct error solve(const int n[3], const int pair[3]) {
                     beyond(line, n[d], stride[d], at[d] + 1, in.end[d])) /
                    (g->d[d] * g->d[d]);
         }
-        error.residual = worse(error.residual, (lap - b[c]));
+        error.residual = check_worst(error.residual, (lap - b[c]));
         most = fmax(most, fabs(b[c]));
         largest = fmax(largest, fabs(all[c]));
         mean += all[c] / (double)count;
@@ -96,14 +97,15 @@ static struct error solve(const int n[3], const int pair[3]) {
         for (int i = 0; i < n[0]; i++) {
             const double *line = all + (j + g->lo[1]) * n[0] + i;
             const double image = beyond(line, n[2], stride[2], g->lo[2] + g->m[2], in.end[2]);
-            error.beyond = worse(error.beyond, q[fluid_grid_at(g, i, j, g->m[2])] - image);
+            error.beyond = check_worst(error.beyond, q[fluid_grid_at(g, i, j, g->m[2])] - image);
         }
     error.residual /= most;
     error.beyond /= largest;
     if (free_mean) error.mean = fabs(mean - wanted) / largest;
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2 && free_mean && pair[d] == NN; side++)
-            error.section_mean = worse(error.section_mean, (section[d][side] - wanted - foreseen[d][side]) / largest);
+            error.section_mean =
+                check_worst(error.section_mean, (section[d][side] - wanted - foreseen[d][side]) / largest);
     free(q);
     free(all);
     free(b);

@@ -1,6 +1,7 @@
 /* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare. */
 /* Two fluids exist at the same time. */
 #include "fluid_case.h"
+#include "tests/check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -85,13 +86,14 @@ static void same_on_any_number_of_ranks(void **state) {
                 double most = 0, worst = 0;
                 for (int i = c * CELLS; i < (c + 1) * CELLS; i++) {
                     most = fmax(most, fabs(reference[i]));
-                    worst = worse(worst, (reference[i] - all[i]));
+                    worst = check_worst(worst, (reference[i] - all[i]));
                 }
-                assert_true(most > 1e-3 && isfinite(most));
+                check_above(most, 1e-3);
+                assert_true(isfinite(most));
                 if (!(worst < 1e-12 * most)) fail_msg("scene %d, component %d: %g of %g", w, c, worst, most);
             }
         }
-        assert_below(fluid_measures_divergence_max(f[w]), 1e-11);
+        check_below(fluid_measures_divergence_max(f[w]), 1e-11);
     }
     fclose(file);
     for (int w = 0; w < CASES; w++) fluid_free(f[w]);
@@ -128,9 +130,9 @@ static void state_is_all_there_is(void **state) {
                 for (int j = 0; j < g->m[1]; j++)
                     for (int i = 0; i < g->m[0]; i++) {
                         const size_t n = fluid_grid_at(g, i, j, k);
-                        worst = worse(worst, (component(other, c)[n] - component(f, c)[n]));
+                        worst = check_worst(worst, (component(other, c)[n] - component(f, c)[n]));
                     }
-        assert_below(par_max(worst), 1e-12);
+        check_below(par_max(worst), 1e-12);
         fluid_free(f);
         fluid_free(other);
     }

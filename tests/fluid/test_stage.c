@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "fluid/momentum/momentum.h"
 #include "fluid_case.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 
@@ -69,22 +70,22 @@ static void compare(const struct fluid_momentum_stage *s, const struct fields *b
                     const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, i, j, k);
                     const double old = before->rate[c][n], now = rate_at(s, q, c, n);
                     if (!is_advanced(s, c, (int[3]){i, j, k})) {
-                        untouched = worse(untouched, after->rate[c][n] - old);
+                        untouched = check_worst(untouched, after->rate[c][n] - old);
                         if (c > 0)
-                            untouched = worse(untouched,
-                                              after->predicted[c][n] - (in_place ? q[c][n] : before->predicted[c][n]));
+                            untouched = check_worst(untouched, after->predicted[c][n] -
+                                                                   (in_place ? q[c][n] : before->predicted[c][n]));
                         continue;
                     }
                     const double gradient = (before->p[n + stride[c]] - before->p[n]) / g->d[c];
                     const double next =
                         q[c][n] + s->a * now + s->b * old + s->c * (s->source[c] - s->inverse_density * gradient);
-                    worst = worse(worst, after->predicted[c][n] - next);
-                    worst_rate = worse(worst_rate, after->rate[c][n] - (s->keep ? now : old));
+                    worst = check_worst(worst, after->predicted[c][n] - next);
+                    worst_rate = check_worst(worst_rate, after->rate[c][n] - (s->keep ? now : old));
                 }
     /* sums of some twenty terms, none above 10 */
-    assert_near(worst, 0, 1e-13);
-    assert_near(worst_rate, 0, 1e-13);
-    assert_near(untouched, 0, 0);
+    check_close(worst, 0, 1e-13);
+    check_close(worst_rate, 0, 1e-13);
+    check_close(untouched, 0, 0);
 }
 
 static void stage_is_its_formula(void **state) {

@@ -1,6 +1,7 @@
 /* Two-dimensional Taylor-Green vortices on the staggered grid: the convective term is a discrete gradient, so that the
  * initial field times exp(-2 nu t (2/h)^2 sin^2(h/2)) solves the semi-discrete equations exactly. */
 #include "fluid_case.h"
+#include "tests/check.h"
 
 /* The vortices of the plane a, b carried along with the mean flow for the time t, at the face's own place. */
 static double exact(const struct fluid_grid *g, int c, int a, int b, const int at[3], double rate, double t,
@@ -30,7 +31,7 @@ static double error(int n, double nu, double dt, int steps, int a, int b, const 
                         const double value = exact(g, c, a, b, (int[3]){i, j, k}, rate, pass ? steps * dt : 0, mean);
                         double *q = component(f, c) + fluid_grid_at(g, i, j, k);
                         if (pass)
-                            worst = worse(worst, (*q - value));
+                            worst = check_worst(worst, (*q - value));
                         else
                             *q = value;
                     }
@@ -53,8 +54,8 @@ static void decays_exactly_in_every_plane(void **state) {
     for (int p = 0; p < 3; p++) {
         double divergence;
         const double e = error(32, 0.1, 0.01, 100, plane[p][0], plane[p][1], still, &divergence);
-        assert_below(e, 1e-8);
-        assert_below(divergence, 1e-12);
+        check_below(e, 1e-8);
+        check_below(divergence, 1e-12);
     }
 }
 
@@ -76,15 +77,15 @@ static void carried_by_a_mean_flow(void **state) {
         const int a = plane[p][0], b = plane[p][1];
         double mean[3] = {0, 0, 0}, divergence;
         mean[3 - a - b] = 0.7;
-        assert_below(error(32, 0.1, 0.01, 100, a, b, mean, &divergence), 1e-8);
-        assert_below(divergence, 1e-12);
+        check_below(error(32, 0.1, 0.01, 100, a, b, mean, &divergence), 1e-8);
+        check_below(divergence, 1e-12);
         mean[a] = 1;
         mean[b] = -0.5;
         const double coarse = error(16, 0.1, 0.02, 20, a, b, mean, &divergence),
                      fine = error(32, 0.1, 0.02, 20, a, b, mean, &divergence);
         const double order = log2(coarse / fine);
         if (!(order > 1.8 && order < 2.2)) fail_msg("order %g (errors %g %g)", order, coarse, fine);
-        assert_below(divergence, 1e-12);
+        check_below(divergence, 1e-12);
     }
 }
 

@@ -1,8 +1,8 @@
 /* Shared part of the fuzz targets: die and die_all return to the target instead of ending the program. */
-#include "tests/fuzz/fuzz.h"
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "tests/fuzz/fuzz.h"
 
 #include <fcntl.h>
 #include <setjmp.h>

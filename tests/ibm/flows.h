@@ -48,7 +48,7 @@ static inline struct flow_result flow_march(struct fluid *f, const struct body *
     return result;
 }
 
-/* Zick and Homsy's array at c = 0.125: k / L^2, and the radius.  (REFERENCES: K = 4.29159) */
+/* Zick and Homsy's array at c = 0.125: k / L^2, and the radius.  (docs/sources.md: K = 4.29159) */
 #define ARRAY_PERMEABILITY 0.0398542
 #define ARRAY_RADIUS 0.31017524 /* (3 c / 4 pi)^(1/3) L */
 

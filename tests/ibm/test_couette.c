@@ -5,6 +5,7 @@
  * positions t on the grid (test_planes.c). The fluid inside the inner cylinder rotates as a rigid body; the fluid
  * outside the outer one is at rest except for leakage. */
 #include "flows.h"
+#include "tests/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -162,15 +163,15 @@ static void torque_and_velocity_converge(void **state) {
                       cells[n] / ACROSS, c[n].torque[0], c[n].torque[1], 100 * (c[n].torque[0] / TORQUE - 1),
                       c[n].error, c[n].slip, c[n].torque[0] + c[n].torque[1] + c[n].seam - c[n].rate);
         /* the torque of the cylinders changes the fluid's angular momentum, or leaves through the sides */
-        assert_true(fabs(c[n].torque[0] + c[n].torque[1] + c[n].seam - c[n].rate) < 1e-9 * TORQUE);
+        check_close(c[n].torque[0] + c[n].torque[1] + c[n].seam - c[n].rate, 0, 1e-9 * TORQUE);
     }
     const double order = log(fabs(c[0].torque[0] - TORQUE) / fabs(c[2].torque[0] - TORQUE)) / log(4);
     const double order_u = log(c[0].error / c[2].error) / log(4);
     print_message("order of the torque %.2f, of u %.2f\n", order, order_u);
-    assert_true(fabs(c[1].torque[0] / TORQUE - 1) < 0.03);
-    assert_true(fabs(c[2].torque[0] / TORQUE - 1) < 0.01);
-    assert_true(order > 1.7);
-    assert_true(order_u > 1);
+    check_relative(c[1].torque[0], TORQUE, 0.03);
+    check_relative(c[2].torque[0], TORQUE, 0.01);
+    check_above(order, 1.7);
+    check_above(order_u, 1);
 }
 
 static void slip_falls_with_iterations(void **state) {
@@ -180,7 +181,7 @@ static void slip_falls_with_iterations(void **state) {
     for (int n = 0; n < 4; n++) {
         const struct couette c = turn(48, iterations[n], 0.1);
         print_message("N_s = %d: slip %.3e, torque %.4f\n", iterations[n], c.slip, c.torque[0]);
-        assert_true(c.slip < 0.8 * last);
+        check_below(c.slip, 0.8 * last);
         last = c.slip;
     }
 }

@@ -1,6 +1,8 @@
 /* Markers and forcing against plain sums over the whole grid. */
 #include "base/par.h"
 #include "bodies.h"
+#include "physics/rk3.h"
+#include "tests/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,10 +13,6 @@
 enum { NX = 14, NY = 16, NZ = 20, MARKERS = 200 };
 static const int cells[3] = {NX, NY, NZ};
 static const double dx = 0.1;
-
-static void close_to(double a, double b, double tolerance) {
-    if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g is not %.17g to %g", a, b, tolerance);
-}
 
 /* A number in [-1, 1) that depends on nothing but n. */
 static double hash(unsigned n) {
@@ -120,9 +118,9 @@ static void compare(struct fluid *f, double (*u)[NZ][NY][NX]) {
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++)
                 for (int i = 0; i < g->m[0]; i++)
-                    worst = fmax(worst, fabs(fluid_predicted(f)[c][fluid_grid_at(g, i, j, k)] -
-                                             u[c][k + g->lo[2]][j + g->lo[1]][i + g->lo[0]]));
-    close_to(par_max(worst), 0, 1e-12);
+                    worst = check_worst(worst, fluid_predicted(f)[c][fluid_grid_at(g, i, j, k)] -
+                                                   u[c][k + g->lo[2]][j + g->lo[1]][i + g->lo[0]]);
+    check_close(par_max(worst), 0, 1e-12);
 }
 
 /* Markers all over a periodic box and one period outside it; set, moved, given other velocities. */
@@ -206,8 +204,8 @@ static void spreading_is_adjoint(void **state) {
         for (int c = 0; c < 3; c++) markers -= mine.v[c][h] * force[c][h] / unit;
     grid = par_sum(grid);
     markers = par_sum(markers);
-    assert_true(fabs(grid) > 0.1);
-    close_to(grid, markers, 1e-13 * fabs(grid) + 1e-13);
+    check_above(fabs(grid), 0.1);
+    check_close(grid, markers, 1e-13 * fabs(grid) + 1e-13);
     for (int c = 0; c < 3; c++) free(spread[c]), free(force[c]);
     body_free(&mine);
     body_free(&still);
@@ -235,8 +233,8 @@ static void force_and_torque_are_kept(void **state) {
     par_sum_array(torque, 3);
     for (int c = 0; c < 3; c++) {
         const int p = (c + 1) % 3, q = (c + 2) % 3;
-        close_to(grid_sum(f, c, -1), force[c], 1e-13);
-        close_to(grid_sum(f, q, p) - grid_sum(f, p, q), torque[c], 1e-13);
+        check_close(grid_sum(f, c, -1), force[c], 1e-13);
+        check_close(grid_sum(f, q, p) - grid_sum(f, p, q), torque[c], 1e-13);
     }
     body_free(&mine);
     ibm_free(b);
@@ -264,10 +262,10 @@ static void force_total_is_what_the_fluid_received(void **state) {
         }
         ibm_forcing_total(b, total);
         for (int c = 0; c < 3; c++) {
-            assert_true(fabs(total[c]) > 1e-3);
-            close_to(total[c], received[c], 1e-12 * fabs(received[c]) + 1e-13 / dt);
+            check_above(fabs(total[c]), 1e-3);
+            check_close(total[c], received[c], 1e-12 * fabs(received[c]) + 1e-13 / dt);
         }
-        for (int r = 0; r < 3; r++) close_to(fluid_gamma[r], gamma[r], 1e-15);
+        for (int r = 0; r < 3; r++) check_close(physics_rk3_gamma[r], gamma[r], 1e-15);
         body_free(&mine);
         ibm_free(b);
         fluid_free(f);
@@ -295,19 +293,21 @@ static void walls_are_left_alone(void **state) {
     body_send(b, &out);
     ibm_forcing_stage(b, 0, 1);
     ibm_forcing_total(b, total);
-    assert_true(total[0] == 0 && total[1] == 0 && total[2] == 0);
+    check_equal(total[0], 0);
+    check_equal(total[1], 0);
+    check_equal(total[2], 0);
     body_send(b, &near);
     ibm_forcing_stage(b, 0, 1);
     ibm_forcing_total(b, total);
-    assert_true(total[1] > 0.01);
+    check_above(total[1], 0.01);
     double on_wall = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int i = 0; i < g->m[0]; i++) {
-            if (g->lo[1] == 0) on_wall = fmax(on_wall, fabs(fluid_predicted(f)[1][fluid_grid_at(g, i, -1, k)]));
+            if (g->lo[1] == 0) on_wall = check_worst(on_wall, fluid_predicted(f)[1][fluid_grid_at(g, i, -1, k)]);
             if (g->lo[1] + g->m[1] == NY)
-                on_wall = fmax(on_wall, fabs(fluid_predicted(f)[1][fluid_grid_at(g, i, g->m[1] - 1, k)]));
+                on_wall = check_worst(on_wall, fluid_predicted(f)[1][fluid_grid_at(g, i, g->m[1] - 1, k)]);
         }
-    assert_true(par_max(on_wall) == 0);
+    check_equal(par_max(on_wall), 0);
     body_free(&out);
     body_free(&near);
     ibm_free(b);
@@ -329,14 +329,14 @@ static void slip_falls_with_iterations(void **state) {
         body_send(b, &sphere);
         ibm_forcing_stage(b, 0, 1);
         const double slip = ibm_forcing_slip(b);
-        if (n == 0) close_to(slip, 1, 1e-14);
-        assert_true(slip < last);
+        if (n == 0) check_close(slip, 1, 1e-14);
+        check_below(slip, last);
         last = slip;
         body_free(&sphere);
         ibm_free(b);
         fluid_free(f);
     }
-    assert_true(last < 0.1);
+    check_below(last, 0.1);
 }
 
 int main(int argc, char **argv) {

@@ -2,15 +2,12 @@
 #include "base/par.h"
 #include "ibm/ibm.h"
 #include "ibm/kernel.h"
+#include "tests/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <cmocka.h>
-
-static void close_to(double a, double b, double tolerance) {
-    if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g is not %.17g to %g", a, b, tolerance);
-}
 
 /* sum phi(t - i) = 1, sum (t - i) phi(t - i) = 0, sum phi(t - i)^2 = 1/2 for every t */
 static void moments(void **state) {
@@ -20,22 +17,23 @@ static void moments(void **state) {
         double sum = 0, first = 0, square = 0;
         for (int i = -6; i <= 6; i++) {
             const double phi = ibm_kernel(t - i);
-            assert_true(phi >= 0);
+            check_at_least(phi, 0);
             sum += phi, first += (t - i) * phi, square += phi * phi;
         }
-        close_to(sum, 1, 1e-15);
-        close_to(first, 0, 1e-15);
-        close_to(square, 0.5, 1e-15);
+        check_close(sum, 1, 1e-15);
+        check_close(first, 0, 1e-15);
+        check_close(square, 0.5, 1e-15);
     }
 }
 
 static void known_values(void **state) {
     (void)state;
-    close_to(ibm_kernel(0), 2.0 / 3, 1e-16);
-    close_to(ibm_kernel(0.5), 0.5, 1e-16);
-    close_to(ibm_kernel(1), 1.0 / 6, 1e-16);
-    close_to(ibm_kernel(-1), 1.0 / 6, 1e-16);
-    assert_true(ibm_kernel(1.5) == 0 && ibm_kernel(-1.6) == 0);
+    check_close(ibm_kernel(0), 2.0 / 3, 1e-16);
+    check_close(ibm_kernel(0.5), 0.5, 1e-16);
+    check_close(ibm_kernel(1), 1.0 / 6, 1e-16);
+    check_close(ibm_kernel(-1), 1.0 / 6, 1e-16);
+    check_equal(ibm_kernel(1.5), 0);
+    check_equal(ibm_kernel(-1.6), 0);
 }
 
 static void weights_are_the_kernel(void **state) {
@@ -44,7 +42,7 @@ static void weights_are_the_kernel(void **state) {
         const double t = -0.5 + 0.01 * n;
         double w[3];
         ibm_kernel_weights(t, w);
-        for (int i = 0; i < 3; i++) close_to(w[i], ibm_kernel(t - (i - 1)), 1e-15);
+        for (int i = 0; i < 3; i++) check_close(w[i], ibm_kernel(t - (i - 1)), 1e-15);
     }
 }
 
@@ -62,14 +60,14 @@ static void sweeps(void **state) {
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++)
             for (int i = 0; i < 3; i++) expected += field[k * PLANE + j * ROW + i] * x[i] * y[j] * z[k];
-    close_to(ibm_kernel_gather(field, ROW, PLANE, x, y, z), expected, 1e-15);
+    check_close(ibm_kernel_gather(field, ROW, PLANE, x, y, z), expected, 1e-15);
 
     for (int n = 0; n < SIZE; n++) before[n] = field[n] = cos(0.3 * n);
     ibm_kernel_scatter(field, ROW, PLANE, x, y, z, -2.5);
     for (int n = 0; n < SIZE; n++) {
         const int i = n % ROW, j = n / ROW % 4, k = n / PLANE;
         const double added = i < 3 && j < 3 ? -2.5 * x[i] * y[j] * z[k] : 0;
-        close_to(field[n] - before[n], added, 1e-15);
+        check_close(field[n] - before[n], added, 1e-15);
     }
 }
 

@@ -1,16 +1,13 @@
 /* Normal probe on known fields: exact where it must be, observed order elsewhere. */
 #include "base/par.h"
 #include "bodies.h"
+#include "tests/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-
-static void close_to(double a, double b, double tolerance) {
-    if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g is not %.17g to %g", a, b, tolerance);
-}
 
 static const double density = 2, viscosity = 0.15;
 
@@ -166,7 +163,7 @@ static void exact_on_linear_fields(void **state) {
             double y[3], stress[3], across = 0;
             to_frame(&flow, x, y);
             assert_true(p.active[h]);
-            close_to(p.pressure[h], linear_pressure(y), 1e-12);
+            check_close(p.pressure[h], linear_pressure(y), 1e-12);
             for (int a = 0; a < 3; a++) {
                 stress[a] = -linear_pressure(y) * normal[h][a];
                 for (int c = 0; c < 3; c++) {
@@ -179,7 +176,7 @@ static void exact_on_linear_fields(void **state) {
             for (int d = 0; d < 3; d++) {
                 double t = 0;
                 for (int a = 0; a < 3; a++) t += stress[a] * flow.e[a][d];
-                close_to(p.traction[d][h], t, 1e-12);
+                check_close(p.traction[d][h], t, 1e-12);
             }
         }
     }
@@ -221,7 +218,7 @@ static double stagnation_error(int n, int to_wall) {
         to_frame(&flow, x, y);
         for (int d = 0; d < 3; d++) {
             const double exact = 2 * density * viscosity * y[0] * flow.e[0][d] - flow.e[1][d];
-            worst = fmax(worst, fabs(p.traction[d][h] - exact));
+            worst = check_worst(worst, p.traction[d][h] - exact);
         }
     }
     probes_free(&p);
@@ -235,13 +232,13 @@ static void first_order_on_stagnation_flow(void **state) {
     (void)state;
     const double coarse = stagnation_error(24, 0), fine = stagnation_error(48, 0), order = log2(coarse / fine);
     if (!(order > 0.9 && order < 1.3)) fail_msg("errors %g, %g: order %g", coarse, fine, order);
-    assert_true(fine < 0.2 * density * viscosity);
+    check_below(fine, 0.2 * density * viscosity);
 }
 
 /* Extrapolated to the wall by cubics. */
 static void exact_on_stagnation_flow_at_the_wall(void **state) {
     (void)state;
-    close_to(stagnation_error(24, 1), 0, 1e-11);
+    check_close(stagnation_error(24, 1), 0, 1e-11);
 }
 
 /* Stokes flow past a sphere at rest, of velocity 1 along y0 far away; p over mu. Continued inside to half the
@@ -302,8 +299,8 @@ static void stokes_drag(void **state) {
     if (!(order_tip > 0.5 && order_tip < 1.2 && order_wall > 2))
         fail_msg("tip %g, %g, %g: order %g; wall %g, %g, %g: order %g", tip[0], tip[1], tip[2], order_tip, wall[0],
                  wall[1], wall[2], order_wall);
-    close_to(wall[1], 0, 0.03);
-    close_to(wall[2], 0, 0.015);
+    check_close(wall[1], 0, 0.03);
+    check_close(wall[2], 0, 0.015);
 }
 
 static void rest(const double y[3], double u[3]) {
@@ -362,7 +359,7 @@ static void hydrostatics_lifts(void **state) {
             for (int d = 0; d < 3; d++) lift[d] += p.traction[d][h] * body.area[h];
         par_sum_array(lift, 3);
         const double weight = density * -gravity * volume;
-        for (int d = 0; d < 3; d++) close_to(lift[d], d == 2 ? weight : 0, (shape == 0 ? 1e-12 : 0.03) * weight);
+        for (int d = 0; d < 3; d++) check_close(lift[d], d == 2 ? weight : 0, (shape == 0 ? 1e-12 : 0.03) * weight);
         probes_free(&p);
         body_free(&body);
     }
@@ -390,7 +387,7 @@ static void driving_gradient_pushes(void **state) {
     probes_run(b, &p);
     double push = 0;
     for (int h = 0; h < p.n; h++) push += p.traction[0][h];
-    close_to(par_sum(push), 3.0 * 0.9, 1e-13);
+    check_close(par_sum(push), 3.0 * 0.9, 1e-13);
     probes_free(&p);
     ibm_free(b);
     fluid_free(f);
@@ -414,7 +411,10 @@ static void tips_outside_are_inactive(void **state) {
     }
     probes_run(b, &p);
     assert_true(p.active[0] && !p.active[1]);
-    assert_true(p.traction[0][1] == 0 && p.traction[1][1] == 0 && p.traction[2][1] == 0 && p.pressure[1] == 0);
+    check_equal(p.traction[0][1], 0);
+    check_equal(p.traction[1][1], 0);
+    check_equal(p.traction[2][1], 0);
+    check_equal(p.pressure[1], 0);
     assert_true(p.pressure[0] != 0);
     probes_free(&p);
     ibm_free(b);

@@ -1,6 +1,7 @@
 /* Probability densities of samples with known laws: bins, moments, tails, degenerate samples. */
 #include "base/par.h"
 #include "postproc/data/pdf.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -9,7 +10,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
 
 /* The n quantiles of the standard normal law at (i + 1/2)/n, by bisection of erfc: a sample without noise. */
 static double normal_quantile(double q) {
@@ -42,18 +42,18 @@ static void normal_law(void **state) {
     double *x = malloc(N * sizeof *x);
     for (int i = 0; i < N; i++) x[i] = 3 + 0.5 * normal_quantile((i + 0.5) / N);
     struct postproc_pdf p = postproc_pdf_new(N, x);
-    assert_close(integral(&p), 1, 1e-12);
-    assert_close(p.mean, 3, 1e-9);
-    assert_close(first_moment(&p), 3, 0.1 * p.width);
-    assert_close(p.deviation, 0.5, 1e-3); /* the quantiles cut the tails off: 2e-4 at this n */
+    check_close(integral(&p), 1, 1e-12);
+    check_close(p.mean, 3, 1e-9);
+    check_close(first_moment(&p), 3, 0.1 * p.width);
+    check_close(p.deviation, 0.5, 1e-3); /* the quantiles cut the tails off: 2e-4 at this n */
     /* the rule: 2 IQR n^(-1/3), IQR = 1.34898 sigma */
-    assert_close(p.width, 2 * 1.34898 * 0.5 / cbrt(N), 0.02 * p.width);
+    check_close(p.width, 2 * 1.34898 * 0.5 / cbrt(N), 0.02 * p.width);
     for (int i = 0; i < p.bins; i++) { /* the density itself; an erf over the bin, off by one sample at most */
         const double a = (p.low + i * p.width - 3) / 0.5, b = a + p.width / 0.5;
         const double exact = 0.5 * (erf(b / M_SQRT2) - erf(a / M_SQRT2)) / p.width;
-        assert_close(p.density[i], exact, 1.01 / (N * p.width));
+        check_close(p.density[i], exact, 1.01 / (N * p.width));
     }
-    assert_close(postproc_pdf_above(N, x, 3), 0.5, 1e-9);
+    check_close(postproc_pdf_above(N, x, 3), 0.5, 1e-9);
     postproc_pdf_free(&p);
     free(x);
 }
@@ -68,11 +68,12 @@ static void far_tail(void **state) {
     x[0] = NAN;
     struct postproc_pdf p = postproc_pdf_new(N, x);
     assert_int_equal(p.n, N - 1);
-    assert_true(p.outside > 0 && p.outside < 0.003 * N);
-    assert_true(p.bins >= 16 && p.width < 0.1);
-    assert_close(integral(&p), 1, 1e-12);
-    assert_close(p.density[p.bins / 2], 1, 0.01);
-    assert_close(p.largest, 1e6, 0);
+    check_between(p.outside, 0, 0.003 * N);
+    check_at_least(p.bins, 16);
+    check_below(p.width, 0.1);
+    check_close(integral(&p), 1, 1e-12);
+    check_close(p.density[p.bins / 2], 1, 0.01);
+    check_close(p.largest, 1e6, 0);
     postproc_pdf_free(&p);
     free(x);
 }
@@ -81,8 +82,8 @@ static void alike_and_none(void **state) {
     (void)state;
     const double x[3] = {2e-4, 2e-4, 2e-4};
     struct postproc_pdf p = postproc_pdf_new(3, x);
-    assert_close(integral(&p), 1, 1e-12);
-    assert_close(p.mean, 2e-4, 1e-18);
+    check_close(integral(&p), 1, 1e-12);
+    check_close(p.mean, 2e-4, 1e-18);
     postproc_pdf_free(&p);
     p = postproc_pdf_new(0, x);
     assert_int_equal(p.bins, 0);
@@ -98,8 +99,8 @@ static void no_quartiles(void **state) {
     struct postproc_pdf p = postproc_pdf_new(100, x);
     assert_int_equal(p.bins, 16);
     assert_int_equal(p.outside, 0);
-    assert_close(integral(&p), 1, 1e-12);
-    assert_close(p.density[0] * p.width, 0.90, 1e-12);
+    check_close(integral(&p), 1, 1e-12);
+    check_close(p.density[0] * p.width, 0.90, 1e-12);
     postproc_pdf_free(&p);
 }
 

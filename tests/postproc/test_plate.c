@@ -3,6 +3,7 @@
 #include "base/par.h"
 #include "postproc/data/plate.h"
 #include "postproc/post.h"
+#include "tests/check.h"
 #include "tests/postproc/make_plate.h"
 
 #include <setjmp.h>
@@ -11,7 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
 #include <sys/stat.h>
 
 static const char base[] = FRANA_BINARY_DIR "/tests/postproc/plates";
@@ -66,22 +66,22 @@ static void whole_plate(void **state) {
         if (size_of(files[k]) < 100) fail_msg("%s is missing or empty", files[k]);
     assert_int_equal(size_of("post/film/damage_0009.png"), -1);
     assert_int_equal(size_of("post/pictures/damage_back.png"), -1);
-    assert_close(summary("level of the damage contour"), 0.98 * 0.504 * (1 - 0.5 / 3), 1e-6);
-    assert_close(summary("Rayleigh speed"), 3058, 0.5);
-    assert_close(summary("start of growth: first broken bond, t"), plate_start - 0.3e-6, 0.06e-6);
+    check_close(summary("level of the damage contour"), 0.98 * 0.504 * (1 - 0.5 / 3), 1e-6);
+    check_close(summary("Rayleigh speed"), 3058, 0.5);
+    check_close(summary("start of growth: first broken bond, t"), plate_start - 0.3e-6, 0.06e-6);
     const double moved = plate_start + h / plate_speed[0];
-    assert_true(summary("start of growth: tip moved by more than a spacing, t") - moved > -1e-12);
-    assert_close(summary("start of growth: tip moved by more than a spacing, t"), moved, 0.1e-6);
-    assert_close(summary("top speed of the tip"), 1500, 1e-9);
-    assert_close(summary("top speed over the Rayleigh speed"), 1500 / 3058.4, 1e-4);
-    assert_close(summary("energy released over the new area, over G0"), 300 / 135., 1e-9);
+    check_above(summary("start of growth: tip moved by more than a spacing, t") - moved, -1e-12);
+    check_close(summary("start of growth: tip moved by more than a spacing, t"), moved, 0.1e-6);
+    check_close(summary("top speed of the tip"), 1500, 1e-9);
+    check_close(summary("top speed over the Rayleigh speed"), 1500 / 3058.4, 1e-4);
+    check_close(summary("energy released over the new area, over G0"), 300 / 135., 1e-9);
     const double x = summary("branching, x"), branch = plate_start + 0.017 / 1500;
-    assert_true(x > plate_branch - h && x < plate_branch + 6 * h);
-    assert_close(summary("branching, y"), plate_middle, 1.5 * h);
-    assert_close(summary("branching: tip passes the place, t"), branch + (x - plate_branch) / 1200, 2 * h / 1200);
-    assert_close(summary("branching: fronts apart from then on, t"), branch + 0.004 / 1200, 0.3e-6);
-    assert_close(summary("angle of the branch to the left, at first"), 28, 2.5);
-    assert_close(summary("angle of the branch to the right, at last"), 12, 2.5);
+    check_between(x, plate_branch - h, plate_branch + 6 * h);
+    check_close(summary("branching, y"), plate_middle, 1.5 * h);
+    check_close(summary("branching: tip passes the place, t"), branch + (x - plate_branch) / 1200, 2 * h / 1200);
+    check_close(summary("branching: fronts apart from then on, t"), branch + 0.004 / 1200, 0.3e-6);
+    check_close(summary("angle of the branch to the left, at first"), 28, 2.5);
+    check_close(summary("angle of the branch to the right, at last"), 12, 2.5);
 }
 
 static void options_are_kept(void **state) {
@@ -89,8 +89,8 @@ static void options_are_kept(void **state) {
     make_plate(folder_path(folder, base, "asked"), 1e-3);
     const struct postproc_options o = {.film = 1, .film_quantity = POSTPROC_DISPLACEMENT_Y, .level = 0.2, .magnify = 5};
     assert_int_equal(postproc_post(folder, &o), EXIT_CODE_DONE);
-    assert_close(summary("level of the damage contour"), 0.2, 1e-12);
-    assert_true(size_of("post/film/displacement_y_0003.png") > 100);
+    check_close(summary("level of the damage contour"), 0.2, 1e-12);
+    check_above(size_of("post/film/displacement_y_0003.png"), 100);
     assert_int_equal(size_of("post/film/damage_0003.png"), -1);
     assert_int_equal(postproc_options_quantity("stretch"), POSTPROC_STRETCH);
     assert_int_equal(postproc_options_quantity("nothing"), -1);
@@ -104,7 +104,7 @@ static void fields_alone(void **state) {
     assert_int_equal(remove(folder_path(path, folder, "crack.csv")), 0);
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     assert_true(isnan(summary("top speed of the tip")));
-    assert_close(summary("angle of the branch to the left, at first"), 28, 2.5);
+    check_close(summary("angle of the branch to the left, at first"), 28, 2.5);
     assert_int_equal(size_of("post/plots/crack_speed.png"), -1);
     assert_int_equal(size_of("post/film/damage_0001.png"), -1);
 }
@@ -116,8 +116,8 @@ static void compared(void **state) {
     make_plate(folder_path(b, base, "fine"), 1e-3);
     const char *const both[2] = {a, b};
     assert_int_equal(postproc_compare(2, both, folder_path(folder, base, "compared")), EXIT_CODE_DONE);
-    assert_true(size_of("plots/crack_speed.png") > 1000);
-    assert_true(size_of("summary.csv") > 500);
+    check_above(size_of("plots/crack_speed.png"), 1000);
+    check_above(size_of("summary.csv"), 500);
     assert_int_equal(size_of("contour.csv"), -1);
 }
 
@@ -131,11 +131,11 @@ static void plate_as_it_was_written(void **state) {
     struct postproc_plate *p = postproc_plate_new(h, h->solid.n - 1);
     assert_int_equal(p->n, 4000);
     for (long k = 0; k < p->n; k++) {
-        assert_close(p->x[k][0], ((double)(k % 100) + 0.5) * 1e-3, 1e-8);
-        assert_close(p->size[k], 1e-3, 1e-9);
+        check_close(p->x[k][0], ((double)(k % 100) + 0.5) * 1e-3, 1e-8);
+        check_close(p->size[k], 1e-3, 1e-9);
     }
-    assert_close(p->high[0], 0.1, 1e-8);
-    assert_close(h->s0, sqrt(4 * M_PI * 135 / (9 * 7.2e10 * 3e-3)), 1e-12); /* 003: eq. 2.10, its integral in 2D */
+    check_close(p->high[0], 0.1, 1e-8);
+    check_close(h->s0, sqrt(4 * M_PI * 135 / (9 * 7.2e10 * 3e-3)), 1e-12); /* 003: eq. 2.10, its integral in 2D */
     postproc_plate_free(p);
     postproc_history_free(h);
 }

@@ -4,13 +4,13 @@
 #include "postproc/data/body.h"
 #include "postproc/data/profile.h"
 #include "postproc/post.h"
+#include "tests/check.h"
 #include "tests/postproc/make_run.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -81,21 +81,21 @@ static void whole_run(void **state) {
     for (int k = 0; k < FILES; k++)
         if (size_of(folder, files_of_whole_run[k]) < 100) fail_msg("%s is missing or empty", files_of_whole_run[k]);
     /* rho U^2 = 10 Pa; settled to 1900 Pa at step 200, half of it at the end; t0 = 0.1 m / 0.1 m/s */
-    assert_close(summary(folder, "p0 = rho_f U_b^2"), 10, 1e-9);
-    assert_close(summary(folder, "dp/(rho_f U_b^2), before"), 190 * (1 - exp(-10)), 1e-6);
-    assert_close(summary(folder, "dp/(rho_f U_b^2), after"), 95 * (1 - exp(-15)), 1e-6);
-    assert_close(summary(folder, "start of the stage"), make_time(200), 1e-9);
-    assert_close(summary(folder, "t0 = L_ref/U_b"), 1, 1e-9);
-    assert_close(summary(folder, "porosity, before"), 0.7, 1e-9);
-    assert_close(summary(folder, "porosity, after"), 0.72, 1e-9);
-    assert_close(summary(folder, "permeability, after"), 7.8e-6, 1e-12);
-    assert_close(summary(folder, "bonds broken"), 1e5, 0);
-    assert_close(summary(folder, "fragments"), 51, 0);
-    assert_close(summary(folder, "wall time, momentum"), 20.25, 1e-9);
-    assert_close(summary(folder, "first bond broken, t"), make_time(255), 1e-9);
+    check_close(summary(folder, "p0 = rho_f U_b^2"), 10, 1e-9);
+    check_close(summary(folder, "dp/(rho_f U_b^2), before"), 190 * (1 - exp(-10)), 1e-6);
+    check_close(summary(folder, "dp/(rho_f U_b^2), after"), 95 * (1 - exp(-15)), 1e-6);
+    check_close(summary(folder, "start of the stage"), make_time(200), 1e-9);
+    check_close(summary(folder, "t0 = L_ref/U_b"), 1, 1e-9);
+    check_close(summary(folder, "porosity, before"), 0.7, 1e-9);
+    check_close(summary(folder, "porosity, after"), 0.72, 1e-9);
+    check_close(summary(folder, "permeability, after"), 7.8e-6, 1e-12);
+    check_close(summary(folder, "bonds broken"), 1e5, 0);
+    check_close(summary(folder, "fragments"), 51, 0);
+    check_close(summary(folder, "wall time, momentum"), 20.25, 1e-9);
+    check_close(summary(folder, "first bond broken, t"), make_time(255), 1e-9);
     /* only the last field is damaged; positions are stored in single precision */
-    assert_close(summary(folder, "first field with damage, x/L"), (make_onset_x - 0.025) / 0.075, 1e-5);
-    assert_true(make_onset_x > 0.08 && make_onset_x < 0.095);
+    check_close(summary(folder, "first field with damage, x/L"), (make_onset_x - 0.025) / 0.075, 1e-5);
+    check_between(make_onset_x, 0.08, 0.095);
     assert_true(holds(folder, "post/report.md", "back (x/L"));
     assert_true(holds(folder, "post/report.md", "pictures/damage_back.png"));
     assert_true(holds(folder, "post/report.html", "plots/pdf_strain.png"));
@@ -109,14 +109,14 @@ static void scales_are_the_scenes(void **state) {
     make_run(&(struct make_run){.folder = named("scales"), .cells = 64, .stop = 3 * MAKE_STEPS, .no_fields = 1});
     struct postproc_history *h = postproc_history_new(folder, error, sizeof error);
     assert_non_null(h);
-    assert_close(h->s0, 1.8856e-4, 1e-8);
-    assert_close(h->sigma0, 18856, 1);
-    assert_close(h->spacing, 1.5625e-3, 1e-12);
+    check_close(h->s0, 1.8856e-4, 1e-8);
+    check_close(h->sigma0, 18856, 1);
+    check_close(h->spacing, 1.5625e-3, 1e-12);
     assert_string_equal(h->stage, "fracture");
     assert_int_equal(h->origin_step, 2 * MAKE_STEPS);
-    assert_close(postproc_history_when(h, make_time(300)), 100 * make_dt[2], 1e-12);
-    assert_close(postproc_history_value(h, "step", make_time(207)), 205, 0);
-    assert_close(postproc_history_mean(h, "step", make_time(200), make_time(210)), 207.5, 1e-9);
+    check_close(postproc_history_when(h, make_time(300)), 100 * make_dt[2], 1e-12);
+    check_close(postproc_history_value(h, "step", make_time(207)), 205, 0);
+    check_close(postproc_history_mean(h, "step", make_time(200), make_time(210)), 207.5, 1e-9);
     assert_null(postproc_history_column(h, "no such column"));
     assert_true(isnan(postproc_history_value(h, "step", 0)));
     postproc_history_free(h);
@@ -132,20 +132,20 @@ static void run_on_its_way(void **state) {
     fclose(f);
     assert_int_equal(unlink(folder_path(path, folder, "run.json")), 0);
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
-    assert_close(summary(folder, "start of the stage"), make_time(100), 1e-9);
-    assert_close(summary(folder, "end of the data"), make_time(160), 1e-9);
-    assert_close(summary(folder, "bonds broken"), 0, 0);
+    check_close(summary(folder, "start of the stage"), make_time(100), 1e-9);
+    check_close(summary(folder, "end of the data"), make_time(160), 1e-9);
+    check_close(summary(folder, "bonds broken"), 0, 0);
     assert_true(isnan(summary(folder, "first bond broken, t")));
     assert_true(isnan(summary(folder, "wall time")));
-    assert_true(size_of(folder, "post/pictures/damage_back.png") > 1000);
+    check_above(size_of(folder, "post/pictures/damage_back.png"), 1000);
 }
 
 static void fluid_alone(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("fluid"), .cells = 16, .stop = 300, .no_solid = 1});
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
-    assert_true(size_of(folder, "post/plots/pressure_drop.png") > 1000);
-    assert_true(size_of(folder, "post/pressure.csv") > 100);
+    check_above(size_of(folder, "post/plots/pressure_drop.png"), 1000);
+    check_above(size_of(folder, "post/pressure.csv"), 100);
     assert_int_equal(size_of(folder, "post/plots/porosity.png"), -1);
     assert_int_equal(size_of(folder, "post/pdf_strain.csv"), -1);
     assert_int_equal(size_of(folder, "post/pictures/damage_back.png"), -1);
@@ -158,12 +158,12 @@ static void profile_by_sections(void **state) {
     const double pressure[8] = {1, 7, 2, 7, 3, 7, 4, 7}, solid[8] = {0, 1, 0, 1, 1, 1, 0.5, 1};
     double mean[2], fluid[2], porosity[2];
     postproc_profile_means(n, pressure, solid, mean, fluid, porosity);
-    assert_close(mean[0], 2.5, 1e-14);
-    assert_close(fluid[0], (1 + 2 + 0.5 * 4) / 2.5, 1e-14);
-    assert_close(porosity[0], 2.5 / 4, 1e-14);
-    assert_close(mean[1], 7, 1e-14);
+    check_close(mean[0], 2.5, 1e-14);
+    check_close(fluid[0], (1 + 2 + 0.5 * 4) / 2.5, 1e-14);
+    check_close(porosity[0], 2.5 / 4, 1e-14);
+    check_close(mean[1], 7, 1e-14);
     assert_true(isnan(fluid[1]));
-    assert_close(porosity[1], 0, 0);
+    check_close(porosity[1], 0, 0);
 }
 
 static void no_gnuplot(void **state) {
@@ -176,8 +176,8 @@ static void no_gnuplot(void **state) {
     setenv("PATH", path, 1);
     assert_int_equal(code, EXIT_CODE_DONE);
     assert_int_equal(size_of(folder, "post/plots/pressure_drop.png"), -1);
-    assert_true(size_of(folder, "post/plots/pressure_drop.gp") > 500);
-    assert_true(size_of(folder, "post/pictures/damage_back.png") > 1000);
+    check_above(size_of(folder, "post/plots/pressure_drop.gp"), 500);
+    check_above(size_of(folder, "post/pictures/damage_back.png"), 1000);
     assert_true(holds(folder, "post/report.md", "gnuplot was not found"));
 }
 
@@ -190,8 +190,8 @@ static void compared(void **state) {
     make_run(&(struct make_run){.folder = b, .cells = 16, .stop = 200});
     const char *const both[2] = {a, b};
     assert_int_equal(postproc_compare(2, both, folder_path(out, base, "compared/ab")), EXIT_CODE_DONE);
-    assert_true(size_of(out, "plots/pressure_drop.png") > 1000);
-    assert_true(size_of(out, "plots/pdf_strain.svg") > 1000);
+    check_above(size_of(out, "plots/pressure_drop.png"), 1000);
+    check_above(size_of(out, "plots/pdf_strain.svg"), 1000);
     assert_true(holds(out, "summary.csv", "quantity,unit,a,b"));
     assert_true(holds(out, "summary.csv", "\"bonds broken\",1,\"100000\",\"0\""));
     const char *const missing[2] = {a, "/nowhere"};
@@ -232,7 +232,7 @@ static void broken_field(void **state) {
     char path[FOLDER_PATH];
     assert_int_equal(truncate(folder_path(path, folder, "fields/solid_00000300.hdf"), 1000), 0);
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
-    assert_true(size_of(folder, "post/pictures/damage_back.png") > 1000);
+    check_above(size_of(folder, "post/pictures/damage_back.png"), 1000);
     assert_true(holds(folder, "post/pdf_strain.csv", "before,0.0374"));
     assert_true(holds(folder, "post/pdf_strain.csv", "after,0.0391"));
     assert_false(holds(folder, "post/pdf_strain.csv", "after,0.0408"));

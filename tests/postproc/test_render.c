@@ -3,8 +3,10 @@
 #include "postproc/draw/colour.h"
 #include "postproc/draw/font.h"
 #include "postproc/draw/picture.h"
+#include "postproc/draw/ray.h"
 #include "postproc/draw/render.h"
 #include "postproc/draw/voxels.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <png.h>
@@ -15,7 +17,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "tests/postproc/close.h"
 
 enum { WIDTH = 400, HEIGHT = 300 };
 static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
@@ -51,7 +52,7 @@ static void silhouette(void **state) {
         for (int k = 0; k < 3; k++) sum += fabs(camera.toward[k]);
         const double edge = camera.scale * cubes.size;
         /* pixels by their middles: the error is below the rim's length, about 6 edges x 1/4 pixel */
-        assert_close(covered, sum * edge * edge, 1.5 * edge);
+        check_close(covered, sum * edge * edge, 1.5 * edge);
         assert_int_equal(faces, v == 0 ? 1 : 3);
         postproc_canvas_free(c);
     }
@@ -68,8 +69,9 @@ static void front_hides_back(void **state) {
         long faces;
         struct postproc_canvas *c = drawn(toward, &cubes, &camera, &faces);
         const float *middle = pixel(c, WIDTH / 2, HEIGHT / 2);
-        assert_true(middle[0] == (order ? 0 : 1) && middle[1] == (order ? 1 : 0));
-        assert_close(c->depth[HEIGHT / 2 * WIDTH + WIDTH / 2], 0.7, 1e-6);
+        check_equal(middle[0], order ? 0 : 1);
+        check_equal(middle[1], order ? 1 : 0);
+        check_close(c->depth[HEIGHT / 2 * WIDTH + WIDTH / 2], 0.7, 1e-6);
         postproc_canvas_free(c);
     }
 }
@@ -95,7 +97,8 @@ static void inner_faces_left_out(void **state) {
     assert_int_equal(faces, 48);
     x[3 + 4 + 16][0] += 0.04; /* a particle of the face x = max, not on an edge: it no longer covers, nor is covered */
     postproc_canvas_free(drawn(toward, &cubes, &camera, &faces));
-    assert_true(faces > 48 && faces <= 54);
+    check_above(faces, 48);
+    check_at_most(faces, 54);
 }
 
 /* A particle that is nowhere, or far away, leaves the others as they are. */
@@ -115,31 +118,31 @@ static void strays_left_out(void **state) {
 static void ray_meets_cells(void **state) {
     (void)state;
     struct postproc_ray ray;
-    postproc_voxels_ray(&ray, (const double[3]){-1, 0, 0}, 3.6);
+    postproc_ray_cast(&ray, (const double[3]){-1, 0, 0}, 3.6);
     assert_int_equal(ray.cells, 4);
     for (int i = 0; i < 4; i++) {
         assert_int_equal(ray.step[i][0], -(i + 1));
-        assert_close(ray.distance[i], i + 0.5, 1e-6);
+        check_close(ray.distance[i], i + 0.5, 1e-6);
     }
     /* slope 1/2: x crosses walls at x = 0.5, 1.5, 2.5, y at x = 1, 3, for which the way is x sqrt(5)/2 */
     static const int cell[5][2] = {{1, 0}, {1, 1}, {2, 1}, {3, 1}, {3, 2}};
     static const double at[5] = {0.5, 1, 1.5, 2.5, 3};
-    postproc_voxels_ray(&ray, (const double[3]){2 / sqrt(5), 1 / sqrt(5), 0}, 3.4);
+    postproc_ray_cast(&ray, (const double[3]){2 / sqrt(5), 1 / sqrt(5), 0}, 3.4);
     assert_int_equal(ray.cells, 5);
     for (int i = 0; i < 5; i++) {
         assert_int_equal(ray.step[i][0], cell[i][0]);
         assert_int_equal(ray.step[i][1], cell[i][1]);
-        assert_close(ray.distance[i], at[i] * sqrt(5) / 2, 1e-6);
+        check_close(ray.distance[i], at[i] * sqrt(5) / 2, 1e-6);
     }
     /* a wall of particles three cells off, seen past an empty margin */
     const double x[2][3] = {{0.05, 0.05, 0.05}, {0.35, 0.05, 0.05}};
     struct postproc_voxels *v = postproc_voxels_new(2, x, 0.1, low, high);
     assert_int_equal(v->n[0], 4);
-    postproc_voxels_ray(&ray, (const double[3]){1, 0, 0}, 10);
-    assert_close(postproc_voxels_hit(&ray, v, (const int[3]){0, 0, 0}), 2.5, 1e-6);
-    assert_close(postproc_voxels_hit(&ray, v, (const int[3]){-2, 0, 0}), 1.5, 1e-6); /* comes in from outside */
-    assert_close(postproc_voxels_hit(&ray, v, (const int[3]){3, 0, 0}), -1, 0);
-    assert_close(postproc_voxels_hit(&ray, v, (const int[3]){0, 1, 0}), -1, 0);
+    postproc_ray_cast(&ray, (const double[3]){1, 0, 0}, 10);
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){0, 0, 0}), 2.5, 1e-6);
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){-2, 0, 0}), 1.5, 1e-6); /* comes in from outside */
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){3, 0, 0}), -1, 0);
+    check_close(postproc_ray_hit(&ray, v, (const int[3]){0, 1, 0}), -1, 0);
     postproc_voxels_free(v);
 }
 
@@ -173,7 +176,8 @@ static void shade_in_a_shaft(void **state) {
     postproc_render_cubes(c, &camera, &cubes, 0);
     const float bottom = pixel(c, WIDTH / 2, HEIGHT / 2)[1];
     const float open = pixel(c, WIDTH / 2 + (int)lround(0.2 * camera.scale), HEIGHT / 2)[1];
-    assert_true(bottom > 0 && bottom < 0.4f * open && open <= 1.3f);
+    check_between(bottom, 0, 0.4f * open);
+    check_at_most(open, 1.3f);
     postproc_canvas_free(c);
     free(x);
     free(colour);
@@ -183,16 +187,16 @@ static void colours_at_the_ends(void **state) {
     (void)state;
     double a[3], b[3];
     postproc_colour_map(POSTPROC_VIRIDIS, 0, a);
-    assert_close(a[0], 0x44 / 255.0, 1e-12);
-    assert_close(a[2], 0x54 / 255.0, 1e-12);
+    check_close(a[0], 0x44 / 255.0, 1e-12);
+    check_close(a[2], 0x54 / 255.0, 1e-12);
     postproc_colour_map(POSTPROC_VIRIDIS, 1, a);
-    assert_close(a[0], 0xfd / 255.0, 1e-12);
+    check_close(a[0], 0xfd / 255.0, 1e-12);
     postproc_colour_map(POSTPROC_VIRIDIS, 7, b);
     assert_memory_equal(a, b, sizeof a);
     postproc_colour_map(POSTPROC_MAGMA_REVERSED, 0, a);
-    assert_close(a[0], 0xf6 / 255.0, 1e-12);
+    check_close(a[0], 0xf6 / 255.0, 1e-12);
     postproc_colour_map(POSTPROC_MAGMA_REVERSED, 1, a);
-    assert_close(a[2], 4 / 255.0, 1e-12);
+    check_close(a[2], 4 / 255.0, 1e-12);
     /* lightness (CIE L*) is monotone, in steps that are equal within a factor of two */
     for (int map = 0; map < 2; map++) {
         double last = 0;
@@ -201,11 +205,14 @@ static void colours_at_the_ends(void **state) {
             const double y = 0.2126 * postproc_colour_linear(a[0]) + 0.7152 * postproc_colour_linear(a[1]) +
                              0.0722 * postproc_colour_linear(a[2]);
             const double l = y > 0.008856 ? 116 * cbrt(y) - 16 : 903.3 * y, step = fabs(l - last);
-            if (i > 0) assert_true(step > (map ? 3.3 : 3) && step < (map ? 7 : 9) && (l > last) == map);
+            if (i > 0) {
+                check_between(step, map ? 3.3 : 3, map ? 7 : 9);
+                check_equal(l > last, map);
+            }
             last = l;
         }
     }
-    for (int i = 0; i <= 10; i++) assert_close(postproc_colour_srgb(postproc_colour_linear(i / 10.0)), i / 10.0, 1e-6);
+    for (int i = 0; i <= 10; i++) check_close(postproc_colour_srgb(postproc_colour_linear(i / 10.0)), i / 10.0, 1e-6);
 }
 
 static void text_leaves_ink(void **state) {
@@ -223,9 +230,9 @@ static void text_leaves_ink(void **state) {
             else
                 outside++;
         }
-    assert_true(inside > 300);
+    check_above(inside, 300);
     assert_int_equal(outside, 0);
-    assert_true(wide > 100 && wide < 250);
+    check_between(wide, 100, 250);
     postproc_canvas_free(c);
 }
 
@@ -263,9 +270,13 @@ static void picture_is_a_png(void **state) {
     const int row = (int)(0.5 * (0.13 + 0.93) * 450), left = (int)(0.75 * window[0] + 0.25 * window[1]),
               right = (int)(0.25 * window[0] + 0.75 * window[1]);
     const unsigned char *light = rgb + 3 * (row * 700 + left), *dark = rgb + 3 * (row * 700 + right);
-    assert_true(light[0] > 180 && light[1] > 180 && light[2] > 160);
+    check_above(light[0], 180);
+    check_above(light[1], 180);
+    check_above(light[2], 160);
     /* black under the sheen alone: at most 0.036 in linear light, 0.21 in sRGB */
-    assert_true(dark[0] < 54 && dark[1] < 54 && dark[2] < 58);
+    check_below(dark[0], 54);
+    check_below(dark[1], 54);
+    check_below(dark[2], 58);
     free(rgb);
     const struct postproc_picture nowhere = {.path = "/nowhere/x.png",
                                              .title = "",

@@ -13,7 +13,16 @@ code() {
   "$@" >out 2>err || got=$?
   [ "$got" = "$want" ] || { cat out err >&2; fail "exit code $got, not $want: $*"; }
 }
-# A porous block small enough for a test, one cavity's period wide: 32 x 16 x 16 cells, all stages.
+# await PID COMMAND...: until the command succeeds. Fails where the process ends before. There is no deadline, so that a busy machine
+# cannot miss it: ctest's own limit ends what never comes.
+await() {
+  local pid=$1; shift
+  until "$@"; do
+    kill -0 "$pid" 2>/dev/null || { "$@" && return; return 1; }
+    sleep 0.02
+  done
+}
+# A porous block small enough to test on, one cavity's period wide: 32 x 16 x 16 cells, all stages.
 scene() {
   sed -e 's/size: .*/size: [0.05, 0.025, 0.025]/' -e 's/cells: .*/cells: [32, 16, 16]/' \
     -e 's/low: .*-0.0046875, 0]/low: [0.0125, -0.0046875, 0]/; s/high: .*0.0546875, 0.05]/high: [0.0375, 0.0296875, 0.025]/' \

@@ -5,8 +5,7 @@
 scene | sed 's/fields_every: .*/fields_every: 10/; s/checkpoint_every: .*/checkpoint_every: 10/' >scene.yaml
 mpiexec --oversubscribe -n 2 "$frana" run scene.yaml --out run --set stages.flow.steps=1000000 >first 2>&1 & mpiexec=$!
 trap 'kill -9 $mpiexec 2>/dev/null || true' EXIT
-for _ in $(seq 600); do [ -f run/checkpoint/latest ] && break; sleep 0.05; done
-[ -f run/checkpoint/latest ] || { cat first; fail "the first run does not begin"; }
+await $mpiexec test -f run/checkpoint/latest || { cat first; fail "the first run does not begin"; }
 
 refused() {
   grep -Eq '^frana: run folder run: another run is at work there \(process [0-9]+ on .+\)$' err || { cat err; fail "$*: no sentence"; }
@@ -19,13 +18,13 @@ code 4 ranks 1 run scene.yaml --out run # a new run: existing files are not over
 grep -q 'holds a run already' err || { cat err; fail "a new run"; }
 code 0 ranks 1 post run
 [ -d run/post ] || fail "nothing was drawn of a run at work"
-for _ in $(seq 200); do [ "$(cat run/checkpoint/latest)" != "$before" ] && break; sleep 0.05; done
-[ "$(cat run/checkpoint/latest)" != "$before" ] || fail "the first run has stopped"
+changed() { [ "$(cat run/checkpoint/latest)" != "$before" ]; }
+await $mpiexec changed || fail "the first run has stopped"
 
 # a killed run releases the folder when its last rank has ended
 kill -9 "$mpiexec"
 wait "$mpiexec" 2>/dev/null || true
-for _ in $(seq 100); do
+while :; do
   got=0
   ranks 2 run scene.yaml --out run --resume --set stages.flow.steps=1000000 --max-wall 2 >out 2>err || got=$?
   { [ "$got" = 4 ] && grep -q 'another run is at work' err; } || break

@@ -9,18 +9,25 @@ scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 200/; /name: settle/s/steps: 
   -e 's/fields_every: .*/fields_every: 80/; s/checkpoint_every: .*/checkpoint_every: 40/' >scene.yaml
 code 0 ranks 2 run scene.yaml --out whole
 
-# begin FOLDER [COMMAND...]: starts a run on two ranks in the background and waits for its first checkpoint
+# begin FOLDER [COMMAND...]: a run of two ranks in the background, held (SIGSTOP) as soon as its first checkpoint is there, so that
+# what is done to its folder comes before its end, however busy the machine is
 begin() {
   local folder=$1
   said=$PWD/${1//\//_}; shift
-  "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" >"$said.out" 2>"$said.err" & mpiexec=$!
-  for _ in $(seq 1200); do [ -f "$folder/checkpoint/latest" ] && return; sleep 0.02; done
-  cat "$said.out" "$said.err" >&2
-  fail "$folder: no checkpoint"
+  while :; do
+    "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" >"$said.out" 2>"$said.err" & mpiexec=$!
+    await "$mpiexec" test -f "$folder/checkpoint/latest" || { cat "$said.out" "$said.err" >&2; fail "$folder: no checkpoint"; }
+    pids=($(pgrep -P "$mpiexec" -x frana || true))
+    ((${#pids[@]} == 2)) && kill -STOP "${pids[@]}" && ! grep -q '"status": *"done"' "$folder/run.json" && return
+    ((${#pids[@]} == 0)) || kill -CONT "${pids[@]}" 2>/dev/null || true
+    wait "$mpiexec" || true # it was done before: once more
+    find "$folder" -mindepth 1 -delete
+  done
 }
 # After frana has ended with code 4, the launcher may fail in its own finalize.
 refused() { # FOLDER WHY
   local got=0
+  kill -CONT "${pids[@]}"
   wait "$mpiexec" || got=$?
   [ "$got" = 4 ] || grep -q 'with errorcode 4' "$said.err" || { cat "$said.err" >&2; fail "$2: exit code $got"; }
   [ "$(grep -c '^frana: ' "$said.err")" = 1 ] || { cat "$said.err" >&2; fail "$2: not one sentence"; }
@@ -37,7 +44,7 @@ whole() { # FOLDER [COMMAND...]: no file is damaged, and the run can be resumed
 
 # a limit on the size of files: of the growing series; of checkpoints and fields
 begin limit
-for pid in $(pgrep -P "$mpiexec" -x frana); do prlimit --pid "$pid" --fsize=1000:1000; done
+for pid in "${pids[@]}"; do prlimit --pid "$pid" --fsize=1000:1000; done
 refused limit 'File too large'
 whole limit
 

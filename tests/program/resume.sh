@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A run stopped at any step and resumed on another number of ranks gives the same series; any number of ranks gives the
-# same.
+# A run stopped anywhere and resumed on another number of ranks gives the same series; ranks do not matter either.
+# usage: resume.sh FRANA SOURCE WORK [SEED]: of the steps at which the run is stopped
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml # the number of substeps follows contact and is part of the state
 code 0 ranks 2 run scene.yaml --out whole
@@ -15,24 +15,27 @@ for n in 1 3 4; do
   same whole/series.csv ranks$n/series.csv
 done
 
-# stopped at a random step by a signal and resumed on another number of ranks, until the run is done
-RANDOM=$$
+# stopped at a random step by a signal, resumed on other ranks until done
+RANDOM=${4:-1}
+echo "seed ${4:-1}"
+# The step of the series' last row, 0 without one.
+last() { local step=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1); case "$step" in '' | *[!0-9]*) echo 0 ;; *) echo "$step" ;; esac; }
+reached() { [ "$(last)" -ge "$1" ]; }
 n=2
 rm -rf stopped
 stops=0
 resume=
 while :; do
   got=0
+  target=$(($(last) + 15 + RANDOM % 20)) # this run writes that row, and so is ready for a signal
   mpiexec --oversubscribe -n $n "$frana" run scene.yaml --out stopped $resume >out 2>err & pid=$!
-  if [ $stops -lt 3 ]; then
-    for _ in $(seq 400); do
-      steps=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1 || true)
-      case "$steps" in '' | *[!0-9]*) ;; *) [ "$steps" -ge $((stops * 60 + 15 + RANDOM % 30)) ] && break ;; esac
-      sleep 0.02
-    done
-    pkill -TERM -P $pid -x frana 2>/dev/null || true
-  fi
+  if [ $stops -lt 3 ] && await $pid reached $target; then pkill -TERM -P $pid -x frana 2>/dev/null || true; fi
   wait $pid || got=$?
+  if [ "$got" = 0 ] && [ $stops -lt 3 ]; then # it was done before the signal came: once more from the start
+    rm -rf stopped
+    stops=0 n=2 resume=
+    continue
+  fi
   [ "$got" = 0 ] && break
   [ "$got" = 75 ] || { cat out err >&2; fail "stopped with exit code $got"; }
   [ -f stopped/checkpoint/latest ] || fail "stopped without a checkpoint"

@@ -1,18 +1,31 @@
 #!/usr/bin/env bash
-# The coupled step stays bounded while a block breaks up, down to single particles, and the box's momentum balance
-# closes in every sample. With the probe's added mass treated explicitly, or with probes on particles without bonds,
-# these runs diverge within 100 steps.
+# The coupled step stays bounded while a block comes apart, down to single particles, and the box's momentum closes in every
+# sample. What was measured, at a fracture energy of
+#                                                            1e-3          1e-4          1e-5       J/m2
+#   sound:                       dp, Pa                       1890          1890          1890  (as the rigid block is set free)
+#                                energy of the solid, J     8.6e-8        1.1e-5        3.7e-6
+#   with explicit added mass:    dp, Pa                       7150          3060          3060
+#                                energy of the solid, J     2.1e-5        2.0e-5        1.8e-5
+#   bonds-less particles probed: energy of the solid, J     8.6e-8        2.2e-5        6.5e-6
+# A limit is some third above the sound run: repeated, it differs by 2 %, as round-off tells which bond breaks first. The momentum
+# closes to round-off: 4e-13.
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed -e '/name: fracture/s/steps: [0-9]*/steps: 240/' -e 's/fields_every: .*/fields_every: 0/' >scene.yaml
-for energy in 1.0e-3 1.0e-4 1.0e-5; do
-  code 0 ranks 1 run scene.yaml --out g$energy --set "solid.materials[0].fracture_energy=$energy"
-  awk -F, -v g=$energy '
+# bounded ENERGY MOST FRAGMENTS: fracture energy, J/m2; most of the solid's kinetic energy, J; fragments at the end at the least
+bounded() {
+  code 0 ranks 1 run scene.yaml --out "g$1" --set "solid.materials[0].fracture_energy=$1"
+  awk -F, -v most="$2" -v least="$3" '
+    function limit(name, is, of) { if (!(is ~ /^-?[0-9]/ && is + 0 <= of + 0)) { print "step " $1 ": " name " = " is ", limit " of; bad = 1 } }
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
-    NR > 2 { if ($at["momentum_residual"] > 1e-6) { print "momentum_residual", $at["momentum_residual"]; bad = 1 }
-      if ($1 > 60) { dp = $at["dp"]; if (dp < 0) dp = -dp; if (dp > 6000) { print "dp", dp; bad = 1 } } # 1100 Pa while the block is whole
-      if ($at["e_kinetic_solid"] > 1e-3) { print "e_kinetic_solid", $at["e_kinetic_solid"]; bad = 1 } # 1e-4 J if the whole block moves at U_b
-      fragments = $at["fragments"] }
-    END { if (g < 5e-4 && fragments < 100) { print fragments " fragments: it has not come apart"; bad = 1 }; exit bad }' \
-    g$energy/series.csv || fail "G0 = $energy"
-done
+    NR > 2 { limit("momentum_residual", $at["momentum_residual"], 1e-11)
+      dp = $at["dp"]; sub(/^-/, "", dp); limit("|dp|", dp, 2500)
+      limit("e_kinetic_solid", $at["e_kinetic_solid"], most)
+      fragments = $at["fragments"]; rows++ }
+    END { if (rows != 24) { print rows " rows"; bad = 1 }
+      if (fragments < least) { print fragments " fragments: it has not come apart"; bad = 1 }; exit bad }' \
+    "g$1/series.csv" || fail "G0 = $1"
+}
+bounded 1.0e-3 2e-7 1
+bounded 1.0e-4 1.5e-5 300
+bounded 1.0e-5 5e-6 300
 echo ok

@@ -1,6 +1,8 @@
 /* The sample scenes of tests/scene/scenes, as texts, with one piece of them exchanged for another. */
 #pragma once
+#include "base/text.h"
 #include "scene/read.h"
+#include "tests/check.h"
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +19,7 @@ static inline char *sample_text(const char *path) {
     FILE *in = fopen(path, "rb");
     assert_non_null(in);
     char *text = calloc(1, 1 << 16);
-    assert_true(fread(text, 1, (1 << 16) - 1, in) > 0);
+    check_above(fread(text, 1, (1 << 16) - 1, in), 0);
     fclose(in);
     return text;
 }
@@ -26,7 +28,7 @@ static inline char *sample_text(const char *path) {
 static inline char *sample_with(const char *text, const char *find, const char *replace) {
     const char *at = strstr(text, find);
     if (!at) fail_msg("the sample has no \"%s\"", find);
-    return scene_node_text("%.*s%s%s", (int)(at - text), text, replace, at + strlen(find));
+    return text_new("%.*s%s%s", (int)(at - text), text, replace, at + strlen(find));
 }
 
 /* Reads the text as if its file were in the folder of samples. */
@@ -40,7 +42,7 @@ static inline struct scene *sample_read(const char *text, int n, const char *con
 static inline char *sample_problem(const struct scene_problems *problems, int i) {
     const char *text = problems->text[i];
     if (!strncmp(text, SCENES, strlen(SCENES))) text += strlen(SCENES);
-    return strstr(text, SCENES) ? sample_with(text, SCENES, "@/") : scene_node_text("%s", text);
+    return strstr(text, SCENES) ? sample_with(text, SCENES, "@/") : text_new("%s", text);
 }
 
 /* A sample with one piece replaced, and the line that must be reported. */
@@ -52,11 +54,11 @@ struct sample_broken {
 static inline int sample_check_broken(size_t n, const struct sample_broken *table) {
     int wrong = 0;
     for (const struct sample_broken *b = table; b < table + n; b++) {
-        char *path = scene_node_text("%s%s.yaml", SCENES, b->sample), *sample = sample_text(path);
+        char *path = text_new("%s%s.yaml", SCENES, b->sample), *sample = sample_text(path);
         char *text = sample_with(sample, b->find, b->replace);
         struct scene_problems problems;
         struct scene *s = sample_read(text, 0, NULL, &problems);
-        char *said = problems.n ? sample_problem(&problems, 0) : scene_node_text("nothing");
+        char *said = problems.n ? sample_problem(&problems, 0) : text_new("nothing");
         if (problems.n != 1 || strcmp(said, b->line) != 0) {
             fprintf(stderr, "%s: \"%s\" -> \"%s\": %d mistakes:\n", b->sample, b->find, b->replace, problems.n);
             for (int k = 0; k < problems.n; k++) fprintf(stderr, "    %s\n", problems.text[k]);

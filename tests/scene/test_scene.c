@@ -1,19 +1,24 @@
 /* A scene's values are read, defaults are filled in, and --set changes them. */
 #include "base/par.h"
+#include "base/text.h"
+#include "physics/retraction.h"
 #include "scene/outline.h"
 #include "scene_sample.h"
+#include "tests/check.h"
 
 #include <math.h>
 
 static struct scene *read_or_fail(const char *name, int n, const char *const *set) {
-    char *path = scene_node_text("%s%s", SCENES, name);
+    char *path = text_new("%s%s", SCENES, name);
     struct scene *s = scene_new(path, n, set);
     free(path);
     return s;
 }
 
 static void assert_vector(const double *v, double x, double y, double z) {
-    assert_true(v[0] == x && v[1] == y && v[2] == z);
+    check_equal(v[0], x);
+    check_equal(v[1], y);
+    check_equal(v[2], z);
 }
 
 static void test_values_are_read(void **state) {
@@ -23,11 +28,13 @@ static void test_values_are_read(void **state) {
     assert_string_equal(s->path, SCENES "coupled.yaml");
     assert_vector(s->domain.size, 0.04, 0.02, 0.02);
     assert_int_equal(s->domain.cells[0], 40);
-    assert_true(s->fluid->density == 1000 && s->fluid->viscosity == 1e-3 && s->fluid->initial_poiseuille == 1);
+    check_equal(s->fluid->density, 1000);
+    check_equal(s->fluid->viscosity, 1e-3);
+    check_equal(s->fluid->initial_poiseuille, 1);
     assert_vector(s->fluid->initial_velocity, 0.1, 0, 0);
     assert_int_equal(s->fluid->side[0][0].type, SCENE_INFLOW);
     assert_int_equal(s->fluid->side[0][0].profile, SCENE_POISEUILLE);
-    assert_true(s->fluid->side[0][0].bulk_velocity == 0.1);
+    check_equal(s->fluid->side[0][0].bulk_velocity, 0.1);
     assert_int_equal(s->fluid->side[0][1].type, SCENE_OUTFLOW);
     assert_int_equal(s->fluid->side[1][1].type, SCENE_WALL);
     assert_vector(s->fluid->side[1][1].velocity, 0.01, 0, 0);
@@ -38,8 +45,11 @@ static void test_values_are_read(void **state) {
     assert_int_equal(solid->materials, 2);
     assert_int_equal(solid->bodies, 3);
     assert_string_equal(solid->material[1].name, "glass");
-    assert_true(solid->material[0].fracture_energy == 0.05 && solid->material[1].horizon_ratio == 2);
-    assert_true(solid->body[0].has_cavities && solid->body[0].cavity_radius == 0.002 && !solid->body[1].has_cavities);
+    check_equal(solid->material[0].fracture_energy, 0.05);
+    check_equal(solid->material[1].horizon_ratio, 2);
+    assert_true(solid->body[0].has_cavities);
+    check_equal(solid->body[0].cavity_radius, 0.002);
+    assert_false(solid->body[1].has_cavities);
     assert_int_equal(solid->body[1].shape, SCENE_SPHERE);
     assert_int_equal(solid->body[2].shape, SCENE_CYLINDER);
     assert_int_equal(solid->body[2].axis, 2);
@@ -50,8 +60,11 @@ static void test_values_are_read(void **state) {
     assert_vector(s->coupling->box_high, 0.02, 0.01, 0.02);
     assert_int_equal(s->stages, 3);
     assert_int_equal(s->stage[0].solid, SCENE_SOLID_RIGID);
-    assert_true(s->stage[0].time_step == 0 && s->stage[0].cfl == 0.5 && s->stage[1].time_step == 1e-5);
-    assert_true(s->stage[1].breakage == 0 && s->stage[1].damping_absolute == 2000);
+    check_equal(s->stage[0].time_step, 0);
+    check_equal(s->stage[0].cfl, 0.5);
+    check_equal(s->stage[1].time_step, 1e-5);
+    check_equal(s->stage[1].breakage, 0);
+    check_equal(s->stage[1].damping_absolute, 2000);
     assert_int_equal(s->stage[2].integrator, SCENE_VERLET);
     assert_int_equal(s->stage[2].substeps, 4);
     scene_free(s);
@@ -64,38 +77,56 @@ static void test_vortices_and_places_of_a_fluid(void **state) {
                                "fluid.driving={type: pressure_gradient, direction: z, value: 3, frequency: 0.25}",
                                "output.fluid_probes={lines: [{from: [0, 0, 0], to: [1, 2, 0.5], points: 3}]}"};
     struct scene *s = read_or_fail("fluid.yaml", 5, set);
-    assert_true(s->fluid->has_taylor_green && s->fluid->taylor_green_velocity == 2);
+    assert_true(s->fluid->has_taylor_green);
+    check_equal(s->fluid->taylor_green_velocity, 2);
     assert_int_equal(s->fluid->taylor_green_axes, SCENE_XZ);
-    assert_true(s->fluid->driving_value == 3 && s->fluid->driving_frequency == 0.25);
+    check_equal(s->fluid->driving_value, 3);
+    check_equal(s->fluid->driving_frequency, 0.25);
     const struct scene_fluid_probes *p = s->output.fluid_probes;
-    assert_true(p->places == 0 && p->lines == 1 && p->every == 10 && p->line[0].points == 3);
+    check_equal(p->places, 0);
+    check_equal(p->lines, 1);
+    check_equal(p->every, 10);
+    check_equal(p->line[0].points, 3);
     assert_vector(p->line[0].to, 1, 2, 0.5);
     assert_true(!strstr(s->resolved, "poiseuille"));
     scene_free(s);
     s = read_or_fail("fluid.yaml", 0, NULL);
-    assert_true(!s->fluid->has_taylor_green && s->fluid->driving_frequency == 0 && !s->output.fluid_probes);
+    assert_false(s->fluid->has_taylor_green);
+    check_equal(s->fluid->driving_frequency, 0);
+    assert_false(s->output.fluid_probes);
     scene_free(s);
 }
 
 static void test_defaults_are_filled_in(void **state) {
     (void)state;
     struct scene *s = read_or_fail("coupled.yaml", 0, NULL);
-    assert_true(s->solid->spacing == 0.04 / 40); /* the cell */
-    assert_true(isinf(s->solid->material[1].fracture_energy) && s->solid->material[0].horizon_ratio == 3);
-    assert_true(s->solid->material[0].poisson_ratio == 0.25);
-    assert_true(s->solid->contact && s->solid->contact_stiffness == 15 && s->solid->contact_radius == 1);
-    assert_true(s->solid->surface_correction && s->solid->contact_exponent == 1);
+    check_equal(s->solid->spacing, 0.04 / 40); /* the cell */
+    assert_true(isinf(s->solid->material[1].fracture_energy));
+    check_equal(s->solid->material[0].horizon_ratio, 3);
+    check_equal(s->solid->material[0].poisson_ratio, 0.25);
+    assert_true(s->solid->contact);
+    check_equal(s->solid->contact_stiffness, 15);
+    check_equal(s->solid->contact_radius, 1);
+    assert_true(s->solid->surface_correction);
+    check_equal(s->solid->contact_exponent, 1);
     assert_true(s->solid->constraint[0].direction[0] && s->solid->constraint[0].direction[1]);
     assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
-    assert_true(s->coupling->retraction == SCENE_RETRACTION && s->coupling->probe_length == 2);
+    check_equal(s->coupling->retraction, PHYSICS_RETRACTION);
+    check_equal(s->coupling->probe_length, 2);
     assert_int_equal(s->coupling->surface, SCENE_SURFACE_LATTICE);
     assert_int_equal(s->coupling->load, SCENE_LOAD_PROBE);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
     assert_int_equal(s->coupling->scheme, SCENE_EXPLICIT);
-    assert_true(s->stage[2].solid == SCENE_SOLID_ELASTIC && s->stage[2].time_step == 0 && s->stage[2].cfl == 0.9);
-    assert_true(s->stage[2].breakage == 1 && s->stage[1].substeps == 0 && s->stage[1].safety == 0.95);
-    assert_true(s->output.checkpoint_every == 1000 && s->output.fields_every == 0 && s->output.log_every == 100);
-    assert_true(s->output.stress == 1);
+    check_equal(s->stage[2].solid, SCENE_SOLID_ELASTIC);
+    check_equal(s->stage[2].time_step, 0);
+    check_equal(s->stage[2].cfl, 0.9);
+    check_equal(s->stage[2].breakage, 1);
+    check_equal(s->stage[1].substeps, 0);
+    check_equal(s->stage[1].safety, 0.95);
+    check_equal(s->output.checkpoint_every, 1000);
+    check_equal(s->output.fields_every, 0);
+    check_equal(s->output.log_every, 100);
+    check_equal(s->output.stress, 1);
     scene_free(s);
 }
 
@@ -105,7 +136,7 @@ static void test_retraction_follows_the_surface(void **state) {
     for (int n = 1; n <= 2; n++) {
         struct scene *s = read_or_fail("coupled.yaml", n, set);
         assert_int_equal(s->coupling->surface, SCENE_SURFACE_SHAPE);
-        assert_true(s->coupling->retraction == (n == 1 ? SCENE_RETRACTION_SHAPE : 0.25));
+        check_equal(s->coupling->retraction, n == 1 ? PHYSICS_RETRACTION_SHAPE : 0.25);
         assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.3" : "retraction: 0.25"));
         scene_free(s);
     }
@@ -121,7 +152,9 @@ static void test_parts_that_are_left_out_are_null(void **state) {
     assert_string_equal(solid->solid->body[0].file, SCENES "points.txt");
     assert_string_equal(solid->solid->body[1].name, "body2");
     assert_string_equal(solid->solid->body[1].material, "ceramic"); /* the only one */
-    assert_true(solid->domain.periodic[2] && !solid->domain.periodic[0] && solid->domain.cells[0] == 0);
+    assert_true(solid->domain.periodic[2]);
+    assert_false(solid->domain.periodic[0]);
+    check_equal(solid->domain.cells[0], 0);
     assert_true(solid->stage[0].relax && !solid->stage[1].relax);
     scene_free(fluid);
     scene_free(solid);
@@ -167,14 +200,20 @@ static void test_settings_override(void **state) {
     assert_int_equal(s->stage[1].steps, 8);
     assert_int_equal(s->stage[2].steps, 9);
     assert_vector(s->domain.size, 0.08, 0.04, 0.04);
-    assert_true(s->solid->spacing == 0.08 / 40);
-    assert_true(s->coupling->retraction == -0.5 && s->coupling->forcing_iterations == 2);
-    assert_true(s->coupling->scheme == SCENE_STRONG && s->coupling->relaxation == SCENE_QUASI_NEWTON);
+    check_equal(s->solid->spacing, 0.08 / 40);
+    check_equal(s->coupling->retraction, -0.5);
+    check_equal(s->coupling->forcing_iterations, 2);
+    check_equal(s->coupling->scheme, SCENE_STRONG);
+    check_equal(s->coupling->relaxation, SCENE_QUASI_NEWTON);
     assert_int_equal(s->coupling->load, SCENE_LOAD_WALL);
-    assert_true(s->coupling->tolerance == 0.01 && s->coupling->iterations == 50);
-    assert_true(s->output.series_every == 3 && s->output.fields_every == 4 && s->output.log_every == 100);
-    assert_true(s->solid->material[1].density == 2600.5 && s->solid->body[1].centre[0] == 0.031);
-    assert_true(s->stage[0].time_step == 2e-4);
+    check_equal(s->coupling->tolerance, 0.01);
+    check_equal(s->coupling->iterations, 50);
+    check_equal(s->output.series_every, 3);
+    check_equal(s->output.fields_every, 4);
+    check_equal(s->output.log_every, 100);
+    check_equal(s->solid->material[1].density, 2600.5);
+    check_equal(s->solid->body[1].centre[0], 0.031);
+    check_equal(s->stage[0].time_step, 2e-4);
     scene_free(s);
 }
 
@@ -183,8 +222,10 @@ static void test_settings_make_missing_sections(void **state) {
     const char *const set[] = {"fluid.driving.type=pressure_gradient", "fluid.driving.value=3",
                                "fluid.driving.direction=z", "output.log_every=5"};
     struct scene *s = read_or_fail("fluid.yaml", 4, set);
-    assert_true(s->fluid->driving == SCENE_DRIVING_GRADIENT && s->fluid->driving_value == 3);
-    assert_true(s->fluid->driving_direction == 2 && s->output.log_every == 5);
+    check_equal(s->fluid->driving, SCENE_DRIVING_GRADIENT);
+    check_equal(s->fluid->driving_value, 3);
+    check_equal(s->fluid->driving_direction, 2);
+    check_equal(s->output.log_every, 5);
     scene_free(s);
 }
 
@@ -223,37 +264,67 @@ static void test_a_plate_is_read(void **state) {
     const struct scene_solid *p = s->solid;
     assert_int_equal(s->dimension, 2);
     assert_vector(s->domain.size, 0.1, 0.04, 0);
-    assert_true(!s->fluid && !s->coupling && s->domain.cells[0] == 0 && !s->domain.periodic[2]);
-    assert_true(p->model == SCENE_PLANE_STRESS && p->thickness == 0.002);
+    assert_false(s->fluid);
+    assert_false(s->coupling);
+    check_equal(s->domain.cells[0], 0);
+    assert_false(s->domain.periodic[2]);
+    check_equal(p->model, SCENE_PLANE_STRESS);
+    check_equal(p->thickness, 0.002);
     assert_vector(p->lattice_offset, 0.25, -0.5, 0);
-    assert_true(p->partial_volume == SCENE_PARTIAL_RAMP && p->horizons == SCENE_HORIZONS_ONE_SIDED);
-    assert_true(p->material[0].micromodulus == SCENE_CONICAL && p->material[1].horizon_ratio == 5);
-    assert_true(p->material[0].poisson_ratio == 1.0 / 3 && p->material[1].poisson_ratio == 0.3333);
+    check_equal(p->partial_volume, SCENE_PARTIAL_RAMP);
+    check_equal(p->horizons, SCENE_HORIZONS_ONE_SIDED);
+    check_equal(p->material[0].micromodulus, SCENE_CONICAL);
+    check_equal(p->material[1].horizon_ratio, 5);
+    check_equal(p->material[0].poisson_ratio, 1.0 / 3);
+    check_equal(p->material[1].poisson_ratio, 0.3333);
     assert_vector(p->body_force, 0, -9.81, 0);
-    assert_true(p->cracks == 1 && p->crack[0].points == 3);
+    check_equal(p->cracks, 1);
+    check_equal(p->crack[0].points, 3);
     assert_string_equal(p->crack[0].name, "notch");
     assert_vector(p->crack[0].point[2], 0.02, 0.021, 0);
     const struct scene_constraint *held = &p->constraint[0], *pulled = &p->constraint[1];
-    assert_true(!held->has_displacement && !held->direction[0] && held->direction[1] && held->time.n == 0);
+    assert_false(held->has_displacement);
+    assert_false(held->direction[0]);
+    assert_true(held->direction[1]);
+    check_equal(held->time.n, 0);
     assert_true(pulled->has_displacement && pulled->direction[0] && pulled->direction[1] && !pulled->direction[2]);
     assert_vector(pulled->displacement, 0, 1e-5, 0);
     assert_vector(pulled->velocity, 0, 0, 0);
-    assert_true(pulled->time.n == 2 && pulled->time.t[1] == 1e-6 && pulled->time.factor[1] == 1);
-    assert_true(p->load[0].kind == SCENE_LOAD_REGION && p->load[1].kind == SCENE_LOAD_EDGE);
-    assert_true(p->load[0].time.n == 3 && p->load[0].time.t[2] == 3e-6 && p->load[0].time.factor[2] == 0);
-    assert_true(p->load[1].over_horizon == 1 && p->load[2].over_horizon == 0);
-    assert_true(p->load[1].edge[0][1] == 0.04 && p->load[1].edge[1][0] == 0.06);
+    check_equal(pulled->time.n, 2);
+    check_equal(pulled->time.t[1], 1e-6);
+    check_equal(pulled->time.factor[1], 1);
+    check_equal(p->load[0].kind, SCENE_LOAD_REGION);
+    check_equal(p->load[1].kind, SCENE_LOAD_EDGE);
+    check_equal(p->load[0].time.n, 3);
+    check_equal(p->load[0].time.t[2], 3e-6);
+    check_equal(p->load[0].time.factor[2], 0);
+    check_equal(p->load[1].over_horizon, 1);
+    check_equal(p->load[2].over_horizon, 0);
+    check_equal(p->load[1].edge[0][1], 0.04);
+    check_equal(p->load[1].edge[1][0], 0.06);
     assert_vector(p->load[2].traction, -1e6, 0, 0);
-    assert_true(p->initial[0].along == 1 && p->initial[0].width == 0.005);
+    check_equal(p->initial[0].along, 1);
+    check_equal(p->initial[0].width, 0.005);
     assert_vector(p->initial[0].displacement, 0, 1e-6, 0);
     const struct scene_refinement *r = p->refinement;
-    assert_true(r->levels == 2 && r->energy == 0 && r->damage == 0.1 && r->from == 1e-6 && r->every == 5);
-    assert_true(!r->horizon_kept && !r->interface_corrected && r->held_refine && r->starts == 1);
+    check_equal(r->levels, 2);
+    check_equal(r->energy, 0);
+    check_equal(r->damage, 0.1);
+    check_equal(r->from, 1e-6);
+    check_equal(r->every, 5);
+    assert_false(r->horizon_kept);
+    assert_false(r->interface_corrected);
+    assert_true(r->held_refine);
+    check_equal(r->starts, 1);
     assert_vector(r->high, 0.08, 0.03, 0);
-    assert_true(r->start[0].level == 2 && r->start[0].low[1] == 0.015);
-    assert_true(s->output.crack->damage == 0.4 && s->output.crack->window == 2e-6 && s->output.crack->every == 4);
+    check_equal(r->start[0].level, 2);
+    check_equal(r->start[0].low[1], 0.015);
+    check_equal(s->output.crack->damage, 0.4);
+    check_equal(s->output.crack->window, 2e-6);
+    check_equal(s->output.crack->every, 4);
     assert_vector(s->output.crack->direction, 1, 1, 0);
-    assert_true(s->output.probes->places == 2 && s->output.probes->every == 2);
+    check_equal(s->output.probes->places, 2);
+    check_equal(s->output.probes->every, 2);
     assert_vector(s->output.probes->at[1], 0.01, 0.03, 0);
     scene_free(s);
 }
@@ -265,16 +336,29 @@ static void test_outlines_are_curves(void **state) {
     const struct scene_body *plate = &s->solid->body[0], *ring = &s->solid->body[1];
     assert_int_equal(plate->outlines, 4); /* its own, a piece, two holes */
     assert_int_equal(plate->outline[0].corners, 6);
-    assert_true(plate->outline[0].corner[2].turn == 1 && plate->outline[0].corner[2].centre[0] == 0.07);
-    assert_true(plate->outline[0].corner[3].turn == 0 && plate->outline[0].corner[3].at[0] == 0.06);
+    check_equal(plate->outline[0].corner[2].turn, 1);
+    check_equal(plate->outline[0].corner[2].centre[0], 0.07);
+    check_equal(plate->outline[0].corner[3].turn, 0);
+    check_equal(plate->outline[0].corner[3].at[0], 0.06);
     const struct scene_outline *piece = &plate->outline[1], *disc = &plate->outline[2];
-    assert_true(piece->corners == 4 && !piece->is_hole && piece->corner[2].at[0] == 0.095 &&
-                piece->corner[2].at[1] == 0.01 && piece->corner[3].at[0] == 0.085);
-    assert_true(disc->corners == 2 && disc->is_hole && disc->corner[0].turn == 1 && disc->corner[1].turn == 1);
-    assert_true(disc->corner[0].at[0] == 0.02 - 0.004 && disc->corner[1].at[0] == 0.02 + 0.004);
-    assert_true(plate->outline[3].is_hole && plate->outline[3].corner[1].turn == -1);
-    assert_true(ring->outlines == 2 && !ring->outline[0].is_hole && ring->outline[1].is_hole);
-    assert_true(s->solid->body[2].outlines == 1 && s->solid->body[3].outlines == 0); /* points have none */
+    check_equal(piece->corners, 4);
+    assert_false(piece->is_hole);
+    check_equal(piece->corner[2].at[0], 0.095);
+    check_equal(piece->corner[2].at[1], 0.01);
+    check_equal(piece->corner[3].at[0], 0.085);
+    check_equal(disc->corners, 2);
+    assert_true(disc->is_hole);
+    check_equal(disc->corner[0].turn, 1);
+    check_equal(disc->corner[1].turn, 1);
+    check_equal(disc->corner[0].at[0], 0.02 - 0.004);
+    check_equal(disc->corner[1].at[0], 0.02 + 0.004);
+    assert_true(plate->outline[3].is_hole);
+    check_equal(plate->outline[3].corner[1].turn, -1);
+    check_equal(ring->outlines, 2);
+    assert_false(ring->outline[0].is_hole);
+    assert_true(ring->outline[1].is_hole);
+    check_equal(s->solid->body[2].outlines, 1);
+    check_equal(s->solid->body[3].outlines, 0); /* points have none */
     scene_free(s);
 }
 
@@ -311,24 +395,45 @@ static void test_defaults_of_a_plate(void **state) {
     const char *const set[] = {"solid.refinement={}", "output.crack={}", "output.probes={at: [[0, 0]]}"};
     struct scene *s = read_or_fail("pulled.yaml", 3, set);
     const struct scene_solid *p = s->solid;
-    assert_true(p->model == SCENE_PLANE_STRAIN && p->thickness == 1 && p->material[0].poisson_ratio == 0.25);
+    check_equal(p->model, SCENE_PLANE_STRAIN);
+    check_equal(p->thickness, 1);
+    check_equal(p->material[0].poisson_ratio, 0.25);
     assert_vector(p->lattice_offset, 0, 0, 0);
-    assert_true(p->partial_volume == SCENE_PARTIAL_EXACT && p->horizons == SCENE_HORIZONS_DUAL);
-    assert_true(p->material[0].micromodulus == SCENE_CONSTANT && p->material[0].horizon_ratio == 3);
+    check_equal(p->partial_volume, SCENE_PARTIAL_EXACT);
+    check_equal(p->horizons, SCENE_HORIZONS_DUAL);
+    check_equal(p->material[0].micromodulus, SCENE_CONSTANT);
+    check_equal(p->material[0].horizon_ratio, 3);
     assert_string_equal(p->constraint[0].directions, "xy");
     assert_true(p->constraint[0].direction[1] && !p->constraint[0].direction[2]);
-    assert_true(!p->constraint[0].has_displacement && p->load[0].time.n == 0 && !p->load[1].over_horizon);
+    assert_false(p->constraint[0].has_displacement);
+    check_equal(p->load[0].time.n, 0);
+    assert_false(p->load[1].over_horizon);
     const struct scene_refinement *r = p->refinement;
-    assert_true(r->levels == 1 && r->energy == 0.4 && r->damage == 0 && r->from == 0 && r->every == 10);
-    assert_true(!r->horizon_kept && !r->interface_corrected && !r->held_refine && r->starts == 0);
-    for (int d = 0; d < 3; d++) assert_true(r->low[d] == -INFINITY && r->high[d] == INFINITY);
-    assert_true(s->output.crack->damage == 0.35 && s->output.crack->window == 2e-6 && s->output.crack->every == 10);
+    check_equal(r->levels, 1);
+    check_equal(r->energy, 0.4);
+    check_equal(r->damage, 0);
+    check_equal(r->from, 0);
+    check_equal(r->every, 10);
+    assert_false(r->horizon_kept);
+    assert_false(r->interface_corrected);
+    assert_false(r->held_refine);
+    check_equal(r->starts, 0);
+    for (int d = 0; d < 3; d++) {
+        check_equal(r->low[d], -INFINITY);
+        check_equal(r->high[d], INFINITY);
+    }
+    check_equal(s->output.crack->damage, 0.35);
+    check_equal(s->output.crack->window, 2e-6);
+    check_equal(s->output.crack->every, 10);
     assert_vector(s->output.crack->direction, 1, 0, 0);
-    assert_true(s->output.probes->places == 1 && s->output.probes->every == 10);
+    check_equal(s->output.probes->places, 1);
+    check_equal(s->output.probes->every, 10);
     scene_free(s);
     s = read_or_fail("block.yaml", 0, NULL); /* in 3D */
     assert_int_equal(s->dimension, 3);
-    assert_true(s->solid->model == SCENE_3D && !s->solid->refinement && s->solid->crack[0].points == 4);
+    check_equal(s->solid->model, SCENE_3D);
+    assert_false(s->solid->refinement);
+    check_equal(s->solid->crack[0].points, 4);
     assert_vector(s->solid->lattice_offset, 0.5, 0, 0);
     assert_vector(s->solid->crack[0].point[2], 0.01, 0.005, 0.01);
     assert_string_equal(s->solid->constraint[0].directions, "xyz");
@@ -344,7 +449,7 @@ static void test_ranks_hold_the_same(void **state) {
     struct scene_stage stage = s->stage[0];
     struct scene_body body = s->solid->body[2];
     char resolved[8192] = "";
-    assert_true(strlen(s->resolved) < sizeof resolved);
+    check_below(strlen(s->resolved), sizeof resolved);
     strcpy(resolved, s->resolved);
     par_bcast(&fluid, sizeof fluid, 0);
     par_bcast(&stage, sizeof stage, 0);
@@ -354,7 +459,8 @@ static void test_ranks_hold_the_same(void **state) {
     assert_memory_equal(&stage, &s->stage[0], sizeof stage);
     assert_memory_equal(&body, &s->solid->body[2], sizeof body);
     assert_string_equal(resolved, s->resolved);
-    assert_true(s->stage[0].steps == 33 && s->fluid->viscosity == 1.1e-3);
+    check_equal(s->stage[0].steps, 33);
+    check_equal(s->fluid->viscosity, 1.1e-3);
     scene_free(s);
 }
 
@@ -376,7 +482,8 @@ static void test_settings_of_a_plate(void **state) {
     struct scene *s = read_or_fail("plate.yaml", 6, set);
     assert_vector(s->solid->crack[0].point[1], 0.011, 0.02, 0);
     assert_int_equal(s->solid->initial[0].shape, SCENE_SINE);
-    assert_true(s->solid->body[0].corner[0].at[0] == 0.001 && s->solid->refinement->energy == 0.5);
+    check_equal(s->solid->body[0].corner[0].at[0], 0.001);
+    check_equal(s->solid->refinement->energy, 0.5);
     assert_int_equal(s->solid->load[1].time.n, 2);
     scene_free(s);
     char *text = sample_text(SCENES "plate.yaml");

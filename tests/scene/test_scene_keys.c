@@ -1,8 +1,10 @@
 /* Schema, rules and docs/scene.md name the same keys, units, defaults and ranges. */
 #include "base/par.h"
+#include "base/text.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
 #include "scene_sample.h"
+#include "tests/check.h"
 
 struct keys {
     int n;
@@ -12,18 +14,17 @@ struct keys {
 
 static void collect(struct keys *keys, const cyaml_schema_value_t *v, const char *path) {
     if (v->type == CYAML_SEQUENCE) {
-        char *inner = scene_node_text("%s[]", path);
+        char *inner = text_new("%s[]", path);
         collect(keys, v->sequence.entry, inner);
         free(inner);
     }
     if (v->type != CYAML_MAPPING) return;
     for (const cyaml_schema_field_t *f = v->mapping.fields; f->key; f++) {
         const int is_side = !strcmp(path, "fluid.sides");
-        char *inner =
-            is_side ? scene_node_text("fluid.sides.SIDE") : scene_node_text("%s%s%s", path, *path ? "." : "", f->key);
+        char *inner = is_side ? text_new("fluid.sides.SIDE") : text_new("%s%s%s", path, *path ? "." : "", f->key);
         if (!is_side || !strcmp(f->key, "x_low")) {
-            assert_true(keys->n < 256);
-            keys->path[keys->n] = scene_node_text("%s", inner);
+            check_below(keys->n, 256);
+            keys->path[keys->n] = text_new("%s", inner);
             keys->optional[keys->n++] = (f->value.flags & CYAML_FLAG_OPTIONAL) != 0;
             collect(keys, &f->value, inner);
         }
@@ -39,7 +40,7 @@ static void test_every_key_has_a_rule(void **state) {
     (void)state;
     struct keys keys = {0};
     collect(&keys, &scene_schema, "");
-    assert_true(keys.n > 160);
+    check_above(keys.n, 160);
     int rules = 0;
     while (scene_rule_table[rules].path) rules++;
     assert_int_equal(keys.n, rules);
@@ -68,16 +69,15 @@ static void test_the_reference_has_every_key(void **state) {
     collect(&keys, &scene_schema, "");
     for (int i = 0; i < keys.n; i++) {
         const struct scene_rule *rule = &scene_rule_table[i];
-        char *row = scene_node_text("| `%s` | %s | ", rule->path, rule->unit);
+        char *row = text_new("| `%s` | %s | ", rule->path, rule->unit);
         const char *at = strstr(text, row);
         if (!at) fail_msg("docs/scene.md lacks \"%s\"", row);
         at += strlen(row);
         const char *given = rule->fallback ? rule->fallback : !keys.optional[i] || rule->needed ? "needed" : "";
         if (strncmp(at, given, strlen(given)) != 0 || (*given && strncmp(at + strlen(given), " |", 2) != 0))
             fail_msg("docs/scene.md: the default of %s is %s", rule->path, given);
-        char *range = scene_rule_range(rule),
-             *cell = scene_node_text(" | %s%s%s |", range ? range : "", rule->word ? ", or " : "",
-                                     rule->word ? rule->word : "");
+        char *range = scene_rule_range(rule), *cell = text_new(" | %s%s%s |", range ? range : "",
+                                                               rule->word ? ", or " : "", rule->word ? rule->word : "");
         const size_t end = strcspn(at, "\n"), found = range ? (size_t)(strstr(at, cell) - at) : 0;
         if (range && (!strstr(at, cell) || found > end))
             fail_msg("docs/scene.md: the range of %s is%s", rule->path, cell);
@@ -128,7 +128,7 @@ static void test_largest_horizon_of_a_plate(void **state) {
             for (int j = -14; j <= 14; j++) bonds[more] += i * i + j * j < r * r;
     }
     assert_int_equal(bonds[0], 488);
-    assert_true(bonds[1] > 512);
+    check_above(bonds[1], 512);
 }
 
 int main(int argc, char **argv) {

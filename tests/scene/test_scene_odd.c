@@ -2,7 +2,9 @@
 /* Numbers in unusual forms, texts that are not YAML, keys of other parts, values of wrong types. Each mistake gives its
  * own line. Files of other systems are read. */
 #include "base/par.h"
+#include "base/text.h"
 #include "scene_sample.h"
+#include "tests/check.h"
 
 /* clang-format off */
 static const struct sample_broken table[] = {
@@ -382,14 +384,14 @@ static void test_too_much_of_a_thing(void **state) {
         {"fluid", "start-up", "", "n", "", "stages[0].name = nnnnnnn"}};
     for (size_t k = 0; k < sizeof heap / sizeof *heap; k++) {
         const size_t entry = strlen(heap[k].entry);
-        char *sample = scene_node_text("%s%s.yaml", SCENES, heap[k].sample), *from = sample_text(sample);
+        char *sample = text_new("%s%s.yaml", SCENES, heap[k].sample), *from = sample_text(sample);
         char *more = calloc(1, entry * MANY + 100), *at = more + sprintf(more, "%s", heap[k].begin);
         for (int i = 0; i < MANY; i++, at += entry) memcpy(at, heap[k].entry, entry);
         strcpy(at, heap[k].end);
         char *text = sample_with(from, heap[k].find, more);
         struct scene_problems problems;
         assert_null(sample_read(text, 0, NULL, &problems));
-        assert_true(problems.n > 0);
+        check_above(problems.n, 0);
         int says = 0;
         for (int i = 0; i < problems.n; i++) says |= strstr(problems.text[i], heap[k].says) != NULL;
         if (!says) fail_msg("%s: %s", heap[k].says, problems.text[0]);

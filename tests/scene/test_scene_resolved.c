@@ -1,6 +1,8 @@
 /* The resolved scene reads back as the same scene. */
 #include "base/par.h"
+#include "base/text.h"
 #include "scene_sample.h"
+#include "tests/check.h"
 
 /* Arrays are equal, or both NULL if empty. */
 static void assert_same_array(const void *a, const void *b, int n, size_t size) {
@@ -36,7 +38,8 @@ static void assert_same_body(const struct scene_body *a, const struct scene_body
     assert_same_parts(a->holes, a->hole, b->hole);
     assert_int_equal(a->outlines, b->outlines);
     for (int i = 0; i < a->outlines; i++) {
-        assert_true(a->outline[i].corners == b->outline[i].corners && a->outline[i].is_hole == b->outline[i].is_hole);
+        check_equal(a->outline[i].corners, b->outline[i].corners);
+        check_equal(a->outline[i].is_hole, b->outline[i].is_hole);
         assert_same_corners(a->outline[i].corners, a->outline[i].corner, b->outline[i].corner);
     }
 }
@@ -68,9 +71,11 @@ static void assert_same_solid(const struct scene_solid *s, const struct scene_so
     assert_same_array(s->initial, t->initial, s->initials, sizeof *s->initial);
     assert_same_refinement(s->refinement, t->refinement);
     assert_memory_equal(s->body_force, t->body_force, sizeof s->body_force);
-    assert_true(s->contact == t->contact && s->contact_stiffness == t->contact_stiffness);
-    assert_true(s->contact_exponent == t->contact_exponent && s->contact_radius == t->contact_radius);
-    assert_true(s->surface_correction == t->surface_correction);
+    check_equal(s->contact, t->contact);
+    check_equal(s->contact_stiffness, t->contact_stiffness);
+    check_equal(s->contact_exponent, t->contact_exponent);
+    check_equal(s->contact_radius, t->contact_radius);
+    check_equal(s->surface_correction, t->surface_correction);
 }
 
 static void assert_same_output(const struct scene_output *a, const struct scene_output *b) {
@@ -79,7 +84,8 @@ static void assert_same_output(const struct scene_output *a, const struct scene_
     if (a->crack) assert_memory_equal(a->crack, b->crack, sizeof *a->crack);
     assert_true(!a->probes == !b->probes);
     if (!a->probes) return;
-    assert_true(a->probes->places == b->probes->places && a->probes->every == b->probes->every);
+    check_equal(a->probes->places, b->probes->places);
+    check_equal(a->probes->every, b->probes->every);
     assert_same_array(a->probes->at, b->probes->at, a->probes->places, sizeof *a->probes->at);
 }
 
@@ -132,7 +138,7 @@ static void test_texts_survive_the_resolved_scene(void **state) {
         "  blanks  "};
     char *sample = sample_text(SCENES "fluid.yaml");
     for (size_t i = 0; i < sizeof title / sizeof *title; i++) {
-        char *text = scene_node_text("title: %s\n%s", title[i], sample);
+        char *text = text_new("title: %s\n%s", title[i], sample);
         struct scene_problems problems, none;
         struct scene *s = sample_read(text, 0, NULL, &problems);
         assert_non_null(s);

@@ -2,9 +2,9 @@
 #pragma once
 #include "base/par.h"
 #include "solid/bonds/family.h"
-#include "solid/state.h"
 #include "solid/law/material.h"
 #include "solid/solid.h"
+#include "solid/state.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -15,12 +15,6 @@
 #include <cmocka.h>
 
 /* |value - expected| <= tolerance; a failure prints all three. */
-#define assert_near(value, expected, tolerance)                                                                        \
-    do {                                                                                                               \
-        const double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                               \
-        if (!(fabs(value_ - expected_) <= tolerance_))                                                                 \
-            fail_msg("%s = %.15g, expected %.15g within %.3g", #value, value_, expected_, tolerance_);                 \
-    } while (0)
 
 static const double SPACING = 1.5625e-3, YOUNG = 1e8, DENSITY = 3000;
 

@@ -2,10 +2,10 @@
 #pragma once
 #include "base/par.h"
 #include "solid/bonds/family.h"
-#include "solid/state.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/measure/energy.h"
 #include "solid/solid.h"
+#include "solid/state.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -15,13 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-
-#define assert_near(value, expected, tolerance)                                                                        \
-    do {                                                                                                               \
-        const double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                               \
-        if (!(fabs(value_ - expected_) <= tolerance_))                                                                 \
-            fail_msg("%s = %.15g, expected %.15g within %.3g", #value, value_, expected_, tolerance_);                 \
-    } while (0)
 
 static const double SPACING = 1e-3, YOUNG = 72e9, DENSITY = 2440, G0 = 135, THICKNESS = 2e-3;
 

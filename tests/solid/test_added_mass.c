@@ -4,6 +4,7 @@
 #include "solid/force/force.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -37,10 +38,10 @@ static void test_faces(void **state) {
         const double along = free_a * s * DENSITY / (DENSITY + carried);
         double dot = 0;
         for (int c = 0; c < 3; c++) dot += one->a[c][0] * s;
-        assert_true(fabs(dot - along) < 1e-14 * free_a);
+        check_close(dot, along, 1e-14 * free_a);
         for (int c = 0; c < 3; c++) {
             const double across = (c == 0) * free_a - free_a * s * s;
-            assert_true(fabs(one->a[c][0] - dot * s - across) < 1e-14 * free_a);
+            check_close(one->a[c][0] - dot * s - across, 0, 1e-14 * free_a);
         }
         solid_free(one);
     }
@@ -60,9 +61,9 @@ static void test_energy(void **state) {
         solid_integrate(one, 1e-3, 50);
         double kinetic = 0;
         for (int c = 0; c < 3; c++) kinetic += 0.5 * DENSITY * one->volume[0] * pow(one->v[c][0], 2);
-        assert_true(fabs(one->v[0][0] - 0.05 * 2e4 / (DENSITY + density)) < 1e-12);
-        assert_true(fabs(one->v[1][0] - 0.05 * 4e4 / DENSITY) < 1e-12);
-        assert_true(fabs(one->work_load / kinetic - 1) < 1e-12);
+        check_close(one->v[0][0], 0.05 * 2e4 / (DENSITY + density), 1e-12);
+        check_close(one->v[1][0], 0.05 * 4e4 / DENSITY, 1e-12);
+        check_relative(one->work_load, kinetic, 1e-12);
         solid_free(one);
     }
 }

@@ -4,6 +4,7 @@
 #include "solid/force/force.h"
 #include "solid/law/material.h"
 #include "solid/solid.h"
+#include "tests/check.h"
 
 /* Every bond has the same stretch s: below s0 none breaks, above it all break and release the energy that they
  * stored. */
@@ -19,11 +20,11 @@ static void dilate(struct make m, double of_s0, int expect_broken) {
     assert_int_equal(s->bonds_broken, expect_broken ? s->bonds_total : 0);
     assert_int_equal(par_sum_long(s->broke), expect_broken ? par_size() : 0);
     if (expect_broken) {
-        assert_near(par_sum(s->e_fracture) / held, 1, 1e-12);
-        assert_near(energy_of(s, NULL), 0, 0);
+        check_close(par_sum(s->e_fracture) / held, 1, 1e-12);
+        check_close(energy_of(s, NULL), 0, 0);
         for (int h = 0; h < s->n; h++) {
             assert_true(s->flag[h] & SOLID_BROKEN);
-            for (int c = 0; c < 3; c++) assert_true(s->a[c][h] == 0);
+            for (int c = 0; c < 3; c++) check_equal(s->a[c][h], 0);
         }
     }
     solid_free(s);
@@ -78,7 +79,7 @@ static void test_symmetric(void **state) {
             for (int i = 0; i < 3; i++) solid_force(s, 1);
             long directed;
             assert_int_equal(unpaired(s, &directed), 0);
-            assert_true(directed > s->bonds_total / 4 && directed < 3 * s->bonds_total / 2);
+            check_between(directed, s->bonds_total / 4, 3 * s->bonds_total / 2);
             solid_family_count(s);
             assert_int_equal(2 * s->bonds_broken, directed);
             solid_free(s);
@@ -97,7 +98,7 @@ static void test_symmetric_at_the_limit(void **state) {
         solid_force(s, 1);
         long directed;
         assert_int_equal(unpaired(s, &directed), 0);
-        assert_true(directed > s->bonds_total / 10 && directed < 2 * s->bonds_total);
+        check_between(directed, s->bonds_total / 10, 2 * s->bonds_total);
         solid_free(s);
     }
 }
@@ -150,7 +151,7 @@ static void test_cleave(void **state) {
                 if (view.intact[b]) solid_family_break(s, h, b);
             }
         }
-        assert_near(par_sum(released) / (64 * SPACING * SPACING) / 0.05, 1.01313, 1e-4);
+        check_close(par_sum(released) / (64 * SPACING * SPACING) / 0.05, 1.01313, 1e-4);
         solid_family_count(s);
         assert_int_equal(2 * s->bonds_broken, par_sum_long(crossing));
         uint8_t bits[64];
@@ -171,7 +172,7 @@ static void test_cleave(void **state) {
         solid_ghosts_update(again);
         solid_force(again, 1);
         for (int h = 0; h < s->n; h++)
-            for (int c = 0; c < 3; c++) assert_near(again->a[c][h], 0, 1e-9);
+            for (int c = 0; c < 3; c++) check_close(again->a[c][h], 0, 1e-9);
         assert_int_equal(again->broke, 0);
         solid_free(s);
         solid_free(again);

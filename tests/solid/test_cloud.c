@@ -5,8 +5,10 @@
 
 #include "solid/law/material.h"
 #include "solid/law/pair.h"
+#include "solid/law/stencil.h"
 #include "solid/law/weight.h"
 #include "solid/law/weight_plane.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 
@@ -24,17 +26,19 @@ static void test_areas(void **state) {
             for (int i = -reach; i <= reach; i++) {
                 const double xi[2] = {side * (i + shift[0]), side * (j + shift[1])}, turned[2] = {-xi[1], xi[0]};
                 const double part = solid_weight_plane_fraction(xi, side, radius);
-                assert_true(part >= 0 && part <= 1);
-                assert_true(part == solid_weight_plane_fraction(turned, side, radius));
+                check_at_least(part, 0);
+                check_at_most(part, 1);
+                check_equal(part, solid_weight_plane_fraction(turned, side, radius));
                 area += part * side * side;
             }
         /* the last digit of the angle in each of up to 500 cells on the circle */
-        assert_near(area / (M_PI * radius * radius), 1, 1e-12);
+        check_close(area / (M_PI * radius * radius), 1, 1e-12);
     }
     const double ahead[2] = {3, 0}, far[2] = {3.5, 0}, near[2] = {2, 0};
-    assert_true(solid_weight_plane_fraction(far, 1, 3) == 0 && solid_weight_plane_fraction(near, 1, 3) == 1);
+    check_equal(solid_weight_plane_fraction(far, 1, 3), 0);
+    check_equal(solid_weight_plane_fraction(near, 1, 3), 1);
     /* the strip 2.5 < x, |y| < 1/2 under the arc: sqrt(9 - 1/4)/2 + 9 asin(1/6) - 2.5 */
-    assert_near(solid_weight_plane_fraction(ahead, 1, 3), sqrt(8.75) / 2 + 9 * asin(1. / 6) - 2.5, 1e-14);
+    check_close(solid_weight_plane_fraction(ahead, 1, 3), sqrt(8.75) / 2 + 9 * asin(1. / 6) - 2.5, 1e-14);
 }
 
 struct material_case {
@@ -57,14 +61,14 @@ static void test_constants(void **state) {
     };
     for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
         const struct solid_material m = {of[k].young, DENSITY, of[k].energy, of[k].ratio, SOLID_CONSTANT};
-        const struct solid_constants is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
-        assert_near(is.c / of[k].c, 1, of[k].within);
-        assert_near(is.s0 / of[k].s0, 1, of[k].within);
+        const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
+        check_close(is.c / of[k].c, 1, of[k].within);
+        check_close(is.s0 / of[k].s0, 1, of[k].within);
     }
     const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-    const struct solid_constants space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
-    assert_near(space.c / solid_material_micromodulus(&m, SPACING), 1, 1e-15);
-    assert_near(space.s0 / solid_material_critical_stretch(&m, SPACING), 1, 1e-15);
+    const struct physics_bond space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
+    check_close(space.c / solid_material_micromodulus(&m, SPACING), 1, 1e-15);
+    check_close(space.s0 / solid_material_critical_stretch(&m, SPACING), 1, 1e-15);
 }
 
 struct sums {
@@ -94,7 +98,7 @@ static struct sums sums_of(enum solid_model model, enum solid_partial partial, e
                 sums.c11 += 0.5 * kv * pow(i, 4) / pow(length, 3);
                 sums.c12 += 0.5 * kv * i * i * j * j / pow(length, 3);
                 if (i > 0) sums.g += 0.5 * kv * s2 * length * i;
-                assert_near(pair.limit, law.s0 * (2 + law.s0), 1e-15 * pair.limit);
+                check_close(pair.limit, law.s0 * (2 + law.s0), 1e-15 * pair.limit);
             }
     sums.nu = sums.c12 / sums.c11;
     const double c11 = YOUNG * (model == SOLID_PLANE_STRESS ? 9. / 8 : 1.2),
@@ -117,11 +121,11 @@ static void test_lattice_sums(void **state) {
             const struct sums is =
                 sums_of((enum solid_model)model, k ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT, SOLID_CONSTANT, 3);
             assert_int_equal(is.bonds, expected.bonds);
-            assert_near(is.c11, expected.c11, 1e-5);
-            assert_near(is.c12, expected.c12, 1e-5);
-            if (model == SOLID_PLANE_STRESS) assert_near(is.nu, expected.nu, 1e-5);
-            assert_near(is.w, expected.w, 1e-5);
-            assert_near(is.g, expected.g, 1e-5);
+            check_close(is.c11, expected.c11, 1e-5);
+            check_close(is.c12, expected.c12, 1e-5);
+            if (model == SOLID_PLANE_STRESS) check_close(is.nu, expected.nu, 1e-5);
+            check_close(is.w, expected.w, 1e-5);
+            check_close(is.g, expected.g, 1e-5);
         }
 }
 
@@ -137,9 +141,9 @@ static void test_fine_sums(void **state) {
                 const struct sums is =
                     sums_of((enum solid_model)model, model == SOLID_3D ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
                             (enum solid_micromodulus_kind)kind, m[k]);
-                assert_near(is.c11, 1, within[k]);
-                assert_near(is.w, 1, within[k]);
-                assert_near(is.g, 1, within[k]);
+                check_close(is.c11, 1, within[k]);
+                check_close(is.w, 1, within[k]);
+                check_close(is.g, 1, within[k]);
             }
         }
 }
@@ -167,22 +171,23 @@ static void test_pairs(void **state) {
         assert_int_equal(solid_pair_exists(&dual, back, &b, &a), ab || ba);
         if (!ab && !ba) continue;
         const struct solid_pair there = solid_pair_of(&dual, xi, &a, &b), here = solid_pair_of(&dual, back, &b, &a);
-        assert_true(there.stiffness == here.stiffness && there.limit == here.limit);
+        check_equal(there.stiffness, here.stiffness);
+        check_equal(there.limit, here.limit);
         const struct solid_pair half[2] = {solid_pair_of(&single, xi, &a, &b), solid_pair_of(&single, back, &b, &a)};
-        assert_near(there.stiffness, 0.5 * (half[0].stiffness + half[1].stiffness), 1e-15 * there.stiffness);
+        check_close(there.stiffness, 0.5 * (half[0].stiffness + half[1].stiffness), 1e-15 * there.stiffness);
         double energy = 0;
         for (int k = 0; k < 2; k++) energy += 0.5 * half[k].stiffness * pow(sqrt(1 + half[k].limit) - 1, 2);
-        assert_near(there.stiffness * pow(sqrt(1 + there.limit) - 1, 2) / energy, 1, 1e-10);
+        check_close(there.stiffness * pow(sqrt(1 + there.limit) - 1, 2) / energy, 1, 1e-10);
         one_half += ab != ba;
         const struct solid_end same = {b.size, a.horizon, b.volume};
         const struct solid_end like = {b.size, a.horizon, a.volume};
         if (!solid_pair_exists(&single, xi, &like, &same)) continue;
-        assert_true(solid_pair_of(&dual, xi, &like, &same).stiffness ==
+        check_equal(solid_pair_of(&dual, xi, &like, &same).stiffness,
                     solid_pair_of(&single, xi, &like, &same).stiffness);
-        assert_near(solid_pair_of(&dual, xi, &like, &same).limit / solid_pair_of(&single, xi, &like, &same).limit, 1,
+        check_close(solid_pair_of(&dual, xi, &like, &same).limit / solid_pair_of(&single, xi, &like, &same).limit, 1,
                     0);
     }
-    assert_true(one_half > 1000);
+    check_above(one_half, 1000);
 }
 
 /* V0 scales with the size of things, and is that of the lattice's stencil. */
@@ -195,13 +200,13 @@ static void test_full_volume(void **state) {
     struct solid_bond_law solid = solid_pair_law(&space, &m);
     solid.columns = 400;
     const double full = solid_pair_full_volume(&law, 3, 1);
-    assert_near(full, M_PI * 9 - 1, 1e-13);
-    assert_near(solid_pair_full_volume(&law, 1.5, 0.5) * 4 / full, 1, 1e-14);
-    assert_near(solid_pair_full_volume(&law, 3, 0.97) / full, 1, 0);
+    check_close(full, M_PI * 9 - 1, 1e-13);
+    check_close(solid_pair_full_volume(&law, 1.5, 0.5) * 4 / full, 1, 1e-14);
+    check_close(solid_pair_full_volume(&law, 3, 0.97) / full, 1, 0);
     solid.table = solid_weight_table_new();
-    struct solid_stencil *stencil = solid_weight_stencil_new(1, 3);
-    assert_near(solid_pair_full_volume(&solid, 3, 1) / stencil->full_volume, 1, 1e-13); /* rounded weights */
-    solid_weight_stencil_free(stencil);
+    struct solid_stencil *stencil = solid_stencil_new(1, 3);
+    check_close(solid_pair_full_volume(&solid, 3, 1) / stencil->full_volume, 1, 1e-13); /* rounded weights */
+    solid_stencil_free(stencil);
     solid_weight_table_free(solid.table);
 }
 

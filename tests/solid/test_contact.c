@@ -7,6 +7,7 @@
 #include "solid/step/integrate.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
+#include "tests/check.h"
 
 enum { MOST = 2000 };
 
@@ -18,7 +19,7 @@ struct everyone {
 static struct everyone all;
 
 static void gather(const struct solid *s) {
-    assert_true(s->n_global <= MOST);
+    check_at_most(s->n_global, MOST);
     memset(&all, 0, sizeof all);
     for (int h = 0; h < s->n; h++) {
         double x[3];
@@ -70,14 +71,14 @@ static void check_force(struct solid *s, int (*joined)(long, long)) {
         double a[3];
         brute_force(s, h, joined, a);
         for (int c = 0; c < 3; c++) {
-            assert_true(fabs(s->a[c][h] - a[c]) <= 1e-12 * scale(s));
+            check_close(s->a[c][h], a[c], 1e-12 * scale(s));
             sum[c] += s->a[c][h];
             sum[3] += fabs(s->a[c][h]);
         }
     }
     par_sum_array(sum, 4);
-    assert_true(sum[3] > 0);
-    for (int c = 0; c < 3; c++) assert_true(fabs(sum[c]) < 1e-13 * sum[3]);
+    check_above(sum[3], 0);
+    for (int c = 0; c < 3; c++) check_close(sum[c], 0, 1e-13 * sum[3]);
 }
 
 static long first_of_second; /* global id at which the second body starts */
@@ -111,7 +112,7 @@ static void nothing_before_touch(void **state) {
     struct solid_surface *f = solid_surface_new(s);
     solid_contact_update(s);
     assert_null(s->contact);
-    assert_true(solid_contact_force_energy(s) == 0);
+    check_equal(solid_contact_force_energy(s), 0);
     bodies_open(s, 0, 3, 0.3 * SPACING);
     solid_contact_update(s);
     assert_null(s->contact);
@@ -135,7 +136,7 @@ static void nothing_before_touch(void **state) {
     assert_non_null(s->contact);
     clear(s);
     solid_contact_force(s);
-    for (int h = 0; h < s->n; h++) assert_true(s->a[0][h] == 0);
+    for (int h = 0; h < s->n; h++) check_equal(s->a[0][h], 0);
     s->in.contact = 0;
     solid_contact_free(s);
     solid_contact_update(s);
@@ -160,7 +161,7 @@ static void two_bodies(void **state) {
             double total = 0;
             for (int h = 0; h < s->n; h++)
                 if (s->body[h] == 1) total += s->a[0][h];
-            assert_true(par_sum(total) * (periodic ? -1 : 1) > 0);
+            check_above(par_sum(total) * (periodic ? -1 : 1), 0);
             /* a little further without new lists */
             for (int h = 0; h < s->n; h++) s->d[1][h] += 0.1 * SPACING * (bodies_random(bodies_id(s, h), 5) - 0.5);
             solid_ghosts_update(s);
@@ -213,7 +214,7 @@ static void cut_block(void **state) {
                 double a[3];
                 brute_force(s, h, halves, a);
                 for (int c = 0; c < 3; c++) {
-                    assert_true(fabs(s->a[c][h] - a[c]) <= 1e-12 * scale(s));
+                    check_close(s->a[c][h], a[c], 1e-12 * scale(s));
                     sum[c] += s->a[c][h];
                 }
                 size += fabs(s->a[0][h]);
@@ -221,8 +222,8 @@ static void cut_block(void **state) {
             }
             par_sum_array(sum, 3);
             size = par_sum(size);
-            assert_true(par_sum(right) > 0.1 * size);
-            for (int c = 0; c < 3; c++) assert_true(fabs(sum[c]) < 1e-13 * size);
+            check_above(par_sum(right), 0.1 * size);
+            for (int c = 0; c < 3; c++) check_close(sum[c], 0, 1e-13 * size);
             solid_surface_free(f);
             solid_contact_free(s);
             solid_free(s);
@@ -251,8 +252,9 @@ static void force_from_energy(void **state) {
         for (int h = 0; h < s->n; h++)
             if (s->body[h] == 1) force += DENSITY * s->volume[h] * s->a[0][h];
         force = par_sum(force);
-        assert_true(energy[0] > energy[1] && energy[1] > 0);
-        assert_true(fabs((energy[0] - energy[1]) / (2 * step * force) - 1) < 1e-6);
+        check_above(energy[0], energy[1]);
+        check_above(energy[1], 0);
+        check_relative(energy[0] - energy[1], 2 * step * force, 1e-6);
         solid_surface_free(f);
         solid_contact_free(s);
         solid_free(s);
@@ -277,7 +279,7 @@ static void bounce(void **state) {
         const struct solid_energy e = solid_energy_measure(s);
         const double contact = solid_contact_force_energy(s);
         touching = fmax(touching, contact);
-        worst = fmax(worst, fabs(e.kinetic + e.strain + contact - start));
+        worst = check_worst(worst, e.kinetic + e.strain + contact - start);
     }
     for (int h = 0; h < s->n; h++) {
         momentum += s->v[0][h];
@@ -287,11 +289,11 @@ static void bounce(void **state) {
     momentum = par_sum(momentum);
     print_message("bounce: energy out by %.2e, at most %.2f of it in contact, velocity after %.3f of that before\n",
                   worst / start, touching / start, velocity / speed);
-    assert_true(touching > 0.02 * start);
-    assert_true(solid_contact_force_energy(s) == 0);
-    assert_true(velocity > 0.3 * speed);
-    assert_true(fabs(momentum) < 1e-10 * 432 * speed);
-    assert_true(worst < 5e-3 * start);
+    check_above(touching, 0.02 * start);
+    check_equal(solid_contact_force_energy(s), 0);
+    check_above(velocity, 0.3 * speed);
+    check_close(momentum, 0, 1e-10 * 432 * speed);
+    check_below(worst, 5e-3 * start);
     solid_surface_free(f);
     solid_contact_free(s);
     solid_free(s);

@@ -4,6 +4,7 @@
 #include "solid/force/force.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
+#include "tests/check.h"
 
 static const double PAIRWISE = 2e13,
                     ABSOLUTE = 1e3; /* k_d, k_a: a few percent of critical at the lattice's frequency */
@@ -42,11 +43,11 @@ static void test_takes_energy(void **state) {
                 total[c] += force;
                 size += fabs(force);
             }
-        assert_true(par_sum(damped->power_damped) > 0);
-        assert_near(par_sum(work) / par_sum(damped->power_damped), -1, 1e-10);
+        check_above(par_sum(damped->power_damped), 0);
+        check_close(par_sum(work) / par_sum(damped->power_damped), -1, 1e-10);
         par_sum_array(total, 3);
         size = par_sum(size);
-        for (int c = 0; c < 3; c++) assert_near(total[c] / size, 0, 1e-14);
+        for (int c = 0; c < 3; c++) check_close(total[c] / size, 0, 1e-14);
         /* a rigid motion is not damped: translation and spin */
         for (int h = 0; h < free->n; h++)
             for (int c = 0; c < 3; c++) {
@@ -57,7 +58,7 @@ static void test_takes_energy(void **state) {
         solid_ghosts_update(damped);
         solid_force(damped, 0);
         for (int h = 0; h < free->n; h++)
-            for (int c = 0; c < 3; c++) assert_near(damped->a[c][h] * DENSITY / (PAIRWISE * 4e-7), 0, 1e-11);
+            for (int c = 0; c < 3; c++) check_close(damped->a[c][h] * DENSITY / (PAIRWISE * 4e-7), 0, 1e-11);
         solid_free(damped);
         solid_free(free);
     }
@@ -82,8 +83,8 @@ static void test_decay(void **state) {
         decay(verlet, 25, coarse);
         decay(verlet, 50, fine);
         for (int i = 0; i < 2; i++) {
-            assert_near(log2(coarse[i] / fine[i]), verlet ? 2 : 3, 0.15);
-            assert_true(fine[i] < (verlet ? 1e-4 : 1e-6));
+            check_close(log2(coarse[i] / fine[i]), verlet ? 2 : 3, 0.15);
+            check_below(fine[i], verlet ? 1e-4 : 1e-6);
         }
     }
 }
@@ -117,8 +118,10 @@ static double imbalance(int verlet, int list, int steps, double fracture_energy,
     par_sum_array(sum, 4);
     solid_family_count(s);
     *broke = s->bonds_broken > 0;
-    assert_true(sum[0] > 0.05 * sum[2] && sum[2] > 0 && fabs(sum[3]) > 0.01 * sum[2]);
-    if (*broke) assert_true(sum[1] > 0.001 * sum[2]);
+    check_above(sum[0], 0.05 * sum[2]);
+    check_above(sum[2], 0);
+    check_above(fabs(sum[3]), 0.01 * sum[2]);
+    if (*broke) check_above(sum[1], 0.001 * sum[2]);
     solid_free(s);
     return fabs(e1 - e0 + sum[0] + sum[1] - sum[2] - sum[3]) / sum[2];
 }
@@ -131,10 +134,10 @@ static void test_budget(void **state) {
             const double coarse = imbalance(verlet, list, 200, 0, &broke),
                          fine = imbalance(verlet, list, 400, 0, &broke);
             assert_int_equal(broke, 0);
-            assert_true(coarse < (verlet ? 1e-2 : 1e-3));
-            assert_near(log2(coarse / fine), verlet ? 2 : 3, 0.3);
+            check_below(coarse, verlet ? 1e-2 : 1e-3);
+            check_close(log2(coarse / fine), verlet ? 2 : 3, 0.3);
             /* with bonds breaking the state is rougher, and the budget still closes */
-            assert_true(imbalance(verlet, list, 400, 2e-4, &broke) < (verlet ? 2e-3 : 2e-4));
+            check_below(imbalance(verlet, list, 400, 2e-4, &broke), verlet ? 2e-3 : 2e-4);
             assert_int_equal(broke, 1);
         }
 }

@@ -2,6 +2,7 @@
 #include "solid/measure/fragments.h"
 #include "solid/solid.h"
 #include "test_surface_bodies.h"
+#include "tests/check.h"
 
 static const double mass = DENSITY * SPACING * SPACING * SPACING;
 
@@ -41,11 +42,11 @@ static void bar_in_three(void **state) {
                                       0.5 * (from[part] + from[part + 1]) * SPACING};
             long first = 1000;
             assert_int_equal(list[k].particles, 30 * layers);
-            assert_true(fabs(list[k].mass / (30 * layers * mass) - 1) < 1e-12);
+            check_relative(list[k].mass, 30 * layers * mass, 1e-12);
             assert_int_equal(list[k].held, part == 0);
             for (int c = 0; c < 3; c++) {
-                assert_true(fabs(list[k].x[c] - centre[c]) < 1e-14);
-                assert_true(fabs(list[k].v[c] - (c == 2 ? part + 0.5 : 0)) < 1e-12);
+                check_close(list[k].x[c], centre[c], 1e-14);
+                check_close(list[k].v[c], c == 2 ? part + 0.5 : 0, 1e-12);
             }
             for (int h = 0; h < s->n; h++) {
                 int p[3];

@@ -2,6 +2,7 @@
 #include "make.h"
 #include "solid/law/material.h"
 #include "solid/solid.h"
+#include "tests/check.h"
 
 static double ball(void) { return 4. / 3 * M_PI * pow(3 * SPACING, 3); }
 
@@ -26,19 +27,19 @@ static void constants(int list) {
             if (xi[0] > 0) cleaved += 0.5 * c0 * length * view.weight[b] * xi[0];
             assert_true(view.intact[b]);
         }
-        assert_near(volume / ball(), 0.98989, 1e-4);
-        assert_near(s->family_volume[h] / volume, 1, 1e-14);
-        assert_near(c11 / (1.2 * YOUNG), 1.02041, 1e-4);
-        assert_near(c44 / (0.4 * YOUNG), 1.00872, 1e-4);
-        assert_near((c11 - 2 * c44 * c44 / (c11 + c44)) / YOUNG, 1.02449, 1e-4);
-        assert_near(c44 / (c11 + c44), 0.24785, 1e-4);
-        assert_near(isotropic / (3 * YOUNG), 1.01574, 1e-4);
+        check_close(volume / ball(), 0.98989, 1e-4);
+        check_close(s->family_volume[h] / volume, 1, 1e-14);
+        check_close(c11 / (1.2 * YOUNG), 1.02041, 1e-4);
+        check_close(c44 / (0.4 * YOUNG), 1.00872, 1e-4);
+        check_close((c11 - 2 * c44 * c44 / (c11 + c44)) / YOUNG, 1.02449, 1e-4);
+        check_close(c44 / (c11 + c44), 0.24785, 1e-4);
+        check_close(isotropic / (3 * YOUNG), 1.01574, 1e-4);
         const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
         const double s0 = solid_material_critical_stretch(&brittle, SPACING);
-        assert_near(s0, 2.9814e-4, 1e-8);
-        assert_near(cleaved * s0 * s0 / 0.05, 1.01313, 1e-4);
+        check_close(s0, 2.9814e-4, 1e-8);
+        check_close(cleaved * s0 * s0 / 0.05, 1.01313, 1e-4);
     }
-    assert_near(c0 / 7.9116e17, 1, 1e-4);
+    check_close(c0 / 7.9116e17, 1, 1e-4);
     solid_free(s);
 }
 
@@ -50,7 +51,7 @@ static void depth(int list, int thickness, int layers, const double *expected) {
     struct solid *s = make((struct make){.sites = {8, thickness, 8}, .periodic = {1, 0, 1}, .list = list});
     for (int h = 0; h < s->n + s->n_ghost; h++) {
         const int layer = (int)floor(s->x0[1][h] / SPACING);
-        if (layer < layers) assert_near(s->family_volume[h] / ball(), expected[layer], 1e-4);
+        if (layer < layers) check_close(s->family_volume[h] / ball(), expected[layer], 1e-4);
     }
     solid_free(s);
 }
@@ -75,7 +76,7 @@ static void test_correction(void **state) {
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++)
-                assert_near(view.alpha[b], 2 * full / (s->family_volume[h] + s->family_volume[view.l[b]]), 1e-4);
+                check_close(view.alpha[b], 2 * full / (s->family_volume[h] + s->family_volume[view.l[b]]), 1e-4);
         }
         solid_free(s);
     }
@@ -94,10 +95,10 @@ static void test_porous_count(void **state) {
     struct solid *s = solid_new(&in);
     assert_int_equal(s->n_global, 54720);
     assert_int_equal(par_sum_long(s->n), 54720);
-    assert_true(s->n < 1.2 * 54720 / par_size());
+    check_below(s->n, 1.2 * 54720 / par_size());
     double moment = 0;
     for (int h = 0; h < s->n; h++) moment += s->x0[1][h];
-    assert_near(par_sum(moment) / 54720, 32 * SPACING, 1e-12);
+    check_close(par_sum(moment) / 54720, 32 * SPACING, 1e-12);
     solid_free(s);
 }
 

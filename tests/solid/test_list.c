@@ -1,13 +1,14 @@
 /* Bond lists: the sweep against single bonds, both ends of a bond, memory. */
+#include "base/par_ghost.h"
 #include "make.h"
 
 #include "base/memory.h"
-#include "base/par_exchange.h"
 #include "base/vec.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/law/material.h"
 #include "solid/solid.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 
@@ -47,7 +48,7 @@ static void shake(struct solid *s, double size) {
     solid_ghosts_update(s);
 }
 
-/* The acceleration of particle h from its bonds, with square roots and divisions  (SPEC 2). */
+/* The acceleration of particle h from its bonds, with square roots and divisions  (001: eqs 3.20, 3.39). */
 static void by_hand(const struct solid *s, int h, double damping, double a[3], double *power) {
     static struct solid_family_view view;
     const double c0 = solid_material_micromodulus(s->in.material, s->in.spacing);
@@ -92,13 +93,13 @@ static void test_by_hand(void **state) {
                     power += 0.5 * w * s->volume[h];
                     for (int c = 0; c < 3; c++) {
                         most[0] = fmax(most[0], fabs(a[c]));
-                        most[1] = fmax(most[1], fabs(a[c] - s->a[c][h]));
+                        most[1] = check_worst(most[1], a[c] - s->a[c][h]);
                     }
                 }
                 par_max_array(most, 2);
-                assert_true(most[0] > 100);
-                assert_near(most[1] / most[0], 0, tolerance[large]);
-                assert_near(s->power_damped, power, 1e-12 * power);
+                check_above(most[0], 100);
+                check_close(most[1] / most[0], 0, tolerance[large]);
+                check_close(s->power_damped, power, 1e-12 * power);
                 assert_true((power > 0) == damped || s->n == 0);
             }
     }
@@ -119,7 +120,7 @@ static void test_both_ends(void **state) {
         shake(s, 8e-4);
         solid_force(s, 1);
         solid_family_count(s);
-        assert_true(s->bonds_broken > 50 && s->bonds_broken < s->bonds_total / 2);
+        check_between(s->bonds_broken, 50, s->bonds_total / 2);
         long broken = 0, odd = 0;
         uint64_t turned = 0; /* sum of xi in its last digits; modulo 2^40 */
         for (int h = 0; h < s->n; h++) {
@@ -148,9 +149,9 @@ static void test_memory(void **state) {
     const double bonds = (double)solid_family_directed(s);
     const double bytes = (double)memory_bytes(MEMORY_SOLID) - before;
     const double particles = (double)(s->n + s->n_ghost) * 45 * sizeof(double);
-    assert_true(bonds > 100. * s->n);
-    assert_true(bytes - particles < 24 * (bonds + 7. * s->n));
-    if (par_size() == 1) assert_true(bytes < 27 * bonds);
+    check_above(bonds, 100. * s->n);
+    check_below(bytes - particles, 24 * (bonds + 7. * s->n));
+    if (par_size() == 1) check_below(bytes, 27 * bonds);
     solid_free(s);
 }
 
@@ -162,7 +163,7 @@ static void test_gather(void **state) {
     vec v[4];
     vec_gather4(p + 1, 8, at, v);
     for (int c = 0; c < 4; c++)
-        for (int k = 0; k < VEC_LANES; k++) assert_true(v[c][k] == 1 + 8 * at[k] + c);
+        for (int k = 0; k < VEC_LANES; k++) check_equal(v[c][k], 1 + 8 * at[k] + c);
 }
 
 int main(int argc, char **argv) {

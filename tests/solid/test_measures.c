@@ -7,6 +7,7 @@
 #include "solid/measure/tensors.h"
 #include "solid/solid.h"
 #include "test_surface_bodies.h"
+#include "tests/check.h"
 
 static struct solid *cube_new(int n, int general, int correction) {
     const struct solid_body body = bodies_box(0, 0, 0, n, n, n);
@@ -48,7 +49,7 @@ static void stress_of_uniform_strain(void **state) {
                 if (!is_within(s, h, 3, 4)) continue;
                 for (int j = 0; j < 6; j++) {
                     const double c = k < 3 ? (j == k ? c11 : j < 3 ? c44 : 0) : j == k ? 2 * c44 : 0;
-                    assert_true(fabs(stress[h][j] - c * weight * size) < 1e-3 * c44 * size);
+                    check_close(stress[h][j], c * weight * size, 1e-3 * c44 * size);
                 }
             }
         }
@@ -78,14 +79,14 @@ static void strain_of_affine_fields(void **state) {
                     e += 0.5 * g[i][c] * g[i][c];
                     shear += 0.5 * g[i][c] * g[i][k];
                 }
-                assert_true(fabs(strain[h][c] - e) < 1e-14);
-                assert_true(fabs(strain[h][3 + c] - shear) < 1e-14);
+                check_close(strain[h][c], e, 1e-14);
+                check_close(strain[h][3 + c], shear, 1e-14);
             }
         bodies_turn(s, 1.1, 0.3);
         solid_ghosts_update(s);
         solid_stress_strain(s, strain);
         for (int h = 0; h < s->n; h++)
-            for (int k = 0; k < 6; k++) assert_true(fabs(strain[h][k]) < 1e-12);
+            for (int k = 0; k < 6; k++) check_close(strain[h][k], 0, 1e-12);
         bodies_cut(s, 1, 3);
         for (int h = 0; h < s->n; h++) { /* and half of the bonds along a diagonal */
             solid_family_view(s, h, &view);
@@ -109,12 +110,12 @@ static void strain_energy_of_the_bulk(void **state) {
             double g[3][3] = {{size, 0, 0}, {0, k ? 0 : size, 0}, {0, 0, k ? 0 : size}};
             strain_affine(s, g);
             energy[n] = solid_energy_measure(s).strain;
-            assert_true(solid_energy_measure(s).kinetic == 0);
+            check_equal(solid_energy_measure(s).kinetic, 0);
             solid_free(s);
         }
         const double bulk = (energy[3] - 3 * energy[2] + 3 * energy[1] - energy[0]) / 6;
         const double w0 = k ? 0.5 * 1.2 * YOUNG * size * size : 3 * YOUNG * size * size;
-        assert_true(fabs(bulk / (w0 * volume) - (k ? 1.02041 : 1.01574)) < 1e-3);
+        check_close(bulk / (w0 * volume), k ? 1.02041 : 1.01574, 1e-3);
     }
 }
 
@@ -158,8 +159,8 @@ static void strain_energy_of_any_deformation(void **state) {
             }
         }
         sum = par_sum(sum);
-        assert_true(fabs(energy[general] / sum - 1) < 1e-10);
-        if (general) assert_true(fabs(energy[0] / energy[1] - 1) < 1e-12);
+        check_relative(energy[general], sum, 1e-10);
+        if (general) check_relative(energy[0], energy[1], 1e-12);
         solid_free(s);
     }
 }
@@ -187,7 +188,7 @@ static void tensors_of_both_stores(void **state) {
             memcpy(to + 6, strain[h], sizeof *strain);
             to[12] = phi[h];
             solid_tensors_principal(stress[h], value);
-            assert_true(fabs(largest[h] - value[0]) <= 1e-13 * fabs(value[0]));
+            check_close(largest[h], value[0], 1e-13 * fabs(value[0]));
         }
         free(largest);
         free(phi);
@@ -199,10 +200,13 @@ static void tensors_of_both_stores(void **state) {
     double most[3] = {0, 0, 0}, apart[3] = {0, 0, 0};
     for (int i = 0; i < ALL; i++)
         for (int k = 0; k < 13; k++) {
-            most[k / 6] = fmax(most[k / 6], fabs(of[0][i][k]));
-            apart[k / 6] = fmax(apart[k / 6], fabs(of[0][i][k] - of[1][i][k]));
+            most[k / 6] = check_worst(most[k / 6], of[0][i][k]);
+            apart[k / 6] = check_worst(apart[k / 6], of[0][i][k] - of[1][i][k]);
         }
-    for (int q = 0; q < 3; q++) assert_true(most[q] > 0 && apart[q] < 1e-12 * most[q]);
+    for (int q = 0; q < 3; q++) {
+        check_above(most[q], 0);
+        check_below(apart[q], 1e-12 * most[q]);
+    }
     free(of);
 }
 
@@ -212,8 +216,8 @@ static void kinetic_energy(void **state) {
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) s->v[c][h] = c + 1;
     const double expected = 0.5 * DENSITY * 125 * SPACING * SPACING * SPACING * 14;
-    assert_true(fabs(solid_energy_measure(s).kinetic / expected - 1) < 1e-12);
-    assert_true(solid_energy_measure(s).strain == 0);
+    check_relative(solid_energy_measure(s).kinetic, expected, 1e-12);
+    check_equal(solid_energy_measure(s).strain, 0);
     solid_free(s);
 }
 
@@ -233,7 +237,7 @@ static void damage_beside_a_cut(void **state) {
         struct solid *s = solid_new(&in);
         double *phi = malloc(((size_t)s->n + 1) * sizeof *phi);
         solid_damage_measure(s, phi);
-        for (int h = 0; h < s->n; h++) assert_true(phi[h] == 0);
+        for (int h = 0; h < s->n; h++) check_equal(phi[h], 0);
         bodies_cut(s, 2, 6);
         solid_damage_measure(s, phi);
         const double left[3] = {.6142 / .98989, .8341 / .98989, .9704 / .98989};
@@ -241,8 +245,8 @@ static void damage_beside_a_cut(void **state) {
             int p[3];
             bodies_site(s, h, p);
             const int depth = p[2] < 6 ? 5 - p[2] : p[2] - 6;
-            if (depth < 3) assert_true(fabs(1 - phi[h] - left[depth]) < 1e-3);
-            if (depth >= 3) assert_true(phi[h] == 0);
+            if (depth < 3) check_close(1 - phi[h] - left[depth], 0, 1e-3);
+            if (depth >= 3) check_equal(phi[h], 0);
         }
         free(phi);
         solid_free(s);
@@ -253,12 +257,16 @@ static void invariants(void **state) {
     (void)state;
     double value[3], vector[3][3];
     solid_tensors_principal((double[]){1, 5, -2, 0, 0, 0}, value);
-    assert_true(value[0] == 5 && value[1] == 1 && value[2] == -2);
-    assert_true(fabs(solid_tensors_von_mises((double[]){7, 0, 0, 0, 0, 0}) - 7) < 1e-14);
-    assert_true(fabs(solid_tensors_von_mises((double[]){0, 0, 0, 3, 0, 0}) - 3 * sqrt(3)) < 1e-14);
-    assert_true(fabs(solid_tensors_von_mises((double[]){4, 4, 4, 0, 0, 0})) < 1e-14);
+    check_equal(value[0], 5);
+    check_equal(value[1], 1);
+    check_equal(value[2], -2);
+    check_close(solid_tensors_von_mises((double[]){7, 0, 0, 0, 0, 0}), 7, 1e-14);
+    check_close(solid_tensors_von_mises((double[]){0, 0, 0, 3, 0, 0}), 3 * sqrt(3), 1e-14);
+    check_close(solid_tensors_von_mises((double[]){4, 4, 4, 0, 0, 0}), 0, 1e-14);
     solid_tensors_principal((double[]){0, 0, 0, 0, 0, 2}, value);
-    assert_true(fabs(value[0] - 2) < 1e-14 && fabs(value[1]) < 1e-14 && fabs(value[2] + 2) < 1e-14);
+    check_close(value[0], 2, 1e-14);
+    check_close(value[1], 0, 1e-14);
+    check_close(value[2] + 2, 0, 1e-14);
     for (int k = 0; k < 200; k++) {
         double t[6], trace = 0, norm = 0;
         for (int i = 0; i < 6; i++) t[i] = bodies_random(k, i) - 0.5;
@@ -269,17 +277,18 @@ static void invariants(void **state) {
             norm += t[c] * t[c] + 2 * t[3 + c] * t[3 + c];
         }
         solid_tensors_eigen(t, value, vector);
-        assert_true(value[0] >= value[1] && value[1] >= value[2]);
-        assert_true(fabs(value[0] + value[1] + value[2] - trace) < 1e-14);
-        assert_true(fabs(value[0] * value[0] + value[1] * value[1] + value[2] * value[2] - norm) < 1e-14);
+        check_at_least(value[0], value[1]);
+        check_at_least(value[1], value[2]);
+        check_close(value[0] + value[1] + value[2] - trace, 0, 1e-14);
+        check_close(value[0] * value[0] + value[1] * value[1] + value[2] * value[2] - norm, 0, 1e-14);
         for (int i = 0; i < 3; i++) {
             const double *v = vector[i];
             const double tv[3] = {t[0] * v[0] + t[3] * v[1] + t[5] * v[2], t[3] * v[0] + t[1] * v[1] + t[4] * v[2],
                                   t[5] * v[0] + t[4] * v[1] + t[2] * v[2]};
-            for (int c = 0; c < 3; c++) assert_true(fabs(tv[c] - value[i] * v[c]) < 1e-14);
+            for (int c = 0; c < 3; c++) check_close(tv[c], value[i] * v[c], 1e-14);
             for (int j = 0; j < 3; j++) {
                 const double dot = v[0] * vector[j][0] + v[1] * vector[j][1] + v[2] * vector[j][2];
-                assert_true(fabs(dot - (i == j)) < 1e-14);
+                check_close(dot, i == j, 1e-14);
             }
         }
     }

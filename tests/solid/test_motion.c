@@ -5,6 +5,7 @@
 #include "solid/force/force.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
+#include "tests/check.h"
 
 static void shake(struct solid *s, double strain, double speed) {
     for (int h = 0; h < s->n; h++)
@@ -45,7 +46,7 @@ static void test_pair_forces(void **state) {
             solid_force(s, 0);
             double total[6], size;
             totals(s, 1, total, &size);
-            for (int c = 0; c < 6; c++) assert_near(total[c] / size, 0, 1e-14);
+            for (int c = 0; c < 6; c++) check_close(total[c] / size, 0, 1e-14);
             solid_free(s);
         }
 }
@@ -62,9 +63,9 @@ static void test_momentum(void **state) {
             totals(s, 0, before, &size);
             solid_integrate(s, step_of(0.5), 20);
             totals(s, 0, after, &size);
-            for (int c = 0; c < 3; c++) assert_near((after[c] - before[c]) / size, 0, 1e-14);
+            for (int c = 0; c < 3; c++) check_close((after[c] - before[c]) / size, 0, 1e-14);
             /* Verlet keeps angular momentum to round-off, Runge-Kutta to its order, times the strain squared */
-            for (int c = 3; c < 6; c++) assert_near((after[c] - before[c]) / size, 0, verlet ? 1e-14 : 1e-5);
+            for (int c = 3; c < 6; c++) check_close((after[c] - before[c]) / size, 0, verlet ? 1e-14 : 1e-5);
             solid_free(s);
         }
 }
@@ -92,8 +93,8 @@ static double drift(int verlet, int steps) {
 static void test_energy_order(void **state) {
     (void)state;
     const double rk3 = log2(drift(0, 60) / drift(0, 120)), verlet = log2(drift(1, 60) / drift(1, 120));
-    assert_near(rk3, 3, 0.15);
-    assert_near(verlet, 2, 0.15);
+    check_close(rk3, 3, 0.15);
+    check_close(verlet, 2, 0.15);
 }
 
 /* A step that starts from the acceleration kept, with a new load, is the step that starts afresh. */
@@ -114,10 +115,26 @@ static void test_verlet_keeps(void **state) {
     assert_int_equal(kept->sweeps, 1 + 4 * 3);
     assert_int_equal(fresh->sweeps, 4 * 4);
     for (int h = 0; h < kept->n; h++)
-        for (int c = 0; c < 3; c++) assert_near((kept->d[c][h] - fresh->d[c][h]) / SPACING, 0, 1e-15);
-    assert_near(par_sum(kept->work_load) / par_sum(fresh->work_load), 1, 1e-12);
+        for (int c = 0; c < 3; c++) check_close((kept->d[c][h] - fresh->d[c][h]) / SPACING, 0, 1e-15);
+    check_close(par_sum(kept->work_load) / par_sum(fresh->work_load), 1, 1e-12);
     solid_free(kept);
     solid_free(fresh);
+}
+
+/* The force sweeps of a substep, as many as the integrator's line in the table says. */
+static void test_sweeps(void **state) {
+    (void)state;
+    for (int k = 0; k < SOLID_INTEGRATORS; k++) {
+        struct solid *s = make((struct make){.sites = {9, 8, 7}});
+        s->stage.integrator = (enum solid_integrator)k;
+        shake(s, 1e-4, 1e-3);
+        solid_integrate(s, step_of(0.5), 1);
+        const long before = s->sweeps; /* Verlet's first acceleration takes one more */
+        solid_integrate(s, step_of(0.5), 4);
+        assert_int_equal(s->sweeps - before, solid_integrate_sweeps(s, 4));
+        assert_int_equal(solid_integrate_sweeps(s, 4), k == SOLID_RK3 ? 12 : 4);
+        solid_free(s);
+    }
 }
 
 /* A particle that is nowhere is found, with its place. */
@@ -130,8 +147,9 @@ static void test_check(void **state) {
         const struct step_status status = solid_integrate_check(s);
         assert_int_equal(status.failed, 1);
         assert_int_equal(status.rank, par_rank());
+        assert_int_equal(status.seen_in, STEP_STATUS_SOLID);
         assert_string_equal(status.field, "solid velocity");
-        for (int c = 0; c < 3; c++) assert_true(status.x[c] == s->x0[c][3]);
+        for (int c = 0; c < 3; c++) check_equal(status.x[c], s->x0[c][3]);
     }
     solid_free(s);
 }
@@ -140,7 +158,7 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_pair_forces),  cmocka_unit_test(test_momentum), cmocka_unit_test(test_energy_order),
-        cmocka_unit_test(test_verlet_keeps), cmocka_unit_test(test_check),
+        cmocka_unit_test(test_verlet_keeps), cmocka_unit_test(test_sweeps),   cmocka_unit_test(test_check),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

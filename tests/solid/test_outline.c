@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "outline_shapes.h"
+#include "tests/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -90,7 +91,7 @@ static void test_total_area(void **state) {
         for (long k = 0; k < cells->n; k++) {
             const double of_cell = cells->cell[k].area;
             sum += of_cell;
-            assert_true(of_cell >= 1e-12);
+            check_at_least(of_cell, 1e-12);
             assert_true(of_cell == 1 || fabs(of_cell - 1) > 1e-12 || !is_deep(cells, &cells->cell[k]));
         }
         const double cells_area = (double)sum * spacing * spacing;
@@ -141,7 +142,7 @@ static void test_particles(void **state) {
             for (int i = 0; i < BOX; i++) {
                 const long k = solid_outline_cells_at(cells, i, j);
                 particles += k >= 0;
-                assert_true(fabs((k < 0 ? 0 : cells->cell[k].area) - given[j][i]) < 2e-12);
+                check_close(k < 0 ? 0 : cells->cell[k].area, given[j][i], 2e-12);
                 assert_true(k < 0 || (cells->cell[k].i == i && cells->cell[k].j == j));
             }
         assert_int_equal(particles, cells->n);
@@ -150,7 +151,8 @@ static void test_particles(void **state) {
                         (cells->cell[k].j == cells->cell[k - 1].j && cells->cell[k].i > cells->cell[k - 1].i));
         solid_outline_cells_free(cells);
     }
-    assert_true(alone > 20 && halves > 20);
+    check_above(alone, 20);
+    check_above(halves, 20);
 }
 
 /* Small pieces away from the others, in no cell's middle: 1e-10 of a cell is a particle, 1e-14 is not. */
@@ -164,7 +166,9 @@ static void test_crumbs(void **state) {
     struct solid_outline_cells *cells = solid_outline_cells(s.outline, s.n, origin, 1);
     assert_int_equal(cells->n, 10);
     const long crumb = solid_outline_cells_at(cells, 6, 1);
-    assert_true(crumb >= 0 && !cells->cell[crumb].is_inside && fabs(cells->cell[crumb].area / 1e-10 - 1) < 1e-9);
+    check_at_least(crumb, 0);
+    assert_false(cells->cell[crumb].is_inside);
+    check_relative(cells->cell[crumb].area, 1e-10, 1e-9);
     for (long k = 0; k < cells->n; k++) assert_true(k == crumb || cells->cell[k].area == 1);
     solid_outline_cells_free(cells);
 }
@@ -212,24 +216,24 @@ static void test_area_in_square(void **state) {
         const double low[2] = {centre[0] - side / 2, centre[1] - side / 2},
                      high[2] = {centre[0] + side / 2, centre[1] + side / 2};
         const double area = solid_outline_area_in(s.outline, 1, centre, side);
-        assert_true(fabs(area - clipped(s.outline[0].corner, n, low, high)) < 1e-13);
+        check_close(area, clipped(s.outline[0].corner, n, low, high), 1e-13);
     }
     /* a disc of radius 1: a quarter; a square within; one that the rim cuts in x = sqrt(1 - 1/4); one that it only
      * bulges into */
     struct shape disc = {0};
     shape_disc(&disc, 0, 5, 7, 1, -1);
     const double quarter[2] = {6, 8}, within[2] = {5, 7}, right[2] = {6, 7}, bulge[2] = {6.4, 7};
-    assert_true(fabs(solid_outline_area_in(disc.outline, 1, quarter, 2) - M_PI / 4) < 1e-14);
-    assert_true(fabs(solid_outline_area_in(disc.outline, 1, within, 1.4) - 1.96) < 1e-14);
-    assert_true(fabs(solid_outline_area_in(disc.outline, 1, right, 1) - (sqrt(3) / 4 + M_PI / 6 - 0.5)) < 1e-14);
+    check_close(solid_outline_area_in(disc.outline, 1, quarter, 2), M_PI / 4, 1e-14);
+    check_close(solid_outline_area_in(disc.outline, 1, within, 1.4), 1.96, 1e-14);
+    check_close(solid_outline_area_in(disc.outline, 1, right, 1), sqrt(3) / 4 + M_PI / 6 - 0.5, 1e-14);
     const double phi = 2 * acos(0.9);
-    assert_true(fabs(solid_outline_area_in(disc.outline, 1, bulge, 1) - (phi - sin(phi)) / 2) < 1e-14);
+    check_close(solid_outline_area_in(disc.outline, 1, bulge, 1), (phi - sin(phi)) / 2, 1e-14);
     /* an L about its inner corner, whose boundary runs through the middle of the square: three quarters */
     struct shape l = {0};
     shape_outline(&l, 0);
     const double corner[6][2] = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, inner[2] = {1, 1};
     for (int k = 0; k < 6; k++) shape_corner(&l, corner[k][0], corner[k][1]);
-    assert_true(solid_outline_area_in(l.outline, 1, inner, 1) == 0.75);
+    check_equal(solid_outline_area_in(l.outline, 1, inner, 1), 0.75);
 }
 
 static void refuses(const struct shape *s, const char *sentence) {
@@ -315,7 +319,7 @@ static void test_body_faults(void **state) {
     shape_disc(&s, 0, 2, 2, 0.5, -1);
     char text[200];
     assert_int_equal(solid_outline_fault(s.outline, 3, text, sizeof text), 0);
-    assert_true(fabs(solid_outline_area(s.outline, 3) - (12 + M_PI / 4)) < 1e-14);
+    check_close(solid_outline_area(s.outline, 3), 12 + M_PI / 4, 1e-14);
 }
 
 /* Which side of the line a-b c is on, and whether closed segments meet, in whole numbers. */
@@ -357,7 +361,7 @@ static void test_faults_exactly(void **state) {
         assert_int_equal(fault, !is_simple(n, s.corner[0]));
         valid += !fault;
     }
-    assert_true(valid > 2000 && valid < 18000);
+    check_between(valid, 2000, 18000);
 }
 
 /* Corners on the lattice's lines, nodes and points, so that edges run along all of them. */
@@ -376,7 +380,7 @@ static void test_aligned(void **state) {
         struct solid_outline_cells *cells = solid_outline_cells(s.outline, 1, origin, 1);
         double sum = 0;
         for (long k = 0; k < cells->n; k++) sum += cells->cell[k].area;
-        assert_true(fabs(sum / shape_area(&s) - 1) < 1e-14);
+        check_relative(sum, shape_area(&s), 1e-14);
         for (int j = -8; j < 22; j++)
             for (int i = -12; i < 18; i++) {
                 const double x[2] = {origin[0] + i + 0.5, origin[1] + j + 0.5};
@@ -385,7 +389,7 @@ static void test_aligned(void **state) {
             }
         solid_outline_cells_free(cells);
     }
-    assert_true(valid > 200);
+    check_above(valid, 200);
 }
 
 /* Three discs that touch leave a triangle of arcs with cusps, and two large ones a thorn: no faults. */
@@ -406,7 +410,7 @@ static void test_cusps(void **state) {
             shape_arc(&s, b[0], b[1], -1);
         }
         if (solid_outline_fault(s.outline, 1, text, sizeof text)) fail_msg("%s", text);
-        assert_true(fabs(solid_outline_area(s.outline, 1) / (r * r * (sqrt(3) - M_PI / 2)) - 1) < 1e-12);
+        check_relative(solid_outline_area(s.outline, 1), r * r * (sqrt(3) - M_PI / 2), 1e-12);
         const double large = exp(uniform(0, 7)), rise = 0.5 / (large + sqrt(large * large - 0.25)) / 2;
         const double c = cos(turned), d = sin(turned);
         one_outline(
@@ -431,7 +435,7 @@ static void test_bounds_and_contains(void **state) {
     shape_corner(&s, 0.5, 2);
     shape_corner(&s, 1, 2);
     solid_outline_bounds(s.outline, 1, low, high);
-    assert_true(fabs(low[0] - 0.5) + fabs(high[0] - 1.5) + fabs(low[1] - 1.5) + fabs(high[1] - 2.5) < 1e-15);
+    check_below(fabs(low[0] - 0.5) + fabs(high[0] - 1.5) + fabs(low[1] - 1.5) + fabs(high[1] - 2.5), 1e-15);
     const struct {
         double x[2];
         int in;
@@ -465,7 +469,8 @@ static void test_turned_and_mirrored(void **state) {
         for (long k = 0; k < one->n; k++) {
             const int i = one->cell[k].i, j = one->cell[k].j;
             const long image = solid_outline_cells_at(other, mirror ? -i - 1 : -j - 1, mirror ? j : i);
-            assert_true(image >= 0 && fabs(one->cell[k].area - other->cell[image].area) < 1e-12);
+            check_at_least(image, 0);
+            check_close(one->cell[k].area, other->cell[image].area, 1e-12);
         }
         solid_outline_cells_free(one);
         solid_outline_cells_free(other);
@@ -495,9 +500,12 @@ static void test_symmetrise(void **state) {
             unequal[0] += in_x < 0 || cells->cell[in_x].area != cells->cell[k].area;
             unequal[1] += in_y < 0 || cells->cell[in_y].area != cells->cell[k].area;
         }
-        assert_true(off > 0 ? unequal[0] > 0 : unequal[0] == 0);
+        if (off > 0)
+            check_above(unequal[0], 0);
+        else
+            check_equal(unequal[0], 0);
         assert_int_equal(unequal[1], 0);
-        assert_true(fabs((double)sum * spacing * spacing / shape_area(&s) - 1) < 1e-12);
+        check_relative((double)sum * spacing * spacing, shape_area(&s), 1e-12);
         solid_outline_cells_free(cells);
     }
 }

@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "outline_shapes.h"
+#include "tests/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -57,19 +58,19 @@ static void test_square(void **state) {
         struct loaded l = load(&s, 0, 0, 0.5, side < 4 ? a : b, side < 4 ? b : a); /* either way */
         assert_int_equal(l.lengths->n, 4);
         const int i = side % 4 == 1 ? 5 : side % 4 == 3 ? 2 : -1, j = side % 4 == 0 ? 2 : side % 4 == 2 ? 5 : -1;
-        for (int k = 2; k < 6; k++) assert_true(at(&l, i < 0 ? k : i, j < 0 ? k : j) == 0.5);
+        for (int k = 2; k < 6; k++) check_equal(at(&l, i < 0 ? k : i, j < 0 ? k : j), 0.5);
         loaded_free(&l);
     }
     /* points on the edges: five, and those at the ends have half */
     struct loaded l = load(&s, 0.25, 0.25, 0.5, corner[1], corner[2]);
     assert_int_equal(l.lengths->n, 5);
-    for (int k = 0; k < 5; k++) assert_true(at(&l, 5, k + 1) == (k % 4 ? 0.5 : 0.25));
+    for (int k = 0; k < 5; k++) check_equal(at(&l, 5, k + 1), k % 4 ? 0.5 : 0.25);
     loaded_free(&l);
     /* a part, from the middle of one cell to the middle of another */
     const double from[2] = {1.25, 3}, to[2] = {2.25, 3};
     l = load(&s, 0, 0, 0.5, from, to);
     assert_int_equal(l.lengths->n, 3);
-    assert_true(at(&l, 2, 5) == 0.25 && at(&l, 3, 5) == 0.5 && at(&l, 4, 5) == 0.25);
+    for (int k = 2; k < 5; k++) check_equal(at(&l, k, 5), k == 3 ? 0.5 : 0.25);
     loaded_free(&l);
     /* a strip that reaches 0.1 into the next cells: their particles are the ones below */
     s.n = 0;
@@ -78,7 +79,7 @@ static void test_square(void **state) {
     const double top[2][2] = {{0, 1.1}, {3, 1.1}};
     l = load(&s, 0, 0, 1, top[0], top[1]);
     assert_int_equal(l.lengths->n, 3);
-    for (int i = 0; i < 3; i++) assert_true(fabs(at(&l, i, 0) - 1) < 1e-15);
+    for (int i = 0; i < 3; i++) check_close(at(&l, i, 0), 1, 1e-15);
     loaded_free(&l);
 }
 
@@ -92,9 +93,11 @@ static void test_halves(void **state) {
     struct loaded l = load(&s, 0, 0, 1, corner[3], corner[4]);
     /* cell 1, 1 has 0.8 of the edge, and 0.36 of the area; its neighbours are 0, 1 and 1, 0 */
     assert_int_equal(l.lengths->n, 3);
-    assert_true(fabs(at(&l, 0, 1) - 0.4) < 1e-15 && fabs(at(&l, 1, 0) - 0.4) < 1e-15 && fabs(at(&l, 0, 2) - 1) < 1e-15);
+    check_close(at(&l, 0, 1), 0.4, 1e-15);
+    check_close(at(&l, 1, 0), 0.4, 1e-15);
+    check_close(at(&l, 0, 2), 1, 1e-15);
     const struct solid_outline_cell *arm = &l.cells->cell[solid_outline_cells_at(l.cells, 1, 0)];
-    assert_true(fabs(arm->area - (1 + 0.18)) < 1e-15);
+    check_close(arm->area, 1 + 0.18, 1e-15);
     loaded_free(&l);
 }
 
@@ -110,10 +113,10 @@ static void test_totals(void **state) {
         for (int k = 0; k < 4; k++) shape_corner(&s, corner[k][0], corner[k][1]);
         const double part[2] = {x + c * 0.8, y + d * 0.8};
         struct loaded l = load(&s, uniform(-1, 1), uniform(-1, 1), spacing, corner[0], part);
-        assert_true(fabs(total(l.lengths) / 0.8 - 1) < 1e-12);
+        check_relative(total(l.lengths), 0.8, 1e-12);
         loaded_free(&l);
         l = load(&s, uniform(-1, 1), uniform(-1, 1), spacing, corner[2], corner[3]);
-        assert_true(fabs(total(l.lengths) / sqrt(2) - 1) < 1e-12);
+        check_relative(total(l.lengths), sqrt(2), 1e-12);
         loaded_free(&l);
 
         shape_disc(&s, 0, x + 9, y, r, trial % 2 ? 1 : -1);
@@ -123,16 +126,16 @@ static void test_totals(void **state) {
                      other[2] = {x + 9 + r * cos(M_PI / 2 + phi * half / 1.5),
                                  y + r * sin(M_PI / 2 + phi * half / 1.5)};
         l = load(&s, uniform(-1, 1), uniform(-1, 1), spacing, one, other);
-        assert_true(fabs(total(l.lengths) / (r * fabs(phi - phi * half / 1.5)) - 1) < 1e-9); /* of the points given */
+        check_relative(total(l.lengths), r * fabs(phi - phi * half / 1.5), 1e-9); /* of the points given */
         loaded_free(&l);
         /* a diameter: upper half and lower half of the disc, by the sense; the hole's the other way */
         const double left[2] = {x + 9 - r, y}, right[2] = {x + 9 + r, y};
         l = load(&s, 0, 0, spacing, trial % 4 < 2 ? left : right, trial % 4 < 2 ? right : left);
-        assert_true(fabs(total(l.lengths) / (M_PI * r) - 1) < 1e-12);
+        check_relative(total(l.lengths), M_PI * r, 1e-12);
         double moment = 0;
         for (long k = 0; k < l.lengths->n; k++)
             moment += l.lengths->share[k].length * ((l.cells->cell[l.lengths->share[k].cell].j + 0.5) * spacing - y);
-        if (spacing < r / 3) assert_true(trial % 4 < 2 ? moment < 0 : moment > 0);
+        if (spacing < r / 3) check_below(trial % 4 < 2 ? moment : -moment, 0);
         loaded_free(&l);
     }
     assert_int_equal(memory_bytes(MEMORY_SOLID), 0);
@@ -166,10 +169,10 @@ static void test_no_boundary(void **state) {
     }
     const double arc[2][2] = {{4, 3}, {5.5, 1.5}}, almost[2][2] = {{0, 5e-8}, {1 + 5e-8, 0}};
     struct loaded l = load(&s, 0, 0, 0.1, arc[0], arc[1]);
-    assert_true(fabs(total(l.lengths) - M_PI * 0.75) < 1e-12);
+    check_close(total(l.lengths), M_PI * 0.75, 1e-12);
     loaded_free(&l);
     l = load(&s, 0, 0, 0.1, almost[0], almost[1]);
-    assert_true(fabs(total(l.lengths) - 1) < 1e-12);
+    check_close(total(l.lengths), 1, 1e-12);
     loaded_free(&l);
 }
 
@@ -190,12 +193,12 @@ static void test_symmetrise(void **state) {
                                          sizeof text);
         solid_outline_symmetry_lengths(cells, spacing, l, 4);
         for (int k = 0; k < 4; k++) {
-            assert_true(fabs(total(l[k]) / (k % 2 ? 1.4 : 2) - 1) < 1e-12);
+            check_relative(total(l[k]), k % 2 ? 1.4 : 2, 1e-12);
             assert_int_equal(l[k]->n, l[(k + 2) % 4]->n);
             for (long m = 0; m < l[k]->n; m++) {
                 const long half = l[k]->n - 1 - m;
-                assert_true(l[k]->share[m].length == l[(k + 2) % 4]->share[m].length);
-                assert_true(l[k]->share[m].length == l[k]->share[half].length);
+                check_equal(l[k]->share[m].length, l[(k + 2) % 4]->share[m].length);
+                check_equal(l[k]->share[m].length, l[k]->share[half].length);
             }
         }
         for (int k = 0; k < 4; k++) solid_outline_lengths_free(l[k]);

@@ -4,6 +4,7 @@
 #include "solid/force/force.h"
 #include "solid/law/material.h"
 #include "solid/solid.h"
+#include "tests/check.h"
 
 /* Force density if every bond of a full family were stretched to twice its length. */
 static double force_scale(const struct solid *s) {
@@ -36,13 +37,13 @@ static void test_affine(void **state) {
             double outside = 0;
             for (int h = 0; h < s->n; h++) {
                 for (int c = 0; c < 3; c++) {
-                    if (interior(s, h, sites, 6)) assert_near(s->a[c][h] / (strain * force_scale(s)), 0, 1e-12);
-                    outside = fmax(outside, fabs(s->a[c][h]));
+                    if (interior(s, h, sites, 6)) check_close(s->a[c][h] / (strain * force_scale(s)), 0, 1e-12);
+                    outside = check_worst(outside, s->a[c][h]);
                 }
                 seen += interior(s, h, sites, 6);
             }
             assert_int_equal(par_sum_long(seen), 2 * 3 * 4);
-            assert_true(par_max(outside) > 1e-3 * strain * force_scale(s)); /* faces do have a force */
+            check_above(par_max(outside), 1e-3 * strain * force_scale(s)); /* faces do have a force */
             solid_free(s);
         }
 }
@@ -62,9 +63,9 @@ static void test_quadratic(void **state) {
             for (int h = 0; h < s->n; h++) {
                 if (!interior(s, h, sites, 3)) continue;
                 seen++;
-                assert_near(s->a[0][h] * DENSITY / (2 * a * modulus), 1, 2e-5);
+                check_close(s->a[0][h] * DENSITY / (2 * a * modulus), 1, 2e-5);
             }
-            assert_true(par_sum_long(seen) > 0);
+            check_above(par_sum_long(seen), 0);
             solid_free(s);
         }
 }
@@ -85,7 +86,7 @@ static void test_rotation(void **state) {
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {10, 9, 8}, .list = list, .fracture_energy = 1e-8});
         const double s0 = solid_material_critical_stretch(s->in.material, SPACING);
-        assert_true(s0 < 2e-7);
+        check_below(s0, 2e-7);
         for (double angle = 0.1; angle < 6.3; angle += 0.7) {
             for (int h = 0; h < s->n; h++) {
                 double x[3];
@@ -95,7 +96,7 @@ static void test_rotation(void **state) {
             solid_ghosts_update(s);
             solid_force(s, 1);
             for (int h = 0; h < s->n; h++)
-                for (int c = 0; c < 3; c++) assert_near(s->a[c][h] / force_scale(s), 0, 1e-13);
+                for (int c = 0; c < 3; c++) check_close(s->a[c][h] / force_scale(s), 0, 1e-13);
         }
         solid_family_count(s);
         assert_int_equal(s->bonds_broken, 0);
@@ -132,10 +133,10 @@ static void test_objective(void **state) {
         for (int h = 0; h < s->n; h++) {
             double a2 = 0, b2 = 0;
             for (int c = 0; c < 3; c++) a2 += s->a[c][h] * s->a[c][h], b2 += turned->a[c][h] * turned->a[c][h];
-            assert_near((sqrt(a2) - sqrt(b2)) / force_scale(s), 0, 1e-13);
+            check_close((sqrt(a2) - sqrt(b2)) / force_scale(s), 0, 1e-13);
             most = fmax(most, sqrt(a2));
         }
-        assert_true(par_max(most) > 0.01 * strain * force_scale(s));
+        check_above(par_max(most), 0.01 * strain * force_scale(s));
         solid_free(s);
         solid_free(turned);
     }

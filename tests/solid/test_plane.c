@@ -1,15 +1,16 @@
 /* Bond lists of a plate of unequal points: mirror symmetry to the bit, both ends, ranks, renewal. */
 /* Lists of a plate: points of unequal size and horizon, mirror images to the bit, both ends of a bond, any number of
  * ranks, and a body that is refined. */
+#include "base/par_ghost.h"
 #include "make.h"
 
 #include "base/memory.h"
-#include "base/par_exchange.h"
 #include "solid/bonds/list.h"
 #include "solid/body/number.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/solid.h"
+#include "tests/check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -141,14 +142,16 @@ static void test_mirror(void **state) {
                 shake(s, large ? 5e-2 : 8e-4, shifts[far]);
                 solid_force(s, 1);
                 solid_family_count(s);
-                assert_true(s->bonds_broken > 20 && s->bonds_broken < s->bonds_total / 2);
+                check_between(s->bonds_broken, 20, s->bonds_total / 2);
                 struct found *all = collect(s, shifts[far]);
                 assert_int_equal(s->n_global % 4, 0);
                 for (long i = 0; i < s->n_global; i += 4)
                     for (int k = 1; k < 4; k++) {
-                        assert_true(all[i].key[0] == all[i + k].key[0] && all[i].key[1] == all[i + k].key[1]);
-                        assert_true(all[i].a[0] == all[i + k].a[0] && all[i].a[1] == all[i + k].a[1]);
-                        assert_true(all[i].lost == all[i + k].lost);
+                        check_equal(all[i].key[0], all[i + k].key[0]);
+                        check_equal(all[i].key[1], all[i + k].key[1]);
+                        check_equal(all[i].a[0], all[i + k].a[0]);
+                        check_equal(all[i].a[1], all[i + k].a[1]);
+                        check_equal(all[i].lost, all[i + k].lost);
                     }
                 if (!far) {
                     char path[512];
@@ -167,7 +170,7 @@ static void test_mirror(void **state) {
                     first[large][damped] = all;
                 } else {
                     for (long i = 0; i < s->n_global; i++)
-                        for (int c = 0; c < 2; c++) assert_true(all[i].a[c] == first[large][damped][i].a[c]);
+                        for (int c = 0; c < 2; c++) check_equal(all[i].a[c], first[large][damped][i].a[c]);
                     free(all);
                     free(first[large][damped]);
                 }
@@ -175,7 +178,7 @@ static void test_mirror(void **state) {
             }
 }
 
-/* The acceleration of particle h from its bonds, with square roots and divisions  (SPEC 2). */
+/* The acceleration of particle h from its bonds, with square roots and divisions  (001: eqs 3.20, 3.39). */
 static void by_hand(const struct solid *s, int h, double damping, double a[2]) {
     static struct solid_family_view view;
     const struct solid_list *t = s->family->list[0];
@@ -220,20 +223,20 @@ static void test_by_hand(void **state) {
                     by_hand(s, h, s->stage.damping_relative, a);
                     for (int c = 0; c < 2; c++) {
                         most[0] = fmax(most[0], fabs(a[c]));
-                        most[1] = fmax(most[1], fabs(a[c] - s->a[c][h]));
+                        most[1] = check_worst(most[1], a[c] - s->a[c][h]);
                         total[c] += s->a[c][h] * s->volume[h];
                         total[2] += fabs(s->a[c][h]) * s->volume[h];
                     }
                 }
                 par_max_array(most, 2);
                 par_sum_array(total, 3);
-                assert_true(most[0] > 100);
-                assert_near(most[1] / most[0], 0, large ? 1e-12 : 1e-11);
+                check_above(most[0], 100);
+                check_close(most[1] / most[0], 0, large ? 1e-12 : 1e-11);
                 for (int c = 0; c < 2; c++)
                     if (coupling == SOLID_DUAL_HORIZON)
-                        assert_near(total[c] / total[2], 0, 2e-14);
+                        check_close(total[c] / total[2], 0, 2e-14);
                     else
-                        assert_true(fabs(total[c]) > 1e-6 * total[2]);
+                        check_above(fabs(total[c]), 1e-6 * total[2]);
             }
         solid_free(s);
     }
@@ -348,15 +351,16 @@ static void test_renew(void **state) {
         assert_int_equal(renewed->bonds, made->bonds);
         for (int i = 0; i < made->n; i++) {
             const long was = fine.was[made->number + i];
-            assert_true(made->start[i] == renewed->start[i] && made->end[i] == renewed->end[i]);
-            assert_true(made->limit[i] == renewed->limit[i] && made->digit[i] == renewed->digit[i]);
-            assert_true(made->own_volume[i] == renewed->own_volume[i]);
+            check_equal(made->start[i], renewed->start[i]);
+            check_equal(made->end[i], renewed->end[i]);
+            check_equal(made->limit[i], renewed->limit[i]);
+            check_equal(made->digit[i], renewed->digit[i]);
+            check_equal(made->own_volume[i], renewed->own_volume[i]);
             for (long j = made->start[i]; j < made->end[i]; j++) {
                 const long number = number_of(made, j), other = fine.was[number];
                 assert_int_equal(number_of(renewed, j), number);
-                for (int c = 0; c < 2; c++)
-                    assert_true(*solid_list_step(made, j, c) == *solid_list_step(renewed, j, c));
-                assert_true(fabs(renewed->stiffness[j]) == made->stiffness[j]);
+                for (int c = 0; c < 2; c++) check_equal(*solid_list_step(made, j, c), *solid_list_step(renewed, j, c));
+                check_equal(fabs(renewed->stiffness[j]), made->stiffness[j]);
                 int cut = 0; /* the pair had a bond, and it was broken */
                 for (long q = was < 0 ? 0 : old->start[was - old->number]; was >= 0 && q < old->end[was - old->number];
                      q++)
@@ -366,8 +370,8 @@ static void test_renew(void **state) {
             }
         }
         const double count[2] = {par_sum((double)copied), par_sum((double)broken)};
-        assert_true(count[0] > 0.2 * LATTICE && count[0] < 0.8 * LATTICE);
-        assert_true(count[1] > 500);
+        check_between(count[0], 0.2 * LATTICE, 0.8 * LATTICE);
+        check_above(count[1], 500);
         solid_list_free(old);
         solid_list_free(made);
         solid_list_free(renewed);

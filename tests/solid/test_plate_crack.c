@@ -10,6 +10,7 @@
 #include "solid/measure/stress.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
+#include "tests/check.h"
 
 /* Sum of (1/2) c s0^2 |xi| Gamma V V of the bonds that a cut across a periodic plate has broken, over its area and G0:
  * the lattice's G(10)/G0 (m = 3: exact areas 1.02801, ramp 1.03424). A bond is broken from both ends, is damage, and
@@ -42,11 +43,12 @@ static void test_straight_cut(void **state) {
                     sum += 0.25 * view.micro[b] * view.alpha[b] * strain2 * hypot(view.xi[b][0], view.xi[b][1]) *
                            view.weight[b] * s->volume[h];
             }
-            assert_true((lost > 0) == (phi[h] > 0.01) && (phi[h] > 0 || !(s->flag[h] & SOLID_BROKEN)));
+            check_equal(lost > 0, phi[h] > 0.01);
+            assert_true((phi[h] > 0 || !(s->flag[h] & SOLID_BROKEN)));
         }
         free(phi);
-        assert_near(par_sum(sum) / (14 * SPACING * THICKNESS * G0), kind & 2 ? 1.03424 : 1.02801, 1e-4);
-        assert_near(s->e_fracture, 0, 0);
+        check_close(par_sum(sum) / (14 * SPACING * THICKNESS * G0), kind & 2 ? 1.03424 : 1.02801, 1e-4);
+        check_close(s->e_fracture, 0, 0);
         solid_free(s);
     }
 }
@@ -62,8 +64,8 @@ static void test_drawn_apart(void **state) {
     }
     solid_family_count(s);
     const double ratio = par_sum(s->e_fracture) / (14 * SPACING * THICKNESS * G0);
-    assert_true(s->bonds_broken > 100);
-    assert_near(ratio, 1.028, 0.01);
+    check_above(s->bonds_broken, 100);
+    check_close(ratio, 1.028, 0.01);
     solid_free(s);
 }
 
@@ -84,15 +86,15 @@ static void test_lips(void **state) {
         solid_ghosts_update(s);
         const double held = solid_contact_force_energy(s);
         closed = fmax(closed, held);
-        worst = fmax(worst, fabs(balance_of(s, NULL) + held - start));
+        worst = check_worst(worst, balance_of(s, NULL) + held - start);
     }
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 2; c++) momentum[c] += s->volume[h] * s->v[c][h];
     par_sum_array(momentum, 2);
     const double volume = 12 * 16 * SPACING * SPACING * THICKNESS;
-    for (int c = 0; c < 2; c++) assert_near(momentum[c] / (3 * volume), 0, 1e-12);
-    assert_true(closed > 0.01 * start);
-    assert_near(worst / start, 0, 2e-3);
+    for (int c = 0; c < 2; c++) check_close(momentum[c] / (3 * volume), 0, 1e-12);
+    check_above(closed, 0.01 * start);
+    check_close(worst / start, 0, 2e-3);
     solid_free(s);
 }
 
@@ -133,9 +135,10 @@ static void test_meeting(void **state) {
     double speed[2] = {0};
     for (int h = 0; h < s->n; h++) speed[s->body[h]] += s->v[0][h] / 80;
     par_sum_array(speed, 2);
-    assert_true(touched > 0);
-    assert_near(speed[0] + speed[1], 0, 1e-9);
-    assert_true(speed[0] < -10 && speed[1] > 10); /* back with most of it, the rest rings */
+    check_above(touched, 0);
+    check_close(speed[0] + speed[1], 0, 1e-9);
+    check_below(speed[0], -10);
+    check_above(speed[1], 10); /* back with most of it, the rest rings */
     solid_free(s);
 }
 
@@ -160,16 +163,17 @@ static void test_tensors(void **state) {
             for (int c = 0; c < 2; c++) in &= fabs(s->x0[c][h] - 8 * SPACING) < SPACING;
             if (!in) continue;
             const double xx = c11 * g[0] + c12 * g[1], yy = c12 * g[0] + c11 * g[1];
-            assert_near(t[h][0] / xx, 1, 1e-3);
-            assert_near(t[h][1], yy, 1e-3 * xx);
-            assert_near(t[h][2], strain ? 0.25 * (xx + yy) : 0, 1e-3 * xx);
-            assert_near(t[h][3], 2 * c12 * g[2], 1e-3 * xx);
-            assert_true(t[h][4] == 0 && t[h][5] == 0);
+            check_close(t[h][0] / xx, 1, 1e-3);
+            check_close(t[h][1], yy, 1e-3 * xx);
+            check_close(t[h][2], strain ? 0.25 * (xx + yy) : 0, 1e-3 * xx);
+            check_close(t[h][3], 2 * c12 * g[2], 1e-3 * xx);
+            check_equal(t[h][4], 0);
+            check_equal(t[h][5], 0);
         }
         solid_stress_strain(s, t);
         for (int h = 0; h < s->n; h++) {
             const double expected[6] = {g[0], g[1], strain ? 0 : -0.5 * (g[0] + g[1]), g[2], 0, 0};
-            for (int k = 0; k < 6; k++) assert_near(t[h][k], expected[k], 1e-12);
+            for (int k = 0; k < 6; k++) check_close(t[h][k], expected[k], 1e-12);
         }
         free(t);
         solid_free(s);
@@ -188,11 +192,11 @@ static void test_bonds(void **state) {
         solid_energy_bonds(s, w, most);
         sum = 0;
         for (int h = 0; h < s->n; h++) {
-            assert_near(most[h], stretch, 1e-12);
+            check_close(most[h], stretch, 1e-12);
             sum += w[h] * s->volume[h];
         }
         sum = par_sum(sum);
-        assert_near(sum / solid_energy_measure(s).strain, 1, 1e-12);
+        check_close(sum / solid_energy_measure(s).strain, 1, 1e-12);
     }
     free(w);
     free(most);

@@ -4,6 +4,7 @@
 #include "solid/force/force.h"
 #include "solid/solid.h"
 #include "solid/step/rates.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 
@@ -74,8 +75,8 @@ static void test_points_on_lattice(void **state) {
             }
         par_sum_array(sum[i], 2);
     }
-    assert_near(sum[0][0] / sum[1][0], 1, 2e-4);
-    assert_near(sum[0][1] / sum[1][1], 1, 2e-3);
+    check_close(sum[0][0] / sum[1][0], 1, 2e-4);
+    check_close(sum[0][1] / sum[1][1], 1, 2e-3);
     solid_free(points);
     solid_free(lattice);
     cloud_free(&cloud);
@@ -91,15 +92,15 @@ static void test_points_anywhere(void **state) {
     double volume = 0, moment = 0, cloud_volume = 0, cloud_moment = 0;
     for (int h = 0; h < s->n; h++) volume += s->volume[h], moment += s->volume[h] * s->x0[0][h];
     for (long p = 0; p < cloud.n; p++) cloud_volume += cloud.volume[p], cloud_moment += cloud.volume[p] * cloud.x[0][p];
-    assert_near(par_sum(volume) / cloud_volume, 1, 1e-12);
+    check_close(par_sum(volume) / cloud_volume, 1, 1e-12);
     /* places are rounded to 2^-20 of the spacing */
-    assert_near((par_sum(moment) - cloud_moment) / (cloud_volume * SPACING), 0, 0x1p-21);
+    check_close((par_sum(moment) - cloud_moment) / (cloud_volume * SPACING), 0, 0x1p-21);
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) s->d[c][h] = 1e-3 * SPACING * noise(s, h, c);
     solid_ghosts_update(s);
     solid_force(s, 1);
     solid_family_count(s);
-    assert_true(s->bonds_broken > 0 && s->bonds_broken < s->bonds_total);
+    check_between(s->bonds_broken, 0, s->bonds_total);
     double force[3] = {0}, size = 0;
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
@@ -108,9 +109,8 @@ static void test_points_anywhere(void **state) {
         }
     par_sum_array(force, 3);
     size = par_sum(size);
-    for (int c = 0; c < 3; c++) assert_near(force[c] / size, 0, 1e-14);
-    assert_true(solid_rates_stable_step(s, SOLID_VERLET) > step_of(1.4) &&
-                solid_rates_stable_step(s, SOLID_VERLET) < step_of(2.2));
+    for (int c = 0; c < 3; c++) check_close(force[c] / size, 0, 1e-14);
+    check_between(solid_rates_stable_step(s, SOLID_VERLET), step_of(1.4), step_of(2.2));
     solid_free(s);
     cloud_free(&cloud);
 }
@@ -164,11 +164,13 @@ static void test_bodies(void **state) {
         double most[3] = {0};
         for (int h = 0; h < s->n; h++) most[s->body[h]] = fmax(most[s->body[h]], fabs(s->a[0][h]));
         par_max_array(most, 3);
-        assert_true(most[1] > 1 && most[0] == 0 && most[2] == 0);
+        check_above(most[1], 1);
+        check_equal(most[0], 0);
+        check_equal(most[2], 0);
         const double soft = step_of(1.569),
                      stiff = soft / sqrt(2 * 2); /* E/rho four times: half the step, at m = 2 less */
         const double step = solid_rates_stable_step(s, SOLID_RK3);
-        assert_true(step < 1.1 * stiff && step > 0.5 * stiff);
+        check_between(step, 0.5 * stiff, 1.1 * stiff);
         solid_free(s);
     }
 }

@@ -4,6 +4,7 @@
 #include "make.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
+#include "tests/check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,7 +63,7 @@ static void collect(const struct solid *s, double *all) {
 }
 
 static void compare(const double *all, const double *expected) {
-    for (int i = 0; i < 7 * SITES + 8; i++) assert_near(all[i], expected[i], 1e-12);
+    for (int i = 0; i < 7 * SITES + 8; i++) check_close(all[i], expected[i], 1e-12);
 }
 
 static void test_same(void **state) {
@@ -73,7 +74,7 @@ static void test_same(void **state) {
         snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_ranks_%d.data", verlet);
         for (int list = 0; list < 2; list++) {
             struct solid *s = run(list, verlet);
-            assert_true(s->bonds_broken > 100 && s->bonds_broken < s->bonds_total / 4);
+            check_between(s->bonds_broken, 100, s->bonds_total / 4);
             collect(s, list ? expected : all);
             solid_free(s);
         }

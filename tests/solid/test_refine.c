@@ -8,6 +8,7 @@
 #include "solid/refine/refine.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
+#include "tests/check.h"
 
 static struct solid_refinement levels(int n) {
     return (struct solid_refinement){.levels = n, .low = {-1, -1}, .high = {1, 1}};
@@ -41,25 +42,25 @@ static void test_eq38(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(1);
     struct solid *s = make((struct make){.sites = {20, 20}, .refinement = &refinement});
-    assert_true(refine_near(s, 9.5, 9.5, 0.1, 0) == 29);
+    check_equal(refine_near(s, 9.5, 9.5, 0.1, 0), 29);
     static const double left[6] = {1, 1 - 1. / 16, 1 - 3. / 16, 1 - 1. / 4, 1 - 6. / 16, 1 - 7. / 16};
     long kinds[6] = {0};
     const struct solid_cloud *t = s->family->cloud[0];
     for (long i = 0; i < t->n; i++) {
         int n = 0;
         if (t->size[i] == 0.5) {
-            assert_near(t->volume[i], 0.25, 1e-15);
+            check_close(t->volume[i], 0.25, 1e-15);
             continue;
         }
         for (long j = 0; j < t->n; j++)
             n += t->size[j] == 0.5 && fabs(t->place[0][j] - t->place[0][i]) < 0.6 &&
                  fabs(t->place[1][j] - t->place[1][i]) < 0.6;
-        assert_true(n <= 5);
+        check_at_most(n, 5);
         kinds[n]++;
-        assert_near(t->volume[i], left[n], 1e-15);
+        check_close(t->volume[i], left[n], 1e-15);
     }
     for (int n = 1; n <= 5; n++) assert_int_equal(kinds[n] > 0, n % 2);
-    assert_near(area_of(s), 400, 400 * 1e-12);
+    check_close(area_of(s), 400, 400 * 1e-12);
     solid_free(s);
 }
 
@@ -80,15 +81,15 @@ static void test_total(void **state) {
     for (int level = 1; level <= 3; level++) {
         const struct solid_refinement refinement = levels(level);
         struct solid *s = disc(&refinement);
-        assert_near(area_of(s) / area, 1, 1e-12);
+        check_close(area_of(s) / area, 1, 1e-12);
         for (int k = 0; k < level; k++) {
-            assert_true(refine_near(s, 3, 8, 2.5, k) > 0);
-            assert_near(area_of(s) / area, 1, 1e-12);
-            assert_true(refine_near(s, 17, 10.9, 2, k) > 0);
-            assert_near(area_of(s) / area, 1, 1e-12);
+            check_above(refine_near(s, 3, 8, 2.5, k), 0);
+            check_close(area_of(s) / area, 1, 1e-12);
+            check_above(refine_near(s, 17, 10.9, 2, k), 0);
+            check_close(area_of(s) / area, 1, 1e-12);
         }
         assert_int_equal(solid_refine_finest(s), level);
-        for (int h = 0; h < s->n; h++) assert_true(s->volume[h] > 0);
+        for (int h = 0; h < s->n; h++) check_above(s->volume[h], 0);
         solid_free(s);
     }
 }
@@ -98,8 +99,8 @@ static void test_levels(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(3);
     struct solid *s = make((struct make){.sites = {40, 30}, .refinement = &refinement});
-    for (int k = 0; k < 3; k++) assert_true(refine_near(s, 20, 15, 0.8, k) > 0);
-    assert_true(refine_near(s, 27, 15, 0.8, 0) > 0);
+    for (int k = 0; k < 3; k++) check_above(refine_near(s, 20, 15, 0.8, k), 0);
+    check_above(refine_near(s, 27, 15, 0.8, 0), 0);
     const struct solid_cloud *t = s->family->cloud[0];
     long of_level[4] = {0};
     for (long i = 0; i < t->n; i++) {
@@ -111,10 +112,10 @@ static void test_levels(void **state) {
                 assert_true(hypot(dx, dy) > 3 * t->size[j] || t->size[j] == t->size[i] / 2);
             about += j != i && fmax(dx, dy) <= t->size[i] / 2;
         }
-        assert_true(about <= 5);
+        check_at_most(about, 5);
     }
-    for (int k = 0; k < 4; k++) assert_true(of_level[k] > 20);
-    assert_near(area_of(s), 1200, 1200 * 1e-12);
+    for (int k = 0; k < 4; k++) check_above(of_level[k], 20);
+    check_close(area_of(s), 1200, 1200 * 1e-12);
     solid_free(s);
 }
 
@@ -128,13 +129,13 @@ static void test_linear(void **state) {
             for (int c = 0; c < 2; c++) {
                 const double x = s->x0[0][h] / SPACING, y = s->x0[1][h] / SPACING;
                 const double d = 1e-6 * (1 + (c + 2) * x - 3 * y), v = 5 - x + (1 - 3 * c) * y;
-                if (round) assert_near(s->d[c][h], d, 1e-19);
-                if (round) assert_near(s->v[c][h], v, 1e-13);
+                if (round) check_close(s->d[c][h], d, 1e-19);
+                if (round) check_close(s->v[c][h], v, 1e-13);
                 s->d[c][h] = d;
                 s->v[c][h] = v;
             }
         solid_ghosts_update(s);
-        if (round < 2) assert_true(refine_near(s, 2, 2, 3, round) > 0);
+        if (round < 2) check_above(refine_near(s, 2, 2, 3, round), 0);
     }
     solid_free(s);
 }
@@ -148,7 +149,7 @@ static void test_momentum(void **state) {
         s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .damping_relative = 1e16};
         shake(s, 1e-3, 1);
         for (int level = 0; level < 2; level++) {
-            assert_true(refine_near(s, 9, 7, 1.2, level) > 0);
+            check_above(refine_near(s, 9, 7, 1.2, level), 0);
             double before[2] = {0}, after[2] = {0}, size[1] = {0};
             for (int h = 0; h < s->n; h++) {
                 for (int c = 0; c < 2; c++) before[c] += s->volume[h] * s->v[c][h];
@@ -160,7 +161,7 @@ static void test_momentum(void **state) {
             par_sum_array(before, 2);
             par_sum_array(after, 2);
             par_sum_array(size, 1);
-            for (int c = 0; c < 2; c++) assert_near((after[c] - before[c]) / size[0], 0, 1e-13);
+            for (int c = 0; c < 2; c++) check_close((after[c] - before[c]) / size[0], 0, 1e-13);
         }
         solid_free(s);
     }
@@ -183,8 +184,8 @@ static void test_held(void **state) {
                                              .constraint = &constraint,
                                              .refinement = &refinement});
         for (int level = 0; level < 2; level++) {
-            assert_true(refine_near(s, 7, 9, 2, level) > 0);
-            assert_true(refine_near(s, 7, 2, 2, level) > 0);
+            check_above(refine_near(s, 7, 9, 2, level), 0);
+            check_above(refine_near(s, 7, 2, 2, level), 0);
             double sum[3] = {0};
             for (int h = 0; h < s->n; h++) {
                 for (int c = 0; c < 2; c++) sum[c] += s->load[c][h] * s->volume[h];
@@ -193,9 +194,9 @@ static void test_held(void **state) {
             }
             par_sum_array(sum, 3);
             const double area = 8.6 * SPACING * THICKNESS;
-            assert_true(sum[2] > 4);
-            assert_near(sum[0] / (2e6 * area), 1, 1e-12);
-            assert_near(sum[1] / (5e6 * area), 1, 1e-12);
+            check_above(sum[2], 4);
+            check_close(sum[0] / (2e6 * area), 1, 1e-12);
+            check_close(sum[1] / (5e6 * area), 1, 1e-12);
         }
         solid_free(s);
     }
@@ -205,7 +206,7 @@ static void test_held(void **state) {
     struct solid *s =
         make((struct make){.sites = {16, 10}, .constraints = 1, .constraint = &constraint, .refinement = &refinement});
     assert_int_equal(refine_near(s, 8, 1, 0.8, 0), 0);
-    assert_true(refine_near(s, 8, 5, 1, 0) > 0);
+    check_above(refine_near(s, 8, 5, 1, 0), 0);
     for (int h = 0; h < s->n; h++)
         if (s->x0[1][h] < 2.4 * SPACING) assert_int_equal(solid_refine_level(s, h), 0);
     solid_free(s);
@@ -221,7 +222,7 @@ static void test_crack(void **state) {
         make((struct make){.sites = {20, 16}, .brittle = 1, .cuts = 1, .cut = &cut, .refinement = &refinement});
     struct solid_family_view view;
     for (int level = 0; level < 2; level++) {
-        assert_true(refine_near(s, 9.5, 7.5, 0.8, level) > 0);
+        check_above(refine_near(s, 9.5, 7.5, 0.8, level), 0);
         long crossing = 0, other = 0;
         for (int h = 0; h < s->n; h++) {
             solid_family_view(s, h, &view);
@@ -236,9 +237,9 @@ static void test_crack(void **state) {
                 }
             }
         }
-        assert_true(par_sum_long(crossing) > 300);
+        check_above(par_sum_long(crossing), 300);
         assert_int_equal(par_sum_long(other), 0);
-        assert_true(par_sum(s->e_fracture) == 0);
+        check_equal(par_sum(s->e_fracture), 0);
     }
     solid_free(s);
 }
@@ -261,12 +262,12 @@ static void test_start(void **state) {
         const struct solid_cloud *t = s->family->cloud[0];
         /* columns 0 to 6, the positions between them and those beside: 15 columns, 20 rows and not 21 */
         assert_int_equal(s->n_global, 160 - 70 + 15 * 20);
-        assert_near(area_of(s), 160, 160 * 1e-12);
+        check_close(area_of(s), 160, 160 * 1e-12);
         for (long i = 0; i < t->n; i++) {
             const int fine = t->place[0][i]<7.1, last = t->place[0][i]> 6.9;
-            assert_true(t->size[i] == (fine ? 0.5 : 1));
-            assert_near(t->horizon[i], !fine || kind == 0 ? 3 : 1.5 * (kind == 2 && last ? M_SQRT2 : 1), 1e-15);
-            assert_near(t->volume[i],
+            check_equal(t->size[i], fine ? 0.5 : 1);
+            check_close(t->horizon[i], !fine || kind == 0 ? 3 : 1.5 * (kind == 2 && last ? M_SQRT2 : 1), 1e-15);
+            check_close(t->volume[i],
                         fine                    ? (t->place[0][i] == 0 ? 0.125 : 0.25)
                         : t->place[0][i] == 7.5 ? 0.75
                                                 : 1,
@@ -274,8 +275,8 @@ static void test_start(void **state) {
         }
         for (int h = 0; h < s->n; h++) {
             const double bell = exp(-pow((s->x0[0][h] - 7.2 * SPACING) / (3 * SPACING), 2));
-            assert_near(s->d[0][h], 1e-5 * bell, 1e-14);
-            assert_near(s->d[1][h], -2e-5 * bell, 2e-14);
+            check_close(s->d[0][h], 1e-5 * bell, 1e-14);
+            check_close(s->d[1][h], -2e-5 * bell, 2e-14);
         }
         assert_int_equal(solid_refine_events(s), 0);
         solid_free(s);

@@ -4,6 +4,7 @@
 #include "solid/law/material.h"
 #include "solid/solid.h"
 #include "solid/step/relax.h"
+#include "tests/check.h"
 
 /* A wide cantilever (plane strain: periodic across; clamped over the horizon) under a load P a breadth spread over its
  * last layer: deflection there in units of Timoshenko's, w E/P = 4 (1 - nu^2) (L/h)^3 + 2 (1 + nu)/kappa L/h with nu =
@@ -19,17 +20,17 @@ static double cantilever(int uncorrected) {
     const double end = (length + 2) * SPACING, force = 1e-3;
     for (int h = 0; h < s->n; h++)
         if (s->x0[0][h] > end) s->load[1][h] = force / (height * breadth * pow(SPACING, 3));
-    assert_true(solid_relax(s, 1e-5, 40000) > 100);
+    check_above(solid_relax(s, 1e-5, 40000), 100);
     double tip = 0, residual = 0;
     solid_force(s, 0);
     for (int h = 0; h < s->n; h++) {
         if (s->x0[0][h] > end) tip += s->d[1][h] / (height * breadth);
         for (int c = 0; c < 3; c++) {
-            assert_true(s->v[c][h] == 0);
+            check_equal(s->v[c][h], 0);
             residual += fabs(s->a[c][h]) * DENSITY * s->volume[h];
         }
     }
-    assert_true(par_sum(residual) < 1e-3 * force); /* at rest it is in balance */
+    check_below(par_sum(residual), 1e-3 * force); /* at rest it is in balance */
     const double slender = (length - 0.5) / height;
     const double expected = 4 * (1 - 1. / 16) * pow(slender, 3) + 3 * slender;
     solid_free(s);
@@ -38,8 +39,8 @@ static double cantilever(int uncorrected) {
 
 static void test_cantilever(void **state) {
     (void)state;
-    assert_near(cantilever(0), 1, 0.06);
-    assert_true(cantilever(1) > 1.1); /* without the surface correction it is too soft */
+    check_close(cantilever(0), 1, 0.06);
+    check_above(cantilever(1), 1.1); /* without the surface correction it is too soft */
 }
 
 /* The modulus of an infinite bar with a uniformly strained cross-section: the least energy over all Poisson's ratios. A
@@ -78,7 +79,7 @@ static void test_hanging_bar(void **state) {
                                              .constraint = &clamp,
                                              .uncorrected = uncorrected,
                                              .body_force = {10, 0, 0}});
-        assert_true(solid_relax(s, 1e-6, 40000) > 0);
+        check_above(solid_relax(s, 1e-6, 40000), 0);
         double low = 0, high = 0;
         const int from = 14, to = 25; /* layers */
         for (int h = 0; h < s->n; h++) {
@@ -90,8 +91,8 @@ static void test_hanging_bar(void **state) {
         /* mean stress over the span: the weight of the part below its middle */
         const double stress = DENSITY * 10 * (length + 3 - 0.5 * (from + to + 1)) * SPACING;
         const double modulus = stress / stretch, uniform = bar_modulus(width, uncorrected);
-        assert_true(modulus < uniform * 1.001);
-        assert_near(modulus / uniform, 1, 0.01);
+        check_below(modulus, uniform * 1.001);
+        check_close(modulus / uniform, 1, 0.01);
         solid_free(s);
     }
 }

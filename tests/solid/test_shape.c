@@ -2,6 +2,7 @@
 #include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
+#include "tests/check.h"
 
 static struct solid *make(const struct solid_body *body, int periodic, int sites, struct solid_surface **f) {
     struct solid_input in = bodies_input(1, body);
@@ -50,14 +51,17 @@ static void ball(void **state) {
         double x[3];
         point(s, f, i, x);
         const double r = distance(x, middle);
-        assert_true(fabs(r - 6.3) < 1e-12);
-        for (int c = 0; c < 3; c++) assert_true(fabs(f->normal[c][i] - (x[c] - middle[c]) / r) < 1e-12);
+        check_close(r, 6.3, 1e-12);
+        for (int c = 0; c < 3; c++) check_close(f->normal[c][i], (x[c] - middle[c]) / r, 1e-12);
         least = fmin(least, f->depth[i] / SPACING);
         most = fmax(most, f->depth[i] / SPACING);
     }
     least = par_min(least), most = par_max(most);
     print_message("ball: %ld particles %.3f to %.3f spacings deep\n", f->total, least, most);
-    assert_true(least >= 0 && least < 0.1 && most > 0.9 && most <= 1);
+    check_at_least(least, 0);
+    check_below(least, 0.1);
+    check_above(most, 0.9);
+    check_at_most(most, 1);
 
     /* after a rotation and translation of the whole, the points are on the moved sphere */
     bodies_turn(s, 0.4, 2 * SPACING);
@@ -81,11 +85,11 @@ static void ball(void **state) {
     for (int i = 0; i < f->n; i++) {
         double x[3];
         point(s, f, i, x);
-        away = fmax(away, fabs(distance(x, now) - 6.3));
+        away = check_worst(away, distance(x, now) - 6.3);
     }
     away = par_max(away);
     print_message("turned by 0.4: %.4f spacings off at most\n", away);
-    assert_true(away > 0 && away < 0.02);
+    check_between(away, 0, 0.02);
     give_up(s, f);
 }
 
@@ -110,10 +114,18 @@ static void cylinder(void **state) {
                 on_side |= distance(beyond, axis) >= 5.7;
             }
             axis[2] = x[2];
-            if (!at_end) assert_true(fabs(distance(x, axis) - 5.7) < 1e-12 && f->normal[2][i] == 0);
-            if (at_end && !on_side)
-                assert_true(fabs(fabs(f->normal[2][i]) - 1) < 1e-12 && fabs(f->depth[i] / SPACING - 0.5) < 1e-9);
-            if (at_end && on_side) assert_true(f->depth[i] == 0.5 * SPACING && fabs(f->normal[2][i]) < 0.99);
+            if (!at_end) {
+                check_close(distance(x, axis), 5.7, 1e-12);
+                check_equal(f->normal[2][i], 0);
+            }
+            if (at_end && !on_side) {
+                check_close(fabs(f->normal[2][i]), 1, 1e-12);
+                check_close(f->depth[i] / SPACING, 0.5, 1e-9);
+            }
+            if (at_end && on_side) {
+                check_equal(f->depth[i], 0.5 * SPACING);
+                check_close(f->normal[2][i], 0, 0.99);
+            }
         }
         give_up(s, f);
     }
@@ -134,12 +146,12 @@ static void box(void **state) {
         bodies_site(s, f->h[i], p);
         if (p[2] == 0 || p[2] == 7) {
             if (p[0] != 0 && p[0] != 8) continue;
-            assert_true(f->depth[i] == 0.5 * SPACING);
+            check_equal(f->depth[i], 0.5 * SPACING);
             edges++;
             continue;
         }
-        assert_true(fabs(f->normal[0][i] - (p[0] == 0 ? -1 : 1)) < 1e-12);
-        assert_true(fabs(f->depth[i] / SPACING - (p[0] == 0 ? 0.2 : 0.3)) < 1e-9);
+        check_close(f->normal[0][i], p[0] == 0 ? -1 : 1, 1e-12);
+        check_close(f->depth[i] / SPACING, p[0] == 0 ? 0.2 : 0.3, 1e-9);
         low += p[0] == 0, high += p[0] == 8;
     }
     assert_int_equal(par_sum_long(low), 48);
@@ -164,10 +176,11 @@ static void cavity_and_crack(void **state) {
         for (int c = 0; c < 3; c++) home[c] /= SPACING;
         if (distance(home, middle) > 6) continue;
         point(s, f, i, x);
-        assert_true(fabs(distance(x, middle) - 4.4) < 1e-12 && f->depth[i] > 0);
+        check_close(distance(x, middle), 4.4, 1e-12);
+        check_above(f->depth[i], 0);
         inner++;
     }
-    assert_true(par_sum_long(inner) > 100);
+    check_above(par_sum_long(inner), 100);
     bodies_cut(s, 0, 2);
     bodies_open(s, 0, 2, 4 * SPACING);
     solid_surface_update(s, f);
@@ -176,7 +189,7 @@ static void cavity_and_crack(void **state) {
         int p[3];
         bodies_site(s, f->h[i], p);
         if ((p[0] != 1 && p[0] != 2) || p[1] < 1 || p[1] > 14 || p[2] < 1 || p[2] > 14) continue;
-        assert_true(f->depth[i] == 0.5 * SPACING);
+        check_equal(f->depth[i], 0.5 * SPACING);
         fresh++;
     }
     assert_int_equal(par_sum_long(fresh), 2 * 14 * 14);

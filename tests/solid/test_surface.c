@@ -2,6 +2,7 @@
 #include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
+#include "tests/check.h"
 
 /* Whether a site is filled: the oracle, by hand for each body. */
 typedef int filled(const int site[3]);
@@ -49,7 +50,7 @@ static long check_outer(const struct solid *s, const struct solid_surface *surfa
 static double normal_error(const struct solid_surface *surface, int i, double x, double y, double z) {
     const double e[3] = {x, y, z};
     double r = 0;
-    for (int c = 0; c < 3; c++) r = fmax(r, fabs(surface->normal[c][i] - e[c]));
+    for (int c = 0; c < 3; c++) r = check_worst(r, surface->normal[c][i] - e[c]);
     return r;
 }
 
@@ -68,7 +69,7 @@ static void faces_edges_and_corners(void **state) {
             int p[3];
             bodies_site(s, surface->h[i], p);
             assert_false(surface->two_sided[i]);
-            assert_true(surface->area[i] == surface->initial_area);
+            check_equal(surface->area[i], surface->initial_area);
             int ends = 0, middles = 0;
             double e[3];
             for (int c = 0; c < 3; c++) {
@@ -78,7 +79,7 @@ static void faces_edges_and_corners(void **state) {
             }
             /* where the family contains only this face, edge or corner; the corner's three faces are 9 apart */
             if (ends + middles == 3)
-                assert_true(normal_error(surface, i, e[0] / sqrt(ends), e[1] / sqrt(ends), e[2] / sqrt(ends)) < 1e-13);
+                check_below(normal_error(surface, i, e[0] / sqrt(ends), e[1] / sqrt(ends), e[2] / sqrt(ends)), 1e-13);
         }
         solid_surface_free(surface);
         solid_free(s);
@@ -108,16 +109,16 @@ static void plates(void **state) {
             struct solid *s = solid_new(&in);
             struct solid_surface *surface = solid_surface_new(s);
             assert_int_equal(check_outer(s, surface, slab), slab_thickness == 1 ? 64 : 128);
-            assert_true(fabs(surface->immersed_area / (128 * SPACING * SPACING) - 1) < 1e-12);
+            check_relative(surface->immersed_area, 128 * SPACING * SPACING, 1e-12);
             for (int i = 0; i < surface->n; i++) {
                 int p[3];
                 bodies_site(s, surface->h[i], p);
-                assert_true(fabs(surface->area[i] / (SPACING * SPACING) - 1) < 1e-12);
+                check_relative(surface->area[i], SPACING * SPACING, 1e-12);
                 assert_int_equal(surface->two_sided[i], slab_thickness == 1);
                 double e[3] = {0, 0, 0};
                 e[slab_axis] = p[slab_axis] == 4 ? -1 : 1;
                 if (surface->two_sided[i]) e[slab_axis] = surface->normal[slab_axis][i] > 0 ? 1 : -1;
-                assert_true(normal_error(surface, i, e[0], e[1], e[2]) < 1e-12);
+                check_below(normal_error(surface, i, e[0], e[1], e[2]), 1e-12);
             }
             solid_surface_free(surface);
             solid_free(s);
@@ -139,9 +140,12 @@ static void rim(void **state) {
         int p[3];
         bodies_site(s, surface->h[i], p);
         const int depth = p[0] < 6 ? p[0] : 11 - p[0];
-        if (depth == 0) assert_true(normal_error(surface, i, p[0] == 0 ? -1 : 1, 0, 0) < 1e-12);
+        if (depth == 0) check_below(normal_error(surface, i, p[0] == 0 ? -1 : 1, 0, 0), 1e-12);
         if (depth == 0) assert_false(surface->two_sided[i]);
-        if (depth >= 3) assert_true(surface->two_sided[i] && fabs(fabs(surface->normal[2][i]) - 1) < 1e-12);
+        if (depth >= 3) {
+            assert_true(surface->two_sided[i]);
+            check_close(fabs(surface->normal[2][i]), 1, 1e-12);
+        }
     }
     solid_surface_free(surface);
     solid_free(s);
@@ -182,7 +186,7 @@ static void cavity_and_ball(void **state) {
         ball_radius = 7.3;
         struct solid *s = ball_new(12);
         struct solid_surface *surface = solid_surface_new(s);
-        assert_true(check_outer(s, surface, ball) > 0);
+        check_above(check_outer(s, surface, ball), 0);
         double sum[2] = {0, 0}, least = 1;
         for (int i = 0; i < surface->n; i++) {
             double x[3], r = 0, cosine = 0;
@@ -202,9 +206,9 @@ static void cavity_and_ball(void **state) {
         const double area = surface->immersed_area / (4 * M_PI * ball_radius * ball_radius * SPACING * SPACING);
         print_message("%s: area %.4f of the sphere's, normals: least cosine %.4f, mean %.5f\n",
                       ball_is_void ? "cavity" : "ball", area, least, 1 - sum[0] / sum[1]);
-        assert_true(fabs(area - 1) < 0.015);
-        assert_true(least > cos(6 * M_PI / 180));
-        assert_true(sum[0] / sum[1] < 1 - cos(3 * M_PI / 180));
+        check_close(area, 1, 0.015);
+        check_above(least, cos(6 * M_PI / 180));
+        check_below(sum[0] / sum[1], 1 - cos(3 * M_PI / 180));
         solid_surface_free(surface);
         solid_free(s);
     }
@@ -231,7 +235,7 @@ static void pore(void **state) {
         assert_int_equal(s->n_global, 728);
         struct solid_surface *surface = solid_surface_new(s);
         assert_int_equal(surface->total, 6);
-        assert_true(fabs(surface->immersed_area / (6 * SPACING * SPACING) - 1) < 1e-12);
+        check_relative(surface->immersed_area, 6 * SPACING * SPACING, 1e-12);
         for (int i = 0; i < surface->n; i++) {
             double e[3];
             int away = 0;
@@ -241,7 +245,7 @@ static void pore(void **state) {
             }
             assert_int_equal(away, 1);
             assert_false(surface->two_sided[i]);
-            assert_true(normal_error(surface, i, e[0], e[1], e[2]) < 1e-9);
+            check_below(normal_error(surface, i, e[0], e[1], e[2]), 1e-9);
         }
         solid_surface_free(surface);
         solid_free(s);
@@ -265,7 +269,7 @@ static void points(void **state) {
     struct solid *s = solid_new(&in);
     struct solid_surface *surface = solid_surface_new(s);
     assert_int_equal(check_outer(s, surface, cube), 729 - 343);
-    assert_true(fabs(surface->initial_area / (SPACING * SPACING) - 1) < 1e-12);
+    check_relative(surface->initial_area, SPACING * SPACING, 1e-12);
     solid_surface_free(surface);
     solid_free(s);
     for (int c = 0; c < 3; c++) free(x[c]);
@@ -292,8 +296,8 @@ static void held_layer(void **state) {
     }
     assert_int_equal(surface->total, 72);
     solid_surface_area_restrict(s, surface, (double[]){0, 0, 0}, (double[]){1, 1, 1});
-    assert_true(fabs(surface->immersed_area / (36 * SPACING * SPACING) - 1) < 1e-12);
-    assert_true(fabs(surface->initial_area / (SPACING * SPACING) - 1) < 1e-12);
+    check_relative(surface->immersed_area, 36 * SPACING * SPACING, 1e-12);
+    check_relative(surface->initial_area, SPACING * SPACING, 1e-12);
     solid_surface_free(surface);
     solid_free(s);
 }

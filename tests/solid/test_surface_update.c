@@ -3,6 +3,7 @@
 #include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "test_surface_bodies.h"
+#include "tests/check.h"
 
 static struct solid *block_new(int nx, int ny, int nz, int general) {
     const struct solid_body body = bodies_box(0, 0, 0, nx, ny, nz);
@@ -20,16 +21,16 @@ static void check_against_scratch(struct solid *s, const struct solid_surface *f
     for (int h = 0; h < s->n; h++) assert_int_equal(flag[h], s->flag[h]);
     assert_int_equal(f->n, scratch->n);
     assert_int_equal(f->total, scratch->total);
-    assert_true(f->initial_area == scratch->initial_area);
-    assert_true(f->immersed_area == scratch->immersed_area);
+    check_equal(f->initial_area, scratch->initial_area);
+    check_equal(f->immersed_area, scratch->immersed_area);
     for (int i = 0; i < f->n; i++) {
         assert_int_equal(f->h[i], scratch->h[i]);
-        assert_true(f->area[i] == scratch->area[i]);
+        check_equal(f->area[i], scratch->area[i]);
         assert_int_equal(f->two_sided[i], scratch->two_sided[i]);
         double cosine = 0;
         for (int c = 0; c < 3; c++) cosine += f->normal[c][i] * scratch->normal[c][i];
         if (f->two_sided[i]) cosine = fabs(cosine);
-        assert_true(cosine > cos(0.02));
+        check_above(cosine, cos(0.02));
     }
     solid_surface_free(scratch);
     free(flag);
@@ -61,9 +62,9 @@ static void crack(void **state) {
                     if (!inner) continue;
                     assert_true(p[axis] == 4 || p[axis] == 5);
                     assert_false(s->flag[f->h[i]] & SOLID_FIRST);
-                    assert_true(fabs(f->area[i] / (SPACING * SPACING) - 1) < 1e-12);
+                    check_relative(f->area[i], SPACING * SPACING, 1e-12);
                     const int centre = p[(axis + 1) % 3] == 3 && p[(axis + 2) % 3] == 3;
-                    if (centre) assert_true(fabs(f->normal[axis][i] - (p[axis] == 4 ? 1 : -1)) < 1e-12);
+                    if (centre) check_close(f->normal[axis][i], p[axis] == 4 ? 1 : -1, 1e-12);
                 }
                 check_against_scratch(s, f);
             }
@@ -118,7 +119,7 @@ static void turn(void **state) {
                                   (t + w) * before[0] + (c + t) * before[1] + (t - w) * before[2],
                                   (t - w) * before[0] + (t + w) * before[1] + (c + t) * before[2]};
         for (int i = 0; i < 3; i++) {
-            assert_true(fabs(f->normal[i][0] - turned[i]) < 1e-10);
+            check_close(f->normal[i][0], turned[i], 1e-10);
         }
         check_against_scratch(s, f);
     }
@@ -160,7 +161,7 @@ static void random_crushing(void **state) {
             check_against_scratch(s, f);
             most = f->total;
         }
-        assert_true(most > 8 * 7 * 6 - 6 * 5 * 4); /* the crushing has exposed something */
+        check_above(most, 8 * 7 * 6 - 6 * 5 * 4); /* the crushing has exposed something */
         solid_surface_free(f);
         solid_free(s);
     }
@@ -186,7 +187,7 @@ static void kept_and_restored(void **state) {
         solid_keep_restore(kept, s, f);
         assert_int_equal(f->n, on);
         for (int i = 0; i < on; i++)
-            for (size_t c = 0; c < 3; c++) assert_true(f->normal[c][i] == normal[c * n + (size_t)i]);
+            for (size_t c = 0; c < 3; c++) check_equal(f->normal[c][i], normal[c * n + (size_t)i]);
         solid_surface_update(s, f);
         check_against_scratch(s, f);
         crush(s, 3, 0.4);

@@ -8,6 +8,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/force/force.h"
 #include "solid/solid.h"
+#include "tests/check.h"
 
 #include <stdio.h>
 
@@ -69,7 +70,7 @@ static void collect(const struct solid *s, const struct shape *shape, double *al
 static void assert_unaware(const struct solid *s) {
     const struct solid_lattice *b = s->family->lattice[0];
     for (int g = 0; g < b->segments->n; g++) {
-        assert_true(b->segments->high[g] == 0);
+        check_equal(b->segments->high[g], 0);
         assert_int_equal(b->segments->large[g], 0);
     }
 }
@@ -104,14 +105,14 @@ static double largest(const double *all) {
 
 /* Bonds and particles to the bit; a to round-off of the forces that were taken back, of `scale` m/s2. */
 static void compare(const double *all, const double *expected, double scale) {
-    for (int i = 0; i < NUMBERS; i++) assert_near(all[i], expected[i], i % 7 < 3 ? 1e-12 * scale : 0);
+    for (int i = 0; i < NUMBERS; i++) check_close(all[i], expected[i], i % 7 < 3 ? 1e-12 * scale : 0);
 }
 
 static void assert_balanced(const double *all, double scale) {
     for (int c = 0; c < 3; c++) {
         double sum = 0;
         for (int i = 0; i < SITES; i++) sum += all[7 * i + c];
-        assert_near(sum, 0, 1e-12 * sqrt(SITES) * scale);
+        check_close(sum, 0, 1e-12 * sqrt(SITES) * scale);
     }
 }
 

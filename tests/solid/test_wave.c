@@ -6,6 +6,7 @@
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
 #include "solid/step/rates.h"
+#include "tests/check.h"
 
 /* omega of a plane wave along x in units of sqrt(E/rho)/spacing, by projecting the force on it. */
 static double omega(struct solid *s, int waves, int direction) {
@@ -32,9 +33,9 @@ static void test_dispersion(void **state) {
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {40, 4, 4}, .periodic = {1, 1, 1}, .list = list});
         for (int i = 0; i < 9; i++) {
-            assert_near(omega(s, waves[i], 0), longitudinal[i], 1e-5);
-            assert_near(omega(s, waves[i], 1), transverse[i], 1e-5);
-            assert_near(omega(s, waves[i], 2), transverse[i], 1e-5);
+            check_close(omega(s, waves[i], 0), longitudinal[i], 1e-5);
+            check_close(omega(s, waves[i], 1), transverse[i], 1e-5);
+            check_close(omega(s, waves[i], 2), transverse[i], 1e-5);
         }
         solid_free(s);
     }
@@ -45,9 +46,9 @@ static void test_stable_step(void **state) {
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {10, 10, 10}, .periodic = {1, 1, 1}, .list = list});
         for (int h = 0; h < s->n; h++) s->d[0][h] = h;
-        assert_near(solid_rates_stable_step(s, SOLID_RK3) / step_of(1.569), 1, 0.005);
-        assert_near(solid_rates_stable_step(s, SOLID_VERLET) / step_of(1.812), 1, 0.005);
-        for (int h = 0; h < s->n; h++) assert_true(s->d[0][h] == h); /* the state is left alone */
+        check_close(solid_rates_stable_step(s, SOLID_RK3) / step_of(1.569), 1, 0.005);
+        check_close(solid_rates_stable_step(s, SOLID_VERLET) / step_of(1.812), 1, 0.005);
+        for (int h = 0; h < s->n; h++) check_equal(s->d[0][h], h); /* the state is left alone */
         solid_free(s);
     }
 }
@@ -69,11 +70,11 @@ static double growth(enum solid_integrator integrator, double dt) {
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
             s->v[c][h] = 1e-9 * noise(s, h, c);
-            before = fmax(before, fabs(s->v[c][h]));
+            before = check_worst(before, s->v[c][h]);
         }
     solid_integrate(s, dt, 800);
     for (int h = 0; h < s->n; h++)
-        for (int c = 0; c < 3; c++) after = fmax(after, fabs(s->v[c][h]));
+        for (int c = 0; c < 3; c++) after = check_worst(after, s->v[c][h]);
     if (step_status_agree(&(struct step_status){.failed = solid_integrate_check(s).failed})) after = INFINITY;
     solid_free(s);
     return par_max(after) / par_max(before);
@@ -81,10 +82,10 @@ static double growth(enum solid_integrator integrator, double dt) {
 
 static void test_stability_by_stepping(void **state) {
     (void)state;
-    assert_true(growth(SOLID_RK3, step_of(1.569 * 0.98)) < 3);
-    assert_true(growth(SOLID_RK3, step_of(1.569 * 1.02)) > 100);
-    assert_true(growth(SOLID_VERLET, step_of(1.812 * 0.98)) < 30); /* amplitudes of 1/sqrt(1 - (omega dt/2)^2) */
-    assert_true(growth(SOLID_VERLET, step_of(1.812 * 1.02)) > 1e6);
+    check_below(growth(SOLID_RK3, step_of(1.569 * 0.98)), 3);
+    check_above(growth(SOLID_RK3, step_of(1.569 * 1.02)), 100);
+    check_below(growth(SOLID_VERLET, step_of(1.812 * 0.98)), 30); /* amplitudes of 1/sqrt(1 - (omega dt/2)^2) */
+    check_above(growth(SOLID_VERLET, step_of(1.812 * 1.02)), 1e6);
 }
 
 int main(int argc, char **argv) {

@@ -39,8 +39,7 @@ column() {
 cp bar.yaml whole.yaml
 sed -i '/name: "50"/s/}/, set: {stages.pull.steps: 100000000}}/' bar.yaml
 "$frana" study bar.yaml >out 2>err & study=$!
-for _ in $(seq 200); do grep -qs '^\[2/4\]' out && break; sleep 0.05; done
-grep -qs '^\[2/4\]' out || fail "two runs are not done: $(cat out err)"
+await $study grep -qs '^\[2/4\]' out || fail "two runs are not done: $(cat out err)"
 kill -INT $study
 got=0; wait $study || got=$?
 [ $got = 75 ] && grep -q '^stopped at run 3 of 4' out || fail "stopped with $got: $(cat out err)"

@@ -1,5 +1,6 @@
 /* A study's file: values read from good ones, and the sentence for each mistake. */
 #include "study/file/file.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -60,23 +61,27 @@ static void whole(void **state) {
     assert_string_equal(s->methods.variant[1].sets.text[0], "stages.pull.integrator=rk3");
     assert_string_equal(s->methods.variant[1].sets.text[1], "title=\"x: \\\"y\\\"\"");
     assert_string_equal(s->levels.variant[0].name, "16");
-    assert_true(s->levels.variant[0].size == 0.0625);
+    check_equal(s->levels.variant[0].size, 0.0625);
     assert_string_equal(s->levels.variant[0].sets.text[0], "domain.cells=[16, 16, 16]");
     assert_string_equal(s->levels.variant[0].sets.text[1], "solid.bodies=[{\"name\": p, \"q\": [1, 2]}]");
     assert_int_equal(s->quantities, 4);
     const struct study_quantity *q = s->quantity;
     assert_string_equal(q[0].name, "e_strain");
     assert_int_equal(q[0].at, STUDY_MEAN);
-    assert_true(q[0].after == 0.5 && q[0].before == 1.5 && q[0].factor == 1000);
+    check_equal(q[0].after, 0.5);
+    check_equal(q[0].before, 1.5);
+    check_equal(q[0].factor, 1000);
     assert_int_equal(q[0].reference.kind, STUDY_REFERENCE_FINEST);
     assert_string_equal(q[0].reference.method, "b");
-    assert_true(q[0].reference.order == 2);
+    check_equal(q[0].reference.order, 2);
     assert_int_equal(q[1].at, STUDY_TIME);
-    assert_true(q[1].above == 0 && q[1].reference.value == 3 && q[1].reference.uncertainty == 0.1);
+    check_equal(q[1].above, 0);
+    check_equal(q[1].reference.value, 3);
+    check_equal(q[1].reference.uncertainty, 0.1);
     assert_string_equal(q[1].reference.source, "a book");
     assert_string_equal(q[2].row, "largest, stress");
     assert_string_equal(q[3].command, "./norm.sh | tail -1");
-    assert_true(q[3].reference.scale == 5);
+    check_equal(q[3].reference.scale, 5);
     study_file_free(s);
 }
 
@@ -85,10 +90,12 @@ static void defaults(void **state) {
     struct study *s = good(SCENE QUANTITY VARIED);
     assert_string_equal(s->title, "bar.study");
     assert_string_equal(s->launcher, "mpiexec -n {ranks}");
-    assert_true(s->ranks == 1 && s->repeats == 5);
+    check_equal(s->ranks, 1);
+    check_equal(s->repeats, 5);
     assert_true(isnan(s->levels.variant[0].size));
     assert_int_equal(s->quantity[0].at, STUDY_LAST);
-    assert_true(s->quantity[0].factor == 1 && isnan(s->quantity[0].reference.scale));
+    check_equal(s->quantity[0].factor, 1);
+    assert_true(isnan(s->quantity[0].reference.scale));
     study_file_free(s);
 }
 
@@ -108,7 +115,7 @@ static void products(void **state) {
     assert_string_equal(s->methods.variant[4].sets.text[1], "n=4");
     assert_int_equal(s->levels.n, 2);
     assert_string_equal(s->levels.variant[1].name, "only fine");
-    assert_true(s->levels.variant[1].size == 1);
+    check_equal(s->levels.variant[1].size, 1);
     study_file_free(s);
 }
 

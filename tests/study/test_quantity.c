@@ -2,6 +2,7 @@
 #include "study/runs/child.h"
 #include "study/runs/quantity.h"
 #include "study/runs/window.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -21,17 +22,17 @@ static void window(void **state) {
     /* columns t, x: unequal steps, a value that does not exist yet, one that is lost */
     const double rows[6][2] = {{0, NAN}, {1, 4}, {2, -2}, {4, 6}, {5, NAN}, {8, 2}};
     const struct study_samples s = {6, 2, &rows[0][0], &rows[0][1]};
-    assert_true(study_window(&s, STUDY_LAST, -INFINITY, INFINITY, 0) == 2);
-    assert_true(study_window(&s, STUDY_LAST, -INFINITY, 5, 0) == 6);
-    assert_true(study_window(&s, STUDY_MAX, 5, INFINITY, 0) == 2);
-    assert_true(study_window(&s, STUDY_MAX, -INFINITY, INFINITY, 0) == 6);
-    assert_true(study_window(&s, STUDY_MIN, -INFINITY, INFINITY, 0) == -2);
+    check_equal(study_window(&s, STUDY_LAST, -INFINITY, INFINITY, 0), 2);
+    check_equal(study_window(&s, STUDY_LAST, -INFINITY, 5, 0), 6);
+    check_equal(study_window(&s, STUDY_MAX, 5, INFINITY, 0), 2);
+    check_equal(study_window(&s, STUDY_MAX, -INFINITY, INFINITY, 0), 6);
+    check_equal(study_window(&s, STUDY_MIN, -INFINITY, INFINITY, 0), -2);
     /* by hand: (4 - 2)/2 * 1 + (-2 + 6)/2 * 2 + (6 + 2)/2 * 4 = 21, over 7 */
-    assert_true(fabs(study_window(&s, STUDY_MEAN, -INFINITY, INFINITY, 0) - 3) < 1e-15);
-    assert_true(study_window(&s, STUDY_MEAN, 1, 2, 0) == 1);
-    assert_true(study_window(&s, STUDY_MEAN, 8, 9, 0) == 2);
-    assert_true(study_window(&s, STUDY_TIME, -INFINITY, INFINITY, 4) == 4);
-    assert_true(study_window(&s, STUDY_TIME, -INFINITY, INFINITY, 3.9) == 1);
+    check_close(study_window(&s, STUDY_MEAN, -INFINITY, INFINITY, 0), 3, 1e-15);
+    check_equal(study_window(&s, STUDY_MEAN, 1, 2, 0), 1);
+    check_equal(study_window(&s, STUDY_MEAN, 8, 9, 0), 2);
+    check_equal(study_window(&s, STUDY_TIME, -INFINITY, INFINITY, 4), 4);
+    check_equal(study_window(&s, STUDY_TIME, -INFINITY, INFINITY, 3.9), 1);
     assert_true(isnan(study_window(&s, STUDY_TIME, -INFINITY, INFINITY, 6)));
     assert_true(isnan(study_window(&s, STUDY_LAST, 9, INFINITY, 0)));
     assert_true(isnan(study_window(&s, STUDY_MEAN, 0, 0.5, 0)));

@@ -2,6 +2,7 @@
 /* The results of a study with artificial runs: errors, orders, medians, the finest run as reference. */
 #include "study/report/report.h"
 #include "study/result/result.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -70,33 +71,31 @@ static struct made *make(struct study_reference reference) {
 static const struct study_reference known = {.kind = STUDY_REFERENCE_VALUE, .value = 10, .scale = NAN, .order = NAN},
                                     finest = {.kind = STUDY_REFERENCE_FINEST, .scale = NAN, .order = NAN};
 
-static void near(double ours, double theirs, double tolerance) {
-    if (!(fabs(ours - theirs) <= tolerance)) fail_msg("%.15g, not %.15g within %g", ours, theirs, tolerance);
-}
-
 static void value(void **state) {
     (void)state;
     struct made *x = make(known);
     struct study_result *r = study_result_new(&x->plan);
     const struct study_table *t = &r->table[0];
     const struct study_point *p = study_result_point(r, t, 0, 1);
-    near(p->error, 0.2, 1e-14);
-    near(p->relative, 0.02, 1e-15);
-    near(p->wall, 4, 0); /* 2, 6, 4 */
-    near(p->wall_min, 2, 0);
-    near(p->wall_iqr, 2, 0); /* 3 to 5 */
-    near(p->setup, 0.25, 0);
-    near(p->memory, 2e6, 0);
-    near(p->order, 2, 1e-12);
-    near(p->spread, 0, 0);
-    assert_true(p->resolved && p->repeats == REPEATS && p->state == STUDY_DONE);
+    check_close(p->error, 0.2, 1e-14);
+    check_close(p->relative, 0.02, 1e-15);
+    check_close(p->wall, 4, 0); /* 2, 6, 4 */
+    check_close(p->wall_min, 2, 0);
+    check_close(p->wall_iqr, 2, 0); /* 3 to 5 */
+    check_close(p->setup, 0.25, 0);
+    check_close(p->memory, 2e6, 0);
+    check_close(p->order, 2, 1e-12);
+    check_close(p->spread, 0, 0);
+    assert_true(p->resolved);
+    check_equal(p->repeats, REPEATS);
+    check_equal(p->state, STUDY_DONE);
     assert_true(isnan(study_result_point(r, t, 0, 0)->order));
-    near(study_result_point(r, t, 1, 2)->order, 3, 1e-10);
-    near(study_result_point(r, t, 1, 2)->wall, 16, 0);
-    near(t->curve[0].order, 2, 1e-12);
-    near(t->curve[1].order, 3, 1e-10);
-    near(t->curve[1].gain, -3, 1e-10);
-    near(t->curve[0].richardson.extrapolated, 10, 1e-12);
+    check_close(study_result_point(r, t, 1, 2)->order, 3, 1e-10);
+    check_close(study_result_point(r, t, 1, 2)->wall, 16, 0);
+    check_close(t->curve[0].order, 2, 1e-12);
+    check_close(t->curve[1].order, 3, 1e-10);
+    check_close(t->curve[1].gain, -3, 1e-10);
+    check_close(t->curve[0].richardson.extrapolated, 10, 1e-12);
     char *reference = study_report_reference(r, t);
     assert_string_equal(reference, "10");
     free(reference);
@@ -185,9 +184,10 @@ static void extrapolated(void **state) {
     struct made *x = make(finest);
     struct study_result *r = study_result_new(&x->plan);
     const struct study_table *t = &r->table[0];
-    assert_true(t->extrapolated && t->method == 0);
-    near(t->reference, 10, 1e-12);
-    near(t->uncertainty, 1.25 * 0.05, 1e-12); /* 1.25 |f1 - f| */
+    assert_true(t->extrapolated);
+    check_equal(t->method, 0);
+    check_close(t->reference, 10, 1e-12);
+    check_close(t->uncertainty, 1.25 * 0.05, 1e-12); /* 1.25 |f1 - f| */
     assert_false(study_result_point(r, t, 0, 2)->resolved);
     assert_true(study_result_point(r, t, 0, 1)->resolved);
     study_result_free(r);
@@ -195,15 +195,15 @@ static void extrapolated(void **state) {
     x->quantity.reference.method = TEXT("cubic");
     r = study_result_new(&x->plan);
     assert_int_equal(r->table[0].method, 1);
-    near(r->table[0].uncertainty, 1.25 * 0.4 / 64, 1e-12);
+    check_close(r->table[0].uncertainty, 1.25 * 0.4 / 64, 1e-12);
     study_result_free(r);
 
     x->quantity.reference.method = NULL; /* square, whose finest levels now do not converge */
     for (int i = 4; i < RUNS; i += CASES) x->value[i] = 11;
     r = study_result_new(&x->plan);
     assert_false(r->table[0].extrapolated);
-    near(r->table[0].reference, 11, 0);
-    near(r->table[0].uncertainty, 0.5 * (11 - 9.2), 1e-12);
+    check_close(r->table[0].reference, 11, 0);
+    check_close(r->table[0].uncertainty, 0.5 * (11 - 9.2), 1e-12);
     char *reference = study_report_reference(r, &r->table[0]);
     assert_non_null(strstr(reference, "as its finest levels do not converge"));
     free(reference);
@@ -226,20 +226,20 @@ static void uneven(void **state) {
     assert_int_equal(p->state, STUDY_FAILED);
     assert_string_equal(study_report_status(p, status), "failed 3");
     assert_true(isnan(p->value) && isnan(p->wall) && isnan(p->order));
-    near(study_result_point(r, t, 0, 2)->order, 2, 1e-12); /* across the gap */
-    near(study_result_point(r, t, 1, 0)->spread, 1, 1e-14);
-    near(study_result_point(r, t, 1, 0)->value, 10.4, 1e-14);
+    check_close(study_result_point(r, t, 0, 2)->order, 2, 1e-12); /* across the gap */
+    check_close(study_result_point(r, t, 1, 0)->spread, 1, 1e-14);
+    check_close(study_result_point(r, t, 1, 0)->value, 10.4, 1e-14);
     study_result_free(r);
 
     x->quantity.reference.value = 0;
     r = study_result_new(&x->plan);
     assert_false(r->table[0].has_scale);
-    near(study_result_point(r, &r->table[0], 1, 0)->relative, 10.4, 1e-14);
+    check_close(study_result_point(r, &r->table[0], 1, 0)->relative, 10.4, 1e-14);
     study_result_free(r);
     x->quantity.reference.scale = 4;
     r = study_result_new(&x->plan);
     assert_true(r->table[0].has_scale);
-    near(study_result_point(r, &r->table[0], 1, 0)->relative, 2.6, 1e-14);
+    check_close(study_result_point(r, &r->table[0], 1, 0)->relative, 2.6, 1e-14);
     study_result_free(r);
     free(x);
 }
@@ -250,10 +250,10 @@ static void time_left(void **state) {
     struct made *x = make(known);
     for (int i = 12; i < RUNS; i++) x->run[i].outcome.state = STUDY_TODO;
     /* the second repeats: 3 (1 + 2 + 4) (1 + 2) + 6/4 */
-    near(study_plan_left(&x->plan, 12), 64.5, 1e-12);
-    near(study_plan_left(&x->plan, 17), 24.25, 1e-12);
+    check_close(study_plan_left(&x->plan, 12), 64.5, 1e-12);
+    check_close(study_plan_left(&x->plan, 17), 24.25, 1e-12);
     for (int i = 1; i < RUNS; i++) x->run[i].outcome.state = STUDY_TODO;
-    near(study_plan_left(&x->plan, 1), 17 * 1.25, 1e-12);
+    check_close(study_plan_left(&x->plan, 1), 17 * 1.25, 1e-12);
     x->run[0].outcome.state = STUDY_FAILED;
     assert_true(isnan(study_plan_left(&x->plan, 1)));
     free(x);

@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
-# How light a wall can be that swings against a column of fluid, over its thickness, the column's length and the step; explicit and strong.
-# A one-dimensional column is all added mass: the explicit scheme's edge is rho_s h/(rho_f L) = 1 (Causin, Gerbeau and Nobile 2005).
-# The wall's modulus goes with its density, so that its waves (0.6 cells in 20 us) are resolved: what is left is added mass.
+# How light a wall can be that swings against a column of fluid, over its thickness, the column's length and the step;
+# explicit and strong.
+# A one-dimensional column is all added mass: the explicit scheme's edge is rho_s h/(rho_f L) = 1 (Causin, Gerbeau and
+# Nobile 2005).
+# The wall's modulus goes with its density, so that its waves (0.6 cells in 20 us) are resolved: what is left is added
+# mass.
 # usage: cases/stability/added_mass/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
+# shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
 # Bounded: energy late in the run is not four times what there is at its start.
 judge() { [ "$(of_run "$1" e_kinetic_solid "a = max(n - n / 4, n); print a <= 4 * ($(of_run "$1" e_strain 'print max(1, n / 4)') + 0)")" = 1 ]; }
@@ -23,10 +28,15 @@ point() { # point SCHEME THICKNESS LENGTH STEP, in cells, us
 } >"$runs/points"
 table edges 'scheme,thickness,column,step_us,density_ratio,mass_ratio' <"$runs/points"
 plot edges <<'END'
-set logscale xy; set xlabel 'thickness, particles'; set xrange [0.8:10]; set ylabel 'least rho_s/rho_f that holds'; set key bottom left
+set logscale xy; set xlabel 'thickness, particles'; set xrange [0.8:10]; set ylabel 'least rho_s/rho_f that holds';
+set key bottom left
 f = 'edges.csv'; of(s, l, d) = strcol(1) eq s && $3 == l && $4 == d ? $5 : NaN
-plot f using 2:(of('explicit', 40, 20)) with points pt 7 title 'explicit, column of 40 cells, 20 us', '' using 2:(of('explicit', 40, 5)) with points pt 1 ps 2 title '5 us', '' using 2:(of('explicit', 40, 40)) with points pt 2 ps 2 title '40 us', \
-  '' using 2:(of('explicit', 20, 20)) with points pt 8 title '20 cells', '' using 2:(of('explicit', 80, 20)) with points pt 10 title '80 cells', \
-  '' using 2:(of('strong', 40, 20)) with points pt 6 title 'strong, 40 cells (0.1: the least tried)', 40 / x with lines lc 'black' title 'rho_s h = rho_f L'
+plot f using 2:(of('explicit', 40, 20)) with points pt 7 title 'explicit, column of 40 cells, 20 us', \
+  '' using 2:(of('explicit', 40, 5)) with points pt 1 ps 2 title '5 us', \
+  '' using 2:(of('explicit', 40, 40)) with points pt 2 ps 2 title '40 us', \
+  '' using 2:(of('explicit', 20, 20)) with points pt 8 title '20 cells', \
+  '' using 2:(of('explicit', 80, 20)) with points pt 10 title '80 cells', \
+  '' using 2:(of('strong', 40, 20)) with points pt 6 title 'strong, 40 cells (0.1: the least tried)', \
+  40 / x with lines lc 'black' title 'rho_s h = rho_f L'
 END
 finish

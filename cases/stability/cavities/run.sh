@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# How narrow a slit may be: its flow over h2/12 G/mu, and the longest step over the one without anything immersed, from one cell on.
+# How narrow a slit may be: its flow over h2/12 G/mu, and the longest step over the one without anything immersed, from
+# one cell on.
 # usage: cases/stability/cavities/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
+# shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
 # Bounded: never faster than the slit twice as wide, and at rest in the mean at the end.
 judge() { [ "$(of_run "$1" u_bulk 'print max(1, n) < 1 && max(n, n) - x[n - 1] < 0.1 * max(n, n)')" = 1 ]; }
@@ -11,17 +14,23 @@ point() { # point DIFFUSION WIDTH, in cells
   walls=("fluid.diffusion=$kind" "domain.size=[4, $cells, 4]" "domain.cells=[4, $cells, 4]"
     "solid.bodies.0.high=[4, 4, 4]" "solid.bodies.1.low=[0, $((4 + width)), 0]" "solid.bodies.1.high=[4, $cells, 4]")
   step=$([ "$kind" = explicit ] && echo 0.1375 || echo 1.375)
-  made "$dir" scene "${walls[@]}" "stages.0.time_step=$step" stages.0.steps="$(calc "int(2 * ($width + 2) ^ 2 / $step) + 20")" output.series_every=20 \
-    output.fluid_probes.at="[$(seq -s, -f '[2, %.1f, 2]' 4.5 $((3 + width)).5 | sed 's/\],\[/], [/g')]" output.fluid_probes.every=20
-  ratio=$(awk -F, 'NR > 2 { if ($1 != step) { step = $1; sum = 0 } sum += $7 } END { print sum }' "$dir/fluid_probes.csv") # not what moves inside the walls
+  made "$dir" scene "${walls[@]}" "stages.0.time_step=$step" \
+    stages.0.steps="$(calc "int(2 * ($width + 2) ^ 2 / $step) + 20")" output.series_every=20 \
+    output.fluid_probes.at="[$(seq -s, -f '[2, %.1f, 2]' 4.5 $((3 + width)).5 | sed 's/\],\[/], [/g')]" \
+      output.fluid_probes.every=20
+  # not what moves inside the walls
+  ratio=$(awk -F, 'NR > 2 { if ($1 != step) { step = $1; sum = 0 } sum += $7 } END { print sum }' \
+    "$dir/fluid_probes.csv")
   ratio=$(calc "$ratio / (1e-3 * $width ^ 3 / 12)")
   echo "$kind,$width,$ratio,$(edge 0.07 2 0.02 scene "${walls[@]}" stages.0.time_step=@ stages.0.steps=600 output.series_every=20)"
 }
 for width in 1 2 3 4 8 16; do printf '%s\n' "explicit $width" "implicit $width"; done >"$runs/points"
 table slit 'diffusion,width,flow_over_exact,longest_step' <"$runs/points"
 plot slit <<'END'
-set logscale xy; set xlabel 'width, cells'; set ylabel "flow over h^3/12 G/mu"; set xtics (1, 2, 3, 4, 8, 16); set key top right
+set logscale xy; set xlabel 'width, cells'; set ylabel "flow over h^3/12 G/mu"; set xtics (1, 2, 3, 4, 8, 16);
+set key top right
 f = 'slit.csv'; of(k) = strcol(1) eq k ? $3 : NaN
-plot f using 2:(of('explicit')) with points pt 7 title 'explicit', '' using 2:(of('implicit')) with points pt 6 title 'implicit, ten times the step', 1 with lines lc 'black' notitle
+plot f using 2:(of('explicit')) with points pt 7 title 'explicit', \
+  '' using 2:(of('implicit')) with points pt 6 title 'implicit, ten times the step', 1 with lines lc 'black' notitle
 END
 finish

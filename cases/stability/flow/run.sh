@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
-# How long a step of the fluid may be: a uniform stream with small waves against the scheme's own amplification of each wave, and a channel
-# with a cube in it over its Reynolds number against the automatic step; explicit and implicit diffusion.
+# How long a step of the fluid may be: a uniform stream with small waves against the scheme's own amplification of each
+# wave, and a channel with a cube in it over its Reynolds number against the automatic step; explicit and implicit
+# diffusion.
 # usage: cases/stability/flow/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
+# shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
 # Bounded: the dissipation, which is that of the waves alone, late in the run is not ten times the one at its start.
 judge() { [ "$(of_run "$1" dissipation 'print max(n - n / 4, n) <= 10 * max(1, n / 10)')" = 1 ]; }
 
-# computed DIFFUSION NU: the step of the first wave that grows, of those that 8 cells carry; U = 1 in each direction, cells of 1. Low-storage
+# computed DIFFUSION NU: the step of the first wave that grows, of those that 8 cells carry; U = 1 in each direction,
+# cells of 1. Low-storage
 # RK3 of the central differences: a wave's rates are i c = -i sum sin(theta), l = 2 nu sum (1 - cos(theta)).
 computed() {
   awk -v kind="$1" -v nu="$2" '
@@ -50,7 +54,8 @@ for kind in explicit implicit; do
   printf "waves $kind %s\n" ${quick:-0.01 0.1 0.3 1 2 3 5 10 30} 0.01 1 1e4
 done | awk '!/quick/ && !seen[$0]++' >"$runs/waves"
 [ ! "$quick" ] || sed -i '/implicit/d' "$runs/waves"
-table waves 'diffusion,cell_reynolds,step,step_computed,diffusion_number,cfl,diffusion_number_computed,cfl_computed' <"$runs/waves"
+table waves 'diffusion,cell_reynolds,step,step_computed,diffusion_number,cfl,diffusion_number_computed,cfl_computed' \
+  <"$runs/waves"
 while IFS=, read -r kind at found step rest; do
   [ "$kind" != diffusion ] || continue
   if [ "$step" = 100 ]; then
@@ -60,10 +65,13 @@ while IFS=, read -r kind at found step rest; do
   fi
 done <"$out/waves.csv"
 plot waves <<'END'
-set logscale x; set xlabel 'U dx/nu'; set logscale y; set yrange [0.001:100]; set ylabel 'longest step, dx/U'; set key bottom right
+set logscale x; set xlabel 'U dx/nu'; set logscale y; set yrange [0.001:100]; set ylabel 'longest step, dx/U';
+set key bottom right
 f = 'waves.csv'; of(k, c) = strcol(1) eq k ? column(c) : NaN
-plot f using (of('explicit', 2)):(of('explicit', 3)) with points pt 7 title 'explicit', '' using (of('explicit', 2)):(of('explicit', 4)) with lines lc 'black' title 'computed', \
-  '' using (of('implicit', 2)):(of('implicit', 3)) with points pt 6 title 'implicit (100: none found)', '' using (of('implicit', 2)):(of('implicit', 4)) with lines lc 'black' dt 2 title 'computed', \
+plot f using (of('explicit', 2)):(of('explicit', 3)) with points pt 7 title 'explicit', '' using (of('explicit', \
+  2)):(of('explicit', 4)) with lines lc 'black' title 'computed', \
+  '' using (of('implicit', 2)):(of('implicit', 3)) with points pt 6 title 'implicit (100: none found)', \
+  '' using (of('implicit', 2)):(of('implicit', 4)) with lines lc 'black' dt 2 title 'computed', \
   x * 1.65 / 12 with lines lc 'grey' title '1.65/(4 nu sum 1/dx^2)', sqrt(3) / 3 with lines lc 'grey' dt 2 title 'sqrt(3)/sum |u|/dx'
 END
 if [ ! "$quick" ]; then
@@ -72,8 +80,10 @@ if [ ! "$quick" ]; then
   plot channel <<'END'
 set logscale xy; set xlabel 'Re_b'; set ylabel 'step, s'; set key bottom right
 f = 'channel.csv'; of(k, c) = strcol(1) eq k ? column(c) : NaN
-plot f using (of('explicit', 2)):(of('explicit', 3)) with linespoints pt 7 title 'explicit: longest', '' using (of('explicit', 2)):(of('explicit', 4)) with lines dt 2 title 'explicit: automatic, cfl 1', \
-  '' using (of('implicit', 2)):(of('implicit', 3)) with linespoints pt 6 title 'implicit: longest', '' using (of('implicit', 2)):(of('implicit', 4)) with lines dt 2 title 'implicit: automatic, cfl 1'
+plot f using (of('explicit', 2)):(of('explicit', 3)) with linespoints pt 7 title 'explicit: longest', \
+  '' using (of('explicit', 2)):(of('explicit', 4)) with lines dt 2 title 'explicit: automatic, cfl 1', \
+  '' using (of('implicit', 2)):(of('implicit', 3)) with linespoints pt 6 title 'implicit: longest', \
+  '' using (of('implicit', 2)):(of('implicit', 4)) with lines dt 2 title 'implicit: automatic, cfl 1'
 END
 fi
 finish

@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
-# What iterations of the forcing buy: the slip at the walls of a slit, over their number and the step. The bulk velocity of a slit under a given
-# gradient, less the one without slip (100 iterations at the shortest step), over the shear at its walls, is the slip's share of the flow.
+# What iterations of the forcing buy: the slip at the walls of a slit, over their number and the step. The bulk velocity
+# of a slit under a given gradient, less the one without slip (100 iterations at the shortest step), over the shear at
+# its walls, is the slip's share of the flow.
 # usage: cases/stability/forcing/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
+# shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
 point() { # point DIFFUSION STEP ITERATIONS, the step over the explicit viscous limit
   local dir=$runs/at/$1-$2-$3 steps
   steps=$(calc "int(200 / (0.1375 * $2) + 0.5)")
   if ! [ -f "$dir.u" ] || [ "$(head -n 1 "$dir.u")" != "$build" ]; then
-    if made "$dir" scene fluid.diffusion="$1" coupling.forcing_iterations="$3" stages.0.time_step="$(calc "0.1375 * $2")" stages.0.steps="$steps" \
+    if made "$dir" scene fluid.diffusion="$1" coupling.forcing_iterations="$3" \
+      stages.0.time_step="$(calc "0.1375 * $2")" stages.0.steps="$steps" \
       output.series_every="$steps"; then
       printf '%s\n' "$build" "$(of_run "$dir" u_bulk 'print x[n]')" >"$dir.u"
     else
@@ -25,8 +29,11 @@ point() { # point DIFFUSION STEP ITERATIONS, the step over the explicit viscous 
 table slip 'diffusion,step,iterations,bulk_velocity' <"$runs/points"
 exact=$(awk -F, '$1 == "explicit" && $2 == 0.1 && $3 == 100 { print $4 }' "$out/slip.csv")
 plot slip <<END
-set logscale xy; set xlabel 'iterations N_s'; set ylabel 'slip, share of the bulk velocity'; set key bottom left; set yrange [1e-8:0.1]; set format y '1e%T'
+set logscale xy; set xlabel 'iterations N_s'; set ylabel 'slip, share of the bulk velocity'; set key bottom left;
+set yrange [1e-8:0.1]; set format y '1e%T'
 f = 'slip.csv'; exact = $exact; of(k, d) = strcol(1) eq k && column(2) == d ? column(4) / exact - 1 : NaN
-plot f using 3:(of('explicit', 1)) with points pt 7 title 'explicit, at the viscous limit', '' using 3:(of('explicit', 0.1)) with points pt 6 title 'a tenth of it', '' using 3:(of('implicit', 10)) with points pt 4 title 'implicit, 10 times it'
+plot f using 3:(of('explicit', 1)) with points pt 7 title 'explicit, at the viscous limit', \
+  '' using 3:(of('explicit', 0.1)) with points pt 6 title 'a tenth of it', \
+  '' using 3:(of('implicit', 10)) with points pt 4 title 'implicit, 10 times it'
 END
 finish

@@ -1,10 +1,15 @@
 #!/usr/bin/env bash
-# How long a step of the solid may be, over stiffness, horizon, damping, damage and contact, against what frana computes.
+# How long a step of the solid may be, over stiffness, horizon, damping, damage and contact, against what frana
+# computes.
 # usage: cases/stability/solid/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
+# shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
-# Bounded: the energy late in the run is not a thousand times the one at its start. At 0.3 % above RK3's limit it is, after 2000 steps.
-# Two particles that touch let go of one another as soon as their swing grows: theirs never is thirty times that of the first swing.
+# Bounded: the energy late in the run is not a thousand times the one at its start. At 0.3 % above RK3's limit it is,
+# after 2000 steps.
+# Two particles that touch let go of one another as soon as their swing grows: theirs never is thirty times that of the
+# first swing.
 judge() {
   local growth='max(n - n / 4, n) <= 1e3 * max(1, n / 20)'
   ! grep -q 'name: left' "$1/scene.resolved.yaml" || growth='max(1, n) <= 30 * max(1, 3)'
@@ -22,7 +27,8 @@ both() { # both SCENE LIMIT SETTING...: edges with RK3 and Verlet, and what chec
       *,rk3) name='solid, bonds, RK3' ;;
       *) name='solid, bonds, velocity Verlet' ;;
     esac
-    if [ "$name" ]; then at=$(stable_step "$scene" "$name" "$@"); else at=$(stage_limit "$scene" "$@" stages.0.integrator=$method); fi
+    if [ "$name" ]; then at=$(stable_step "$scene" "$name" "$@"); else \
+      at=$(stage_limit "$scene" "$@" stages.0.integrator=$method); fi
     row=$row,$(edge "$(calc "0.5 * $at")" "$(calc "4 * $at")" 0.004 "$scene" "$@" stages.0.integrator=$method stages.0.time_step=@),$at
   done
   echo "${row#,}"
@@ -73,9 +79,12 @@ while IFS=, read -r what at rk3 of_rk3 verlet of_verlet; do
     case $what-$method in
       what-*) ;;
       contact-RK3) # what lets go as its swing grows is softer than its spring: a bound
-        row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" "not below it" 0.995 1e3 ;;
-      cracks-* | damping-* | absolute-*) # one limit for the whole body, and a polygon about the rates of all modes: bounds
-        row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" "not below it" 0.995 1e3 ;;
+        row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" \
+          "not below it" 0.995 1e3 ;;
+      # one limit for the whole body, and a polygon about the rates of all modes: bounds
+      cracks-* | damping-* | absolute-*)
+        row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" \
+          "not below it" 0.995 1e3 ;;
       *) near "$what = $at, $method: longest step" s "$found" "$computed" "computed from the largest rates" 0.02 ;;
     esac
   done
@@ -86,11 +95,18 @@ set key bottom left; set yrange [0.8:2.2]; set ylabel 'longest step / computed l
 f = 'limits.csv'
 pick(w, k) = strcol(1) eq w ? column(k) / column(k + 1) : NaN
 set title 'horizon, and stiffness of contact'; set logscale x; set xlabel 'm;  k_c/c_0'
-plot f using (strcol(1) eq 'm' ? $2 : NaN):(pick('m', 3)) with points pt 7 title 'm, RK3', '' using (strcol(1) eq 'm' ? $2 : NaN):(pick('m', 5)) with points pt 6 title 'm, Verlet', \
-  '' using (strcol(1) eq 'contact' ? $2 : NaN):(pick('contact', 3)) with points pt 5 title 'contact, RK3', '' using (strcol(1) eq 'contact' ? $2 : NaN):(pick('contact', 5)) with points pt 4 title 'contact, Verlet', 1 with lines lc 'black' notitle
+plot f using (strcol(1) eq 'm' ? $2 : NaN):(pick('m', 3)) with points pt 7 title 'm, RK3', \
+  '' using (strcol(1) eq 'm' ? $2 : NaN):(pick('m', 5)) with points pt 6 title 'm, Verlet', \
+  '' using (strcol(1) eq 'contact' ? $2 : NaN):(pick('contact', 3)) with points pt 5 title 'contact, RK3', \
+  '' using (strcol(1) eq 'contact' ? $2 : NaN):(pick('contact', 5)) with points pt 4 title 'contact, Verlet', \
+  1 with lines lc 'black' notitle
 set title 'pairwise damping'; set xlabel 'k_d'
-plot f using (strcol(1) eq 'damping' ? $2 : NaN):(pick('damping', 3)) with points pt 7 title 'RK3', '' using (strcol(1) eq 'damping' ? $2 : NaN):(pick('damping', 5)) with points pt 6 title 'Verlet', 1 with lines lc 'black' notitle
+plot f using (strcol(1) eq 'damping' ? $2 : NaN):(pick('damping', 3)) with points pt 7 title 'RK3', \
+  '' using (strcol(1) eq 'damping' ? $2 : NaN):(pick('damping', 5)) with points pt 6 title 'Verlet', \
+  1 with lines lc 'black' notitle
 unset logscale; set title 'cracks across a cube of 6 particles'; set xlabel 'cracks'
-plot f using (strcol(1) eq 'cracks' ? $2 : NaN):(pick('cracks', 3)) with points pt 7 title 'RK3', '' using (strcol(1) eq 'cracks' ? $2 : NaN):(pick('cracks', 5)) with points pt 6 title 'Verlet', 1 with lines lc 'black' notitle
+plot f using (strcol(1) eq 'cracks' ? $2 : NaN):(pick('cracks', 3)) with points pt 7 title 'RK3', \
+  '' using (strcol(1) eq 'cracks' ? $2 : NaN):(pick('cracks', 5)) with points pt 6 title 'Verlet', \
+  1 with lines lc 'black' notitle
 END
 finish

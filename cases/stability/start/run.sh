@@ -1,21 +1,27 @@
 #!/usr/bin/env bash
-# The first steps after an impulsive start: the load on a cube that a stream meets at once, over the step; and what its material
-# gets of it with and without a stage of the flow alone before.
+# The first steps after an impulsive start: the load on a cube that a stream meets at once, over the step; and what its
+# material gets of it with and without a stage of the flow alone before.
 # usage: cases/stability/start/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
+# shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
 point() { # point STEP WAIT: the flow alone for WAIT seconds, then elastic for 4 s
   local dir=$runs/at/$1-$2
-  made "$dir" scene stages.flow.time_step="$1" stages.elastic.time_step="$1" stages.flow.steps="$(calc "int($2 / $1 + 0.5)")" \
+  made "$dir" scene stages.flow.time_step="$1" stages.elastic.time_step="$1" \
+    stages.flow.steps="$(calc "int($2 / $1 + 0.5)")" \
     stages.elastic.steps="$(calc "int(4 / $1 + 0.5)")" || { echo "$1,$2,nan,nan,nan,nan"; return; }
   echo "$1,$2,$(of_run "$dir" load_x 'print x[1]'),$(of_run "$dir" load_x 'print x[n]'),$(of_run "$dir" e_strain 'print max(1, n)'),$(of_run "$dir" e_strain 'print x[n]')"
-  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 { print $2 "," $at["load_x"] "," $at["e_strain"] }' "$dir/series.csv" >"$runs/load_$1_$2.csv"
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 {
+    print $2 "," $at["load_x"] "," $at["e_strain"] }' "$dir/series.csv" >"$runs/load_$1_$2.csv"
 }
 printf '%s\n' "0.2 0" "0.1 0" "0.05 0" "0.025 0" "0.1 0.1" "0.1 0.5" "0.1 2" "0.1 8" >"$runs/points"
 table start 'step,wait,first_load,last_load,most_strain_energy,last_strain_energy' <"$runs/points"
 cp "$runs"/load_*.csv "$out"
 plot start <<'END'
 set logscale x; set xlabel 't U/D'; set ylabel 'load / (rho U^2 D^2)'; set yrange [-10:200]; set key top right
-plot for [s in '0.2 0.1 0.05 0.025'] 'load_'.s.'_0.csv' using ($1 / 6):($2 / 36) with linespoints title 'elastic from the start, step '.s.' s', 'load_0.1_2.csv' using ($1 / 6):($2 / 36) with lines lc 'black' lw 2 title 'after 2 s of flow alone'
+plot for [s in '0.2 0.1 0.05 0.025'] 'load_'.s.'_0.csv' using ($1 / 6):($2 / 36) \
+  with linespoints title 'elastic from the start, step '.s.' s', 'load_0.1_2.csv' using ($1 / 6):($2 / 36) \
+  with lines lc 'black' lw 2 title 'after 2 s of flow alone'
 END
 finish

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# In a run folder: the tip's deflection over that of Timoshenko's beam, or the bending stiffness E I, from the third derivative of the
-# axis's deflection, over that of the material. The beam is clamped at the face of the last held layer, or where that layer itself
-# stands if all is symmetric about it, and loaded where its last layer stands.
-# usage: bending.sh deflection|stiffness [lattice]      Timoshenko's beam has the moduli of the material, 1 and 2/5, or the lattice's
+# In a run folder: the tip's deflection over that of Timoshenko's beam, or the bending stiffness E I, from the third
+# derivative of the axis's deflection, over that of the material. The beam is clamped at the face of the last held
+# layer, or where that layer itself stands if all is symmetric about it, and loaded where its last layer stands.
+# usage: bending.sh deflection|stiffness [lattice]
+# Timoshenko's beam has the moduli of the material, 1 and 2/5, or the lattice's.
 set -euo pipefail
 e=1 g=0.4
 if [ "${2:-}" = lattice ]; then
-  read -r e g < <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" | awk '{ v[$1] = $2 } END { print v["e100"], v["c12"] }')
+  read -r e g < \
+    <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" | awk '{ v[$1] = $2 } END { print v["e100"], v["c12"] }')
 fi
 read -r low high clamp height sym < <(awk -F'[][,]' '
   /^  constraints:/ { in_held = 1 }

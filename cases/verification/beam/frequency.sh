@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The first frequency over that of Timoshenko's cantilever, in a run folder: a sine through the tip's deflection by least squares.
+# The first frequency over that of Timoshenko's cantilever, in a run folder: a sine through the tip's deflection by
+# least squares.
 # usage: frequency.sh [E G]
 set -euo pipefail
 read -r length height < <(awk -F'[][,]' '/^  size:/ { print $2 - 3, $3 }' scene.resolved.yaml)
@@ -17,6 +18,7 @@ awk -F, -v exact="$exact" '
   }
   END {
     a = 0.7 * exact; b = 1.3 * exact; r = (sqrt(5) - 1) / 2
-    for (k = 0; k < 60; k++) { p = b - r * (b - a); q = a + r * (b - a); if (explained(p) > explained(q)) b = q; else a = p }
+    for (k = 0; k < 60; k++) { p = b - r * (b - a); q = a + r * (b - a); if (explained(p) > explained(q)) b = q;
+      else a = p }
     printf "%.8g\n", (a + b) / 2 / exact
   }' probes.csv

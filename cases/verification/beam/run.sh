@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Deflection, bending stiffness and first frequency of cantilevers against Timoshenko's.
 # usage: cases/verification/beam/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 e=$(awk -v m=3 -f "$here/../lattice.awk" | awk '$1 == "e100" { print $2 }')
 # beams STUDY WHAT LEVELS...
@@ -11,14 +12,16 @@ beams() {
   for surface in corrected uncorrected; do
     for level in "$@"; do
       where="$what: height x slenderness $level $surface"
-      shown "$where: deflection over Timoshenko's" 1 "$(of "$name" value $surface "$level" deflection)" 1 "E and G of the material"
-      against=$(of "$name" value $surface "$level" 'deflection of the lattice')
+      shown "$where: deflection over Timoshenko's" 1 "$(cell "$name" value $surface "$level" deflection)" 1 \
+        "E and G of the material"
+      against=$(cell "$name" value $surface "$level" 'deflection of the lattice')
       if [ "$what $surface $level" = "clamped corrected 8 x 5" ]; then
         near "$where: deflection over Timoshenko's" 1 "$against" 1 "E and G of the lattice" 0.06
       else
         shown "$where: deflection over Timoshenko's" 1 "$against" 1 "E and G of the lattice"
       fi
-      shown "$where: bending stiffness over E I" 1 "$(of "$name" value $surface "$level" stiffness)" "$e" "E of the lattice over the material's"
+      shown "$where: bending stiffness over E I" 1 "$(cell "$name" value $surface "$level" stiffness)" "$e" \
+        "E of the lattice over the material's"
     done
   done
 }
@@ -34,7 +37,8 @@ fi
 study $name
 for surface in corrected uncorrected; do
   for height in $heights; do
-    shown "let go: height x slenderness $height x 5 $surface: first frequency over Timoshenko's" 1 "$(of $name value $surface "$height x 5" frequency)" 1 "E and G of the material"
+    shown "let go: height x slenderness $height x 5 $surface: first frequency over Timoshenko's" 1 \
+      "$(cell $name value $surface "$height x 5" frequency)" 1 "E and G of the material"
   done
 done
 finish

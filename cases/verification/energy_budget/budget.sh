@@ -1,6 +1,6 @@
 #!/bin/sh
-# What does not add up in a run folder's series.csv from the first elastic step on, over what was put in: the gradient's work
-# int G u_bulk V dt, or the solid's energy at the start where nothing drives. Integrals by the trapezium rule.
+# What does not add up in a run folder's series.csv from the first elastic step on, over what was put in: the gradient's
+# work int G u_bulk V dt, or the solid's energy at the start where nothing drives. Integrals by the trapezium rule.
 #   whole  d(fluid's + solid's energy) + damped + fracture + int dissipation dt - put in
 #   rigid  the same before the solid is let go, over the gradient's work until then, from a quarter of that time on
 #   solid  d(solid's energy) + damped + fracture - work of the fluid on it

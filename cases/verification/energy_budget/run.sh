@@ -1,29 +1,38 @@
 #!/usr/bin/env bash
 # Where the energy of a coupled run goes, over what is put in, at three time steps.
 # usage: cases/verification/energy_budget/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 study study
 study study_still
 study study_break
 steps=("400 us" "200 us" "100 us")
 for step in "${steps[@]}"; do
-  shown "in a stream, rigid, $step: not accounted for" 1 "$(of study value probe "$step" rigid)" 0 "share of the gradient's work"
-  row "in a stream, $step: not accounted for" 1 "$(of study value probe "$step" whole)" 0 "share of the gradient's work" -0.01 0.01
+  shown "in a stream, rigid, $step: not accounted for" 1 "$(cell study value probe "$step" rigid)" 0 \
+    "share of the gradient's work"
+  row "in a stream, $step: not accounted for" 1 "$(cell study value probe "$step" whole)" 0 \
+    "share of the gradient's work" -0.01 0.01
 done
 for step in '200 us' '100 us'; do
-  row "in a stream, $step: order of the solid's books" 1 "$(of study order probe "$step" solid)" 1 "at least" 1 1e9
-  shown "in a stream, rigid, $step: order of what is not accounted for" 1 "$(of study order probe "$step" rigid)" 1 "asked"
+  row "in a stream, $step: order of the solid's books" 1 "$(cell study order probe "$step" solid)" 1 "at least" 1 1e9
+  shown "in a stream, rigid, $step: order of what is not accounted for" 1 "$(cell study order probe "$step" rigid)" 1 \
+    "asked"
   for method in probe balanced; do
-    row "at rest, $method, $step: order of the solid's books" 1 "$(of study_still order $method "$step" solid)" 1 "at least" 1 1e9
+    row "at rest, $method, $step: order of the solid's books" 1 "$(cell study_still order $method "$step" solid)" 1 \
+      "at least" 1 1e9
   done
 done
 for method in probe balanced; do
   for step in "${steps[@]}"; do
-    shown "at rest, $method, $step: not accounted for" 1 "$(of study_still value $method "$step" whole)" 0 "share of the energy at the start"
+    shown "at rest, $method, $step: not accounted for" 1 "$(cell study_still value $method "$step" whole)" 0 \
+      "share of the energy at the start"
   done
-  shown "at rest, $method, 100 us: work of the fluid on the solid" 1 "$(of study_still value $method '100 us' work)" "" "share of the energy at the start"
+  shown "at rest, $method, 100 us: work of the fluid on the solid" 1 "$(cell study_still value $method '100 us' work)" \
+    "" "share of the energy at the start"
 done
-shown "breaking, 400 us: broken bonds" 1 "$(of study_break value probe '400 us' 'broken bonds')" "" "of 54670"
-shown "breaking, 400 us: not accounted for" 1 "$(of study_break value probe '400 us' whole)" 0 "share of the gradient's work"
-shown "breaking, 400 us: the solid's books" 1 "$(of study_break value probe '400 us' solid)" 0 "share of the gradient's work"
+shown "breaking, 400 us: broken bonds" 1 "$(cell study_break value probe '400 us' 'broken bonds')" "" "of 54670"
+shown "breaking, 400 us: not accounted for" 1 "$(cell study_break value probe '400 us' whole)" 0 \
+  "share of the gradient's work"
+shown "breaking, 400 us: the solid's books" 1 "$(cell study_break value probe '400 us' solid)" 0 \
+  "share of the gradient's work"
 finish

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# While the tip goes from x = 90 to 165, over the way and G0 (1e-4), in a run folder: the energy that goes out of motion and strain
+# While the tip goes from x = 90 to 165, over the way and G0 (1e-4), in a run folder: the energy that goes out of motion
+# and strain
 # (balance), what the bonds release (bonds), the latter less the former (gap), or the tip's speed (speed).
 set -euo pipefail
 awk -F, -v what="$1" '
   FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; file++ }
   FNR < 3 { next }
-  file == 1 { held[$1] = $at["e_kinetic_solid"] + $at["e_strain"] - $at["e_constraint"] - $at["work_load"] + $at["e_damped"] }
+  file == 1 {
+    held[$1] = $at["e_kinetic_solid"] + $at["e_strain"] - $at["e_constraint"] - $at["work_load"] + $at["e_damped"] }
   file == 2 && $at["tip_x"] > 90 && !first { first = $1; x0 = $at["tip_x"]; e0 = $at["e_fracture"]; t0 = $at["t"] }
   file == 2 && $at["tip_x"] > 165 && !last { last = $1; x1 = $at["tip_x"]; e1 = $at["e_fracture"]; t1 = $at["t"] }
   END {

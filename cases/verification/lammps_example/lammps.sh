@@ -9,7 +9,8 @@ awk -v volume=1.25e-13 '
   /^LAMMPS \(/ { print "# " $0 }
   /total # of bonds/ { bonds = $NF }
   /^Step/ { run++; next }
-  run == 3 && NF == 5 && $1 + 0 == $1 { e[++n] = sprintf("%d,%.15g,%.15g", $1, $3 * volume, $4 * volume); atoms = $2; worst = $5 }
+  run == 3 && NF == 5 && $1 + 0 == $1 { e[++n] = sprintf("%d,%.15g,%.15g", $1, $3 * volume, $4 * volume); atoms = $2;
+    worst = $5 }
   END {
     if (worst != 0) exit 1
     print "# " atoms " particles, " bonds " directed bonds"

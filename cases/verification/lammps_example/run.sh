@@ -1,19 +1,25 @@
 #!/usr/bin/env bash
 # Particles, bonds and a swinging cylinder's energies against LAMMPS's.
 # usage: cases/verification/lammps_example/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
-read -r particles bonds < <("$frana" check "$here/lattice.yaml" | awk '$1 == "solid" && $3 == "particles" { print $2, 2 * $(NF - 1) }')
+read -r particles bonds < \
+  <("$frana" check "$here/lattice.yaml" | awk '$1 == "solid" && $3 == "particles" { print $2, 2 * $(NF - 1) }')
 row "lattice: particles" 1 "$particles" 3487 "LAMMPS log.27Nov18.peri.pmb" 3487 3487
 row "lattice: directed bonds" 1 "$bonds" 335966 "LAMMPS log.27Nov18.peri.pmb" 335966 335966
 # the same sites as cells of a tenth of the spacing, of which the horizon cuts none: LAMMPS's weights and ours are all 1
 awk 'BEGIN { for (j = 0; j <= 10; j++) for (k = -10; k <= 10; k++) for (i = -10; i <= 10; i++)
-  if (i * i + k * k <= 100) printf "%.6f %.6f %.6f 1.25e-13\n", 0.006 + i * 5e-4, 0.001 + j * 5e-4, 0.006 + k * 5e-4 }' >"$runs/cylinder.txt"
+  if (i * i + k * k <= 100)
+    printf "%.6f %.6f %.6f 1.25e-13\n", 0.006 + i * 5e-4, 0.001 + j * 5e-4, 0.006 + k * 5e-4 }' >"$runs/cylinder.txt"
 rm -rf "$runs/wave"
-"$frana" run "$here/scene.yaml" --out "$runs/wave" --set "solid.bodies[0].file=$(realpath "$runs/cylinder.txt")" >"$runs/wave.log" 2>&1 ||
+"$frana" run "$here/scene.yaml" --out "$runs/wave" --set "solid.bodies[0].file=$(realpath "$runs/cylinder.txt")" \
+  >"$runs/wave.log" 2>&1 ||
   { cat "$runs/wave.log" >&2; exit 1; }
-row "points: directed bonds" 1 "$(awk -F'[:,]' '/directed_bonds/ { print $2 + 0 }' "$runs/wave/run.json")" 335966 "LAMMPS" 335966 335966
+row "points: directed bonds" 1 "$(awk -F'[:,]' '/directed_bonds/ { print $2 + 0 }' "$runs/wave/run.json")" 335966 \
+  "LAMMPS" 335966 335966
 # energy COLUMN STEP, of ours; theirs COLUMN STEP
-energy() { awk -F, -v c="$1" -v s="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) at = i } NR > 2 && $1 == s { print $at }' "$runs/wave/series.csv"; }
+energy() { awk -F, -v c="$1" -v s="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) at = i } NR > 2 && $1 == s {
+  print $at }' "$runs/wave/series.csv"; }
 theirs() { awk -F, -v c="$1" -v s="$2" '$1 == s { print $c }' "$here/lammps.csv"; }
 for step in 20 40 60 80 100; do
   near "step $step: energy of the bonds" J "$(energy e_strain $step)" "$(theirs 2 $step)" "LAMMPS" 1e-11

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Where the flow feels two immersed planes, at ten offsets from the grid and two resolutions.
 # usage: cases/verification/planes/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 
-# expected OFFSET CELLS: (1 + t/h)/2 (1/2 + 2 phi(s - 1) phi(s + 1)) - v/h - r_d, s the marker from the nearest centre of a cell,
-# t = 4.6 - 2 r_d and h the markers' distances on either side, phi Roma's kernel, v = sum_i phi(s - i) (s - i)^2: the markers see a bent
-# profile, and its curvature.
+# expected OFFSET CELLS: (1 + t/h)/2 (1/2 + 2 phi(s - 1) phi(s + 1)) - v/h - r_d, s the marker from the nearest centre
+# of a cell, t = 4.6 - 2 r_d and h the markers' distances on either side, phi Roma's kernel, v = sum_i phi(s - i) (s -
+# i)^2: the markers see a bent profile, and its curvature.
 expected() {
   awk -v q="$1" -v n="$2" 'function phi(s) { s = s < 0 ? -s : s
       return s <= 0.5 ? (1 + sqrt(1 - 3 * s * s)) / 3 : s <= 1.5 ? (5 - 3 * s - sqrt(1 - 3 * (1 - s) ^ 2)) / 6 : 0 }
@@ -20,13 +21,16 @@ planes() {
   study "$1"
   local miss=0 o
   for o in 0 1 2 3 4 5 6 7 8 9; do
-    miss=$(awk -v m="$miss" -v a="$(of "$1" value .$o "$2" shift)" -v b="$(expected 0.$o "$2")" 'BEGIN { d = a - b; d = d < 0 ? -d : d; print (d > m ? d : m) }')
+    miss=$(awk -v m="$miss" -v a="$(cell "$1" value .$o "$2" shift)" -v b="$(expected 0.$o "$2")" \
+      'BEGIN { d = a - b; d = d < 0 ? -d : d; print (d > m ? d : m) }')
   done
-  read -r mean spread < <(awk -F, '$4 == "shift" { s += $6; if (!n++ || $6 < low) low = $6; if (n == 1 || $6 > high) high = $6 }
+  read -r mean spread < \
+    <(awk -F, '$4 == "shift" { s += $6; if (!n++ || $6 < low) low = $6; if (n == 1 || $6 > high) high = $6 }
     END { print s / n, high - low }' "$runs/$1.csv")
   row "$2 cells: mean shift of the walls over ten offsets" cells "$mean" 0 "the planes as given" -0.05 0.05
   row "$2 cells: spread" cells "$spread" 0 "no locking to the grid" 0 0.03
-  row "$2 cells: largest difference from the kernel's own shift" cells "$miss" 0 "Roma's kernel on a bent profile" 0 0.01
+  row "$2 cells: largest difference from the kernel's own shift" cells "$miss" 0 "Roma's kernel on a bent profile" 0 \
+    0.01
 }
 planes study 64
 if [ ! "$quick" ]; then

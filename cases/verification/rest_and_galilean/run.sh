@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A body that moves with the flow feels nothing; a sphere in a fluid at rest feels its weight in fluid.
 # usage: cases/verification/rest_and_galilean/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 study study_driven
 study study_free
@@ -9,23 +10,33 @@ for case in driven free; do
   for method in lattice shape; do
     for level in 16 24; do
       for what in "largest load" "largest forcing" "strain energy" slip; do
-        row "$case, $method, $level cells: $what" 1 "$(of study_$case value $method $level "$what")" 0 "one velocity for all" 0 1e-8
+        row "$case, $method, $level cells: $what" 1 "$(cell study_$case value $method $level "$what")" 0 \
+          "one velocity for all" 0 1e-8
       done
       broken=$(cd "$runs/runs/study_$case/$method/$level/1" && "$here/final.sh" broken)
       row "$case, $method, $level cells: broken bonds" 1 "$broken" 0 "one velocity for all" 0 0
     done
   done
 done
-# Of the box's momentum 1 the sphere's particles, 463 of twice the fluid's density, take what the fluid within has not brought already.
-near "free, balanced, 24 cells: velocity in the end" m/s "$(of study_free value balanced 24 velocity)" "$(calc "1 / (1 + 463 / 24 ^ 3)")" "momentum of fluid and sphere" 1e-9
-near "balanced, 20 cells a diameter: buoyancy" N "$(of study_hydrostatic value balanced 20 buoyancy)" 5235.98776 "rho g V" 0.01
+# Of the box's momentum 1 the sphere's particles, 463 of twice the fluid's density, take what the fluid within has not
+# brought already.
+near "free, balanced, 24 cells: velocity in the end" m/s "$(cell study_free value balanced 24 velocity)" \
+  "$(calc "1 / (1 + 463 / 24 ^ 3)")" "momentum of fluid and sphere" 1e-9
+near "balanced, 20 cells a diameter: buoyancy" N "$(cell study_hydrostatic value balanced 20 buoyancy)" 5235.98776 \
+  "rho g V" 0.01
 for method in lattice shape; do
-  shown "free, $method, 24 cells: velocity in the end" m/s "$(of study_free value $method 24 velocity)" 0.9351858 "momentum of the fluid outside and of the solid"
+  shown "free, $method, 24 cells: velocity in the end" m/s "$(cell study_free value $method 24 velocity)" 0.9351858 \
+    "momentum of the fluid outside and of the solid"
   for level in 10 20; do
-    shown "$method, $level cells a diameter: buoyancy" N "$(of study_hydrostatic value $method $level buoyancy)" 5235.98776 "rho g V"
-    near "$method without retraction, $level cells a diameter: buoyancy" N "$(of study_hydrostatic value "$method without retraction" $level buoyancy)" 5235.98776 "rho g V" "$([ $level = 10 ] && echo 0.03 || echo 0.015)"
-    row "$method, $level cells a diameter: force of the forcing over the buoyancy" 1 "$(calc "$(of study_hydrostatic value $method $level forcing) / 5235.98776")" 0 "a fluid at rest" -1e-8 1e-8
+    shown "$method, $level cells a diameter: buoyancy" N "$(cell study_hydrostatic value $method $level buoyancy)" \
+      5235.98776 "rho g V"
+    near "$method without retraction, $level cells a diameter: buoyancy" N \
+      "$(cell study_hydrostatic value "$method without retraction" $level buoyancy)" 5235.98776 "rho g V" \
+      "$([ $level = 10 ] && echo 0.03 || echo 0.015)"
+    row "$method, $level cells a diameter: force of the forcing over the buoyancy" 1 \
+      "$(calc "$(cell study_hydrostatic value $method $level forcing) / 5235.98776")" 0 "a fluid at rest" -1e-8 1e-8
   done
-  row "$method: order of the buoyancy" 1 "$(of study_hydrostatic order $method 20 buoyancy)" 1 "first order of the retraction" 0.7 1.3
+  row "$method: order of the buoyancy" 1 "$(cell study_hydrostatic order $method 20 buoyancy)" 1 \
+    "first order of the retraction" 0.7 1.3
 done
 finish

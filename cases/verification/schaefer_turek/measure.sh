@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
 # A number of the run in this folder. usage: measure.sh WHAT MEAN_VELOCITY [AFTER]
-# cd_forcing, cl_forcing, cd_probe, cl_probe: 2 F/(rho U^2 D b), the last value; dp: the pressure in front less that behind, each continued to
-# the surface by the parabola through two, three and four cells off; dp_surface: read on the surface, where the forcing has spread it;
-# la: length of the eddies, by the last change of sign of u on the axis. Over whole periods of the lift after AFTER: cd_max, cl_max (means of
-# the periods' largest), strouhal, dp_half (half a period behind the largest lift). Diameter 0.1, density 1.
+# cd_forcing, cl_forcing, cd_probe, cl_probe: 2 F/(rho U^2 D b), the last value; dp: the pressure in front less that
+# behind, each continued to the surface by the parabola through two, three and four cells off; dp_surface: read on the
+# surface, where the forcing has spread it; la: length of the eddies, by the last change of sign of u on the axis. Over
+# whole periods of the lift after AFTER: cd_max, cl_max (means of the periods' largest), strouhal, dp_half (half a
+# period behind the largest lift). Diameter 0.1, density 1.
 set -euo pipefail
 what=$1 mean=$2 after=${3:-0}
 span=$(awk -F'[][,]' '/^ *size:/ { print $4; exit }' scene.resolved.yaml)
-awk -F, -v what="$what" -v q="$(awk "BEGIN { print 0.05 * $mean * $mean * $span }")" -v mean="$mean" -v after="$after" -v OFMT=%.10g '
-  function off() { return what == "dp_surface" ? p[0] - p[1] : 6 * p[2] - 8 * p[3] + 3 * p[4] - (6 * p[5] - 8 * p[6] + 3 * p[7]) }
+awk -F, -v what="$what" -v q="$(awk "BEGIN { print 0.05 * $mean * $mean * $span }")" -v mean="$mean" -v after="$after" \
+  -v OFMT=%.10g '
+  function off() {
+    return what == "dp_surface" ? p[0] - p[1] : 6 * p[2] - 8 * p[3] + 3 * p[4] - (6 * p[5] - 8 * p[6] + 3 * p[7]) }
   FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   !/^[0-9]/ { next }
   NR == FNR && $3 < 8 { p[$3] = $10; if ($3 == 7) dp[$1] = off(); next }

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # Drag, lift, pressure drop, eddies and shedding of a cylinder in a channel.
 # usage: cases/verification/schaefer_turek/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 drag=5.57953523 lift=0.010618948 drop=0.11752017 source=FeatFlow
 gates() { # gates STUDY METHOD LEVEL TOLERANCE_OF_DRAG TOLERANCE_OF_DROP
-  near "2D-1, $2, $3 cells: drag" 1 "$(of "$1" value "$2" "$3" drag)" $drag "$source" "$4"
-  near "2D-1, $2, $3 cells: pressure drop" Pa "$(of "$1" value "$2" "$3" "pressure drop")" $drop "$source" "$5"
-  row "2D-1, $2, $3 cells: lift" 1 "$(of "$1" value "$2" "$3" lift)" $lift "$source" 0.0053 0.0212
-  shown "2D-1, $2, $3 cells: length of the eddies" m "$(of "$1" value "$2" "$3" "length of the eddies")" 0.0847 "Schaefer and Turek 1996: 0.0842 to 0.0852"
-  shown "2D-1, $2, $3 cells: drag by the probe" 1 "$(of "$1" value "$2" "$3" "drag by the probe")" $drag "$source"
+  near "2D-1, $2, $3 cells: drag" 1 "$(cell "$1" value "$2" "$3" drag)" $drag "$source" "$4"
+  near "2D-1, $2, $3 cells: pressure drop" Pa "$(cell "$1" value "$2" "$3" "pressure drop")" $drop "$source" "$5"
+  row "2D-1, $2, $3 cells: lift" 1 "$(cell "$1" value "$2" "$3" lift)" $lift "$source" 0.0053 0.0212
+  shown "2D-1, $2, $3 cells: length of the eddies" m "$(cell "$1" value "$2" "$3" "length of the eddies")" 0.0847 \
+    "Schaefer and Turek 1996: 0.0842 to 0.0852"
+  shown "2D-1, $2, $3 cells: drag by the probe" 1 "$(cell "$1" value "$2" "$3" "drag by the probe")" $drag "$source"
 }
 if [ "$quick" ]; then
   study study
@@ -24,25 +26,33 @@ else
   study study_wall
   for level in 10 20; do
     for method in probe wall; do
-      shown "2D-1, eight cells across, $level cells: drag by the probe, load $method" 1 "$(of study_wall value $method $level "drag by the probe")" $drag "$source"
+      shown "2D-1, eight cells across, $level cells: drag by the probe, load $method" 1 \
+        "$(cell study_wall value $method $level "drag by the probe")" $drag "$source"
     done
   done
   for method in lattice shape; do
     gates study_fine $method 10 0.08 0.05
     gates study_fine $method 20 0.04 0.03
     for level in 10 20; do
-      near "2D-2, $method, $level cells: largest drag" 1 "$(of study_100 value $method $level "largest drag")" 3.23 "Schaefer and Turek 1996: 3.22 to 3.24" "$([ $level = 10 ] && echo 0.08 || echo 0.04)"
-      shown "2D-2, $method, $level cells: largest lift" 1 "$(of study_100 value $method $level "largest lift")" 1 "Schaefer and Turek 1996: 0.99 to 1.01"
-      row "2D-2, $method, $level cells: Strouhal number" 1 "$(of study_100 value $method $level "Strouhal number")" 0.3 "Schaefer and Turek 1996: 0.295 to 0.305" 0.28 0.32
-      shown "2D-2, $method, $level cells: pressure drop half a period later" Pa "$(of study_100 value $method $level "pressure drop half a period later")" 2.48 "Schaefer and Turek 1996: 2.46 to 2.50"
+      near "2D-2, $method, $level cells: largest drag" 1 "$(cell study_100 value $method $level "largest drag")" 3.23 \
+        "Schaefer and Turek 1996: 3.22 to 3.24" "$([ $level = 10 ] && echo 0.08 || echo 0.04)"
+      shown "2D-2, $method, $level cells: largest lift" 1 "$(cell study_100 value $method $level "largest lift")" 1 \
+        "Schaefer and Turek 1996: 0.99 to 1.01"
+      row "2D-2, $method, $level cells: Strouhal number" 1 "$(cell study_100 value $method $level "Strouhal number")" \
+        0.3 "Schaefer and Turek 1996: 0.295 to 0.305" 0.28 0.32
+      shown "2D-2, $method, $level cells: pressure drop half a period later" Pa \
+        "$(cell study_100 value $method $level "pressure drop half a period later")" 2.48 \
+        "Schaefer and Turek 1996: 2.46 to 2.50"
     done
-    near "3D-1Z, $method, 10 cells: drag" 1 "$(of study_3d value $method 10 drag)" 6.18533 "FeatFlow" 0.08
-    near "3D-1Z, $method, 10 cells: pressure drop" Pa "$(of study_3d value $method 10 "pressure drop")" 0.170826996 "FeatFlow" 0.05
-    row "3D-1Z, $method, 10 cells: lift" 1 "$(of study_3d value $method 10 lift)" 0.009401 "FeatFlow" 0.0047 0.0188
+    near "3D-1Z, $method, 10 cells: drag" 1 "$(cell study_3d value $method 10 drag)" 6.18533 "FeatFlow" 0.08
+    near "3D-1Z, $method, 10 cells: pressure drop" Pa "$(cell study_3d value $method 10 "pressure drop")" 0.170826996 \
+      "FeatFlow" 0.05
+    row "3D-1Z, $method, 10 cells: lift" 1 "$(cell study_3d value $method 10 lift)" 0.009401 "FeatFlow" 0.0047 0.0188
   done
   gates study_40 shape 40 0.015 0.015
   for what in drag lift "pressure drop"; do
-    near "2D-1, 10 cells: $what, half the length and half the time" 1 "$(of study_fine value lattice 10 "$what")" "$(of study_long value lattice 10 "$what")" "the longer run" 5e-3
+    near "2D-1, 10 cells: $what, half the length and half the time" 1 "$(cell study_fine value lattice 10 "$what")" \
+      "$(cell study_long value lattice 10 "$what")" "the longer run" 5e-3
   done
 fi
 finish

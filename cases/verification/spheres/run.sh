@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
-# Permeability and tortuosity of simple cubic arrays of spheres over solid fractions, places on the grid and ways to make the surface.
+# Permeability and tortuosity of simple cubic arrays of spheres over solid fractions, places on the grid and ways to
+# make the surface.
 # usage: cases/verification/spheres/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 fractions="0.027 0.064 0.125 0.216 0.343 0.45"
 study study
 for c in $fractions; do
-  near "c = $c at 32^3: k over the reference" 1 "$(of study value "$c" 32 permeability)" 1 "Zick and Homsy 1982" 0.03
+  near "c = $c at 32^3: k over the reference" 1 "$(cell study value "$c" 32 permeability)" 1 "Zick and Homsy 1982" 0.03
 done
 study study_tortuosity
 for c in 0.125 0.343; do
-  near "c = $c at 32^3: tortuosity over the reference" 1 "$(of study_tortuosity value $c 32 tortuosity)" 1 "fundamental solutions" 0.003
+  near "c = $c at 32^3: tortuosity over the reference" 1 "$(cell study_tortuosity value $c 32 tortuosity)" 1 \
+    "fundamental solutions" 0.003
 done
 if [ ! "$quick" ]; then
   study study_place
@@ -21,9 +24,10 @@ if [ ! "$quick" ]; then
   study study_how
   study study_fine
   for c in $fractions; do
-    near "c = $c at 64^3: k over the reference" 1 "$(of study_fine value "$c" 64 permeability)" 1 "Zick and Homsy 1982" 0.01
+    near "c = $c at 64^3: k over the reference" 1 "$(cell study_fine value "$c" 64 permeability)" 1 \
+      "Zick and Homsy 1982" 0.01
   done
   row "c = 0.125: order of k from 16^3 to 64^3" 1 \
-    "$(calc "log($(of study error 0.125 16 permeability) / $(of study_fine error 0.125 64 permeability)) / log(4)")" 2 "second order" 1.7 9
+    "$(calc "log($(cell study error 0.125 16 permeability) / $(cell study_fine error 0.125 64 permeability)) / log(4)")" 2 "second order" 1.7 9
 fi
 finish

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# The largest speed of the fall over u_inf, as long as the sphere is two diameters and more above the floor; height: half its way, the time
+# The largest speed of the fall over u_inf, as long as the sphere is two diameters and more above the floor; height:
+# half its way, the time
 # at which the gap below is four diameters, s. usage: fall.sh speed|time
 # u_inf by Abraham's formula for the drag (1970), as ten Cate et al. (2002) give it for each of their four liquids.
 set -euo pipefail
 density=$(awk '/^fluid:/ { on = 1 } on && /density:/ { print $2; exit }' scene.resolved.yaml)
-awk -F, -v what="$1" -v density="$density" -v OFMT=%.8g 'BEGIN { u[970] = 0.03829; u[965] = 0.05992; u[962] = 0.09062; u[960] = 0.12839 }
+awk -F, -v what="$1" -v density="$density" -v OFMT=%.8g 'BEGIN { u[970] = 0.03829; u[965] = 0.05992; u[962] = 0.09062;
+  u[960] = 0.12839 }
   FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   !/^[0-9]/ { next }
   { t = $2; down = -$at["displacement_y"]; if (down > 0.09) exit

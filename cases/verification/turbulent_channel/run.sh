@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # A minimal turbulent channel at Re_tau = 178: mean profile, fluctuations, total stress.
 # usage: cases/verification/turbulent_channel/run.sh [FRANA [RUNS [OUT]]]
+# shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 study study
-value() { of study value explicit '64 x 96 x 48' "$1"; }
+value() { cell study value explicit '64 x 96 x 48' "$1"; }
 mkm="Moser, Kim and Mansour 1999"
 row "averaging time" h/u_tau "$(value 'averaging time')" 25 "asked" 25 1e9
 near "bulk velocity" u_tau "$(value 'bulk velocity')" 15.680 "$mkm" 0.04

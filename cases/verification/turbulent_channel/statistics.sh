@@ -1,7 +1,8 @@
 #!/bin/sh
-# In a run folder: means from t = 20 h/u_tau on, from fluid_probes.csv, both halves of the channel together, in units of the friction
-# velocity of the mean flow's slope at the walls; kept in statistics.csv, profiles.csv and stress.csv.
-# The scene's lines are told by where they stand in a cell: of u (x face, y and z centre), of uv and v (x and y face), of w (z face).
+# In a run folder: means from t = 20 h/u_tau on, from fluid_probes.csv, both halves of the channel together, in units of
+# the friction velocity of the mean flow's slope at the walls; kept in statistics.csv, profiles.csv and stress.csv.
+# The scene's lines are told by where they stand in a cell: of u (x face, y and z centre), of uv and v (x and y face),
+# of w (z face).
 # usage: statistics.sh time|bulk|centre|u|v|w|uv|stress
 set -eu
 [ statistics.csv -nt fluid_probes.csv ] || awk -F, -v from="${FROM:-20}" '
@@ -48,7 +49,8 @@ set -eu
       if (e > E) E = e
       printf "%.6g,%.6g,%.6g,%.6g,%.6g\n", j * dy * ut / nu, c, s, t, 1 - j * dy >"stress.csv"
     }
-    printf "quantity,value\ntime,%.10g\nbulk,%.10g\ncentre,%.10g\n", (last - first) * ut, 15.68 / ut, (U[n / 2] + U[n / 2 - 1]) / 2 / ut
+    printf "quantity,value\ntime,%.10g\nbulk,%.10g\ncentre,%.10g\n", (last - first) * ut,
+      15.68 / ut, (U[n / 2] + U[n / 2 - 1]) / 2 / ut
     printf "u,%.10g\nv,%.10g\nw,%.10g\nuv,%.10g\nstress,%.10g\n", A, C, B, D, E
   }' fluid_probes.csv >statistics.csv
 sed -n "s/^$1,//p" statistics.csv

@@ -1,0 +1,119 @@
+/* Steps that hold: takes a step, judges it, and makes it again from a kept state where it does not hold. */
+#include "coupling/march.h"
+#include "base/ensure.h"
+#include "base/par.h"
+#include "coupling/adapt.h"
+#include "coupling/guard.h"
+#include "coupling/run.h"
+#include "coupling/step.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Number of steps between tests of the whole fluid for values beyond reason, and between the states kept for the case
+ * of an unstable run. */
+enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
+
+struct march {
+    struct run *run;     /* borrowed */
+    struct guard *guard; /* the last good state */
+};
+
+struct march *march_new(struct run *r) {
+    struct march *m = calloc(1, sizeof *m);
+    ENSURE(m, "no memory for %zu bytes", sizeof *m);
+    m->run = r;
+    m->guard = guard_new(r);
+    return m;
+}
+
+void march_free(struct march *m) {
+    if (!m) return;
+    guard_free(m->guard);
+    free(m);
+}
+
+void march_begin(struct march *m) { guard_keep(m->guard, m->run); }
+
+/* Goes back to the state before the last step: restores the last state kept, and repeats the steps from there. Returns
+ * whether that was possible. */
+static int go_back(struct march *m) {
+    struct run *r = m->run;
+    struct adapt *a = &r->adapt;
+    const long before = r->step - 1, kept = guard_restore(m->guard, r);
+    const double most = a->most;
+    const int least = a->least, tries = a->tries;
+    if (kept < 0) return 0;
+    strong_forget(r->strong);
+    a->most = INFINITY;
+    a->least = 0;
+    for (a->replays = 1; r->step < before;) {
+        struct step_status status = {0};
+        double number[ADAPT_NUMBERS];
+        step_advance(r);
+        adapt_look(r, 0, number);
+        par_max_array(number, ADAPT_NUMBERS);
+        adapt_judge(r, number, &status);
+    }
+    a->replays = 0;
+    if (r->step > kept) guard_keep(m->guard, r);
+    a->most = most;
+    a->least = least;
+    a->tries = tries;
+    return 1;
+}
+
+static int is_due(long every, long step) { return step % every == 0; }
+
+int march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status) {
+    struct run *r = m->run;
+    const long now = r->step + 1;
+    whole = whole || is_due(LOOK_EVERY, now) || is_due(KEEP_EVERY, now);
+    for (;;) {
+        double number[ADAPT_NUMBERS];
+        if (caller->before) caller->before(caller->with);
+        step_advance(r);
+        adapt_look(r, step_check(r, whole, status), number);
+        if (caller->largest)
+            caller->largest(caller->with, number, ADAPT_NUMBERS);
+        else
+            par_max_array(number, ADAPT_NUMBERS);
+        switch (adapt_judge(r, number, status)) {
+        case ADAPT_HOLDS:
+            return 1;
+        case ADAPT_LOST:
+            return 0;
+        case ADAPT_MAKE_AGAIN:
+            if (!go_back(m)) return 0;
+        }
+    }
+}
+
+void march_settle(struct march *m) {
+    struct run *r = m->run;
+    const int fits = guard_fits(m->guard, r);
+    if (!fits) {
+        guard_free(m->guard);
+        m->guard = guard_new(r);
+    }
+    if (is_due(KEEP_EVERY, r->step) || !fits || r->adapt.tries > 0) {
+        guard_keep(m->guard, r);
+        strong_forget(r->strong);
+    }
+    adapt_made(r);
+}
+
+struct march_loss march_give_up(struct march *m, struct step_status *status) {
+    struct run *r = m->run;
+    const double dt = r->dt;
+    const int substeps = r->substeps;
+    struct march_loss loss = {.why = "the solid has been refined since a state was kept"};
+    step_status_agree(status);
+    adapt_made(r);
+    snprintf(loss.what, sizeof loss.what, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step,
+             status->field, status->value, status->x[0], status->x[1], status->x[2], status->rank);
+    loss.step = guard_restore(m->guard, r);
+    if (loss.step >= 0) adapt_explain(r, dt, substeps, loss.why, sizeof loss.why);
+    return loss;
+}

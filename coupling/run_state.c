@@ -1,0 +1,126 @@
+/* The table of a run's own state: where it stands, and what a step hands to the next.  (docs/design/state.md) */
+#include "coupling/run_state.h"
+#include "coupling/forcing_guess.h"
+#include "fluid/state_table.h"
+
+#include <stdio.h>
+#include <string.h>
+
+_Static_assert((int)STATE_TEXT_BYTES >= (int)SCENE_NAME, "a stage's name has room in the table");
+
+static int load_t(void *owner, const void *value, char *why, size_t room) {
+    struct run *r = owner;
+    (void)why, (void)room;
+    memcpy(&r->t, value, sizeof r->t);
+    if (r->needs.bonds) r->solid->t = r->t;
+    return 0;
+}
+
+/* Stages are known by their names: the scene may have others before. */
+static void save_stage(void *owner, void *value) {
+    const struct run *r = owner;
+    snprintf(value, STATE_TEXT_BYTES, "%s", r->scene->stage[r->stage].name);
+}
+
+static int load_stage(void *owner, const void *value, char *why, size_t room) {
+    struct run *r = owner;
+    for (r->stage = 0; r->stage < r->scene->stages; r->stage++)
+        if (!strcmp(r->scene->stage[r->stage].name, value)) return 0;
+    snprintf(why, room, "was written in stage %s, which the scene does not have", (const char *)value);
+    return 1;
+}
+
+static void save_spacing(void *owner, void *value) {
+    const struct run *r = owner;
+    *(double *)value = r->solid ? r->solid->in.spacing : 0;
+}
+
+static int load_spacing(void *owner, const void *value, char *why, size_t room) {
+    const struct run *r = owner;
+    const double spacing = *(const double *)value;
+    if (!r->solid || spacing == r->solid->in.spacing) return 0;
+    snprintf(why, room, "has particles %g m apart, the scene %g m", spacing, r->solid->in.spacing);
+    return 1;
+}
+
+static int is_refined(const void *owner) {
+    const struct run *r = owner;
+    return r->needs.bonds && r->solid->refine;
+}
+
+static int has_guess(const void *owner) { return forcing_guess_is_part_of(owner); }
+static void save_guess(void *owner, void *value) { forcing_guess_take(owner, value); }
+static int load_guess(void *owner, const void *value, char *why, size_t room) {
+    (void)why, (void)room;
+    forcing_guess_put(owner, value);
+    return 0;
+}
+
+static const char of_stage[] = "it is found anew when a stage begins";
+static const char of_rates[] = "rates change at a stage's begin and with a refinement, which no kept state outlives";
+
+#define OF(member) STATE_MEMBER(struct run, member)
+
+const struct state_item run_state_table[] = {
+    /* where the run stands */
+    {"t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_BOTH, .load = load_t},
+    {"dt", STATE_DOUBLE, STATE_ONE, OF(dt), .in = STATE_BOTH},
+    {"step", STATE_LONG, STATE_ONE, OF(step), .in = STATE_BOTH},
+    {"stage_step", STATE_LONG, STATE_ONE, OF(stage_step), .in = STATE_BOTH},
+    {"substeps", STATE_INT, STATE_ONE, OF(substeps), .in = STATE_BOTH, .missing = STATE_ZERO},
+    {"approach", STATE_DOUBLE, STATE_ONE, OF(adapt.approach), .in = STATE_BOTH, .missing = STATE_ZERO},
+    {"stage", STATE_TEXT, STATE_ONE, OF(stage), .in = STATE_BOTH, .save = save_stage, .load = load_stage},
+    {"spacing", STATE_DOUBLE, STATE_ONE, .in = STATE_STORED, .save = save_spacing, .load = load_spacing,
+     .why = "it is a parameter: a checkpoint of other particles is refused"},
+    {"solid_stable", STATE_DOUBLE, STATE_ONE, OF(solid_stable), .in = STATE_KEPT, .why = of_stage},
+    {"solid_bound", STATE_INT, STATE_ONE, OF(solid_bound), .in = STATE_KEPT, .why = of_stage},
+    {"force", STATE_DOUBLE, STATE_ONE, OF(load), .in = STATE_KEPT, .why = "the next step's probe finds it anew"},
+    {"moved", STATE_LONG, STATE_ONE, OF(moved), .in = STATE_KEPT,
+     .why = "a run that is resumed deposits its particles anew, whether or not they have moved"},
+    /* the rates of a refined plate */
+    {"rate_level", STATE_LONG, STATE_ONE, OF(refined.level), .in = STATE_STORED, .missing = STATE_LEFT,
+     .after = "place", .is_part = is_refined, .why = of_rates},
+    {"rate_stiffness", STATE_DOUBLE, STATE_ONE, OF(solid_rates.stiffness), .in = STATE_STORED, .missing = STATE_LEFT,
+     .is_part = is_refined, .why = of_rates},
+    {"rate_damping", STATE_DOUBLE, STATE_ONE, OF(solid_rates.damping), .in = STATE_STORED, .missing = STATE_LEFT,
+     .is_part = is_refined, .why = of_rates},
+    {"rate_sum", STATE_DOUBLE, STATE_ONE, OF(solid_rates.sum), .in = STATE_STORED, .missing = STATE_LEFT,
+     .is_part = is_refined, .why = of_rates},
+    {"rate_difference", STATE_DOUBLE, STATE_ONE, OF(solid_rates.difference), .in = STATE_STORED, .missing = STATE_LEFT,
+     .is_part = is_refined, .why = of_rates},
+    {"rate_absolute", STATE_DOUBLE, STATE_ONE, OF(solid_rates.absolute), .in = STATE_STORED, .missing = STATE_LEFT,
+     .is_part = is_refined, .why = of_rates},
+    {"rate_bound", STATE_DOUBLE, STATE_ONE, OF(refined.rate2), .in = STATE_STORED, .missing = STATE_LEFT,
+     .is_part = is_refined, .why = of_rates},
+    /* what a step hands to the next */
+    {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
+    {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
+     .after = "sweep"},
+    /* once the surface is there */
+    {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(demand), .comps = 3, .last = 1, .in = STATE_BOTH, .missing = STATE_LEFT,
+     .after = "surface", .is_part = has_guess, .save = save_guess, .load = load_guess, .kept = &forcing_guess_kept},
+};
+
+#undef OF
+
+static void size_of(const void *owner, struct state_size *size) {
+    const struct run *r = owner;
+    if (r->solid) solid_state_table_size(r->solid, size);
+}
+
+struct state_part run_state_part(struct run *r) {
+    return (struct state_part){.item = run_state_table,
+                               .items = sizeof run_state_table / sizeof run_state_table[0],
+                               .base = r,
+                               .owner = r,
+                               .size = size_of};
+}
+
+void run_state_of(struct run *r, struct run_state *state) {
+    state->parts = 0;
+    state->solid = (struct solid_state_owner){r->solid, r->surface};
+    state->part[state->parts++] = run_state_part(r);
+    if (r->fluid) state->part[state->parts++] = fluid_state_table_part(r->fluid);
+    if (r->needs.bonds) state->part[state->parts++] = solid_state_table_part(&state->solid);
+    state_list_make(&state->list, state->part, state->parts);
+}

@@ -1,0 +1,81 @@
+/* The start of a stage: what its steps need, and the numbers that they start from. */
+#include "coupling/stage.h"
+#include "base/die.h"
+#include "coupling/refinement.h"
+#include "solid/contact/contact.h"
+#include "solid/step/integrate.h"
+#include "solid/step/rates.h"
+
+#include <math.h>
+
+static int is_elastic(const struct scene *scene, int k) {
+    return scene->solid && scene->stage[k].solid == SCENE_SOLID_ELASTIC;
+}
+
+unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
+    const struct scene_stage *stage = &scene->stage[k];
+    if (stage->relax) return STAGE_RELAXES;
+    unsigned needs = 0;
+    if (scene->fluid) needs |= STAGE_FLUID;
+    if (scene->fluid && stage->time_step <= 0) needs |= STAGE_AUTOMATIC;
+    if (scene->fluid && scene->fluid->diffusion == SCENE_DIFFUSION_IMPLICIT) needs |= STAGE_IMPLICIT;
+    if (scene->fluid && scene->solid) needs |= STAGE_IMMERSED;
+    if (!is_elastic(scene, k)) return needs;
+    needs |= STAGE_ELASTIC;
+    if (scene->fluid && scene->coupling->scheme == SCENE_STRONG) needs |= STAGE_STRONG;
+    if (scene->solid->refinement) needs |= STAGE_REFINES;
+    if (can_touch) needs |= STAGE_TOUCHES;
+    if (stage->substeps == 0 && needs & (STAGE_TOUCHES | STAGE_AUTOMATIC)) needs |= STAGE_FOLLOWS;
+    return needs;
+}
+
+/* What the stage before has left. A stage in the middle keeps its automatic step and its number of substeps. */
+static void begin_numbers(struct run *r, int elastic) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const int starts = r->stage_step == 0;
+    if (stage->time_step > 0 || !r->fluid || starts) r->dt = stage->time_step;
+    if (!elastic || starts) r->substeps = 0;
+    if (starts) r->refined.level = -1;
+}
+
+static void find_stable_step(struct run *r) {
+    if (r->scene->solid->refinement)
+        refinement_rates(r);
+    else
+        solid_rates_of(r->solid, &r->solid_rates);
+    r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
+}
+
+/* The integrator, its stable step, and the time step of a solid alone. refined: the step before, where a refinement has
+ * shortened the stable one since; else 0. */
+static void begin_solid(struct run *r, double refined) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    setup_stage(stage, &r->solid->stage);
+    if (!stage->relax) find_stable_step(r);
+    if (r->stage_step > 0) solid_integrate_resume(r->solid);
+    if (r->fluid || r->dt > 0) return;
+    if (!isfinite(r->solid_stable))
+        die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);
+    r->dt = refined > 0 ? refined : stage->safety * r->solid_stable;
+}
+
+/* Given, or the least stable one; where an automatic time step is not known yet, the step's part finds it. */
+static void begin_substeps(struct run *r, unsigned needs) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    if (stage->substeps > 0)
+        r->substeps = stage->substeps;
+    else if (r->dt > 0 && (r->substeps == 0 || !(needs & STAGE_FOLLOWS)))
+        r->substeps = adapt_substeps_wanted(r);
+}
+
+unsigned stage_begin(struct run *r) {
+    const int elastic = is_elastic(r->scene, r->stage), relaxes = r->scene->stage[r->stage].relax;
+    const double refined = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0;
+    adapt_begin(r);
+    begin_numbers(r, elastic);
+    if (elastic) begin_solid(r, refined);
+    const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);
+    const unsigned needs = stage_needs_of(r->scene, r->stage, can_touch);
+    if (needs & STAGE_ELASTIC) begin_substeps(r, needs);
+    return needs;
+}

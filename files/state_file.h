@@ -1,0 +1,10 @@
+/* Writes the state that tables of state list to a checkpoint, and reads it back on any number of ranks. */
+#pragma once
+#include "files/state_list.h"
+
+/* Collective. */
+void state_file_write(struct store *s, const struct state_list *list);
+/* Returns 1 where an item is missing, damaged or does not fit the scene: why then says so, or is empty where
+ * store_read_error() does. head: the item was a single value. Arrays by particle may be made anew on the way
+ * (STATE_SET). Collective. */
+int state_file_read(struct store *s, const struct state_list *list, int *head, char *why, size_t size);

@@ -1,0 +1,138 @@
+/* Force on the box of the flow: momentum through its sides, pressure and sources, of a state and of a whole step. */
+#include "base/par.h"
+#include "fluid/grid/boundary.h"
+#include "fluid/internal.h"
+#include "fluid/momentum/diffusion.h"
+#include "physics/rk3.h"
+
+static double cell_volume(const struct fluid_grid *g) { return g->d[0] * g->d[1] * g->d[2]; }
+
+/* The faces of component c next to one side of direction d, as fluid_boundary_advanced gives them. */
+static void beside(const struct fluid *f, int c, int d, int side, int low[3], int high[3]) {
+    fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
+    low[d] = side ? high[d] - 1 : low[d];
+    high[d] = low[d] + 1;
+}
+
+/* Which terms of the flux count: convection (1 or 0), and diffusion with this viscosity. */
+struct flux_kind {
+    double convection, viscosity; /* 1; m2/s */
+};
+
+/* Flux of momentum of component c out of the control surface at one side of direction d, less the viscous traction:
+ * (q_d q_c - nu dq_c/dx_d) times the outward sign, summed over the side, m2/s2. n: the last advanced value of c at the
+ * side; s: stride towards the outside. */
+static double flux_through_side(const struct fluid *f, const double *const all[3], struct flux_kind kind, int c, int d,
+                                int side) {
+    const struct fluid_grid *g = f->grid;
+    const double *q = all[c], *through = all[d];
+    const double sign = side ? 1 : -1;
+    const ptrdiff_t sd = fluid_boundary_stride(g, d), s = side ? sd : -sd, sc = fluid_boundary_stride(g, c);
+    const int free_face = f->boundary->side[d][side].normal == FLUID_NORMAL_FREE;
+    int low[3], high[3], at[3];
+    double sum = 0;
+    beside(f, c, d, side, low, high);
+    for (at[2] = low[2]; at[2] < high[2]; at[2]++)
+        for (at[1] = low[1]; at[1] < high[1]; at[1]++)
+            for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
+                const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
+                if (c == d && free_face) { /* zero gradient beyond an open face */
+                    sum += kind.convection * sign * q[n] * q[n];
+                } else if (c == d) { /* at the centre between the last advanced face and the side's own */
+                    const double mean = 0.5 * (q[n] + q[n + s]);
+                    sum += kind.convection * sign * mean * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
+                } else { /* at the corners on the side's face */
+                    const ptrdiff_t face = side ? n : n - sd;
+                    const double velocity = 0.5 * (through[face] + through[face + sc]), mean = 0.5 * (q[n] + q[n + s]);
+                    sum += kind.convection * sign * velocity * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
+                }
+            }
+    return sum;
+}
+
+/* Pressure over density on the control surface of component d at one side of its direction, times the outward sign,
+ * m2/s2. */
+static double pressure_on_side(const struct fluid *f, int d, int side) {
+    const struct fluid_grid *g = f->grid;
+    const ptrdiff_t up = side ? fluid_boundary_stride(g, d) : 0;
+    int low[3], high[3], at[3];
+    double sum = 0;
+    beside(f, d, d, side, low, high);
+    for (at[2] = low[2]; at[2] < high[2]; at[2]++)
+        for (at[1] = low[1]; at[1] < high[1]; at[1]++)
+            for (at[0] = low[0]; at[0] < high[0]; at[0]++)
+                sum += f->state.p[(ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]) + up];
+    return (side ? 1 : -1) * sum / f->in.density;
+}
+
+/* This rank's share of the force on the box along c, N: sources and fluxes. */
+static double flux_force(const struct fluid *f, const double *const q[3], struct flux_kind kind, int c) {
+    const struct fluid_grid *g = f->grid;
+    double sum = 0;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+            if (f->boundary->side[d][side].here) sum -= flux_through_side(f, q, kind, c, d, side) / g->d[d];
+    return f->in.density * cell_volume(g) * sum;
+}
+
+static double source_force(const struct fluid *f, int c, double driving) {
+    int low[3], high[3];
+    fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
+    const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+    const double source = f->in.body_force[c] + (c == f->in.driving.direction ? driving / f->in.density : 0);
+    return f->in.density * cell_volume(f->grid) * faces * source;
+}
+
+static double pressure_force(const struct fluid *f, int c) {
+    const struct fluid_grid *g = f->grid;
+    double sum = 0;
+    for (int side = 0; side < 2; side++)
+        if (f->boundary->side[c][side].here) sum -= pressure_on_side(f, c, side) / g->d[c];
+    return f->in.density * cell_volume(g) * sum;
+}
+
+void fluid_box_force(struct fluid *f, double out[3]) {
+    const double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    const struct flux_kind whole = {1, f->in.viscosity};
+    for (int c = 0; c < 3; c++)
+        out[c] = flux_force(f, q, whole, c) + source_force(f, c, f->state.driving) + pressure_force(f, c);
+    par_sum_array(out, 3);
+}
+
+void fluid_box_force_begin(struct fluid *f) { f->audit = (struct fluid_audit){.on = 1}; }
+
+void fluid_box_force_flux(struct fluid *f, int r) {
+    const double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    const struct flux_kind kind = {1, f->diffusion ? 0 : f->in.viscosity};
+    for (int c = 0; c < 3; c++) {
+        const double flux = flux_force(f, q, kind, c);
+        if (r == 0) f->audit.force[c] = 0; /* of the last step only, if several are taken */
+        f->audit.force[c] += physics_rk3_alpha[r] * flux + physics_rk3_beta[r] * f->audit.flux[c];
+        f->audit.flux[c] = flux;
+    }
+}
+
+/* gamma nu lap u + b nu lap (u* - u), b = length2/(dt nu). */
+void fluid_box_force_diffusion(struct fluid *f, int r) {
+    const double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    const double *const next[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
+    const double nu = f->in.viscosity, b = fluid_diffusion_length2(f, r, 1) / nu;
+    const struct flux_kind before = {0, (physics_rk3_gamma[r] - b) * nu}, after = {0, b * nu};
+    fluid_predicted_refresh(f, 1);
+    for (int c = 0; c < 3; c++) f->audit.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
+}
+
+void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
+    for (int c = 0; c < 3; c++) f->audit.force[c] += sign * physics_rk3_gamma[r] * pressure_force(f, c);
+}
+
+void fluid_box_force_pressure(struct fluid *f, int r) {
+    for (int c = 0; c < 3; c++)
+        f->audit.force[c] += physics_rk3_gamma[r] * (pressure_force(f, c) + source_force(f, c, f->state.driving));
+}
+
+void fluid_box_force_end(struct fluid *f, double out[3]) {
+    f->audit.on = 0;
+    for (int c = 0; c < 3; c++) out[c] = f->audit.force[c];
+    par_sum_array(out, 3);
+}

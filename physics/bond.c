@@ -1,0 +1,39 @@
+/* Micromodulus and critical stretch of the bonds from a material's constants.  (001: eqs 3.21, 3.28; 000: eqs 9, 10,
+ * 16, 17) */
+#include "physics/bond.h"
+
+#include <math.h>
+
+/* What a kind multiplies the constants of the constant micromodulus by: [in a plate, in space]. */
+static const struct {
+    double c[2], s2[2];
+} factor[] = {[PHYSICS_CONSTANT] = {{1, 1}, {1, 1}}, [PHYSICS_CONICAL] = {{4, 5}, {5. / 4, 6. / 5}}};
+_Static_assert(sizeof factor / sizeof *factor == PHYSICS_MICROMODULI, "each micromodulus needs its factors");
+
+struct physics_bond physics_bond_of(enum physics_model model, enum physics_micromodulus kind, double thickness,
+                                    double youngs_modulus, double fracture_energy, double delta) {
+    const double e = youngs_modulus, g = fracture_energy;
+    const int in_space = model == PHYSICS_3D;
+    struct physics_bond k = {0};
+    double s2 = 0;
+    switch (model) {
+    case PHYSICS_PLANE_STRESS:
+        k.c = 9 * e / (M_PI * thickness * delta * delta * delta);
+        s2 = 4 * M_PI * g / (9 * e * delta);
+        break;
+    case PHYSICS_PLANE_STRAIN:
+        k.c = 48 * e / (5 * M_PI * thickness * delta * delta * delta);
+        s2 = 5 * M_PI * g / (12 * e * delta);
+        break;
+    case PHYSICS_3D:
+        k.c = 12 * e / (M_PI * delta * delta * delta * delta);
+        s2 = 5 * g / (6 * e * delta);
+    }
+    k.c *= factor[kind].c[in_space];
+    k.s0 = sqrt(s2 * factor[kind].s2[in_space]);
+    return k;
+}
+
+double physics_bond_lattice_stretch(double youngs_modulus, double fracture_energy, double ratio, double spacing) {
+    return sqrt(5 * fracture_energy / (6 * youngs_modulus * ratio * spacing));
+}

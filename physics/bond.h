@@ -1,0 +1,26 @@
+/* Micromodulus and critical stretch of the bonds from a material's constants.  (001: eqs 3.21, 3.28; 000: eqs 9, 10,
+ * 16, 17) */
+#pragma once
+#include "physics/model.h"
+
+/* c(xi) = c0, or c1 (1 - xi/delta).  (000: eqs 9, 10) */
+enum physics_micromodulus { PHYSICS_CONSTANT, PHYSICS_CONICAL, PHYSICS_MICROMODULI };
+
+struct physics_bond {
+    double c;  /* c0, or c1 of a conical micromodulus, N/m6 */
+    double s0; /* critical stretch; INFINITY: bonds never break */
+};
+
+/* E Pa, G0 J/m2, delta m: horizon; thickness (m) is read for plates only.
+ *     model          c0                       E delta s0^2/G0       s0 of G0: the energy of all bonds across a plane
+ *     3D             12 E/(pi delta^4)        5/6
+ *     plane stress    9 E/(pi t delta^3)      4 pi/9
+ *     plane strain   48 E/(5 pi t delta^3)    5 pi/12
+ * A cone is as stiff as a constant when c1 = 5 c0 in space and 4 c0 in a plate; its bonds are shorter in the mean, and
+ * s0^2 is 6/5 and 5/4 of the constant's for the same G0. */
+struct physics_bond physics_bond_of(enum physics_model model, enum physics_micromodulus kind, double thickness,
+                                    double youngs_modulus, double fracture_energy, double delta);
+
+/* s0 of a constant micromodulus in 3D, delta = ratio * spacing: the same number but for the last digit, which results
+ * on lattices depend on. */
+double physics_bond_lattice_stretch(double youngs_modulus, double fracture_energy, double ratio, double spacing);

@@ -1,0 +1,10 @@
+/* What the bonds of the bond-based model stand for, and the Poisson's ratio that follows.  (000:
+ * sec. 1.1)
+ */
+#pragma once
+
+/* A solid in three dimensions, or a plate in the x-y plane. */
+enum physics_model { PHYSICS_3D, PHYSICS_PLANE_STRESS, PHYSICS_PLANE_STRAIN };
+
+/* Forces along the bonds leave one free elastic constant: nu = 1/3 in plane stress, else 1/4. */
+double physics_model_poisson_ratio(enum physics_model model);

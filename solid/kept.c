@@ -1,0 +1,214 @@
+/* The items of a kept state that are not simply copied: how each is taken and put back. */
+#include "solid/kept.h"
+#include "base/memory.h"
+#include "files/state_copy.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/list.h"
+#include "solid/bonds/lost.h"
+#include "solid/bonds/segments.h"
+#include "solid/force/sweep_lattice.h"
+#include "solid/imposed/given.h"
+#include "solid/surface/state.h"
+
+#include <string.h>
+
+static struct solid *solid_of(void *owner) { return ((struct solid_state_owner *)owner)->solid; }
+static struct solid_surface *surface_of(void *owner) { return ((struct solid_state_owner *)owner)->surface; }
+
+/* Bonds' and contact's part of the acceleration (Verlet) is copied only while it holds. */
+static void sweep_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    for (int c = 0; c < s->dim; c++) k->a_bonds[c] = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof(double));
+}
+
+static void sweep_take(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    k->a_held = s->a_holds;
+    for (int c = 0; c < s->dim && k->a_held; c++) memcpy(k->a_bonds[c], s->v_old[c], (size_t)s->n * sizeof(double));
+}
+
+/* The next stage multiplies the rates of the last stage by 0, so they must be finite. */
+static void clear_rates(struct solid *s) {
+    for (int c = 0; c < s->dim; c++) {
+        memset(s->v_old[c], 0, (size_t)s->n * sizeof(double));
+        memset(s->a_old[c], 0, (size_t)s->n * sizeof(double));
+    }
+}
+
+static void sweep_restore(void *keep, void *owner) {
+    const struct solid_keep *k = keep;
+    struct solid *s = solid_of(owner);
+    if (!k->a_held) clear_rates(s);
+    for (int c = 0; c < s->dim && k->a_held; c++) memcpy(s->v_old[c], k->a_bonds[c], (size_t)s->n * sizeof(double));
+}
+
+static void sweep_drop(void *keep) {
+    for (int c = 0; c < 3; c++) memory_free(((struct solid_keep *)keep)->a_bonds[c]);
+}
+
+const struct state_kept solid_kept_sweep = {sweep_make, sweep_take, sweep_restore, sweep_drop};
+
+static void bonds_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    if (!k->may_break) return;
+    k->lost = solid_lost_new(s);
+    k->bits = memory_new(MEMORY_OUTPUT, (size_t)s->n * (size_t)solid_family_bytes(s) + 1, 1);
+    k->version = -1; /* the bits of all bonds are to be copied */
+}
+
+static void bonds_take(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    const size_t bytes = (size_t)solid_family_bytes(s);
+    const int all = k->version != s->bonds_version;
+    if (!k->lost) return;
+    if (all) solid_lost_forget(k->lost, s);
+    const int found = solid_lost_find(k->lost, s), n = all ? s->n : found;
+    for (int i = 0; i < n; i++) {
+        const int h = all ? i : k->lost->h[i];
+        solid_family_save(s, h, k->bits + (size_t)h * bytes);
+    }
+    k->version = s->bonds_version;
+}
+
+static int count_bits(const uint8_t *bits, size_t n) {
+    int count = 0;
+    for (size_t i = 0; i < n; i++) count += __builtin_popcount(bits[i]);
+    return count;
+}
+
+/* Restores the families that have lost bonds since the state was taken. Returns how many. */
+static int restore_lost(struct solid_keep *k, struct solid *s) {
+    const size_t bytes = (size_t)solid_family_bytes(s);
+    const int found = solid_lost_find(k->lost, s);
+    for (int i = 0; i < found; i++) {
+        const int h = k->lost->h[i];
+        const uint8_t *bits = k->bits + (size_t)h * bytes;
+        solid_family_load(s, h, bits);
+        k->lost->intact[h] = (uint16_t)count_bits(bits, bytes);
+        struct solid_list *t = s->family->list[s->body[h]];
+        if (t) t->counted[h - t->first] = 0;
+    }
+    if (found > 0) solid_lost_find(k->lost, s); /* updates the counts of the rows as well */
+    k->version = s->bonds_version = ++s->versions;
+    return found;
+}
+
+/* Before the flags come back: those of now say who has lost a bond. */
+static void bonds_restore(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    struct solid *s = solid_of(owner);
+    const int lost = k->lost ? restore_lost(k, s) : 0;
+    k->differs = lost > 0 || memcmp(state_copy_of(k->copy, "flag"), s->flag, (size_t)s->n) != 0;
+}
+
+static void bonds_drop(void *keep) {
+    struct solid_keep *k = keep;
+    solid_lost_free(k->lost);
+    memory_free(k->bits);
+}
+
+const struct state_kept solid_kept_bonds = {bonds_make, bonds_take, bonds_restore, bonds_drop};
+
+static void given_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    k->factor = memory_new(MEMORY_OUTPUT, (size_t)solid_of(owner)->in.loads + 1, sizeof *k->factor);
+}
+
+static void given_take(void *keep, void *owner) {
+    solid_given_keep(solid_of(owner), ((struct solid_keep *)keep)->factor);
+}
+
+static void given_restore(void *keep, void *owner) {
+    solid_given_restore(solid_of(owner), ((struct solid_keep *)keep)->factor);
+}
+
+static void given_drop(void *keep) { memory_free(((struct solid_keep *)keep)->factor); }
+
+const struct state_kept solid_kept_given = {given_make, given_take, given_restore, given_drop};
+
+static int path_of(const struct solid *s, int b, void *at[SOLID_KEPT_PATHS], size_t size[SOLID_KEPT_PATHS]) {
+    const struct solid_lattice *t = s->family->lattice[b];
+    const struct solid_list *list = s->family->list[b];
+    at[0] = t ? (void *)t->segments->large : (void *)list->large;
+    at[1] = t ? (void *)t->segments->high : (void *)list->power;
+    size[0] = 1;
+    size[1] = t ? sizeof *t->segments->high : sizeof *list->power;
+    return t ? t->segments->n : list->n;
+}
+
+static void paths_make(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid *s = solid_of(owner);
+    k->bodies = s->family->bodies;
+    k->path = memory_new(MEMORY_OUTPUT, (size_t)k->bodies, sizeof *k->path);
+    for (int b = 0; b < k->bodies; b++) {
+        void *at[SOLID_KEPT_PATHS];
+        k->path[b].n = path_of(s, b, at, k->path[b].size);
+        for (int i = 0; i < SOLID_KEPT_PATHS; i++)
+            k->path[b].copy[i] = memory_new(MEMORY_OUTPUT, (size_t)k->path[b].n + 1, k->path[b].size[i]);
+    }
+}
+
+static void paths_take(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    for (int b = 0; b < k->bodies; b++) {
+        void *at[SOLID_KEPT_PATHS];
+        struct solid_kept_path *p = &k->path[b];
+        path_of(solid_of(owner), b, at, p->size);
+        for (int i = 0; i < SOLID_KEPT_PATHS; i++) memcpy(p->copy[i], at[i], (size_t)p->n * p->size[i]);
+    }
+}
+
+static void paths_restore(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    struct solid *s = solid_of(owner);
+    for (int b = 0; b < k->bodies; b++) {
+        void *at[SOLID_KEPT_PATHS];
+        struct solid_kept_path *p = &k->path[b];
+        if (s->family->lattice[b]) solid_sweep_lattice_refill(s, s->family->lattice[b]);
+        path_of(s, b, at, p->size);
+        for (int i = 0; i < SOLID_KEPT_PATHS; i++) memcpy(at[i], p->copy[i], (size_t)p->n * p->size[i]);
+    }
+}
+
+static void paths_drop(void *keep) {
+    struct solid_keep *k = keep;
+    for (int b = 0; b < k->bodies; b++)
+        for (int i = 0; i < SOLID_KEPT_PATHS; i++) memory_free(k->path[b].copy[i]);
+    memory_free(k->path);
+}
+
+const struct state_kept solid_kept_paths = {paths_make, paths_take, paths_restore, paths_drop};
+
+static void contact_make(void *keep, void *owner) { (void)keep, (void)owner; /* as there is contact */ }
+static void contact_take(void *keep, void *owner) {
+    solid_contact_keep_take(&((struct solid_keep *)keep)->contact, solid_of(owner));
+}
+static void contact_restore(void *keep, void *owner) {
+    solid_contact_keep_restore(&((struct solid_keep *)keep)->contact, solid_of(owner));
+}
+static void contact_drop(void *keep) { solid_contact_keep_free(&((struct solid_keep *)keep)->contact); }
+
+const struct state_kept solid_kept_contact = {contact_make, contact_take, contact_restore, contact_drop};
+
+static void surface_make(void *keep, void *owner) {
+    ((struct solid_keep *)keep)->surface = solid_surface_state_keep_new(solid_of(owner));
+}
+
+static void surface_take(void *keep, void *owner) {
+    solid_surface_state_keep_take(((struct solid_keep *)keep)->surface, surface_of(owner));
+}
+
+static void surface_restore(void *keep, void *owner) {
+    const struct solid_keep *k = keep;
+    solid_surface_state_keep_restore(k->surface, solid_of(owner), surface_of(owner), k->differs ? k->lost : NULL);
+}
+
+static void surface_drop(void *keep) { solid_surface_state_keep_free(((struct solid_keep *)keep)->surface); }
+
+const struct state_kept solid_kept_surface = {surface_make, surface_take, surface_restore, surface_drop};

@@ -1,0 +1,157 @@
+/* The table of the solid's state: what of struct solid and of its bonds, contact and surface a later step depends on.
+ * (docs/design/state.md) */
+#include "solid/state_table.h"
+#include "base/par.h"
+#include "base/par_exchange.h"
+#include "base/par_ghost.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/imposed/given.h"
+#include "solid/kept.h"
+#include "solid/refine/refine.h"
+#include "solid/surface/state.h"
+
+#include <string.h>
+
+static struct solid *solid_of(const void *owner) { return ((const struct solid_state_owner *)owner)->solid; }
+static struct solid_surface *surface_of(const void *owner) {
+    return ((const struct solid_state_owner *)owner)->surface;
+}
+
+static int is_refined(const void *owner) { return solid_of(owner)->refine != NULL; }
+static int is_loaded(const void *owner) { return solid_of(owner)->given != NULL; }
+static int is_in_contact(const void *owner) { return solid_of(owner)->in.contact; }
+static int is_immersed(const void *owner) { return surface_of(owner) != NULL; }
+
+static void save_level(void *owner, void *value) {
+    struct solid *s = solid_of(owner);
+    double place[3];
+    for (int h = 0; h < s->n; h++) solid_refine_restore_save(s, h, &((uint8_t *)value)[h], place);
+}
+
+static void save_place(void *owner, void *value) {
+    struct solid *s = solid_of(owner);
+    double(*place)[3] = value;
+    uint8_t level;
+    for (int h = 0; h < s->n; h++) solid_refine_restore_save(s, h, &level, place[h]);
+}
+
+static int bond_bytes(const void *owner) { return solid_family_bytes(solid_of(owner)); }
+
+static void save_bonds(void *owner, void *value) {
+    const size_t bytes = (size_t)bond_bytes(owner);
+    for (int h = 0; h < solid_of(owner)->n; h++) solid_family_save(solid_of(owner), h, (uint8_t *)value + h * bytes);
+}
+
+static int load_bonds(void *owner, const void *value, char *why, size_t room) {
+    const size_t bytes = (size_t)bond_bytes(owner);
+    (void)why, (void)room;
+    for (int h = 0; h < solid_of(owner)->n; h++)
+        solid_family_load(solid_of(owner), h, (const uint8_t *)value + h * bytes);
+    return 0;
+}
+
+static int surface_comps(const void *owner) {
+    (void)owner;
+    return solid_surface_state_size();
+}
+
+static void save_surface(void *owner, void *value) {
+    solid_surface_state_save(solid_of(owner), surface_of(owner), value);
+}
+
+static int load_surface(void *owner, const void *value, char *why, size_t room) {
+    (void)why, (void)room;
+    solid_surface_state_load(solid_of(owner), surface_of(owner), value);
+    return 0;
+}
+
+#define OF(member) STATE_MEMBER(struct solid, member)
+
+const struct state_item solid_state_table[] = {
+    /* which particles there are, of a plate that is refined as it goes */
+    {"body", STATE_BYTE, STATE_SET, OF(body), .in = STATE_STORED, .is_part = is_refined,
+     .why = "a kept state does not outlive a refinement"},
+    {"level", STATE_BYTE, STATE_SET, OF(refine), .comps = 1, .in = STATE_STORED, .is_part = is_refined,
+     .save = save_level, .why = "a kept state does not outlive a refinement"},
+    {"place", STATE_DOUBLE, STATE_SET, OF(refine), .comps = 3, .in = STATE_STORED, .is_part = is_refined,
+     .save = save_place, .why = "a kept state does not outlive a refinement"},
+    /* motion */
+    {"displacement", STATE_DOUBLE, STATE_PARTICLE, OF(d), .ghosts = 1, .in = STATE_BOTH},
+    {"velocity", STATE_DOUBLE, STATE_PARTICLE, OF(v), .ghosts = 1, .in = STATE_BOTH},
+    {"load", STATE_DOUBLE, STATE_PARTICLE, OF(load), .in = STATE_BOTH},
+    {"sweep", STATE_DOUBLE, STATE_PARTICLE, OF(v_old), .in = STATE_BOTH, .kept = &solid_kept_sweep},
+    /* bonds; before `flag`, because their restoring reads the flags of now */
+    {"bonds", STATE_BYTE, STATE_PARTICLE, OF(family), .in = STATE_BOTH, .comps_of = bond_bytes, .save = save_bonds,
+     .load = load_bonds, .kept = &solid_kept_bonds},
+    {"flag", STATE_BYTE, STATE_PARTICLE, OF(flag), .ghosts = 1, .in = STATE_BOTH},
+    /* energies */
+    {"e_damped", STATE_DOUBLE, STATE_SHARE, OF(e_damped), .in = STATE_BOTH},
+    {"e_fracture", STATE_DOUBLE, STATE_SHARE, OF(e_fracture), .in = STATE_BOTH},
+    {"e_constraint", STATE_DOUBLE, STATE_SHARE, OF(e_constraint), .in = STATE_BOTH},
+    {"work_load", STATE_DOUBLE, STATE_SHARE, OF(work_load), .in = STATE_BOTH},
+    {"power_pairwise", STATE_DOUBLE, STATE_SHARE, OF(power_pairwise), .in = STATE_BOTH},
+    /* the interface's normals: once bonds, flags and displacements are in place, with their ghosts */
+    {"surface", STATE_DOUBLE, STATE_PARTICLE, .last = 1, .in = STATE_BOTH, .is_part = is_immersed,
+     .comps_of = surface_comps, .save = save_surface, .load = load_surface, .kept = &solid_kept_surface},
+    /* what only the same steps from a kept state need, to be the same to the bit */
+    {"solid_t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_KEPT,
+     .why = "between steps it is the run's t, from which it is set when a checkpoint is read"},
+    {"bonds_broken", STATE_LONG, STATE_ONE, OF(bonds_broken), .in = STATE_KEPT,
+     .why = "it is counted from the bonds when a checkpoint is read"},
+    {"given", STATE_DOUBLE, STATE_PARTICLE, OF(given), .in = STATE_KEPT, .is_part = is_loaded,
+     .kept = &solid_kept_given, .why = "the loads given are a function of time, and are added anew after reading"},
+    {"paths", STATE_BYTE, STATE_PARTICLE, .in = STATE_KEPT, .kept = &solid_kept_paths,
+     .why = "it is round-off: which of two forms of the same force each bond takes next"},
+    {"a_holds", STATE_INT, STATE_ONE, OF(a_holds), .in = STATE_KEPT,
+     .why = "a run that is resumed sets it when its stage begins"},
+    {"stage_of_a", STATE_BYTE, STATE_ONE, OF(stage_of_a), .in = STATE_KEPT,
+     .why = "a run that is resumed sets it when its stage begins"},
+    {"contact", STATE_BYTE, STATE_PARTICLE, OF(contact), .in = STATE_KEPT, .is_part = is_in_contact,
+     .kept = &solid_kept_contact, .why = "its lists are made from positions and bonds after reading"},
+    /* behind the surface, which notes what it has seen */
+    {"broke", STATE_INT, STATE_ONE, OF(broke), .last = 1, .in = STATE_KEPT,
+     .why = "after reading, surface and contact are made from all bonds"},
+};
+
+#undef OF
+
+void solid_state_table_size(const struct solid *s, struct state_size *size) {
+    size->n_global = s->n_global;
+    size->first = s->first[par_rank()];
+    size->n = s->n;
+    size->n_ghost = s->n_ghost;
+    size->bodies = s->in.bodies;
+}
+
+static void size_of(const void *owner, struct state_size *size) { solid_state_table_size(solid_of(owner), size); }
+
+/* value: body, level, place */
+static int make(void *owner, long n, void *const *value) {
+    return solid_refine_restore(solid_of(owner), n, value[0], value[1], (const double(*)[3])value[2]);
+}
+
+/* Clears the load: the fluid's part of a step sets it, and the input's loads, functions of time, are added again. */
+static void loads_restart(struct solid *s) {
+    if (!s->given) return;
+    for (int c = 0; c < s->dim; c++) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
+    solid_given_forget(s);
+}
+
+static void settle(void *owner) {
+    struct solid *s = solid_of(owner);
+    loads_restart(s);
+    par_ghost_update_bytes(s->ghost, s->flag, s->n);
+    solid_ghosts_update(s);
+    solid_family_count(s);
+}
+
+struct state_part solid_state_table_part(struct solid_state_owner *owner) {
+    return (struct state_part){.item = solid_state_table,
+                               .items = sizeof solid_state_table / sizeof solid_state_table[0],
+                               .base = owner->solid,
+                               .owner = owner,
+                               .size = size_of,
+                               .make = make,
+                               .settle = settle};
+}

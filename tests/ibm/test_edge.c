@@ -1,0 +1,151 @@
+/* Markers whose blocks reach over a side or another rank's cells: what they read and what they write, without a
+ * ghost. */
+#include "base/par.h"
+#include "ibm/state.h"
+#include "tests/check.h"
+
+#include <stdlib.h>
+
+enum { N = 600 };
+static const double low_velocity[2] = {0.5, -1}, high_velocity[2] = {2, 0.25}; /* x, y */
+
+/* walls: 1: across y, at rest; 2: across z, which move. */
+static struct fluid *box(int walls) {
+    struct fluid_input in = {
+        .n = {12, 12, 14}, .length = {0.6, 0.6, 0.7}, .density = 1, .viscosity = 0.01, .immersed = 1};
+    for (int side = 0; side < 2; side++) {
+        if (walls & 1) in.side[1][side].type = FLUID_WALL;
+        if (walls & 2) in.side[2][side].type = FLUID_WALL;
+        for (int d = 0; d < 2 && walls & 2; d++)
+            in.side[2][side].velocity[d] = side ? high_velocity[d] : low_velocity[d];
+    }
+    return fluid_new(&in);
+}
+
+/* In [0, 1), of two numbers. */
+static double hash(unsigned n, unsigned c) {
+    uint64_t z = (uint64_t)(n * 4 + c + 1) * 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 29)) * 0xbf58476d1ce4e5b9u;
+    return (double)((z ^ (z >> 32)) >> 11) * 0x1p-53;
+}
+
+/* N markers anywhere in the box, the same ones on any number of ranks, of which each rank hands on every size-th;
+ * some stand on the sides. */
+static int places(const struct fluid_grid *g, double x[3][N], double volume[N]) {
+    int n = 0;
+    for (unsigned h = (unsigned)par_rank(); h < N; h += (unsigned)par_size(), n++)
+        for (int d = 0; d < 3; d++) {
+            const double part = hash(h, (unsigned)d);
+            x[d][n] = g->length[d] * (h % 10 == 0 && (int)(h / 10 % 3) == d ? h / 30 % 2 : part);
+            volume[n] = g->d[0] * g->d[1] * g->d[2];
+        }
+    return n;
+}
+
+/* Three arrays of the grid: NaN, but in this rank's cells and on the domain's low sides, where they are `value` of
+ * the place. */
+static void fill(const struct fluid_grid *g, double (*value)(int c, const double x[3]), double *u[3]) {
+    for (int c = 0; c < 3; c++) {
+        u[c] = malloc(g->size * sizeof(double));
+        for (size_t n = 0; n < g->size; n++) u[c][n] = NAN;
+        int low[3];
+        for (int d = 0; d < 3; d++) low[d] = d == c && !g->periodic[d] && g->lo[d] == 0 ? -1 : 0;
+        for (int k = low[2]; k < g->m[2]; k++)
+            for (int j = low[1]; j < g->m[1]; j++)
+                for (int i = low[0]; i < g->m[0]; i++) {
+                    const int at[3] = {i, j, k};
+                    double x[3];
+                    for (int d = 0; d < 3; d++) x[d] = (g->lo[d] + at[d] + (d == c ? 1 : 0.5)) * g->d[d];
+                    u[c][fluid_grid_at(g, i, j, k)] = value(c, x);
+                }
+    }
+}
+
+/* A shear flow between walls z = 0 and 0.7 that move: as the kernel keeps linear fields, and the walls' conditions
+ * continue this one. */
+static double shear(int c, const double x[3]) {
+    return c == 2 ? 0 : low_velocity[c] + (high_velocity[c] - low_velocity[c]) * x[2] / 0.7;
+}
+static double zero(int c, const double x[3]) { return 0 * (c + x[0]); }
+
+static const double *item_of(const struct ibm *b, int h) { return b->route.served + (size_t)b->arrival[h] * IBM_ITEM; }
+
+static void linear_flow_between_walls(void **state) {
+    (void)state;
+    struct fluid *f = box(2);
+    const struct fluid_grid *g = fluid_grid_of(f);
+    struct ibm *b = ibm_new(f, 1);
+    double x[3][N], volume[N], *u[3], (*velocity)[3] = malloc((N + 1) * sizeof *velocity);
+    const int n = places(g, x, volume);
+    const double *const at[3] = {x[0], x[1], x[2]};
+    ibm_markers_set(b, n, at, at, volume);
+    fill(g, shear, u);
+    ibm_whole_read(b, u, 1, velocity);
+    check_above(b->edges, 0);
+    for (int h = 0; h < b->served; h++)
+        for (int c = 0; c < 3; c++) {
+            const double place[3] = {0, 0, item_of(b, h)[2] * g->d[2]};
+            check_close(velocity[h][c], shear(c, place), 1e-13);
+        }
+    free(velocity);
+    for (int c = 0; c < 3; c++) free(u[c]);
+    ibm_free(b);
+    fluid_free(f);
+}
+
+/* What strengths of 1 leave on the grid adds up to the shares of the markers that are counted here: all of it away
+ * from walls, and where walls are less than all. */
+static void what_is_written_is_shared(void **state) {
+    (void)state;
+    for (int walls = 0; walls < 4; walls += 3) {
+        struct fluid *f = box(walls);
+        const struct fluid_grid *g = fluid_grid_of(f);
+        struct ibm *b = ibm_new(f, 1);
+        double x[3][N], volume[N], *u[3], sum[3] = {0}, shares[3] = {0},
+                                          (*strength)[3] = malloc((N + 1) * sizeof *strength);
+        const int n = places(g, x, volume);
+        const double *const at[3] = {x[0], x[1], x[2]};
+        ibm_markers_set(b, n, at, at, volume);
+        fill(g, zero, u);
+        for (int h = 0; h < b->served; h++) {
+            const struct ibm_edge *e = h < b->inner ? NULL : &b->edge[h - b->inner];
+            for (int c = 0; c < 3; c++) {
+                strength[h][c] = 1;
+                if (!e || e->mine) shares[c] += e ? e->share[c] : 1;
+                if (e && !walls) check_close(e->share[c], 1, 1e-14);
+                if (e) check_between(e->share[c], -1e-14, 1 + 1e-14);
+            }
+        }
+        ibm_whole_write(b, u, (const double(*)[3])strength);
+        for (int c = 0; c < 3; c++)
+            for (int k = -1; k < g->m[2]; k++)
+                for (int j = -1; j < g->m[1]; j++)
+                    for (int i = 0; i < g->m[0]; i++) {
+                        const double value = u[c][fluid_grid_at(g, i, j, k)];
+                        const int cell[3] = {i, j, k}, high = g->lo[c] + cell[c] + 1 == g->n[c];
+                        if (j >= 0 && k >= 0) sum[c] += value;
+                        const int on_side = !g->periodic[c] && (high || cell[c] < 0);
+                        if (on_side && isfinite(value)) check_equal(value, 0); /* takes nothing */
+                    }
+        par_sum_array(sum, 3);
+        par_sum_array(shares, 3);
+        for (int c = 0; c < 3; c++) {
+            check_relative(sum[c], shares[c], 1e-13);
+            if (!walls) check_relative(sum[c], N, 1e-13);
+            if (walls) check_between(sum[c], 0.8 * N, 0.99 * N);
+        }
+        free(strength);
+        for (int c = 0; c < 3; c++) free(u[c]);
+        ibm_free(b);
+        fluid_free(f);
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(linear_flow_between_walls),
+                                       cmocka_unit_test(what_is_written_is_shared)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
