@@ -1,11 +1,11 @@
 /* The result of a step: which numerical fault it found, a value that the caller answers. */
 #pragma once
 
-/* What has seen a fault of the numerics. */
+/* The part of the run that found a fault. */
 enum step_status_place {
     STEP_STATUS_FLUID,    /* the fluid's fields */
     STEP_STATUS_SOLID,    /* the solid's particles */
-    STEP_STATUS_COUPLING, /* the judgement of a step's length (coupling/adapt.c) */
+    STEP_STATUS_COUPLING, /* the limits of a step's length (coupling/adapt.c) */
 };
 
 /* The result of a step; the same on every rank after step_status_agree. */

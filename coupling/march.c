@@ -1,4 +1,4 @@
-/* Steps that hold: takes a step, judges it, and makes it again from a kept state where it does not hold. */
+/* Takes steps: takes a step, decides whether it is accepted, and repeats a rejected one from a kept state. */
 #include "coupling/march.h"
 #include "base/ensure.h"
 #include "base/par.h"

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* What a kind multiplies the constants of the constant micromodulus by: [in a plate, in space]. */
+/* Factors of the constants relative to a constant micromodulus: [in a plate, in 3D]. */
 static const struct {
     double c[2], s2[2];
 } factor[] = {[PHYSICS_CONSTANT] = {{1, 1}, {1, 1}}, [PHYSICS_CONICAL] = {{4, 5}, {5. / 4, 6. / 5}}};

@@ -16,11 +16,11 @@ struct physics_bond {
  *     3D             12 E/(pi delta^4)        5/6
  *     plane stress    9 E/(pi t delta^3)      4 pi/9
  *     plane strain   48 E/(5 pi t delta^3)    5 pi/12
- * A cone is as stiff as a constant when c1 = 5 c0 in space and 4 c0 in a plate; its bonds are shorter in the mean, and
- * s0^2 is 6/5 and 5/4 of the constant's for the same G0. */
+ * A conical micromodulus has the stiffness of a constant one for c1 = 5 c0 in 3D and 4 c0 in a plate. It gives shorter
+ * bonds more weight, so for the same G0 s0^2 is 6/5 (3D) and 5/4 (plate) of the constant one's. */
 struct physics_bond physics_bond_of(enum physics_model model, enum physics_micromodulus kind, double thickness,
                                     double youngs_modulus, double fracture_energy, double delta);
 
-/* s0 of a constant micromodulus in 3D, delta = ratio * spacing: the same number but for the last digit, which results
- * on lattices depend on. */
+/* s0 of a constant micromodulus in 3D, delta = ratio * spacing: equal to physics_bond_of's up to the last digit, on
+ * which results on lattices depend. */
 double physics_bond_lattice_stretch(double youngs_modulus, double fracture_energy, double ratio, double spacing);

@@ -1,4 +1,4 @@
-/* The items of a kept state that are not simply copied: how each is taken and put back. */
+/* The items of a kept state that are not simply copied: how each is kept and restored. */
 #include "solid/kept.h"
 #include "base/memory.h"
 #include "files/state_copy.h"
@@ -16,7 +16,7 @@
 static struct solid *solid_of(void *owner) { return ((struct solid_state_owner *)owner)->solid; }
 static struct solid_surface *surface_of(void *owner) { return ((struct solid_state_owner *)owner)->surface; }
 
-/* Bonds' and contact's part of the acceleration (Verlet) is copied only while it holds. */
+/* The bonds' and contact's part of the acceleration (Verlet) is copied only while it is valid. */
 static void sweep_make(void *keep, void *owner) {
     struct solid_keep *k = keep;
     const struct solid *s = solid_of(owner);
@@ -98,7 +98,7 @@ static int restore_lost(struct solid_keep *k, struct solid *s) {
     return found;
 }
 
-/* Before the flags come back: those of now say who has lost a bond. */
+/* To be called before the flags are restored: the present flags tell which particles have lost bonds. */
 static void bonds_restore(void *keep, void *owner) {
     struct solid_keep *k = keep;
     struct solid *s = solid_of(owner);

@@ -1,4 +1,4 @@
-/* Contact's lists that are kept with a state (solid/contact/keep.h). Inside the room only. */
+/* Contact's lists that are kept with a state (solid/contact/keep.h). For solid/ only. */
 #pragma once
 #include "solid/contact/list.h"
 
@@ -13,7 +13,7 @@ struct solid_contact_put_away {
 struct solid_contact_put_away *solid_contact_put_away_new(const struct solid *s, struct solid_contact *c);
 /* Removes one holder. c: takes over their memory if nobody holds them any more; NULL: the memory is freed. */
 void solid_contact_put_away_let_go(struct solid_contact_put_away *p, struct solid_contact *c);
-/* The contact's present lists and those put away change places. */
+/* Exchanges the contact's present lists with those of p. */
 void solid_contact_put_away_exchange(struct solid_contact *c, struct solid_contact_put_away *p);
 /* Before new lists are made: moves the present ones aside if a kept state holds them. Not collective. */
 void solid_contact_put_away(struct solid_contact *c);

@@ -1,5 +1,5 @@
-/* g(eps) and 1/(1 + eps) of several bonds at a time. Whoever includes this says what they are:
- *     REAL, OF(op)   vec or vec4, and its functions      NAME(name)   what things are called here */
+/* g(eps) and 1/(1 + eps) of several bonds at a time. The including file defines:
+ *     REAL, OF(op)   vec or vec4, and its functions      NAME(name)   the names of the functions here */
 #include "solid/force/series.h"
 
 /* Both are written for a short chain of dependent operations rather than for few operations, because the bonds are
