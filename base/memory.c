@@ -51,6 +51,24 @@ void memory_free(void *p) {
     free(h->start);
 }
 
+void *memory_copy(enum memory_part part, const void *from, size_t n, size_t size) {
+    void *to = memory_new(part, n + 1, size);
+    if (n > 0) memcpy(to, from, n * size);
+    return to;
+}
+
+void *memory_grown(enum memory_part part, void *old, size_t used, size_t room, size_t size) {
+    void *more = memory_new(part, room, size);
+    if (old && used > 0) memcpy(more, old, used * size);
+    memory_free(old);
+    return more;
+}
+
+void *memory_renew(enum memory_part part, void *old, size_t room, size_t size) {
+    memory_free(old);
+    return memory_new(part, room, size);
+}
+
 size_t memory_bytes(enum memory_part part) { return held[part]; }
 
 size_t memory_peak(void) {

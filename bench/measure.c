@@ -2,17 +2,12 @@
 #include "bench/measure.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/sort.h"
 
 #include <math.h>
-#include <stdlib.h>
-
-static int rising(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 double bench_measure_median(int n, double *value) {
-    qsort(value, (size_t)n, sizeof *value, rising);
+    sort_ascending(value, (size_t)n);
     return 0.5 * (value[(n - 1) / 2] + value[n / 2]);
 }
 

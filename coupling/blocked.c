@@ -1,5 +1,6 @@
 /* Finds prescribed inflows and driven directions from which no path through pore cells leads out. */
 #include "coupling/blocked.h"
+#include "base/side.h"
 
 #include <stdio.h>
 
@@ -34,7 +35,7 @@ int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
                 snprintf(sentence[n++], BLOCKED_SENTENCE,
                          "%.3g %% of %s have no way out that cells resolve: what flows in there is pressed "
                          "through the solid",
-                         100 * part, fluid_boundary_side_name[d][high]);
+                         100 * part, side_name[d][high]);
         }
     if (in->driving.type == FLUID_DRIVING_BULK && in->driving.value != 0) {
         const int d = in->driving.direction;

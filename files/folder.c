@@ -21,8 +21,7 @@ char *folder_path(char *path, const char *folder, const char *name) {
     return path;
 }
 
-/* Makes a folder and its missing parents. Returns 0 or errno. */
-static int make(const char *folder) {
+int folder_make_path(const char *folder) {
     char path[FOLDER_PATH];
     snprintf(path, sizeof path, "%s", folder);
     for (char *at = path + 1;; at++) {
@@ -30,9 +29,15 @@ static int make(const char *folder) {
         const char end = *at;
         *at = '\0';
         if (mkdir(path, 0777) != 0 && errno != EEXIST) return errno;
-        if (end == '\0') break;
+        if (end == '\0') return 0;
         *at = end;
     }
+}
+
+/* The same, and whether it can be written to; 0 or errno. */
+static int make(const char *folder) {
+    const int fault = folder_make_path(folder);
+    if (fault != 0) return fault;
     struct stat is;
     if (stat(folder, &is) != 0) return errno;
     if (!S_ISDIR(is.st_mode)) return ENOTDIR;

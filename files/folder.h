@@ -20,3 +20,5 @@ char *folder_path(char *path, const char *folder, const char *name);
 void folder_clear_parts(const char *folder);
 /* Deletes the files of an earlier run: series, run.json, run.log, fields and checkpoints. Collective. */
 void folder_clear(const char *folder);
+/* Makes a folder and those above it that are missing; 0 or errno. Not collective. */
+int folder_make_path(const char *folder);

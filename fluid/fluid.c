@@ -10,7 +10,6 @@
 #include "fluid/poisson/wisdom.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 static struct fluid_poisson *new_poisson(const struct fluid *f) {
     const struct fluid_grid *g = f->grid;

@@ -41,8 +41,6 @@ struct fluid_vortices {
     int along[3];    /* 1: the vortices vary in this direction */
 };
 
-extern const char *const fluid_boundary_side_name[3][2]; /* [direction][low, high] names as in a scene: x_low, ... */
-
 struct fluid_input {
     int n[3];
     double length[3];

@@ -48,35 +48,31 @@ static void place_of(const struct ibm *b, const double *item, struct ibm_place *
     if (far) p->x = 0;
 }
 
-static void *grown(void *old, int count, size_t size) {
-    memory_free(old);
-    return memory_new(MEMORY_IBM, (size_t)count, size);
-}
-
 static void reserve_markers(struct ibm *b) {
     if (b->served <= b->capacity) return;
     b->capacity = b->served + b->served / 4 + 64;
-    b->arrival = grown(b->arrival, b->capacity, sizeof *b->arrival);
-    b->by_x = grown(b->by_x, b->capacity, sizeof *b->by_x);
-    b->place = grown(b->place, b->capacity, sizeof *b->place);
-    b->stencil = grown(b->stencil, b->capacity, sizeof *b->stencil);
-    b->increment = grown(b->increment, b->capacity, sizeof *b->increment);
-    b->received = grown(b->received, b->capacity, sizeof *b->received);
+    b->arrival = memory_renew(MEMORY_IBM, b->arrival, (size_t)b->capacity, sizeof *b->arrival);
+    b->by_x = memory_renew(MEMORY_IBM, b->by_x, (size_t)b->capacity, sizeof *b->by_x);
+    b->place = memory_renew(MEMORY_IBM, b->place, (size_t)b->capacity, sizeof *b->place);
+    b->stencil = memory_renew(MEMORY_IBM, b->stencil, (size_t)b->capacity, sizeof *b->stencil);
+    b->increment = memory_renew(MEMORY_IBM, b->increment, (size_t)b->capacity, sizeof *b->increment);
+    b->received = memory_renew(MEMORY_IBM, b->received, (size_t)b->capacity, sizeof *b->received);
     for (int k = 0; b->implicit && k < IBM_VECTORS; k++)
-        b->vector[k] = grown(b->vector[k], b->capacity, sizeof *b->vector[k]);
+        b->vector[k] = memory_renew(MEMORY_IBM, b->vector[k], (size_t)b->capacity, sizeof *b->vector[k]);
 }
 
 static void reserve_edges(struct ibm *b) {
     if (b->edges > b->edge_capacity) {
         b->edge_capacity = b->edges + b->edges / 4 + 64;
-        b->edge = grown(b->edge, b->edge_capacity, sizeof *b->edge);
-        b->swap_edge = grown(b->swap_edge, (IBM_SHARERS - 1) * b->edge_capacity, sizeof *b->swap_edge);
-        b->sent = grown(b->sent, (IBM_SHARERS - 1) * b->edge_capacity, sizeof *b->sent);
-        b->sum = grown(b->sum, IBM_SHARERS * b->edge_capacity, sizeof *b->sum);
+        b->edge = memory_renew(MEMORY_IBM, b->edge, (size_t)b->edge_capacity, sizeof *b->edge);
+        b->swap_edge = memory_renew(MEMORY_IBM, b->swap_edge, (size_t)((IBM_SHARERS - 1) * b->edge_capacity),
+                                    sizeof *b->swap_edge);
+        b->sent = memory_renew(MEMORY_IBM, b->sent, (size_t)((IBM_SHARERS - 1) * b->edge_capacity), sizeof *b->sent);
+        b->sum = memory_renew(MEMORY_IBM, b->sum, (size_t)(IBM_SHARERS * b->edge_capacity), sizeof *b->sum);
     }
     if (b->pieces > b->piece_capacity) {
         b->piece_capacity = b->pieces + b->pieces / 4 + 64;
-        b->piece = grown(b->piece, b->piece_capacity, sizeof *b->piece);
+        b->piece = memory_renew(MEMORY_IBM, b->piece, (size_t)b->piece_capacity, sizeof *b->piece);
     }
 }
 

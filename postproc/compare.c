@@ -12,23 +12,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 enum { RUNS_MAX = 16 };
-
-/* Makes the folder out and its missing parents. Returns 0 or errno. */
-static int make_folders(const char *out) {
-    char path[FOLDER_PATH];
-    snprintf(path, sizeof path, "%s/plots", out);
-    for (char *at = path + 1;; at++) {
-        if (*at != '/' && *at != '\0') continue;
-        const char end = *at;
-        *at = '\0';
-        if (mkdir(path, 0777) != 0 && errno != EEXIST) return errno;
-        *at = end;
-        if (end == '\0') return 0;
-    }
-}
 
 /* The last part of a folder's name. */
 static void label_of(const char *folder, char label[64]) {
@@ -131,10 +116,9 @@ static int compare(int n, struct postproc_history *const *run, const char *const
     struct postproc_output *output[RUNS_MAX];
     struct postproc_charts charts = {0};
     char plots[FOLDER_PATH];
-    int fault = make_folders(out);
+    int fault = folder_make_path(folder_path(plots, out, "plots"));
     struct postproc_report *report = fault ? NULL : postproc_report_begin(out, "Runs compared");
     if (!report) return fault ? fault : errno;
-    folder_path(plots, out, "plots");
     postproc_charts_draw(&charts, n, run, label, plots);
     postproc_charts_crack_draw(&charts, n, run, label, plots);
     for (int stress = 0; stress < 2; stress++) pdfs_draw(&charts, n, run, label, plots, stress);

@@ -1,5 +1,6 @@
 /* List of named quantities with units, and its CSV file. */
 #include "postproc/facts.h"
+#include "files/csv.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,20 +31,6 @@ const struct postproc_fact *postproc_facts_find(const struct postproc_facts *f, 
     return NULL;
 }
 
-/* Writes a CSV cell, in quotes if it contains a comma or a quote. */
-static void put_cell(FILE *file, const char *text) {
-    if (!strpbrk(text, ",\"\n")) {
-        fputs(text, file);
-        return;
-    }
-    fputc('"', file);
-    for (; *text; text++) {
-        if (*text == '"') fputc('"', file);
-        fputc(*text, file);
-    }
-    fputc('"', file);
-}
-
 int postproc_facts_write(const struct postproc_facts *f, const char *path) {
     return postproc_facts_write_from(f, 0, path);
 }
@@ -53,12 +40,12 @@ int postproc_facts_write_from(const struct postproc_facts *f, int first, const c
     if (!file) return -1;
     fputs("quantity,unit,value\n", file);
     for (int i = first; i < f->n; i++) {
-        put_cell(file, f->fact[i].quantity);
+        csv_put(file, f->fact[i].quantity);
         fputc(',', file);
-        put_cell(file, f->fact[i].unit);
+        csv_put(file, f->fact[i].unit);
         fputc(',', file);
         if (isnan(f->fact[i].value))
-            put_cell(file, f->fact[i].text);
+            csv_put(file, f->fact[i].text);
         else
             fprintf(file, "%.10g", f->fact[i].value);
         fputc('\n', file);

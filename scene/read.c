@@ -1,5 +1,6 @@
 /* Reads a scene from text: parses, applies --set, checks, loads, fills in defaults, writes it resolved. */
 #include "scene/read.h"
+#include "base/side.h"
 #include "base/text.h"
 #include "scene/check/check.h"
 #include "scene/default.h"
@@ -55,8 +56,7 @@ static void resolve_files(struct scene_node *root, const char *path, struct scen
     const struct scene_node *bodies = scene_node_find(root, "solid.bodies");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
-            resolve_file(root, scene_check_parts_path("fluid.sides.%s.file", scene_check_parts_side[d][end]), folder,
-                         problems);
+            resolve_file(root, scene_check_parts_path("fluid.sides.%s.file", side_name[d][end]), folder, problems);
     for (int b = 0; bodies && b < bodies->n; b++)
         resolve_file(root, scene_check_parts_path("solid.bodies[%d].file", b), folder, problems);
     free(folder);

@@ -7,27 +7,21 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
-
-static void *copy_of(const void *from, size_t n, size_t size) {
-    void *to = memory_new(MEMORY_SOLID, n + 1, size);
-    if (n) memcpy(to, from, n * size);
-    return to;
-}
 
 void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
     *to = *from;
-    to->body = copy_of(from->body, (size_t)from->bodies, sizeof *from->body);
-    to->material = copy_of(from->material, (size_t)from->materials, sizeof *from->material);
-    to->constraint = copy_of(from->constraint, (size_t)from->constraints, sizeof *from->constraint);
-    to->unbreakable = copy_of(from->unbreakable, (size_t)from->unbreakables, sizeof *from->unbreakable);
+    to->body = memory_copy(MEMORY_SOLID, from->body, (size_t)from->bodies, sizeof *from->body);
+    to->material = memory_copy(MEMORY_SOLID, from->material, (size_t)from->materials, sizeof *from->material);
+    to->constraint = memory_copy(MEMORY_SOLID, from->constraint, (size_t)from->constraints, sizeof *from->constraint);
+    to->unbreakable =
+        memory_copy(MEMORY_SOLID, from->unbreakable, (size_t)from->unbreakables, sizeof *from->unbreakable);
     for (int b = 0; b < to->bodies; b++) {
         struct solid_body *body = (struct solid_body *)(uintptr_t)&to->body[b];
         body->least_horizon = to->material[body->material].horizon_ratio * to->spacing;
         for (long p = 0; body->point_horizon && p < body->points; p++)
             body->least_horizon = fmin(body->least_horizon, body->point_horizon[p]);
     }
-    to->load = copy_of(from->load, (size_t)from->loads, sizeof *from->load);
+    to->load = memory_copy(MEMORY_SOLID, from->load, (size_t)from->loads, sizeof *from->load);
     for (int k = 0; k < to->constraints; k++) solid_time_copy((struct solid_time *)(uintptr_t)&to->constraint[k].time);
     for (int k = 0; k < to->loads; k++) solid_time_copy((struct solid_time *)(uintptr_t)&to->load[k].time);
 }

@@ -1,5 +1,6 @@
 /* The items of a kept state that are not simply copied: how each is kept and restored. */
 #include "solid/kept.h"
+#include "base/bits.h"
 #include "base/memory.h"
 #include "files/state_copy.h"
 #include "solid/bonds/family.h"
@@ -75,12 +76,6 @@ static void bonds_take(void *keep, void *owner) {
     k->version = s->bonds_version;
 }
 
-static int count_bits(const uint8_t *bits, size_t n) {
-    int count = 0;
-    for (size_t i = 0; i < n; i++) count += __builtin_popcount(bits[i]);
-    return count;
-}
-
 /* Restores the families that have lost bonds since the state was taken. Returns how many. */
 static int restore_lost(struct solid_keep *k, struct solid *s) {
     const size_t bytes = (size_t)solid_family_bytes(s);
@@ -89,7 +84,7 @@ static int restore_lost(struct solid_keep *k, struct solid *s) {
         const int h = k->lost->h[i];
         const uint8_t *bits = k->bits + (size_t)h * bytes;
         solid_family_load(s, h, bits);
-        k->lost->intact[h] = (uint16_t)count_bits(bits, bytes);
+        k->lost->intact[h] = (uint16_t)bits_count(bits, bytes);
         struct solid_list *t = s->family->list[s->body[h]];
         if (t) t->counted[h - t->first] = 0;
     }

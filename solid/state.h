@@ -106,3 +106,8 @@ static inline void solid_relative(const struct solid *s, int h, int l, double ze
         zeta[c] = solid_shortest(s, c, (s->x0[c][l] - s->x0[c][h]) + (s->d[c][l] - s->d[c][h]));
     }
 }
+
+/* Of the particle's material, kg/m3. */
+static inline double solid_density(const struct solid *s, int h) {
+    return s->in.material[s->in.body[s->body[h]].material].density;
+}

@@ -4,12 +4,11 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
+#include "base/side.h"
 #include "fluid/grid/profile.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-const char *const fluid_boundary_side_name[3][2] = {{"x_low", "x_high"}, {"y_low", "y_high"}, {"z_low", "z_high"}};
 
 /* The conditions that a type of side stands for. */
 static void conditions(const struct fluid_side *in, int d, struct fluid_boundary_side *s) {
@@ -36,16 +35,16 @@ static void refuse_contradictions(const struct fluid_input *in) {
             const struct fluid_side *s = &in->side[d][side];
             if ((s->type == FLUID_PERIODIC) != (in->side[d][!side].type == FLUID_PERIODIC))
                 die_all(EXIT_CODE_SCENE, "fluid.sides.%s: periodic on one side and not on the other",
-                        fluid_boundary_side_name[d][side]);
+                        side_name[d][side]);
             if (s->type == FLUID_WALL && s->velocity[d] != 0)
                 die_all(EXIT_CODE_SCENE, "fluid.sides.%s.velocity: a wall moves in its own plane only",
-                        fluid_boundary_side_name[d][side]);
+                        side_name[d][side]);
             if (s->type == FLUID_GENERAL && s->condition[d] == s->condition[3])
                 die_all(EXIT_CODE_SCENE,
                         "fluid.sides.%s: needs a Dirichlet condition on either the normal velocity or the "
                         "pressure, and a "
                         "Neumann condition on the other",
-                        fluid_boundary_side_name[d][side]);
+                        side_name[d][side]);
         }
 }
 

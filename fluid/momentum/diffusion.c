@@ -4,6 +4,7 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
+#include "base/side.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 #include "fluid/poisson/poisson.h"
@@ -52,14 +53,14 @@ static void refuse_open(const struct fluid *f) {
                 die_all(EXIT_CODE_SCENE,
                         "fluid.diffusion: implicit needs a normal velocity on every side, and that of "
                         "fluid.sides.%s is free",
-                        fluid_boundary_side_name[d][side]);
+                        side_name[d][side]);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
             if (f->in.side[d][side].type == FLUID_OUTFLOW && f->grid->n[d] / f->grid->ranks[d] < 2)
                 die_all(EXIT_CODE_SCENE,
                         "fluid.diffusion: implicit with an outflow at %s needs two cells a rank in %c, and "
                         "there are %d for %d ranks",
-                        fluid_boundary_side_name[d][side], "xyz"[d], f -> grid -> n[d], f -> grid -> ranks[d]);
+                        side_name[d][side], "xyz"[d], f -> grid -> n[d], f -> grid -> ranks[d]);
 }
 
 struct fluid_diffusion *fluid_diffusion_new(const struct fluid *f) {

@@ -1,16 +1,12 @@
 /* Probability density of a sample, with its moments and tail. */
 #include "postproc/data/pdf.h"
 #include "base/memory.h"
+#include "base/sort.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 enum { BINS_MIN = 16, BINS_MAX = 400, FENCE = 10 };
-
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* A quantile, linear between the sorted samples. */
 static double quantile(const double *sorted, long n, double q) {
@@ -57,7 +53,7 @@ struct postproc_pdf postproc_pdf_new(long n, const double *value) {
     for (long i = 0; i < n; i++)
         if (isfinite(value[i])) sorted[p.n++] = value[i];
     if (p.n > 0) {
-        qsort(sorted, (size_t)p.n, sizeof *sorted, ascending);
+        sort_ascending(sorted, (size_t)p.n);
         moments(&p, sorted);
         choose_bins(&p, sorted);
         p.density = calloc((size_t)p.bins, sizeof *p.density);

@@ -1,12 +1,12 @@
 /* Draws a deformed plate as coloured squares with its damage contour. */
 #include "postproc/draw/flat.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "postproc/draw/bar.h"
 #include "postproc/draw/canvas.h"
 #include "postproc/draw/font.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static const unsigned ink = 0x23282e, faint = 0x7c858f, line = 0x0a7d78, paper_top = 0xffffff, paper_bottom = 0xeef0f2;
 enum { FINE = 2 };
@@ -88,15 +88,10 @@ int postproc_flat_draw(const struct postproc_flat *p) {
     return status;
 }
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 double postproc_flat_magnify(const struct postproc_plate *plate) {
     double *size = memory_new(MEMORY_OUTPUT, (size_t)plate->n + 1, sizeof *size);
     for (long i = 0; i < plate->n; i++) size[i] = hypot(plate->u[i][0], plate->u[i][1]);
-    qsort(size, (size_t)plate->n, sizeof *size, ascending);
+    sort_ascending(size, (size_t)plate->n);
     const double most = size[(long)(0.99 * (double)(plate->n - 1))];
     const double side = fmax(plate->high[0] - plate->low[0], plate->high[1] - plate->low[1]);
     memory_free(size);

@@ -1,12 +1,12 @@
 /* Section of the report with pictures of a porous block. */
 #include "base/memory.h"
+#include "base/sort.h"
 #include "files/folder.h"
 #include "postproc/draw/picture.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static const struct view {
     const char *name, *title, *said;
@@ -36,17 +36,12 @@ static double *view_value(const struct view *view, const struct postproc_body *b
     return value;
 }
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The 98 % quantile over the particles that have bonds, so that a few ejected particles do not set the colours. 0
  * without such particles. */
 static double colour_bound(const struct postproc_body *b, const double *value) {
     long m;
     double *sorted = postproc_body_sample(b, value, &m);
-    qsort(sorted, (size_t)m, sizeof *sorted, ascending);
+    sort_ascending(sorted, (size_t)m);
     const double bound = m ? sorted[(long)(0.98 * (double)(m - 1))] : 0;
     memory_free(sorted);
     return bound;

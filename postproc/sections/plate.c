@@ -1,12 +1,12 @@
 /* Section of the report with pictures and a film of a plate. */
 #include "base/memory.h"
+#include "base/sort.h"
 #include "files/folder.h"
 #include "postproc/draw/flat.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* How a quantity is drawn. spread: the fraction of the values within the colour range. */
 static const struct look {
@@ -39,11 +39,6 @@ static const double *values_of(const struct postproc_plate *p, enum postproc_qua
     }
 }
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Bounds of the colours: 0 ... 1 for damage; otherwise from 0 (from the lower quantile if there are negative values) to
  * the upper quantile. */
 static void range_of(const struct postproc_plate *p, enum postproc_quantity q, double range[2]) {
@@ -54,7 +49,7 @@ static void range_of(const struct postproc_plate *p, enum postproc_quantity q, d
     if (spread <= 0 || !value) return;
     double *sorted = memory_new(MEMORY_OUTPUT, (size_t)p->n + 1, sizeof *sorted);
     for (long i = 0; i < p->n; i++) sorted[i] = value[(size_t)i * (size_t)stride];
-    qsort(sorted, (size_t)p->n, sizeof *sorted, ascending);
+    sort_ascending(sorted, (size_t)p->n);
     const double low = sorted[(long)((1 - spread) * (double)(p->n - 1))],
                  high = sorted[(long)(spread * (double)(p->n - 1))];
     memory_free(sorted);

@@ -35,5 +35,3 @@ int scene_check_body_box(const struct scene_check *c, struct scene_path path, co
                          const double high[3]);
 /* The bounds of a body. Returns 0 for a body of points, whose bounds only its particles know. */
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]);
-
-extern const char *const scene_check_parts_side[3][2]; /* x_low, ... */

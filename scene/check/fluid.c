@@ -1,13 +1,13 @@
 /* Checks that the fluid's sides, driving, initial flow and diffusion scheme fit together. */
+#include "base/side.h"
 #include "scene/check/check.h"
 
 #include <math.h>
-#include <string.h>
 
 static const char *const type_name[] = {"periodic", "wall", "slip", "inflow", "outflow", "pressure", "general"};
 
 static struct scene_path side_path(int d, int end, const char *key) {
-    return scene_check_parts_path("fluid.sides.%s%s%s", scene_check_parts_side[d][end], *key ? "." : "", key);
+    return scene_check_parts_path("fluid.sides.%s%s%s", side_name[d][end], *key ? "." : "", key);
 }
 
 static int sides_clean(const struct scene_check *c, int d) {
@@ -33,7 +33,7 @@ static void check_pair(const struct scene_check *c, int d) {
     const int low = side[0].type == SCENE_PERIODIC, high = side[1].type == SCENE_PERIODIC;
     if (low != high)
         scene_problem_at(c->problems, c->root, side_path(d, low ? 0 : 1, "type").text,
-                         "periodic sides come in pairs, but %s is %s", scene_check_parts_side[d][low ? 1 : 0],
+                         "periodic sides come in pairs, but %s is %s", side_name[d][low ? 1 : 0],
                          type_name[side[low ? 1 : 0].type]);
 }
 
@@ -95,8 +95,8 @@ static void check_driving(const struct scene_check *c) {
         return;
     if (f->side[d][0].type != SCENE_PERIODIC || f->side[d][1].type != SCENE_PERIODIC)
         scene_problem_at(c->problems, c->root, "fluid.driving.direction",
-                         "must be a periodic direction: %s is %s, %s is %s", scene_check_parts_side[d][0],
-                         type_name[f->side[d][0].type], scene_check_parts_side[d][1], type_name[f->side[d][1].type]);
+                         "must be a periodic direction: %s is %s, %s is %s", side_name[d][0],
+                         type_name[f->side[d][0].type], side_name[d][1], type_name[f->side[d][1].type]);
 }
 
 /* In each direction in which the vortices vary there is one wave, sin or cos, which must fit the direction's sides. */
@@ -110,7 +110,7 @@ static void check_taylor_green(const struct scene_check *c) {
         for (int end = 0; end < 2; end++)
             if (sides_clean(c, d) && f->side[d][end].type != SCENE_PERIODIC && f->side[d][end].type != SCENE_SLIP)
                 scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
-                                 "%s must be periodic or slip, it is %s", scene_check_parts_side[d][end],
+                                 "%s must be periodic or slip, it is %s", side_name[d][end],
                                  type_name[f->side[d][end].type]);
         if (scene_node_is_clean(c->root, "domain.cells") && c->scene->domain.cells[d] < 4)
             scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
@@ -147,8 +147,7 @@ static void check_diffusion(const struct scene_check *c) {
                 side->type == SCENE_PRESSURE || (side->type == SCENE_GENERAL && side->p == SCENE_DIRICHLET);
             if (clean && free)
                 scene_problem_at(c->problems, c->root, "fluid.diffusion",
-                                 "needs a normal velocity on every side, and %s has a pressure",
-                                 scene_check_parts_side[d][end]);
+                                 "needs a normal velocity on every side, and %s has a pressure", side_name[d][end]);
         }
     if (s->coupling && s->coupling->scheme == SCENE_STRONG)
         scene_problem_at(c->problems, c->root, "fluid.diffusion", "does not go with coupling.scheme: strong");

@@ -5,8 +5,6 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-const char *const scene_check_parts_side[3][2] = {{"x_low", "x_high"}, {"y_low", "y_high"}, {"z_low", "z_high"}};
-
 struct scene_path scene_check_parts_path(const char *format, ...) {
     struct scene_path path;
     va_list args;

@@ -1,4 +1,5 @@
 /* Checks the materials against the model, and that the lattice fits periodic sides. */
+#include "base/ensure.h"
 #include "scene/check/check.h"
 
 #include <math.h>
@@ -17,6 +18,8 @@ static void check_poisson(const struct scene_check *c, int m) {
     if (!scene_check_parts_clean(c, path) || !scene_node_is_clean(c->root, "domain.size") ||
         (c->scene->dimension == 2 && !scene_node_is_clean(c->root, "solid.model")))
         return;
+    const double ratio = physics_model_poisson_ratio((enum physics_model)s->model);
+    ENSURE(of[s->model].low < ratio && ratio < of[s->model].high, "the model's Poisson's ratio is %g", ratio);
     if (s->material[m].poisson_ratio < of[s->model].low || s->material[m].poisson_ratio > of[s->model].high)
         scene_problem_at(c->problems, c->root, path.text,
                          "must be %s: the bond-based model in %s has Poisson's ratio %s", of[s->model].is,

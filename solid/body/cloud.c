@@ -7,18 +7,11 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum {
     LATTICE_COLUMNS = 400
 }; /* number of columns for partial volumes: accurate to 1e-6, as in the lattice
     * store */
-
-static double *copy_of(const double *from, long n) {
-    double *to = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *to);
-    memcpy(to, from, (size_t)n * sizeof *to);
-    return to;
-}
 
 /* Rounds to a multiple of 2^-20. */
 static double rounded(double x) { return rint(x * 0x1p20) * 0x1p-20; }
@@ -72,9 +65,9 @@ struct solid_cloud *solid_cloud_new(const struct solid_cloud_input *in) {
         t->place[c] = memory_new(MEMORY_SOLID, (size_t)t->n + 1, sizeof *t->place[c]);
         for (long i = 0; i < t->n; i++) t->place[c][i] = rounded(in->place[c][i]);
     }
-    t->volume = copy_of(in->volume, t->n);
-    t->size = copy_of(in->size ? in->size : in->volume, t->n);
-    t->horizon = copy_of(in->horizon ? in->horizon : in->volume, t->n);
+    t->volume = memory_copy(MEMORY_SOLID, in->volume, (size_t)t->n, sizeof(double));
+    t->size = memory_copy(MEMORY_SOLID, in->size ? in->size : in->volume, (size_t)t->n, sizeof(double));
+    t->horizon = memory_copy(MEMORY_SOLID, in->horizon ? in->horizon : in->volume, (size_t)t->n, sizeof(double));
     double size = 0, horizon = 0;
     for (long i = 0; i < t->n; i++) {
         if (!(t->volume[i] > 0))

@@ -1,5 +1,6 @@
 /* The view of a particle's bonds, the same for both bond stores: lists, breaks, counts, saves and loads them. */
 #include "solid/bonds/family.h"
+#include "base/bits.h"
 #include "base/ensure.h"
 #include "base/par.h"
 #include "solid/bonds/lattice.h"
@@ -160,12 +161,6 @@ void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
     s->a_holds = 0;
 }
 
-static long count_bits(const uint8_t *bits, size_t n) {
-    long count = 0;
-    for (size_t i = 0; i < n; i++) count += __builtin_popcount(bits[i]);
-    return count;
-}
-
 long solid_family_directed(const struct solid *s) {
     const struct solid_family *f = s->family;
     long count = 0;
@@ -174,7 +169,7 @@ long solid_family_directed(const struct solid *s) {
         if (f->list[b]) count += f->list[b]->bonds;
         for (int r = 0; f->lattice[b] && r < f->lattice[b]->rows; r++) {
             solid_lattice_made(f->lattice[b], r, made);
-            count += count_bits(made, (size_t)f->lattice[b]->stencil->n);
+            count += bits_count(made, (size_t)f->lattice[b]->stencil->n);
         }
     }
     return count;
@@ -185,7 +180,7 @@ void solid_family_count(struct solid *s) {
     long intact = 0;
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_lattice *t = f->lattice[b];
-        intact += t ? count_bits(t->lambda, (size_t)t->rows * (size_t)t->stencil->n) : solid_list_intact(f->list[b]);
+        intact += t ? bits_count(t->lambda, (size_t)t->rows * (size_t)t->stencil->n) : solid_list_intact(f->list[b]);
     }
     s->bonds_broken = s->bonds_total - par_sum_long(intact) / 2;
 }

@@ -8,8 +8,6 @@
 
 enum { NEEDED = -2, NOTHING = -1 };
 
-static void *solid_array(size_t n, size_t size) { return memory_new(MEMORY_SOLID, n + 1, size); }
-
 static void site_of_cell(const struct solid_lattice *b, long cell, int site[3]) {
     site[0] = b->low[0] + (int)(cell % b->size[0]);
     site[1] = b->low[1] + (int)(cell / b->size[0] % b->size[1]);
@@ -27,7 +25,7 @@ static int owned_row(const struct solid_sites *t, int row, long from, long to) {
 }
 
 static void offsets_new(struct solid_lattice *b) {
-    b->offset = solid_array((size_t)b->stencil->n, sizeof *b->offset);
+    b->offset = solid_store_array((size_t)b->stencil->n, sizeof *b->offset);
     for (int o = 0; o < b->stencil->n; o++) {
         const struct solid_offset *from = &b->stencil->offset[o];
         struct solid_lattice_offset *to = &b->offset[o];
@@ -95,7 +93,7 @@ static void rows_new(struct solid_lattice *b, const struct solid_sites *t, long 
         r++;
     }
     b->n = h - b->first;
-    b->cell = solid_array((size_t)b->n, sizeof *b->cell);
+    b->cell = solid_store_array((size_t)b->n, sizeof *b->cell);
     for (r = 0, h = 0; r < b->rows; r++)
         for (int k = 0; k < SOLID_ROW; k++)
             if (b->row_owned[r] >> k & 1) b->cell[h++] = b->row_cell[r] + k;
@@ -109,7 +107,7 @@ static void bonds_new(struct solid_lattice *b, const struct solid_sites *t) {
         b->local[cell] = solid_sites_id(t, site) >= 0 ? 0 : NOTHING;
     }
     const int n = b->stencil->n;
-    uint8_t *needed = solid_array((size_t)b->sites, 1);
+    uint8_t *needed = solid_store_array((size_t)b->sites, 1);
     for (int r = 0; r < b->rows; r++) {
         solid_lattice_made(b, r, b->lambda + (size_t)r * (size_t)n);
         for (int k = 0; k < SOLID_ROW; k++) needed[b->row_cell[r] + k] |= b->row_owned[r] >> k & 1;
@@ -124,12 +122,12 @@ static void bonds_new(struct solid_lattice *b, const struct solid_sites *t) {
 
 static void active_new(struct solid_lattice *b) {
     const size_t n = (size_t)b->stencil->n;
-    b->row_active = solid_array((size_t)b->rows, sizeof *b->row_active);
+    b->row_active = solid_store_array((size_t)b->rows, sizeof *b->row_active);
     for (int r = 0; r < b->rows; r++) {
         b->row_active[r + 1] = b->row_active[r];
         for (size_t o = 0; o < n; o++) b->row_active[r + 1] += b->lambda[(size_t)r * n + o] != 0;
     }
-    b->active = solid_array((size_t)b->row_active[b->rows], sizeof *b->active);
+    b->active = solid_store_array((size_t)b->row_active[b->rows], sizeof *b->active);
     for (int r = 0; r < b->rows; r++) {
         long at = b->row_active[r];
         for (size_t o = 0; o < n; o++)
@@ -141,7 +139,7 @@ static void active_new(struct solid_lattice *b) {
  * that begin in a row that is not stored end in a stored one. */
 static void places_new(struct solid_lattice *b) {
     const long rows = b->sites / SOLID_ROW;
-    b->place = solid_array((size_t)rows, sizeof *b->place);
+    b->place = solid_store_array((size_t)rows, sizeof *b->place);
     b->places = SOLID_ROW;
     for (long r = 0; r < rows; r++) {
         if (neighbours(b->local, SOLID_ROW * r)) {
@@ -161,7 +159,7 @@ static void fields_new(struct solid_lattice *b) {
     enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
     size_t step = (size_t)b->places + 2 * SOLID_ROW;
     step += (PAGE + PLACE - step % PAGE) % PAGE;
-    double *field = b->field = solid_array(10 * step, sizeof *field);
+    double *field = b->field = solid_store_array(10 * step, sizeof *field);
     double **const of[] = {&b->d[0], &b->d[1], &b->d[2], &b->w,    &b->f[0],
                            &b->f[1], &b->f[2], &b->v[0], &b->v[1], &b->v[2]};
     for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) *of[i] = field + i * step;
@@ -176,14 +174,14 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     offsets_new(b);
     box_new(b, t, from, to);
     const size_t rows = (size_t)b->rows, sites = (size_t)b->sites;
-    b->row_cell = solid_array(rows, sizeof *b->row_cell);
-    b->row_first = solid_array(rows, sizeof *b->row_first);
-    b->row_owned = solid_array(rows, 1);
-    b->row_bulk = solid_array(rows, 1);
-    b->lambda = solid_array(rows * (size_t)stencil->n, 1);
-    b->row_of = solid_array(sites / SOLID_ROW, sizeof *b->row_of);
+    b->row_cell = solid_store_array(rows, sizeof *b->row_cell);
+    b->row_first = solid_store_array(rows, sizeof *b->row_first);
+    b->row_owned = solid_store_array(rows, 1);
+    b->row_bulk = solid_store_array(rows, 1);
+    b->lambda = solid_store_array(rows * (size_t)stencil->n, 1);
+    b->row_of = solid_store_array(sites / SOLID_ROW, sizeof *b->row_of);
     memset(b->row_of, 0xff, (sites / SOLID_ROW) * sizeof *b->row_of);
-    b->local = solid_array(sites, sizeof *b->local);
+    b->local = solid_store_array(sites, sizeof *b->local);
     rows_new(b, t, from, to);
     bonds_new(b, t);
     places_new(b);
@@ -217,8 +215,8 @@ long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_site
 
 void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t, const struct solid_numbering *numbering) {
     for (long cell = 0; cell < b->sites; cell++) b->copies += b->local[cell] == NEEDED;
-    b->copy_at = solid_array((size_t)b->copies, sizeof *b->copy_at);
-    b->copy_local = solid_array((size_t)b->copies, sizeof *b->copy_local);
+    b->copy_at = solid_store_array((size_t)b->copies, sizeof *b->copy_at);
+    b->copy_local = solid_store_array((size_t)b->copies, sizeof *b->copy_local);
     const int owned = (int)(numbering->to - numbering->from);
     int home = b->copies - b->n, image = home;
     for (long cell = 0; cell < b->sites; cell++) {

@@ -9,8 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static void *solid_array(long n, size_t size) { return memory_new(MEMORY_SOLID, (size_t)n + 1, size); }
-
 void solid_list_free(struct solid_list *b) {
     if (!b) return;
     solid_weight_table_free(b->law.table);
@@ -47,16 +45,16 @@ static void others_new(struct solid_list *b, const struct solid_numbering *numbe
     for (int i = 0; i < b->n; i++)
         if (b->scaled[i] != SOLID_LIST_LINKED)
             for (long j = b->start[i]; j < b->end[i]; j++) room += !is_home(b, numbering, b->key[j]);
-    long *all = solid_array(room, sizeof *all);
+    long *all = solid_store_array(room, sizeof *all);
     for (int i = 0; i < b->n && n < room; i++)
         if (b->scaled[i] != SOLID_LIST_LINKED)
             for (long j = b->start[i]; j < b->end[i]; j++)
                 if (!is_home(b, numbering, b->key[j])) all[n++] = b->key[j];
     b->others = solid_number_unique(all, n);
-    b->other_key = solid_array(b->others, sizeof *all);
+    b->other_key = solid_store_array(b->others, sizeof *all);
     memcpy(b->other_key, all, (size_t)b->others * sizeof *all);
     memory_free(all);
-    b->other_local = solid_array(b->others, sizeof *b->other_local);
+    b->other_local = solid_store_array(b->others, sizeof *b->other_local);
     for (int i = 0; i < b->others; i++) {
         const long id = solid_key_id(b->other_key[i]);
         b->other_local[i] = solid_number_local(numbering, id);
@@ -66,10 +64,10 @@ static void others_new(struct solid_list *b, const struct solid_numbering *numbe
 
 static void records_new(struct solid_list *b, const struct solid_cloud *cloud) {
     const int records = b->n + b->others;
-    b->record = solid_array((long)b->width * records, sizeof *b->record);
-    b->speed = solid_array((long)SOLID_LIST_SPEED * records, sizeof *b->speed);
-    b->particle = solid_array(records, sizeof *b->particle);
-    b->w = solid_array(records, sizeof *b->w);
+    b->record = solid_store_array((long)b->width * records, sizeof *b->record);
+    b->speed = solid_store_array((long)SOLID_LIST_SPEED * records, sizeof *b->speed);
+    b->particle = solid_store_array(records, sizeof *b->particle);
+    b->w = solid_store_array(records, sizeof *b->w);
     for (int r = 0; r < records; r++)
         b->particle[r] =
             solid_cloud_end(cloud, r < b->n ? b->number + r : solid_key_id(b->other_key[r - b->n]) - b->first_id);

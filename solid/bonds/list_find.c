@@ -6,8 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static void *solid_array(long n, size_t size) { return memory_new(MEMORY_SOLID, (size_t)n + 1, size); }
-
 struct solid_list *solid_list_find_begin(const struct solid_cloud *cloud, long from, long to, int first) {
     struct solid_list *b = memory_new(MEMORY_SOLID, 1, sizeof *b);
     b->law = cloud->law;
@@ -23,16 +21,16 @@ struct solid_list *solid_list_find_begin(const struct solid_cloud *cloud, long f
                high = to < cloud->first + cloud->n ? to : cloud->first + cloud->n;
     b->n = high > low ? (int)(high - low) : 0;
     b->number = low - cloud->first;
-    b->start = solid_array(b->n, sizeof *b->start);
-    b->end = solid_array(b->n, sizeof *b->end);
-    b->large = solid_array(b->n, 1);
-    b->limit = solid_array(b->n, sizeof *b->limit);
-    b->digit = solid_array(b->n, sizeof *b->digit);
-    b->power = solid_array(b->n, sizeof *b->power);
-    b->own_volume = solid_array(b->n, sizeof *b->own_volume);
-    b->damage = solid_array(b->n, sizeof *b->damage);
-    b->counted = solid_array(b->n, sizeof *b->counted);
-    b->scaled = solid_array(b->n, 1);
+    b->start = solid_store_array(b->n, sizeof *b->start);
+    b->end = solid_store_array(b->n, sizeof *b->end);
+    b->large = solid_store_array(b->n, 1);
+    b->limit = solid_store_array(b->n, sizeof *b->limit);
+    b->digit = solid_store_array(b->n, sizeof *b->digit);
+    b->power = solid_store_array(b->n, sizeof *b->power);
+    b->own_volume = solid_store_array(b->n, sizeof *b->own_volume);
+    b->damage = solid_store_array(b->n, sizeof *b->damage);
+    b->counted = solid_store_array(b->n, sizeof *b->counted);
+    b->scaled = solid_store_array(b->n, 1);
     if (b->dim == 2) b->kept = memory_new(MEMORY_SOLID, 1, sizeof *b->kept);
     return b;
 }
@@ -46,10 +44,10 @@ void solid_list_find_room(struct solid_list *b) {
         b->bonds += n;
         b->room += (n + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK * SOLID_LIST_BLOCK;
     }
-    b->key = solid_array(b->room, sizeof *b->key);
-    b->at = solid_array(b->room, sizeof *b->at);
-    b->step = solid_array(b->room * b->dim, sizeof *b->step);
-    b->stiffness = solid_array(b->room, sizeof *b->stiffness);
+    b->key = solid_store_array(b->room, sizeof *b->key);
+    b->at = solid_store_array(b->room, sizeof *b->at);
+    b->step = solid_store_array(b->room * b->dim, sizeof *b->step);
+    b->stiffness = solid_store_array(b->room, sizeof *b->stiffness);
     for (int i = 0; i < b->n; i++)
         for (long j = b->end[i]; j % SOLID_LIST_BLOCK; j++) { /* padding */
             b->stiffness[j] = -0.;

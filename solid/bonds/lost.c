@@ -1,6 +1,7 @@
 /* Finds the particles that have lost bonds since the last check. */
 #include "solid/bonds/lost.h"
 
+#include "base/bits.h"
 #include "base/memory.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -15,17 +16,6 @@ int solid_lost_take(struct solid *s, enum solid_broke reader) {
     return 1;
 }
 
-static int count_row(const uint8_t *lambda, int n) {
-    int bits = 0, i = 0;
-    for (; i + 8 <= n; i += 8) {
-        uint64_t word;
-        memcpy(&word, lambda + i, sizeof word);
-        bits += __builtin_popcountll(word);
-    }
-    for (; i < n; i++) bits += __builtin_popcount(lambda[i]);
-    return bits;
-}
-
 static void compare(struct solid_lost *lost, int h, int intact) {
     if (intact == lost->intact[h]) return;
     lost->intact[h] = (uint16_t)intact;
@@ -36,7 +26,7 @@ static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice 
     const int n = t->stencil->n;
     for (int r = 0; r < t->rows; r++) {
         const uint8_t *lambda = t->lambda + (size_t)r * (size_t)n;
-        const int row = count_row(lambda, n);
+        const int row = (int)bits_count(lambda, (size_t)n);
         if (row == row_intact[r]) continue;
         row_intact[r] = row;
         int h = t->row_first[r];

@@ -7,11 +7,8 @@
 #include "solid/bonds/lattice.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { NARROW = 4, COLUMNS = 7 };
-
-static void *solid_array(size_t n, size_t size) { return memory_new(MEMORY_SOLID, n + 1, size); }
 
 /* Eight consecutive bits from any cell, of bits that are stored in rows of eight: of[row], with a stride in bytes. */
 static unsigned bits_at(const struct solid_lattice *b, const uint8_t *of, size_t stride, long cell) {
@@ -111,7 +108,7 @@ static void order_new(const struct solid_lattice *b, struct solid_segments *t) {
     const struct solid_stencil *family = b->stencil;
     const int width = 2 * family->reach + 1;
     int n = 0;
-    t->order = solid_array((size_t)family->n, sizeof *t->order);
+    t->order = solid_store_array((size_t)family->n, sizeof *t->order);
     for (int first = 0; first < width * width; first += COLUMNS)
         for (int x = -family->reach; x <= family->reach; x++)
             for (int o = 0; o < family->n; o++) {
@@ -133,7 +130,7 @@ static int reaches_away(const struct solid_lattice *b, long cell, unsigned parti
 
 /* Covers the lines of particles with segments; each segment begins at the first particle not yet covered. */
 static void cover(const struct solid_lattice *b, struct solid_segments *t) {
-    uint8_t *mine = solid_array((size_t)b->sites + SOLID_ROW, 1), *start = solid_array((size_t)b->sites, 1);
+    uint8_t *mine = solid_store_array((size_t)b->sites + SOLID_ROW, 1), *start = solid_store_array((size_t)b->sites, 1);
     for (int i = 0; i < b->n; i++) mine[b->cell[i]] = 1;
     for (long cell = 0; cell < b->sites; cell++) {
         if (!mine[cell]) continue;
@@ -143,9 +140,9 @@ static void cover(const struct solid_lattice *b, struct solid_segments *t) {
         }
         t->n++;
     }
-    t->cell = solid_array((size_t)t->n, sizeof *t->cell);
-    t->at = solid_array((size_t)t->n, sizeof *t->at);
-    t->owned = solid_array((size_t)t->n, 1);
+    t->cell = solid_store_array((size_t)t->n, sizeof *t->cell);
+    t->at = solid_store_array((size_t)t->n, sizeof *t->at);
+    t->owned = solid_store_array((size_t)t->n, 1);
     for (int outer = 0, g = 0; outer < 2; outer++) {
         for (int r = 0; r < b->rows; r++)
             for (int k = 0; k < SOLID_ROW; k++) {
@@ -166,13 +163,13 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *b) {
     order_new(b, t);
     cover(b, t);
     const size_t n = (size_t)t->n;
-    t->stale = solid_array(n, 1);
-    t->large = solid_array(n, 1);
-    t->bulk = solid_array(n, 1);
-    t->high = solid_array(n, sizeof *t->high);
-    t->first = solid_array(n, sizeof *t->first);
-    t->count = solid_array(n, sizeof *t->count);
-    t->of = solid_array((size_t)b->n, sizeof *t->of);
+    t->stale = solid_store_array(n, 1);
+    t->large = solid_store_array(n, 1);
+    t->bulk = solid_store_array(n, 1);
+    t->high = solid_store_array(n, sizeof *t->high);
+    t->first = solid_store_array(n, sizeof *t->first);
+    t->count = solid_store_array(n, sizeof *t->count);
+    t->of = solid_store_array((size_t)b->n, sizeof *t->of);
     struct packed p;
     for (int g = 0; g < t->n; g++) {
         t->large[g] = 1; /* not computed yet */
@@ -184,8 +181,8 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *b) {
             t->of[b->local[t->cell[g] + k] - b->first] = g;
         }
     }
-    t->entry = solid_array((size_t)t->first[t->n], sizeof *t->entry);
-    t->far = solid_array((size_t)t->first[t->n], sizeof *t->far);
+    t->entry = solid_store_array((size_t)t->first[t->n], sizeof *t->entry);
+    t->far = solid_store_array((size_t)t->first[t->n], sizeof *t->far);
     for (int g = 0; g < t->n; g++) place(b, t, g);
     return t;
 }

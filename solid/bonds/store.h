@@ -1,5 +1,6 @@
 /* Declarations common to both bond stores. For solid/ only. */
 #pragma once
+#include "base/memory.h"
 #include "solid/body/number.h"
 #include "solid/law/stencil.h"
 
@@ -31,3 +32,6 @@ struct solid_family {
     int *first;                     /* [bodies + 1] local index of the body's first owned particle */
     int bytes;                      /* bytes of lambda per particle in a checkpoint */
 };
+
+/* Zeroed, for n items and one more. */
+static inline void *solid_store_array(size_t n, size_t size) { return memory_new(MEMORY_SOLID, n + 1, size); }

@@ -6,8 +6,6 @@
 #include "solid/contact/pairs.h"
 #include "solid/contact/room.h"
 
-#include <string.h>
-
 /* Lists h and l if they are nearer than reach. */
 static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
     double xi[3], r2 = 0;

@@ -6,7 +6,7 @@ void solid_added_mass_apply(struct solid *s) {
     const struct solid_added_mass *m = s->added;
     for (int i = 0; i < m->n; i++) {
         const int h = m->h[i];
-        const double density = s->in.material[s->in.body[s->body[h]].material].density;
+        const double density = solid_density(s, h);
         double before = 0, v = 0;
         /* the faces of one particle are adjacent: each includes the mass that the earlier ones have added */
         double carried = density;

@@ -1,10 +1,10 @@
 /* Area, bounds and point membership of a plate's outline, and the length of a crack inside it. */
 #include "solid/geometry/outline.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* A unit so small that rounding to multiples of 2^-48 of it has no effect. */
 static double fine_unit(const struct solid_outline *o) {
@@ -101,11 +101,6 @@ double solid_outline_area_in(const struct solid_outline *outline, int n, const d
     return area * side * side;
 }
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The segment is divided where it meets the outlines; each part is inside or outside as its midpoint is. */
 static double inside_of_segment(const struct solid_outline *outline, int n, const double a[2], const double b[2],
                                 double spacing, double *at) {
@@ -125,7 +120,7 @@ static double inside_of_segment(const struct solid_outline *outline, int n, cons
                 at[cuts++] = fmin(fmax(fraction, 0), 1);
             }
         }
-    qsort(at, (size_t)cuts, sizeof *at, ascending);
+    sort_ascending(at, (size_t)cuts);
     double inside = 0;
     for (int k = 1; k < cuts; k++) {
         const double middle = 0.5 * (at[k - 1] + at[k]);

@@ -22,10 +22,7 @@ static void give(struct collection *to, long cell, double length) {
     struct solid_outline_lengths *l = to->lengths;
     if (l->n == to->room) {
         to->room = 2 * to->room + 64;
-        struct solid_outline_share *more = memory_new(MEMORY_SOLID, (size_t)to->room, sizeof *more);
-        for (long k = 0; k < l->n; k++) more[k] = l->share[k];
-        memory_free(l->share);
-        l->share = more;
+        l->share = memory_grown(MEMORY_SOLID, l->share, (size_t)l->n, (size_t)to->room, sizeof *l->share);
     }
     l->share[l->n++] = (struct solid_outline_share){cell, length};
 }

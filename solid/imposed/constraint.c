@@ -11,10 +11,6 @@ int solid_constraint_inside(const struct solid *s, int h, const double low[3], c
     return 1;
 }
 
-double solid_constraint_density(const struct solid *s, int h) {
-    return s->in.material[s->in.body[s->body[h]].material].density;
-}
-
 /* Tested first: most particles are free. */
 static int is_held(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
 
@@ -33,7 +29,7 @@ void solid_constraint_velocity(struct solid *s, double t, double dt) {
             double *v = s->v[c];
             for (int h = 0; k->direction[c] && h < s->n; h++) {
                 if (!is_held(s, h, c) || !solid_constraint_inside(s, h, k->low, k->high)) continue;
-                const double mass = solid_constraint_density(s, h) * s->volume[h];
+                const double mass = solid_density(s, h) * s->volume[h];
                 s->e_constraint += 0.5 * mass * (velocity + v[h]) * (velocity - v[h]);
                 v[h] = velocity;
             }
@@ -101,7 +97,7 @@ double solid_constraint_apply(struct solid *s) {
     double power = 0, reaction2 = 0;
     for (int h = 0; h < s->n; h++) {
         if (!(s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z))) continue;
-        const double mass = solid_constraint_density(s, h) * s->volume[h];
+        const double mass = solid_density(s, h) * s->volume[h];
         for (int c = 0; c < s->dim; c++) {
             if (!(s->flag[h] & SOLID_HELD_X << c)) continue;
             const double reaction = -mass * s->a[c][h];

@@ -3,7 +3,6 @@
 #include "base/memory.h"
 
 #include <stdint.h>
-#include <string.h>
 
 double solid_time_factor(const struct solid_time *f, double t) {
     if (f->n == 0) return 1;
@@ -30,15 +29,9 @@ double solid_time_mean(const struct solid_time *f, double from, double to) {
     return sum;
 }
 
-static const double *copy(const double *from, int n) {
-    double *to = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *to);
-    if (n) memcpy(to, from, (size_t)n * sizeof *to);
-    return to;
-}
-
 void solid_time_copy(struct solid_time *f) {
-    f->t = copy(f->t, f->n);
-    f->factor = copy(f->factor, f->n);
+    f->t = memory_copy(MEMORY_SOLID, f->t, (size_t)f->n, sizeof(double));
+    f->factor = memory_copy(MEMORY_SOLID, f->factor, (size_t)f->n, sizeof(double));
 }
 
 void solid_time_free(struct solid_time *f) {

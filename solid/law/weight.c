@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Columns are along the largest component of a, on cells x cells points of the face; the length of each column inside

@@ -42,10 +42,7 @@ void solid_crack_track_free(struct solid_crack_track *k) {
 static void *grow(void *list, long n, long *room, size_t size) {
     if (n < *room) return list;
     *room = 2 * *room + 64;
-    void *more = memory_new(MEMORY_OUTPUT, (size_t)*room, size);
-    if (n) memcpy(more, list, (size_t)n * size);
-    memory_free(list);
-    return more;
+    return memory_grown(MEMORY_OUTPUT, list, (size_t)n, (size_t)*room, size);
 }
 
 static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }

@@ -11,7 +11,6 @@
 #include "solid/imposed/given.h"
 #include "solid/refine/parts.h"
 
-#include <math.h>
 #include <string.h>
 
 /* Number of values moved with a particle: d, v and the load without the input's loads, in both directions. */
@@ -76,24 +75,18 @@ static void born_values(const struct solid *s, struct change *k) {
     memory_free(value);
 }
 
-static void *grown(void *old, size_t n, size_t room, size_t size) {
-    char *more = memory_new(MEMORY_SOLID, room, size);
-    if (old) memcpy(more, old, n * size);
-    memory_free(old);
-    return more;
-}
-
 void solid_refine_apply_room(struct solid *s, int n) {
     if (n + 1 < s->refine->room) return;
     const size_t room = (size_t)(s->refine->room = n + n / 8 + 256), owned = (size_t)s->n;
     for (int c = 0; c < s->dim; c++) {
         double **const of[] = {&s->x0[c], &s->d[c], &s->v[c], &s->a[c], &s->load[c], &s->v_old[c], &s->a_old[c]};
-        for (size_t k = 0; k < sizeof of / sizeof *of; k++) *of[k] = grown(*of[k], owned, room, sizeof(double));
+        for (size_t k = 0; k < sizeof of / sizeof *of; k++)
+            *of[k] = memory_grown(MEMORY_SOLID, *of[k], owned, room, sizeof(double));
     }
-    s->volume = grown(s->volume, owned, room, sizeof(double));
-    s->family_volume = grown(s->family_volume, owned, room, sizeof(double));
-    s->body = grown(s->body, owned, room, 1);
-    s->flag = grown(s->flag, owned, room, 1);
+    s->volume = memory_grown(MEMORY_SOLID, s->volume, owned, room, sizeof(double));
+    s->family_volume = memory_grown(MEMORY_SOLID, s->family_volume, owned, room, sizeof(double));
+    s->body = memory_grown(MEMORY_SOLID, s->body, owned, room, 1);
+    s->flag = memory_grown(MEMORY_SOLID, s->flag, owned, room, 1);
 }
 
 /* Moves the values of the bodies' owned particles to their new indices, the last body first, and sets those of new

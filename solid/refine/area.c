@@ -6,7 +6,6 @@
 #include "solid/refine/places.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { UNIT = SOLID_REFINE_UNIT, MARGIN = 3 };
 

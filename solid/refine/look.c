@@ -7,7 +7,6 @@
 #include "solid/refine/parts.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Sum of nonnegative numbers, the same in any order: the terms are rounded to multiples of a digit that leaves room for
  * 2^9 of the largest. */

@@ -11,20 +11,14 @@
 
 int solid_refine_plan_level(double size) { return size < 1 ? -ilogb(size) : 0; }
 
-static void *larger(void *old, long n, long room, size_t size) {
-    char *more = memory_new(MEMORY_SOLID, (size_t)room, size);
-    if (old) memcpy(more, old, (size_t)n * size);
-    memory_free(old);
-    return more;
-}
-
 static void make_room(struct solid_refine_plan *p, long n) {
     if (n <= p->room) return;
     p->room = n + n / 2 + 64;
-    p->at = larger(p->at, p->n, p->room, sizeof *p->at);
-    p->level = larger(p->level, p->n, p->room, 1);
-    p->kept = larger(p->kept, p->n, p->room, 1);
-    p->born = larger(p->born, p->n > p->before ? p->n - p->before : 0, p->room - p->before, sizeof *p->born);
+    p->at = memory_grown(MEMORY_SOLID, p->at, (size_t)p->n, (size_t)p->room, sizeof *p->at);
+    p->level = memory_grown(MEMORY_SOLID, p->level, (size_t)p->n, (size_t)p->room, 1);
+    p->kept = memory_grown(MEMORY_SOLID, p->kept, (size_t)p->n, (size_t)p->room, 1);
+    p->born = memory_grown(MEMORY_SOLID, p->born, (size_t)(p->n > p->before ? p->n - p->before : 0),
+                           (size_t)(p->room - p->before), sizeof *p->born);
     for (p->mask = 64; p->mask < 3 * p->room; p->mask *= 2) {
     }
     memory_free(p->slot);

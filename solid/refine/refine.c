@@ -10,31 +10,25 @@
 #include "solid/imposed/given.h"
 #include "solid/refine/parts.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-static void *copied(const void *from, size_t n, size_t size) {
-    void *to = memory_new(MEMORY_SOLID, n + 1, size);
-    if (n > 0) memcpy(to, from, n * size);
-    return to;
-}
 
 /* Copies the caller's outlines and cracks, which are needed again during the solid's life. */
 static void own_outlines(struct solid_body *b) {
-    struct solid_outline *outline = copied(b->outline, (size_t)b->outlines, sizeof *outline);
+    struct solid_outline *outline = memory_copy(MEMORY_SOLID, b->outline, (size_t)b->outlines, sizeof *outline);
     for (int l = 0; l < b->outlines; l++) {
         const size_t n = (size_t)outline[l].corners;
-        outline[l].corner = copied(outline[l].corner, n, sizeof *outline[l].corner);
-        if (outline[l].centre) outline[l].centre = copied(outline[l].centre, n, sizeof *outline[l].centre);
-        outline[l].turn = copied(outline[l].turn, n, 1);
+        outline[l].corner = memory_copy(MEMORY_SOLID, outline[l].corner, n, sizeof *outline[l].corner);
+        if (outline[l].centre)
+            outline[l].centre = memory_copy(MEMORY_SOLID, outline[l].centre, n, sizeof *outline[l].centre);
+        outline[l].turn = memory_copy(MEMORY_SOLID, outline[l].turn, n, 1);
     }
     b->outline = outline;
 }
 
 static void own_cuts(struct solid_input *in) {
-    struct solid_cut *cut = copied(in->cut, (size_t)in->cuts, sizeof *cut);
-    for (int q = 0; q < in->cuts; q++) cut[q].point = copied(cut[q].point, (size_t)cut[q].points, sizeof *cut[q].point);
+    struct solid_cut *cut = memory_copy(MEMORY_SOLID, in->cut, (size_t)in->cuts, sizeof *cut);
+    for (int q = 0; q < in->cuts; q++)
+        cut[q].point = memory_copy(MEMORY_SOLID, cut[q].point, (size_t)cut[q].points, sizeof *cut[q].point);
     in->cut = cut;
 }
 
@@ -43,7 +37,7 @@ struct solid_refine *solid_refine_new(struct solid_input *in) {
     struct solid_refine *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
     r->in = *in->refinement;
     ENSURE(r->in.levels <= PHYSICS_LEVELS_MAX, "%d levels", r->in.levels);
-    r->in.start = copied(r->in.start, (size_t)r->in.starts, sizeof *r->in.start);
+    r->in.start = memory_copy(MEMORY_SOLID, r->in.start, (size_t)r->in.starts, sizeof *r->in.start);
     r->bodies = in->bodies;
     r->cells = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof *r->cells);
     for (int b = 0; b < in->bodies; b++) own_outlines((struct solid_body *)(uintptr_t)&in->body[b]);

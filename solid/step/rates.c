@@ -56,7 +56,7 @@ static uint8_t *whole_new(const struct solid_family *f, int b) {
 static double product(const struct solid *s, double *const x[3], double *const y[3]) {
     double sum = 0;
     for (int h = 0; h < s->n; h++) {
-        const double mass = solid_constraint_density(s, h) * s->volume[h];
+        const double mass = solid_density(s, h) * s->volume[h];
         for (int c = 0; c < s->dim; c++) sum += mass * x[c][h] * y[c][h];
     }
     return par_sum(sum);

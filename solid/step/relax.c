@@ -29,7 +29,7 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
     if (s->in.contact && s->contact) solid_contact_force(s);
     double sum[5] = {0};
     for (int h = 0; h < s->n; h++) {
-        const double density = solid_constraint_density(s, h), mass = density * s->volume[h];
+        const double density = solid_density(s, h), mass = density * s->volume[h];
         for (int c = 0; c < s->dim; c++) {
             const double force = s->volume[h] * (s->load[c][h] + density * s->in.body_force[c]);
             if (s->flag[h] & SOLID_HELD_X << c) continue;
@@ -42,7 +42,7 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
     solid_force_loads(s, s->a, 0);
     sum[2] = solid_constraint_apply(s);
     for (int h = 0; h < s->n; h++) {
-        const double mass = solid_constraint_density(s, h) * s->volume[h];
+        const double mass = solid_density(s, h) * s->volume[h];
         for (int c = 0; c < s->dim; c++) sum[0] += mass * s->a[c][h] * mass * s->a[c][h];
     }
     par_sum_array(sum, 5);

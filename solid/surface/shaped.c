@@ -4,8 +4,6 @@
 #include "solid/surface/normal.h"
 #include "solid/surface/piece.h"
 
-#include <math.h>
-
 static void find(struct solid_shaped *shaped, const struct solid *s, const struct solid_surface *f, int h) {
     const struct solid_body *body = &s->in.body[s->body[h]];
     const double x[3] = {s->x0[0][h], s->x0[1][h], s->x0[2][h]};

@@ -14,7 +14,6 @@
 #include "solid/bonds/ghosts.h"
 
 #include <math.h>
-#include <string.h>
 
 static int is_on(const struct solid_watch *w, unsigned open) { return open || w->set_free; }
 
@@ -22,10 +21,8 @@ void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
     if (f->watch_of[w->h] < 0) {
         if (f->watched == f->watch_capacity) {
             f->watch_capacity = 2 * f->watch_capacity + 64;
-            struct solid_watch *more = memory_new(MEMORY_SOLID, (size_t)f->watch_capacity, sizeof *more);
-            if (f->watched) memcpy(more, f->watch, (size_t)f->watched * sizeof *more);
-            memory_free(f->watch);
-            f->watch = more;
+            f->watch =
+                memory_grown(MEMORY_SOLID, f->watch, (size_t)f->watched, (size_t)f->watch_capacity, sizeof *f->watch);
         }
         f->watch_of[w->h] = f->watched++;
     }

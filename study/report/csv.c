@@ -1,26 +1,12 @@
 /* Writes NAME.csv: one row for each method, level and quantity. */
 #include "base/text.h"
 #include "files/aside.h"
+#include "files/csv.h"
 #include "files/folder.h"
 #include "study/report/report.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-/* Writes a CSV cell, in quotes if it contains a comma or a quote. */
-static void put_text(FILE *f, const char *text) {
-    if (!strpbrk(text, ",\"\n")) {
-        fputs(text, f);
-        return;
-    }
-    fputc('"', f);
-    for (; *text; text++) {
-        if (*text == '"') fputc('"', f);
-        fputc(*text, f);
-    }
-    fputc('"', f);
-}
 
 /* Writes an empty cell if there is no number. */
 static void put(FILE *f, double x, int digits) {
@@ -53,14 +39,14 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
     const struct study *s = r->plan->study;
     const struct study_point *p = study_result_point(r, t, method, level);
     char status[32];
-    put_text(f, s->methods.variant[method].name);
+    csv_put(f, s->methods.variant[method].name);
     fputc(',', f);
-    put_text(f, s->levels.variant[level].name);
+    csv_put(f, s->levels.variant[level].name);
     put(f, s->levels.variant[level].size, 10);
     fputc(',', f);
-    put_text(f, t->quantity->name);
+    csv_put(f, t->quantity->name);
     fputc(',', f);
-    put_text(f, t->quantity->unit);
+    csv_put(f, t->quantity->unit);
     put(f, p->value, 15);
     put(f, t->reference, 15);
     put(f, t->uncertainty, 6);
@@ -78,7 +64,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
     fprintf(f, ",%d,%d", p->ranks, p->repeats);
     put(f, p->spread, 4);
     fputc(',', f);
-    put_text(f, study_report_status(p, status));
+    csv_put(f, study_report_status(p, status));
     fputc('\n', f);
 }
 

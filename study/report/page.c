@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static void put(FILE *f, double x, int digits) {
     fputs("| ", f);

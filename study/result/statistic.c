@@ -1,17 +1,10 @@
 /* Sorting and quantiles. */
 #include "study/result/statistic.h"
+#include "base/sort.h"
 
 #include <math.h>
-#include <stdlib.h>
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-void study_statistic_sort(int n, double *x) {
-    if (n > 1) qsort(x, (size_t)n, sizeof *x, ascending);
-}
+void study_statistic_sort(int n, double *x) { sort_ascending(x, (size_t)n); }
 
 double study_statistic_quantile(int n, const double *x, double q) {
     if (n == 0) return NAN;

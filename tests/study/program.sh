@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # frana study: two methods by two levels; interrupted and resumed, changed, failed; and all its output.
 # usage: program.sh FRANA SOURCE WORK
-. "$(dirname "$0")/../coupling/common.sh" "$@"
+. "$(dirname "$0")/../program/common.sh" "$@"
 cat >scene.yaml <<'END'
 title: A short bar, pulled
 domain: {size: [0.016, 0.004, 0.004]}
