@@ -115,6 +115,6 @@ setup_tests() { echo $((2 * $(setup_cores))); }
 setup_mpi() {
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-    export OMPI_MCA_btl_vader_single_copy_mechanism=none # containers forbid it, and Open MPI would complain at every message
+    export OMPI_MCA_btl_vader_single_copy_mechanism=none # forbidden in containers; Open MPI would complain
     [ "$(setup_cores)" -ge "${1:-2}" ] || export OMPI_MCA_mpi_yield_when_idle=1
 }
