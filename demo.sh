@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and breaks a porous block in a channel: the small twin of the main case
-# (cases/porous_channel), on two ranks, into runs/demo; then its numbers and pictures. Any further arguments go to
-# frana run, e.g. ./demo.sh --set output.fields_every=10
+# Installs missing packages, builds, and runs a porous block that breaks in a channel, the small version of the main
+# case (cases/porous_channel), on two ranks, in runs/demo; then makes its numbers and pictures. Further arguments are
+# passed to frana run, e.g. ./demo.sh --set output.fields_every=10
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 
@@ -16,7 +16,7 @@ say "measuring and drawing: frana post runs/demo"
 build/frana post runs/demo
 
 echo
-# quantity,unit,value; a quantity with a comma in it stands in quotes
+# quantity,unit,value; a quantity that contains a comma is in quotes
 awk '
     function field(   f) {
         if (substr($0, 1, 1) == "\"") { f = substr($0, 2); $0 = substr(f, index(f, "\"") + 2); return substr(f, 1, index(f, "\"") - 1) }

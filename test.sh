@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the tests: all but the nightly ones.
+# Installs missing packages, builds, and runs all tests except the nightly ones.
 #   ./test.sh              ./test.sh --nightly     the long ones too
 #   ./test.sh -R fluid     whatever ctest takes: -R, -E, -L, --rerun-failed, ...
 #   ./test.sh --sanitize   under ASan and UBSan, on all numbers of ranks, built in build-debug: half an hour
@@ -21,7 +21,7 @@ done
 setup_install $packages_of_tests
 setup_build "$folder" "${flavour[@]}"
 setup_mpi 4
-# Open MPI leaks; what frana itself loses, tests/valgrind.sh finds
+# Open MPI leaks memory; tests/valgrind.sh finds leaks of frana itself
 [ "$folder" = build ] || export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 [ ! -t 1 ] || options=(--progress "${options[@]}")
 exec ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout "$patience" --parallel "$(setup_tests)" "${select[@]}" "${options[@]}"

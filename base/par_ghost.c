@@ -9,9 +9,9 @@
 enum { GHOST_FIELDS = 8 };
 
 struct par_ghost {
-    struct par_exchange *wish; /* the wanting ranks' items; the owners serve them */
+    struct par_exchange *wish; /* the copies wanted here; the owning ranks serve them */
     int n, served;
-    int *index;    /* [served] owned index wanted by others */
+    int *index;    /* [served] the owned index of each item that another rank wants */
     double *value; /* [served][fields] */
     int capacity;
     /* of the update underway */
@@ -47,7 +47,7 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id) {
     return g;
 }
 
-/* Until what was sent last has left. */
+/* Waits until the messages of the update before have left. */
 static void settle(struct par_ghost *g) {
     MPI_Waitall(g->sending, g->wish->request + g->receiving, MPI_STATUSES_IGNORE);
     g->sending = 0;

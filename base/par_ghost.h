@@ -8,8 +8,9 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id);
 void par_ghost_free(struct par_ghost *g);
 /* For each of the fields: field[f][n_owned .. n_owned+n-1] <- the owners' values. Collective. */
 void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int n_owned);
-/* The same in two halves, with work between: what is sent is the fields' values at begin, what arrives stands in them
- * after end (which does nothing if none was begun). Nobody waits for what he sent. Collective. */
+/* The same in two halves, with computation between them. The values sent are those at begin; the values received are in
+ * the fields after end. end does nothing if no update was begun, and does not wait for this rank's own messages to
+ * leave. Collective. */
 void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int n_owned);
 void par_ghost_end(struct par_ghost *g);
 void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned);

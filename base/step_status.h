@@ -1,18 +1,18 @@
 /* The result of a step: which numerical fault it found, a value that the caller answers. */
 #pragma once
 
-/* What has seen a fault of the numerics. */
+/* The part of the run that found a fault. */
 enum step_status_place {
     STEP_STATUS_FLUID,    /* the fluid's fields */
     STEP_STATUS_SOLID,    /* the solid's particles */
-    STEP_STATUS_COUPLING, /* the judgement of a step's length (coupling/adapt.c) */
+    STEP_STATUS_COUPLING, /* the limits of a step's length (coupling/adapt.c) */
 };
 
-/* What a step found, the same on every rank once agreed (step_status_agree). */
+/* The result of a step; the same on every rank after step_status_agree. */
 struct step_status {
-    int failed;                     /* 0: fine */
+    int failed;                     /* 0: no fault */
     enum step_status_place seen_in; /* of that rank */
-    int rank;                       /* the rank that saw it first */
+    int rank;                       /* the rank that found it */
     double x[3];                    /* where, m */
     char field[16];                 /* which field: "u", "p", "velocity", ... */
     double value;

@@ -236,7 +236,7 @@ static inline int vec_any_above(vec a, double b) {
 #endif
 }
 
-/* The power of two at or below a > 0; 0 of 0, and infinity of what is no number. */
+/* The power of two at or below a > 0; 0 for 0, infinity for NaN. */
 static inline double vec_power_below(double a) {
     uint64_t bits;
     memcpy(&bits, &a, sizeof bits);

@@ -6,7 +6,7 @@ enum bench_page { BENCH_PAGE_NONE, BENCH_PAGE_PERFORMANCE, BENCH_PAGE_GROWTH };
 
 struct bench_input {
     int quick, repeats;
-    const char *only, *sizes; /* lists of words with commas, or NULL: all, the standard ones */
+    const char *only, *sizes; /* comma-separated lists, or NULL: all parts, the standard sizes */
     const char *out;          /* folder for the tables, or NULL: the standard one */
     enum bench_page page;     /* NONE: measures */
     int files;                /* for a page: tables and run.json */

@@ -45,12 +45,13 @@ struct fluid *bench_fluid_new(const int cells[3], int channel) {
 /* Compulsory traffic of a cell and stage, in doubles.
  * Momentum: u, v, w, p in (4), u* out (3), R_old in at two stages of three and R out at two of three (3 each): 11.
  * Forward (divergence, transforms in the cache, the recurrence up z): u* in, its y out: 3 + 1.
- * Columns: only the last direction's values at the ranks' ends: negligible. Backward (the recurrence down z, transforms
- * in the cache, correction): y, u*, p in, u, v, w, p out: 1 + 3 + 1 + 4. Flops of a cell and stage. Momentum, a
- * component: fluxes 2 + 3 + 3 (sums and a product through the own faces and the two others), their differences 3,
- * scales 3, sums 2; diffusion 3 x 3 and a scale; predictor 6; pressure gradient and source 4: 36. Forward: divergence
- * 8, transforms of 5/2 log2 n a point in x and y, recurrence 3. Backward: recurrence 5, the transforms, correction 3 x
- * 3 and the pressure's 1. */
+ * Columns: only the last direction's values at the ranks' ends: negligible.
+ * Backward (the recurrence down z, transforms in the cache, correction): y, u*, p in, u, v, w, p out: 1 + 3 + 1 + 4.
+ * Flops of a cell and stage.
+ * Momentum, a component: fluxes 2 + 3 + 3 (sums and a product through the own faces and the two others), their
+ * differences 3, scales 3, sums 2; diffusion 3 x 3 and a scale; predictor 6; pressure gradient and source 4: 36.
+ * Forward: divergence 8, transforms of 5/2 log2 n a point in x and y, recurrence 3. Backward: recurrence 5, the
+ * transforms, correction 3 x 3 and the pressure's 1. */
 struct work {
     double doubles, flops;
 };

@@ -1,5 +1,5 @@
-# Cross build for aarch64 from another Debian, as tools/aarch64.sh does it: -DFRANA_SYSROOT=..., an arm64 root with the
-# packages of tools/setup.sh unpacked in it. Tests of one rank run under qemu.
+# Cross build for aarch64 from Debian on another processor, as in tools/aarch64.sh: -DFRANA_SYSROOT=..., an arm64 root
+# with the unpacked packages of tools/setup.sh. Tests of one rank run under qemu.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

@@ -1,4 +1,4 @@
-# Everything frana stands on, as one interface target.
+# All libraries that frana uses, as one interface target.
 find_package(MPI REQUIRED COMPONENTS C)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)

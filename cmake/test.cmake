@@ -17,7 +17,7 @@ function(frana_test source)
   if(NOT T_RANKS)
     set(T_RANKS 1)
   endif()
-  if(CMAKE_CROSSCOMPILING) # one rank, by the emulator
+  if(CMAKE_CROSSCOMPILING) # one rank, in the emulator
     foreach(n ${T_RANKS})
       add_test(NAME ${name}_${n} COMMAND ${name})
       set_tests_properties(${name}_${n} PROPERTIES TIMEOUT 3600 LABELS "${T_ROOM};${T_LABELS}")

@@ -1,4 +1,4 @@
-# base/version.h values: version, git revision, compiler and flags. The revision is looked up at every build.
+# Values of base/version.h: version, git revision, compiler and flags. The revision is read at every build.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
 get_directory_property(options COMPILE_OPTIONS)
 list(FILTER options EXCLUDE REGEX "^-W|^-march=")

@@ -1,4 +1,4 @@
-# Writes generated/frana_version.h; a header that would not change is left alone, so that nothing is built again.
+# Writes generated/frana_version.h. An unchanged header is not written, so that nothing is compiled again.
 execute_process(COMMAND git -C ${FRANA_SOURCE} describe --always --dirty
   OUTPUT_VARIABLE FRANA_REVISION OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(NOT FRANA_REVISION)

@@ -19,13 +19,14 @@ enum adapt_bound {
 extern const char *const adapt_bound_name[]; /* by enum adapt_bound */
 
 struct adapt {
-    double most; /* s, the coming step is no longer: INFINITY, or what one is made again with */
-    int least;   /* substeps in it, at least: 0, or what one is made again with */
-    int tries;   /* times that the present step has been made again */
-    int replays; /* 1: steps that have been are made once more, to come to the state before another: nothing is said */
+    double most; /* s, upper limit of the coming step: INFINITY, or the length with which a rejected step is made
+                  * again */
+    int least;   /* least number of substeps in it: 0, or the number with which a rejected step is made again */
+    int tries;   /* number of times that the present step was made again */
+    int replays; /* 1: earlier steps are repeated, to get back to the state before a rejected step; nothing is logged */
     /* State (coupling/run_state.c): m, by which two particles may have come nearer since contact was looked at. */
     double approach;
-    struct fluid_limits limits; /* after the last step, where limits_of is its number */
+    struct fluid_limits limits; /* after the last step, if limits_of is its number */
     long limits_of;
     double first;                 /* s, the first step of the stage */
     enum adapt_bound bound, said; /* of the present step; the one logged last */

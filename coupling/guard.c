@@ -13,7 +13,7 @@
 struct guard {
     struct state_copy *run;
     struct state_copy *fluid; /* NULL: there is none */
-    struct solid_keep *solid; /* NULL: nothing of it changes */
+    struct solid_keep *solid; /* NULL: the solid does not change */
     double (*demand)[3];      /* [n] the forcing's starting guess (forcing_guess_kept); NULL: it has none */
     int kept;
     long refined; /* number of refinements when the arrays were made */

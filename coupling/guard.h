@@ -2,8 +2,8 @@
 #pragma once
 #include "coupling/run.h"
 
-/* The state kept in memory as the last one known to be good; what a run that has gone unstable leaves behind. What it
- * consists of is in the tables of state (coupling/run_state.c). */
+/* A copy of the run's state in memory, known to be good; an unstable run ends with it. Its content is given by the
+ * tables of state (coupling/run_state.c). */
 struct guard; /* opaque */
 struct guard *guard_new(const struct run *r);
 void guard_free(struct guard *g);

@@ -1,4 +1,4 @@
-/* Steps that hold: takes a step, judges it, and makes it again from a kept state where it does not hold. */
+/* Takes steps: takes a step, decides whether it is accepted, and repeats a rejected one from a kept state. */
 #include "coupling/march.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -11,8 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Steps between looks at the whole fluid for what is beyond reason, and between states kept for a run that goes
- * unstable. */
+/* Number of steps between tests of the whole fluid for values beyond reason, and between the states kept for the case
+ * of an unstable run. */
 enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
 
 struct march {
@@ -36,8 +36,8 @@ void march_free(struct march *m) {
 
 void march_begin(struct march *m) { guard_keep(m->guard, m->run); }
 
-/* Back to the state before the step just taken: the last one kept, and the same steps from there. Returns whether it
- * can be had. */
+/* Goes back to the state before the last step: restores the last state kept, and repeats the steps from there. Returns
+ * whether that was possible. */
 static int go_back(struct march *m) {
     struct run *r = m->run;
     struct adapt *a = &r->adapt;

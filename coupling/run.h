@@ -36,7 +36,7 @@ struct run_markers {
 
 /* What the rates of a refined plate were found from. */
 struct run_refined {
-    long level;   /* finest when they were, -1: not yet in this stage */
+    long level;   /* finest level then, -1: not yet in this stage */
     double rate2; /* solid_refine_rate_bound then, 1/s2 */
 };
 
@@ -59,21 +59,21 @@ struct run {
     long stage_step;      /* steps done of the present stage */
     int stage;            /* index into scene->stage */
     int substeps;         /* of the solid in a step */
-    long moved;           /* step after which the solid last moved, 0: as it was made */
+    long moved;           /* step after which the solid last moved; 0: it has not moved */
     double load[3];       /* force of the fluid on the solid at the last probe, whole solid, N */
-    double *v_last[3];    /* [n] the solid's velocity a fluid step ago, m/s; NULL unless elastic and immersed */
-    double (*carried)[3]; /* [bodies] by their carried mass, N (coupling/balance.h); or NULL */
-    double (*demand)[3];  /* [n] waits for markers (coupling/forcing_guess.h); NULL: none does */
+    double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed */
+    double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
+    double (*demand)[3];  /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct solid_rates solid_rates;
     struct run_refined refined;
-    double solid_stable;          /* s, stable step of the present integrator with what touches now */
-    enum solid_bound solid_bound; /* and what bounds it */
+    double solid_stable;          /* s, stable step of the present integrator with the present contact */
+    enum solid_bound solid_bound; /* what limits it */
 
     /* Parts of a step, put together when a stage begins. */
     int parts;
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
-    struct adapt adapt; /* how its steps are found */
+    struct adapt adapt; /* how its steps are chosen */
 
     /* Work: found anew from the state. */
     struct run_markers markers;
@@ -82,7 +82,7 @@ struct run {
 
     /* Counters and clocks: no step depends on them. */
     long fluid_cell_steps, solid_sweeps; /* for ns per cell-step and per bond */
-    long resumed;                        /* step of the checkpoint it started from, 0: none */
+    long resumed;                        /* step of the checkpoint that the run started from, 0: none */
     double wall_start;
     double setup_seconds; /* from wall_start to the first step; 0: no step yet */
 };

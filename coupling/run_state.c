@@ -1,4 +1,5 @@
-/* The table of a run's own state: where it stands, and what a step hands to the next.  (docs/design/state.md) */
+/* The table of a run's own state: its position in time, and the data that a step passes to the next.
+ * (docs/design/state.md) */
 #include "coupling/run_state.h"
 #include "coupling/forcing_guess.h"
 #include "fluid/state_table.h"
@@ -16,7 +17,7 @@ static int load_t(void *owner, const void *value, char *why, size_t room) {
     return 0;
 }
 
-/* Stages are known by their names: the scene may have others before. */
+/* A stage is stored by its name: the scene may now have other stages before it. */
 static void save_stage(void *owner, void *value) {
     const struct run *r = owner;
     snprintf(value, STATE_TEXT_BYTES, "%s", r->scene->stage[r->stage].name);
@@ -62,7 +63,7 @@ static const char of_rates[] = "rates change at a stage's begin and with a refin
 #define OF(member) STATE_MEMBER(struct run, member)
 
 const struct state_item run_state_table[] = {
-    /* where the run stands */
+    /* position of the run in time */
     {"t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_BOTH, .load = load_t},
     {"dt", STATE_DOUBLE, STATE_ONE, OF(dt), .in = STATE_BOTH},
     {"step", STATE_LONG, STATE_ONE, OF(step), .in = STATE_BOTH},
@@ -92,11 +93,11 @@ const struct state_item run_state_table[] = {
      .is_part = is_refined, .why = of_rates},
     {"rate_bound", STATE_DOUBLE, STATE_ONE, OF(refined.rate2), .in = STATE_STORED, .missing = STATE_LEFT,
      .is_part = is_refined, .why = of_rates},
-    /* what a step hands to the next */
+    /* data that a step passes to the next */
     {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
     {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
      .after = "sweep"},
-    /* once the surface is there */
+    /* after the surface is restored */
     {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(demand), .comps = 3, .last = 1, .in = STATE_BOTH, .missing = STATE_LEFT,
      .after = "surface", .is_part = has_guess, .save = save_guess, .load = load_guess, .kept = &forcing_guess_kept},
 };

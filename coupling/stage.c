@@ -1,4 +1,4 @@
-/* The start of a stage: what its steps need, and the numbers that they start from. */
+/* The start of a stage: the needs of its steps, and the numbers that it starts with. */
 #include "coupling/stage.h"
 #include "base/die.h"
 #include "coupling/refinement.h"
@@ -29,7 +29,8 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     return needs;
 }
 
-/* What the stage before has left. A stage in the middle keeps its automatic step and its number of substeps. */
+/* Resets the numbers of the stage before. In the middle of a stage the automatic step and the number of substeps are
+ * kept. */
 static void begin_numbers(struct run *r, int elastic) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int starts = r->stage_step == 0;
@@ -46,7 +47,7 @@ static void find_stable_step(struct run *r) {
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 
-/* The integrator, its stable step, and the time step of a solid alone. refined: the step before, where a refinement has
+/* Sets the integrator, its stable step, and the time step of a solid alone. refined: the last step, if a refinement has
  * shortened the stable one since; else 0. */
 static void begin_solid(struct run *r, double refined) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
@@ -59,7 +60,8 @@ static void begin_solid(struct run *r, double refined) {
     r->dt = refined > 0 ? refined : stage->safety * r->solid_stable;
 }
 
-/* Given, or the least stable one; where an automatic time step is not known yet, the step's part finds it. */
+/* Sets the number of substeps: given, or the least stable one. If an automatic time step is not known yet, a part of
+ * the step sets the number. */
 static void begin_substeps(struct run *r, unsigned needs) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     if (stage->substeps > 0)

@@ -1,27 +1,27 @@
-/* The start of a stage: what its steps need, and the numbers that they start from. */
+/* The start of a stage: the needs of its steps, and the numbers that it starts with. */
 #pragma once
 #include "coupling/run.h"
 
-/* What a step of a stage needs. A set of them says which parts of the box (coupling/step.c) a step has. */
+/* Needs of the steps of a stage. A set of them selects the parts (coupling/step.c) of a step. */
 enum stage_need {
     STAGE_RELAXES = 1,   /* the solid goes to static equilibrium; the stage needs nothing else */
     STAGE_FLUID = 2,     /* a fluid moves */
     STAGE_AUTOMATIC = 4, /* the fluid's limits give the time step */
     STAGE_IMPLICIT = 8,  /* the fluid's diffusion is implicit */
     STAGE_ELASTIC = 16,  /* a solid moves and deforms */
-    STAGE_IMMERSED = 32, /* a solid, moving or at rest, stands in the fluid */
+    STAGE_IMMERSED = 32, /* a solid, moving or at rest, is immersed in the fluid */
     STAGE_STRONG = 64,   /* fluid and solid are iterated within the step */
     STAGE_REFINES = 128, /* a plate may get smaller particles */
-    STAGE_TOUCHES = 256, /* particles that no bond joins may meet */
+    STAGE_TOUCHES = 256, /* particles without a common bond may meet */
     STAGE_FOLLOWS = 512, /* the number of substeps follows contact and the time step */
     STAGE_ALL_NEEDS = 1023
 };
 
-/* The set of needs of stage k. can_touch: solid_contact_is_possible, where the scene has contact at all. A function of
- * its arguments alone. Not collective. */
+/* The set of needs of stage k. can_touch: solid_contact_is_possible, for a scene with contact. Depends on its arguments
+ * only. Not collective. */
 unsigned stage_needs_of(const struct scene *scene, int k, int can_touch);
 
-/* Sets the numbers of the run's present stage, at its start or in the middle of it (a run that is resumed): the
- * integrator, the solid's stable step, the time step unless it is automatic, the number of substeps. Dies (exit 2) on
- * a step that the solid cannot take. Returns the needs. Collective. */
+/* Sets the numbers of the run's present stage, at its start or, in a resumed run, in the middle of it: the integrator,
+ * the solid's stable step, the time step unless it is automatic, the number of substeps. Dies (exit 2) on a step that
+ * the solid cannot take. Returns the needs. Collective. */
 unsigned stage_begin(struct run *r);

@@ -122,7 +122,7 @@ void step_begin_stage(struct run *r) {
         r->part_name[k] = part[k]->name;
     }
     if (needs & STAGE_STRONG) strong_parts(r->strong, part_markers, part_fluid_forced);
-    if (needs & STAGE_IMMERSED && !(needs & STAGE_ELASTIC)) part_markers(r); /* at rest: once a stage */
+    if (needs & STAGE_IMMERSED && !(needs & STAGE_ELASTIC)) part_markers(r); /* a solid at rest: once a stage */
 }
 
 void step_advance(struct run *r) {

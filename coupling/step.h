@@ -11,7 +11,7 @@ struct step_part {
 /* The parts of a step with these needs, in order; returns how many. Not collective. */
 int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]);
 
-/* Puts the step of the present stage together. Collective. */
+/* Makes the list of the present stage's step. Collective. */
 void step_begin_stage(struct run *r);
 /* One step: calls every part in turn. Collective. */
 void step_advance(struct run *r);

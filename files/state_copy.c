@@ -1,11 +1,11 @@
-/* Keeps a table's state in memory and puts it back. */
+/* Keeps a table's state in memory and restores it. */
 #include "files/state_copy.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 
 #include <string.h>
 
-/* An item's copy; comps 0: it is not kept, or goes through its own functions. */
+/* An item's copy; comps 0: the item is not kept, or has its own functions. */
 struct copied {
     int comps, is_kept;
     size_t bytes; /* of each component */

@@ -20,7 +20,7 @@ static void *buffer_new(const struct state_item *item, long n, int comps) {
     return memory_new(MEMORY_OUTPUT, (size_t)n * (size_t)comps + 1, state_item_value_bytes(item->kind));
 }
 
-/* The array itself where it is stored as it stands, without a function and of one component; else NULL. */
+/* The array of an item that is stored unchanged, without a function and with one component; else NULL. */
 static void *direct(const struct state_item *item, const struct state_part *part, int comps, int has_function) {
     return !has_function && comps == 1 ? state_item_array(item, part, 0) : NULL;
 }
@@ -124,7 +124,7 @@ void state_file_write(struct store *s, const struct state_list *list) {
     }
 }
 
-/* What may be missing: 1 if it is, with what is to be done about it done. */
+/* Handles an item that the checkpoint does not have. Returns 1 if it may be missing; its default is then set. */
 static int is_left_out(const struct state_item *item, const struct state_part *part, long count, long wanted) {
     if (item->missing == STATE_FAULT || count == wanted) return 0;
     if (item->missing == STATE_ZERO) memset(state_item_array(item, part, 0), 0, state_item_value_bytes(item->kind));
@@ -195,7 +195,7 @@ static int read_item(struct store *s, const struct state_item *item, const struc
     return 1;
 }
 
-/* Items first .. end-1, which say what particles there are. */
+/* Reads the items first .. end-1, which define the particles. */
 static int read_set(struct store *s, const struct state_list *list, int first, int end) {
     const struct state_part *part = list->at[first].part;
     void *value[8] = {NULL};
@@ -203,7 +203,7 @@ static int read_set(struct store *s, const struct state_list *list, int first, i
     int bad = 0;
     ENSURE(end - first <= 8, "a set of %d items", end - first);
     for (int k = first; k < end && n >= 0; k++) n = store_read_count(s, list->at[k].item->name);
-    if (n < 0) return 0; /* of a scene whose particles do not change: as they were made */
+    if (n < 0) return 0; /* a scene whose particles do not change: those of the start */
     for (int k = first; k < end && !bad; k++) {
         const struct state_item *item = list->at[k].item;
         const int comps = state_item_comps(item, part);
@@ -215,7 +215,7 @@ static int read_set(struct store *s, const struct state_list *list, int first, i
     return bad;
 }
 
-/* The items that are marked `last`, or the others. */
+/* Reads the items marked `last`, or the others. */
 static int read_items(struct store *s, const struct state_list *list, int last, int *head, char *why, size_t size) {
     for (int k = 0, end; k < list->n; k = end) {
         const struct state_item *item = list->at[k].item;

@@ -4,7 +4,7 @@
 
 /* Collective. */
 void state_file_write(struct store *s, const struct state_list *list);
-/* Returns 1 where an item is missing, damaged or does not fit the scene: why then says so, or is empty where
- * store_read_error() does. head: the item was a single value. Arrays by particle may be made anew on the way
+/* Returns 1 if an item is missing, damaged or does not fit the scene, with the reason in why, or in store_read_error()
+ * if why is empty. head: the item was a single value. Arrays by particle may be allocated again during the call
  * (STATE_SET). Collective. */
 int state_file_read(struct store *s, const struct state_list *list, int *head, char *why, size_t size);

@@ -1,4 +1,4 @@
-/* What a line of the table of state says of its variable: whether the scene has it, how large it is, where it is. */
+/* Properties of a line of the table of state: whether the scene has the variable, its size, its address. */
 #include "files/state_item.h"
 #include "base/ensure.h"
 
@@ -6,7 +6,7 @@
 
 static int is_value(const struct state_item *item) { return item->shape == STATE_ONE || item->shape == STATE_SHARE; }
 
-/* Pointers that a member consists of: one, or one a component. */
+/* Number of pointers of a member: one, or one for each component. */
 static int pointers_of(const struct state_item *item) {
     return item->shape == STATE_BODY ? 1 : (int)(item->bytes / sizeof(void *));
 }

@@ -1,4 +1,4 @@
-/* Puts the items of several tables of state in the order of a checkpoint. */
+/* Puts the items of several tables of state into the order of a checkpoint. */
 #include "files/state_list.h"
 #include "base/ensure.h"
 
@@ -18,7 +18,7 @@ static void insert(struct state_list *list, int k, const struct state_item *item
     list->n++;
 }
 
-/* Inserts the item `from` and those below it up to the next with `after`; returns that one. */
+/* Inserts the item `from` and those below it up to the next one with `after`. Returns the index of that one. */
 static int insert_block(struct state_list *list, int k, const struct state_part *part, int from) {
     int i = from;
     do insert(list, k++, &part->item[i], part);
@@ -36,7 +36,7 @@ void state_list_make(struct state_list *list, const struct state_part *part, int
             const int k = place_of(list, part[p].item[next[p]].after);
             next[p] = insert_block(list, k < list->n ? k + 1 : k, &part[p], next[p]);
         }
-    int n = 0; /* of those that the scene has */
+    int n = 0; /* number of items that the scene has */
     for (int k = 0; k < list->n; k++)
         if (state_item_is_part(list->at[k].item, list->at[k].part)) list->at[n++] = list->at[k];
     list->n = n;

@@ -13,6 +13,6 @@ struct state_list {
     } at[STATE_LIST_MAX];
 };
 
-/* The tables one after another. An item with `after`, and the items below it in its table, stand behind the item that
- * it names, or at the end where there is none of that name. Not collective. */
+/* Lists the tables one after another. An item with `after`, together with the items below it in its table, follows the
+ * item of that name, or comes at the end if there is none. Not collective. */
 void state_list_make(struct state_list *list, const struct state_part *part, int parts);

@@ -11,7 +11,7 @@ enum fluid_side_type {
     FLUID_INFLOW,   /* normal velocity from a profile; pressure Neumann */
     FLUID_OUTFLOW,  /* convective, mass-conserving; pressure correction Neumann */
     FLUID_PRESSURE, /* open: given pressure, velocities Neumann; pressure correction Dirichlet */
-    FLUID_GENERAL,  /* each of u, v, w by itself: Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
+    FLUID_GENERAL,  /* each of u, v, w separately Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
     FLUID_SIDE_TYPES
 };
 enum fluid_profile { FLUID_UNIFORM, FLUID_POISEUILLE, FLUID_PROFILE_FILE };
@@ -64,11 +64,11 @@ struct fluid_input {
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
-    double driving;    /* the pressure gradient now applied, Pa/m; its mean over the stage where it goes with time */
+    double driving;    /* the present pressure gradient, Pa/m; its mean over the stage if it depends on time */
 
     /* Work. */
     double driven; /* mean of `driving` over the last step, Pa/m */
-    double t;      /* s, when the step begins: set by whoever steps, advanced by fluid_step */
+    double t;      /* time at the start of the step, s: set by the caller, advanced by fluid_step */
 };
 
 struct fluid; /* opaque: grid, parameters, state, work, plans */
@@ -79,10 +79,11 @@ const struct fluid_grid *fluid_grid_of(const struct fluid *f);
 const struct fluid_input *fluid_input_of(const struct fluid *f);
 struct fluid_state *fluid_state_of(struct fluid *f);
 
-/* One low-storage RK3 step is, for r = 0, 1, 2:
- *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);          (001:
- * sec. 3.4.3) and with implicit diffusion fluid_predict(f, r, dt); [ibm_implicit_force_again(..)];
- * fluid_diffusion_stage(f, r, dt); [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
+/* One low-storage RK3 step is, for r = 0, 1, 2  (001: sec. 3.4.3):
+ *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);
+ * and with implicit diffusion
+ *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt);
+ *     [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
 
 /* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), and the values on the sides' faces. Ghosts are not set;
  * fluid_predicted_refresh does that. Collective. */
@@ -153,7 +154,7 @@ void fluid_measures_mean_pressure(struct fluid *f, int direction,
 /* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
  * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
 void fluid_box_force(struct fluid *f, double out[3]);
-/* The same as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
+/* The same force as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
 void fluid_box_force_begin(struct fluid *f);
 void fluid_box_force_end(struct fluid *f, double out[3]);

@@ -35,10 +35,10 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
     return c == 0 ? s->u : c == 1 ? s->v : s->w;
 }
 
-void fluid_box_force_flux(struct fluid *f, int r);      /* at the stage's begin. Not collective. */
-void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is there. Collective. */
-void fluid_box_force_pressure(struct fluid *f, int r);  /* at its end. Not collective. */
-/* sign times p as it stands, for what is added to p without pushing in this stage. Not collective. */
+void fluid_box_force_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */
+void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is computed. Collective. */
+void fluid_box_force_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */
+/* Adds sign times the present p: for a change of p that exerts no force in this stage. Not collective. */
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign);
 void fluid_initial_fill(struct fluid *f);  /* the initial velocity. Not collective. */
-void fluid_project_start(struct fluid *f); /* the initial velocity made divergence-free. Collective. */
+void fluid_project_start(struct fluid *f); /* makes the initial velocity divergence-free. Collective. */

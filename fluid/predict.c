@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-/* A side's own face is not advanced by the momentum equation of the inside. */
+/* The number of faces advanced: a side's own face is not advanced with the inner ones. */
 static void count_faces(const struct fluid_grid *g, int faces[3]) {
     for (int d = 0; d < 3; d++) faces[d] = g->m[d] - par_halo_at_side(g->halos, d, 1);
 }

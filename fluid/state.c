@@ -9,7 +9,8 @@ struct fluid_state *fluid_state_of(struct fluid *f) {
     return &f->state;
 }
 
-/* What closes a low side that no array owns reads one layer of its neighbours, so these come first. */
+/* A free low side is closed by continuity, which reads one ghost layer of the neighbours; so these ghosts are filled
+ * first. */
 static void state_refresh(struct fluid *f, const struct par_halo_part *part) {
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
     fluid_outflow_take(f->boundary, f->grid, q);

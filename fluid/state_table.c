@@ -21,7 +21,7 @@ static void size_of(const void *owner, struct state_size *size) {
     memcpy(size->block.m, g->m, sizeof g->m);
 }
 
-/* The velocities at the low boundary faces belong to the state where the side is open: they are set by its condition,
+/* The velocities on the low faces of the domain are part of the state on an open side. They follow from its condition,
  * and are not stored. */
 static void settle(void *owner) { fluid_state_refresh(owner); }
 

@@ -8,7 +8,7 @@ double ibm_cell_wrap(const struct fluid_grid *g, int direction, double x) {
     double s = x / g->d[direction];
     if (g->periodic[direction]) {
         s -= n * floor(s / n);
-        if (s >= n) s = 0; /* a hair below zero rounds to n */
+        if (s >= n) s = 0; /* s slightly below 0 rounds to n */
     }
     return s;
 }

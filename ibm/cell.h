@@ -2,7 +2,7 @@
 #pragma once
 #include "fluid/grid/grid.h"
 
-/* Coordinate in cells: within [0, n) where periodic. */
+/* A coordinate in cells, wrapped to [0, n) in a periodic direction. */
 double ibm_cell_wrap(const struct fluid_grid *g, int direction, double x);
 /* The cell of a coordinate in cells, -1 outside; the far end belongs to the last cell. */
 static inline int ibm_cell(const struct fluid_grid *g, int direction, double s) {

@@ -5,7 +5,7 @@
 #include "base/par_piece.h"
 #include "ibm/state.h"
 
-/* Which ranks in this direction a block reaches from each cell. */
+/* For each cell along this direction: the ranks that the block of a marker there reaches. */
 static struct ibm_touch *touch_new(const struct fluid_grid *g, int d) {
     const int n = g->n[d];
     struct ibm_touch *touch = memory_new(MEMORY_IBM, (size_t)n, sizeof *touch);
@@ -36,7 +36,7 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
     for (int d = 0; d < 3; d++) {
         const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];
         b->inner_low[d] = g->lo[d] + IBM_BEFORE;
-        b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face is the side's own */
+        b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face lies on the side */
         if (d > 0) b->touch[d] = touch_new(g, d), b->owner[d] = owner_new(g, d);
         for (int c = 0; c < 3; c++)
             for (int side = 0; side < 2; side++) b->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);

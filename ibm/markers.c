@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Items as they are sent, beside the last ones: differs[0]: some other rank must serve one; [1]: any number has
- * changed. */
+/* Makes the items to send and compares them with the last ones. differs[0]: a different rank must serve some item; [1]:
+ * some number has changed. */
 static void fill(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume,
                  double differs[2]) {
     const struct fluid_grid *g = b->grid;

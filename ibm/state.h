@@ -128,10 +128,10 @@ struct ibm {
 
     /* Work: of a stage or a step. */
     double (*increment)[3]; /* [served] (V - U) A_h dx / cell volume, m/s */
-    double (*received)[3];  /* [served] its sum over stages and iterations */
-    double *home;           /* [n][3] the demand, as its markers came */
+    double (*received)[3];  /* [served] sum of the increments over stages and iterations */
+    double *home;           /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
     size_t home_size;
-    /* sums over the blocks of edges, m/s: those of this rank's edges, then those of other ranks */
+    /* sums over the blocks of edges, m/s: of this rank's edges, then those received from other ranks */
     double (*sum)[3], (*sent)[3]; /* [edges + swapped], [swapped] */
     int swapped;                  /* number of sums shared with other ranks, counted once for each of these ranks */
     int *swap_edge;               /* [swapped] the edge, by rank */
@@ -147,10 +147,10 @@ static inline int ibm_slab_first(const struct ibm *b, enum ibm_list list, int sl
     return b->slab_at[(int)list * (b->slabs + 1) + slab];
 }
 
-/* Room for this many doubles, contents not kept. */
+/* Makes the buffer hold this many doubles; its contents are lost. */
 void ibm_buffer_reserve(double **buffer, size_t *size, size_t wanted);
-/* Room for n items of so many doubles, contents not kept; returns whether a new plan is needed for their number alone.
- */
+/* Makes room for n items of so many doubles; contents are lost. Returns 1 if the number of items has changed, so that a
+ * new plan is needed. */
 int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles);
 void ibm_route_free(struct ibm_route *route);
 
@@ -203,9 +203,10 @@ void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, 
  * sort. Unless the markers are the same, the guesses are set to zero. Collective. */
 void ibm_demand_home(struct ibm *b);
 void ibm_demand_out(struct ibm *b, int same);
-/* All markers' velocities, velocity [served]; with what the sides' conditions add to it, or without. Collective. */
+/* Velocities at all markers, velocity [served]; with_sides: with the part that comes from the sides' boundary
+ * conditions. Collective. */
 void ibm_whole_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
-/* u += strength delta, of all markers, strength [served]. Not collective. */
+/* u += strength delta, for all markers, strength [served]. Not collective. */
 void ibm_whole_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
 void ibm_share_sums(struct ibm *b);

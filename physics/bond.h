@@ -5,7 +5,7 @@
 
 struct physics_bond {
     double c;  /* c0, or c1 of a conical micromodulus, N/m6 */
-    double s0; /* critical stretch; INFINITY: never breaks */
+    double s0; /* critical stretch; INFINITY: bonds never break */
 };
 
 /* E Pa, G0 J/m2, delta m: horizon; thickness (m) is read for plates only.
@@ -17,6 +17,6 @@ struct physics_bond {
 struct physics_bond physics_bond_of(enum physics_model model, enum physics_micromodulus kind, double thickness,
                                     double youngs_modulus, double fracture_energy, double delta);
 
-/* s0 of a constant micromodulus in 3D, delta = ratio * spacing: the same number but for the last digit, which results
- * on lattices depend on. */
+/* s0 of a constant micromodulus in 3D, delta = ratio * spacing: equal to physics_bond_of's up to the last digit, on
+ * which results on lattices depend. */
 double physics_bond_lattice_stretch(double youngs_modulus, double fracture_energy, double ratio, double spacing);

@@ -2,6 +2,6 @@
 #pragma once
 
 enum {
-    PHYSICS_BODIES_MAX = 255, /* a particle knows its body by one byte */
+    PHYSICS_BODIES_MAX = 255, /* the body of a particle is stored in one byte */
     PHYSICS_LEVELS_MAX = 4    /* of refinement; each halves the spacing */
 };

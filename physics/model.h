@@ -1,6 +1,4 @@
-/* What the bonds of the bond-based model stand for, and the Poisson's ratio that follows.  (000:
- * sec. 1.1)
- */
+/* The model of the bonds, and the Poisson's ratio that follows from it.  (000: sec. 1.1) */
 #pragma once
 
 /* A solid in three dimensions, or a plate in the x-y plane. */

@@ -1,6 +1,6 @@
-/* The frozen retraction r_d of the markers: how far one stands inside the true wetted face, in cells. A particle's
- * centre stands half a spacing inside, so it is moved outward by (1/2 - r_d) dx. Measured: docs/retraction.md. (Breugem
- * 2012) */
+/* The frozen retraction r_d of the markers: the distance of a marker inside the true wetted face, in cells. A
+ * particle's centre is half a spacing inside, so the marker is placed (1/2 - r_d) dx outward of it. Measured:
+ * docs/retraction.md. (Breugem 2012) */
 #pragma once
 
 #define PHYSICS_RETRACTION 0.6       /* from the faces of the lattice */

@@ -33,7 +33,7 @@ void checkpoint_write_stage(struct run *r, const char *folder) {
     write(r, folder, name, 0);
 }
 
-/* Reads the whole of it; 0, or 1 and a sentence. */
+/* Reads the whole checkpoint. Returns 0, or 1 with a sentence in why. */
 static int read_state(struct run *r, struct store *s, char *why, size_t size) {
     struct run_state state;
     char fault[512];

@@ -179,7 +179,7 @@ static const char *file_of(enum command_verb verb) {
     return "file";
 }
 
-/* What stands behind the options. */
+/* Checks the arguments after the options. */
 static void check_files(const struct command *c, const char *word) {
     if (c->verb == COMMAND_BENCH) {
         if (c->table && c->files == 0) die_all(EXIT_CODE_SCENE, "frana bench --table: of which measured tables?");

@@ -31,8 +31,8 @@ struct command {
     double level, magnify;     /* 0: not given */
     /* bench */
     int quick, repeats;
-    enum bench_page table;    /* of tables measured before, nothing is measured */
-    const char *only, *sizes; /* lists of words with commas, or NULL: all, the standard ones */
+    enum bench_page table;    /* writes tables from earlier measurements, measures nothing */
+    const char *only, *sizes; /* comma-separated lists, or NULL: all parts, the standard sizes */
 };
 
 /* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */

@@ -32,7 +32,7 @@ struct program {
     struct fluid_probes *fluid_probes; /* NULL: none */
     struct march *march;
     enum signals_reason reason; /* to stop after the present step */
-    long checked;               /* last step at which a checkpoint was written, -1: none */
+    long checked;               /* last step with a checkpoint, -1: none */
     double slowest_step, checkpoint_seconds;
 };
 

@@ -6,7 +6,8 @@
 
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
-/* A family holds at most 512 bonds: |xi| < (m + 1/2) spacing gives 484 just below m = 4.5 and 514 just above. */
+/* Limit of the horizon ratio m: a family holds at most 512 bonds. |xi| < (m + 1/2) spacing gives 484 bonds just below m
+ * = 4.5 and 514 just above. */
 #define SCENE_HORIZON_MAX 4.5
 /* In a plate: 488 bonds at m = 12, the largest allowed value. */
 #define SCENE_HORIZON_MAX_PLATE 12
@@ -76,9 +77,9 @@ enum scene_micromodulus {
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
-    double poisson_ratio;                 /* the one that the model has: 1/3 in plane stress, else 1/4 */
-    double fracture_energy;               /* J/m2; left out: never breaks (INFINITY) */
-    double horizon_ratio;                 /* m, default 3; from 1 to below, in a plate up to the numbers above */
+    double poisson_ratio;                 /* fixed by the model: 1/3 in plane stress, else 1/4 */
+    double fracture_energy;               /* J/m2; left out: INFINITY, bonds never break */
+    double horizon_ratio;                 /* m, default 3; at least 1; below 4.5 in 3D, at most 12 in a plate */
     enum scene_micromodulus micromodulus; /* constant (default), conical, exponential */
 };
 

@@ -7,8 +7,8 @@
 
 enum { SOLID_FAMILY_MAX = 512 }; /* bonds of a particle at most */
 
-/* What the bonds stand for: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
- * stress, 1/4 in plane strain). A plate has two components of everything, and the third arrays are NULL. */
+/* The model of the bonds: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
+ * stress, 1/4 in plane strain). In a plate all vectors have two components, and the third arrays are NULL. */
 enum solid_model {
     SOLID_3D = PHYSICS_3D,
     SOLID_PLANE_STRESS = PHYSICS_PLANE_STRESS,
@@ -74,7 +74,7 @@ struct solid_body {
     int axis;                 /* cylinder */
     double length;            /* cylinder */
     double radii[3];          /* ellipsoid, along x, y, z */
-    /* spherical cavities on a cubic array, cut out of any shape; period 0: none */
+    /* spherical cavities on a cubic array, removed from any shape; period 0: none */
     double cavity_period, cavity_radius, cavity_centre[3];
     /* SOLID_POINTS: given particles, on no lattice; borrowed, [points] */
     long points;
@@ -199,7 +199,7 @@ static inline int solid_dim(const struct solid_input *in) {
     }
     ENSURE(0, "model %d", (int)in->model);
 }
-/* Depth of a plate, m; 1 in 3D: a particle's volume is spacing^dim times it. */
+/* Depth of a plate, m; 1 in 3D. The volume of a particle is spacing^dim times the depth. */
 static inline double solid_depth(const struct solid_input *in) { return solid_dim(in) == 3 ? 1 : in->thickness; }
 
 /* Dies (exit 2) on numbers that make no solid. Collective (same input on all ranks). */

@@ -6,7 +6,7 @@
 #include "solid/kept.h"
 #include "solid/state_table.h"
 
-/* The table and its owner. What only reads the solid casts its const away here. */
+/* The table and its owner. Functions that only read the solid cast its const away here. */
 static struct state_part part_of(struct solid_state_owner *owner, const struct solid *s,
                                  const struct solid_surface *surface) {
     *owner = (struct solid_state_owner){(struct solid *)s, (struct solid_surface *)surface};

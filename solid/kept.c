@@ -1,4 +1,4 @@
-/* The items of a kept state that are not simply copied: how each is taken and put back. */
+/* The items of a kept state that are not simply copied: how each is kept and restored. */
 #include "solid/kept.h"
 #include "base/bits.h"
 #include "base/memory.h"
@@ -17,7 +17,7 @@
 static struct solid *solid_of(void *owner) { return ((struct solid_state_owner *)owner)->solid; }
 static struct solid_surface *surface_of(void *owner) { return ((struct solid_state_owner *)owner)->surface; }
 
-/* Bonds' and contact's part of the acceleration (Verlet) is copied only while it holds. */
+/* The bonds' and contact's part of the acceleration (Verlet) is copied only while it is valid. */
 static void sweep_make(void *keep, void *owner) {
     struct solid_keep *k = keep;
     const struct solid *s = solid_of(owner);
@@ -31,7 +31,7 @@ static void sweep_take(void *keep, void *owner) {
     for (int c = 0; c < s->dim && k->a_held; c++) memcpy(k->a_bonds[c], s->v_old[c], (size_t)s->n * sizeof(double));
 }
 
-/* Rates of a stage before are multiplied by 0 at the next: they must be numbers. */
+/* The next stage multiplies the rates of the last stage by 0, so they must be finite. */
 static void clear_rates(struct solid *s) {
     for (int c = 0; c < s->dim; c++) {
         memset(s->v_old[c], 0, (size_t)s->n * sizeof(double));
@@ -58,7 +58,7 @@ static void bonds_make(void *keep, void *owner) {
     if (!k->may_break) return;
     k->lost = solid_lost_new(s);
     k->bits = memory_new(MEMORY_OUTPUT, (size_t)s->n * (size_t)solid_family_bytes(s) + 1, 1);
-    k->version = -1; /* all bonds are to be taken */
+    k->version = -1; /* the bits of all bonds are to be copied */
 }
 
 static void bonds_take(void *keep, void *owner) {
@@ -76,7 +76,7 @@ static void bonds_take(void *keep, void *owner) {
     k->version = s->bonds_version;
 }
 
-/* Families that have lost bonds since; returns how many. */
+/* Restores the families that have lost bonds since the state was taken. Returns how many. */
 static int restore_lost(struct solid_keep *k, struct solid *s) {
     const size_t bytes = (size_t)solid_family_bytes(s);
     const int found = solid_lost_find(k->lost, s);
@@ -93,7 +93,7 @@ static int restore_lost(struct solid_keep *k, struct solid *s) {
     return found;
 }
 
-/* Before the flags come back: those of now say who has lost a bond. */
+/* To be called before the flags are restored: the present flags tell which particles have lost bonds. */
 static void bonds_restore(void *keep, void *owner) {
     struct solid_keep *k = keep;
     struct solid *s = solid_of(owner);

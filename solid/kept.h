@@ -1,10 +1,10 @@
-/* A kept state of the solid, and the items of it that are not simply copied. Inside the room only. */
+/* A kept state of the solid, and its items that are not simply copied. For solid/ only. */
 #pragma once
 #include "files/state_item.h"
 #include "solid/contact/keep.h"
 #include "solid/surface/surface.h"
 
-/* What the table's functions take. */
+/* Argument of the table's functions. */
 struct solid_state_owner {
     struct solid *solid;           /* borrowed */
     struct solid_surface *surface; /* borrowed; NULL unless immersed */
@@ -21,15 +21,15 @@ struct solid_kept_path {
 
 struct solid_keep {
     int taken, may_break;
-    struct state_copy *copy; /* what the table copies; the members below belong to the items with their own functions */
+    struct state_copy *copy; /* the copied items; the members below belong to the items with their own functions */
     /* sweep */
-    int a_held;         /* the accelerations held: a copy of them is there */
+    int a_held;         /* 1: the accelerations were valid and are copied */
     double *a_bonds[3]; /* [n] v_old */
-    /* bonds; lost NULL: none ever breaks */
-    struct solid_lost *lost; /* whose bits are not those of now */
+    /* bonds; lost NULL: no bond ever breaks */
+    struct solid_lost *lost; /* finds the particles whose bits differ from the present bonds */
     uint8_t *bits;           /* [n][bytes] */
     long version;
-    int differs; /* of the last restore: bonds or flags were not those of the kept state */
+    int differs; /* 1: in the last restoration the bonds or flags differed from the kept state's */
     /* given */
     double *factor; /* [loads] */
     /* paths */

@@ -130,7 +130,8 @@ static double initial_part(enum solid_initial_shape shape, double r) {
     ENSURE(0, "initial shape %d", (int)shape);
 }
 
-/* Coordinates beside the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the bit. */
+/* Coordinates relative to the centre are rounded to 2^-32 spacing: mirror images get the same displacement to the
+ * bit. */
 static void initial_set(struct solid *s) {
     for (int k = 0; k < s->in.initials; k++) {
         const struct solid_initial *i = &s->in.initial[k];

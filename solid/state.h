@@ -36,8 +36,8 @@ enum solid_flag {
 
 struct solid {
     /* Parameters: set by solid_new, and anew by a refinement; read-only otherwise. */
-    struct solid_input in;    /* the copied numbers; body, material and the like point to owned copies */
-    int dim;                  /* 2: a plate, [2] of x0, d, v, a, load, v_old, a_old are NULL; 3 */
+    struct solid_input in;    /* copy of the input; body, material and the other arrays are owned copies */
+    int dim;                  /* 2: a plate, component [2] of x0, d, v, a, load, v_old, a_old is NULL; 3 */
     struct solid_stage stage; /* set at the start of a stage */
     long n_global;
     long *first; /* [size+1] */
@@ -48,7 +48,7 @@ struct solid {
     double *family_volume;                /* [n + n_ghost] V_h = sum Gamma V of the unbroken family, m3 */
     uint8_t *body;                        /* [n + n_ghost] */
     const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
-    long bonds_total; /* undirected, whole solid, of the families as made, or remade by a refinement */
+    long bonds_total; /* undirected, whole solid, of the families as made at the start or by a refinement */
 
     /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c looks that it has every
      * member from d to stage_of_a. */
@@ -62,16 +62,18 @@ struct solid {
     struct solid_contact *contact; /* NULL until something can touch */
     struct solid_given *given;     /* the factors of the loads now in `load`; NULL: none */
     struct solid_refine *refine;   /* the particles' levels; NULL: nothing is refined */
-    double t;                      /* s; moved on by the integrators, set by who knows better */
+    double t;                      /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */
-    double e_damped;       /* J taken out by damping so far */
-    double e_fracture;     /* J released by broken bonds so far: sum of (1/2) c s^2 |xi| Gamma V V at breaking */
-    double e_constraint;   /* J put in by driven layers so far */
-    double work_load;      /* J put in by load and body force so far */
+    double e_damped;       /* energy dissipated by damping so far, J */
+    double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
+                            * breaking */
+    double e_constraint;   /* work of driven layers so far, J */
+    double work_load;      /* work of load and body force so far, J */
     double power_pairwise; /* power_damped of the sweep that v_old belongs to, W (Verlet) */
     long bonds_broken;     /* undirected, whole solid; valid after solid_family_count */
     int broke;             /* bits of who has yet to look at bonds that broke (solid/bonds/lost.h) */
-    int a_holds;           /* 1: a is of the present d, v and bonds (Verlet); whoever changes one of them clears it */
+    int a_holds;           /* 1: a belongs to the present d, v and bonds (Verlet); code that changes one of them clears
+                            * it */
     struct solid_stage stage_of_a;
 
     /* Work: found anew in each sweep. */
@@ -79,12 +81,12 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    double power_added; /* the part of power_load that is the added mass's */
+    double power_added; /* the part of power_load due to the added mass */
 
     /* Counters: they only rise, and no step depends on their values. */
     long sweeps;        /* force sweeps so far */
-    long versions;      /* numbers given so far to states of the bonds and of contact's record (solid/keep.h) */
-    long bonds_version; /* another one whenever kept bonds are put back */
+    long versions;      /* version numbers given so far to states of the bonds and of contact's record (solid/keep.h) */
+    long bonds_version; /* version of the bonds; changes whenever kept bonds are restored */
 };
 
 /* The present position X0 + d; z is 0 in a plate. */
@@ -98,7 +100,7 @@ static inline double solid_shortest(const struct solid *s, int c, double x) {
     return s->in.periodic[c] ? x - s->in.length[c] * __builtin_rint(x / s->in.length[c]) : x;
 }
 
-/* X_l - X_h now, the shortest across periodic sides, m. */
+/* The present X_l - X_h, to the nearest periodic image, m. */
 static inline void solid_relative(const struct solid *s, int h, int l, double zeta[3]) {
     for (int c = 0; c < 3; c++) {
         zeta[c] = solid_shortest(s, c, (s->x0[c][l] - s->x0[c][h]) + (s->d[c][l] - s->d[c][h]));

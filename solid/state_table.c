@@ -1,5 +1,5 @@
-/* The table of the solid's state: what of struct solid and of its bonds, contact and surface a later step depends on.
- * (docs/design/state.md) */
+/* The table of the solid's state: the data of struct solid and of its bonds, contact and surface that a later step
+ * depends on.  (docs/design/state.md) */
 #include "solid/state_table.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
@@ -69,7 +69,7 @@ static int load_surface(void *owner, const void *value, char *why, size_t room) 
 #define OF(member) STATE_MEMBER(struct solid, member)
 
 const struct state_item solid_state_table[] = {
-    /* which particles there are, of a plate that is refined as it goes */
+    /* the particles of a plate that is refined during the run */
     {"body", STATE_BYTE, STATE_SET, OF(body), .in = STATE_STORED, .is_part = is_refined,
      .why = "a kept state does not outlive a refinement"},
     {"level", STATE_BYTE, STATE_SET, OF(refine), .comps = 1, .in = STATE_STORED, .is_part = is_refined,
@@ -81,7 +81,7 @@ const struct state_item solid_state_table[] = {
     {"velocity", STATE_DOUBLE, STATE_PARTICLE, OF(v), .ghosts = 1, .in = STATE_BOTH},
     {"load", STATE_DOUBLE, STATE_PARTICLE, OF(load), .in = STATE_BOTH},
     {"sweep", STATE_DOUBLE, STATE_PARTICLE, OF(v_old), .in = STATE_BOTH, .kept = &solid_kept_sweep},
-    /* bonds; before `flag`, because their restoring reads the flags of now */
+    /* bonds; before `flag`, because their restoration reads the present flags */
     {"bonds", STATE_BYTE, STATE_PARTICLE, OF(family), .in = STATE_BOTH, .comps_of = bond_bytes, .save = save_bonds,
      .load = load_bonds, .kept = &solid_kept_bonds},
     {"flag", STATE_BYTE, STATE_PARTICLE, OF(flag), .ghosts = 1, .in = STATE_BOTH},
@@ -94,7 +94,7 @@ const struct state_item solid_state_table[] = {
     /* the interface's normals: once bonds, flags and displacements are in place, with their ghosts */
     {"surface", STATE_DOUBLE, STATE_PARTICLE, .last = 1, .in = STATE_BOTH, .is_part = is_immersed,
      .comps_of = surface_comps, .save = save_surface, .load = load_surface, .kept = &solid_kept_surface},
-    /* what only the same steps from a kept state need, to be the same to the bit */
+    /* needed only so that the same steps from a kept state give the same results to the bit */
     {"solid_t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_KEPT,
      .why = "between steps it is the run's t, from which it is set when a checkpoint is read"},
     {"bonds_broken", STATE_LONG, STATE_ONE, OF(bonds_broken), .in = STATE_KEPT,
@@ -109,7 +109,7 @@ const struct state_item solid_state_table[] = {
      .why = "a run that is resumed sets it when its stage begins"},
     {"contact", STATE_BYTE, STATE_PARTICLE, OF(contact), .in = STATE_KEPT, .is_part = is_in_contact,
      .kept = &solid_kept_contact, .why = "its lists are made from positions and bonds after reading"},
-    /* behind the surface, which notes what it has seen */
+    /* after the surface, which sets it */
     {"broke", STATE_INT, STATE_ONE, OF(broke), .last = 1, .in = STATE_KEPT,
      .why = "after reading, surface and contact are made from all bonds"},
 };
@@ -131,7 +131,7 @@ static int make(void *owner, long n, void *const *value) {
     return solid_refine_restore(solid_of(owner), n, value[0], value[1], (const double(*)[3])value[2]);
 }
 
-/* What is given is a function of time, and is added anew to what the fluid's part of a step writes. */
+/* Clears the load: the fluid's part of a step sets it, and the input's loads, functions of time, are added again. */
 static void loads_restart(struct solid *s) {
     if (!s->given) return;
     for (int c = 0; c < s->dim; c++) memset(s->load[c], 0, (size_t)s->n * sizeof(double));

@@ -1,21 +1,23 @@
 #!/usr/bin/env bash
-# A coupled run that goes on and on while its solid breaks and its fragments leave: its memory stays flat, and what is conserved
-# does not drift. A porous block in a stream is kicked to and fro, each time harder, so that something breaks to the end.
+# A coupled run that continues for a long time while its solid breaks and its fragments leave. Its memory must not grow,
+# and conserved quantities must not drift. A porous block in a stream is pushed to and fro, each time harder, so that
+# bonds break until the end.
 # usage: tests/soak.sh FRANA SOURCE WORK [SECONDS [RANKS]]        by default an hour on one rank
 . "$(dirname "$0")/coupling/common.sh" "$@"
 seconds=${4:-3600} n=${5:-1} step=3.3569e-5
-# 1. memory: growth in ten minutes, kB    2. the solid's books, as a share of the work that went through them
+# 1. memory: growth in ten minutes, kB    2. energy balance of the solid, as a fraction of the work done
 growth_most=1024 book_most=0.001
 scene | sed -e '/name: fracture/s/steps: [0-9]*/steps: 1000000000/; s/substeps: 4/substeps: auto/' \
   -e 's/series_every: .*/series_every: 50/; s/fields_every: .*/fields_every: 5000/; s/checkpoint_every: .*/checkpoint_every: 5000/' >calm.yaml
 value() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$1/run.json" | head -n 1; }
 
-# How many steps a second, and so how far the run will come.
+# Measures the number of steps a second, which gives the length of the run.
 code 75 ranks "$n" run calm.yaml --out calm --max-wall "$((seconds < 300 ? 5 : 15))"
 end=$(awk -v steps="$(value calm steps)" -v wall="$(value calm wall_seconds)" -v setup="$(value calm setup_seconds)" \
   -v s="$seconds" -v dt=$step 'BEGIN { print s * steps / (wall - setup) * dt }')
-# A kick: 2 ms one way, 2 ms the other, which leaves what is free at rest again, at most 50 kicks. They grow a hundredfold, by the same factor
-# each: all is broken at a tenth of the last, half way, or as far off that as the machine has become faster or slower meanwhile.
+# A kick: 2 ms in one direction, 2 ms in the other, after which free parts are at rest again; at most 50 kicks. They
+# grow by a constant factor, a hundredfold in all: the block is broken completely at a tenth of the last kick, half way
+# through the run, or earlier or later if the machine's speed has changed.
 kicks=$(awk -v end="$end" 'BEGIN {
   count = int(end / 0.03); if (count > 50) count = 50
   printf "[[0, 0]"
@@ -39,7 +41,8 @@ got=0
 wait $mpiexec || got=$?
 [ $got = 75 ] || { cat out err >&2; fail "exit code $got, not 75"; }
 
-# The slope by least squares over the last two fifths, of each rank: lists of contact have grown with what broke before.
+# The least squares slope over the last two fifths, of each rank: contact's lists have grown by then, with the bonds
+# broken before.
 awk -F, -v s="$seconds" -v n="$n" -v most=$growth_most '
   NR > 1 && $1 > 0.6 * s && $1 < s { m[$2]++; x[$2] += $1; y[$2] += $3; xx[$2] += $1 * $1; xy[$2] += $1 * $3 }
   END {
@@ -49,7 +52,8 @@ awk -F, -v s="$seconds" -v n="$n" -v most=$growth_most '
       if (!(600 * slope < most) || m[p] < 20) bad = 1 }
     exit (bad || ranks != n) }' memory.csv || fail "memory grows, or was not seen on each rank: $PWD/memory.csv"
 
-# Mass and momentum in every row; from the first fifth to the last the solid's books, and that there was something to break.
+# Mass and momentum are tested in every row; the solid's energy balance from the first fifth to the last; and that bonds
+# broke.
 awk -F, -v most=$book_most '
   function hold(name, x, limit) { if (!(x <= limit)) { print name, x, "is more than", limit, "in step", $1 > "/dev/stderr"; bad = 1 }
     if (x > worst[name]) worst[name] = x }
@@ -58,7 +62,7 @@ awk -F, -v most=$book_most '
   NR > 2 {
     hold("div_max", $at["div_max"], 1e-10)
     force = sqrt($at["forcing_x"] ^ 2 + $at["forcing_y"] ^ 2 + $at["forcing_z"] ^ 2); if (force > largest) largest = force
-    hold("momentum_residual over the largest forcing", $at["momentum_residual"] * force / largest, 1e-11) # little is left to force
+    hold("momentum_residual over the largest forcing", $at["momentum_residual"] * force / largest, 1e-11) # little force is left
     hold("u_bulk off by", abs($at["u_bulk"] / 0.1 - 1), 1e-10)
     rows++
     book[rows] = $at["e_kinetic_solid"] + $at["e_strain"] + $at["e_damped"] + $at["e_fracture"] - $at["work_fluid"]

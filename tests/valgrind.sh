@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# The main case's twin, one cavity's period wide, under valgrind's memcheck on one rank: a few steps of each stage while bonds break,
-# resumed, and looked at by frana post. Nothing invalid is read, written or freed, nothing unset decides or is written, and no memory is lost, wherever
-# frana's own code is on the stack.
+# The small version of the main case, one cavity's period wide, under valgrind's memcheck on one rank: a few steps of
+# each stage while bonds break, a resumed run, and frana post. Tests that there is no invalid access or free, no use of
+# uninitialised values and no memory leak with frana's own code on the stack.
 # usage: tests/valgrind.sh FRANA SOURCE WORK
-# FRANA may hold AVX-512, which valgrind does not know: another is built in WORK/build. Exit code 77 where valgrind is missing.
+# FRANA may use AVX-512, which valgrind does not know: another program is built in WORK/build. Exit code 77 without
+# valgrind.
 command -v valgrind >/dev/null || { echo "skipped: there is no valgrind here"; exit 77; }
 build=$(realpath -m "$3")/build
 . "$(dirname "$0")/coupling/common.sh" "$1" "$2" "$3/run"
 export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_btl=self
-export XDG_CACHE_HOME=$PWD/cache # times taken under valgrind plan no other run
+export XDG_CACHE_HOME=$PWD/cache # so that times measured under valgrind do not plan other runs
 
 arch=
 [ "$(uname -m)" != x86_64 ] || arch=x86-64-v3
@@ -22,7 +23,7 @@ suppressions=(--suppressions="$source/tests/valgrind.supp")
 for file in /usr/share/openmpi/openmpi-valgrind.supp /usr/lib/*/openmpi/share/openmpi/openmpi-valgrind.supp; do
   [ ! -f "$file" ] || suppressions+=(--suppressions="$file")
 done
-# memcheck NAME COMMAND...: what valgrind finds goes to NAME.log
+# memcheck NAME COMMAND...: valgrind's messages go to NAME.log
 memcheck() {
   local name=$1
   shift
@@ -30,7 +31,7 @@ memcheck() {
     "${suppressions[@]}" "$@"
   grep -q 'ERROR SUMMARY' "$name.log" || fail "$name.log has no end"
 }
-# findings NAME ROOT: errors with a frame in a file below ROOT, main's apart
+# findings NAME ROOT: number of errors with a frame in a file below ROOT, other than main
 findings() {
   sed -E 's/^==[0-9]+== ?//' "$1.log" | awk -v root="($2/" '
     function close_block() { if (ours && error) { printf "%s\n", block; found++ } block = ""; ours = error = 0 }
@@ -41,7 +42,7 @@ findings() {
     END { close_block(); exit (found > 0) }'
 }
 
-# that what is looked for would be found
+# tests that such errors would be found
 mkdir errs
 cat >errs/errs.c <<'END'
 #include <stdlib.h>

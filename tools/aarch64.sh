@@ -20,7 +20,7 @@ if [ ! -e "$sysroot/unpacked" ]; then
         --include=libc6-dev,libopenmpi-dev,libhdf5-openmpi-dev,libfftw3-dev,liblapacke-dev,libcyaml-dev,libyaml-dev,libpng-dev,libcmocka-dev \
         bookworm "$sysroot" >"$sysroot.log"
     for package in "$sysroot"/var/cache/apt/archives/*.deb; do dpkg-deb -x "$package" "$sysroot"; done
-    # what the packages' scripts would have linked
+    # links that the packages' scripts would have made
     cd "$sysroot/usr/lib/aarch64-linux-gnu"
     for library in blas lapack; do
         ln -sf "$library-netlib.pc" "pkgconfig/$library.pc"

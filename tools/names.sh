@@ -6,7 +6,7 @@
 #     room_stem            the files of a room that have the same stem share these names
 #     folder_stem, stem    the same without the room, in the rooms that are listed in `short` below
 # A word that repeats the one before is left out: solid/contact/contact.c owns solid_contact. The file with the longest
-# such beginning owns the name. So what matches no other file belongs to the room's own file: solid_new to solid/solid.c.
+# such beginning owns the name. A name without such a file belongs to the room's own file: solid_new to solid/solid.c.
 # Public names are read from the objects of a build (nm). Inline functions are read from the headers: stem.h owns what
 # stem.c does, and the headers listed in `common` own what their folder's own file does.
 set -euo pipefail

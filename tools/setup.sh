@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What demo.sh, test.sh and .ci/run share: installing what is missing, and building. Sourced, by bash.
+# Common to demo.sh, test.sh and .ci/run: installation of missing packages, and building. To be sourced by bash.
 #
 #   setup_install [clang...]  what frana needs (Debian: by apt), and the packages named: $packages_of_tests, clang, ...
 #   setup_build DIR [args]    configures (cmake, with args) and builds
@@ -11,13 +11,13 @@ cd "$root" || exit
 packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libfftw3-dev
     liblapacke-dev libopenblas-serial-dev libcyaml-dev libyaml-dev libcmocka-dev libpng-dev gnuplot-nox"
 # shellcheck disable=SC2034 # for whoever sources this
-packages_of_tests="python3-vtk9 python3-numpy" # a reader of the field files that is not ours
+packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
 commands="cmake gcc pkg-config mpicc mpiexec gnuplot"
 libraries="hdf5-openmpi fftw3 lapacke libcyaml yaml-0.1 cmocka libpng"
 
 say() { printf '%s\n' "-- $*"; }
-# setup_quietly WHAT LOG COMMAND...: the output goes to LOG; a terminal sees the log's last line pass by, a log file one
-# line at the start and one at the end.
+# setup_quietly WHAT LOG COMMAND...: the output goes to LOG. On a terminal the log's last line is shown while the
+# command runs; otherwise one line at the start and one at the end.
 setup_quietly() {
     local what=$1 log=$2 from=$SECONDS status=0 pid width
     shift 2
@@ -45,7 +45,7 @@ setup_quietly() {
     say "$what: done in $((SECONDS - from)) s"
 }
 
-# What is not there, by asking for it rather than for packages: commands, then libraries. Prints names, one a line.
+# Finds what is missing, by testing commands, then libraries, instead of asking for packages. Prints names, one a line.
 setup_lacking() {
     local name
     for name in $commands; do command -v "$name" >/dev/null 2>&1 || echo "$name (command)"; done
@@ -56,13 +56,13 @@ setup_lacking() {
 setup_apt() {
     local as_root=$1
     shift
-    # a list of packages may be old or not there yet
+    # the list of packages may be out of date or missing
     $as_root apt-get -o DPkg::Lock::Timeout=300 update -q
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -q -y \
         --no-install-recommends "$@"
 }
 
-# Nothing to be installed from here, because of $1: goes on if everything is there all the same.
+# Packages cannot be installed from here, because of $1: continues if everything needed is there.
 setup_without() {
     local lacking
     lacking=$(setup_lacking)
@@ -99,7 +99,7 @@ setup_install() {
 setup_build() {
     local dir=$1 generator=()
     shift
-    # a folder that another checkout configured is configured anew
+    # a build folder that was configured by another checkout is configured again
     if [ -f "$dir/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt"; then
         rm -rf "$dir/CMakeCache.txt" "$dir/CMakeFiles"
     fi
@@ -115,6 +115,6 @@ setup_tests() { echo $((2 * $(setup_cores))); }
 setup_mpi() {
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-    export OMPI_MCA_btl_vader_single_copy_mechanism=none # containers forbid it, and Open MPI says so at every message
+    export OMPI_MCA_btl_vader_single_copy_mechanism=none # forbidden in containers; Open MPI would complain
     [ "$(setup_cores)" -ge "${1:-2}" ] || export OMPI_MCA_mpi_yield_when_idle=1
 }

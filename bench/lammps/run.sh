@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # The force sweep of a full block of 54,872 particles in LAMMPS (pair_style peri/pmb) and in frana, in turn, one rank each:
 #     bench/lammps/run.sh [--frana PROGRAM] [--repeats N] [--out DIR] [--install]
-# Twice: with bonds up to 3 spacings (122 neighbours inside, LAMMPS's family for this horizon), and with the 178 of frana's
-# horizon of 3 spacings. The last line is `ratio X`: LAMMPS's time a directed bond over frana's, median over the repeats, of
-# the first; --out writes DIR/lammps.csv.
+# Each twice: with bonds up to 3 spacings (122 neighbours inside the block, LAMMPS's family for this horizon), and with
+# the 178 bonds of frana's horizon of 3 spacings. The last line is `ratio X`: LAMMPS's time a directed bond divided by
+# frana's for the first family, median over the repeats. --out writes DIR/lammps.csv.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 frana=$here/../../build/frana repeats=5 out= install=
@@ -24,7 +24,7 @@ frana=$(realpath "$frana")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# theirs REACH: directed bonds, and ns a bond of the pair style's own time in the last run
+# theirs REACH: number of directed bonds, and time a bond, ns, as LAMMPS reports it for the pair style in the last run
 theirs() {
   local steps=8
   lmp -in "$here/in.pmb" -var side 38 -var reach "$1" -var steps $steps -log "$work/log" -screen none || fail "LAMMPS failed"
@@ -35,7 +35,7 @@ theirs() {
     END { if (worst != 0 || !bonds) exit 1; printf "%d %.4f\n", bonds, 1e9 * pair / steps / bonds }' "$work/log" ||
     fail "bonds are missing or broken in LAMMPS"
 }
-# ours PART: the same of frana, from what `frana bench` has just written
+# ours PART: the same for frana, from the table that `frana bench` has just written
 ours() {
   awk -F, -v part="$1" '
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }

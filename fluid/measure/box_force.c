@@ -14,14 +14,14 @@ static void beside(const struct fluid *f, int c, int d, int side, int low[3], in
     high[d] = low[d] + 1;
 }
 
-/* What is looked at: convection (1) or none of it, and diffusion with this viscosity. */
+/* Which terms of the flux count: convection (1 or 0), and diffusion with this viscosity. */
 struct flux_kind {
     double convection, viscosity; /* 1; m2/s */
 };
 
-/* Flux of momentum of component c through the control surface at one side of direction d, outward, viscous traction
- * taken off: (q_d q_c - nu dq_c/dx_d) times the outward sign, summed over the side, m2/s2.
- * n: the last advanced value of c at the side; s: towards the outside. */
+/* Flux of momentum of component c out of the control surface at one side of direction d, less the viscous traction:
+ * (q_d q_c - nu dq_c/dx_d) times the outward sign, summed over the side, m2/s2. n: the last advanced value of c at the
+ * side; s: stride towards the outside. */
 static double flux_through_side(const struct fluid *f, const double *const all[3], struct flux_kind kind, int c, int d,
                                 int side) {
     const struct fluid_grid *g = f->grid;
@@ -36,7 +36,7 @@ static double flux_through_side(const struct fluid *f, const double *const all[3
         for (at[1] = low[1]; at[1] < high[1]; at[1]++)
             for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
                 const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
-                if (c == d && free_face) { /* beyond an open face: no gradient */
+                if (c == d && free_face) { /* zero gradient beyond an open face */
                     sum += kind.convection * sign * q[n] * q[n];
                 } else if (c == d) { /* at the centre between the last advanced face and the side's own */
                     const double mean = 0.5 * (q[n] + q[n + s]);
@@ -65,7 +65,7 @@ static double pressure_on_side(const struct fluid *f, int d, int side) {
     return (side ? 1 : -1) * sum / f->in.density;
 }
 
-/* This rank's share of the box's force along c: sources and fluxes; pressure. N */
+/* This rank's share of the force on the box along c, N: sources and fluxes. */
 static double flux_force(const struct fluid *f, const double *const q[3], struct flux_kind kind, int c) {
     const struct fluid_grid *g = f->grid;
     double sum = 0;
@@ -106,7 +106,7 @@ void fluid_box_force_flux(struct fluid *f, int r) {
     const struct flux_kind kind = {1, f->diffusion ? 0 : f->in.viscosity};
     for (int c = 0; c < 3; c++) {
         const double flux = flux_force(f, q, kind, c);
-        if (r == 0) f->audit.force[c] = 0; /* of the last step, where one is taken several times */
+        if (r == 0) f->audit.force[c] = 0; /* of the last step only, if several are taken */
         f->audit.force[c] += physics_rk3_alpha[r] * flux + physics_rk3_beta[r] * f->audit.flux[c];
         f->audit.flux[c] = flux;
     }

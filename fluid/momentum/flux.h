@@ -27,7 +27,7 @@ static inline __attribute__((always_inline)) vec fluid_flux_of(const struct flux
     return f->diffuse[d] * difference - f->convect[d] * product;
 }
 
-/* From u, v, w at the first of the eight. */
+/* From u, v, w at the first of the eight cells. */
 static inline __attribute__((always_inline)) struct flux fluid_flux_at(const struct flux_factors *f, ptrdiff_t row,
                                                                        ptrdiff_t plane, const double *restrict u,
                                                                        const double *restrict v,

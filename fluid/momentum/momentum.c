@@ -111,8 +111,8 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
     const struct flux_factors factors = s->factors;
     struct sum sum[3];
     for (int c = 0; c < 3; c++) sum[c] = (struct sum){s->stage->a, s->stage->b, s->pressure[c], s->constant[c]};
-    struct flux f =
-        fluid_flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* the last one counts */
+    struct flux f = fluid_flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* only its last
+                                                                                                       * lane is used */
     vec ux = f.ux, vx = f.vx, wx = f.wx;
     for (ptrdiff_t i = 0; i < cells; i += VEC_LANES, y += WAITING * VEC_LANES, z += WAITING * VEC_LANES) {
         ask_ahead(s, n, kind, rate, i);

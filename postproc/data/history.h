@@ -36,7 +36,7 @@ void postproc_history_free(struct postproc_history *h);
 
 /* Of the first body's material; NAN without a solid. */
 struct physics_waves postproc_history_waves(const struct postproc_history *h);
-/* (t - origin) / t0, or s where there is no t0. */
+/* (t - origin) / t0, or t - origin in s without t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */
 /* The values of a column of the series: [rows], malloc'ed; NULL if there is no such column. */

@@ -8,7 +8,7 @@
 
 enum { BINS_MIN = 16, BINS_MAX = 400, FENCE = 10 };
 
-/* Linear between the sorted samples. */
+/* A quantile, linear between the sorted samples. */
 static double quantile(const double *sorted, long n, double q) {
     const double at = q * (double)(n - 1);
     const long i = (long)at < n - 1 ? (long)at : n - 1;

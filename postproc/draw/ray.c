@@ -4,8 +4,7 @@
 #include <math.h>
 
 void postproc_ray_cast(struct postproc_ray *ray, const double direction[3], double length) {
-    double next[3],
-        pace[3]; /* distance at which the ray crosses the next wall of each direction, and between two walls */
+    double next[3], pace[3]; /* distance to the next cell wall of each direction, and distance between two walls */
     signed char at[3] = {0, 0, 0}, sign[3];
     for (int c = 0; c < 3; c++) {
         const double d = fabs(direction[c]);
@@ -29,7 +28,7 @@ double postproc_ray_hit(const struct postproc_ray *ray, const struct postproc_vo
         const signed char *s = ray->step[i];
         const int a = cell[0] + s[0], b = cell[1] + s[1], c = cell[2] + s[2];
         if (a < 0 || b < 0 || c < 0 || a >= v->n[0] || b >= v->n[1] || c >= v->n[2]) {
-            /* outside: it may come back in only if it is on its way there */
+            /* outside: stops unless the ray can still enter the box */
             if ((a < 0 && s[0] <= 0) || (b < 0 && s[1] <= 0) || (c < 0 && s[2] <= 0) || (a >= v->n[0] && s[0] >= 0) ||
                 (b >= v->n[1] && s[1] >= 0) || (c >= v->n[2] && s[2] >= 0))
                 return -1;

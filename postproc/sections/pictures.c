@@ -36,8 +36,8 @@ static double *view_value(const struct view *view, const struct postproc_body *b
     return value;
 }
 
-/* The 98 % quantile of the particles that have bonds: some flung far away do not set the colours. 0 if there is none.
- */
+/* The 98 % quantile over the particles that have bonds, so that a few ejected particles do not set the colours. 0
+ * without such particles. */
 static double colour_bound(const struct postproc_body *b, const double *value) {
     long m;
     double *sorted = postproc_body_sample(b, value, &m);

@@ -43,8 +43,8 @@ static const double *values_of(const struct postproc_plate *p, enum postproc_qua
     ENSURE(0, "quantity %d", (int)q);
 }
 
-/* Bounds of the colours: 0 ... 1 for damage; from 0, or from the lower quantile where there are negative values, to the
- * upper one. */
+/* Bounds of the colours: 0 ... 1 for damage; otherwise from 0 (from the lower quantile if there are negative values) to
+ * the upper quantile. */
 static void range_of(const struct postproc_plate *p, enum postproc_quantity q, double range[2]) {
     int stride;
     const double *value = values_of(p, q, &stride), spread = looks[q].spread;

@@ -31,7 +31,7 @@ static int is_number(const char *s) {
     return power > 0 && !s[power];
 }
 
-/* ", or auto" where a word may stand for the number. */
+/* ", or auto" if the rule allows a word instead of a number. */
 static char *or_word(const struct scene_rule *rule) {
     return rule && rule->word ? text_new(", or %s", rule->word) : text_new("%s", "");
 }

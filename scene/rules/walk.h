@@ -36,5 +36,5 @@ int scene_walk_place_entries(const struct scene_walk *w, const cyaml_schema_valu
 void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node *node, const cyaml_schema_value_t *v,
                                   const struct scene_rule *rule, const char *path);
 
-int scene_walk_place_is_among(const char *word, const char *list); /* a list as "a b c" */
+int scene_walk_place_is_among(const char *word, const char *list); /* list: as "a b c" */
 char *scene_walk_joined(int n, const char *const *word);           /* "a, b, c": malloc'ed */

@@ -77,7 +77,7 @@ static char *shown(const struct scene_node *node) {
         if ((unsigned char)*c < ' ') *c = ' ';
     if (strlen(text) > SHOWN) {
         int end = SHOWN - 3;
-        while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not amid a character */
+        while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not inside a UTF-8 character */
         char *cut = text_new("%.*s...", end, text);
         free(text);
         text = cut;

@@ -8,9 +8,12 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { LATTICE_COLUMNS = 400 }; /* fractions to 1e-6, as the lattice's own */
+enum {
+    LATTICE_COLUMNS = 400
+}; /* number of columns for partial volumes: accurate to 1e-6, as in the lattice
+    * store */
 
-/* To a multiple of 2^-20. */
+/* Rounds to a multiple of 2^-20. */
 static double rounded(double x) { return rint(x * 0x1p20) * 0x1p-20; }
 
 static double size_of(double volume, int dim) { return rounded(dim == 3 ? cbrt(volume) : sqrt(volume)); }

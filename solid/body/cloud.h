@@ -68,7 +68,7 @@ static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long
     return (struct solid_end){t->size[i], t->horizon[i], t->volume[i]};
 }
 
-/* The family of a particle: all it has bonds with, ordered by xi: z, then y, then x. */
+/* The family of a particle: all particles it has bonds with, ordered by xi: z, then y, then x. */
 struct solid_cloud_near {
     int n;
     long number[SOLID_FAMILY_MAX];

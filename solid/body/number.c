@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-/* What a particle of a list costs in a sweep, in particles of a full row. */
+/* cost of a particle of the list store in a sweep, in units of a particle of a full row */
 enum { LIST_COST = 4 };
 
 /* Walks over the indivisible units (rows, points) in the order of the ids. */

@@ -7,7 +7,7 @@ void solid_number_divide(struct solid_sites *const *sites, int bodies, int gener
 /* Sorts and removes duplicates. Returns the number of ids left. Not collective. */
 int solid_number_unique(long *id, long n);
 
-/* Where a global id stands on this rank: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: nowhere. */
+/* Local index of a global id: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: not on this rank. */
 struct solid_numbering {
     long from, to; /* owned ids */
     int ghosts;

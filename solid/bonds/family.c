@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* The offset of the b-th bond of lattice particle h. */
+/* The stencil offset of the b-th bond of lattice particle h. */
 static int offset_of(const struct solid_lattice *t, int h, int b) {
     const int cell = t->cell[h - t->first];
     for (int o = 0; o < t->stencil->n; o++)

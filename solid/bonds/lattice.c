@@ -59,7 +59,9 @@ static void box_new(struct solid_lattice *b, const struct solid_sites *t, long f
         const int margin = c == 0 ? SOLID_ROW : b->stencil->reach;
         b->low[c] -= margin;
         b->size[c] = high[c] - b->low[c] + margin + (c == 0 ? SOLID_ROW : 1);
-        if (c == 0) b->size[c] |= SOLID_ROW; /* an odd number of rows: lines spread over the cache's sets */
+        if (c == 0)
+            b->size[c] |= SOLID_ROW; /* an odd number of rows, so that lines of sites use different sets of the
+                                      * cache */
         b->sites *= b->size[c];
     }
     ENSURE(b->sites < 2000000000L, "a dense box of %ld sites on one rank", b->sites);
@@ -144,7 +146,8 @@ static void places_new(struct solid_lattice *b) {
             b->place[r] = (int)b->places;
             b->places += SOLID_ROW;
         } else {
-            b->place[r] = (int)b->places - SOLID_ROW; /* its last sites are before those of the next row */
+            b->place[r] = (int)b->places - SOLID_ROW; /* the last sites of such a row come before those of the next
+                                                       * row */
         }
     }
 }
@@ -248,7 +251,9 @@ void solid_lattice_volumes(const struct solid_lattice *b, double *family_volume)
 }
 
 void solid_lattice_weights(struct solid_lattice *b, const double *family_volume, int surface_correction) {
-    for (long i = 0; i < b->places + SOLID_ROW; i++) b->w[i] = 1; /* what has no bonds too: no division by 0 */
+    for (long i = 0; i < b->places + SOLID_ROW; i++)
+        b->w[i] = 1; /* also for sites without bonds, to avoid a division
+                      * by 0 */
     for (int i = 0; i < b->copies; i++)
         if (surface_correction && family_volume[b->copy_local[i]] > 0)
             b->w[b->copy_at[i]] = family_volume[b->copy_local[i]] / b->stencil->full_volume;

@@ -3,7 +3,7 @@
 #include "solid/bonds/key.h"
 #include "solid/bonds/list.h"
 
-/* Pairs that have been computed, by what they are computed from: on a lattice of levels there are few. */
+/* Cache of computed pairs; on a lattice with levels there are few different ones. */
 enum { SOLID_PAIRS_KEPT = 1024 };
 struct solid_pairs_kept {
     struct {

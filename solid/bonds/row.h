@@ -12,7 +12,7 @@ struct solid_row {
     vec d[3], w;
 };
 
-/* The displacements of now into the dense box. Ghosts must be current. */
+/* Copies the present displacements to the dense box. Ghosts must be current. */
 static inline void solid_row_begin(const struct solid *s, const struct solid_lattice *t) {
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < t->copies; i++) t->d[c][t->copy_at[i]] = s->d[c][t->copy_local[i]];

@@ -10,7 +10,7 @@
 
 enum { NARROW = 4, COLUMNS = 7 };
 
-/* Eight consecutive bits from any cell, of what rows of eight hold: of[row], a byte at each stride. */
+/* Eight consecutive bits from any cell, of bits that are stored in rows of eight: of[row], with a stride in bytes. */
 static unsigned bits_at(const struct solid_lattice *b, const uint8_t *of, size_t stride, long cell) {
     const int low = b->row_of[cell / SOLID_ROW], high = b->row_of[cell / SOLID_ROW + 1],
               shift = (int)(cell % SOLID_ROW);

@@ -11,7 +11,7 @@ struct solid_law {
     double eps_limit; /* (1 + s0)^2 - 1 */
 };
 
-/* What a sweep over the bonds is asked. */
+/* Options of a sweep over the bonds. */
 struct solid_sweep {
     int may_break;
     double damping; /* k_d, N s/m7 */

@@ -40,7 +40,7 @@ void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of) {
 
 int solid_contact_bounds_near(const struct solid *s, const double *a, const double *b, double reach) {
     for (int c = 0; c < 3; c++) {
-        const double extent = -a[3 + c] - a[c] - b[3 + c] - b[c]; /* of both together */
+        const double extent = -a[3 + c] - a[c] - b[3 + c] - b[c]; /* extent of both bodies together */
         const double apart = fabs(solid_shortest(s, c, 0.5 * (a[c] - a[3 + c]) - 0.5 * (b[c] - b[3 + c])));
         if (!(apart - 0.5 * extent <= reach)) return 0;
     }
@@ -49,7 +49,7 @@ int solid_contact_bounds_near(const struct solid *s, const double *a, const doub
 
 double solid_contact_bounds_apart(const struct solid *s, int body) {
     const struct solid_body *b = &s->in.body[body];
-    /* a family is |xi| < delta + spacing/2 on the lattice; in a plate it is that and more */
+    /* on a lattice a family is |xi| < delta + spacing/2; in a plate at least that */
     return b->least_horizon + (solid_shape_of(b)->places == SOLID_PLACES_POINTS ? 0 : 0.5) * s->in.spacing;
 }
 

@@ -17,7 +17,8 @@
 
 static const double skin = 0.5, rebuild = 0.2; /* in spacings */
 
-/* 2^-46 of the acceleration by a neighbour at half of r_c: sums of up to some thirty of these are exact. */
+/* The quantum of accelerations: 2^-46 of the acceleration by a neighbour at half of r_c. Sums of up to about thirty
+ * such accelerations are exact. */
 static double quantum_of(const struct solid *s, const struct solid_contact *c) {
     double most = 0, volume = 0;
     for (int h = 0; h < s->n; h++) volume = fmax(volume, s->volume[h]);

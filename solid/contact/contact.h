@@ -37,6 +37,6 @@ double solid_contact_rate_bound(struct solid *s, solid_contact_enough *enough, c
  * approached by more than the margin. 0: no pairs are near. Not collective. */
 double solid_contact_rate_margin(const struct solid *s);
 void solid_contact_free(struct solid *s);
-/* What one contact between particles that nothing else holds can add to the rates, 1/s2: two neighbours at r = r_c, of
- * the material for which it is most; 0 where no contact can come about. */
+/* The largest rate that one contact between otherwise free particles can add, 1/s2: of two neighbours at r = r_c, for
+ * the material with the largest one; 0 if contact is not possible. */
 double solid_contact_rate_touch(const struct solid *s);

@@ -61,8 +61,9 @@ struct solid_contact {
 struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid *s);
 void solid_contact_rate_springs_free(struct solid_contact_springs *springs);
 
-/* scan: puts all torn bonds of a solid just met on record. news: those torn since the last look, into the lists as well
- * if nearer than reach. list: those on record that are near. Ghosts must be current. Not collective. */
+/* scan: records all torn pairs of a solid, at the start. news: records those torn since the last check, and lists them
+ * if they are nearer than reach. list: lists the recorded pairs that are near. Ghosts must be current. Not
+ * collective. */
 void solid_contact_torn_scan(struct solid *s, struct solid_contact *c);
 void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double reach);
 void solid_contact_torn_list(const struct solid *s, struct solid_contact *c);

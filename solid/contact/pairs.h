@@ -10,13 +10,13 @@ void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l, co
 
 enum { SOLID_CONTACT_BLOCK = 256 };
 
-/* Where the displacements of one kind of pair's second ends are. */
+/* The displacements of the second ends of one kind of pairs. */
 static inline double *const *solid_contact_pairs_other_d(const struct solid *s, const struct solid_contact *c,
                                                          int kind) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.d : s->d;
 }
 
-/* X_h - X_l of pair k now, m. */
+/* Present X_h - X_l of pair k, m. */
 static inline void solid_contact_pairs_x(const struct solid_contact_pairs *p, double *const d[3],
                                          double *const d_other[3], int k, double x[3]) {
     x[2] = 0;
@@ -47,7 +47,7 @@ static inline int solid_contact_pairs_touching(const struct solid_contact_pairs 
     return touching;
 }
 
-/* The other end's body and volume. */
+/* Body and volume of the other end. */
 static inline int solid_contact_pairs_other_body(const struct solid *s, const struct solid_contact *c, int kind,
                                                  int l) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].body : s->body[l];

@@ -88,7 +88,7 @@ static void meet(const struct solid *s, const struct solid_contact *c, struct so
 static int is_near_box(const struct solid *s, const double x[3], const double box[6], double reach) {
     for (int c = 0; c < 3; c++) {
         const double half = 0.5 * (-box[3 + c] - box[c]);
-        if (!(half >= 0)) return 0; /* nobody there */
+        if (!(half >= 0)) return 0; /* an empty box */
         if (fabs(solid_shortest(s, c, x[c] - (box[c] + half))) > half + reach &&
             !(s->in.periodic[c] && 2 * half + 2 * reach > s->in.length[c]))
             return 0;

@@ -6,7 +6,7 @@
 #include "solid/contact/pairs.h"
 #include "solid/contact/room.h"
 
-/* Onto the list if h and l are nearer than reach. */
+/* Lists h and l if they are nearer than reach. */
 static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
     double xi[3], r2 = 0;
     for (int k = 0; k < s->dim; k++) {

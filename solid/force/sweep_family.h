@@ -5,8 +5,8 @@
 #include "solid/bonds/list.h"
 
 struct solid_sweep_family {
-    vec sum[3];    /* of bond forces over the density, lane by lane, m/s2 */
-    vec power;     /* of viscous ones times closing speeds, m2/s3 */
+    vec sum[3];    /* of bond forces over the density, separately for each lane, m/s2 */
+    vec power;     /* of viscous forces times closing speeds, m2/s3 */
     vec high, far; /* the largest eps and |eps| */
     vec largest;   /* largest component of a bond force */
 };

@@ -7,7 +7,8 @@
 
 #include <math.h>
 
-/* A segment whose largest eps was above this part of the limit is judged before its forces are computed. */
+/* If the largest eps of a segment was above this fraction of the limit, its bonds are tested before the forces are
+ * computed. */
 static const double NEAR_LIMIT = 0.9;
 
 struct sweep {

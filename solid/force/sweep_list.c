@@ -32,8 +32,8 @@ static void fill(const struct solid *s, const struct solid_list *b, int damped) 
         for (int c = 0; c < b->dim; c++) b->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(b, r)];
 }
 
-/* The families, compiled for a plate and for space, with and without damping, with square roots where the series does
- * not hold (exact) and without. */
+/* The kernels of a family, compiled for a plate and for 3D, with and without damping, with square roots (exact) and
+ * with the series. */
 typedef struct solid_sweep_family kernel(const struct solid_list *, int i, double viscous);
 #define KERNEL(name, dim, exact, damped)                                                                               \
     static __attribute__((noinline)) struct solid_sweep_family name(const struct solid_list *b, int i,                 \
@@ -104,12 +104,12 @@ struct sweep {
     int may_break, damped;
 };
 
-/* What decides on a sum's last digit. */
+/* The values that determine the rounding digit of a sum. */
 static inline vec decides(const struct sweep *k, const struct solid_sweep_family *of) {
     return k->damped ? of->largest : of->far;
 }
 
-/* Sums in the right digits. */
+/* The sums, rounded to the right digits. */
 static struct solid_sweep_family in_digits(const struct sweep *k, int i, int exact) {
     struct solid_list *b = k->b;
     struct solid_sweep_family of = k->kernels[exact](b, i, k->viscous);
@@ -123,8 +123,8 @@ static inline int may_break_here(const struct sweep *k, int i, const struct soli
     return k->may_break && vec_any_above(of->high, k->b->limit[i] * NEAR_LIMIT);
 }
 
-/* A family that is not as it mostly is. Where bonds break or the series does not hold it is computed again; one with
- * large eps starts with square roots. */
+/* Computes a family that needs another treatment than most: again, if bonds break or the series does not hold; with
+ * square roots from the start, if eps was large. */
 static __attribute__((noinline)) struct solid_sweep_family judged(const struct sweep *k, int i) {
     struct solid_list *b = k->b;
     const int exact = b->large[i];

@@ -101,7 +101,7 @@ double solid_outline_area_in(const struct solid_outline *outline, int n, const d
     return area * side * side;
 }
 
-/* Cut where the segment meets the outlines; each part is in or out as its middle is. */
+/* The segment is divided where it meets the outlines; each part is inside or outside as its midpoint is. */
 static double inside_of_segment(const struct solid_outline *outline, int n, const double a[2], const double b[2],
                                 double spacing, double *at) {
     const double length = hypot(b[0] - a[0], b[1] - a[1]), nothing[2] = {0, 0};

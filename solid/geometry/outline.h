@@ -49,12 +49,12 @@ void solid_outline_cells_free(struct solid_outline_cells *cells);
 long solid_outline_cells_at(const struct solid_outline_cells *cells, int i, int j);
 
 enum { SOLID_OUTLINE_NEAR = 16 };
-/* Those nearest to the centre of cell i, j among the cells up to reach rows and columns away (itself not), all that are
- * equally near; only those with their centre in the body where asked. Returns how many. */
+/* The particles nearest to the centre of cell i, j, among the cells up to `reach` rows and columns away (without the
+ * cell itself); all that are equally near; on request only those with their centre in the body. Returns how many. */
 int solid_outline_cells_near(const struct solid_outline_cells *cells, int i, int j, int reach, int only_inside,
                              long near[SOLID_OUTLINE_NEAR]);
 
-/* Boundary that falls to a particle. */
+/* The length of boundary of one particle. */
 struct solid_outline_share {
     long cell;     /* its number in the cells */
     double length; /* m */

@@ -153,7 +153,7 @@ int solid_outline_cells_near(const struct solid_outline_cells *cells, int i, int
     return n;
 }
 
-/* What lies in cells outside goes to particles next to them. */
+/* Gives the areas of cells with their centre outside to adjacent particles. */
 static void hand_over(struct solid_outline_cells *cells) {
     for (long k = 0; k < cells->n; k++) {
         struct solid_outline_cell *from = &cells->cell[k];

@@ -8,7 +8,7 @@ struct solid_piece {
     /* depth of x below the piece, m, > 0 in the material, and the piece's unit normal out of it there */
     double (*depth)(const struct solid_piece *piece, const double x[3], double normal[3]);
     int mask[3];
-    int inside;               /* +1: the material is within the radius, -1: beyond it */
+    int inside;               /* +1: the material is inside the radius, -1: outside */
     double centre[3], radius; /* m */
     double radii[3];          /* of an ellipsoid, m */
 };

@@ -11,7 +11,7 @@ int solid_constraint_inside(const struct solid *s, int h, const double low[3], c
     return 1;
 }
 
-/* Asked first: most particles are free. */
+/* Tested first: most particles are free. */
 static int is_held(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
 
 /* The velocity of a constraint from t to t + dt; if a displacement is given, the velocity that leads to it. */

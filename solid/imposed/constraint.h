@@ -18,5 +18,5 @@ int solid_constraint_varies(const struct solid *s);
 /* Sets a = 0 where the velocity is imposed; power_constraint is the power of the reaction. Returns the sum of the
  * squared reactions, N2. Not collective. */
 double solid_constraint_apply(struct solid *s);
-/* X0 of particle h in the box. */
+/* Whether X0 of particle h is in the box. */
 int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3]);

@@ -2,7 +2,7 @@
 #pragma once
 #include "solid/input.h"
 
-/* At a horizon, m; thickness (m) is read for plates only. */
+/* At a horizon, m; thickness, m, is used for plates only. */
 struct physics_bond solid_material_constants(enum solid_model model, double thickness,
                                              const struct solid_material *material, double horizon);
 

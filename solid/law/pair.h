@@ -14,7 +14,7 @@
 
 struct physics_micromodulus_law; /* physics/micromodulus.h */
 
-/* One end. */
+/* One end of a bond. */
 struct solid_end {
     double size;    /* side of the particle's cell */
     double horizon; /* delta */
@@ -27,8 +27,8 @@ struct solid_bond_law {
     enum solid_partial partial;
     enum solid_horizons horizons;
     const struct physics_micromodulus_law *micromodulus;
-    double horizon;                   /* the material's own */
-    double c, s0;                     /* at it: c0 or c1 in N/m6, critical stretch */
+    double horizon;                   /* horizon of the material */
+    double c, s0;                     /* at this horizon: c0 or c1 in N/m6, critical stretch */
     double density;                   /* kg/m3 */
     int columns;                      /* of the quadrature of partial volumes in 3D */
     struct solid_weight_table *table; /* table of earlier partial volumes; borrowed */

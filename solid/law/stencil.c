@@ -8,10 +8,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { CELLS = 400 }; /* columns a side under a cube's face: fractions to 1e-6 */
+enum { CELLS = 400 }; /* columns along a side of a cube's face: fractions accurate to 1e-6 */
 
 static double fraction_of_step(const struct solid_stencil *t, const int step[3]) {
-    /* the same for all permutations and signs: look whether it has been integrated already */
+    /* the fraction is equal for all permutations and signs: checks whether it is known already */
     for (int o = 0; o < t->n; o++) {
         const int *other = t->offset[o].step;
         const int same2 = other[0] * other[0] + other[1] * other[1] + other[2] * other[2] ==

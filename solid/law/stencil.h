@@ -10,14 +10,15 @@ struct solid_offset {
     double weight;      /* Gamma V_l, m3 */
 };
 
-/* The full family |xi| < delta + spacing/2, ordered z, y, x: the reverse of offset o is n-1-o. */
+/* The complete family |xi| < delta + spacing/2, ordered z, y, x: the reverse of offset o is n-1-o. */
 struct solid_stencil {
-    int n, reach; /* offsets; the largest |step| */
+    int n, reach; /* number of offsets; the largest |step| */
     double spacing, horizon;
     double full_volume; /* V0 = sum of weights, m3 */
     struct solid_offset *offset;
 };
 
-/* m: horizon / spacing. Dies (exit 2) on a family larger than SOLID_FAMILY_MAX. Collective (all ranks alike). */
+/* m: horizon / spacing. Dies (exit 2) on a family larger than SOLID_FAMILY_MAX. Collective (same input on all
+ * ranks). */
 struct solid_stencil *solid_stencil_new(double spacing, double m);
 void solid_stencil_free(struct solid_stencil *stencil);

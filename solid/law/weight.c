@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Columns along the largest component, on cells x cells points of the face; each column's length within the sphere is
- * exact. */
+/* Columns are along the largest component of a, on cells x cells points of the face; the length of each column inside
+ * the sphere is exact. */
 static double fraction_of_sorted(const double a[3], double side, double radius, int cells) {
     double sum = 0;
     for (int j = 0; j < cells; j++) {

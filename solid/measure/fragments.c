@@ -12,8 +12,8 @@
 
 #include <stdlib.h>
 
-/* Pieces of particles that intact bonds join, of those known here, owned or ghost. parent: a tree each, roots the
- * smallest. */
+/* The trees of particles that are connected by intact bonds, among those on this rank, owned or ghost. parent: of each
+ * particle; the root is the one with the smallest index. */
 static int find(int *parent, int h) {
     while (parent[h] != h) h = parent[h] = parent[parent[h]];
     return h;

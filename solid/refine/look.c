@@ -60,7 +60,7 @@ static double energy_bound(const struct solid_list *t, int i) {
     return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach * (0.26 * eps * eps);
 }
 
-/* The part of the family's volume that is behind broken bonds, the same for mirror images. */
+/* The fraction of the family's volume with broken bonds, the same for mirror images. */
 static double damage_of(const struct solid *s, int h) {
     struct solid_family_view view;
     double weight[SOLID_FAMILY_MAX], lost[SOLID_FAMILY_MAX];

@@ -18,7 +18,7 @@ struct solid_refine {
 
 /* 1: the body is a polygon, whose particles may be refined. */
 int solid_refine_plan_is_possible(const struct solid *s, int body);
-/* The body's particles as they are, to be planned with. kept [cloud->n] or NULL. Not collective. */
+/* A plan of the body's present particles. kept [cloud->n] or NULL. Not collective. */
 struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int body, const uint8_t *kept);
 /* The new cloud of a plan. New particles are on the ranks of their parents; a rank's old particles keep their order,
  * and its new ones come after them. was [n] (owned by the caller): numbers in the plan; count [size]: number of
@@ -41,7 +41,7 @@ struct solid_list;
 void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct solid_list *list,
                                const struct solid_cloud *cloud, const long *was);
 
-/* Adds the boundary from one point to the other by number in the body's cloud, m; 0 where it does not run so. Not
- * collective. */
+/* Adds the boundary between two points to the particles, by number in the body's cloud, m. Returns 0 if no boundary
+ * joins the points. Not collective. */
 int solid_refine_area_lengths(const struct solid *s, int body, const double from[2], const double to[2],
                               double *length);

@@ -1,8 +1,8 @@
-/* The hash table of a plan: which particle stands at a place. Inside the room only. */
+/* The hash table of a plan: the particle at a position. For solid/ only. */
 #pragma once
 #include "solid/refine/plan.h"
 
-/* Within the period. */
+/* A coordinate wrapped into the period. */
 static inline int solid_refine_places_wrapped(int x, int period) {
     const int r = period ? x % period : x;
     return r < 0 && period ? r + period : r;
@@ -14,7 +14,7 @@ static inline unsigned long solid_refine_places_hash(int x, int y) {
     return z ^ z >> 29;
 }
 
-/* The particle at a place, across periodic sides, or -1. */
+/* The particle at a position, also across periodic sides, or -1. */
 static inline long solid_refine_places_at(const struct solid_refine_plan *p, int x, int y) {
     x = solid_refine_places_wrapped(x, p->period[0]);
     y = solid_refine_places_wrapped(y, p->period[1]);
@@ -24,7 +24,7 @@ static inline long solid_refine_places_at(const struct solid_refine_plan *p, int
     }
 }
 
-/* Enters the particle i, at a place where there is none. */
+/* Enters particle i at an empty position. */
 static inline void solid_refine_places_enter(struct solid_refine_plan *p, long i) {
     unsigned long k = solid_refine_places_hash(p->at[i][0], p->at[i][1]);
     while (p->slot[(long)k & p->mask]) k++;

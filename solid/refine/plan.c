@@ -134,7 +134,7 @@ static int want_coarser(struct solid_refine_plan *p, uint8_t *wanted, long i, lo
 /* Whether more than five of the eight positions at half its spacing have particles. */
 static int is_enclosed(const struct solid_refine_plan *p, long i) {
     const int h = solid_refine_plan_spacing(p->level[i] + 1);
-    int n = -1; /* itself */
+    int n = -1; /* without the particle itself */
     for (int k = 0; k < 9; k++)
         n += solid_refine_places_at(p, p->at[i][0] + (k % 3 - 1) * h, p->at[i][1] + (k / 3 - 1) * h) >= 0;
     return n > 5;

@@ -32,9 +32,9 @@ struct solid_refine_plan {
 struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
                                                 const struct solid_refinement *in, double ratio, const uint8_t *kept);
 void solid_refine_plan_free(struct solid_refine_plan *plan);
-/* Refines the marked particles, all of their families if asked to (000: criterion of visibility), those that have to be
- * for neighbours to differ by one level at most, and those that have more than five of the eight places about them
- * taken (000: "incolla"). */
+/* Refines the marked particles; on request all of their families (000: criterion of visibility); the particles that
+ * must be refined so that neighbours differ by at most one level; and those with particles on more than five of the
+ * eight positions around them (000: "incolla"). */
 void solid_refine_plan_close(struct solid_refine_plan *plan, const long *marked, long n, int families);
 
 /* The new particle of a level at an empty position, from the present particles. */

@@ -92,7 +92,7 @@ int solid_refine_finest(const struct solid *s) {
 
 long solid_refine_events(const struct solid *s) { return s->refine ? s->refine->events : 0; }
 
-/* Of the body's cloud, those that a constraint or a load takes hold of, on every rank alike. Collective. */
+/* The particles of the body's cloud that have a constraint or a load, on every rank. Collective. */
 static uint8_t *kept_of(const struct solid *s, int b) {
     const struct solid_cloud *t = s->family->cloud[b];
     const long from = s->first[par_rank()];

@@ -28,7 +28,7 @@ long solid_integrate_sweeps(const struct solid *s, int substeps) {
 
 void solid_integrate_resume(struct solid *s) { kinds[s->stage.integrator].end(s); }
 
-/* Loads and imposed velocities of the coming substep; returns whether one may have changed. */
+/* Sets loads and imposed velocities of the coming substep. Returns whether one of them may have changed. */
 static int impose(struct solid *s, double dt) {
     const int varies = solid_constraint_varies(s);
     if (varies) solid_constraint_velocity(s, s->t, dt);

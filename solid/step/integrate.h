@@ -26,6 +26,6 @@ const struct solid_integrator_kind *solid_integrate_kind(enum solid_integrator i
 
 /* Force sweeps that the stage's integrator takes in so many substeps. Not collective. */
 long solid_integrate_sweeps(const struct solid *s, int substeps);
-/* Goes on in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep,
- * which saw the velocity predicted then) and power_pairwise. Once the stage is set. Not collective. */
+/* Continues in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep,
+ * which used the velocity predicted then) and power_pairwise. To be called once the stage is set. Not collective. */
 void solid_integrate_resume(struct solid *s);

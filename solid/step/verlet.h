@@ -6,7 +6,8 @@
  * it is asked to, an earlier one less, and takes longer steps (solid/step/stable.c; docs/design/solid.md). */
 #define SOLID_VERLET_PAIRWISE 0.4
 
-void solid_verlet_begin(struct solid *s); /* a(t_n), anew unless it is still right. Collective. */
-void solid_verlet_again(struct solid *s); /* a(t_n) with other loads and imposed velocities. Not collective. */
+void solid_verlet_begin(struct solid *s);           /* computes a(t_n), unless a is still valid. Collective. */
+void solid_verlet_again(struct solid *s);           /* computes a(t_n) with changed loads and imposed velocities. Not
+                                                     * collective. */
 void solid_verlet_step(struct solid *s, double dt); /* Collective. */
 void solid_verlet_end(struct solid *s);             /* a holds for the present d, v. Not collective. */

@@ -4,7 +4,7 @@
 
 enum { STUDY_ROUND_ERRORS = 24 }; /* round errors, from large to small, at which run times are compared */
 
-/* Where and by what it was measured. */
+/* The machine and the build of the measurements. */
 struct study_maker {
     char processor[128], compiler[128], flags[512], version[64], revision[64], mpi[128], fftw[128], date[32];
     int cores;

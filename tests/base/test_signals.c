@@ -26,7 +26,7 @@ static void one_rank_stops_all(void **state) {
         assert_int_equal(signals_stop(1e9), SIGNALS_NONE);
         if (par_rank() == par_size() - 1) raise(number[k]);
         assert_int_equal(signals_stop(0), SIGNALS_SIGNAL);
-        assert_int_equal(signals_stop(0), SIGNALS_SIGNAL); /* and it stays so */
+        assert_int_equal(signals_stop(0), SIGNALS_SIGNAL); /* and the next call returns the same */
         if (par_rank() == par_size() - 1) assert_string_equal(signals_name(SIGNALS_SIGNAL), name[k]);
     }
 }
@@ -43,8 +43,7 @@ static void a_second_interrupt_is_the_systems(void **state) {
     assert_true(action.sa_handler != SIG_DFL);
 }
 
-/* A write beyond the limit on files' sizes fails instead of ending the program, and so does one to a reader who is
- * gone. */
+/* A write beyond the limit on files' sizes fails instead of ending the program, and so does one to a closed pipe. */
 static void a_write_that_is_refused_only_fails(void **state) {
     (void)state;
     struct rlimit was;
@@ -71,7 +70,7 @@ static void wall_time_ends_in_time(void **state) {
     signals_begin(AGES);
     assert_int_equal(signals_stop(0), SIGNALS_NONE);
     assert_int_equal(signals_stop(AGES + 1), SIGNALS_MAX_WALL);
-    signals_begin(par_rank() == 0 ? 1e-9 : AGES); /* clocks differ a little; the first to be late decides */
+    signals_begin(par_rank() == 0 ? 1e-9 : AGES); /* clocks differ slightly; the first rank to be late decides */
     assert_int_equal(signals_stop(0.1), SIGNALS_MAX_WALL);
     assert_string_equal(signals_name(SIGNALS_MAX_WALL), "--max-wall");
     signals_begin(0);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# frana bench --quick writes a whole table: every column, every number positive and finite, every part and the kinds of
-# traffic that its ranks have; and the pages can be made of it.      usage: quick.sh FRANA WORK RANKS
+# frana bench --quick writes a complete table, with every column and part, all numbers positive and finite, and all
+# kinds of traffic of its ranks; the pages can be made from it.      usage: quick.sh FRANA WORK RANKS
 set -euo pipefail
 frana=$(realpath "$1") work=$2 ranks=$3
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What frana bench must refuse: one sentence, and exit code 2 (4 for a file).     usage: refuse.sh FRANA WORK
+# Command lines that frana bench must refuse: one sentence, and exit code 2 (4 for a file).     usage: refuse.sh FRANA
+# WORK
 set -euo pipefail
 frana=$(realpath "$1") work=$2
 rm -rf "$work" && mkdir -p "$work" && cd "$work"

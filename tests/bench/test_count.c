@@ -22,7 +22,7 @@ static void assert_sent(enum par_count_kind kind, long messages, long collective
     last[kind] = now;
 }
 
-/* Three items of 16 bytes to the next rank, one to this one, and back; what stays here is not sent. */
+/* Three items of 16 bytes to the next rank, one to this one, and back; the item that stays is not counted. */
 static void exchange(void **state) {
     (void)state;
     const int size = par_size(), next = (par_rank() + 1) % size, crosses = size > 1;

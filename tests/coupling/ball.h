@@ -1,4 +1,4 @@
-/* A soft ball in a periodic box of fluid that streams past it. density: of the ball, kg/m3, a string. */
+/* A soft ball in a periodic box of fluid that flows past it. density: of the ball, kg/m3, a string. */
 #pragma once
 
 #define BALL_IN_A_BOX(density)                                                                                         \

@@ -13,7 +13,7 @@
 #include <stdio.h>
 
 enum { STEPS = 8, HELD = SOLID_HELD_X };
-static const double VELOCITY = 1e-6; /* m/s: nothing moves by a bond's worth */
+static const double VELOCITY = 1e-6; /* m/s: displacements stay far below a bond's length */
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
@@ -31,7 +31,7 @@ int main(int argc, char **argv) {
     printf("step, force dt/(m V)\n");
     for (int n = 0; n < STEPS; n++) {
         for (int c = 0; c < 3; c++)
-            for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h]; /* the carried part is not looked at */
+            for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h]; /* without the carried part */
         interface_markers_update(r);
         ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
                         r->markers.volume);

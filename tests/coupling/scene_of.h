@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <cmocka.h>
 
-/* With n settings over it. Free with scene_free. Collective. */
+/* The same with n settings. Free with scene_free. Collective. */
 static inline struct scene *scene_of(const char *one, const char *two, int n, const char *const *set) {
     char path[] = "/tmp/frana_test_sceneXXXXXX";
     if (par_rank() == 0) {

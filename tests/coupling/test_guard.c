@@ -37,7 +37,7 @@ static const char *const channel =
     "stages:\n"
     "  - {name: drift, steps: 100, time_step: 1.0e-3, integrator: verlet, damping_relative: 1.0e11}\n";
 
-/* Two weak blocks that run into each other under a load that comes and goes. */
+/* Two weak blocks that collide under a load that varies in time. */
 static const char *const blocks =
     "title: test\n"
     "domain: {size: [0.2, 0.1, 0.1]}\n"
@@ -78,7 +78,7 @@ static const char *const plate =
     "stages:\n"
     "  - {name: pull, steps: 1000, time_step: 5.0e-8, integrator: verlet}\n";
 
-/* All that a later step depends on, as numbers one after another. */
+/* All data that a later step depends on, as a list of numbers. */
 struct snapshot {
     int n, room;
     double *value;
@@ -180,7 +180,7 @@ static long broken(struct run *r) {
     return r->solid->bonds_broken;
 }
 
-/* What a run that has gone unstable leaves: no numbers anywhere. */
+/* The state of an unstable run: NaN everywhere. */
 static void spoil(struct run *r) {
     if (r->fluid) {
         const struct fluid_state *q = fluid_state_of(r->fluid);
@@ -198,12 +198,13 @@ struct course {
     const char *scene;
     int settings;
     const char *set[4];
-    int before, after; /* steps before the state is kept, and from there on */
-    int breaks, meets; /* what must have come about */
+    int before, after; /* steps before the state is kept, and after it */
+    int breaks, meets; /* events that must have happened */
 };
 
-/* before steps; keep; after steps: A. As many again; back; after steps: A again. NaN; back; after steps: A again. And
- * with a second guard kept on the way, and the first put back over it. */
+/* Takes `before` steps; keeps the state; takes `after` steps: result A. Takes as many more; restores; takes `after`
+ * steps: A again. Sets NaN; restores; takes `after` steps: A again. The same with a second guard kept in between, and
+ * the first restored over it. */
 static void go(const struct course *q) {
     struct scene *scene = scene_of(q->scene, "", q->settings, q->set);
     struct run *r = run_new(scene);
@@ -248,7 +249,7 @@ static void test_coupled(void **state) {
     go(&(struct course){channel, 1, {"stages.drift.integrator=rk3"}, 12, 6, 1, 0});
 }
 
-/* What the implicit forcing goes on from comes back with the rest, the solid elastic or at rest. */
+/* The guess of the implicit forcing is restored with the rest, with the solid elastic or at rest. */
 static void test_implicit(void **state) {
     (void)state;
     const char *const lasting = "solid.materials.soft.fracture_energy=.inf";
@@ -294,7 +295,7 @@ static void test_plate(void **state) {
     go(&(struct course){plate, 2, {"solid.refinement.from=1", "stages.pull.integrator=rk3"}, 150, 60, 1, 0});
 }
 
-/* A refinement makes other particles: what was kept before does not fit, and says so. */
+/* A refinement makes other particles: a state kept before does not fit, which is reported. */
 static void test_refined(void **state) {
     (void)state;
     const char *set[] = {"solid.refinement.from=0"};

@@ -21,7 +21,7 @@ static double uniform(double low, double high) {
     return low + (high - low) * (double)(seed >> 11) * 0x1p-53;
 }
 
-/* All the particles, on every rank; each rank deposits those of its turn. */
+/* All particles, on every rank; each rank deposits some of them. */
 static struct {
     int n;
     double x[3][PARTICLES_MAX], volume[PARTICLES_MAX];
@@ -46,7 +46,7 @@ static void deposit_shared(struct medium *m) {
 
 static double overlap(double low, double high, double a, double b) { return fmax(0, fmin(high, b) - fmax(low, a)); }
 
-/* The share of cell (i,j,k) by summing over every particle and its periodic images. */
+/* The solid fraction of cell (i,j,k), by a sum over every particle and its periodic images. */
 static double fraction_brute(const struct fluid_grid *g, int i, int j, int k) {
     const int at[3] = {i, j, k};
     double sum = 0;
@@ -84,7 +84,8 @@ static void random_particles(int n, const double L[3], double beyond, double sid
     }
 }
 
-/* Periodic: no volume is lost, wherever the particles are, and a redistribution later is as good as the first. */
+/* Periodic: no volume is lost, wherever the particles are; a second deposit with another distribution is correct as
+ * well. */
 static void test_volume_is_kept(void **state) {
     (void)state;
     const int n[3] = {13, 12, 15}, periodic[3] = {1, 1, 1};
@@ -108,8 +109,8 @@ static void test_volume_is_kept(void **state) {
     fluid_grid_free(g);
 }
 
-/* Every cell and its nearest ghosts against brute force; x and z closed, and cubes up to five cells wide standing in
- * and out of the domain. */
+/* Every cell and its nearest ghosts against brute force; x and z closed, and cubes up to five cells wide inside and
+ * outside of the domain. */
 static void test_every_cell(void **state) {
     (void)state;
     const int n[3] = {9, 12, 12}, periodic[3] = {0, 1, 0};
@@ -156,7 +157,7 @@ static void test_cavity_lattice(void **state) {
     struct medium *m = medium_new(g, low, high);
     all.n = 0;
     for (int k = 0; k < 16; k++)
-        for (int j = -3; j < 16; j++) /* with three layers out of the domain, as a block is held */
+        for (int j = -3; j < 16; j++) /* with three layers outside the domain, as a held block has */
             for (int i = 4; i < 20; i++)
                 if (solid_at(i, j, k)) particle_add((i + 0.5) * d, (j + 0.5) * d, (k + 0.5) * d, d * d * d);
     deposit_shared(m);
@@ -228,14 +229,14 @@ static void test_closed_does_not_count(void **state) {
     deposit_map(m);
     assert_effective(m, M);
     check_close(medium_measure_porosity(m) * M * M * M, M + 16 + 18, 1e-9);
-    map[2][2][6] = 1; /* plugged */
+    map[2][2][6] = 1; /* blocked */
     deposit_map(m);
     assert_effective(m, 0);
     medium_free(m);
     fluid_grid_free(g);
 }
 
-/* One pore that goes up and down all of z and y, back and forth over every rank, one cell wide. */
+/* One pore, one cell wide, that runs up and down all of z and y and through every rank. */
 static void test_winding_path(void **state) {
     (void)state;
     struct fluid_grid *g = map_grid(0, 0);
@@ -252,7 +253,7 @@ static void test_winding_path(void **state) {
     }
     deposit_map(m);
     assert_effective(m, cells);
-    map[6][4][6] = 1; /* a plug half way: nothing is joined any more */
+    map[6][4][6] = 1; /* a blocked cell half way: the ends are no longer connected */
     deposit_map(m);
     assert_effective(m, 0);
     medium_free(m);
@@ -329,7 +330,7 @@ static void test_random_media(void **state) {
     check_above(most, 200); /* the samples lie on both sides of the threshold */
 }
 
-/* Two channels from y_low: one turns, across the periodic sides of x, and comes to y_high; one ends. */
+/* Two channels from y_low: one turns, crosses the periodic sides of x and reaches y_high; one is closed. */
 static void test_cut_off(void **state) {
     (void)state;
     const int n[3] = {M, M, M}, y_high[3][2] = {{0, 0}, {0, 1}, {0, 0}}, y_low[3][2] = {{0, 0}, {1, 0}, {0, 0}};
@@ -359,7 +360,7 @@ static void test_cut_off(void **state) {
     }
 }
 
-/* A cell counts as pore up to half full, and then with what is void of it. */
+/* A cell counts as pore up to half full, and then with its void part. */
 static void test_half_full_cells(void **state) {
     (void)state;
     struct fluid_grid *g = map_grid(0, 0);
@@ -378,7 +379,7 @@ static void test_half_full_cells(void **state) {
     fluid_grid_free(g);
 }
 
-/* All memory goes back. */
+/* All memory is freed. */
 static void test_memory(void **state) {
     (void)state;
     const size_t before = memory_bytes(MEMORY_COUPLING);

@@ -74,7 +74,7 @@ static void test_slit_fills_box(void **state) {
     check_relative(value.velocity, G * h * h / 12 / (density * viscosity), 1e-12);
     check_equal(value.tortuosity, 1);
     check_relative(value.specific_surface, 0.006 / (6.7 * d * NY * d * NZ * d), 1e-14);
-    /* one by one they are the same */
+    /* each value computed alone is the same */
     check_equal(medium_measure_pressure_drop(m, f), value.pressure_drop);
     check_equal(medium_measure_permeability(m, f), value.permeability);
     check_equal(medium_measure_tortuosity(m, f), value.tortuosity);
@@ -113,8 +113,8 @@ static void test_slit_between_plates(void **state) {
     fluid_free(f);
 }
 
-/* The flow that the fluid itself settles to under a pressure gradient: on n cells h^2/12 (1 + 2/n^2), exactly. It
- * starts from the continuous parabola, 1.4 % slower; the slowest mode has decayed by 1e-7 at the end. */
+/* The steady flow of the solver under a pressure gradient: on n cells h^2/12 (1 + 2/n^2), exactly. It starts from the
+ * continuous parabola, 1.4 % slower; the slowest mode has decayed by 1e-7 at the end. */
 static void test_poiseuille_by_the_fluid(void **state) {
     (void)state;
     struct fluid *f = channel(1);
@@ -130,7 +130,7 @@ static void test_poiseuille_by_the_fluid(void **state) {
     check_relative(value.permeability, h * h / 12 * (1 + 2.0 / (NY * NY)), 1e-8);
     check_relative(value.tortuosity, 1, 1e-12);
     medium_free(m);
-    /* a box that is the whole period: only the driving drives */
+    /* a box that is the whole period: only the driving counts */
     m = medium_between(f, 0, NX * d);
     check_relative(medium_measure_pressure_drop(m, f), 3.0 * NX * d, 1e-14);
     check_relative(medium_measure_permeability(m, f), h * h / 12 * (1 + 2.0 / (NY * NY)), 1e-8);
@@ -142,7 +142,7 @@ static void test_poiseuille_by_the_fluid(void **state) {
     fluid_free(f);
 }
 
-/* Only sections wholly outside of the box count: whatever stands within it does not. */
+/* Only sections wholly outside the box count; pressures inside have no effect. */
 static void test_pressure_outside_only(void **state) {
     (void)state;
     struct fluid *f = channel(0);
@@ -199,7 +199,7 @@ static void test_tortuosity(void **state) {
     fluid_free(f);
 }
 
-/* What is not defined says so. */
+/* Undefined values are NaN. */
 static void test_at_rest(void **state) {
     (void)state;
     struct fluid *f = channel(0);

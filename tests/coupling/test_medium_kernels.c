@@ -105,7 +105,7 @@ static void test_flood(void **state) {
             const uint8_t c = cell[(row * 5) + (j + 1) * row + i + 1];
             assert_int_equal(c, map[j][i] == '#' ? MEDIUM_WALL : map[j][i] == 'x' ? MEDIUM_PORE : MEDIUM_FRONT);
         }
-    /* the second level goes only where the first has been */
+    /* the second level floods only cells of the first one */
     stack[0] = (row * 5) + 3 * row + 3;
     cell[stack[0]] = MEDIUM_BOTH;
     assert_int_equal(medium_kernels_flood(m, MEDIUM_BOTH, 1, stack, cell), 6);

@@ -41,7 +41,7 @@ static void apply(const struct map *m, const double *x, double *image) {
     }
 }
 
-/* Iterations until |H(x) - x| < 1e-10, from 0; most where that is not reached. */
+/* Iterations until |H(x) - x| < 1e-10, from 0; `most` if that is not reached. */
 static int solve(struct quasi_newton *q, const struct map *m, int most, double *x) {
     double image[N];
     for (int i = 0; i < m->n; i++) x[i] = 0;
@@ -66,8 +66,8 @@ static double error_of(const struct map *m, const double *x) {
     return par_max(error);
 }
 
-/* A map that is linear in three modes has residuals in four directions (the rest goes at once): with as many columns as
- * there are, the next guess is the root, to round-off. */
+/* A map that is linear in three modes has residuals in four directions (the rest vanishes at once): with four columns
+ * the next guess is the root, to round-off. */
 static void test_finite_end(void **state) {
     (void)state;
     struct quasi_newton *q = least_squares();
@@ -76,13 +76,12 @@ static void test_finite_end(void **state) {
     quasi_newton_begin(q, m.n, 0);
     const int iterations = solve(q, &m, 50, x);
     check_at_most(iterations, MODES + 4);
-    check_at_least(iterations, 4); /* there are three modes to be learnt */
+    check_at_least(iterations, 4); /* there are three modes to be found */
     check_below(error_of(&m, x), 1e-9);
     quasi_newton_free(q);
 }
 
-/* What one step has taught serves the next, unless it is told to be forgotten on any rank, or the unknowns have
- * changed. */
+/* Columns of one solve are used in the next, unless a rank asks to forget them or the unknowns have changed. */
 static void test_learns(void **state) {
     (void)state;
     struct quasi_newton *q = least_squares();
@@ -104,7 +103,7 @@ static void test_learns(void **state) {
     quasi_newton_free(q);
 }
 
-/* Hundreds of solves fill no more columns than there are directions: those that say nothing new are dropped. */
+/* Hundreds of solves fill no more columns than there are directions: dependent columns are dropped. */
 static void test_filters(void **state) {
     (void)state;
     struct quasi_newton *q = least_squares();
@@ -142,12 +141,12 @@ static void test_aitken(void **state) {
     const struct map m = map_of(1);
     double y[N];
     quasi_newton_begin(q, m.n, 0);
-    check_below(solve(q, &m, 200, y), 200); /* one factor for three modes: slower, but there */
+    check_below(solve(q, &m, 200, y), 200); /* one factor for three modes: slower, but it converges */
     check_below(error_of(&m, y), 1e-9);
     quasi_newton_free(q);
 }
 
-/* A residual of nothing leaves the guess where it is. */
+/* A zero residual leaves the guess unchanged. */
 static void test_at_rest(void **state) {
     (void)state;
     struct quasi_newton *q = least_squares();

@@ -162,7 +162,7 @@ static void test_bounds(void **state) {
     scene_free(s);
 }
 
-/* What a process says of a scene with settings, and leaves with. */
+/* Standard error and exit code of a process that reads a scene with settings. */
 static int leaves_with(const char *path, int n, const char *const *set, int whole, char *said, size_t size) {
     int pipes[2], status;
     assert_int_equal(pipe(pipes), 0);

@@ -1,6 +1,6 @@
 /* Coupled step: no force on a body that moves with the flow, momentum balance, parts of a stage. */
-/* The coupled step: a body that moves with the flow feels nothing; the box's momentum closes; steps are put together
- * from what the stage needs. */
+/* A body that moves with the flow has no force; the box's momentum balance closes; a step consists of the parts that
+ * the stage needs. */
 #include "ball.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -113,7 +113,7 @@ static void test_substeps_converge(void **state) {
     }
 }
 
-/* A particle without bonds, alone in still fluid: slowed by Stokes' drag, and what it loses the fluid has. */
+/* A particle without bonds, alone in a fluid at rest: it is slowed by Stokes' drag, and the fluid gets its momentum. */
 static void test_set_free(void **state) {
     (void)state;
     const char *set[] = {"solid.bodies.ball.radius=0.006", "solid.bodies.ball.centre=[0.085, 0.085, 0.085]",
@@ -132,7 +132,7 @@ static void test_set_free(void **state) {
         velocity = par_sum(r->solid->n ? r->solid->v[0][0] : 0);
         fluid_measures_momentum(r->fluid, momentum);
         check_close(momentum[0] + mass * (velocity - start), 0, 1e-12 * mass * start);
-        if (n == 0) { /* the forcing's later passes see less of a difference: at most a tenth of it here */
+        if (n == 0) { /* the later forcing iterations see a smaller difference: at most a tenth less here */
             const double rate = (before - velocity) / r->dt / start, stokes = 3 * M_PI * 1.0 * diameter / mass;
             check_between(rate, 0.85 * stokes, stokes);
         }

@@ -1,6 +1,6 @@
 /* Strongly coupled step: one answer for every relaxation, no iterations where none are needed. */
-/* The iterated step: its answer does not depend on how it is found, a body that moves with the flow needs no
- * iterations, and steps that do not converge are counted. */
+/* The iterated step: its result does not depend on the iteration method; a body that moves with the flow needs no
+ * iterations; steps that do not converge are counted. */
 #include "ball.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -45,21 +45,21 @@ static void test_one_answer(void **state) {
     assert_int_equal(newton.steps, 6);
     assert_int_equal(newton.unconverged, 0);
     check_above(newton.iterations, newton.steps);
-    check_between(a[0], 0.02, 0.1); /* dragged along, not past the flow */
+    check_between(a[0], 0.02, 0.1); /* moves with the fluid, not faster than the flow */
     const struct strong_count other = ball_after(1, aitken, b, &shake_b);
     assert_int_equal(other.unconverged, 0);
     for (int c = 0; c < 3; c++) check_close(a[c], b[c], 1e-6 * 0.1);
     check_close(shake, shake_b, 1e-5 * 0.1);
 }
 
-/* Verlet goes on from its last sweep, which is part of what is put back. */
+/* Verlet continues from its last sweep, which is part of the restored state. */
 static void test_one_answer_of_verlet(void **state) {
     (void)state;
     static const char *const set[] = {"stages.drift.integrator=verlet", "coupling.relaxation=aitken"};
     double a[3], b[3], shake, shake_b;
     const struct strong_count newton = ball_after(1, set, a, &shake), other = ball_after(2, set, b, &shake_b);
     assert_int_equal(newton.unconverged + other.unconverged, 0);
-    assert_true(newton.iterations != other.iterations); /* so the state was put back another number of times */
+    assert_true(newton.iterations != other.iterations); /* so the state was restored another number of times */
     for (int c = 0; c < 3; c++) check_close(a[c], b[c], 1e-6 * 0.1);
     check_close(shake, shake_b, 1e-5 * 0.1);
 }

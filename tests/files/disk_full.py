@@ -15,7 +15,7 @@ def run(*args, program=checkpoint_program):
     command = [*launch, program, *map(str, args)]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode < 0 and "PMIx_server_finalize" in done.stderr and "with errorcode 4" in done.stderr:
-        return 4, done.stderr  # the launcher fell over its own finalize, after frana had left with 4
+        return 4, done.stderr  # the launcher failed in its own finalize, after frana had ended with 4
     return done.returncode, done.stderr
 
 
@@ -52,7 +52,7 @@ def file_size_limit():
     fresh(folder)
     for limit in (1, 3):
         refused(folder, "File too large", limit)
-    # amid a file, in what was reserved of it: no rank may wait for ever for another that could not write
+    # in the middle of a file, within its reserved bytes: no rank may wait for ever for another that could not write
     refused(folder, "File too large", 0.001, "amid", mebibytes=0.05)
     print("refused by the limit on a file's size")
 
@@ -89,7 +89,7 @@ def series():
         lines = f.read().split("\n")
     whole = (500 - len("step,dp\n#1,Pa\n") - 9 * len("1,0.5\n")) // len("10,0.5\n") + 9
     assert lines[2:-1] == [f"{k},0.5" for k in range(1, whole + 1)], lines
-    assert lines[-1] != ""  # the row that was cut off
+    assert lines[-1] != ""  # the truncated row
     before = digest(path)
     code, said = run(folder, "other", 50, 1, program=series_program)
     assert code == 4 and "other columns" in said and digest(path) == before, (code, said)

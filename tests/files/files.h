@@ -19,8 +19,7 @@ static inline int files_exists(const char *path) {
     return stat(path, &is) == 0;
 }
 
-/* Splits n items over the ranks, unevenly, with the given rank (from the end) left empty where there are two or more.
- */
+/* Splits n items unevenly over the ranks; with two or more ranks, the given rank (counted from the end) gets none. */
 static inline void files_split(long n, int empty, long *first, long *count) {
     const int size = par_size(), rank = par_rank(), bare = size > 1 ? size - 1 - empty % size : -1;
     long weight[64], all = 0, before = 0;

@@ -49,7 +49,7 @@ static void folders_are_made_on_the_way(void **state) {
     folder_make(folder_path(path, folder, "a/b//c/"));
     assert_true(files_exists(folder_path(below, folder, "a/b/c/checkpoint")));
     assert_true(files_exists(folder_path(below, folder, "a/b/c/fields")));
-    folder_make(path); /* once more is no fault */
+    folder_make(path); /* a second call is no fault */
 }
 
 static void json_is_as_its_grammar_wants(void **state) {
@@ -71,7 +71,7 @@ static void json_is_as_its_grammar_wants(void **state) {
         json_close(j);
         json_object(j, "seconds");
         json_number(j, "momentum", 2);
-        json_end(j); /* closes what is open */
+        json_end(j); /* closes the open objects */
         FILE *f = fopen(path, "r");
         text[fread(text, 1, sizeof text - 1, f)] = '\0';
         fclose(f);

@@ -1,6 +1,6 @@
 /* Only one run at a time holds a folder, with the system's file locks and without them. */
-/* One run at a time in a folder, by the system's locks and without them. The linker turns die_all and fcntl to this
- * file: a refusal comes back, and locks can be made to be missing. */
+/* With the system's locks and without them. The linker redirects die_all and fcntl to this file: a refusal returns to
+ * the test, and locks can be made to be missing. */
 #include "base/die.h"
 #include "tests/files/files.h"
 
@@ -90,7 +90,7 @@ static void write_lock(const char *text) {
     par_barrier();
 }
 
-/* Which of the first bytes are locked, as a process sees it that locks none. */
+/* Which of the first bytes are locked, from the view of a process without locks. */
 static int locked_bytes(int n) {
     int status, mask = 0;
     const pid_t child = fork();
@@ -109,7 +109,7 @@ static int locked_bytes(int n) {
 static void each_rank_locks_a_byte(void **state) {
     (void)state;
     assert_int_equal(hold(), 0);
-    assert_int_equal(hold(), 0); /* once more is no fault */
+    assert_int_equal(hold(), 0); /* a second call is no fault */
     assert_int_equal(locked_bytes(par_size() + 1), (1 << par_size()) - 1);
     release();
     assert_false(files_exists(lock_file));
@@ -131,7 +131,7 @@ static void a_run_at_work_is_named(void **state) {
         if (par_rank() == 0) other_end(child);
         par_barrier();
     }
-    assert_int_equal(hold(), 0); /* killed, it holds nothing */
+    assert_int_equal(hold(), 0); /* a killed process holds nothing */
     release();
 }
 
@@ -147,7 +147,7 @@ static void without_locks_the_words_count(void **state) {
     write_lock(text);
     assert_int_equal(hold(), EXIT_CODE_FILE);
     assert_non_null(strstr(sentence, "; should it be gone, delete "));
-    write_lock("another.host 1\n"); /* whose processes cannot be seen from here */
+    write_lock("another.host 1\n"); /* processes of another host cannot be seen from here */
     assert_int_equal(hold(), EXIT_CODE_FILE);
     if (par_rank() == 0) other_end(child);
     write_lock(text);

@@ -29,7 +29,7 @@ static double now = 1000; /* s */
 double __wrap_par_seconds(void);
 double __wrap_par_seconds(void) { return now; }
 
-/* What the calls of a run put on the screen (a terminal or a file) and into run.log. */
+/* Records the output of a run's calls on the screen (a terminal or a file) and in run.log. */
 static void record(int terminal, int quiet, int resume, void (*calls)(void)) {
     int mine = -1, other = -1;
     char on_screen[FOLDER_PATH];

@@ -71,7 +71,7 @@ static void write_some(const char *name) {
     write_all(name, u, d, lambda);
 }
 
-/* Everything in the file, by this division; 0, or 1 and store_read_error. */
+/* Reads the whole file with this division over ranks; 0, or 1 and store_read_error. */
 static int read_all(const char *path) {
     double u[NX * NY * NZ], d[3 * N], t;
     uint8_t lambda[N * BYTES], flag[N];
@@ -145,7 +145,7 @@ static void a_bit_of_each_array_is_told(void **state) {
     assert_int_equal(read_all(path), 0);
 }
 
-/* HDF5's own bytes, values and texts, and the seal itself: the file is not given to HDF5. */
+/* HDF5's own bytes, values and texts, and the seal itself: the damage is found before HDF5 opens the file. */
 static void a_bit_anywhere_else_is_told(void **state) {
     (void)state;
     char path[FOLDER_PATH], why[256];
@@ -183,7 +183,7 @@ static void another_format_is_told(void **state) {
     char path[FOLDER_PATH];
     write_some("format_1");
     load(folder_path(path, folder, "checkpoint/format_1.h5"));
-    spoil(path, bytes - sizeof(struct seal), 0, 0); /* as it was written before there were seals */
+    spoil(path, bytes - sizeof(struct seal), 0, 0); /* the format before seals */
     assert_null(store_read_open(path));
     assert_non_null(strstr(store_read_error(), "written by an earlier version of frana"));
     spoil(path, bytes, bytes - sizeof(struct seal) + offsetof(struct seal, format), 1);
@@ -204,7 +204,7 @@ static void another_that_is_whole_is_named(void **state) {
     assert_string_equal(store_read_other(older), newer);
     assert_int_equal(seal_file_read(&seal, newer, why, sizeof why), 0);
     spoil(newer, bytes, seal.array[2].at + 5, 64);
-    assert_null(store_read_other(older)); /* its headers are whole, an array is not */
+    assert_null(store_read_other(older)); /* its headers are intact, an array is damaged */
     par_barrier();
 }
 

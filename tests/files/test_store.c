@@ -90,7 +90,7 @@ static void check_all(struct store *s, int axis, int empty, int halo) {
             for (int i = 0; i < b.m[0]; i++)
                 check_equal(u[at(&b, i, j, k)], u_at(b.lo[0] + i, b.lo[1] + j, b.lo[2] + k));
     for (size_t i = 0; i <= size; i++) inside += a[i] != -7;
-    assert_int_equal(inside, (size_t)b.m[0] * (size_t)b.m[1] * (size_t)b.m[2]); /* ghosts are left alone */
+    assert_int_equal(inside, (size_t)b.m[0] * (size_t)b.m[1] * (size_t)b.m[2]); /* ghosts are not changed */
     free(a);
 
     long first, count, step = 0;
@@ -155,7 +155,7 @@ static void what_does_not_fit_is_told(void **state) {
     assert_int_equal(store_read_range(s, "u", STORE_DOUBLE, 1, N, 0, N, value), 1);
     check_equal(value[0], 5);
     assert_int_equal(store_read_double(s, "none", &t), 1);
-    assert_int_equal(store_read_long(s, "t", &step), 1); /* a double is no whole number */
+    assert_int_equal(store_read_long(s, "t", &step), 1); /* a double is no integer */
     assert_non_null(strstr(store_read_error(), "its value t is of another kind"));
     store_read_close(s);
 }
@@ -208,7 +208,8 @@ static void damaged_files_are_passed_over(void **state) {
     par_barrier();
 }
 
-/* A bit of an array is turned over, `latest` names nothing, is empty, is gone: the newest that is whole is found. */
+/* A bit of an array is inverted, or `latest` names no file, is empty, is missing: the newest intact checkpoint is
+ * found. */
 static void the_newest_that_is_whole_is_found(void **state) {
     (void)state;
     char older[FOLDER_PATH], newer[FOLDER_PATH], latest[FOLDER_PATH], why[256];

@@ -1,7 +1,7 @@
 /* Writes a checkpoint of a given size; disk_full.py checks what remains when the disk is full. */
-/* Writes a checkpoint of about `mebibytes`; disk_full.py looks at what is left when the disk says no.
- * usage: test_store_full FOLDER NAME MEBIBYTES [LIMIT_MEBIBYTES [amid]]   the limit is on a file's size, from the start
- * or amid the file */
+/* Writes a checkpoint of about `mebibytes`; disk_full.py checks what remains when the disk is full. usage:
+ * test_store_full FOLDER NAME MEBIBYTES [LIMIT_MEBIBYTES [amid]]   the limit is on a file's size, from the start or
+ * while the file is written */
 #include "base/memory.h"
 #include "base/par.h"
 #include "files/store.h"

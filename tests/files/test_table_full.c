@@ -1,5 +1,5 @@
 /* Writes a series of given length; disk_full.py checks what remains when the disk is full. */
-/* Writes a series of so many rows with a column of the given name; disk_full.py looks at what is left when it cannot.
+/* Writes a series of so many rows with a column of the given name; disk_full.py checks what remains when it cannot.
  * usage: test_table_full FOLDER COLUMN RESUME_STEP ROWS [LIMIT_BYTES]   the limit is on a file's size */
 #include "base/par.h"
 #include "files/folder.h"

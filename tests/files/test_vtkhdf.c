@@ -15,7 +15,7 @@
 
 static const char *folder;
 
-/* A value that tells its place and component. */
+/* A value that depends on position and component. */
 static double sample(long id, int c) { return sin(0.37 * (double)id) + 10 * c; }
 
 static void write_image(const char *path, int wide, const int n[3], int empty) {

@@ -1,6 +1,6 @@
 /* Writes sample field files for a VTK reader; vtk_reads.py checks them. */
-/* Writes a run folder's fields as a run does, for a real VTK reader to look at (vtk_reads.py knows the same formulas).
- * usage: test_vtkhdf_sample FOLDER */
+/* Writes a run folder's fields as a run does, for VTK itself to read (vtk_reads.py has the same formulas). usage:
+ * test_vtkhdf_sample FOLDER */
 #include "base/par.h"
 #include "files/folder.h"
 #include "files/vtkhdf.h"

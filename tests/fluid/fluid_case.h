@@ -1,4 +1,4 @@
-/* Scenes in brief, and a pseudo-random field that depends on the global place only. */
+/* Short inputs of fluids, and a pseudo-random field that depends on the global position only. */
 #pragma once
 #include "base/par.h"
 #include "fluid/fluid.h"

@@ -81,8 +81,8 @@ static void start_up(void **state) {
     fluid_free(f);
 }
 
-/* Started and fed with the developed profile, a channel with an outflow stays as it is, with the exact pressure
- * gradient, and the uniform one becomes it. */
+/* Started and fed with the developed profile, a channel with an outflow does not change and has the exact pressure
+ * gradient; a uniform inflow develops into that profile. */
 static void inflow_and_outflow(void **state) {
     (void)state;
     for (int uniform = 0; uniform < 2; uniform++)
@@ -116,7 +116,7 @@ static void inflow_and_outflow(void **state) {
             }
 }
 
-/* Two open sides at given pressures drive the same parabola, whichever side is high. */
+/* Two open sides at given pressures drive the same parabola, in both directions. */
 static void between_pressures(void **state) {
     (void)state;
     for (int stream = 0; stream < 3; stream++)
@@ -212,7 +212,7 @@ static void square_duct(void **state) {
     }
 }
 
-/* The bulk velocity is what it should be after every step, from a start that is neither developed nor of that mean. */
+/* The bulk velocity has its value after every step, from a start that is neither developed nor of that mean. */
 static void bulk_velocity_is_held(void **state) {
     (void)state;
     struct fluid_input in = channel(2, 1, 8);
@@ -230,7 +230,7 @@ static void bulk_velocity_is_held(void **state) {
     fluid_free(f);
 }
 
-/* A gradient that goes with time: without walls its impulse is exact, whatever the step. */
+/* A gradient that depends on time: without walls its impulse is exact, whatever the step. */
 static void oscillating_gradient(void **state) {
     (void)state;
     struct fluid_input in = channel(0, 1, 6);

@@ -1,6 +1,6 @@
 /* Column solver on any number of ranks against LAPACK, for every pair of ends and near-singular systems. */
-/* Columns cut over ranks against LAPACK, for every pair of ends, also where r^k vanishes, where the
- * system is nearly singular, and where it is singular. */
+/* Columns divided over ranks, also where r^k vanishes, where the system is nearly singular, and where it is
+ * singular. */
 #include "base/par_piece.h"
 #include "fluid/poisson/column.h"
 #include "fluid_case.h"

@@ -1,6 +1,6 @@
 /* Implicit diffusion: Helmholtz solutions, exact steady flows, order in time, large steps. */
-/* Implicit diffusion: Helmholtz's equation for every pair of conditions, flows that it must hold exactly, its order in
- * time, and that no step is too large for it. */
+/* Helmholtz's equation for every pair of conditions, flows that must be exact, the order in time, and stability in any
+ * step. */
 #include "fluid/poisson/poisson.h"
 #include "fluid_case.h"
 #include "tests/check.h"
@@ -13,7 +13,7 @@ static const enum fluid_end ends[PAIRS][2] = {
     {FLUID_END_NEUMANN, FLUID_END_NEUMANN},   {FLUID_END_DIRICHLET, FLUID_END_NEUMANN},
     {FLUID_END_NEUMANN, FLUID_END_DIRICHLET}, {FLUID_END_FACE, FLUID_END_FACE}};
 
-/* Beyond an end: the image of the value at it, or on faces zero. */
+/* The value beyond an end: the image of the value at the end, or on faces zero. */
 static double beyond(const double *line, int n, int stride, int i, const enum fluid_end end[2]) {
     if (i >= 0 && i < n) return line[i * stride];
     const enum fluid_end e = end[i < 0 ? 0 : 1];
@@ -216,8 +216,8 @@ static void same_steady_flow_as_explicit(void **state) {
     }
 }
 
-/* Noise in a box of walls with one that moves, at nu dt/d^2 from 0.1 to 1e4: energy falls to that of the flow the wall
- * drives, and the momentum's balance closes. */
+/* Noise in a box of walls, one of which moves, at nu dt/d^2 from 0.1 to 1e4: the energy falls to that of the flow
+ * driven by the wall, and the momentum balance closes. */
 static void no_step_is_too_large(void **state) {
     (void)state;
     for (int power = -1; power <= 4; power++) {
@@ -240,10 +240,11 @@ static void no_step_is_too_large(void **state) {
             fluid_step(f, dt);
             fluid_box_force_end(f, force);
             fluid_measures_momentum(f, after);
-            for (int c = 0; c < 3 && s > 0; c++) /* the first one mends noise that does not obey continuity */
+            for (int c = 0; c < 3 && s > 0; c++) /* the first step corrects noise that is not divergence-free */
                 check_close((after[c] - before[c]) / dt, force[c], 1e-12);
         }
-        /* largest velocity a tenth of a cell's below the wall's: energy below that of half the box at its velocity */
+        /* largest velocity a tenth of a cell's below the wall's: energy below that of half the box at the wall's
+         * velocity */
         if (power >= 1) check_below(fluid_measures_kinetic_energy(f), 0.5 * 2 * 0.5 * 1e-4);
         check_below(fluid_measures_divergence_max(f), 1e-13);
         fluid_free(f);

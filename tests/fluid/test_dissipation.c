@@ -12,7 +12,8 @@ static void fill(struct fluid *f) {
     fluid_state_refresh(f);
 }
 
-/* Over one short step, against the mean of the rates before and after: the rest goes with the square of the step. */
+/* Over one short step, against the mean of the rates before and after: the difference is proportional to the square of
+ * the step. */
 static void balances(enum fluid_side_type x, enum fluid_side_type y, enum fluid_side_type z) {
     struct fluid_input in = {.n = {6, 8, 10}, .length = {1, 2, 1.5}, .density = 3, .viscosity = 0.02};
     const enum fluid_side_type type[3] = {x, y, z};

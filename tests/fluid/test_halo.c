@@ -46,8 +46,7 @@ static void fill_gives_images(void **state) {
         }
 }
 
-/* <fill a, b> = <a, add b> over all arrays, for a that lives in the cells and b that lives in cells and ghosts alike.
- */
+/* <fill a, b> = <a, add b> over all arrays, for a on the cells and b on cells and ghosts. */
 static void add_is_adjoint(void **state) {
     (void)state;
     for (int mask = 0; mask < 8; mask++)

@@ -48,8 +48,8 @@ static void in_every_plane_and_in_space(void **state) {
     }
 }
 
-/* On oblong cells the second component's height is not length_b/length_a but what continuity of the cells asks for, so
- * that the projection has nothing to do. */
+/* On oblong cells the second component's height is not length_b/length_a but the value that the cells' continuity
+ * requires, so that the projection changes nothing. */
 static void on_oblong_cells(void **state) {
     (void)state;
     struct fluid_input in = box((int[3]){8, 12, 6}, (double[3]){1, 3, 2});

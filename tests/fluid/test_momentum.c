@@ -55,7 +55,7 @@ static void box_force_changes_the_momentum(void **state) {
     }
 }
 
-/* In steady flow nothing is left over. */
+/* In steady flow the force is zero. */
 static void box_force_vanishes_when_steady(void **state) {
     (void)state;
     for (int sides = 0; sides < 2; sides++) {
@@ -90,8 +90,8 @@ static void limits(void **state) {
     fluid_free(f);
 }
 
-/* A NaN is found by the rank that has it, with its place and name; so is a speed beyond reason; a sound state passes.
- */
+/* A NaN is found by the rank that has it, with its position and name; so is a speed beyond reason; a sound state
+ * passes. */
 static void check_finds_a_nan(void **state) {
     (void)state;
     const struct fluid_input in = mixed(0);

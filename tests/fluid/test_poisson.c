@@ -34,12 +34,12 @@ static void gather(const struct fluid_grid *g, const double *mine, double *all) 
 
 struct error {
     double residual;     /* largest |lap q - b| over largest |b| */
-    double mean;         /* where nothing fixes it: the mean less what was asked for, over the largest |q| */
+    double mean;         /* if it is free: the mean minus the value asked for, over the largest |q| */
     double beyond;       /* largest error of the plane beyond the last, over the largest |q| */
-    double section_mean; /* and of the foreseen means over the first and last cells of each direction */
+    double section_mean; /* and of the predicted means over the first and last cells of each direction */
 };
 
-/* The means that the solver foresees of the cells at both ends of each direction whose ends are free. Collective. */
+/* The means of the cells at both ends of each direction with free ends, as the solver predicts them. Collective. */
 static void foresee(struct fluid_poisson *p, const int pair[3], double mean[3][2]) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2 && pair[d] == NN; side++)
@@ -130,8 +130,7 @@ static void every_pair(const int n[3]) {
 static void odd(void **state) { (void)state, every_pair((int[3]){9, 11, 13}); }
 static void thin(void **state) { (void)state, every_pair((int[3]){6, 5, 7}); }
 
-/* Powers of two and larger grids take other paths through the transforms; long columns reach where powers of r vanish.
- */
+/* Powers of two and larger grids use other paths of the transforms; in long columns powers of r vanish. */
 static void larger(void **state) {
     (void)state;
     for (int c = 0; c < PAIRS; c++) {

@@ -1,6 +1,5 @@
 /* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare. */
-/* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare.  Two fluids live side by
- * side. */
+/* Two fluids exist at the same time. */
 #include "fluid_case.h"
 #include "tests/check.h"
 
@@ -102,7 +101,8 @@ static void same_on_any_number_of_ranks(void **state) {
     free(reference);
 }
 
-/* What a checkpoint holds is enough: state arrays copied into a new fluid continue alike, open low sides included. */
+/* The state in a checkpoint is complete: state arrays copied into a new fluid give the same continuation, also with
+ * open low sides. */
 static void state_is_all_there_is(void **state) {
     (void)state;
     for (int w = 0; w < CASES; w++) {

@@ -97,7 +97,7 @@ static void near_is_full_inside(void **state) {
     }
 }
 
-/* A box in the middle of one rank costs nothing; one at a wall leaves the others' ghosts alone. */
+/* A box in the middle of one rank needs no exchange; one at a wall does not change the ghosts at other sides. */
 static void far_sides_are_skipped(void **state) {
     (void)state;
     const struct fluid_input in = scene(1);

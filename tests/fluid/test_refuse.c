@@ -1,6 +1,5 @@
 /* Refused grids and contradictory sides: the program exits with the scene's code and a sentence. */
-/* A mesh that does not admit the ranks, and sides that contradict each other, are refused: run with a name, this
- * program must leave with the scene's exit code and its sentence. */
+/* Run with the name of a case, this program must exit with the scene's exit code and its message. */
 #include "base/par.h"
 #include "fluid/fluid.h"
 

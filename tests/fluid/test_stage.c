@@ -1,6 +1,6 @@
 /* Momentum stage against its formula written out face by face, for every memory layout of the kernel. */
-/* The momentum equation's stage against its formula written out face by face, in arrays of its own and in place, on a
- * plane of one block of rows and of several, of whole and broken eights, small and large enough to be streamed. */
+/* In separate arrays and in place; on a plane of one block of rows and of several; with rows of whole and of partial
+ * eights; with arrays small and large enough for streaming stores. */
 #include "base/memory.h"
 #include "fluid/momentum/momentum.h"
 #include "fluid_case.h"
@@ -37,7 +37,7 @@ static void free_fields(struct fields *f) {
     memory_free(f->p);
 }
 
-/* What passes along d through the face after n, of component c: the product of the mean velocities. */
+/* The flux along d of component c through the face after n: the product of the mean velocities. */
 static double through(const double *const q[3], const ptrdiff_t stride[3], int c, int d, ptrdiff_t n) {
     return 0.25 * (q[d][n] + q[d][n + stride[c]]) * (q[c][n] + q[c][n + stride[d]]);
 }

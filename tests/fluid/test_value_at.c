@@ -36,7 +36,7 @@ static void linear_is_exact(void **state) {
     fluid_free(f);
 }
 
-/* In periodic directions a place on the far end is the one on the near end. */
+/* In periodic directions a point on the far end is the one on the near end. */
 static void periodic_is_wrapped(void **state) {
     (void)state;
     struct fluid_input in = {.n = {6, 6, 6}, .length = {1, 1, 1}, .density = 1, .viscosity = 0.1};

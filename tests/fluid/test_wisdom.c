@@ -1,6 +1,5 @@
 /* FFTW's plans in the cache folder: read before planning, written after it, none without a folder. */
-/* Wisdom kept in a cache folder: written after planning, read before it, on all ranks; without a folder nothing
- * happens. */
+/* Without a folder nothing is read or written. */
 #include "fluid/poisson/transform.h"
 #include "fluid/poisson/wisdom.h"
 #include "fluid_case.h"
@@ -54,13 +53,13 @@ static void kept_from_run_to_run(void **state) {
     fluid_wisdom_load();
     assert_false(knows_nothing());
     par_barrier();
-    if (par_rank() == 0) { /* nothing new: the file is left alone */
+    if (par_rank() == 0) { /* nothing new: the file is not changed */
         assert_int_equal(truncate(file, 5), 0);
         fluid_wisdom_store();
         assert_int_equal(length_of(file), 5);
     }
     par_barrier();
-    fftw_forget_wisdom(); /* a torn file teaches nothing, and does no harm */
+    fftw_forget_wisdom(); /* a truncated file gives no plans, and does no harm */
     fluid_wisdom_load();
     assert_true(knows_nothing());
     plan(48);

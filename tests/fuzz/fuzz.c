@@ -55,7 +55,7 @@ int fuzz_read(void (*read)(void *), void *what) {
     return code;
 }
 
-/* A folder of its own, and a name: HDF5 follows links to what they stand for. */
+/* The folder and the name are this process's own: HDF5 follows links. */
 static char folder[] = "/tmp/fuzz_XXXXXX", file[32];
 
 static void remove_file(void) {
@@ -81,12 +81,12 @@ void fuzz_expect(int holds, const char *what) {
     abort();
 }
 
-/* Of LeakSanitizer, where it is linked. */
+/* A function of LeakSanitizer, if that is linked. */
 void __lsan_disable(void) __attribute__((weak));
 void __lsan_enable(void) __attribute__((weak));
 
-/* MPI is never ended: what its modules hold would look like leaks once they are unloaded. What it loses in beginning is
- * not ours. */
+/* MPI_Finalize is not called: memory held by MPI's modules would look like leaks once they are unloaded. Leaks of
+ * MPI_Init are not tested. */
 int LLVMFuzzerInitialize(int *argc, char ***argv) {
     if (__lsan_disable) __lsan_disable();
     par_begin(argc, argv);

@@ -1,6 +1,6 @@
-/* What the fuzz targets share. Each target reads one kind of a user's file from given bytes; libFuzzer makes the bytes,
- * or replay.c takes them from the corpus. The linker turns die, die_all and ensure_failed to fuzz.c: a refusal comes
- * back to the target, a bug of ours aborts. */
+/* Common to the fuzz targets. Each target reads one kind of a user's file from given bytes; libFuzzer makes the bytes,
+ * or replay.c takes them from the corpus. The linker redirects die, die_all and ensure_failed to fuzz.c: after a
+ * refusal the target continues, a failed ENSURE aborts. */
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -12,5 +12,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes);
 int fuzz_read(void (*read)(void *), void *what);
 /* Writes these bytes to a file of the process, the same at each call; returns its path. */
 const char *fuzz_file(const void *data, size_t bytes);
-/* Aborts and says what is wrong where the condition does not hold. */
+/* Aborts with a message if the condition is false. */
 void fuzz_expect(int holds, const char *what);

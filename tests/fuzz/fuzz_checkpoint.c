@@ -1,7 +1,7 @@
 /* Fuzz target: a changed checkpoint must be detected, an unchanged one must be read. */
-/* A checkpoint that is not as it was written. The first byte chooses a scene and how the others are meant: as the file
- * itself, as the place where a good file ends, or as bits turned over in it, three bytes of place and one of bits each.
- * Every change must be told, and what is unchanged must be read. */
+/* A damaged checkpoint. The first byte chooses a scene and the meaning of the others: the file itself, its bytes after
+ * a good file's end, or inverted bits, with three bytes of position and one of bits each. Every change must be
+ * detected, and an unchanged file must be read. */
 #include "coupling/step.h"
 #include "files/folder.h"
 #include "program/checkpoint.h"

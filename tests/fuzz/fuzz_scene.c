@@ -1,6 +1,6 @@
 /* Fuzz target: a scene's text with --set values; an accepted scene must be accepted again as resolved. */
-/* A scene's text, and after a byte 1 the values that are set in it (--set), each ended by a byte 1. What is accepted
- * must be accepted again as it was resolved: that is what the other ranks and a resumed run read. */
+/* A scene's text; after a byte 1 its settings (--set), each ended by a byte 1. An accepted scene must also be accepted
+ * in its resolved form, which the other ranks and a resumed run read. */
 #include "scene/read.h"
 #include "tests/fuzz/fuzz.h"
 

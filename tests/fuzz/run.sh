@@ -2,9 +2,9 @@
 # Builds the fuzz targets with clang, libFuzzer, ASan and UBSan, runs each on its corpus and prints a table.
 # usage: tests/fuzz/run.sh [-n EXECUTIONS] [-t SECONDS] [-b FOLDER] [TARGET ...]
 #   -n  executions of each target (default 1000000)     -t  seconds at most for each (default 3600)
-#   -b  folder for the build and for what is found (default build-fuzz); its found/TARGET keeps inputs that reach new code
-#       from run to run, crash-* and the like are inputs that fail. What is worth keeping goes to tests/fuzz/corpus.
-# BUSY: a command that builds and runs are started through (default: none).
+#   -b  folder for the build and the results (default build-fuzz); its found/TARGET keeps inputs that reach new code
+#       for the next run; crash-* and similar files are failing inputs. Good inputs are copied to tests/fuzz/corpus.
+# BUSY: a command through which builds and runs are started (default: none).
 set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 executions=1000000 seconds=3600 build=$source/build-fuzz
@@ -20,7 +20,7 @@ shift $((OPTIND - 1))
 [ $# -gt 0 ] || set -- scene study points checkpoint
 busy=${BUSY:-}
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_opal_signal=
-# stacks of allocations take half of the time, and a crash can be run again with them
+# recording the stacks of allocations would take half of the time; a crash can be repeated with them
 export ASAN_OPTIONS=allocator_may_return_null=1:malloc_context_size=0 UBSAN_OPTIONS=print_stacktrace=1
 
 $busy cmake -S "$source" -B "$build" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_BUILD_TYPE=Debug -DFRANA_SANITIZE=ON \

@@ -1,8 +1,7 @@
 /* Times the parts of forcing and probe in a scene whose particles all move. */
-/* Time of the forcing and the probe by part, in the steps of a scene whose particles are all on the move:
+/* Time of the forcing and the probe by part, in the steps of a scene whose particles all move:
  *     bench_forcing SCENE.yaml [stage, from 0]
- * Medians of the slowest rank, and in brackets of the fastest, ms: what lies between is the load that ranks do not
- * share. */
+ * Medians of the slowest rank, and in brackets of the fastest, ms: the difference is the load imbalance. */
 #include "base/die.h"
 #include "base/par.h"
 #include "coupling/interface.h"
@@ -33,7 +32,7 @@ static int rising(const void *a, const void *b) {
     return (*p > *q) - (*p < *q);
 }
 
-/* Vibrations far below a cell: no marker changes its place, all change their weights. */
+/* Vibrations far below a cell: no marker changes its cell, all change their weights. */
 static void shake(struct solid *s, int n) {
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) {
@@ -51,7 +50,7 @@ static void forced_stages(struct run *r) {
     }
 }
 
-/* The parts of an iteration by themselves, in caches that hold what the last one left. */
+/* The parts of an iteration separately, with caches as the one before has left them. */
 static void iteration(struct run *r) {
     struct ibm *b = r->ibm;
     double *const *u = fluid_predicted(r->fluid);

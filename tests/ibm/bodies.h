@@ -1,4 +1,4 @@
-/* Bodies as markers, for tests and measurements: this rank's part of a list that all ranks make alike. */
+/* Bodies as markers, for tests and measurements: this rank's part of a list that is the same on all ranks. */
 #pragma once
 #include "base/par.h"
 #include "ibm/ibm.h"

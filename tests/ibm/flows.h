@@ -84,8 +84,8 @@ static inline double array_permeability(const struct array_case *c, struct flow_
 }
 
 /* Two sheets of markers `height` cells apart in a periodic box twice as high, driven along x: fluid on both sides.
- * Returns by how many cells the wall that the flow feels stands out from the markers, e: mean velocity = G (H - 2 e)^3
- * / (12 mu H). area: A_h / dx^2 of a marker. */
+ * Returns the distance e of the effective wall from the markers, in cells: mean velocity = G (H - 2 e)^3 / (12 mu H).
+ * area: A_h / dx^2 of a marker. */
 static inline double sheets_shift(int height, double offset, double area, int iterations, double fraction,
                                   struct flow_result *result) {
     const int n[3] = {4, 2 * height, 4};

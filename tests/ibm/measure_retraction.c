@@ -1,4 +1,5 @@
-/* Measures the tables of docs/retraction.md: how far inside the wetted face a marker must stand. */
+/* Measures the tables of docs/retraction.md: the depth of a marker inside the wetted face that gives the exact
+ * result. */
 /* measure_retraction [largest mesh, default 48 [smallest, default 24]]: the tables of docs/retraction.md, as Markdown.
  * Minutes on one core. */
 #include "flows.h"

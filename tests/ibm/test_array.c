@@ -1,6 +1,6 @@
 /* Permeability of a cubic array of spheres against Zick and Homsy (1982). */
-/* Permeability of a simple cubic array of spheres as bodies are made here: markers at the outer layer of a lattice,
- * with the frozen retraction. k / L^2 = 0.0398542 at a solid fraction of 1/8 (Zick and Homsy 1982: K = 4.292). */
+/* Permeability of a simple cubic array of spheres as frana makes bodies: markers at the outer layer of a lattice, with
+ * the frozen retraction. k / L^2 = 0.0398542 at a solid fraction of 1/8 (Zick and Homsy 1982: K = 4.292). */
 #include "flows.h"
 #include "physics/retraction.h"
 #include "tests/check.h"
@@ -21,7 +21,7 @@ static double error_of(int n, const double sphere[3], const double lattice[3]) {
     return error;
 }
 
-/* The same body at other places on the grid; on more ranks than one the first only. */
+/* The same body at other positions on the grid; on more than one rank only the first. */
 static void wherever_the_body_stands(void **state) {
     (void)state;
     static const double place[3][3] = {{0, 0, 0}, {0.3, 0.1, 0.7}, {0.5, 0.5, 0.5}};

@@ -1,9 +1,9 @@
 /* Taylor-Couette flow between immersed cylinders: torque and velocity against the exact solution. */
 /* Taylor-Couette flow with both cylinders immersed, R2 = 2 R1, the inner one turning: u = A r + B/r between them, A =
  * -Omega/3, B = 4 Omega R1^2/3, and a torque of 4 pi mu Omega R1^2/(1 - 1/4) = 16.755161 mu Omega R1^2 a length.
- * Markers stand as deep in the material as a plane asks for, (1/2 + 2 phi(t-1) phi(t+1))/2 cells in the mean over
- * places t on the grid (test_planes.c). What is within the inner cylinder turns as a whole; what is outside the outer
- * one is at rest but for what leaks through. */
+ * Markers are as deep in the material as is exact for a plane, (1/2 + 2 phi(t-1) phi(t+1))/2 cells in the mean over
+ * positions t on the grid (test_planes.c). The fluid inside the inner cylinder rotates as a rigid body; the fluid
+ * outside the outer one is at rest except for leakage. */
 #include "flows.h"
 #include "tests/check.h"
 
@@ -17,8 +17,8 @@ static const double RETRACTION = 0.266, OMEGA = 1e-3, RADIUS = 1;
 
 struct couette {
     double torque[2]; /* of the cylinders on the fluid about their axis, per length, over mu Omega R1^2: inner, outer */
-    double seam;      /* what the box's periodic sides take, the same */
-    double rate;      /* d/dt of the fluid's angular momentum over the last step, the same */
+    double seam;      /* torque of the box's periodic sides, in the same unit */
+    double rate;      /* d/dt of the fluid's angular momentum over the last step, in the same unit */
     double error;     /* of u between the cylinders, root mean square over Omega R1 */
     double slip;      /* over Omega R1 */
 };
@@ -31,7 +31,7 @@ static double exact(double r) {
     return r < 2 * RADIUS ? OMEGA / 3 * (4 * RADIUS * RADIUS / r - r) : 0;
 }
 
-/* Place of velocity c of cell i, j from the axis. */
+/* Position of velocity c of cell i, j relative to the axis. */
 static double place(const struct fluid_grid *g, int c, int i, int j, double x[2]) {
     x[0] = (g->lo[0] + i + (c == 0 ? 1 : 0.5)) * g->d[0] - centre();
     x[1] = (g->lo[1] + j + (c == 1 ? 1 : 0.5)) * g->d[1] - centre();
@@ -162,7 +162,7 @@ static void torque_and_velocity_converge(void **state) {
         print_message("R1 = %2d cells: torque %.4f, %.4f (%+.2f %%), u %.3e, slip %.2e, budget %.1e\n",
                       cells[n] / ACROSS, c[n].torque[0], c[n].torque[1], 100 * (c[n].torque[0] / TORQUE - 1),
                       c[n].error, c[n].slip, c[n].torque[0] + c[n].torque[1] + c[n].seam - c[n].rate);
-        /* what the cylinders give, the fluid has, or its sides have taken */
+        /* the torque of the cylinders changes the fluid's angular momentum, or leaves through the sides */
         check_close(c[n].torque[0] + c[n].torque[1] + c[n].seam - c[n].rate, 0, 1e-9 * TORQUE);
     }
     const double order = log(fabs(c[0].torque[0] - TORQUE) / fabs(c[2].torque[0] - TORQUE)) / log(4);

@@ -48,8 +48,8 @@ static void set_predicted(struct fluid *f) {
     fluid_predicted_refresh(f, 3);
 }
 
-/* Markers anywhere: about the box, some a whole period away, some on cells' sides; velocities and areas by number.
- * everywhere: all of them on every rank. */
+/* Markers at arbitrary positions: around the box, some a whole period away, some on cells' sides; velocities and areas
+ * by number. everywhere: all of them on every rank. */
 static struct body cloud(double low, double high, double moved, int everywhere) {
     struct body b = body_new(MARKERS);
     for (unsigned h = 0; h < MARKERS; h++) {
@@ -123,7 +123,7 @@ static void compare(struct fluid *f, double (*u)[NZ][NY][NX]) {
     check_close(par_max(worst), 0, 1e-12);
 }
 
-/* Markers all over a periodic box and one period outside it; placed, moved, given other velocities. */
+/* Markers all over a periodic box and one period outside it; set, moved, given other velocities. */
 static void forcing_is_the_plain_sum(void **state) {
     (void)state;
     struct fluid *f = box(0);
@@ -132,7 +132,7 @@ static void forcing_is_the_plain_sum(void **state) {
     for (int turn = 0; turn < 3; turn++) {
         const double moved = turn >= 2 ? 0.04 : 0;
         struct body mine = cloud(-0.4, 1.3, moved, 0), all = cloud(-0.4, 1.3, moved, 1);
-        for (int d = 0; d < 3; d++) { /* turn 1: nothing else differs from the last */
+        for (int d = 0; d < 3; d++) { /* turn 1: only this differs from the last turn */
             for (int h = 0; h < mine.n; h++) mine.v[d][h] += turn;
             for (int h = 0; h < all.n; h++) all.v[d][h] += turn;
         }
@@ -194,7 +194,7 @@ static void spreading_is_adjoint(void **state) {
                     const size_t n = fluid_grid_at(g, i, j, k);
                     grid += spread[c][n] * fluid_predicted(f)[c][n];
                 }
-    /* markers at rest lack -I u, and one iteration gives just that */
+    /* markers at rest lack -I u, and one iteration gives exactly that */
     double markers = 0;
     const double unit = fluid_input_of(f)->density * dx * dx * dx;
     body_send(b, &still);
@@ -213,7 +213,7 @@ static void spreading_is_adjoint(void **state) {
     fluid_free(f);
 }
 
-/* Away from the sides of the domain the grid gets each marker's force and its torque. */
+/* Away from the sides of the domain the fluid gets each marker's force and its torque. */
 static void force_and_torque_are_kept(void **state) {
     (void)state;
     struct fluid *f = box(0);
@@ -241,7 +241,7 @@ static void force_and_torque_are_kept(void **state) {
     fluid_free(f);
 }
 
-/* What is reported is what the fluid received, beside walls too, where part of a kernel falls outside. */
+/* The reported force is the one that the fluid received, also near walls, where part of a kernel is outside. */
 static void force_total_is_what_the_fluid_received(void **state) {
     (void)state;
     static const double gamma[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};
@@ -272,7 +272,7 @@ static void force_total_is_what_the_fluid_received(void **state) {
     }
 }
 
-/* Faces on a wall keep the wall's velocity; a marker outside the domain does nothing. */
+/* Faces on a wall keep the wall's velocity; a marker outside the domain has no effect. */
 static void walls_are_left_alone(void **state) {
     (void)state;
     struct fluid *f = box(1);

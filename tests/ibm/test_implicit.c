@@ -1,6 +1,6 @@
 /* Implicit forcing: one steady flow for every step, the explicit scheme's; momentum; moving bodies. */
-/* Forcing with implicit diffusion: one steady flow for every step and number of ranks, the explicit scheme's; momentum;
- * bodies that move, sides with conditions. */
+/* One steady flow for every step and number of ranks, the explicit scheme's; momentum; moving bodies; sides with
+ * conditions. */
 #include "base/step_status.h"
 #include "flows.h"
 #include "physics/retraction.h"
@@ -70,7 +70,7 @@ static double permeability(int implicit, double dt, int steps) {
     return k;
 }
 
-/* Within what a stage's tolerance leaves, 2e-3 of a slip that is itself a tenth of k. */
+/* Equal within the effect of a stage's tolerance, 2e-3 of a slip that is itself a tenth of k. */
 static void same_for_every_step(void **state) {
     (void)state;
     const double huge = permeability(1, 1e4, 12), large = permeability(1, 100, 12), small = permeability(1, 8, 60);
@@ -79,7 +79,7 @@ static void same_for_every_step(void **state) {
     check_relative(small, huge, 3e-4);
 }
 
-/* The slip law has the mean stage where the explicit scheme has three of unlike length. */
+/* The slip law has the mean stage; the explicit scheme has three of different lengths. */
 static void explicit_scheme_agrees(void **state) {
     (void)state;
     if (par_size() > 1) return;
@@ -88,7 +88,7 @@ static void explicit_scheme_agrees(void **state) {
     check_relative(implicit, explicit, 0.01);
 }
 
-/* Sum of the force by marker, and the force as a whole, where the body reaches over periodic sides and ranks. */
+/* The sum of the forces by marker is the total force, for a body that reaches over periodic sides and ranks. */
 static void markers_share_the_force(void **state) {
     (void)state;
     const struct fluid_input in = box(1);
@@ -115,8 +115,8 @@ static void markers_share_the_force(void **state) {
 }
 
 /* A sphere dragged along between walls, from an inflow to an outflow, through cells and over ranks, at nu dt/d^2 from
- * 0.1 to 1e4: the flow stays of the order of the speeds that are given, and what moves with the sphere moves as it
- * does. */
+ * 0.1 to 1e4: the flow stays of the order of the given speeds, and points that move with the sphere have its
+ * velocity. */
 static void a_moving_body_between_walls(void **state) {
     (void)state;
     for (int power = -1; power <= 4; power++) {
@@ -149,7 +149,7 @@ static void a_moving_body_between_walls(void **state) {
     }
 }
 
-/* What a run resumes from is enough, and it is kept when the markers are sorted anew. */
+/* The checkpoint's guess is sufficient for a resumed run, and it is kept when the markers are sorted again. */
 static void demand_is_handed_on(void **state) {
     (void)state;
     const struct fluid_input in = box(1);

@@ -46,7 +46,7 @@ static void weights_are_the_kernel(void **state) {
     }
 }
 
-/* Against plain sums over a block; what stands in the fourth column is never read, and never changed. */
+/* Against plain sums over a block; the fourth column has no effect and is never changed. */
 static void sweeps(void **state) {
     (void)state;
     enum { ROW = 5, PLANE = 4 * ROW, SIZE = 3 * PLANE };

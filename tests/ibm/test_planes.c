@@ -1,10 +1,11 @@
 /* Effective position of a plane wall of markers against its offset from the grid. */
-/* Where the flow feels a plane wall of markers, against the offset from the grid.
- * A force spread over three cells bends the profile there: u_i - U = s sum_j phi_j |i - j| on both sides, and the
- * markers' own velocity is the mean of u with the same weights. So the far profile reaches the wall's velocity e =
- * sum_ij phi_i phi_j |i - j| = 1/2 + 2 phi(t-1) phi(t+1)   with fluid sheared alike on both sides of a sheet, e / 2
- * with fluid at rest behind it (a thick body), cells out from the markers; t: the marker from the nearest grid point.
- * Between 0.25 and 0.278 for a body: locked to the grid by no more than 0.03 cells. */
+/* A force spread over three cells bends the profile there: u_i - U = s sum_j phi_j |i - j| on both sides, and the
+ * markers' own velocity is the mean of u with the same weights. So the far profile reaches the wall's velocity at a
+ * distance, in cells, from the markers of
+ *     e = sum_ij phi_i phi_j |i - j| = 1/2 + 2 phi(t-1) phi(t+1)   for equal shear on both sides of a sheet,
+ *     e / 2                                                        for fluid at rest behind it (a thick body),
+ * with t the position of the marker relative to the nearest grid point. For a body the distance is between 0.25 and
+ * 0.278: it depends on the grid by at most 0.03 cells. */
 #include "flows.h"
 #include "tests/check.h"
 
@@ -14,7 +15,7 @@
 #include <cmocka.h>
 
 static double sheet(double offset) {
-    const double t = offset - 0.5; /* u stands at the cells' centres */
+    const double t = offset - 0.5; /* u is at the cells' centres */
     return 0.5 + 2 * ibm_kernel(t - 1) * ibm_kernel(t + 1);
 }
 
@@ -24,7 +25,7 @@ static void thick_walls(void **state) {
     for (int n = 0; n < 10; n++) {
         const double e = walls_shift(0.1 * n, 1, 2, 1);
         print_message("offset 0.%d: the wall stands %.4f cells out, %.4f without slip\n", n, e, sheet(0.1 * n) / 2);
-        /* what slip is left after two iterations moves the wall back, by less than 0.01 cells */
+        /* the slip left after two iterations moves the wall back, by less than 0.01 cells */
         if (!(fabs(e - sheet(0.1 * n) / 2) < 0.01)) fail_msg("offset %g: e = %g", 0.1 * n, e);
         low = fmin(low, e), high = fmax(high, e);
     }

@@ -64,12 +64,12 @@ static void set_frame(double e[3][3], double angle) {
     memcpy(e, turn, sizeof turn);
 }
 
-/* Probes of this rank: every size-th of n, so that they are mostly served elsewhere. */
+/* Probes of this rank: every size-th of n, so that most are served by other ranks. */
 struct probes {
     int n;
     double *x[3], *normal[3], *acceleration, *wall[3], *traction[3], *pressure;
     uint8_t *active;
-    int to_wall; /* stresses are carried to the wall, which moves with wall[] */
+    int to_wall; /* stresses are extrapolated to the wall, which moves with wall[] */
 };
 static struct probes probes_new(int capacity) {
     struct probes p = {0};
@@ -127,8 +127,8 @@ static const double rate[3][3] = {{1.1, -0.7, 0.2}, {0.4, 0.5, -0.9}, {0.8, 0.6,
 static const double slope[3] = {2.5, -1.5, 0.8};
 static double linear_pressure(const double y[3]) { return 7 + slope[0] * y[0] + slope[1] * y[1] + slope[2] * y[2]; }
 
-/* Velocity and pressure linear in space, root accelerated as that pressure asks: exact for any angle, place and normal.
- */
+/* Velocity and pressure linear in space, acceleration of the root as that pressure requires: exact for any angle,
+ * position and normal. */
 static void exact_on_linear_fields(void **state) {
     (void)state;
     const int n = 18;
@@ -185,7 +185,7 @@ static void exact_on_linear_fields(void **state) {
     fluid_free(f);
 }
 
-/* Viscous flow against a wall y1 = 0: no slip, continuity and Stokes hold exactly. What it does to the wall:
+/* Viscous flow against a wall y1 = 0: no slip, continuity and Stokes' equation hold exactly. Traction on the wall:
  * tangential 2 mu y0, normal -p. */
 static void stagnation_velocity(const double y[3], double u[3]) {
     u[0] = 2 * y[0] * y[1];
@@ -235,14 +235,14 @@ static void first_order_on_stagnation_flow(void **state) {
     check_below(fine, 0.2 * density * viscosity);
 }
 
-/* Carried to the wall by cubics. */
+/* Extrapolated to the wall by cubics. */
 static void exact_on_stagnation_flow_at_the_wall(void **state) {
     (void)state;
     check_close(stagnation_error(24, 1), 0, 1e-11);
 }
 
-/* Stokes' flow past a sphere at rest, of velocity 1 along y0 far away; p over mu. Drawn on inside to half the radius.
- */
+/* Stokes flow past a sphere at rest, of velocity 1 along y0 far away; p over mu. Continued inside to half the
+ * radius. */
 static const double sphere_radius = 0.25;
 static double sphere_r(const double y[3]) {
     return fmax(sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]), 0.5 * sphere_radius);
@@ -257,7 +257,8 @@ static double sphere_pressure(const double y[3]) {
     return -1.5 * density * viscosity * sphere_radius * y[0] / (r * r * r);
 }
 
-/* Force on it by probes about one a cell, over 6 pi mu a, less 1; the box holds what the probes of the sphere read. */
+/* Force on the sphere from about one probe a cell, over 6 pi mu a, less 1; the box contains all points that the
+ * sphere's probes read. */
 static double sphere_error(int cells_a_diameter, int to_wall) {
     const int n = cells_a_diameter + 10;
     const double length = 2 * sphere_radius * n / cells_a_diameter, dx = length / n;
@@ -286,7 +287,7 @@ static double sphere_error(int cells_a_diameter, int to_wall) {
     return par_sum(drag) / (6 * M_PI * density * viscosity * sphere_radius) - 1;
 }
 
-/* The paper's form lacks the probe's length over the radius; carried to the wall, its square at the least. */
+/* The error of the paper's form is the probe's length over the radius; extrapolated to the wall, at most its square. */
 static void stokes_drag(void **state) {
     (void)state;
     double tip[3], wall[3];
@@ -309,9 +310,8 @@ static void rest(const double y[3], double u[3]) {
 static const double gravity = -9.81;
 static double hydrostatic(const double y[3]) { return density * gravity * y[2]; } /* p = -rho |g| z */
 
-/* A fluid at rest under gravity lifts what is in it by the weight of its volume: signs of p_m, of the body force at the
- * root, and of the traction. A box with roots on its faces exactly; a sphere cut from a lattice within its area's
- * error. */
+/* Buoyancy in a fluid at rest under gravity: signs of p_m, of the body force at the root, and of the traction. Exact
+ * for a box with roots on its faces; for a sphere cut from a lattice within its area's error. */
 static void hydrostatics_lifts(void **state) {
     (void)state;
     const int n = 24;
@@ -367,7 +367,7 @@ static void hydrostatics_lifts(void **state) {
     fluid_free(f);
 }
 
-/* A pressure gradient that drives a periodic flow pushes on what is in it, G V, whatever the solved pressure. */
+/* A pressure gradient that drives a periodic flow exerts G V on a body, whatever the solved pressure is. */
 static void driving_gradient_pushes(void **state) {
     (void)state;
     struct fluid_input in = {.density = density, .viscosity = viscosity, .immersed = 1};
@@ -393,7 +393,7 @@ static void driving_gradient_pushes(void **state) {
     fluid_free(f);
 }
 
-/* A tip beyond a wall measures nothing; one across a periodic side measures there. */
+/* A tip beyond a wall has no result; one across a periodic side is measured there. */
 static void tips_outside_are_inactive(void **state) {
     (void)state;
     struct fluid *f = walled_box(16, 1, NULL);

@@ -15,7 +15,7 @@ static const double plate_speed[2] = {1500, 1200}, plate_angle[2] = {28 * M_PI /
 enum { PLATE_STEPS = 700, PLATE_EVERY = 2, PLATE_FIELDS = 100 };
 static const double plate_dt = 5e-8;
 
-/* Where the tip of a branch is. */
+/* Position of a branch's tip. */
 static void plate_tip(double t, int side, double x[2]) {
     const double run = plate_speed[0] * fmax(t - plate_start, 0), stem = plate_branch - plate_first;
     const double beyond = run > stem ? (run - stem) / plate_speed[0] * plate_speed[1] : 0;

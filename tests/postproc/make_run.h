@@ -1,5 +1,4 @@
-/* A run folder such as frana leaves, made up: a porous block that cracks from the back, so that what frana post should
- * find is known beforehand. */
+/* An artificial run folder: a porous block that cracks from the back, so that the results of frana post are known. */
 #pragma once
 #include "base/memory.h"
 #include "files/folder.h"

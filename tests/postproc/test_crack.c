@@ -81,7 +81,7 @@ static void saddle(void **state) {
              * joined */
             const double x = 0.5 * (a[0] + b[0]) > 0.5, y = 0.5 * (a[1] + b[1]) > 0.5;
             assert_true(joined ? x != y : x == y);
-            /* what is above is to the left */
+            /* higher values are to the left */
             const double left[2] = {0.5 * (a[0] + b[0]) - 0.01 * (b[1] - a[1]),
                                     0.5 * (a[1] + b[1]) + 0.01 * (b[0] - a[0])};
             const double off =

@@ -91,7 +91,7 @@ static void alike_and_none(void **state) {
     assert_true(isnan(postproc_pdf_above(0, x, 0)));
 }
 
-/* Most alike, some not: the quartiles coincide, and the bins still hold all. */
+/* Most values are equal: the quartiles coincide, and the bins still contain all samples. */
 static void no_quartiles(void **state) {
     (void)state;
     double x[100] = {0};

@@ -96,7 +96,7 @@ static void options_are_kept(void **state) {
     assert_int_equal(postproc_options_quantity("nothing"), -1);
 }
 
-/* No crack.csv, no cracks asked for: the fields alone give what they can. */
+/* Without crack.csv and without tracked cracks the results come from the fields only. */
 static void fields_alone(void **state) {
     (void)state;
     char path[FOLDER_PATH];

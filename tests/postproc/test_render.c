@@ -197,7 +197,7 @@ static void colours_at_the_ends(void **state) {
     check_close(a[0], 0xf6 / 255.0, 1e-12);
     postproc_colour_map(POSTPROC_MAGMA_REVERSED, 1, a);
     check_close(a[2], 4 / 255.0, 1e-12);
-    /* lightness (CIE L*) runs one way, in steps that are alike within a factor of two */
+    /* lightness (CIE L*) is monotone, in steps that are equal within a factor of two */
     for (int map = 0; map < 2; map++) {
         double last = 0;
         for (int i = 0; i <= 16; i++) {
@@ -265,7 +265,7 @@ static void picture_is_a_png(void **state) {
     image.format = PNG_FORMAT_RGB;
     unsigned char *rgb = malloc(PNG_IMAGE_SIZE(image));
     assert_true(png_image_finish_read(&image, NULL, rgb, 0, NULL));
-    /* seen along z, x = 0.05 and 0.15 stand at a quarter and three quarters of the window */
+    /* seen along z, x = 0.05 and 0.15 are at a quarter and three quarters of the window */
     const double window[2] = {0.04 * 700, 0.86 * 700};
     const int row = (int)(0.5 * (0.13 + 0.93) * 450), left = (int)(0.75 * window[0] + 0.25 * window[1]),
               right = (int)(0.25 * window[0] + 0.75 * window[1]);

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Steps that adapt: those that do not hold are made again, alike on any ranks; a run that nothing helps says what was exceeded.
+# Adaptive steps: rejected steps are repeated, in the same way on any number of ranks; a run that cannot continue
+# reports which limit was exceeded.
 . "$(dirname "$0")/common.sh" "$@"
 sides() { # sides X_LOW X_HIGH
   printf '  sides:\n    x_low: {%s}\n    x_high: {%s}\n    y_low: {type: wall}\n    y_high: {type: wall}\n' "$1" "$2"
   printf '    z_low: {type: periodic}\n    z_high: {type: periodic}\n'
 }
 again() { grep -o '"steps_made_again": *[0-9]*' "$1/run.json" | grep -o '[0-9]*$'; }
-# done_alike SCENE RANKS... : ends with status done and the same series on any ranks; the first run is ./one
+# done_alike SCENE RANKS... : ends with status done and with the same series on any number of ranks; the first run is
+# ./one
 done_alike() {
   local file=$1 n first=; shift
   for n in "$@"; do
@@ -18,7 +20,7 @@ done_alike() {
   done
 }
 
-# from rest to a bulk velocity in one step: the step found from the velocity at rest is beyond what it leads to
+# from rest to a bulk velocity in one step: the step chosen at rest exceeds the limit of the velocity after it
 {
   printf 'title: jump\ndomain: {size: [0.1, 0.05, 0.05], cells: [32, 24, 16]}\nfluid:\n  density: 1000\n  viscosity: 1.0e-4\n'
   printf '  driving: {type: bulk_velocity, direction: x, value: 2}\n'
@@ -31,7 +33,7 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "cfl") c = i } NR > 2 && 
 grep -q 'made again with .* s: convection = .* on rank' 1-jump/run.log || fail "the log does not say what was exceeded"
 [ "$(awk -F, '{ print $1 }' 1-jump/series.csv | sort | uniq -d | wc -l)" = 0 ] || fail "a step has two rows"
 
-# a plate that stands in slow flow is driven on at once, between two states kept: the steps since are made once more
+# a plate at rest in slow flow is suddenly driven, between two kept states: the steps since the kept state are repeated
 {
   printf 'title: plunge\ndomain: {size: [0.16, 0.08, 0.08], cells: [32, 16, 16]}\nfluid:\n  density: 1000\n  viscosity: 1.0e-3\n'
   printf '  initial: {velocity: [0.1, 0, 0]}\n'
@@ -46,7 +48,7 @@ done_alike plunge 1 2 3
 awk '/made again/ { split($2, step, ":"); if (step[1] % 50 > 10) late = 1 } END { exit !late }' 1-plunge/run.log ||
   fail "no step between two states kept was made again"
 
-# two blocks that meet at 60 m/s, with a step that is stable for the bonds alone
+# two blocks that meet at 60 m/s, with a step that is stable for the bonds only
 {
   printf 'title: collide\ndomain: {size: [0.2, 0.1, 0.1]}\nsolid:\n  spacing: 0.005\n'
   printf '  materials: [{name: soft, youngs_modulus: 1.0e9, density: 1000, fracture_energy: 1.0e4}]\n  bodies:\n'
@@ -58,7 +60,7 @@ awk '/made again/ { split($2, step, ":"); if (step[1] % 50 > 10) late = 1 } END 
 done_alike collide 1 2 4
 grep -q 'made again with 2 solid substeps instead of 1: bound by contact' 1-collide/run.log || fail "contact was not what bounds"
 
-# all breaks at once, in flow, with everything automatic
+# all bonds break at once, in a flow, with automatic steps and substeps
 scene | sed -e 's/time_step: [0-9.e-]*/time_step: auto/; s/substeps: 4/substeps: auto/; s/fracture_energy: [0-9.e-]*/fracture_energy: 1.0e-12/' >dust.yaml
 for n in 1 3; do
   code 0 ranks $n run dust.yaml --out dust$n --set stages.fracture.steps=30
@@ -67,7 +69,7 @@ done
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "bonds_intact") k = i; if ($i == "bonds_broken") b = i } }
   END { exit !($b > 10 * $k) }' dust1/series.csv || fail "not all has broken but what is held"
 
-# what is given is not changed: the sentence has the step that would do, and the state kept goes on with it
+# given steps are not changed: the message has the stable step, and the kept state can be resumed with it
 scene >scene.yaml
 code 3 ranks 2 run scene.yaml --out given --set stages.flow.time_step=1.0e-3
 grep -q 'times what diffusion would allow' err || { cat err >&2; fail "the limit is not named"; }
@@ -78,7 +80,7 @@ n=$(grep '^frana: unstable' err | sed 's/.*: \([0-9]*\) substeps would do.*/\1/'
 [ "$n" -gt 1 ] 2>/dev/null || { cat err >&2; fail "no number of substeps that would do"; }
 code 0 ranks 1 run scene.yaml --out coarse --resume --set stages.settle.substeps="$n" --set stages.fracture.steps=2
 
-# where no step helps: a velocity whose square is no number
+# no step is stable: a velocity whose square overflows
 sed 's/value: 2/value: 1.0e200/' jump >hopeless
 code 3 ranks 2 run hopeless --out hopeless.out
 [ "$(grep -c 'made again' hopeless.out/run.log)" -ge 5 ] || fail "shorter steps were not tried"

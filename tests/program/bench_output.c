@@ -1,5 +1,5 @@
 /* Times the work beside the step: checks, kept state, samples, fields, checkpoints. */
-/* Wall seconds of what stands around the step: checks, guard, the parts of a sample, fields, checkpoints.
+/* Wall seconds of the work besides the step: checks, guard, the parts of a sample, fields, checkpoints.
  * usage: [mpiexec -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]...
  * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median
  * of the repeats, the slowest rank's. */

@@ -1,4 +1,4 @@
-# What the program's tests share. usage: script FRANA SOURCE WORK
+# Common to the program's tests. usage: script FRANA SOURCE WORK
 set -euo pipefail
 frana=$(realpath "$1") source=$(realpath "$2") work=$3
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
@@ -7,7 +7,7 @@ rm -rf "$work" && mkdir -p "$work" && cd "$work"
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 ranks() { local n=$1; shift; mpiexec --oversubscribe -n "$n" "$frana" "$@"; }
-# code N command...: the command must end with this exit code; what it says goes to out and err
+# code N command...: the command must end with this exit code; its output goes to out and err
 code() {
   local want=$1 got=0; shift
   "$@" >out 2>err || got=$?
@@ -34,8 +34,8 @@ scene() {
     -e 's/series_every: .*/series_every: 15/; s/fields_every: .*/fields_every: 60/; s/checkpoint_every: .*/checkpoint_every: 50/' \
     "$source/cases/porous_channel/demo.yaml"
 }
-# same A B: two series agree, every number to 1e-10 of its column's largest. Components of forces are held against the
-# largest force, round-off's own columns against 1.
+# same A B: two series agree, every number to 1e-10 of the largest in its column. Components of forces are compared with
+# the largest force, columns of round-off errors with 1.
 same() {
   awk -F, -v a="$1" '
     FNR == 1 && FILENAME == a { for (i = 1; i <= NF; i++) { name[i] = $i; if ($i == "load_x") x = i } }

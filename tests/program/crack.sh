@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# crack.csv: its form, the same on any ranks, taken up again where a run was stopped; and what frana post makes of it.
+# crack.csv: its format; the same on any number of ranks; continued by a resumed run; and the results of frana post.
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'EOF'
 title: A small notched plate
@@ -30,7 +30,7 @@ grown=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "length") l = i }
 code 0 ranks 3 run scene.yaml --out ranks
 same whole/crack.csv ranks/crack.csv
 
-# stopped between two rows, on the way: the last window's tips come from the file
+# stopped between two rows, while the crack grows: the tips of the last window come from the file
 code 0 ranks 2 run scene.yaml --out stopped --set stages.pull.steps=182
 echo step_00000180.h5 >stopped/checkpoint/latest
 code 0 ranks 1 run scene.yaml --out stopped --resume

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Checkpoints that are not as they were written: each that is named is refused with exit code 4 and a sentence that says what is
-# damaged, and which other is whole; --resume by itself takes that one, says so, and ends with the same series.
+# Damaged checkpoints: one given by name is refused with exit code 4 and a sentence on the damage and on another, intact
+# checkpoint. --resume without a name takes the intact one, reports that, and ends with the same series.
 . "$(dirname "$0")/common.sh" "$@"
 scene >scene.yaml
 code 0 ranks 2 run scene.yaml --out run --set output.checkpoint_every=50
 newest=$(cat run/checkpoint/latest)
-rm run/checkpoint/stage_fracture.h5 # the same state: the one before it is to be taken
+rm run/checkpoint/stage_fracture.h5 # it has the same state; the checkpoint before it is to be used
 cp "run/checkpoint/$newest" good.h5
 bytes=$(stat -c %s good.h5)
-# the seal's list of arrays: name, place and bytes of each (files/seal.h)
+# the seal's list of arrays: name, position and size in bytes of each (files/seal.h)
 python3 - good.h5 >arrays <<'END'
 import struct, sys
 seal = open(sys.argv[1], 'rb').read()[-2104:]
@@ -17,14 +17,14 @@ for k in range(struct.unpack_from('<Q', seal, 2048)[0]):
     print(name.rstrip(b'\0').decode(), at, size)
 END
 [ "$(wc -l <arrays)" -ge 10 ] || { cat arrays; fail "fewer arrays than the state has"; }
-# several N command...: by mpiexec where there is more than one rank
+# several N command...: by mpiexec for more than one rank
 several() { if [ "$1" = 1 ]; then shift; "$frana" "$@"; else ranks "$@"; fi; }
-turn() { # FILE PLACE: turns a bit over
+turn() { # FILE POSITION: inverts a bit
   local byte
   byte=$(od -An -tu1 -j "$2" -N 1 "$1")
   printf "\\x$(printf %02x $((byte ^ 16)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
 }
-# named WHY [RANKS]: the newest is asked for by its name, and refused; another is named that is whole
+# named WHY [RANKS]: the newest checkpoint is given by name and refused; the message names an intact one
 named() {
   code 4 several "${2:-1}" run scene.yaml --out none "--resume=run/checkpoint/$newest"
   grep -q "$1" err || { cat err; fail "not said: $1"; }
@@ -32,7 +32,7 @@ named() {
   [ "$(grep -c '^frana:' err)" = 1 ] || { cat err; fail "more than one sentence"; }
   rm -rf none
 }
-# passed_over WHY [RANKS]: --resume takes the one before, and the run ends as it would have
+# passed_over WHY [RANKS]: --resume takes the one before, and the run ends with the same results
 passed_over() {
   rm -rf on && cp -rp run on
   code 0 several "${2:-1}" run scene.yaml --out on --resume
@@ -50,10 +50,10 @@ done 3<arrays
 read -r name at size < <(tail -n 1 arrays)
 named "its array $name is damaged" 3 # the last array, on other ranks
 passed_over "its array $name is damaged" 2
-# the one that is named can be gone on from
+# the one that the message names can be resumed
 named "its array $name is damaged"
 code 0 ranks 2 run scene.yaml --out branch "$(grep -o -- '--resume=[^ ]*h5' err)"
-# a bit anywhere
+# a bit anywhere in the file
 RANDOM=4711
 for _ in $(seq 8); do
   cp good.h5 "run/checkpoint/$newest"
@@ -61,7 +61,7 @@ for _ in $(seq 8); do
   named 'damaged\|it is no HDF5 file\|it has no seal'
 done
 
-# headers, cut short at every kind of place, and as written before there were seals
+# headers; files truncated at many positions; and the format before seals
 cp good.h5 "run/checkpoint/$newest"
 turn "run/checkpoint/$newest" 100
 named 'is damaged: its headers'
@@ -73,7 +73,7 @@ done
 passed_over 'truncated or damaged'
 head -c -2104 good.h5 >"run/checkpoint/$newest"
 named 'earlier version of frana' 2
-# other things by that name: nothing, a text, another HDF5 file, a folder
+# other objects of that name: none, a text, another HDF5 file, a folder
 : >"run/checkpoint/$newest"
 named 'it is no HDF5 file'
 passed_over 'it is no HDF5 file'
@@ -86,13 +86,13 @@ named 'it is no file'
 rmdir "run/checkpoint/$newest"
 named 'No such file or directory'
 
-# `latest` names nothing, is empty, is gone, is a folder: what is there is found
+# `latest` names no file, is empty, is missing, is a folder: the checkpoints are found
 cp good.h5 "run/checkpoint/$newest"
 for latest in 'nothing.h5' '' gone folder; do
   rm -rf on && cp -rp run on
   rm on/checkpoint/latest
   case $latest in gone) ;; folder) mkdir on/checkpoint/latest ;; *) echo "$latest" >on/checkpoint/latest ;; esac
-  if [ "$latest" = folder ]; then # in whose place none can be written
+  if [ "$latest" = folder ]; then # then no new one can be written
     code 4 several 1 run scene.yaml --out on --resume --set stages.fracture.steps=61
     grep -q 'latest: cannot be written' err || { cat err; fail "a folder for latest"; }
     continue
@@ -101,12 +101,12 @@ for latest in 'nothing.h5' '' gone folder; do
   grep -q "^resumed from on/checkpoint/$newest" on/run.log || { cat on/run.log; fail "latest = $latest: another is taken"; }
 done
 
-# none is whole
+# no checkpoint is intact
 rm -rf on && cp -rp run on
 for file in on/checkpoint/*.h5; do turn "$file" 3000; done
 code 4 several 1 run scene.yaml --out on --resume
 grep -q 'is damaged' err || { cat err; fail "no checkpoint is whole"; }
-# another scene's
+# a checkpoint of another scene
 code 5 several 1 run scene.yaml --out none "--resume=run/checkpoint/$newest" --set solid.materials.0.horizon_ratio=2
 grep -q 'bonds is of size' err || { cat err; fail "another horizon"; }
 code 5 several 1 run scene.yaml --out none "--resume=run/checkpoint/$newest" --set stages.fracture.name=crack

@@ -1,25 +1,25 @@
 #!/usr/bin/env bash
-# Every way in which a run may end badly.
+# All faults with which a run may end.
 . "$(dirname "$0")/common.sh" "$@"
 scene >scene.yaml
 
-# unstable: a step far above the limit; exit 3, says field, place and rank, keeps the last good state
+# unstable: a step far above the limit; exit code 3, reports field, position and rank, writes the last good state
 code 3 ranks 2 run scene.yaml --out nan --set stages.flow.time_step=1.0 --set output.series_every=1
 grep -Eq 'unstable in step [0-9]+: (u|v|w|p) = .* at \(.*\) m on rank [01]' err || { cat err; fail "no place in the message"; }
 [ -f nan/checkpoint/latest ] || fail "the last good state was not kept"
 grep -q '"status": *"unstable"' nan/run.json || fail "run.json does not say unstable"
 code 0 ranks 1 run scene.yaml --out nan --resume
 
-# a folder that holds a run is not overwritten
+# a folder that contains a run is not overwritten
 code 4 ranks 1 run scene.yaml --out nan
 [ "$(grep -c '^frana:' err)" = 1 ] || { cat err; fail "more than one sentence"; }
-# nothing to resume from, and a file that is no checkpoint
+# no checkpoint to resume from, and a file that is no checkpoint
 code 4 ranks 1 run scene.yaml --out none --resume
 echo rubbish >rubbish.h5
 code 4 ranks 2 run scene.yaml --out none2 --resume=rubbish.h5
 # a checkpoint of another scene
 code 5 ranks 2 run scene.yaml --out other --resume=nan/checkpoint/stage_flow.h5 --set domain.cells="[32, 16, 32]" --set domain.size="[0.05, 0.025, 0.05]"
-# time that the run may take
+# limit on the run's wall time
 code 75 ranks 2 run scene.yaml --out wall --max-wall 1 --set stages.flow.steps=1000000
 grep -q -- '--max-wall' wall/run.log || fail "run.log does not say why it stopped"
 # the command line
@@ -29,14 +29,14 @@ code 2 ranks 1 run scene.yaml --speed
 code 2 ranks 1 run nowhere.yaml
 code 2 ranks 1 run scene.yaml --max-wall soon
 code 2 ranks 1 check scene.yaml --resume
-code 2 ranks 7 check scene.yaml # 16 cells do not make seven pieces of three
+code 2 ranks 7 check scene.yaml # 16 cells cannot be divided into seven pieces of three
 code 0 ranks 1 --version
 grep -q HDF5 out || fail "--version does not name HDF5"
-# an unknown key before anything is written
+# an unknown key is reported before any file is written
 echo 'oddity: 1' >>scene.yaml
 code 2 ranks 2 run scene.yaml --out never
 [ ! -e never ] || fail "a folder was made for a broken scene"
-# nor for a plate whose outline only its geometry shows to be none
+# and so is an invalid outline of a plate, which only its geometry shows
 code 2 ranks 2 run "$source/tests/scene/scenes/plate.yaml" --out never --set 'solid.bodies.plate.outline=[[0, 0], [0.05, 0.04], [0.05, 0], [0, 0.04]]'
 grep -q 'crosses or touches itself' err || { cat err; fail "no sentence on the outline"; }
 [ ! -e never ] || fail "a folder was made for an outline that crosses itself"

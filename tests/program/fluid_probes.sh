@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# fluid_probes.csv: its form, the same on any ranks, taken up again where a run was stopped; an oscillating gradient keeps its phase.
+# fluid_probes.csv: its format; the same on any number of ranks; continued by a resumed run; an oscillating gradient
+# keeps its phase.
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'END'
 title: Vortices carried along a channel of slip, with an oscillating gradient

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# Glass plates that branch: the published times and places; mirror images to the bit, wherever the plate stands, refined or not.
+# Glass plates with a branching crack: published times and positions; mirror images to the bit, wherever the plate is in
+# the coordinates, refined or not.
 . "$(dirname "$0")/common.sh" "$@"
 runs=$PWD FRANA=$frana
 . "$source/cases/crack.sh"
 # within QUANTITY LOW HIGH VALUE
 within() { awk -v x="$4" -v a="$2" -v b="$3" 'BEGIN { exit !(x != "" && x + 0 >= a && x + 0 <= b) }' || fail "$1 is $4, not $2 to $3"; }
-# mirrored RUN AXIS SPACING: where there is h5dump to see it
+# mirrored RUN AXIS SPACING: only if h5dump is installed
 mirrored() { ! command -v h5dump >/dev/null || "$source/cases/symmetric.sh" "$@" >out || fail "$1 is $(cat out)"; }
-# breaks NAME: times and places of the Duran plate (003 ch. 7: about 10 us, about 30 us, about 70 mm from its left side)
+# breaks NAME: times and positions of the Duran plate (003 ch. 7: about 10 us, about 30 us, about 70 mm from its left
+# side)
 breaks() {
   within "$1: start" 9e-6 11e-6 "$(of "$1" "start of growth: tip moved by more than a spacing, t")"
   within "$1: branches" 27e-6 33e-6 "$(of "$1" "branching: fronts apart from then on, t")"

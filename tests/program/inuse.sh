@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A run folder that another run is at work in is refused, whatever is asked for; looking at it is not; a kill gives it back.
+# A run folder that another run holds is refused to every command that writes; commands that read may use it; after a
+# kill it is free.
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed 's/fields_every: .*/fields_every: 10/; s/checkpoint_every: .*/checkpoint_every: 10/' >scene.yaml
 mpiexec --oversubscribe -n 2 "$frana" run scene.yaml --out run --set stages.flow.steps=1000000 >first 2>&1 & mpiexec=$!
@@ -13,14 +14,14 @@ refused() {
 before=$(cat run/checkpoint/latest)
 code 4 ranks 1 run scene.yaml --out run --resume && refused "a resume"
 code 4 ranks 2 run scene.yaml --out ./run/../run --resume && grep -q 'another run is at work' err || fail "by another name"
-code 4 ranks 1 run scene.yaml --out run # a new run: what is there is not overwritten
+code 4 ranks 1 run scene.yaml --out run # a new run: existing files are not overwritten
 grep -q 'holds a run already' err || { cat err; fail "a new run"; }
 code 0 ranks 1 post run
 [ -d run/post ] || fail "nothing was drawn of a run at work"
 changed() { [ "$(cat run/checkpoint/latest)" != "$before" ]; }
 await $mpiexec changed || fail "the first run has stopped"
 
-# killed, it holds nothing, as soon as its last rank is gone
+# a killed run releases the folder when its last rank has ended
 kill -9 "$mpiexec"
 wait "$mpiexec" 2>/dev/null || true
 while :; do

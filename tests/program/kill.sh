@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# A run that is killed (SIGKILL) at random moments and resumed ends with the series that it would have had, and at no moment is a
-# finished file damaged.  usage: kill.sh FRANA SOURCE WORK LOOK KILLS [SEED]
-# RANKS: how many (default 2). A rank or mpiexec is killed: some time after the start, or when a checkpoint or a field is being written.
+# A run that is killed (SIGKILL) at random times and resumed ends with the same series, and no finished file is ever
+# damaged.  usage: kill.sh FRANA SOURCE WORK LOOK KILLS [SEED]
+# RANKS: number of ranks (default 2). A rank or mpiexec is killed: some time after the start, or while a checkpoint or a
+# field is being written.
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4") kills=$5 seed=${6:-$((EPOCHSECONDS % 32768))} until=$((EPOCHSECONDS + ${7:-86400}))
 RANDOM=$seed n=${RANKS:-2}
@@ -17,10 +18,10 @@ echo "uninterrupted: $wall s"
 half=$(awk -v w="$wall" 'BEGIN { h = int(500 * w); print h < 700 ? 700 : h }') # milliseconds
 
 exists() { compgen -G "$1" >/dev/null; }
-# random A B: so many thousandths of a second, in seconds
+# random A B: a random time of A to B thousandths of a second, in seconds
 random() { local ms=$(($1 + RANDOM % ($2 - $1))); printf '%d.%03d' $((ms / 1000)) $((ms % 1000)); }
 
-# Waits for the moment at which to kill: at a random time after the start, or at the n-th file that is being written.
+# Waits for the time of the kill: a random time after the start, or the n-th file that is being written.
 moment() {
   local part count
   case $1 in
@@ -63,7 +64,7 @@ while :; do
     wait "$mpiexec" || got=$?
   fi
   if [ "$got" = 4 ] && grep -q 'another run is at work' err; then waits=$((waits + 1)); sleep 0.1; continue; fi
-  if [ "$got" = 0 ]; then # done, or killed too late
+  if [ "$got" = 0 ]; then # finished, or killed too late
     same whole/series.csv run/series.csv
     exists 'run/*/*.part' && fail "an unfinished file is left: $(ls run/*/*.part)"
     [ "$("$look" run | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "other files than of the uninterrupted run"

@@ -1,6 +1,6 @@
 /* Reads every finished file of a run folder and names the damaged ones. */
-/* Reads every finished file of a run folder from end to end: whatever happened to the run, none may be damaged. Says
- * which are. usage: look RUNDIR */
+/* Reads every finished file of a run folder from end to end: none may be damaged, whatever fault the run had. Prints
+ * the damaged ones. usage: look RUNDIR */
 #include "base/par.h"
 #include "files/folder.h"
 #include "files/seal.h"
@@ -31,7 +31,7 @@ static void look_checkpoint(const char *path) {
     if (seal_file_check(path, why, sizeof why)) say(path, why);
 }
 
-/* All fields, all values; and the file is as long as HDF5 thinks. */
+/* Reads all values of all fields; the length of the file must be the one that HDF5 expects. */
 static void look_field(const char *path) {
     const char *error = NULL;
     struct stat is;
@@ -55,7 +55,7 @@ static void look_field(const char *path) {
     if (file >= 0) H5Fclose(file);
 }
 
-/* Each file that it lists is there. */
+/* Checks that each listed file exists. */
 static void look_series(const char *path, const char *folder) {
     struct vtkhdf_series_entry *list = NULL;
     char file[FOLDER_PATH];
@@ -85,7 +85,7 @@ static void look_folder(const char *run, const char *part) {
     if (dir) closedir(dir);
 }
 
-/* The name in it is that of a checkpoint. */
+/* Checks that the name in it is that of a checkpoint. */
 static void look_latest(const char *run) {
     char path[FOLDER_PATH], name[256] = "", other[FOLDER_PATH], file[FOLDER_PATH];
     struct stat is;
@@ -98,7 +98,7 @@ static void look_latest(const char *run) {
     files++;
 }
 
-/* All rows but one that was being written are whole. */
+/* Checks that all rows, except one that was being written, are complete. */
 static void look_table(const char *run, const char *name) {
     char path[FOLDER_PATH];
     const char *error = NULL;

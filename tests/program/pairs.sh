@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every two of the choices that a scene has: they run to the end with numbers, and go on from a checkpoint on other ranks as the run
-# that was not stopped; or they are refused in one sentence before anything is written.
+# All pairs of a scene's choices: the run ends with finite numbers, and a resumed run on another number of ranks gives
+# the same results; or the pair is refused in one sentence before any file is written.
 . "$(dirname "$0")/common.sh" "$@"
 block='{name: block, material: soft, shape: box, low: [0.05, 0.0, 0.02], high: [0.07, 0.055, 0.06]}'
 fluid=(
@@ -25,7 +25,7 @@ plate=(
   'stages:' '  - {name: flow, steps: 100, time_step: 5.0e-8, breakage: false}' '  - {name: move, steps: 100, time_step: 5.0e-8}'
   'output: {series_every: 20, checkpoint_every: 120}')
 ball='{name: ball, material: soft, shape: sphere, centre: [0.11, 0.04, 0.04], radius: 0.0149}'
-setting() { # CHOICE BASE: what it sets, a line each
+setting() { # CHOICE BASE: its settings, one a line
   case $1.$2 in
     implicit.*) echo fluid.diffusion=implicit ;;
     strong.*) echo coupling.scheme=strong ;;
@@ -38,14 +38,14 @@ setting() { # CHOICE BASE: what it sets, a line each
     several.plate) echo 'solid.bodies=[{shape: rectangle, low: [0, 0], high: [0.04, 0.04]}, {shape: rectangle, low: [0.041, 0], high: [0.06, 0.04]}]' ;;
   esac | sed 'i--set'
 }
-# A plate with a fluid is no scene in more than one way, each of which is said.
+# A plate with a fluid is refused for several reasons, each of which is reported.
 refused() { # NAME SENTENCE
   [ "$(grep -c '^frana: ' err)" = 1 ] || [ $1 = implicit-plate ] || { cat err >&2; fail "$1: not one sentence"; }
   grep -q "$2" err || { cat err >&2; fail "$1: not what was to be said"; }
   [ ! -e "$1" ] || fail "$1: refused after its folder was made"
 }
 of() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1/series.csv"; }
-# What is refused, by both names in the order below
+# The refused pairs, by both names in the order below
 says() {
   case $1 in
     implicit-strong) echo 'does not go with coupling.scheme: strong' ;;
@@ -77,8 +77,8 @@ for ((i = 0; i < 8; i++)); do
     case $name in *breakage*) [ "$(of $name bonds_broken)" -gt 0 ] || fail "$name: nothing has broken" ;; esac
   done
 done
-# An elastic body under implicit diffusion: what sets it going dies out, and its load is the explicit one's but for the forcing's slip,
-# which is that of the longest explicit step.
+# An elastic body under implicit diffusion: the initial motion decays, and its load is that of explicit diffusion but
+# for the forcing's slip, which is that of the longest explicit step.
 printf '%s\n' "${fluid[@]}" >scene.yaml
 long=(--set stages.flow.steps=100 --set stages.move.steps=300 --set output.series_every=20 --set output.checkpoint_every=0)
 code 0 ranks 1 run scene.yaml --out explicit "${long[@]}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A scene that leaves parts out pays nothing for them, in memory or time.
+# A part that a scene leaves out takes no memory and no time.
 . "$(dirname "$0")/common.sh" "$@"
 scene >whole.yaml
 # without solid, without fluid
@@ -19,8 +19,8 @@ for part in solid ibm coupling; do zero "fluid alone: memory of $part" "$(memory
 for part in momentum poisson halo forcing probe interface; do zero "solid alone: $part" "$(value solid $part)"; done
 for part in fluid ibm; do zero "solid alone: memory of $part" "$(memory solid $part)"; done
 for part in solid contact; do zero "rigid: $part" "$(value rigid $part)"; done
-# what its own part needs: a fluid has 10 arrays and the work of the Poisson solve, with one ghost layer
-less "fluid alone: bytes a cell" "$(memory fluid fluid)" "$((40 * 18 * 18 * 8 * 14))" # rows padded to cache lines
+# memory of the part itself: a fluid has 10 arrays and the work of the Poisson solver, with one ghost layer
+less "fluid alone: bytes a cell" "$(memory fluid fluid)" "$((40 * 18 * 18 * 8 * 14))" # rows are padded to cache lines
 less "a fluid alone against one with something in it" "$(memory fluid fluid)" "$(memory whole fluid)"
 less "solid alone against the whole" "$(memory solid solid)" "$(memory whole solid)"
 less "a rigid solid against an elastic one" "$(memory rigid solid)" "$(($(memory whole solid | cut -d. -f1) * 3 / 4))"

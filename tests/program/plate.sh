@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A plate that cracks: any number of ranks, stopped and resumed on others, gives the same series; what it leaves; what it refuses.
+# A plate that cracks: the same series on any number of ranks, stopped and resumed on another number; its output files;
+# refused inputs.
 . "$(dirname "$0")/common.sh" "$@"
 plate() {
   cat <<YAML
@@ -45,7 +46,7 @@ for field in damage displacement velocity stretch_max energy_density volume; do
     fail "no field $field"
 done
 
-# energy: the integrator's own order, bonds that broke included
+# energy balance to the integrator's own order, with the energy of broken bonds
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i } NR > 2 {
   left = $k["e_kinetic_solid"] + $k["e_strain"] + $k["e_damped"] + $k["e_fracture"] - $k["work_load"] - $k["e_constraint"]
   if (NR == 3) start = left

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A plate that is refined as it cracks: any number of ranks, stopped and resumed on others, gives the same series.
+# A plate that is refined while it cracks: the same series on any number of ranks, stopped and resumed on another
+# number.
 . "$(dirname "$0")/common.sh" "$@"
 plate() {
   cat <<YAML
@@ -31,7 +32,7 @@ YAML
 value() { awk -F, -v c="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i } END { print $k }' "$1"; }
 
 for integrator in verlet rk3; do
-  # given and automatic steps; looks at the checkpoint's step and beside it
+  # given and automatic steps; checks for refinement at the checkpoint's step and at other steps
   [ $integrator = verlet ] && plate verlet 10 keep 'time_step: 5.0e-8' >scene.yaml
   [ $integrator = rk3 ] && plate rk3 7 refine 'safety: 0.4' >scene.yaml
   code 0 ranks 1 run scene.yaml --out one_$integrator

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What the system refuses in the middle of a run: a limit on files' sizes, a full disk, a folder turned read-only, a folder that
-# is gone. Exit code 4 and one sentence that names the file; what is finished is whole; resumed, the run ends as it would have.
+# Faults of the system during a run: a limit on the size of files, a full disk, a read-only folder, a deleted folder.
+# Exit code 4 and one sentence with the name of the file; finished files are intact; the resumed run ends with the same
+# results.
 # usage: refused.sh FRANA SOURCE WORK LOOK
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4")
@@ -23,7 +24,7 @@ begin() {
     find "$folder" -mindepth 1 -delete
   done
 }
-# A launcher may fall over its own finalize after frana has left with 4.
+# After frana has ended with code 4, the launcher may fail in its own finalize.
 refused() { # FOLDER WHY
   local got=0
   kill -CONT "${pids[@]}"
@@ -33,7 +34,7 @@ refused() { # FOLDER WHY
   grep -Eq "^frana: (rank 0: )?$1/[a-z0-9_/.]+: cannot be written: $2" "$said.err" || { cat "$said.err" >&2; fail "$2: not what was to be said"; }
   echo "$(grep '^frana: ' "$said.err")"
 }
-whole() { # FOLDER [COMMAND...]: nothing is damaged, and it can be gone on from
+whole() { # FOLDER [COMMAND...]: no file is damaged, and the run can be resumed
   local folder=$1; shift
   "$look" "$folder" >found || { cat found >&2; fail "$folder: damaged"; }
   code 0 "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" --resume
@@ -41,20 +42,20 @@ whole() { # FOLDER [COMMAND...]: nothing is damaged, and it can be gone on from
   [ "$("$look" "$folder" | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "$folder: other files than of the uninterrupted run"
 }
 
-# a limit on files' sizes: of the series, which grows; of checkpoints and fields
+# a limit on the size of files: of the growing series; of checkpoints and fields
 begin limit
 for pid in "${pids[@]}"; do prlimit --pid "$pid" --fsize=1000:1000; done
 refused limit 'File too large'
 whole limit
 
-# the folder is gone, and comes back
+# the folder is deleted, then made again
 begin gone
 mv gone away
 refused gone 'No such file or directory'
 mv away gone
 whole gone
 
-# read-only, for one who is not root
+# read-only, for a user other than root
 user=()
 if [ "$(id -u)" = 0 ]; then
   user=(setpriv --reuid=65534 --regid=65534 --clear-groups env "HOME=$PWD/readonly.home" "XDG_CACHE_HOME=$PWD/readonly.home")

@@ -2,7 +2,7 @@
 # A run stopped anywhere and resumed on another number of ranks gives the same series; ranks do not matter either.
 # usage: resume.sh FRANA SOURCE WORK [SEED]: of the steps at which the run is stopped
 . "$(dirname "$0")/common.sh" "$@"
-scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml # their number follows contact: part of the state
+scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml # the number of substeps follows contact and is part of the state
 code 0 ranks 2 run scene.yaml --out whole
 grep -q '"status": *"done"' whole/run.json || fail "run.json does not say done"
 rows=$(($(wc -l <whole/series.csv) - 2))
@@ -44,12 +44,12 @@ done
 echo "stopped $stops times"
 same whole/series.csv stopped/series.csv
 
-# another run starts from the end of a stage
+# another run starts from a stage's checkpoint
 code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5
 sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 120' whole/series.csv >>tail.csv
 same tail.csv branch/series.csv
 
-# with balanced loads, what bodies carried in the last step is part of the state
+# with balanced loads, the force of the carried mass in the last step is part of the state
 code 0 ranks 2 run scene.yaml --out balanced --set coupling.load=balanced
 code 0 ranks 3 run scene.yaml --out again --set coupling.load=balanced --resume=balanced/checkpoint/step_00000150.h5
 sed -n '1,2p' balanced/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 150' balanced/series.csv >>tail.csv

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Cases of plates, coarse: Kalthoff's cracks leave their notches steeply and are mirror images to the bit, and a hole draws in the
-# crack beside it.
+# Cases of plates on coarse grids: Kalthoff's cracks leave their notches at a steep angle and are mirror images to the
+# bit; a crack beside a hole turns towards the hole.
 . "$(dirname "$0")/common.sh" "$@"
 last() { awk -F, -v c="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i } END { print $k }' "$1"; }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The strongly coupled step, through breakage: every step converges, the box's momentum closes, ranks do not matter, and a run
-# resumed from a checkpoint is the one that went on.
+# The strongly coupled step, while bonds break: every step converges, the box's momentum balance closes, any number of
+# ranks gives the same results, and so does a run resumed from a checkpoint.
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed -e 's/^coupling:/&\n  scheme: strong/' -e '/name: settle/s/steps: [0-9]*/steps: 20/; /name: fracture/s/steps: [0-9]*/steps: 25/' \
   -e '/name: flow/s/steps: [0-9]*/steps: 30/' -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 0/' \
@@ -13,8 +13,9 @@ awk -v m="$(number mean)" -v n="$(number most)" 'BEGIN { exit !(m > 1.5 && m < 1
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 { b = $at["bonds_broken"]; if ($at["momentum_residual"] > 1e-9) bad = 1 }
   END { exit bad || !(b > 100) }' whole/series.csv || fail "the momentum does not close, or nothing has broken"
 
-# what symmetry makes zero is round-off, which an iteration may amplify up to its tolerance; all else agrees to the digits of same
-without() { # without SERIES: its components in y and z left out, which must be small beside those in x
+# values that are zero by symmetry are round-off, which the iteration may amplify up to its tolerance; all others agree
+# to the digits of same
+without() { # without SERIES: leaves out its y and z components, which must be small compared with x
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { zero[i] = $i ~ /^(load|forcing)_[yz]$/; if ($i == "load_x") x = i } }
     { row = ""
       for (i = 1; i <= NF; i++) if (!zero[i]) row = row (i > 1 ? "," : "") $i

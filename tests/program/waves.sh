@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Waves over refined plates: what a patch reflects, and that the dual horizon keeps the energy. Whole: cases/plate_wave, cases/plate_step.
+# Waves over refined plates: reflection by a patch; the dual horizon conserves energy. Full size: cases/plate_wave,
+# cases/plate_step.
 . "$(dirname "$0")/common.sh" "$@"
 none='solid.refinement={from: 1}'
 names='FNR == 1 { delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { next }'
@@ -26,7 +27,7 @@ between() { awk "BEGIN { exit !($2 > $1 && $2 < $3) }" || fail "$4 $2, should be
 wave uniform --set "$none"
 wave dual
 wave b --set solid.horizons=one_sided
-between 0.05 "$(reflected dual)" 0.25 "dual horizon reflects" # a tenth of 000's 2.5 %
+between 0.05 "$(reflected dual)" 0.25 "dual horizon reflects" # a tenth of the 2.5 % of 000
 between 0.5 "$(reflected b)" 2.5 "one-sided reflects"
 between 0 "$(changed dual)" 1e-3 "dual horizon changes the energy by"
 between 0.1 "$(changed b)" 0.57 "one-sided changes the energy by"

@@ -1,8 +1,9 @@
 #!/bin/sh
-# scene_leave.sh SCENES COMMAND...: on all the command's ranks a broken scene leaves with code 2 and each mistake is said once.
+# scene_leave.sh SCENES COMMAND...: all the command's ranks exit with code 2 on a scene with mistakes, and each mistake
+# is reported once.
 scenes=$1
 shift
-expect() { # code, what frana says (one line a mistake), arguments...
+expect() { # code, expected lines (one for each mistake), arguments...
     code=$1 want=$2
     shift 2
     said=$("$@" 2>&1 >/dev/null)

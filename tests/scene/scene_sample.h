@@ -31,7 +31,7 @@ static inline char *sample_with(const char *text, const char *find, const char *
     return text_new("%.*s%s%s", (int)(at - text), text, replace, at + strlen(find));
 }
 
-/* Reads the text as if it stood in the folder of samples. */
+/* Reads the text as if its file were in the folder of samples. */
 static inline struct scene *sample_read(const char *text, int n, const char *const *set,
                                         struct scene_problems *problems) {
     *problems = (struct scene_problems){0};
@@ -45,12 +45,12 @@ static inline char *sample_problem(const struct scene_problems *problems, int i)
     return strstr(text, SCENES) ? sample_with(text, SCENES, "@/") : text_new("%s", text);
 }
 
-/* A sample with one piece exchanged, and the one line that is said of it. */
+/* A sample with one piece replaced, and the line that must be reported. */
 struct sample_broken {
     const char *sample, *find, *replace, *line;
 };
 
-/* How many of them do not say exactly their line; those are told. */
+/* Number of samples that do not report exactly their line; these are printed. */
 static inline int sample_check_broken(size_t n, const struct sample_broken *table) {
     int wrong = 0;
     for (const struct sample_broken *b = table; b < table + n; b++) {

@@ -309,7 +309,7 @@ static const struct sample_broken table[] = {
      "it.yaml:33: solid.bodies[3].holes: only with shape rectangle, disc or polygon, here it is points"},
     {"plate", "shape: points, file: areas.txt", "shape: rectangle, low: [0, 0], high: [1, 1], outline: [[0, 0]]",
      "it.yaml:33: solid.bodies[3].outline: only with shape polygon, here it is rectangle"},
-    /* a plate: imposed data; without the body of points, whose bounds are unknown, a region can be outside all bodies */
+    /* a plate: imposed data; without the points, whose bounds are unknown, regions can be outside all bodies */
     {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02]]",
      "it.yaml:35: solid.cracks[0].points: has 1 entry, needs at least 2"},
     {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02], [0.01, 0.02, 0]]",
@@ -509,7 +509,7 @@ static void test_garbled_scenes_do_not_crash(void **state) {
     garble(SCENES "plate.yaml");
 }
 
-/* What a process says on stderr and leaves with when it asks for the scene. */
+/* Standard error and exit code of a process that reads the scene. */
 static int leaves_with(const char *path, int n, const char *const *set, char *said, size_t size) {
     int pipes[2], status;
     assert_int_equal(pipe(pipes), 0);

@@ -60,8 +60,8 @@ static void test_paths_find_their_rule(void **state) {
     assert_null(scene_rule_find("solid.bodies.radius"));
 }
 
-/* | `path` | unit | default | range | ...: default is none where a key may stay out, needed where it may not, or text
- * in brackets where it rests on other keys. */
+/* | `path` | unit | default | range | ...: default is `none` for an optional key, `needed` for a required one, or a
+ * text in brackets for a default that depends on other keys. */
 static void test_the_reference_has_every_key(void **state) {
     (void)state;
     struct keys keys = {0};
@@ -101,7 +101,8 @@ static void test_nearest_word(void **state) {
     assert_null(scene_problem_nearest("", 4, word));
 }
 
-/* The largest horizon ratio is where a family on the cubic lattice, |xi| < m + 1/2 spacings, would pass 512 bonds. */
+/* The largest horizon ratio is the one at which a family on the cubic lattice, |xi| < m + 1/2 spacings, would exceed
+ * 512 bonds. */
 static void test_largest_horizon_fits_a_family(void **state) {
     (void)state;
     const double r2 = (SCENE_HORIZON_MAX + 0.5) * (SCENE_HORIZON_MAX + 0.5);

@@ -1,6 +1,6 @@
 /* Unusual scenes: odd numbers, invalid YAML, misplaced keys, wrong types, files of other systems. */
-/* Odd scenes: numbers that look like numbers, texts that are no YAML, keys of other parts, kinds of values that are not
- * meant. Each mistake gives its own one line. Files as other systems write them are read. */
+/* Numbers in unusual forms, texts that are not YAML, keys of other parts, values of wrong types. Each mistake gives its
+ * own line. Files of other systems are read. */
 #include "base/par.h"
 #include "base/text.h"
 #include "scene_sample.h"

@@ -4,7 +4,7 @@
 #include "scene_sample.h"
 #include "tests/check.h"
 
-/* Equal arrays, NULL where they are empty. */
+/* Arrays are equal, or both NULL if empty. */
 static void assert_same_array(const void *a, const void *b, int n, size_t size) {
     if (n > 0) assert_memory_equal(a, b, (size_t)n * size);
 }

@@ -1,7 +1,7 @@
 /* Times the interface update on the main case's block: intact, moving, broken, breaking. */
 /* Milliseconds a step of the surface's update on the main case's block: intact, at rest or moving; with bonds broken,
- * and while a few break in every step; and of detection from scratch.  [mpiexec -n N] bench_surface Best and median of
- * the repeats, the slowest rank's. */
+ * and while a few break in every step; and of a detection from scratch.  [mpiexec -n N] bench_surface Best and median
+ * of the repeats, the slowest rank's. */
 #include "base/par.h"
 #include "solid/bonds/family.h"
 #include "solid/solid.h"

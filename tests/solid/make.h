@@ -14,7 +14,7 @@
 #include <string.h>
 #include <cmocka.h>
 
-/* |value - expected| <= tolerance, or the test says all three. */
+/* |value - expected| <= tolerance; a failure prints all three. */
 
 static const double SPACING = 1.5625e-3, YOUNG = 1e8, DENSITY = 3000;
 

@@ -23,7 +23,7 @@ struct make {
     enum solid_model model; /* default plane stress */
     double shift[2];        /* of the plate and its lattice, m */
     double ratio;           /* m, default 3 */
-    double irregular;       /* points up to so many spacings from the lattice, of unequal volumes */
+    double irregular;       /* points up to this many spacings from the lattice, with unequal volumes */
     int brittle;            /* breaks at G0 */
     enum solid_partial partial;
     enum solid_micromodulus_kind micromodulus;
@@ -37,7 +37,7 @@ struct make {
     const struct solid_initial *initial;
     enum solid_horizons horizons;
     const struct solid_refinement *refinement;
-    int outlines; /* instead of the rectangle; sites still say how large it is */
+    int outlines; /* instead of the rectangle; sites still gives its size */
     const struct solid_outline *outline;
 };
 
@@ -130,7 +130,7 @@ static inline void shake(struct solid *s, double strain, double speed) {
 /* The step in units of spacing/sqrt(E/rho). */
 static inline double step_of(double number) { return number * SPACING / sqrt(YOUNG / DENSITY); }
 
-/* Kinetic + strain energy, and what went out less what came in; J, whole solid. Collective. */
+/* Kinetic + strain energy, and dissipated minus supplied energy; J, whole solid. Collective. */
 static inline double balance_of(struct solid *s, double *size) {
     const struct solid_energy e = solid_energy_measure(s);
     double sum[4] = {s->e_damped, s->e_fracture, s->work_load, s->e_constraint};

@@ -6,7 +6,8 @@
 #include "solid/solid.h"
 #include "tests/check.h"
 
-/* Every bond stretched by the same s: below s0 none breaks, above it all do, and they release what they held. */
+/* Every bond has the same stretch s: below s0 none breaks, above it all break and release the energy that they
+ * stored. */
 static void dilate(struct make m, double of_s0, int expect_broken) {
     struct solid *s = make(m);
     const double s0 = solid_material_critical_stretch(s->in.material, SPACING);

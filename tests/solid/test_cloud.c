@@ -1,6 +1,6 @@
 /* Bonds from their two ends: partial areas, material constants, family sums, unequal horizons. */
-/* Bonds made of what stands at their ends: partial areas, constants of materials, sums over lattices, pairs of
- * different horizons. */
+/* Bonds from the data of their ends: partial areas, constants of materials, sums over lattices, pairs of different
+ * horizons. */
 #include "make.h"
 
 #include "solid/law/material.h"
@@ -14,7 +14,7 @@
 
 static double uniform(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
 
-/* The squares of a lattice share the disc among them; by hand where a side or a corner is cut. */
+/* The squares of a lattice together cover the disc; hand-computed values if the circle cuts a side or a corner. */
 static void test_areas(void **state) {
     (void)state;
     srand(3);
@@ -129,8 +129,8 @@ static void test_lattice_sums(void **state) {
         }
 }
 
-/* With more particles in the horizon all of it goes to the continuum's, whatever the model and the micromodulus; at m
- * = 3.5 and 4 the constants are within some percent. */
+/* With more particles in the horizon the constants converge to the continuum's, for each model and micromodulus; at m =
+ * 3.5 and 4 they are within a few per cent. */
 static void test_fine_sums(void **state) {
     (void)state;
     for (int model = SOLID_3D; model <= SOLID_PLANE_STRAIN; model++)
@@ -148,8 +148,8 @@ static void test_fine_sums(void **state) {
         }
 }
 
-/* Different horizons: both ends find the same numbers to the bit, a half is missing where an end is out of the other's
- * reach, and a bond releases what its halves hold. In one horizon both couplings are the same. */
+/* Different horizons: both ends get the same numbers to the bit; a half is 0 if its end does not reach the other; a
+ * bond releases the energy of its halves. With equal horizons both couplings are the same. */
 static void test_pairs(void **state) {
     (void)state;
     srand(17);

@@ -230,7 +230,7 @@ static void cut_block(void **state) {
         }
 }
 
-/* The force is what the potential gives: d(energy)/d(way) against the sum of forces. */
+/* The force is the derivative of the potential: d(energy)/d(displacement) against the sum of forces. */
 static void force_from_energy(void **state) {
     (void)state;
     const double exponent[2] = {1, 3};

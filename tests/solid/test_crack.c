@@ -78,7 +78,7 @@ static void fork_has_two_fronts(void **state) {
     }
 }
 
-/* A spur that stands out by two particles is no front, one of five is; and a crack that bulges stays one. */
+/* A side branch longer by two particles is no front, one longer by five is; a crack with a bulge is still one crack. */
 static void spur_is_no_front(void **state) {
     (void)state;
     static const struct { int beyond, fronts; } expected[] = {{2, 1}, {5, 2}};
@@ -108,7 +108,7 @@ static void tip_hangs_on_the_cut(void **state) {
     check_close(t.tip[0], 14.5, 0);
     assert_int_equal(t.fronts, 1);
     check_close(solid_crack_tips_of(&p, &none, X, NULL).tip[0], 59.5, 0);
-    /* particles that were there at the start and are gone (refined) still mark where it began */
+    /* initial particles that no longer exist (refined) still mark the start of the crack */
     p.n = 0;
     put_line(&p, 0.5, 3, 0, 12, 0);
     solid_crack_sort(&p, X);
@@ -152,7 +152,7 @@ static void speed_and_length_of_a_moving_tip(void **state) {
     check_close(length, 30e-3 + 2 * 24e-3, 0.03 * 78e-3);
 }
 
-/* A window that no sample reaches back over takes the first; one longer than the step takes the right one exactly. */
+/* If no sample is a window old, the first one is used; a window longer than the step finds exactly the right sample. */
 static void window_is_kept(void **state) {
     (void)state;
     struct solid_crack_track *k = solid_crack_track_new(1, 1);

@@ -71,7 +71,7 @@ static void test_rows(void **state) {
                 flat[k] += solid_cut_line_crosses(line[k], a, right);
             }
         }
-    assert_int_equal(cut[0], 10); /* i = 3 .. 12 stand between x = 0 and 1 */
+    assert_int_equal(cut[0], 10); /* i = 3 .. 12 are between x = 0 and 1 */
     assert_int_equal(flat[0], 0);
     assert_int_equal(cut[1], 20); /* above and below the row */
     assert_int_equal(flat[1], 11);
@@ -79,7 +79,7 @@ static void test_rows(void **state) {
     assert_int_equal(memory_bytes(MEMORY_SOLID), 0);
 }
 
-/* The mirror image of a bond meets the mirror image of the crack, whatever the digits. */
+/* The mirror image of a bond meets the mirror image of the crack, to the last digit. */
 static void test_mirror(void **state) {
     (void)state;
     int met = 0;

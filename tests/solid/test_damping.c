@@ -1,4 +1,4 @@
-/* Damping takes energy, and the energy budget closes with all sources and sinks. */
+/* Damping dissipates energy, and the energy budget closes with all sources and sinks. */
 #include "make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
@@ -89,7 +89,7 @@ static void test_decay(void **state) {
     }
 }
 
-/* What is missing in e_kinetic + e_strain + e_damped + e_fracture = work_load + e_constraint, over its largest term. */
+/* Residual of e_kinetic + e_strain + e_damped + e_fracture = work_load + e_constraint, over its largest term. */
 static double imbalance(int verlet, int list, int steps, double fracture_energy, int *broke) {
     const struct solid_constraint constraint[2] = {
         {.low = {-1, -1, -1}, .high = {1, 3 * SPACING, 1}, .direction = {1, 1, 1}},

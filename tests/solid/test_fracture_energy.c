@@ -11,7 +11,8 @@ enum { SITES = 8, UP = 2 };
 
 static double length_of(const double xi[3]) { return sqrt(xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]); }
 
-/* G/G0 of a plane between two layers: the sum over one family of xi_z times what a bond of stretch s0 holds, J/m2. */
+/* G/G0 of a plane between two layers: the sum over one family of xi_z times the energy of a bond of stretch s0,
+ * J/m2. */
 static double cleaved(const struct solid *s, struct solid_family_view *view, int h, double stretch) {
     const double c0 = solid_material_micromodulus(s->in.material, SPACING);
     double sum = 0;
@@ -56,7 +57,7 @@ static void test_bonds_across_a_plane(void **state) {
     }
 }
 
-/* Halves drawn apart at once: e_fracture is what their bonds held when they broke. */
+/* Two halves moved apart at once: e_fracture is the energy that their bonds stored when they broke. */
 static void test_released(void **state) {
     (void)state;
     static struct solid_family_view view;

@@ -106,8 +106,8 @@ static void test_by_hand(void **state) {
     solid_free(s);
 }
 
-/* Each bond breaks from both its ends at once, across ranks and the periodic side, near and far from the origin: what
- * the one end counts the other takes away. */
+/* Each bond breaks from both its ends at once, across ranks and the periodic side, near the origin and far from it:
+ * both ends count the same. */
 static void test_both_ends(void **state) {
     (void)state;
     static struct solid_family_view view;
@@ -141,7 +141,7 @@ static void test_both_ends(void **state) {
     }
 }
 
-/* What grows with bonds: 24 bytes of each directed one, and families filled up to eights. */
+/* Memory that grows with the bonds: 24 bytes for each directed one, and families padded to multiples of eight. */
 static void test_memory(void **state) {
     (void)state;
     const double before = (double)memory_bytes(MEMORY_SOLID);

@@ -58,8 +58,8 @@ static void stress_of_uniform_strain(void **state) {
     }
 }
 
-/* Exact for affine displacements at every particle, faces, edges and corners too, whatever is broken; none in a turn.
- */
+/* Exact for affine displacements at every particle, also at faces, edges and corners, whichever bonds are broken; zero
+ * for a rotation. */
 static void strain_of_affine_fields(void **state) {
     (void)state;
     struct solid *s = cube_new(7, 0, 1);
@@ -221,8 +221,8 @@ static void kinetic_energy(void **state) {
     solid_free(s);
 }
 
-/* Beside a cut, layer by layer: what a flat face's families have lost. Of a full family's .98989 V0 are left .6142,
- * .8341, .9704. */
+/* Beside a crack, layer by layer: the broken part of the families at a flat face. Of a complete family's .98989 V0
+ * these remain: .6142, .8341, .9704. */
 static void damage_beside_a_cut(void **state) {
     (void)state;
     for (int general = 0; general < 2; general++) {

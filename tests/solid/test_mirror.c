@@ -1,6 +1,6 @@
 /* A mirror-symmetric plate stays symmetric to the bit while it is loaded and breaks. */
-/* A mirror-symmetric plate stays mirror-symmetric to the bit while it is loaded and breaks, on one rank and wherever it
- * lies. */
+/* A mirror-symmetric plate stays mirror-symmetric to the bit while it is loaded and breaks, on one rank and at any
+ * position in the coordinates. */
 #include "make_plate.h"
 #include "solid/contact/contact.h"
 #include "solid/solid.h"

@@ -91,7 +91,7 @@ static void test_halves(void **state) {
     const double corner[6][2] = {{0, 0}, {3, 0}, {3, 1.2}, {1.2, 1.2}, {1.2, 3}, {0, 3}};
     for (int k = 0; k < 6; k++) shape_corner(&s, corner[k][0], corner[k][1]);
     struct loaded l = load(&s, 0, 0, 1, corner[3], corner[4]);
-    /* cell 1, 1 has 0.8 of the edge, and 0.36 of area; next to it are 0, 1 and 1, 0 */
+    /* cell 1, 1 has 0.8 of the edge, and 0.36 of the area; its neighbours are 0, 1 and 1, 0 */
     assert_int_equal(l.lengths->n, 3);
     check_close(at(&l, 0, 1), 0.4, 1e-15);
     check_close(at(&l, 1, 0), 0.4, 1e-15);

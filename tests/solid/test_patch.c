@@ -43,7 +43,7 @@ static void test_affine(void **state) {
                 seen += interior(s, h, sites, 6);
             }
             assert_int_equal(par_sum_long(seen), 2 * 3 * 4);
-            check_above(par_max(outside), 1e-3 * strain * force_scale(s)); /* faces do feel it */
+            check_above(par_max(outside), 1e-3 * strain * force_scale(s)); /* faces do have a force */
             solid_free(s);
         }
 }
@@ -105,7 +105,8 @@ static void test_rotation(void **state) {
     }
 }
 
-/* A turned and strained body feels the strained body's forces, turned: the square root as well as the series. */
+/* The forces of a strained and rotated body are those of the strained body, rotated: with the square root and with the
+ * series. */
 static void test_objective(void **state) {
     (void)state;
     for (int large = 0; large < 2; large++) {

@@ -1,6 +1,6 @@
 /* Bond lists of a plate of unequal points: mirror symmetry to the bit, both ends, ranks, renewal. */
-/* Lists of a plate: points of unequal size and horizon, mirror images to the bit, both ends of a bond, ranks, and a
- * body that changes. */
+/* Lists of a plate: points of unequal size and horizon, mirror images to the bit, both ends of a bond, any number of
+ * ranks, and a body that is refined. */
 #include "base/par_ghost.h"
 #include "make.h"
 
@@ -64,7 +64,7 @@ static struct solid *solid_of(const struct plate *p, enum solid_horizons horizon
     return solid_new(&in);
 }
 
-/* Where a particle stands from the plate's middle, in 2^-20 of the spacing. */
+/* Position of a particle relative to the plate's middle, in 2^-20 of the spacing. */
 static long steps(const struct solid *s, int h, int c, double shift) {
     return lrint((s->x0[c][h] - (c ? 0.7 : 1) * shift) / SPACING * 0x1p20);
 }
@@ -128,7 +128,7 @@ static struct found *collect(const struct solid *s, double shift) {
 }
 
 /* All four quarters get the same bits, in the elastic and in the damped kernel, with small and with large stretches,
- * while bonds break, wherever the plate stands, and on any number of ranks. */
+ * while bonds break, at any position of the plate in the coordinates, and on any number of ranks. */
 static void test_mirror(void **state) {
     (void)state;
     const double shifts[2] = {0, 1.37 * M_SQRT2};
@@ -284,8 +284,8 @@ static void add(struct cells *k, double x, double y, double size, long was) {
     k->was[k->n++] = was;
 }
 
-/* A lattice in rows, shared out among ranks; refined: particles in a part of it are made smaller, and three more of
- * their size stand behind all others of the rank. */
+/* A lattice in rows, divided among ranks. refined: particles in one region are smaller, and three more of their size
+ * come after all others of the rank. */
 static void cells_of(struct cells *k, int refined) {
     k->n = 0;
     for (int rank = 0; rank < par_size(); rank++) {
@@ -325,8 +325,7 @@ static int is_cut(long a, long b) {
     return (low * 7919 + high * 104729) % 7 == 0;
 }
 
-/* A list that is renewed where its cloud has changed is the one that is made anew, with what was broken still broken.
- */
+/* A list that is renewed near the changes of its cloud equals one that is made anew; broken bonds stay broken. */
 static void test_renew(void **state) {
     (void)state;
     static struct cells coarse, fine;

@@ -92,8 +92,8 @@ static void test_momentum(void **state) {
         }
 }
 
-/* What is not accounted for over what is, of a plate that is loaded on an edge and in a region, driven at two ends,
- * damped, for a given time in so many steps; and how much was driven in. */
+/* Relative residual of the energy budget of a plate that is loaded on an edge and in a region, driven at two ends and
+ * damped, for a given time in a given number of steps; and the work of the driven layers. */
 static double unbalanced(double irregular, int verlet, int steps) {
     const double width = 16 * SPACING;
     const double t[3] = {0, 2e-6, 9e-6}, factor[3] = {0, 1, -0.5};
@@ -138,7 +138,8 @@ static void test_energy(void **state) {
     }
 }
 
-/* A driven layer is where its law says at the end of every step, kinks of the law within steps included. */
+/* A driven layer is at its prescribed position at the end of every step, also if the function of time has a kink within
+ * a step. */
 static void test_driven(void **state) {
     (void)state;
     const double t[4] = {0, 1.3e-6, 2.1e-6, 4e-6}, factor[4] = {0, 1, 1, -2};
@@ -239,8 +240,8 @@ static void test_stable(void **state) {
         }
 }
 
-/* A plate pulled at both ends at rest, as wide as a period so that it cannot contract: its middle is stretched as C11
- * of the lattice says. */
+/* A plate at rest under tension at both ends, periodic in its width, so that it cannot contract: the strain in its
+ * middle follows from C11 of the lattice. */
 static void test_relaxed(void **state) {
     (void)state;
     const double w = 40 * SPACING, h = 8 * SPACING, pull = 1e6, c11 = 1.02200 * 9 / 8 * YOUNG;

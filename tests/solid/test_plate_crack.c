@@ -1,6 +1,6 @@
 /* Cracks of a plate: initial cuts, released energy, contact of the faces, stress and strain. */
-/* Cracks of a plate: initial ones, what a straight one releases, contact of its lips, stress and strain on the way
- * there. */
+/* Cracks of a plate: initial ones, the energy released by a straight one, contact of its faces, stress and strain
+ * before. */
 #include "make_plate.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"

@@ -1,6 +1,6 @@
-/* A plate under every load moves to the bit alike on any number of ranks. */
-/* A plate that is driven, loaded, damped, torn and pressed together moves alike to the bit on any number of ranks. One
- * rank leaves what it found in a file; more ranks compare with it. */
+/* A plate under every load has the same motion to the bit on any number of ranks. */
+/* A plate that is driven, loaded, damped, torn and compressed has the same motion to the bit on any number of ranks.
+ * One rank writes its results to a file; more ranks compare with it. */
 #include "make_plate.h"
 #include "solid/contact/contact.h"
 #include "solid/solid.h"

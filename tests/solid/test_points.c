@@ -52,7 +52,7 @@ static void cloud_free(struct cloud *cloud) {
     free(cloud->volume);
 }
 
-/* Points that do stand on a lattice feel what the lattice's particles feel, to the quadrature of Gamma. */
+/* Points on a lattice have the same forces as the lattice's particles, to the quadrature of Gamma. */
 static void test_points_on_lattice(void **state) {
     (void)state;
     const int sites[3] = {9, 8, 10}, periodic[3] = {1, 0, 0};
@@ -156,7 +156,7 @@ static void test_bodies(void **state) {
         }
         par_sum_long_array(count, 3);
         for (int b = 0; b < 3; b++) assert_int_equal(count[b], expected[b]);
-        /* one body is dilated: it alone feels forces, and the stiffer material takes 2/1 of c0 16/81 of delta^4 */
+        /* one body is dilated: only it has forces; the stiffer material has twice the modulus and 16/81 of delta^4 */
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) s->d[c][h] = s->body[h] == 1 ? 1e-4 * s->x0[c][h] : 0;
         solid_ghosts_update(s);

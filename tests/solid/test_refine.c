@@ -1,4 +1,4 @@
-/* Refinement: places, areas, loads and motion of new particles, and what stays unchanged. */
+/* Refinement: positions, areas, loads and motion of new particles, and the unchanged rest. */
 #include "make_plate.h"
 #include "solid/body/cloud.h"
 #include "solid/bonds/family.h"
@@ -36,8 +36,8 @@ static double area_of(const struct solid *s) {
     return par_sum(sum);
 }
 
-/* One refined family: coarse particles beside it have 000's areas (eq. 38), fine ones a quarter. Two or four fine
- * neighbours, as there, are only where a place at an edge of the body has no particle; here all have. */
+/* One refined family: the coarse particles beside it have the areas of 000 (eq. 38), the fine ones a quarter. In 000 a
+ * particle may have two or four fine neighbours; here that occurs only at an edge of the body. */
 static void test_eq38(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(1);
@@ -167,7 +167,7 @@ static void test_momentum(void **state) {
     }
 }
 
-/* All of a traction arrives, whatever stands behind the edge; constraints take hold of what is new. */
+/* A traction acts in full, whatever particles are behind the edge; constraints apply to new particles. */
 static void test_held(void **state) {
     (void)state;
     for (int over = 0; over < 2; over++) {
@@ -260,7 +260,7 @@ static void test_start(void **state) {
         struct solid *s = make((struct make){
             .sites = {16, 10}, .periodic = {0, 1}, .initials = 1, .initial = &initial, .refinement = &refinement});
         const struct solid_cloud *t = s->family->cloud[0];
-        /* columns 0 to 6 and what stands between them and beside: 15 columns, 20 rows and not 21 */
+        /* columns 0 to 6, the positions between them and those beside: 15 columns, 20 rows and not 21 */
         assert_int_equal(s->n_global, 160 - 70 + 15 * 20);
         check_close(area_of(s), 160, 160 * 1e-12);
         for (long i = 0; i < t->n; i++) {

@@ -125,7 +125,7 @@ static void compare(const struct solid *s, const struct particle *all, long n, c
     }
 }
 
-/* More ranks do the same, to the bit. One rank leaves what it found in a file. */
+/* The same results on more ranks, to the bit. One rank writes its results to a file. */
 static void test_ranks(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
@@ -153,7 +153,7 @@ static void test_ranks(void **state) {
     }
 }
 
-/* What a checkpoint has, on every rank. */
+/* The data of a checkpoint, on every rank. */
 struct kept {
     long n;
     uint8_t *body, *level, *bits;
@@ -213,8 +213,8 @@ static void put_back(struct solid *s, struct kept *k) {
     for (int q = 0; q < 5; q++) free(own[q]);
 }
 
-/* Stopped in the middle and put back into another solid, on ranks divided anew: the same to the last digits (a family
- * that has been much stretched starts with square roots, which is not put back). */
+/* Stopped and restored into another solid with another division over ranks: the same results to the last digits. (A
+ * family with large stretches starts with square roots; that is not restored.) */
 static void test_resume(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(2);
@@ -234,8 +234,8 @@ static void test_resume(void **state) {
     solid_free(t);
 }
 
-/* How much of the strain energy of a smooth field a refinement makes or takes, and how far from 0 the forces of an
- * affine one are across levels, in terms of those of one row of bonds. */
+/* Change of the strain energy of a smooth field by a refinement, and the forces of an affine field across levels,
+ * relative to those of one row of bonds. */
 static void test_jumps(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {

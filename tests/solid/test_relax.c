@@ -43,9 +43,9 @@ static void test_cantilever(void **state) {
     check_above(cantilever(1), 1.1); /* without the surface correction it is too soft */
 }
 
-/* The modulus of an infinite bar whose cross-section is strained alike: the least energy over Poisson's ratio. The real
- * one may deform its section too and is a little softer. (At eight spacings the volume method makes it 18 % stiffer
- * than the material, without it it is 14 % softer.) */
+/* The modulus of an infinite bar with a uniformly strained cross-section: the least energy over all Poisson's ratios. A
+ * real bar can also deform its section, and is slightly softer. (At eight spacings the volume method makes it 18 %
+ * stiffer than the material, without it it is 14 % softer.) */
 static double bar_modulus(int width, int uncorrected) {
     static struct solid_family_view view;
     struct solid *s =
@@ -68,7 +68,7 @@ static double bar_modulus(int width, int uncorrected) {
     return modulus;
 }
 
-/* Far from the clamp a bar pulled by its own weight stretches as its section's modulus says. */
+/* Far from the clamp a bar stretches under its own weight as the modulus of its section predicts. */
 static void test_hanging_bar(void **state) {
     (void)state;
     const int length = 34, width = 8;
@@ -88,7 +88,7 @@ static void test_hanging_bar(void **state) {
             if (layer == to) high += s->d[0][h] / (width * width);
         }
         const double stretch = (par_sum(high) - par_sum(low)) / ((to - from) * SPACING);
-        /* mean stress over the span: the weight of what hangs below its middle */
+        /* mean stress over the span: the weight of the part below its middle */
         const double stress = DENSITY * 10 * (length + 3 - 0.5 * (from + to + 1)) * SPACING;
         const double modulus = stress / stretch, uniform = bar_modulus(width, uncorrected);
         check_below(modulus, uniform * 1.001);

@@ -66,7 +66,7 @@ static void ball(void **state) {
     check_above(most, 0.9);
     check_at_most(most, 1);
 
-    /* turned and pushed as a whole, the points stand on the ball where it is now */
+    /* after a rotation and translation of the whole, the points are on the moved sphere */
     bodies_turn(s, 0.4, 2 * SPACING);
     solid_surface_update(s, f);
     double away = 0, now[3];
@@ -163,7 +163,7 @@ static void box(void **state) {
     give_up(s, f);
 }
 
-/* A cavity's points stand on it; where the cut of a crack has opened, faces are the lattice's again. */
+/* A cavity's points are on its surface; where a crack has opened, the faces are the lattice's. */
 static void cavity_and_crack(void **state) {
     (void)state;
     struct solid_surface *f;

@@ -114,7 +114,7 @@ static double lost_by_solid(double omega_dt, double asked_dt) {
     return -0.5 * log((q[2] * q[2] - q[1] * q[3]) / (q[1] * q[1] - q[0] * q[2]));
 }
 
-/* What the main case's waves lose with three substeps, of what k_d = 1e15 asks of them: g goes with w. */
+/* Damping of the main case's waves with three substeps, relative to that of k_d = 1e15: g is proportional to w. */
 static void test_damps_what_is_asked(void **state) {
     (void)state;
     const double fastest = 1.454e5, g = 6.12e4, dt = 3.3569e-5 / 3; /* 1/s, 1/s, s: of the main case */
@@ -243,8 +243,8 @@ static double largest_rate(struct solid *s) {
 
 static int always(const void *with, double rate2) { return !with && rate2 > 0; }
 
-/* Bonds and present contacts together are no faster than the bound, and the bound is no more than 1.38 times what is
- * there: equal weights for all give 1.41. */
+/* The eigenfrequency of bonds and present contacts is below the bound, and the bound is at most 1.38 times it; equal
+ * weights for all particles give 1.41. */
 static void test_contact_bound(void **state) {
     (void)state;
     const double strain[3] = {0.001, 0.03, 0.15};

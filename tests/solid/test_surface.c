@@ -77,7 +77,7 @@ static void faces_edges_and_corners(void **state) {
                 ends += e[c] != 0;
                 middles += p[c] >= 3 && p[c] <= 5;
             }
-            /* where the family sees nothing but this face, edge or corner; the corner's three faces are 9 apart */
+            /* where the family contains only this face, edge or corner; the corner's three faces are 9 apart */
             if (ends + middles == 3)
                 check_below(normal_error(surface, i, e[0] / sqrt(ends), e[1] / sqrt(ends), e[2] / sqrt(ends)), 1e-13);
         }
@@ -126,7 +126,7 @@ static void plates(void **state) {
     wrap[0] = wrap[1] = wrap[2] = 0;
 }
 
-/* The rim of a plate one thick faces outwards in the plate's plane; what is further in has two sides. */
+/* The rim of a plate one particle thick has normals in the plate's plane; particles farther inside have two faces. */
 static void rim(void **state) {
     (void)state;
     const struct solid_body body = bodies_box(0, 0, 0, 12, 8, 1);
@@ -276,7 +276,7 @@ static void points(void **state) {
     free(volume);
 }
 
-/* A held layer beneath a channel's wall is material to what stands on it; the area can be kept to the channel. */
+/* A held layer below a channel's wall is material for the body above it; the area can be restricted to the channel. */
 static void held_layer(void **state) {
     (void)state;
     const struct solid_body body = bodies_box(0, -3, 0, 6, 9, 6);

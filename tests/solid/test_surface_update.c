@@ -167,8 +167,8 @@ static void random_crushing(void **state) {
     }
 }
 
-/* What was kept comes back: after more crushing, the earlier bonds, displacements and flags with the normals kept then
- * are as good as starting again, and go on as if nothing had been in between. */
+/* A kept state is restored: after more damage, the earlier bonds, displacements and flags with the kept normals give
+ * the same results as if nothing had happened in between. */
 static void kept_and_restored(void **state) {
     (void)state;
     for (int general = 0; general < 2; general++) {

@@ -1,7 +1,7 @@
 /* Lattice sweep against bond lists and other numbers of ranks, with sudden large displacements. */
-/* A lattice's sweep against lists of bonds and against other numbers of ranks, on bodies of odd shapes, where a sweep
- * begins with kernels that turn out to be the wrong ones: the body is at rest, then far beyond what its bonds or the
- * series stand. */
+/* A lattice's sweep against lists of bonds and against other numbers of ranks, on bodies of odd shapes. The sweep
+ * begins with kernels that turn out to be the wrong ones: the body is at rest, then suddenly far beyond the limits of
+ * its bonds or of the series. */
 #include "make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/lattice.h"
@@ -66,7 +66,7 @@ static void collect(const struct solid *s, const struct shape *shape, double *al
     par_sum_array(all, NUMBERS);
 }
 
-/* The sweep knows of no large eps: it takes the series and judges no bond before. */
+/* The sweep has seen no large eps: it uses the series and tests no bond first. */
 static void assert_unaware(const struct solid *s) {
     const struct solid_lattice *b = s->family->lattice[0];
     for (int g = 0; g < b->segments->n; g++) {
@@ -129,7 +129,7 @@ static void reference(const char *name, int kind, const double *all, double *exp
     fclose(file);
 }
 
-/* What breaks, in the series; what breaks, far from it; what does not break, far from it. */
+/* Bonds that break, within the series; bonds that break, far beyond it; bonds that do not break, far beyond it. */
 static const struct {
     double fracture_energy, size, damping;
 } kinds[] = {{0.05, 6e-4, 0}, {225, 0.04, 0}, {INFINITY, 0.02, 0}, {0.05, 6e-4, 1e13}, {225, 0.04, 1e13}};

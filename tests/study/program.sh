@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# frana study: two methods by two levels, interrupted and resumed, changed, failed, and everything it writes.
+# frana study: two methods by two levels; interrupted and resumed, changed, failed; and all its output.
 # usage: program.sh FRANA SOURCE WORK
 . "$(dirname "$0")/../program/common.sh" "$@"
 cat >scene.yaml <<'END'
@@ -35,7 +35,7 @@ column() {
     $1 == m && $2 == l && $4 == q { print $at }' results/bar.csv
 }
 
-# stopped while a run that would take minutes goes on; what was done before it is not made again
+# stopped during a run that would take minutes; finished runs are not repeated
 cp bar.yaml whole.yaml
 sed -i '/name: "50"/s/}/, set: {stages.pull.steps: 100000000}}/' bar.yaml
 "$frana" study bar.yaml >out 2>err & study=$!
@@ -67,7 +67,7 @@ for m in verlet rk3; do
 done
 [ "$(column ranks verlet 25 energy) $(column ranks rk3 25 energy)" = "1 2" ] || fail "ranks"
 [ "$(column steps rk3 25 energy) $(column steps rk3 50 energy)" = "25 50" ] || fail "steps"
-# the energy is the series'
+# the energy is that of the series
 [ "$(tail -1 results/runs/bar/rk3/50/1/series.csv | tr , '\n' | grep -cx "$(column value rk3 50 energy)")" -ge 1 ] || fail "value of rk3 50"
 awk -v a="$(column error verlet 25 energy)" -v b="$(column error verlet 50 energy)" 'BEGIN { exit !(a > 3 * b && b > 0) }' ||
   fail "verlet's error does not fall: $(column error verlet 25 energy) $(column error verlet 50 energy)"
@@ -76,7 +76,7 @@ if command -v gnuplot >/dev/null; then
   for f in bar_energy bar_end; do [ -s results/$f.png ] && [ -s results/$f.svg ] || fail "no plot $f"; done
 fi
 
-# again: nothing is made; another scene, ranks or build: only what it concerns; --fresh: all
+# a second study: no run is made; another scene, ranks or build: only the affected runs; --fresh: all runs
 before=$(stamps)
 code 0 "$frana" study bar.yaml
 [ "$(stamps)" = "$before" ] || fail "a finished study was made again"
@@ -94,7 +94,7 @@ grep -q '4 runs, 4 of them made before' out || fail "after another build: $(cat 
 code 0 "$frana" study bar.yaml --fresh
 grep -q '4 runs, 0 of them made before' out || fail "fresh: $(cat out)"
 
-# a method whose runs go unstable does not stop the others, and is not tried again
+# a method with unstable runs does not stop the others, and is not tried again
 sed -i '/name: rk3/i \  - {name: wild, set: {stages.pull.integrator: verlet, stages.pull.substeps: 1, stages.pull.time_step: 1.0e-1}}' bar.yaml
 sed -i '/name: "25"/s/stages.pull.time_step: 2.0e-6, //; s/repeats: 1/repeats: 2/' bar.yaml
 code 0 "$frana" study bar.yaml
@@ -106,7 +106,7 @@ grep -q '2 runs have failed' err || fail "failures are not said: $(cat err)"
 code 0 "$frana" study bar.yaml
 grep -q '12 runs, 10 of them made before' out || fail "wild again: $(cat out)"
 
-# mistakes: one sentence with its line, exit code 2, and nothing is run
+# mistakes: one sentence with the line, exit code 2, and no run is made
 refuses() {
   sed "$2" bar.yaml >broken.yaml
   code 2 "$frana" study broken.yaml --out none

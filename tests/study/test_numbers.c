@@ -120,7 +120,7 @@ static void iso(void **state) {
     /* a run that failed is passed over */
     const double gap[4] = {1e-1, NAN, 1e-3, 1e-4};
     check_close(study_iso_time(4, gap, time, 1e-2, 0, &at_most), 10, 1e-12);
-    /* what the reference does not resolve counts as the floor: from 1e-2 at 10 to 1e-3 at 100 */
+    /* values that the reference does not resolve count as the floor: from 1e-2 at 10 to 1e-3 at 100 */
     const double deep[3] = {1e-1, 1e-2, 1e-9};
     check_close(study_iso_time(3, deep, time, 2e-3, 1e-3, &at_most), 50, 1e-10);
     check_close(study_iso_round(0), 1, 0);

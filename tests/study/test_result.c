@@ -1,6 +1,5 @@
 /* Errors, orders, medians and references from made-up runs of a study. */
-/* What the runs of a study say together, of runs that were made up: errors, orders, medians, the finest as reference.
- */
+/* The results of a study with artificial runs: errors, orders, medians, the finest run as reference. */
 #include "study/report/report.h"
 #include "study/result/result.h"
 #include "tests/check.h"
@@ -17,8 +16,8 @@
 enum { METHODS = 2, LEVELS = 3, REPEATS = 3, CASES = METHODS * LEVELS, RUNS = CASES * REPEATS };
 #define TEXT(x) ((char *)(size_t)(x))
 
-/* Method m at level l has the value 10 (1 + c h^p), c and p its own, and takes (1, 3, 2) 2^l (1 + m) s in its repeats.
- */
+/* Method m at level l has the value 10 (1 + c h^p), with c and p of the method, and takes (1, 3, 2) 2^l (1 + m) s in
+ * its repeats. */
 struct made {
     struct study study;
     struct study_variant method[METHODS], level[LEVELS];
@@ -121,7 +120,7 @@ static void advice(void **state) {
     for (int i = 4; i < RUNS; i += CASES) x->value[i] = 10.9; /* the finest of square is worse: chance before */
     advises(x, "10 % costs 2 s (square at one), 1 % 8 s (cubic at half), 0.1 % 16 s (cubic at quarter); "
                "at 0.1 % square does not get there");
-    x->quantity.reference.uncertainty = 0.02; /* nothing is said below 0.2 % */
+    x->quantity.reference.uncertainty = 0.02; /* no text on errors below 0.2 % */
     advises(x, "10 % costs 2 s (square at one), 1 % 8 s (cubic at half), 0.3 % 16 s (cubic at quarter); "
                "at 0.3 % square does not get there");
     for (int i = 0; i < RUNS; i++) x->value[i] = 30;
@@ -135,7 +134,7 @@ static void advice(void **state) {
     free(x);
 }
 
-/* The run that is the reference is not told as one without an error. */
+/* The run that is the reference is not reported as one without error. */
 static void reference_apart(void **state) {
     (void)state;
     struct made *x = make(finest);
@@ -146,7 +145,7 @@ static void reference_apart(void **state) {
     free(x);
 }
 
-/* Of many methods it is told how many get there. */
+/* For many methods the number of those that reach an error is reported. */
 static void many_methods(void **state) {
     (void)state;
     enum { N = 7 };
@@ -167,7 +166,7 @@ static void many_methods(void **state) {
     x->study.methods = (struct study_variants){N, method};
     x->study.levels.n = 1;
     x->plan = (struct study_plan){&x->study, N, at, N, run};
-    x->quantity.reference.uncertainty = 0.008; /* nothing is said below 0.08 % */
+    x->quantity.reference.uncertainty = 0.008; /* no text on errors below 0.08 % */
     advises(x, "1 % costs 1 s (first at one), 0.1 % 2 s (third at one); 2 of the 6 others get to 0.1 %, in 1.5 to 4 "
                "times the time");
     value[5] = 12;

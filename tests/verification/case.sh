@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A case of cases/verification from scratch, without touching its results. usage: case.sh FRANA SOURCE WORK CASE [quick]
+# Runs a case of cases/verification from the beginning without changing its results. usage: case.sh FRANA SOURCE WORK
+# CASE [quick]
 set -euo pipefail
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 rm -rf "$3"

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Bodies that meet: at speed, across a periodic side, from the start, and pressed. Contact's energy is not booked; momentum is kept.
+# Bodies that meet: at speed, across a periodic side, from the start, and under pressure. The energy of contact is not
+# in the balance; momentum is conserved.
 . "$(dirname "$0")/extreme.sh" "$@"
 # cubes of 27 particles 3 cm apart; the first is given 10 m/s within 0.1 ms
 cubes='solid.bodies=[{name: first, shape: box, low: [0.02, 0.03, 0.03], high: [0.05, 0.06, 0.06]}, {name: second, shape: box, low: [0.08, 0.03, 0.03], high: [0.11, 0.06, 0.06]}]'
 impulse='time: [[0, 1], [1.0e-4, 1], [1.00000001e-4, 0]]'
-places() { # X...: of the particles of cubes
+places() { # X...: positions of the particles of cubes
   local x y z list=
   for x in "$@"; do for y in 0.035 0.045 0.055; do for z in 0.035 0.045 0.055; do list="$list, [$x, $y, $z]"; done; done; done
   echo "output.probes={every: 3000, at: [${list#, }]}"
@@ -52,7 +53,7 @@ go 1 0 "$solid" --set 'domain.periodic=[true, false, false]' --set 'solid.bodies
 near "bonds, three to each side of 20 particles" 60 0 "$(last bonds_intact)"
 row "a body as wide as the domain across a periodic side" "is bonded to itself"
 
-# a plunger pushes a column against one that is held
+# a plunger pushes a column against a held one
 go 2 0 "$solid" --set 'solid.bodies=[{shape: box, low: [0.02, 0.03, 0.03], high: [0.06, 0.06, 0.06]}, {shape: box, low: [0.065, 0.03, 0.03], high: [0.11, 0.06, 0.06]}]' \
   --set 'solid.constraints=[{low: [0, 0, 0], high: [0.03, 0.1, 0.1], velocity: [1, 0, 0]}, {low: [0.10, 0, 0], high: [0.12, 0.1, 0.1]}]' \
   --set solid.materials.stuff.youngs_modulus=1.0e7 --set 'stages=[{name: run, steps: 1000, time_step: 1.0e-5, integrator: verlet}]'

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Fragments that leave: through the outlet, a wall, a periodic side; and one that is squeezed out of a gap below a cell.
+# Fragments that leave the domain through an outlet, a wall or a periodic side; and one that is squeezed out of a gap
+# narrower than a cell.
 . "$(dirname "$0")/extreme.sh" "$@"
 grain() { echo "solid.bodies=[{name: grain, shape: sphere, centre: [$1], radius: 0.0006}]"; }
 place() { echo "output.probes={every: 50, at: [[$1]]}"; }
@@ -41,7 +42,7 @@ less "kinetic energy of the fluid left to itself" "$(last e_kinetic_fluid)" "$(o
 near "broken bonds" 0 0 "$(last bonds_broken)"
 row "a free body falls through the floor for good" "is no longer forced nor probed; the fluid comes to rest"
 
-# between a held block and a driven one, 2 mm apart and closing; a grain of 1 mm in the middle
+# a grain of 1 mm between a held block and a driven one, 2 mm apart and approaching
 go 2 0 "$immersed" --set 'solid.bodies=[{name: body, shape: box, low: [0.005, 0.002, 0.005], high: [0.011, 0.006, 0.011]}, {name: top, shape: box, low: [0.005, 0.008, 0.005], high: [0.011, 0.012, 0.011]}, {name: grain, shape: sphere, centre: [0.0085, 0.0065, 0.0085], radius: 0.0006}]' \
   --set 'solid.constraints=[{low: [0, 0, 0], high: [0.016, 0.006, 0.016]}, {low: [0, 0.008, 0], high: [0.016, 0.016, 0.016], velocity: [0, -0.02, 0]}]' \
   --set 'output.probes={every: 70, at: [[0.0085, 0.0065, 0.0085]]}' --set stages.run.steps=70

@@ -1,6 +1,6 @@
-# What the extreme scenes share: each is run, looked at, and must stand in docs/stability.md as it went.
+# Common to the extreme scenes: each is run and checked, and docs/stability.md must contain its result.
 #     go RANKS EXIT-CODE SCENE [--set ...]; checks; row SCENE "what happens"
-# With FRANA_STABILITY=FILE the rows go to that file instead of being looked for: so the page's table is made.
+# With FRANA_STABILITY=FILE the rows are written to that file instead: this makes the page's table.
 . "$(dirname "${BASH_SOURCE[0]}")/../common.sh" "$@"
 here=$source/tests/program/extreme
 solid=$here/solid.yaml plate=$here/plate.yaml fluid=$here/fluid.yaml immersed=$here/immersed.yaml
@@ -12,8 +12,8 @@ go() {
   if [ "$n" = 1 ]; then code "$want" "$frana" run "$1" --out run "${@:2}"; else code "$want" ranks "$n" run "$1" --out run "${@:2}"; fi
   ended=$want
 }
-# The first sentence on stderr, without where the scene stands; of an unstable run what depends on no machine:
-# neither when nor in what, a velocity of the fluid or of the solid, it shows first.
+# The first sentence on stderr, without the path of the scene; for an unstable run only its part that is the same on all
+# machines, without the step and without the field that fails first.
 sentence() {
   grep -m 1 '^frana: .' err | sed -E -e 's/^frana: //' -e 's#/[^ :]*/##g' -e 's/^--set //' \
     -e 's/^(unstable in) step [0-9]+: (u|v|w|solid velocity) = .*/\1 step N: velocity = .../' \
@@ -29,7 +29,7 @@ row() {
     grep -qxF -- "$line" "$source/docs/stability.md" || fail "docs/stability.md, Extreme scenes, lacks: $line"
   fi
 }
-# of STEP COLUMN [FILE]: the sum over that step's rows (probes have several); the step may be last
+# of STEP COLUMN [FILE]: the sum over the rows of that step (probes have several); STEP may be `last`
 of() {
   awk -F, -v step="$1" -v name="$2" '
     NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i; if (!k) { print "no column " name > "/dev/stderr"; exit 1 } }

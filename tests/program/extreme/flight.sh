@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A hundred thousand fragments fly apart: straight to round-off, at a cost in proportion to their number.
+# A hundred thousand fragments fly apart: in straight lines to round-off, at a cost proportional to their number.
 . "$(dirname "$0")/extreme.sh" "$@"
 points() { awk -v nx="$1" -v ny="$2" -v nz="$3" 'BEGIN {
   srand(1)
   for (i = 0; i < nx; i++) for (j = 0; j < ny; j++) for (k = 0; k < nz; k++)
     printf "%.6f %.6f %.6f 1.0e-6\n", 0.02 * i + 0.01 + 0.004 * rand(), 0.02 * j + 0.01 + 0.004 * rand(), 0.02 * k + 0.01 + 0.004 * rand() }'; }
-fly() { # FILE: a spacing a step, so that all steps search for contact
+fly() { # FILE: one spacing a step, so that all steps search for contact
   go 2 0 "$solid" --set 'domain.size=[1, 1, 1]' --set "solid.bodies=[{shape: points, file: $PWD/$1}]" --set solid.materials.stuff.horizon_ratio=1 \
     --set 'solid.loads=[{low: [0, 0, 0], high: [0.25, 1, 1], force: [-1.0e6, 3.0e5, 0], time: [[0, 1], [0.01, 1], [0.010001, 0]]}, {low: [0.25, 0, 0], high: [1, 1, 1], force: [1.0e6, 0, 0], time: [[0, 1], [0.01, 1], [0.010001, 0]]}]' \
     --set 'stages=[{name: run, steps: 32, time_step: 1.0e-3, integrator: verlet}]' --set 'output.probes={every: 8, at: [[0.012, 0.012, 0.012], [0.492, 0.012, 0.012]]}'
@@ -13,7 +13,7 @@ fly() { # FILE: a spacing a step, so that all steps search for contact
 }
 points 25 25 20 >some.txt
 points 50 50 40 >many.txt
-for _ in 1 2 3; do # by the clock: on a machine that does other work, the best of three
+for _ in 1 2 3; do # wall time: the best of three, in case the machine does other work
   some=$(fly some.txt)
   many=$(fly many.txt)
   ratio=$(calc "$many / $some")

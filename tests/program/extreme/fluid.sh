@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A fluid alone on grids of next to nothing, and with numbers at the ends of their range.
+# A fluid alone on very small grids, and with very large and very small numbers.
 . "$(dirname "$0")/extreme.sh" "$@"
 walls=() across=()
 for side in x_low x_high y_low y_high z_low z_high; do walls+=(--set "fluid.sides.$side.type=wall"); done
@@ -31,7 +31,8 @@ go 2 0 "$fluid" --set 'domain.size=[1000, 1, 1000]' "${vortices[@]}"
 less "kinetic energy" "$(last e_kinetic_fluid)" "$(of 1 e_kinetic_fluid)"
 row "a domain of 1000 : 1 : 1000" "vortices decay"
 
-# the decay exp(-2 lambda t), lambda = nu 2 (2/d sin(k d/2))^2 of the differences; RK3 at 0.9 of its limit is good to per cents
+# the decay of the differences is exp(-2 lambda t), lambda = nu 2 (2/d sin(k d/2))^2; RK3 at 0.9 of its limit is
+# accurate to a few per cent
 go 1 0 "$fluid" --set fluid.viscosity=1e-12 "${vortices[@]}"
 near "kinetic energy" 250 1e-4 "$(last e_kinetic_fluid)"
 row "viscosity 1e-12 m²/s" "Taylor and Green's vortices keep their energy"

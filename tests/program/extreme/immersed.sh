@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Bodies in a fluid that touch everything, close everything, or are next to nothing.
+# Bodies in a fluid that touch all sides, block the channel, or are very small.
 . "$(dirname "$0")/extreme.sh" "$@"
 body() { echo --set "solid.bodies.body.low=[$1]" --set "solid.bodies.body.high=[$2]"; }
 through=(--set fluid.sides.x_low.type=inflow --set fluid.sides.x_low.bulk_velocity=0.01 --set fluid.sides.x_high.type=outflow --set 'fluid.initial.velocity=[0.01, 0, 0]')
@@ -13,7 +13,7 @@ weight=2e-7 # N: 2000 kg/m3, 1 mm3, 0.1 m/s2
 near "what the fluid gets" "$(calc "-($(last load_y))")" 1e-20 "$(last forcing_y)"
 less "drag before it balances the weight" "$(last load_y)" $weight
 less "nine tenths of the weight" "$(calc "0.9 * $weight")" "$(last load_y)"
-# Stokes: 3 pi mu d U, d of the same volume; the velocity against which it is taken includes the grain's own wake
+# Stokes: 3 pi mu d U, with d of a sphere of equal volume; U includes the grain's own wake
 near "drag over Stokes'" 0.8 0.2 "$(calc "$(last load_y) / (3 * 3.14159265 * 0.01 * 1.2407e-3 * -($(probe 0 100 velocity_y)))")"
 row "one particle in a fluid at rest" "falls under 0.6 to 1 of Stokes' drag; momentum kept to round-off"
 

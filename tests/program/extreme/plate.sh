@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Plates of next to nothing, cut where there is nothing to cut, refined everywhere at once.
+# Very small plates, cracks outside of the material, and refinement everywhere at once.
 . "$(dirname "$0")/extreme.sh" "$@"
 energy() { calc "$(of "$1" e_kinetic_solid) + $(of "$1" e_strain)"; }
 body() { echo "solid.bodies=[{name: plate, shape: rectangle, low: [$1], high: [$2]}]"; }

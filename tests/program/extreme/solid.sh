@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A solid alone: what cannot break, what does nothing but break, and numbers at the ends of their range.
+# A solid alone: without breakage, with breakage of all bonds, and with very large and very small numbers.
 . "$(dirname "$0")/extreme.sh" "$@"
-# velocity Verlet's energy swings by up to (w dt)^2/4 of its value, which is safety^2
+# velocity Verlet's energy oscillates by up to (w dt)^2/4 of its value, which is safety^2
 swing=2.5e-3 # safety 0.05
 energy() { calc "$(of "$1" e_kinetic_solid) + $(of "$1" e_strain)"; }
-# stretched in all directions: every bond is longer than it was
+# stretched in all directions: every bond is longer than at the start
 pulled=()
 for axis in x y z; do
   pulled+=("{shape: gaussian, along: $axis, centre: 0.2, width: 0.1, displacement: [$(for c in x y z; do [ $c = $axis ] && printf '1.0e-3,' || printf '0,'; done | sed 's/,$//')]}")
@@ -52,7 +52,7 @@ row "E = 1e300 Pa" "is refused"
 go 1 2 "$solid" --set "$(material poisson_ratio)=0.3"
 row "Poisson's ratio 0.3" "is refused"
 
-# a free body, and one of jelly, fall for good
+# a free body and a very soft one in permanent fall
 go 2 0 "$solid" --set 'solid.body_force=[0, -1.0e5, 0]' --set "$(material fracture_energy)=1" --set stages.run.steps=400
 fallen=$(calc "0.5 * 0.125 * (1e5 * $(last t)) ^ 2")
 near "kinetic energy" "$fallen" "$(calc "1e-12 * $fallen")" "$(last e_kinetic_solid)"
