@@ -38,12 +38,14 @@ for n in m3 m3_ramp m3.5; do
 done
 
 {
-  echo "choice, particles, first bond us, tip moved us, branches seen us, ways meet mm, undamaged between from mm, top speed end to end m/s, top speed m/s, released over G0"
+  echo "choice, particles, first bond us, tip moved us, branches seen us, ways meet mm, undamaged between from mm," \
+    "top speed end to end m/s, top speed m/s, released over G0"
   for n in m3 m3_ramp m3.5 m4 m3.5_of_3 m3_half m3.5_half; do
-    echo "$n, $(json $n particles), $(us $n "start of growth: first broken bond, t"), $(
-      us $n "start of growth: tip moved by more than a spacing, t"), $(us $n "branching: fronts apart from then on, t"), $(
-      scaled 1e3 "$(meet $n $axis $reach)"), $(scaled 1e3 "$(of $n "branching, x")"), $(top $n 2.0e-6), $(of $n "top speed of the tip"), $(
-      of $n "energy released over the new area, over G0")"
+    echo "$n, $(json $n particles), $(us $n "start of growth: first broken bond, t")," \
+      "$(us $n "start of growth: tip moved by more than a spacing, t")," \
+      "$(us $n "branching: fronts apart from then on, t"), $(scaled 1e3 "$(meet $n $axis $reach)")," \
+      "$(scaled 1e3 "$(of $n "branching, x")"), $(top $n 2.0e-6), $(of $n "top speed of the tip")," \
+      "$(of $n "energy released over the new area, over G0")"
   done
 } >"$out/sensitivity.csv"
 cp "$runs/m3.5/post/pictures/damage.png" "$out/damage.png"

@@ -39,9 +39,9 @@ measured() {
   row "$1: wall time of the steps" s "$(json "$1" wall_seconds | cut -c 1-5)" "" ""
 }
 
-middle="--set domain.size=[0.03,0.045] --set solid.bodies.plate.high=[0.03,0.045] --set solid.loads[0].edge.from=[0,0.045]
-  --set solid.loads[0].edge.to=[0.03,0.045] --set solid.bodies.plate.holes[0].centre=[0.015,0.0225]
-  --set solid.bodies.plate.holes[0].radius=0.006"
+middle="--set domain.size=[0.03,0.045] --set solid.bodies.plate.high=[0.03,0.045]
+  --set solid.loads[0].edge.from=[0,0.045] --set solid.loads[0].edge.to=[0.03,0.045]
+  --set solid.bodies.plate.holes[0].centre=[0.015,0.0225] --set solid.bodies.plate.holes[0].radius=0.006"
 summary_begin "$out/summary.csv"
 while read -r m from outcome nodes; do
   variation ${m}_1mm $case/$m.yaml

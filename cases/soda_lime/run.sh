@@ -70,16 +70,20 @@ for s in 22 13.442; do
 done
 
 {
-  echo "choice, particles, initiation us, branches seen us, ways meet mm, undamaged between from mm, angle first deg, angle last deg, top speed end to end m/s, top speed m/s, released over G0"
+  echo "choice, particles, initiation us, branches seen us, ways meet mm, undamaged between from mm, angle first deg," \
+    "angle last deg, top speed end to end m/s, top speed m/s, released over G0"
   for n in traction_22 traction_12 traction_11 uniform ramp no_correction ramp_no_correction load_over_horizon \
     half_step; do
     for grid in 4000 16000 64000; do
       r=${n}_$grid
       [ -d "$runs/$r" ] || continue
-      echo "$n, $grid, $(scaled 1e6 "$(of "$r" "start of growth: first broken bond, t")"), $(scaled 1e6 "$(of "$r" "branching: fronts apart from then on, t")"), $(
-        scaled 1e3 "$(meet "$r" $axis $reach)"), $(scaled 1e3 "$(of "$r" "branching, x")"), $(
-        of "$r" "angle of the branch to the left, at first"), $(of "$r" "angle of the branch to the left, at last"), $(
-        top "$r" 2.0e-6), $(of "$r" "top speed of the tip"), $(of "$r" "energy released over the new area, over G0")"
+      echo "$n, $grid, $(scaled 1e6 "$(of "$r" "start of growth: first broken bond, t")")," \
+        "$(scaled 1e6 "$(of "$r" "branching: fronts apart from then on, t")")," \
+        "$(scaled 1e3 "$(meet "$r" $axis $reach)"), $(scaled 1e3 "$(of "$r" "branching, x")")," \
+        "$(of "$r" "angle of the branch to the left, at first")," \
+        "$(of "$r" "angle of the branch to the left, at last")," \
+        "$(top "$r" 2.0e-6), $(of "$r" "top speed of the tip")," \
+        "$(of "$r" "energy released over the new area, over G0")"
     done
   done
 } >"$out/sensitivity.csv"

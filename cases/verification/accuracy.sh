@@ -67,9 +67,9 @@ case_section() {
   cat <<'END'
 # Accuracy
 
-Made by `cases/verification/nightly.sh` from the results of the cases in [cases/verification](../cases/verification), not by hand. What an
-error costs is the wall time of the steps of the cheapest run that stays below it, by the named method at the named level;
-times are of the machine named in each table of results, errors are not.
+Made by `cases/verification/nightly.sh` from the results of the cases in [cases/verification](../cases/verification),
+not by hand. What an error costs is the wall time of the steps of the cheapest run that stays below it, by the named
+method at the named level; times are of the machine named in each table of results, errors are not.
 END
   cat cases/verification/*/results/*.csv | sed -n 's/^# machine: \(.*\)/Machine: \1./p' | sort -u | sed 's/^/\n/'
   [ ! -f cases/verification/defaults.md ] || { echo; moved cases/verification <cases/verification/defaults.md; }

@@ -22,7 +22,8 @@ point() { # point DIFFUSION WIDTH, in cells
   ratio=$(awk -F, 'NR > 2 { if ($1 != step) { step = $1; sum = 0 } sum += $7 } END { print sum }' \
     "$dir/fluid_probes.csv")
   ratio=$(calc "$ratio / (1e-3 * $width ^ 3 / 12)")
-  echo "$kind,$width,$ratio,$(edge 0.07 2 0.02 scene "${walls[@]}" stages.0.time_step=@ stages.0.steps=600 output.series_every=20)"
+  echo "$kind,$width,$ratio,$(
+    edge 0.07 2 0.02 scene "${walls[@]}" stages.0.time_step=@ stages.0.steps=600 output.series_every=20)"
 }
 for width in 1 2 3 4 8 16; do printf '%s\n' "explicit $width" "implicit $width"; done >"$runs/points"
 table slit 'diffusion,width,flow_over_exact,longest_step' <"$runs/points"

@@ -40,13 +40,16 @@ point() {
   local map=$1 kind=$2 at=$3 nu step found
   if [ "$map" = waves ]; then # over the cell's Reynolds number U dx/nu
     nu=$(calc "1 / $at") step=$(computed "$kind" "$(calc "1 / $at")")
-    found=$(edge "$(calc "0.7 * $step")" "$(calc "1.6 * $step")" 0.005 scene fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
-    echo "$kind,$at,$found,$step,$(calc "12 * $nu * $found"),$(calc "3 * $found"),$(calc "12 * $nu * $step"),$(calc "3 * $step")"
+    found=$(edge "$(calc "0.7 * $step")" "$(calc "1.6 * $step")" 0.005 \
+      scene fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
+    echo "$kind,$at,$found,$step,$(calc "12 * $nu * $found"),$(calc "3 * $found"),$(
+      calc "12 * $nu * $step"),$(calc "3 * $step")"
   else # over the bulk Reynolds number; the automatic step is held against what a given one may be
     nu=$(calc "1 / $at")
     made "$runs/auto/$kind$at" channel fluid.viscosity="$nu" fluid.diffusion="$kind"
     step=$(of_run "$runs/auto/$kind$at" dt 'print x[n]')
-    found=$(edge "$(calc "0.5 * $step")" "$(calc "8 * $step")" 0.02 channel fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
+    found=$(edge "$(calc "0.5 * $step")" "$(calc "8 * $step")" 0.02 \
+      channel fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
     echo "$kind,$at,$found,$step"
   fi
 }
@@ -72,7 +75,8 @@ plot f using (of('explicit', 2)):(of('explicit', 3)) with points pt 7 title 'exp
   2)):(of('explicit', 4)) with lines lc 'black' title 'computed', \
   '' using (of('implicit', 2)):(of('implicit', 3)) with points pt 6 title 'implicit (100: none found)', \
   '' using (of('implicit', 2)):(of('implicit', 4)) with lines lc 'black' dt 2 title 'computed', \
-  x * 1.65 / 12 with lines lc 'grey' title '1.65/(4 nu sum 1/dx^2)', sqrt(3) / 3 with lines lc 'grey' dt 2 title 'sqrt(3)/sum |u|/dx'
+  x * 1.65 / 12 with lines lc 'grey' title '1.65/(4 nu sum 1/dx^2)', \
+  sqrt(3) / 3 with lines lc 'grey' dt 2 title 'sqrt(3)/sum |u|/dx'
 END
 if [ ! "$quick" ]; then
   for kind in explicit implicit; do printf "channel $kind %s\n" 1e-3 1e-2 0.1 1 10 100 1000; done >"$runs/channel"

@@ -29,7 +29,8 @@ both() { # both SCENE LIMIT SETTING...: edges with RK3 and Verlet, and what chec
     esac
     if [ "$name" ]; then at=$(stable_step "$scene" "$name" "$@"); else \
       at=$(stage_limit "$scene" "$@" stages.0.integrator=$method); fi
-    row=$row,$(edge "$(calc "0.5 * $at")" "$(calc "4 * $at")" 0.004 "$scene" "$@" stages.0.integrator=$method stages.0.time_step=@),$at
+    row=$row,$(edge "$(calc "0.5 * $at")" "$(calc "4 * $at")" 0.004 \
+      "$scene" "$@" stages.0.integrator=$method stages.0.time_step=@),$at
   done
   echo "${row#,}"
 }

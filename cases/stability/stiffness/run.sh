@@ -11,7 +11,8 @@
 judge() {
   local density
   density=$(sed -n '/^solid/,$s/.*density: *\([0-9.e+-]*\).*/\1/p' "$1/scene.resolved.yaml" | head -n 1)
-  [ "$(of_run "$1" e_kinetic_solid "print max(n - 10, n) <= 4 * max(n - 39, n - 20) && max(1, n) <= 2 * $density * 96")" = 1 ]
+  [ "$(of_run "$1" e_kinetic_solid \
+    "print max(n - 10, n) <= 4 * max(n - 39, n - 20) && max(1, n) <= 2 * $density * 96")" = 1 ]
 }
 point() { # point SCHEME E/(rho_f U2) RATIO: a step of at most some 500 substeps of a wall as heavy as the fluid
   local step held=1

@@ -5,7 +5,8 @@
 # narrow.
 offset=$(sed -n 's/^ *lattice_offset: *\[[^,]*, *\([^,]*\),.*/\1/p' scene.resolved.yaml)
 cells=$(sed -n 's/^ *cells: *\[[^,]*, *\([^,]*\),.*/\1/p' scene.resolved.yaml)
-gradient=$(awk -F, '!at { for (i = 1; i <= NF; i++) if ($i == "dp") at = i; next } !/^#/ { dp = $at } END { printf "%.15g", dp }' series.csv)
+gradient=$(awk -F, '!at { for (i = 1; i <= NF; i++) if ($i == "dp") at = i; next } !/^#/ { dp = $at }
+  END { printf "%.15g", dp }' series.csv)
 awk -F, -v g="$gradient" -v n="$cells" -v q="$offset" 'NR > 2 { u = $7 }
   END { d = 1 / n; from = (0.2 - q) * d; h = 2 * sqrt(2 * u * 4 * d / g + from ^ 2);
     printf "%.9g\n", (1 - 4.6 * d - h) / 2 / d }' fluid_probes.csv

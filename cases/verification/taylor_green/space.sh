@@ -13,6 +13,6 @@ awk -F, -v what="$1" 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i } NR <= 2 { 
     if (top > 1 && top < n) {
       slope = (d[top + 1] - d[top - 1]) / 2; bend = d[top + 1] - 2 * d[top] + d[top - 1]
       peak = d[top] - slope * slope / bend / 2; when = t[top] - slope / bend * (t[top + 1] - t[top]) }
-    x = what == "energy" ? e[n] / volume : what == "dissipation" ? d[n] / volume : what == "balance" ? worst / d[top] : \
-      what == "peak" ? peak / volume : when
+    x = what == "energy" ? e[n] / volume : what == "dissipation" ? d[n] / volume : \
+      what == "balance" ? worst / d[top] : what == "peak" ? peak / volume : when
     printf "%.10g\n", x }' series.csv
