@@ -8,10 +8,12 @@ look=$(realpath "$4") kills=$5 seed=${6:-$((EPOCHSECONDS % 32768))} until=$((EPO
 RANDOM=$seed n=${RANKS:-2}
 echo "seed $seed"
 scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 30/; /name: settle/s/steps: [0-9]*/steps: 30/' \
-  -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 6/; s/checkpoint_every: .*/checkpoint_every: 4/' \
+  -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 6/' \
+  -e 's/checkpoint_every: .*/checkpoint_every: 4/' \
   -e 's/substeps: 4/substeps: auto/' >scene.yaml
 code 0 ranks "$n" run scene.yaml --out whole
-awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i } END { exit !($b > 0) }' whole/series.csv ||
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i }
+  END { exit !($b > 0) }' whole/series.csv ||
   fail "nothing has broken"
 wall=$(grep -o '"wall_seconds": *[0-9.]*' whole/run.json | grep -o '[0-9.]*$')
 echo "uninterrupted: $wall s"
@@ -52,7 +54,11 @@ while :; do
   if ((killed < kills)); then
     moment $((RANDOM % 4))
     pids=($(pgrep -P "$mpiexec" -x frana || true))
-    if ((${#pids[@]} == n && RANDOM % 3 > 0)); then victim=rank pid=${pids[RANDOM % n]}; else victim=mpiexec pid=$mpiexec; fi
+    if ((${#pids[@]} == n && RANDOM % 3 > 0)); then
+      victim=rank pid=${pids[RANDOM % n]}
+    else
+      victim=mpiexec pid=$mpiexec
+    fi
     if kill -9 "$pid" 2>/dev/null; then hit=1; else hit=0; fi
     wait "$mpiexec" 2>/dev/null || got=$?
     for pid in "${pids[@]}"; do # what mpiexec has left behind goes by itself
@@ -67,7 +73,8 @@ while :; do
   if [ "$got" = 0 ]; then # finished, or killed too late
     same whole/series.csv run/series.csv
     exists 'run/*/*.part' && fail "an unfinished file is left: $(ls run/*/*.part)"
-    [ "$("$look" run | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "other files than of the uninterrupted run"
+    [ "$("$look" run | tail -n 1)" = "$("$look" whole | tail -n 1)" ] ||
+      fail "other files than of the uninterrupted run"
     ends=$((ends + 1))
     ((killed < kills)) || break
     rm -rf run
@@ -78,12 +85,16 @@ while :; do
   if exists 'run/checkpoint/*.h5.part'; then what=checkpoint
   elif exists 'run/fields/*.part'; then what=field
   elif exists 'run/*.part' || exists 'run/checkpoint/latest.part'; then what=record
-  elif [ ! -e run/series.csv ] || { [ -z "$resume" ] && ! exists 'run/checkpoint/*.h5' && [ "$(wc -l <run/series.csv)" -le 2 ]; }; then what=set-up
+  elif [ ! -e run/series.csv ] ||
+    { [ -z "$resume" ] && ! exists 'run/checkpoint/*.h5' && [ "$(wc -l <run/series.csv)" -le 2 ]; }; then what=set-up
   else what=step; fi
   during[$what]=$((during[$what] + 1))
-  if [ -d run ]; then "$look" run >found || { cat found >&2; fail "damaged after kill $killed, of $victim, during $what"; }; fi
+  if [ -d run ]; then
+    "$look" run >found || { cat found >&2; fail "damaged after kill $killed, of $victim, during $what"; }
+  fi
 done
-echo "$killed kills (${victims[rank]} of a rank, ${victims[mpiexec]} of mpiexec): ${during[checkpoint]} during a checkpoint," \
+echo "$killed kills (${victims[rank]} of a rank, ${victims[mpiexec]} of mpiexec):" \
+  "${during[checkpoint]} during a checkpoint," \
   "${during[field]} a field, ${during[record]} latest or run.json, ${during[set-up]} set-up, ${during[step]} a step;" \
   "$anew begun anew, $waits waits for a folder in use, $ends runs done"
 echo ok
