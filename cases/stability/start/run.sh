@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The first steps after an impulsive start: the load on a cube that a stream meets at once, over the step; and what its
-# material gets of it with and without a stage of the flow alone before.
+# The first steps after an impulsive start: the load on a cube in a stream that starts at once, over the step, and the
+# cube's strain energy with and without a stage of the flow alone before.
 # usage: cases/stability/start/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The crack's opening in its middle over p a/E, in a run folder: the lips' layers against each other.
+# Prints, in a run folder, the crack's opening in its middle over p a/E, from the two layers next to the crack.
 set -euo pipefail
 a=$(awk -F'[][,]' '/^  cracks:/ { in_crack = 1 } in_crack && /- \[/ { x[++n] = $2 } n == 2 { in_crack = 0 }
   END { print (x[2] - x[1]) / 2 }' scene.resolved.yaml)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Permeability and tortuosity of simple cubic arrays of spheres over solid fractions, places on the grid and ways to
-# make the surface.
+# Permeability and tortuosity of simple cubic arrays of spheres, over solid fractions, positions on the grid and methods
+# for the surface.
 # usage: cases/verification/spheres/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
