@@ -7,7 +7,7 @@
 # frana's for the first family, median over the repeats. --out writes DIR/lammps.csv.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-frana=$here/../../build/frana repeats=5 out= install=
+frana=$here/../../build/frana repeats=5 out='' install=''
 fail() { echo "run.sh: $*" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case $1 in

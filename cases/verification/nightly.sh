@@ -7,6 +7,7 @@ cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/verification}
 shift $(($# < 2 ? $# : 2))
 . cases/common.sh
+# shellcheck disable=SC2046 # a list
 [ $# -gt 0 ] || set -- $(cd cases/verification && ls -d */ | tr -d /)
 build=$("$frana" --version)
 mkdir -p "$runs"

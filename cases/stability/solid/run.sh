@@ -41,7 +41,7 @@ stage_limit() { # the limit of a stage with its damping
   "$frana" check "$here/$scene.yaml" "${set[@]}" | sed -n 's/^  swing .*stable up to \([0-9.e+-]*\) s.*/\1/p'
 }
 planes() { # planes N: a setting with N cracks across the body, along x, y, z in turn
-  local k list= a
+  local k list='' a
   for ((k = 0; k < $1; k++)); do
     a=$((k / 3 + 1))
     case $((k % 3)) in

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Prints, in a run folder, the tip's deflection over that of Timoshenko's beam, or the bending stiffness E I over that
-# of the material. The stiffness comes from the third derivative of the axis's deflection. The beam is clamped at the face
-# of the last held layer, or at the layer itself if all is symmetric about it. It is loaded at its last layer.
+# of the material. The stiffness comes from the third derivative of the axis's deflection. The beam is clamped at the
+# face of the last held layer, or at the layer itself if all is symmetric about it. It is loaded at its last layer.
 # usage: bending.sh deflection|stiffness [lattice]
 # Timoshenko's beam has the moduli of the material, 1 and 2/5, or with `lattice` those of the lattice.
 set -euo pipefail

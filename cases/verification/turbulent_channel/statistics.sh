@@ -1,10 +1,11 @@
 #!/bin/sh
 # Computes, in a run folder, means from t = 20 h/u_tau on from fluid_probes.csv. Both halves of the channel are
-# averaged. The unit is the friction velocity from the mean flow's slope at the walls. The results are stored in statistics.csv,
-# profiles.csv and stress.csv. The position of a line of probes within a cell tells what it measures: u (x face, y and
-# z centre), uv and v (x and y face), w (z face).
+# averaged. The unit is the friction velocity from the mean flow's slope at the walls. The results are stored in
+# statistics.csv, profiles.csv and stress.csv. The position of a line of probes within a cell tells what it measures:
+# u (x face, y and z centre), uv and v (x and y face), w (z face).
 # usage: statistics.sh time|bulk|centre|u|v|w|uv|stress
 set -eu
+# shellcheck disable=SC3013 # dash and bash have -nt
 [ statistics.csv -nt fluid_probes.csv ] || awk -F, -v from="${FROM:-20}" '
   function near(a, b) { a -= b; return a * a < 1e-12 }
   NR <= 2 || $2 < from { next }
