@@ -3,6 +3,7 @@
 # and conserved quantities must not drift. A porous block in a stream is pushed to and fro, each time harder, so that
 # bonds break until the end.
 # usage: tests/soak.sh FRANA SOURCE WORK [SECONDS [RANKS]]        by default an hour on one rank
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/program/common.sh" "$@"
 seconds=${4:-3600} n=${5:-1} step=3.3569e-5
 # 1. memory: growth in ten minutes, kB    2. energy balance of the solid, as a fraction of the work done

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Adaptive steps: rejected steps are repeated, in the same way on any number of ranks; a run that cannot continue
 # reports which limit was exceeded.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 sides() { # sides X_LOW X_HIGH
   printf '  sides:\n    x_low: {%s}\n    x_high: {%s}\n    y_low: {type: wall}\n    y_high: {type: wall}\n' "$1" "$2"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # docs/run-folder.md names every column of the series, with its unit.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scenes=$source/tests/scene/scenes
 code 0 ranks 1 run "$scenes/coupled.yaml" --out coupled --set stages.flow.steps=1 --set stages.settle.steps=1 \

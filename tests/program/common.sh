@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Common to the program's tests. usage: script FRANA SOURCE WORK
 set -euo pipefail
 frana=$(realpath "$1") source=$(realpath "$2") work=$3

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # crack.csv: its format; the same on any number of ranks; continued by a resumed run; and the results of frana post.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'EOF'
 title: A small notched plate

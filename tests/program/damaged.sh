@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Damaged checkpoints: one given by name is refused with exit code 4 and a sentence on the damage and on another, intact
 # checkpoint. --resume without a name takes the intact one, reports that, and ends with the same series.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene >scene.yaml
 code 0 ranks 2 run scene.yaml --out run --set output.checkpoint_every=50

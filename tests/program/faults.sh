@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # All faults with which a run may end.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene >scene.yaml
 

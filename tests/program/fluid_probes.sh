@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # fluid_probes.csv: its format; the same on any number of ranks; continued by a resumed run; an oscillating gradient
 # keeps its phase.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'END'
 title: Vortices carried along a channel of slip, with an oscillating gradient

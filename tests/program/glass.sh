@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Glass plates with a branching crack: published times and positions; mirror images to the bit, wherever the plate is in
 # the coordinates, refined or not.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
+# shellcheck disable=SC2034 # used by cases/crack.sh
 runs=$PWD FRANA=$frana
 . "$source/cases/crack.sh"
 # within QUANTITY LOW HIGH VALUE

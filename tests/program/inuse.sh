@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A run folder that another run holds is refused to every command that writes; commands that read may use it; after a
 # kill it is free.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed 's/fields_every: .*/fields_every: 10/; s/checkpoint_every: .*/checkpoint_every: 10/' >scene.yaml
 mpiexec --oversubscribe -n 2 "$frana" run scene.yaml --out run --set stages.flow.steps=1000000 >first 2>&1 & mpiexec=$!

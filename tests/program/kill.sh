@@ -3,6 +3,7 @@
 # damaged.  usage: kill.sh FRANA SOURCE WORK LOOK KILLS [SEED]
 # RANKS: number of ranks (default 2). A rank or mpiexec is killed: some time after the start, or while a checkpoint or a
 # field is being written.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4") kills=$5 seed=${6:-$((EPOCHSECONDS % 32768))} until=$((EPOCHSECONDS + ${7:-86400}))
 RANDOM=$seed n=${RANKS:-2}
@@ -28,8 +29,8 @@ moment() {
   local part count
   case $1 in
   0) sleep "$(random 1 $((2 * half)))"; return ;;
-  1) part=run/checkpoint/*.part count=$((1 + RANDOM % 6)) ;;
-  2) part=run/fields/*.part count=$((1 + RANDOM % 6)) ;;
+  1) part='run/checkpoint/*.part' count=$((1 + RANDOM % 6)) ;;
+  2) part='run/fields/*.part' count=$((1 + RANDOM % 6)) ;;
   3)
     until exists run/series.csv || ! kill -0 "$mpiexec" 2>/dev/null; do :; done
     sleep "$(random 1 "$half")"
@@ -47,12 +48,13 @@ killed=0 ends=0 waits=0 anew=0
 rm -rf run
 while :; do
   resume=
-  if exists 'run/checkpoint/*.h5'; then resume=--resume; elif [ -e run ]; then rm -rf run anew=$((anew + 1)); fi
+  if exists 'run/checkpoint/*.h5'; then resume=--resume; elif [ -e run ]; then rm -rf run; anew=$((anew + 1)); fi
   got=0
   mpiexec --oversubscribe -n "$n" "$frana" run scene.yaml --out run $resume >out 2>err & mpiexec=$!
   ((EPOCHSECONDS < until)) || kills=$killed
   if ((killed < kills)); then
     moment $((RANDOM % 4))
+    # shellcheck disable=SC2207 # numbers
     pids=($(pgrep -P "$mpiexec" -x frana || true))
     if ((${#pids[@]} == n && RANDOM % 3 > 0)); then
       victim=rank pid=${pids[RANDOM % n]}

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # All pairs of a scene's choices: the run ends with finite numbers, and a resumed run on another number of ranks gives
 # the same results; or the pair is refused in one sentence before any file is written.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 block='{name: block, material: soft, shape: box, low: [0.05, 0.0, 0.02], high: [0.07, 0.055, 0.06]}'
 fluid=(
@@ -76,7 +77,7 @@ for ((i = 0; i < 8; i++)); do
     grep -q '"status": *"done"' $name/run.json || fail "$name is not done"
     awk 'NR > 2 && /[0-9],(-?nan|-?inf)/ { bad = 1 } END { exit bad }' $name/series.csv || fail "$name: no numbers"
     code 0 ranks $((n % 3 + 1)) run scene.yaml --out $name-again \
-      --resume=$(ls $name/checkpoint/step_*.h5 | head -n 1) "${with[@]}"
+      --resume="$(ls $name/checkpoint/step_*.h5 | head -n 1)" "${with[@]}"
     awk -F, 'NR == FNR { if (FNR > 2) first = first ? first : $1; next } FNR <= 2 || $1 >= first' \
       $name-again/series.csv $name/series.csv >tail.csv
     same tail.csv $name-again/series.csv

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # A part that a scene leaves out takes no memory and no time.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene >whole.yaml
 # without solid, without fluid

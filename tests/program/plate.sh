@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A plate that cracks: the same series on any number of ranks, stopped and resumed on another number; its output files;
 # refused inputs.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 plate() {
   cat <<YAML

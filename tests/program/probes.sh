@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # probes.csv: its format; the same on any number of ranks; continued by a resumed run and across a refinement.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'EOS'
 title: A pulse into a plate that is refined on the way

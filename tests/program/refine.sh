@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A plate that is refined while it cracks: the same series on any number of ranks, stopped and resumed on another
 # number.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 plate() {
   cat <<YAML

@@ -3,6 +3,7 @@
 # Exit code 4 and one sentence with the name of the file; finished files are intact; the resumed run ends with the same
 # results.
 # usage: refused.sh FRANA SOURCE WORK LOOK
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4")
 scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 200/; /name: settle/s/steps: [0-9]*/steps: 30/' \
@@ -20,6 +21,7 @@ begin() {
     mpiexec=$!
     await "$mpiexec" test -f "$folder/checkpoint/latest" ||
       { cat "$said.out" "$said.err" >&2; fail "$folder: no checkpoint"; }
+    # shellcheck disable=SC2207 # numbers
     pids=($(pgrep -P "$mpiexec" -x frana || true))
     ((${#pids[@]} == 2)) && kill -STOP "${pids[@]}" && ! grep -q '"status": *"done"' "$folder/run.json" && return
     ((${#pids[@]} == 0)) || kill -CONT "${pids[@]}" 2>/dev/null || true

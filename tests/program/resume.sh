@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A run stopped anywhere and resumed on another number of ranks gives the same series; ranks do not matter either.
 # usage: resume.sh FRANA SOURCE WORK [SEED]: of the steps at which the run is stopped
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 # The number of substeps follows contact and is part of the state.
 scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml
@@ -22,7 +23,8 @@ RANDOM=${4:-1}
 echo "seed ${4:-1}"
 # The step of the series' last row, 0 without one.
 last() {
-  local step=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1)
+  local step
+  step=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1) || true
   case "$step" in '' | *[!0-9]*) echo 0 ;; *) echo "$step" ;; esac
 }
 reached() { [ "$(last)" -ge "$1" ]; }

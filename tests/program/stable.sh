@@ -10,6 +10,7 @@
 # The sound run's dp occurs when the rigid block is set free. A limit is about a third above the sound run. Repeated
 # runs differ by 2 %, because round-off decides which bond breaks first. The momentum balance closes to 4e-13, which is
 # round-off.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed -e '/name: fracture/s/steps: [0-9]*/steps: 240/' -e 's/fields_every: .*/fields_every: 0/' >scene.yaml
 # bounded ENERGY MOST FRAGMENTS: ENERGY is the fracture energy, J/m2; MOST the upper limit of the solid's kinetic

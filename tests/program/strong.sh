@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The strongly coupled step, while bonds break: every step converges, the box's momentum balance closes, any number of
 # ranks gives the same results, and so does a run resumed from a checkpoint.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed -e 's/^coupling:/&\n  scheme: strong/' \
   -e '/name: settle/s/steps: [0-9]*/steps: 20/; /name: fracture/s/steps: [0-9]*/steps: 25/' \

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Waves over refined plates: reflection by a patch; the dual horizon conserves energy. Full size: cases/plate_wave,
 # cases/plate_step.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 none='solid.refinement={from: 1}'
 names='FNR == 1 { delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { next }'

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # frana study: two methods by two levels; interrupted and resumed, changed, failed; and all its output.
 # usage: program.sh FRANA SOURCE WORK
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/../program/common.sh" "$@"
 cat >scene.yaml <<'END'
 title: A short bar, pulled
@@ -61,7 +62,7 @@ for what in machine compiler frana libraries date 'reference of energy' 'advice 
 done
 for m in verlet rk3; do
   for l in 25 50; do
-    [ "$(column status $m $l energy)" = done ] || fail "status of $m $l"
+    [ "$(column status $m $l energy)" = 'done' ] || fail "status of $m $l"
     [ "$(column value $m $l end)" = 5e-05 ] || fail "end of $m $l: $(column value $m $l end)"
     for c in wall_median_s wall_min_s setup_s ns_per_bond_sweep memory_mb; do
       awk -v x="$(column $c $m $l energy)" 'BEGIN { exit !(x + 0 > 0) }' ||
@@ -107,7 +108,7 @@ sed -i "/name: rk3/i \\  - $wild" bar.yaml
 sed -i '/name: "25"/s/stages.pull.time_step: 2.0e-6, //; s/repeats: 1/repeats: 2/' bar.yaml
 code 0 "$frana" study bar.yaml
 [ "$(column status wild 25 energy)" = "failed 3" ] || fail "status of wild: $(cat results/bar.csv)"
-[ "$(column status rk3 50 energy)" = done ] || fail "rk3 after wild"
+[ "$(column status rk3 50 energy)" = 'done' ] || fail "rk3 after wild"
 [ "$(column repeats rk3 50 energy) $(column value_spread rk3 50 energy)" = "2 0" ] || fail "repeats of rk3"
 [ "$(grep -c 'wild.*left out, as an earlier repeat has failed' out)" = 2 ] || fail "wild was repeated: $(cat out)"
 grep -q '2 runs have failed' err || fail "failures are not said: $(cat err)"

@@ -10,7 +10,7 @@ if [ "${2:-}" = lattice ]; then
   read -r e g < \
     <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" | awk '{ v[$1] = $2 } END { print v["e100"], v["c12"] }')
 fi
-read -r _ _ clamp height sym < <(awk -F'[][,]' '
+read -r _ _ clamp height _ < <(awk -F'[][,]' '
   /^  constraints:/ { in_held = 1 }
   in_held && /low:/ { low = $2 }
   in_held && /high:/ { high = $2; in_held = 0 }

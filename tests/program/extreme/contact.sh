@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Bodies that meet: at speed, across a periodic side, from the start, and under pressure. The energy of contact is not
 # in the balance; momentum is conserved.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 # cubes of 27 particles 3 cm apart; the first is given 10 m/s within 0.1 ms
 cubes='{name: first, shape: box, low: [0.02, 0.03, 0.03], high: [0.05, 0.06, 0.06]}'

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Fragments that leave the domain through an outlet, a wall or a periodic side; and one that is squeezed out of a gap
 # narrower than a cell.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 grain() { echo "solid.bodies=[{name: grain, shape: sphere, centre: [$1], radius: 0.0006}]"; }
 place() { echo "output.probes={every: 50, at: [[$1]]}"; }

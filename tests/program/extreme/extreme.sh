@@ -1,8 +1,11 @@
+# shellcheck shell=bash
 # Common to the extreme scenes: each is run and checked, and docs/stability.md must contain its result.
 #     go RANKS EXIT-CODE SCENE [--set ...]; checks; row SCENE "what happens"
 # With FRANA_STABILITY=FILE the rows are written to that file instead: this makes the page's table.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../common.sh" "$@"
 here=$source/tests/program/extreme
+# shellcheck disable=SC2034 # used by the scripts that source this file
 solid=$here/solid.yaml plate=$here/plate.yaml fluid=$here/fluid.yaml immersed=$here/immersed.yaml
 
 go() {
@@ -24,7 +27,7 @@ sentence() {
     -e 's/^(unstable in) step [0-9]+: ([a-z ]*[a-z]) = .*/\1 step N: \2 = .../'
 }
 row() {
-  local seen=done line
+  local seen='done' line
   [ "$ended" = 0 ] || seen="\`$(sentence)\`, exit $ended"
   line="| $1 | $2 | $seen |"
   if [ -n "${FRANA_STABILITY:-}" ]; then

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # A hundred thousand fragments fly apart: in straight lines to round-off, at a cost proportional to their number.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 points() { awk -v nx="$1" -v ny="$2" -v nz="$3" 'BEGIN {
   srand(1)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # A fluid alone on very small grids, and with very large and very small numbers.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 walls=() across=()
 for side in x_low x_high y_low y_high z_low z_high; do walls+=(--set "fluid.sides.$side.type=wall"); done

@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Bodies in a fluid that touch all sides, block the channel, or are very small.
+# shellcheck disable=SC2046 # body prints several words
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 body() { echo --set "solid.bodies.body.low=[$1]" --set "solid.bodies.body.high=[$2]"; }
 through=(--set fluid.sides.x_low.type=inflow --set fluid.sides.x_low.bulk_velocity=0.01

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Very small plates, cracks outside of the material, and refinement everywhere at once.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 energy() { calc "$(of "$1" e_kinetic_solid) + $(of "$1" e_strain)"; }
 body() { echo "solid.bodies=[{name: plate, shape: rectangle, low: [$1], high: [$2]}]"; }

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # A solid alone: without breakage, with breakage of all bonds, and with very large and very small numbers.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 # velocity Verlet's energy oscillates by up to (w dt)^2/4 of its value, which is safety^2
 swing=2.5e-3 # safety 0.05
 energy() { calc "$(of "$1" e_kinetic_solid) + $(of "$1" e_strain)"; }
 # stretched in all directions: every bond is longer than at the start
-pulled=()
+pulses=()
 for axis in x y z; do
   way=$(for c in x y z; do [ $c = $axis ] && printf '1.0e-3,' || printf '0,'; done | sed 's/,$//')
-  pulled+=("{shape: gaussian, along: $axis, centre: 0.2, width: 0.1, displacement: [$way]}")
+  pulses+=("{shape: gaussian, along: $axis, centre: 0.2, width: 0.1, displacement: [$way]}")
 done
-pulled="solid.initial=[${pulled[0]}, ${pulled[1]}, ${pulled[2]}]"
+pulled="solid.initial=[${pulses[0]}, ${pulses[1]}, ${pulses[2]}]"
 material() { echo "solid.materials.stuff.$1"; }
 box='solid.bodies=[{shape: box, low: [0.03, 0.03, 0.03], high: [0.05, 0.04, 0.04]}]'
 grain='solid.bodies=[{shape: sphere, centre: [0.055, 0.055, 0.055], radius: 0.006}]'
