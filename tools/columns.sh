@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# No line of a source that git tracks is longer than 120 columns or has a tab. Prints file:line: columns of each that
-# is, and leaves with 1 if there is one. Columns are characters: a byte that goes on a UTF-8 character is none. What
-# stands between clang-format off and on, a table as wide as its rows, is left alone.
+# Checks that no line of a source that git tracks is longer than 120 columns or has a tab. Prints file:line: columns of
+# each such line, and exits with 1 if there is one. Columns are UTF-8 characters, not bytes. Lines between clang-format
+# off and clang-format on (tables) are not checked. Sources are C, CMake and shell files, awk and gnuplot scripts.
 #   tools/columns.sh [FILE ...]
 # shellcheck disable=SC2016 # awk in single quotes
 set -euo pipefail
@@ -9,8 +9,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export LC_ALL=C
 most=120
 
-if [ $# -gt 0 ]; then printf '%s\0' "$@"; else git ls-files -z '*.c' '*.h' '*.cmake' '*.sh' 'CMakeLists.txt' \
-    '*/CMakeLists.txt'; fi |
+if [ $# -gt 0 ]; then
+    printf '%s\0' "$@"
+else
+    git ls-files -z '*.c' '*.h' '*.cmake' '*.sh' '*.awk' '*.gp' 'CMakeLists.txt' '*/CMakeLists.txt' .ci/run
+fi |
     xargs -0 awk -v most=$most '
         FNR == 1 { off = 0 }
         /clang-format off/ { off = 1 }
