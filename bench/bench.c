@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void growth(struct bench *b) {
-    bench_fluid_growth(b);
-    bench_solid_growth(b);
+static void growth(struct bench *bench) {
+    bench_fluid_growth(bench);
+    bench_solid_growth(bench);
 }
 
 static const struct {

@@ -93,9 +93,9 @@ static const struct {
                  [HALO] = {{"fluid_halo", "channel_halo"}, BENCH_CLOCK + CLOCK_HALO}};
 
 /* The times of the parts are those of the program's clocks while whole steps run. */
-static void measure_step(struct bench *b, struct flow *f, const int n[3], int channel, int parts) {
+static void measure_step(struct bench *bench, struct flow *f, const int n[3], int channel, int parts) {
     struct bench_sample of[1][BENCH_CHANNELS];
-    bench_measure(&b->effort, step, 1, (void *[]){f}, of);
+    bench_measure(&bench->effort, step, 1, (void *[]){f}, of);
     for (int k = 0; k < parts; k++) {
         const struct work w = work_of((enum part)k, n);
         struct bench_row row = {.part = part[k].name[channel],
@@ -105,49 +105,49 @@ static void measure_step(struct bench *b, struct flow *f, const int n[3], int ch
                                 .bytes = 3 * 8 * w.doubles,
                                 .flops = 3 * w.flops};
         snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-        bench_row_write(&b->table, &row);
-        if (k == STEP) bench_row_traffic(&b->table, row.part, row.size, step, f, 2);
+        bench_row_write(&bench->table, &row);
+        if (k == STEP) bench_row_traffic(&bench->table, row.part, row.size, step, f, 2);
     }
 }
 
 /* A ghost value is read once, where it is owned, and written once, in the ghost. */
-static void measure_halo(struct bench *b, struct flow *f, const int n[3]) {
+static void measure_halo(struct bench *bench, struct flow *f, const int n[3]) {
     const struct fluid_grid *g = fluid_grid_of(f->fluid);
     struct bench_sample of[1][BENCH_CHANNELS];
     double ghosts = 1, cells = 1;
     for (int c = 0; c < 3; c++) ghosts *= g->m[c] + 2, cells *= g->m[c];
-    bench_measure(&b->effort, halo, 1, (void *[]){f}, of);
+    bench_measure(&bench->effort, halo, 1, (void *[]){f}, of);
     struct bench_row row = {.part = "halo_fill",
                             .time = of[0][BENCH_WALL],
                             .units = 3 * par_sum(ghosts - cells),
                             .unit = "ghost value",
                             .bytes = 16};
     snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_row_write(&b->table, &row);
+    bench_row_write(&bench->table, &row);
 }
 
-static void measure(struct bench *b, const int n[3], int channel, int by_part) {
+static void measure(struct bench *bench, const int n[3], int channel, int by_part) {
     struct flow f = {.fluid = bench_fluid_new(n, channel)};
     f.dt = 0.5 * fluid_limits_stable_step(f.fluid).step;
-    measure_step(b, &f, n, channel, by_part ? PARTS : 1);
-    if (by_part && !channel) measure_halo(b, &f, n);
+    measure_step(bench, &f, n, channel, by_part ? PARTS : 1);
+    if (by_part && !channel) measure_halo(bench, &f, n);
     fluid_free(f.fluid);
 }
 
-void bench_fluid(struct bench *b) {
-    if (b->sizes) {
-        for (int k = 0; k < b->sizes; k++)
-            if (b->size[k].cells[0]) measure(b, b->size[k].cells, 0, 1);
-    } else if (b->quick) {
-        measure(b, (int[]){32, 16, 16}, 0, 1);
-        measure(b, (int[]){32, 16, 16}, 1, 1);
+void bench_fluid(struct bench *bench) {
+    if (bench->sizes) {
+        for (int k = 0; k < bench->sizes; k++)
+            if (bench->size[k].cells[0]) measure(bench, bench->size[k].cells, 0, 1);
+    } else if (bench->quick) {
+        measure(bench, (int[]){32, 16, 16}, 0, 1);
+        measure(bench, (int[]){32, 16, 16}, 1, 1);
     } else {
-        measure(b, (int[]){128, 64, 64}, 0, 1);
-        measure(b, (int[]){256, 128, 128}, 1, 1);
+        measure(bench, (int[]){128, 64, 64}, 0, 1);
+        measure(bench, (int[]){256, 128, 128}, 1, 1);
     }
 }
 
-void bench_fluid_growth(struct bench *b) {
+void bench_fluid_growth(struct bench *bench) {
     static const int n[][3] = {{32, 16, 16}, {64, 32, 32}, {128, 64, 64}, {256, 128, 128}};
-    for (int k = 0; k < (b->quick ? 2 : 4); k++) measure(b, n[k], 0, 0);
+    for (int k = 0; k < (bench->quick ? 2 : 4); k++) measure(bench, n[k], 0, 0);
 }

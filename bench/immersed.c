@@ -89,19 +89,19 @@ static void solid(void *with) {
     solid_integrate(r->solid, r->dt / r->substeps, r->substeps);
 }
 
-static void row_of(struct bench *b, const struct run *r, const char *part, struct bench_sample time, double units,
+static void row_of(struct bench *bench, const struct run *r, const char *part, struct bench_sample time, double units,
                    const char *unit, double bytes, double flops) {
     const int *n = fluid_grid_of(r->fluid)->n;
     struct bench_row row = {.part = part, .time = time, .units = units, .unit = unit, .bytes = bytes, .flops = flops};
     snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_row_write(&b->table, &row);
+    bench_row_write(&bench->table, &row);
 }
 
-static void measure(struct bench *b, const char *part, bench_call *call, struct run *r, double units, const char *unit,
-                    double bytes, double flops) {
+static void measure(struct bench *bench, const char *part, bench_call *call, struct run *r, double units,
+                    const char *unit, double bytes, double flops) {
     struct bench_sample of[1][BENCH_CHANNELS];
-    bench_measure(&b->effort, call, 1, (void *[]){r}, of);
-    row_of(b, r, part, of[0][BENCH_WALL], units, unit, bytes, flops);
+    bench_measure(&bench->effort, call, 1, (void *[]){r}, of);
+    row_of(bench, r, part, of[0][BENCH_WALL], units, unit, bytes, flops);
 }
 
 /* A marker, a stage and an iteration: 27 points of three components, gathered and added to: 2 x 81 multiply-adds with
@@ -115,13 +115,13 @@ static const double probe_bytes = 11 * 8 + 32, probe_flops = 800;
 
 /* Takes steps of the four runs in turn: an intact block whose bonds may not break; one whose bonds may break; the same
  * by RK3; a broken block. */
-static void steps(struct bench *b, struct run *const run[4]) {
+static void steps(struct bench *bench, struct run *const run[4]) {
     static const char *const name[4] = {"coupled_step", "coupled_step_breakage", "coupled_step_rk3",
                                         "coupled_step_broken"};
     struct bench_sample of[4][BENCH_CHANNELS];
-    bench_measure(&b->effort, coupled_step, 4, (void *const *)run, of);
+    bench_measure(&bench->effort, coupled_step, 4, (void *const *)run, of);
     for (int k = 0; k < 4; k++)
-        row_of(b, run[k], name[k], of[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
+        row_of(bench, run[k], name[k], of[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
     if (par_rank() == 0)
         printf("%-26s %-12s intact block, breakage on over off: %.4f (%d and %d substeps)\n", "", "",
                of[1][BENCH_WALL].median / of[0][BENCH_WALL].median, run[1]->substeps, run[0]->substeps);
@@ -129,28 +129,28 @@ static void steps(struct bench *b, struct run *const run[4]) {
         char size[32];
         const int *n = fluid_grid_of(run[k]->fluid)->n;
         snprintf(size, sizeof size, "%dx%dx%d", n[0], n[1], n[2]);
-        bench_row_traffic(&b->table, name[k], size, coupled_step, run[k], 2);
+        bench_row_traffic(&bench->table, name[k], size, coupled_step, run[k], 2);
     }
 }
 
-void bench_immersed(struct bench *b) {
+void bench_immersed(struct bench *bench) {
     struct run *run[4];
     for (int k = 0; k < 4; k++)
-        run[k] = run_of(&(struct bench_scene){.half = b->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2});
+        run[k] = run_of(&(struct bench_scene){.half = bench->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2});
     break_up(run[3]->solid);
     for (int k = 0; k < 3; k++) step_advance(run[3]); /* so that contact has its lists and the interface is set up */
-    steps(b, run);
+    steps(bench, run);
     struct run *intact = run[0], *broken = run[3];
     const double n = (double)intact->surface->total, m = (double)broken->surface->total;
     const double probes = par_sum(intact->markers.probes);
-    measure(b, "markers", markers, intact, n, "marker", 0, 0);
-    measure(b, "forcing", forcing, intact, n, "marker", forcing_bytes, forcing_flops);
-    measure(b, "probe", probe, intact, probes, "probe", probe_bytes, probe_flops);
-    measure(b, "interface", interface, intact, n, "marker", 0, 0);
-    measure(b, "interface_broken", interface, broken, m, "marker", 0, 0);
-    measure(b, "contact", contact, run[1], (double)run[1]->solid->n_global, "particle", 0, 0);
-    measure(b, "contact_broken", contact, broken, (double)broken->solid->n_global, "particle", 0, 0);
-    measure(b, "solid_substeps", solid, intact,
+    measure(bench, "markers", markers, intact, n, "marker", 0, 0);
+    measure(bench, "forcing", forcing, intact, n, "marker", forcing_bytes, forcing_flops);
+    measure(bench, "probe", probe, intact, probes, "probe", probe_bytes, probe_flops);
+    measure(bench, "interface", interface, intact, n, "marker", 0, 0);
+    measure(bench, "interface_broken", interface, broken, m, "marker", 0, 0);
+    measure(bench, "contact", contact, run[1], (double)run[1]->solid->n_global, "particle", 0, 0);
+    measure(bench, "contact_broken", contact, broken, (double)broken->solid->n_global, "particle", 0, 0);
+    measure(bench, "solid_substeps", solid, intact,
             (double)par_sum_long(solid_family_directed(intact->solid)) * intact->substeps, "directed bond", 0, 0);
     for (int k = 0; k < 4; k++) end(run[k]);
 }

@@ -66,8 +66,8 @@ struct bench_limits bench_limits_measure(const struct bench_effort *effort, long
     return l;
 }
 
-void bench_limits(struct bench *b) {
-    const struct bench_limits *l = &b->table.limits;
+void bench_limits(struct bench *bench) {
+    const struct bench_limits *l = &bench->table.limits;
     const struct bench_row row[3] = {{.part = "triad_one_rank",
                                       .time = l->triad_alone,
                                       .units = l->triad_length,
@@ -88,6 +88,6 @@ void bench_limits(struct bench *b) {
     for (int k = 0; k < 3; k++) {
         struct bench_row r = row[k];
         snprintf(r.size, sizeof r.size, "%.0f", r.units);
-        bench_row_write(&b->table, &r);
+        bench_row_write(&bench->table, &r);
     }
 }

@@ -18,16 +18,16 @@ struct bench_size {
     int side;     /* 0: not a block */
 };
 
-void bench_limits(struct bench *b);
-void bench_fluid(struct bench *b);      /* steps, and their parts */
-void bench_solid(struct bench *b);      /* force sweeps */
-void bench_plate(struct bench *b);      /* force sweeps over a plate */
-void bench_refine(struct bench *b);     /* searches for particles to refine, and refinements of a plate */
-void bench_solid_peer(struct bench *b); /* the sweep that bench/lammps compares */
-void bench_immersed(struct bench *b);   /* the main case: forcing, probe, interface, contact, whole steps */
-void bench_memory(struct bench *b);     /* bytes a cell, a bond, a marker */
-void bench_fluid_growth(struct bench *b);
-void bench_solid_growth(struct bench *b);
+void bench_limits(struct bench *bench);
+void bench_fluid(struct bench *bench);      /* steps, and their parts */
+void bench_solid(struct bench *bench);      /* force sweeps */
+void bench_plate(struct bench *bench);      /* force sweeps over a plate */
+void bench_refine(struct bench *bench);     /* searches for particles to refine, and refinements of a plate */
+void bench_solid_peer(struct bench *bench); /* the sweep that bench/lammps compares */
+void bench_immersed(struct bench *bench);   /* the main case: forcing, probe, interface, contact, whole steps */
+void bench_memory(struct bench *bench);     /* bytes a cell, a bond, a marker */
+void bench_fluid_growth(struct bench *bench);
+void bench_solid_growth(struct bench *bench);
 
 /* A channel with inflow, outflow, walls in y and a periodic span; or periodic along x with a bulk velocity held. */
 struct fluid *bench_fluid_new(const int cells[3], int channel);

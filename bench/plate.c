@@ -43,10 +43,10 @@ static struct solid *plate_new(const int sites[2]) {
  * directed. With damping relative velocities 2, their part along zeta 3, 1/(1 + eps) 2, scales 2, the sum 1, and the
  * power 2: 12 more. A directed bond is 4 B for the other end, two singles for xi, and a double. Particles: displacement
  * in, acceleration in and out, and w in. */
-static void measure(struct bench *b, const char *part, struct solid *s, double damping) {
+static void measure(struct bench *bench, const char *part, struct solid *s, double damping) {
     struct bench_sample of[1][BENCH_CHANNELS];
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
+    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = {.part = part,
                             .time = of[0][BENCH_WALL],
                             .units = (double)par_sum_long(solid_family_directed(s)),
@@ -54,13 +54,13 @@ static void measure(struct bench *b, const char *part, struct solid *s, double d
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     row.flops = 15.5 + (damping > 0 ? 6 : 0);
     row.bytes = 20 + 8 * (damping > 0 ? 9 : 7) * (double)s->n_global / row.units;
-    bench_row_write(&b->table, &row);
+    bench_row_write(&bench->table, &row);
 }
 
-void bench_plate(struct bench *b) {
-    const int sites[2] = {b->quick ? 60 : 420, b->quick ? 45 : 270};
+void bench_plate(struct bench *bench) {
+    const int sites[2] = {bench->quick ? 60 : 420, bench->quick ? 45 : 270};
     struct solid *s = plate_new(sites);
-    measure(b, "sweep_plate", s, 0);
-    measure(b, "sweep_plate_damped", s, 1e8);
+    measure(bench, "sweep_plate", s, 0);
+    measure(bench, "sweep_plate_damped", s, 1e8);
     solid_free(s);
 }

@@ -65,20 +65,20 @@ static double event(struct solid *s, int k) {
     return seconds;
 }
 
-void bench_refine(struct bench *b) {
+void bench_refine(struct bench *bench) {
     const struct solid_refinement refinement = {.levels = 1, .energy = 1e9, .low = {-1, -1}, .high = {1, 1}};
-    struct solid *s = square_new(b->quick ? 80 : 130, &refinement);
+    struct solid *s = square_new(bench->quick ? 80 : 130, &refinement);
     struct bench_sample of[1][BENCH_CHANNELS];
     double seconds[EVENTS];
-    bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
+    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = row_of("sweep_refined", s, of[0][BENCH_WALL]);
-    bench_row_write(&b->table, &row);
-    bench_measure(&b->effort, look, 1, (void *[]){s}, of);
+    bench_row_write(&bench->table, &row);
+    bench_measure(&bench->effort, look, 1, (void *[]){s}, of);
     row = row_of("refine_look", s, of[0][BENCH_WALL]);
-    bench_row_write(&b->table, &row);
+    bench_row_write(&bench->table, &row);
     for (int k = 0; k < EVENTS; k++) seconds[k] = event(s, k);
     const double median = bench_measure_median(EVENTS, seconds);
     row = row_of("refine_event", s, (struct bench_sample){1, EVENTS, median, seconds[0], seconds[EVENTS - 1]});
-    bench_row_write(&b->table, &row);
+    bench_row_write(&bench->table, &row);
     solid_free(s);
 }

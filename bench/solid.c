@@ -47,54 +47,56 @@ static void count(struct bench_row *row, double particles, int list, int damped)
     row->bytes = (list ? 4 + 12 + 8 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
 }
 
-static void measure(struct bench *b, const char *part, const struct bench_block *block, double damping) {
+static void measure(struct bench *bench, const char *part, const struct bench_block *block, double damping) {
     struct bench_sample of[1][BENCH_CHANNELS];
     struct solid *s = bench_solid_block_new(block);
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&b->effort, bench_sweep, 1, (void *[]){s}, of);
+    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = {.part = part,
                             .time = of[0][BENCH_WALL],
                             .units = (double)par_sum_long(solid_family_directed(s)),
                             .unit = "directed bond"};
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     count(&row, (double)s->n_global, block->list, damping > 0);
-    bench_row_write(&b->table, &row);
-    if (!block->list) bench_row_traffic(&b->table, part, row.size, bench_sweep, s, 4);
+    bench_row_write(&bench->table, &row);
+    if (!block->list) bench_row_traffic(&bench->table, part, row.size, bench_sweep, s, 4);
     solid_free(s);
 }
 
-void bench_solid(struct bench *b) {
+void bench_solid(struct bench *bench) {
     static const char *const name[2][2][2] = {
         {{"sweep_full", "sweep_full_damped"}, {"sweep_porous", "sweep_porous_damped"}},
         {{"sweep_full_list", "sweep_full_list_damped"}, {"sweep_porous_list", "sweep_porous_list_damped"}}};
-    if (b->sizes) {
-        for (int k = 0; k < b->sizes; k++)
-            if (b->size[k].side) measure(b, name[0][0][0], &(struct bench_block){.side = b->size[k].side}, 0);
+    if (bench->sizes) {
+        for (int k = 0; k < bench->sizes; k++)
+            if (bench->size[k].side)
+                measure(bench, name[0][0][0], &(struct bench_block){.side = bench->size[k].side}, 0);
         return;
     }
     for (int list = 0; list < 2; list++)
         for (int porous = 0; porous < 2; porous++)
             for (int damped = 0; damped < 2; damped++)
-                measure(b, name[list][porous][damped],
-                        &(struct bench_block){.side = porous     ? 0
-                                                      : b->quick ? 12
-                                                                 : 38,
-                                              .half = b->quick,
+                measure(bench, name[list][porous][damped],
+                        &(struct bench_block){.side = porous         ? 0
+                                                      : bench->quick ? 12
+                                                                     : 38,
+                                              .half = bench->quick,
                                               .list = list},
                         damped ? 1e15 : 0);
-    bench_plate(b);
-    bench_refine(b);
+    bench_plate(bench);
+    bench_refine(bench);
 }
 
 /* With a horizon of 2.5 spacings the family is |xi| < 3 spacings plus a little, 122 bonds: the family of codes that
  * bond particles by the distance of their centres only. Then the horizon of 3 spacings, with 178 bonds. */
-void bench_solid_peer(struct bench *b) {
-    const int side = b->quick ? 12 : 38;
-    measure(b, "sweep_122", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4}, 0);
-    measure(b, "sweep_178", &(struct bench_block){.side = side}, 0);
+void bench_solid_peer(struct bench *bench) {
+    const int side = bench->quick ? 12 : 38;
+    measure(bench, "sweep_122", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4}, 0);
+    measure(bench, "sweep_178", &(struct bench_block){.side = side}, 0);
 }
 
-void bench_solid_growth(struct bench *b) {
+void bench_solid_growth(struct bench *bench) {
     static const int side[] = {22, 38, 47, 100};
-    for (int k = 0; k < (b->quick ? 1 : 4); k++) measure(b, "sweep_full", &(struct bench_block){.side = side[k]}, 0);
+    for (int k = 0; k < (bench->quick ? 1 : 4); k++)
+        measure(bench, "sweep_full", &(struct bench_block){.side = side[k]}, 0);
 }

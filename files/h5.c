@@ -127,9 +127,9 @@ void h5_begin(struct h5 *f, const char *path) {
     if (!agree(f, fault)) reserve(f, 0);
 }
 
-hsize_t h5_items(const struct h5_block *b, const hsize_t m[H5_DIMS]) {
+hsize_t h5_items(const struct h5_block *block, const hsize_t m[H5_DIMS]) {
     hsize_t items = 1;
-    for (int k = 0; k < b->dims; k++) items *= m[k];
+    for (int k = 0; k < block->dims; k++) items *= m[k];
     return items;
 }
 
@@ -142,20 +142,20 @@ void h5_group(struct h5 *f, const char *name) {
     agree(f, fault);
 }
 
-void h5_select(const struct h5_block *b, hid_t in_file, hid_t *in_memory) {
-    *in_memory = H5Screate_simple(b->dims, b->m, NULL);
-    if (h5_items(b, b->m) == 0) {
+void h5_select(const struct h5_block *block, hid_t in_file, hid_t *in_memory) {
+    *in_memory = H5Screate_simple(block->dims, block->m, NULL);
+    if (h5_items(block, block->m) == 0) {
         H5Sselect_none(in_file);
         H5Sselect_none(*in_memory);
     } else {
-        H5Sselect_hyperslab(in_file, H5S_SELECT_SET, b->lo, NULL, b->m, NULL);
+        H5Sselect_hyperslab(in_file, H5S_SELECT_SET, block->lo, NULL, block->m, NULL);
     }
 }
 
-void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block *b, const void *value) {
+void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block *block, const void *value) {
     static const char nothing = 0;
-    if (f->failed || reserve(f, h5_items(b, b->n) * H5Tget_size(type)) || try_write(f)) return;
-    const hid_t list = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(b->dims, b->n, NULL);
+    if (f->failed || reserve(f, h5_items(block, block->n) * H5Tget_size(type)) || try_write(f)) return;
+    const hid_t list = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(block->dims, block->n, NULL);
     H5Pset_alloc_time(list, H5D_ALLOC_TIME_EARLY);
     H5Pset_fill_time(list, H5D_FILL_TIME_NEVER);
     const hid_t set = H5Dcreate2(f->file, name, type, space, H5P_DEFAULT, list, H5P_DEFAULT);
@@ -167,9 +167,9 @@ void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block 
         f->end = f->at + (off_t)H5Dget_storage_size(set);
     }
     /* an empty array has no position in the file */
-    if (!agree(f, fault) && h5_items(b, b->n) > 0) {
+    if (!agree(f, fault) && h5_items(block, block->n) > 0) {
         hid_t in_memory;
-        h5_select(b, space, &in_memory);
+        h5_select(block, space, &in_memory);
         const hid_t transfer = h5_transfer_list(f);
         fault = H5Dwrite(set, type, in_memory, space, transfer, value ? value : &nothing) < 0;
         if (fault) because(f, "array %s cannot be written", name);

@@ -35,7 +35,7 @@ struct h5_block {
 void h5_begin(struct h5 *f, const char *path);
 void h5_group(struct h5 *f, const char *name);
 /* type is the type in the file and in memory; value is this rank's block, contiguous. Collective. */
-void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block *b, const void *value);
+void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block *block, const void *value);
 /* Attributes of the group or dataset `of`; count < 0: a scalar. Collective, the same on all ranks. */
 void h5_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, const void *value);
 void h5_attribute_text(struct h5 *f, const char *of, const char *name, const char *value);
@@ -46,7 +46,7 @@ void h5_end(struct h5 *f);
 /* alone: this rank only. 0, or nonzero with f->why. Collective unless alone. */
 int h5_read_open(struct h5 *f, const char *path, int alone);
 /* 0, or nonzero with f->why when it is missing, of another class, or not of size b->n. Collective unless alone. */
-int h5_read(struct h5 *f, const char *name, hid_t type, const struct h5_block *b, void *value);
+int h5_read(struct h5 *f, const char *name, hid_t type, const struct h5_block *block, void *value);
 /* Size of a dataset; returns its dimensions, or -1 when it is missing. */
 int h5_read_size(struct h5 *f, const char *name, hsize_t n[H5_DIMS]);
 /* A text of any length. */
@@ -60,6 +60,6 @@ void h5_read_close(struct h5 *f);
 hid_t h5_access_list(const struct h5 *f);
 hid_t h5_open_alone(const char *path); /* for reading, by one rank */
 hid_t h5_transfer_list(const struct h5 *f);
-hsize_t h5_items(const struct h5_block *b, const hsize_t m[H5_DIMS]);
+hsize_t h5_items(const struct h5_block *block, const hsize_t m[H5_DIMS]);
 /* Selects this rank's block in the file, and the same number of items in memory; makes *in_memory. */
-void h5_select(const struct h5_block *b, hid_t in_file, hid_t *in_memory);
+void h5_select(const struct h5_block *block, hid_t in_file, hid_t *in_memory);

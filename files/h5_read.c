@@ -85,24 +85,24 @@ static int is_alike(hid_t set, hid_t type) {
     return alike;
 }
 
-static int check(struct h5 *f, const char *name, hid_t set, hid_t type, const struct h5_block *b) {
+static int check(struct h5 *f, const char *name, hid_t set, hid_t type, const struct h5_block *block) {
     hsize_t n[H5_DIMS];
     if (set < 0) {
         snprintf(f->why, sizeof f->why, "it has no array %s", name);
         return 1;
     }
     const int dims = h5_read_size(f, name, n);
-    int same = dims == b->dims;
-    for (int k = 0; same && k < dims; k++) same = n[k] == b->n[k];
+    int same = dims == block->dims;
+    for (int k = 0; same && k < dims; k++) same = n[k] == block->n[k];
     if (!same) {
         int at = snprintf(f->why, sizeof f->why, "its array %s is of size", name);
         for (int k = 0; k < dims; k++)
             at +=
                 snprintf(f->why + at, sizeof f->why - (size_t)at, "%s%llu", k ? " x " : " ", (unsigned long long)n[k]);
         at += snprintf(f->why + at, sizeof f->why - (size_t)at, ", not");
-        for (int k = 0; k < b->dims; k++)
+        for (int k = 0; k < block->dims; k++)
             at += snprintf(f->why + at, sizeof f->why - (size_t)at, "%s%llu", k ? " x " : " ",
-                           (unsigned long long)b->n[k]);
+                           (unsigned long long)block->n[k]);
         return 1;
     }
     if (!is_alike(set, type)) {
@@ -112,14 +112,14 @@ static int check(struct h5 *f, const char *name, hid_t set, hid_t type, const st
     return 0;
 }
 
-int h5_read(struct h5 *f, const char *name, hid_t type, const struct h5_block *b, void *value) {
+int h5_read(struct h5 *f, const char *name, hid_t type, const struct h5_block *block, void *value) {
     static char nothing;
     const hid_t set = exists(f, name) ? H5Dopen2(f->file, name, H5P_DEFAULT) : -1;
-    int fault = check(f, name, set, type, b);
-    if (!fault && h5_items(b, b->n) > 0) { /* the same on all ranks: they see the same file */
+    int fault = check(f, name, set, type, block);
+    if (!fault && h5_items(block, block->n) > 0) { /* the same on all ranks: they see the same file */
         hid_t memory;
         const hid_t space = H5Dget_space(set), transfer = h5_transfer_list(f);
-        h5_select(b, space, &memory);
+        h5_select(block, space, &memory);
         fault = H5Dread(set, type, memory, space, transfer, value ? value : &nothing) < 0;
         if (f->shared) fault = par_max(fault) > 0;
         if (fault) snprintf(f->why, sizeof f->why, "its array %s cannot be read", name);

@@ -54,16 +54,16 @@ double *store_scratch(struct store *s, size_t items) {
     return s->scratch;
 }
 
-int store_is_contiguous(const struct store_block *b) {
-    return b->row == 0 || (b->row == b->m[0] && b->plane == (ptrdiff_t)b->m[0] * b->m[1]);
+int store_is_contiguous(const struct store_block *block) {
+    return block->row == 0 || (block->row == block->m[0] && block->plane == (ptrdiff_t)block->m[0] * block->m[1]);
 }
 
-struct h5_block store_h5_block(const struct store_block *b) {
+struct h5_block store_h5_block(const struct store_block *block) {
     struct h5_block h = {.dims = 3};
     for (int k = 0; k < 3; k++) { /* HDF5 counts the slowest index first */
-        h.n[k] = (hsize_t)b->n[2 - k];
-        h.lo[k] = (hsize_t)b->lo[2 - k];
-        h.m[k] = (hsize_t)b->m[2 - k];
+        h.n[k] = (hsize_t)block->n[2 - k];
+        h.lo[k] = (hsize_t)block->lo[2 - k];
+        h.m[k] = (hsize_t)block->m[2 - k];
     }
     return h;
 }
@@ -77,14 +77,15 @@ struct h5_block store_h5_range(int comps, long n, long first, long count) {
     return h;
 }
 
-uint64_t store_sum_block(const struct store_block *b, const double *value) {
-    const uint64_t n0 = (uint64_t)b->n[0], n1 = (uint64_t)b->n[1];
+uint64_t store_sum_block(const struct store_block *block, const double *value) {
+    const uint64_t n0 = (uint64_t)block->n[0], n1 = (uint64_t)block->n[1];
     uint64_t sum = 0;
-    if (b->m[0] == 0) return 0;
-    for (int k = 0; k < b->m[2]; k++)
-        for (int j = 0; j < b->m[1]; j++, value += b->m[0])
-            sum += seal_sum(value, (size_t)b->m[0], sizeof *value,
-                            ((uint64_t)(b->lo[2] + k) * n1 + (uint64_t)(b->lo[1] + j)) * n0 + (uint64_t)b->lo[0]);
+    if (block->m[0] == 0) return 0;
+    for (int k = 0; k < block->m[2]; k++)
+        for (int j = 0; j < block->m[1]; j++, value += block->m[0])
+            sum += seal_sum(value, (size_t)block->m[0], sizeof *value,
+                            ((uint64_t)(block->lo[2] + k) * n1 + (uint64_t)(block->lo[1] + j)) * n0 +
+                                (uint64_t)block->lo[0]);
     return sum;
 }
 
@@ -95,18 +96,18 @@ static void seal(struct store *s, const char *name, size_t row, uint64_t sum) {
              (uint64_t)par_sum_long((long)sum));
 }
 
-void store_write_block(struct store *s, const char *name, const struct store_block *b, const double *value) {
-    const struct h5_block h = store_h5_block(b);
-    if (!store_is_contiguous(b)) {
-        const size_t row = (size_t)b->m[0];
-        double *packed = store_scratch(s, row * (size_t)b->m[1] * (size_t)b->m[2]), *to = packed;
-        for (int k = 0; k < b->m[2] && row > 0; k++)
-            for (int j = 0; j < b->m[1]; j++, to += row)
-                memcpy(to, value + k * b->plane + j * b->row, row * sizeof *to);
+void store_write_block(struct store *s, const char *name, const struct store_block *block, const double *value) {
+    const struct h5_block h = store_h5_block(block);
+    if (!store_is_contiguous(block)) {
+        const size_t row = (size_t)block->m[0];
+        double *packed = store_scratch(s, row * (size_t)block->m[1] * (size_t)block->m[2]), *to = packed;
+        for (int k = 0; k < block->m[2] && row > 0; k++)
+            for (int j = 0; j < block->m[1]; j++, to += row)
+                memcpy(to, value + k * block->plane + j * block->row, row * sizeof *to);
         value = packed;
     }
     h5_write(&s->h5, name, H5T_NATIVE_DOUBLE, &h, value);
-    seal(s, name, sizeof *value, store_sum_block(b, value));
+    seal(s, name, sizeof *value, store_sum_block(block, value));
 }
 
 void store_write_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first,

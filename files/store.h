@@ -23,7 +23,7 @@ struct store_block {
 /* keep: how many finished checkpoints of the same kind are kept, this one included (same kind: file names equal up to
  * the first digit); 0: all. */
 struct store *store_begin(const char *folder, const char *name, int keep);
-void store_write_block(struct store *s, const char *name, const struct store_block *b, const double *value);
+void store_write_block(struct store *s, const char *name, const struct store_block *block, const double *value);
 /* A rank's items first .. first+count-1 of n, each of comps values; value [count][comps]. count may be 0. */
 void store_write_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first,
                        long count, const void *value);
@@ -49,7 +49,7 @@ int store_read_is_damaged(const struct store *s); /* the last read found an arra
 
 /* 0, or nonzero if the array is missing, has another size or type (value is then untouched), or has a wrong
  * checksum. */
-int store_read_block(struct store *s, const char *name, const struct store_block *b, double *value);
+int store_read_block(struct store *s, const char *name, const struct store_block *block, double *value);
 int store_read_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first, long count,
                      void *value);
 int store_read_double(struct store *s, const char *name, double *value);

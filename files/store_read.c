@@ -119,20 +119,20 @@ static int check_sum(struct store *s, const char *name, long n, long count, uint
     return par_max(!a || sum != a->sum) > 0 ? tell_damaged(s, name) : 0;
 }
 
-int store_read_block(struct store *s, const char *name, const struct store_block *b, double *value) {
-    const struct h5_block h = store_h5_block(b);
-    const long n = (long)b->n[0] * b->n[1] * b->n[2], count = (long)b->m[0] * b->m[1] * b->m[2];
-    if (store_is_contiguous(b))
+int store_read_block(struct store *s, const char *name, const struct store_block *block, double *value) {
+    const struct h5_block h = store_h5_block(block);
+    const long n = (long)block->n[0] * block->n[1] * block->n[2], count = (long)block->m[0] * block->m[1] * block->m[2];
+    if (store_is_contiguous(block))
         return told(s, h5_read(&s->h5, name, H5T_NATIVE_DOUBLE, &h, value)) ||
-               check_sum(s, name, n, count, store_sum_block(b, value));
-    const size_t row = (size_t)b->m[0];
-    double *packed = store_scratch(s, row * (size_t)b->m[1] * (size_t)b->m[2]);
+               check_sum(s, name, n, count, store_sum_block(block, value));
+    const size_t row = (size_t)block->m[0];
+    double *packed = store_scratch(s, row * (size_t)block->m[1] * (size_t)block->m[2]);
     if (told(s, h5_read(&s->h5, name, H5T_NATIVE_DOUBLE, &h, packed)) ||
-        check_sum(s, name, n, count, store_sum_block(b, packed)))
+        check_sum(s, name, n, count, store_sum_block(block, packed)))
         return 1;
-    for (int k = 0; k < b->m[2] && row > 0; k++)
-        for (int j = 0; j < b->m[1]; j++, packed += row)
-            memcpy(value + k * b->plane + j * b->row, packed, row * sizeof *packed);
+    for (int k = 0; k < block->m[2] && row > 0; k++)
+        for (int j = 0; j < block->m[1]; j++, packed += row)
+            memcpy(value + k * block->plane + j * block->row, packed, row * sizeof *packed);
     return 0;
 }
 

@@ -7,11 +7,11 @@
 #include <string.h>
 
 /* The whole dataset as a block, read by one rank. */
-static int whole(struct h5 *f, const char *name, struct h5_block *b) {
-    memset(b, 0, sizeof *b);
-    b->dims = h5_read_size(f, name, b->n);
-    for (int k = 0; k < b->dims; k++) b->m[k] = b->n[k];
-    return b->dims < 0;
+static int whole(struct h5 *f, const char *name, struct h5_block *block) {
+    memset(block, 0, sizeof *block);
+    block->dims = h5_read_size(f, name, block->n);
+    for (int k = 0; k < block->dims; k++) block->m[k] = block->n[k];
+    return block->dims < 0;
 }
 
 static int read_all(struct h5 *f, const char *name, hid_t type, void *value) {

@@ -11,37 +11,37 @@ static double (*scratch(struct ibm *b))[3] {
     return (double(*)[3])b->by_marker;
 }
 
-static void forget(struct ibm *b) {
-    ibm_buffer_reserve(&b->home, &b->home_size, 3 * (size_t)b->route.n + 1);
-    memset(b->home, 0, 3 * (size_t)b->route.n * sizeof *b->home);
+static void forget(struct ibm *ibm) {
+    ibm_buffer_reserve(&ibm->home, &ibm->home_size, 3 * (size_t)ibm->route.n + 1);
+    memset(ibm->home, 0, 3 * (size_t)ibm->route.n * sizeof *ibm->home);
 }
 
-void ibm_demand_home(struct ibm *b) {
-    double(*served)[3] = scratch(b);
-    forget(b);
-    if (!b->route.plan) return;
-    for (int h = 0; h < b->served; h++) memcpy(served[b->arrival[h]], b->vector[IBM_DEMAND][h], sizeof *served);
-    par_exchange_backward(b->route.plan, served, b->home, sizeof *served);
+void ibm_demand_home(struct ibm *ibm) {
+    double(*served)[3] = scratch(ibm);
+    forget(ibm);
+    if (!ibm->route.plan) return;
+    for (int h = 0; h < ibm->served; h++) memcpy(served[ibm->arrival[h]], ibm->vector[IBM_DEMAND][h], sizeof *served);
+    par_exchange_backward(ibm->route.plan, served, ibm->home, sizeof *served);
 }
 
-void ibm_demand_out(struct ibm *b, int same) {
-    if (!b->route.plan) return;
-    double(*served)[3] = scratch(b);
-    if (!same) forget(b);
-    par_exchange_forward(b->route.plan, b->home, served, sizeof *served);
-    for (int h = 0; h < b->served; h++) memcpy(b->vector[IBM_DEMAND][h], served[b->arrival[h]], sizeof *served);
+void ibm_demand_out(struct ibm *ibm, int same) {
+    if (!ibm->route.plan) return;
+    double(*served)[3] = scratch(ibm);
+    if (!same) forget(ibm);
+    par_exchange_forward(ibm->route.plan, ibm->home, served, sizeof *served);
+    for (int h = 0; h < ibm->served; h++) memcpy(ibm->vector[IBM_DEMAND][h], served[ibm->arrival[h]], sizeof *served);
 }
 
 int ibm_demand_is_set(const struct ibm *b) { return b->route.plan != NULL; }
 
-void ibm_demand(struct ibm *b, double *const demand[3]) {
-    ibm_demand_home(b);
-    for (int i = 0; i < b->route.n; i++)
-        for (int c = 0; c < 3; c++) demand[c][i] = isfinite(b->home[3 * i + c]) ? b->home[3 * i + c] : 0;
+void ibm_demand(struct ibm *ibm, double *const demand[3]) {
+    ibm_demand_home(ibm);
+    for (int i = 0; i < ibm->route.n; i++)
+        for (int c = 0; c < 3; c++) demand[c][i] = isfinite(ibm->home[3 * i + c]) ? ibm->home[3 * i + c] : 0;
 }
 
-void ibm_demand_set(struct ibm *b, const double *const demand[3]) {
-    for (int i = 0; i < b->route.n; i++)
-        for (int c = 0; c < 3; c++) b->home[3 * i + c] = demand[c][i];
-    ibm_demand_out(b, 1);
+void ibm_demand_set(struct ibm *ibm, const double *const demand[3]) {
+    for (int i = 0; i < ibm->route.n; i++)
+        for (int c = 0; c < 3; c++) ibm->home[3 * i + c] = demand[c][i];
+    ibm_demand_out(ibm, 1);
 }

@@ -18,15 +18,15 @@ struct line {
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
  * and the same mirrored at the high side. No block reaches farther. */
-static void fold(const struct ibm *b, int d, int c, struct line *l) {
-    const int n = b->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
+static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
+    const int n = ibm->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
     double w[3];
     memcpy(w, l->read[c], sizeof w);
     for (int i = 0; i < 3; i++) {
         const int at = l->first[c] + i, beyond = at < low || at > high, side = at > high, in = side ? -1 : 1;
         if (beyond || (on_face && (at == low || at == high))) l->write[c][i] = 0;
         if (!beyond) continue;
-        const struct fluid_mirror *m = &b->mirror[c][d][side];
+        const struct fluid_mirror *m = &ibm->mirror[c][d][side];
         l->read[c][i] = 0;
         l->constant[c] += w[i] * m->constant;
         if (on_face) l->read[c][i + in] += w[i] * m->face;
@@ -34,14 +34,14 @@ static void fold(const struct ibm *b, int d, int c, struct line *l) {
     }
 }
 
-static void line_set(const struct ibm *b, int d, int cell, double s, struct line *l) {
+static void line_set(const struct ibm *ibm, int d, int cell, double s, struct line *l) {
     const double t = s - cell - 0.5;
     for (int c = 0; c < 3; c++) {
         ibm_kernel_weights(c == d ? ibm_kernel_face(t) : t, l->read[c]);
         l->first[c] = cell - 1 - (c == d && t < 0);
         memcpy(l->write[c], l->read[c], sizeof l->write[c]);
         l->constant[c] = 0;
-        if (!b->grid->periodic[d]) fold(b, d, c, l);
+        if (!ibm->grid->periodic[d]) fold(ibm, d, c, l);
     }
 }
 
@@ -95,18 +95,18 @@ static int all_images(const struct fluid_grid *g, const int cell[3], int image[I
     return pieces;
 }
 
-int ibm_edge_planes(const struct ibm *b, const int cell[3], int plane[IBM_PIECES]) {
+int ibm_edge_planes(const struct ibm *ibm, const int cell[3], int plane[IBM_PIECES]) {
     int image[IBM_PIECES][3];
-    const int pieces = all_images(b->grid, cell, image);
-    for (int p = 0; p < pieces; p++) plane[p] = cell[2] + image[p][2] - b->grid->lo[2];
+    const int pieces = all_images(ibm->grid, cell, image);
+    for (int p = 0; p < pieces; p++) plane[p] = cell[2] + image[p][2] - ibm->grid->lo[2];
     return pieces;
 }
 
-void ibm_edge_set(struct ibm *b, struct ibm_edge *e) {
+void ibm_edge_set(struct ibm *ibm, struct ibm_edge *e) {
     struct line line[3];
     int image[IBM_PIECES][3];
-    const int pieces = all_images(b->grid, e->cell, image);
-    for (int d = 0; d < 3; d++) line_set(b, d, e->cell[d], e->s[d], &line[d]);
+    const int pieces = all_images(ibm->grid, e->cell, image);
+    for (int d = 0; d < 3; d++) line_set(ibm, d, e->cell[d], e->s[d], &line[d]);
     for (int c = 0; c < 3; c++) {
         e->constant[c] = 0;
         e->share[c] = 1;
@@ -117,58 +117,58 @@ void ibm_edge_set(struct ibm *b, struct ibm_edge *e) {
         }
     }
     for (int p = 0; p < pieces; p++) {
-        struct ibm_piece *piece = &b->piece[e->piece[p]];
-        block_set(b->grid, line, image[p], 0, &piece->read);
-        block_set(b->grid, line, image[p], 1, &piece->write);
+        struct ibm_piece *piece = &ibm->piece[e->piece[p]];
+        block_set(ibm->grid, line, image[p], 0, &piece->read);
+        block_set(ibm->grid, line, image[p], 1, &piece->write);
     }
 }
 
-void ibm_edge_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece) {
-    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
+void ibm_edge_sum(struct ibm *ibm, double *const u[3], int first_piece, int last_piece) {
+    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
     for (int p = first_piece; p < last_piece; p++) {
-        const struct ibm_block *block = &b->piece[p].read;
-        double *sum = b->sum[b->piece[p].edge];
+        const struct ibm_block *block = &ibm->piece[p].read;
+        double *sum = ibm->sum[ibm->piece[p].edge];
         for (int c = 0; c < 3; c++)
             sum[c] += ibm_kernel_gather(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c]);
     }
 }
 
-void ibm_edge_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
+void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
     for (int e = first; e < last; e++) {
-        const struct ibm_edge *edge = &b->edge[e];
-        double *increment = b->increment[b->inner + e];
+        const struct ibm_edge *edge = &ibm->edge[e];
+        double *increment = ibm->increment[ibm->inner + e];
         for (int c = 0; c < 3; c++) {
             double velocity = edge->constant[c];
-            for (int k = 0; k < edge->summands; k++) velocity += b->sum[edge->summand[k]][c];
+            for (int k = 0; k < edge->summands; k++) velocity += ibm->sum[edge->summand[k]][c];
             const double lack = edge->v[c] - velocity;
             increment[c] = lack * edge->volume;
             if (!edge->mine) continue;
             t->given[c] += increment[c] * edge->share[c];
             t->squares += lack * lack;
         }
-        ibm_keep(b->received[b->inner + e], increment, keep);
+        ibm_keep(ibm->received[ibm->inner + e], increment, keep);
     }
     for (int e = first; e < last; e++)
-        for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
+        for (int c = 0; c < 3; c++) ibm->sum[e][c] = 0;
 }
 
-void ibm_edge_velocity(struct ibm *b, int with_sides, double (*velocity)[3]) {
-    for (int e = 0; e < b->edges; e++) {
-        const struct ibm_edge *edge = &b->edge[e];
+void ibm_edge_velocity(struct ibm *ibm, int with_sides, double (*velocity)[3]) {
+    for (int e = 0; e < ibm->edges; e++) {
+        const struct ibm_edge *edge = &ibm->edge[e];
         for (int c = 0; c < 3; c++) {
             velocity[e][c] = with_sides ? edge->constant[c] : 0;
-            for (int k = 0; k < edge->summands; k++) velocity[e][c] += b->sum[edge->summand[k]][c];
+            for (int k = 0; k < edge->summands; k++) velocity[e][c] += ibm->sum[edge->summand[k]][c];
         }
     }
-    for (int e = 0; e < b->edges; e++)
-        for (int c = 0; c < 3; c++) b->sum[e][c] = 0;
+    for (int e = 0; e < ibm->edges; e++)
+        for (int c = 0; c < 3; c++) ibm->sum[e][c] = 0;
 }
 
-void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece) {
-    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
+void ibm_edge_scatter(const struct ibm *ibm, double *const u[3], int first_piece, int last_piece) {
+    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
     for (int p = first_piece; p < last_piece; p++) {
-        const struct ibm_block *block = &b->piece[p].write;
-        const double *increment = b->increment[b->inner + b->piece[p].edge];
+        const struct ibm_block *block = &ibm->piece[p].write;
+        const double *increment = ibm->increment[ibm->inner + ibm->piece[p].edge];
         for (int c = 0; c < 3; c++)
             ibm_kernel_scatter(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c], increment[c]);
     }

@@ -20,18 +20,19 @@ struct sweep {
 };
 
 static void read_slab(const struct sweep *w, int slab, enum ibm_keep keep) {
-    struct ibm *b = w->b;
-    const int first = ibm_slab_first(b, IBM_NEAR, slab), last = ibm_slab_first(b, IBM_NEAR, slab + 1);
-    ibm_sweep_gather(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1), keep,
+    struct ibm *ibm = w->b;
+    const int first = ibm_slab_first(ibm, IBM_NEAR, slab), last = ibm_slab_first(ibm, IBM_NEAR, slab + 1);
+    ibm_sweep_gather(ibm, w->u, ibm_slab_first(ibm, IBM_INNER, slab), ibm_slab_first(ibm, IBM_INNER, slab + 1), keep,
                      w->tally);
-    ibm_edge_sum(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab), ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
-    ibm_edge_finish(b, first, last, keep, w->tally);
+    ibm_edge_sum(ibm, w->u, ibm_slab_first(ibm, IBM_NEAR_PIECES, slab), ibm_slab_first(ibm, IBM_NEAR_PIECES, slab + 1));
+    ibm_edge_finish(ibm, first, last, keep, w->tally);
 }
 
 static void write_slab(const struct sweep *w, int slab) {
-    const struct ibm *b = w->b;
-    ibm_sweep_scatter(b, w->u, ibm_slab_first(b, IBM_INNER, slab), ibm_slab_first(b, IBM_INNER, slab + 1));
-    ibm_edge_scatter(b, w->u, ibm_slab_first(b, IBM_NEAR_PIECES, slab), ibm_slab_first(b, IBM_NEAR_PIECES, slab + 1));
+    const struct ibm *ibm = w->b;
+    ibm_sweep_scatter(ibm, w->u, ibm_slab_first(ibm, IBM_INNER, slab), ibm_slab_first(ibm, IBM_INNER, slab + 1));
+    ibm_edge_scatter(ibm, w->u, ibm_slab_first(ibm, IBM_NEAR_PIECES, slab),
+                     ibm_slab_first(ibm, IBM_NEAR_PIECES, slab + 1));
 }
 
 static void read_far(const struct sweep *w, int first_slab, int last_slab) {
@@ -71,45 +72,46 @@ static void iterate(const struct sweep *w, enum ibm_keep keep, int two) {
     write_far(w, 0, slabs);
 }
 
-void ibm_forcing_stage(struct ibm *b, int r, double dt) {
+void ibm_forcing_stage(struct ibm *ibm, int r, double dt) {
     clock_begin(CLOCK_FORCING);
-    const struct fluid_grid *g = b->grid;
+    const struct fluid_grid *g = ibm->grid;
     struct ibm_tally tally = {.squares = 0};
-    const struct sweep w = {b, fluid_predicted(b->fluid), &tally};
-    for (int s = 0; s < b->iterations; s += 2) iterate(&w, r == 0 && s == 0 ? IBM_SET : IBM_ADD, s + 1 < b->iterations);
+    const struct sweep w = {ibm, fluid_predicted(ibm->fluid), &tally};
+    for (int s = 0; s < ibm->iterations; s += 2)
+        iterate(&w, r == 0 && s == 0 ? IBM_SET : IBM_ADD, s + 1 < ibm->iterations);
     /* gamma_r rho Q V = gamma_r rho sum (V - U) V / (gamma_r dt) */
-    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    for (int c = 0; c < 3; c++) b->given[c] = (r == 0 ? 0 : b->given[c]) + tally.given[c] * scale;
+    const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
+    for (int c = 0; c < 3; c++) ibm->given[c] = (r == 0 ? 0 : ibm->given[c]) + tally.given[c] * scale;
     clock_end(CLOCK_FORCING);
 }
 
-void ibm_forcing_by_marker(struct ibm *b, double dt, double *const force[3]) {
-    const struct fluid_grid *g = b->grid;
-    const double scale = fluid_input_of(b->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    ibm_buffer_reserve(&b->by_marker, &b->by_marker_size, 3 * (size_t)(b->served + b->route.n) + 1);
-    double(*served)[3] = (double(*)[3])b->by_marker, (*mine)[3] = served + b->served;
-    for (int h = 0; h < b->served; h++)
-        for (int c = 0; c < 3; c++) served[b->arrival[h]][c] = b->received[h][c] * scale;
-    for (int i = 0; i < b->route.n; i++)
+void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]) {
+    const struct fluid_grid *g = ibm->grid;
+    const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
+    ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)(ibm->served + ibm->route.n) + 1);
+    double(*served)[3] = (double(*)[3])ibm->by_marker, (*mine)[3] = served + ibm->served;
+    for (int h = 0; h < ibm->served; h++)
+        for (int c = 0; c < 3; c++) served[ibm->arrival[h]][c] = ibm->received[h][c] * scale;
+    for (int i = 0; i < ibm->route.n; i++)
         for (int c = 0; c < 3; c++) mine[i][c] = 0;
-    par_exchange_backward(b->route.plan, served, mine, sizeof *mine);
-    for (int i = 0; i < b->route.n; i++)
+    par_exchange_backward(ibm->route.plan, served, mine, sizeof *mine);
+    for (int i = 0; i < ibm->route.n; i++)
         for (int c = 0; c < 3; c++) force[c][i] = mine[i][c];
 }
 
-void ibm_forcing_total(struct ibm *b, double force[3]) {
-    for (int c = 0; c < 3; c++) force[c] = b->given[c];
+void ibm_forcing_total(struct ibm *ibm, double force[3]) {
+    for (int c = 0; c < 3; c++) force[c] = ibm->given[c];
     par_sum_array(force, 3);
 }
 
-double ibm_forcing_slip(struct ibm *b) {
+double ibm_forcing_slip(struct ibm *ibm) {
     struct ibm_tally tally = {.squares = 0};
-    const struct sweep w = {b, fluid_predicted(b->fluid), &tally};
-    read_far(&w, 0, b->slabs);
+    const struct sweep w = {ibm, fluid_predicted(ibm->fluid), &tally};
+    read_far(&w, 0, ibm->slabs);
     finish_far(&w, IBM_LOOK);
-    for (int s = 0; s < b->slabs; s++) read_slab(&w, s, IBM_LOOK);
-    double sum[2] = {tally.squares, b->inner};
-    for (int e = 0; e < b->edges; e++) sum[1] += b->edge[e].mine;
+    for (int s = 0; s < ibm->slabs; s++) read_slab(&w, s, IBM_LOOK);
+    double sum[2] = {tally.squares, ibm->inner};
+    for (int e = 0; e < ibm->edges; e++) sum[1] += ibm->edge[e].mine;
     par_sum_array(sum, 2);
     return sum[1] > 0 ? sqrt(sum[0] / sum[1]) : 0;
 }

@@ -27,37 +27,38 @@ static int *owner_new(const struct fluid_grid *g, int d) {
 
 struct ibm *ibm_new(struct fluid *f, int iterations) {
     ENSURE(iterations >= 0, "%d iterations of the forcing", iterations);
-    struct ibm *b = memory_new(MEMORY_IBM, 1, sizeof *b);
-    const struct fluid_grid *g = b->grid = fluid_grid_of(f);
-    b->fluid = f;
-    b->iterations = iterations;
-    b->implicit = fluid_input_of(f)->implicit;
+    struct ibm *ibm = memory_new(MEMORY_IBM, 1, sizeof *ibm);
+    const struct fluid_grid *g = ibm->grid = fluid_grid_of(f);
+    ibm->fluid = f;
+    ibm->iterations = iterations;
+    ibm->implicit = fluid_input_of(f)->implicit;
     ENSURE(g->halo >= 3, "%d ghost layers: the kernel's rows and the probe need three", g->halo);
     for (int d = 0; d < 3; d++) {
         const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];
-        b->inner_low[d] = g->lo[d] + IBM_BEFORE;
-        b->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face lies on the side */
-        if (d > 0) b->touch[d] = touch_new(g, d), b->owner[d] = owner_new(g, d);
+        ibm->inner_low[d] = g->lo[d] + IBM_BEFORE;
+        ibm->inner_high[d] = g->lo[d] + g->m[d] - IBM_BEHIND - high_side; /* the last face lies on the side */
+        if (d > 0) ibm->touch[d] = touch_new(g, d), ibm->owner[d] = owner_new(g, d);
         for (int c = 0; c < 3; c++)
-            for (int side = 0; side < 2; side++) b->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
+            for (int side = 0; side < 2; side++) ibm->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
     }
-    b->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
-    b->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(b->slabs + 1), sizeof *b->slab_at);
-    const size_t bins = (size_t)ibm_layout_bins(b) + 2 * (size_t)b->slabs + 2;
-    b->bin = memory_new(MEMORY_IBM, bins > (size_t)g->n[0] + 2 ? bins : (size_t)g->n[0] + 2, sizeof *b->bin);
-    b->peer = memory_new(MEMORY_IBM, 3 * (size_t)par_size(), sizeof *b->peer);
-    b->swap = par_swap_new();
-    return b;
+    ibm->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
+    ibm->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(ibm->slabs + 1), sizeof *ibm->slab_at);
+    const size_t bins = (size_t)ibm_layout_bins(ibm) + 2 * (size_t)ibm->slabs + 2;
+    ibm->bin = memory_new(MEMORY_IBM, bins > (size_t)g->n[0] + 2 ? bins : (size_t)g->n[0] + 2, sizeof *ibm->bin);
+    ibm->peer = memory_new(MEMORY_IBM, 3 * (size_t)par_size(), sizeof *ibm->peer);
+    ibm->swap = par_swap_new();
+    return ibm;
 }
 
-void ibm_free(struct ibm *b) {
-    if (!b) return;
-    ibm_route_free(&b->route);
-    ibm_route_free(&b->probe);
-    par_swap_free(b->swap);
-    void *const owned[] = {b->touch[1], b->touch[2], b->owner[1], b->owner[2],  b->slab_at,   b->bin,      b->peer,
-                           b->arrival,  b->place,    b->by_x,     b->stencil,   b->increment, b->received, b->edge,
-                           b->piece,    b->sum,      b->sent,     b->swap_edge, b->by_marker, b->home,     b};
-    for (int k = 0; k < IBM_VECTORS; k++) memory_free(b->vector[k]);
+void ibm_free(struct ibm *ibm) {
+    if (!ibm) return;
+    ibm_route_free(&ibm->route);
+    ibm_route_free(&ibm->probe);
+    par_swap_free(ibm->swap);
+    void *const owned[] = {
+        ibm->touch[1], ibm->touch[2], ibm->owner[1], ibm->owner[2],  ibm->slab_at,   ibm->bin,      ibm->peer,
+        ibm->arrival,  ibm->place,    ibm->by_x,     ibm->stencil,   ibm->increment, ibm->received, ibm->edge,
+        ibm->piece,    ibm->sum,      ibm->sent,     ibm->swap_edge, ibm->by_marker, ibm->home,     ibm};
+    for (int k = 0; k < IBM_VECTORS; k++) memory_free(ibm->vector[k]);
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }

@@ -10,33 +10,33 @@ struct ibm; /* opaque: markers served here, their weights, the exchange */
 
 /* iterations: N_s. Arrays are allocated when the first markers arrive. Collective. */
 struct ibm *ibm_new(struct fluid *f, int iterations);
-void ibm_free(struct ibm *b);
+void ibm_free(struct ibm *ibm);
 
 /* Sets the markers of this time step, each rank its own: position (wrapped in periodic directions; a marker outside the
  * domain is left out), velocity, and volume A_h dx (m3). The weights are kept if no marker has moved since the last
  * call. Collective. */
-void ibm_markers_set(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume);
+void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume);
 
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).
  * Collective. */
-void ibm_implicit_force_again(struct ibm *b, int r, double dt);
-void ibm_implicit_force(struct ibm *b, int r, double dt);
+void ibm_implicit_force_again(struct ibm *ibm, int r, double dt);
+void ibm_implicit_force(struct ibm *ibm, int r, double dt);
 /* Starting guess of the implicit forcing, one vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and
  * its setting from a checkpoint. [n] each. Collective. */
-int ibm_demand_is_set(const struct ibm *b); /* 1: some rank has markers. Not collective. */
-void ibm_demand(struct ibm *b, double *const demand[3]);
-void ibm_demand_set(struct ibm *b, const double *const demand[3]);
+int ibm_demand_is_set(const struct ibm *ibm); /* 1: some rank has markers. Not collective. */
+void ibm_demand(struct ibm *ibm, double *const demand[3]);
+void ibm_demand_set(struct ibm *ibm, const double *const demand[3]);
 /* Multidirect forcing of the fluid's predicted velocity at RK stage r; dt_r = gamma_r dt. Collective. */
-void ibm_forcing_stage(struct ibm *b, int r, double dt);
+void ibm_forcing_stage(struct ibm *ibm, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid,
  * N. Collective. */
-void ibm_forcing_total(struct ibm *b, double force[3]);
+void ibm_forcing_total(struct ibm *ibm, double force[3]);
 /* The same by marker, in the order of ibm_markers_set, N: [n] each, zero for a marker outside the domain. The part of
  * the force that is not spread, beyond the domain's sides, counts as well. Collective. */
-void ibm_forcing_by_marker(struct ibm *b, double dt, double *const force[3]);
+void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]);
 double
-ibm_forcing_slip(struct ibm *b); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
+ibm_forcing_slip(struct ibm *ibm); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 
 /* Tractions at n points with outward unit normals, from the fluid's state. Refreshes the state's ghosts that the tips
  * read. The pressure gradient at the root is rho (f - dV_h/dt).n, with f the fluid's body force and driving. Pressures
@@ -56,5 +56,5 @@ struct ibm_probe_input {
                                      * here */
     double length;                  /* probe length / dx, default 2 */
 };
-void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const traction[3], double *pressure,
+void ibm_probe(struct ibm *ibm, const struct ibm_probe_input *in, double *const traction[3], double *pressure,
                uint8_t *active);

@@ -9,14 +9,14 @@
 
 /* Makes the items to send and compares them with the last ones. differs[0]: a different rank must serve some item; [1]:
  * some number has changed. */
-static void fill(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume,
+static void fill(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume,
                  double differs[2]) {
-    const struct fluid_grid *g = b->grid;
+    const struct fluid_grid *g = ibm->grid;
     const double cell_volume = g->d[0] * g->d[1] * g->d[2];
-    differs[0] = ibm_route_reserve(&b->route, n, IBM_ITEM);
+    differs[0] = ibm_route_reserve(&ibm->route, n, IBM_ITEM);
     differs[1] = differs[0];
     for (int h = 0; h < n; h++) {
-        double item[IBM_ITEM], *last = b->route.mine + (size_t)h * IBM_ITEM;
+        double item[IBM_ITEM], *last = ibm->route.mine + (size_t)h * IBM_ITEM;
         int cell[3];
         for (int d = 0; d < 3; d++) {
             item[d] = ibm_cell_wrap(g, d, x[d][h]);
@@ -26,11 +26,11 @@ static void fill(struct ibm *b, int n, const double *const x[3], const double *c
         item[IBM_VOLUME] = volume[h] / cell_volume;
         long key = -1;
         if (cell[0] >= 0 && cell[1] >= 0 && cell[2] >= 0) {
-            const struct ibm_touch y = b->touch[1][cell[1]], z = b->touch[2][cell[2]];
+            const struct ibm_touch y = ibm->touch[1][cell[1]], z = ibm->touch[2][cell[2]];
             key = ((((long)z.high << 16 | z.low) << 16 | y.high) << 16) | y.low;
         }
-        if (key != b->route.key[h]) differs[0] = 1;
-        b->route.key[h] = key;
+        if (key != ibm->route.key[h]) differs[0] = 1;
+        ibm->route.key[h] = key;
         for (int i = 0; i < IBM_ITEM; i++) {
             if (item[i] != last[i]) differs[1] = 1;
             last[i] = item[i];
@@ -39,28 +39,28 @@ static void fill(struct ibm *b, int n, const double *const x[3], const double *c
 }
 
 /* Plans a copy of the marker to each rank whose cells its block reaches. */
-static void renew_plan(struct ibm *b) {
-    struct ibm_route *route = &b->route;
+static void renew_plan(struct ibm *ibm) {
+    struct ibm_route *route = &ibm->route;
     int copies = 0;
     for (int h = 0; h < route->n; h++) {
         const double *item = route->mine + (size_t)h * IBM_ITEM;
         int cell[3], rank[IBM_SHARERS];
         if (route->key[h] < 0) continue;
-        for (int d = 0; d < 3; d++) cell[d] = ibm_cell(b->grid, d, item[d]);
-        const int sharers = ibm_share_ranks(b, cell, rank);
+        for (int d = 0; d < 3; d++) cell[d] = ibm_cell(ibm->grid, d, item[d]);
+        const int sharers = ibm_share_ranks(ibm, cell, rank);
         for (int k = 0; k < sharers; k++, copies++) route->item[copies] = h, route->dest[copies] = rank[k];
     }
     route->plan = par_exchange_renew(route->plan, copies, route->item, route->dest);
-    b->served = par_exchange_count(route->plan);
-    ibm_buffer_reserve(&route->served, &route->served_size, (size_t)b->served * IBM_ITEM + 1);
+    ibm->served = par_exchange_count(route->plan);
+    ibm_buffer_reserve(&route->served, &route->served_size, (size_t)ibm->served * IBM_ITEM + 1);
 }
 
 static long cell_number(const struct fluid_grid *g, const int cell[3]) {
     return ((long)cell[2] * g->n[1] + cell[1]) * g->n[0] + cell[0];
 }
 
-static void set_stencil(const struct ibm *b, const int cell[3], const double t[3], struct ibm_stencil *s) {
-    const struct fluid_grid *g = b->grid;
+static void set_stencil(const struct ibm *ibm, const int cell[3], const double t[3], struct ibm_stencil *s) {
+    const struct fluid_grid *g = ibm->grid;
     const ptrdiff_t stride[3] = {1, g->row, g->plane};
     const ptrdiff_t at =
         (ptrdiff_t)fluid_grid_at(g, cell[0] - g->lo[0] - 1, cell[1] - g->lo[1] - 1, cell[2] - g->lo[2] - 1);
@@ -76,59 +76,59 @@ static void set_stencil(const struct ibm *b, const int cell[3], const double t[3
 
 /* New weights for markers that have moved. Returns 0 if a marker has left its slab, or if many have left their cells:
  * all must then be sorted again. */
-static int renew_weights(struct ibm *b, int fresh) {
-    for (int h = 0; h < b->inner; h++) {
-        const double *item = b->route.served + (size_t)b->arrival[h] * IBM_ITEM;
-        struct ibm_stencil *s = &b->stencil[h];
+static int renew_weights(struct ibm *ibm, int fresh) {
+    for (int h = 0; h < ibm->inner; h++) {
+        const double *item = ibm->route.served + (size_t)ibm->arrival[h] * IBM_ITEM;
+        struct ibm_stencil *s = &ibm->stencil[h];
         int cell[3];
         double t[3];
         for (int d = 0; d < 3; d++) {
-            cell[d] = ibm_cell(b->grid, d, item[d]);
+            cell[d] = ibm_cell(ibm->grid, d, item[d]);
             t[d] = item[d] - cell[d] - 0.5;
         }
         memcpy(s->v, item + IBM_V, sizeof s->v);
         s->volume = item[IBM_VOLUME];
-        const int other_cell = cell_number(b->grid, cell) != s->cell;
+        const int other_cell = cell_number(ibm->grid, cell) != s->cell;
         if (!fresh && other_cell) {
-            const int slab = ibm_layout_slab_of(b, cell[2] - b->grid->lo[2]);
-            if (!ibm_layout_is_inner(b, cell) || h < ibm_slab_first(b, IBM_INNER, slab) ||
-                h >= ibm_slab_first(b, IBM_INNER, slab + 1))
+            const int slab = ibm_layout_slab_of(ibm, cell[2] - ibm->grid->lo[2]);
+            if (!ibm_layout_is_inner(ibm, cell) || h < ibm_slab_first(ibm, IBM_INNER, slab) ||
+                h >= ibm_slab_first(ibm, IBM_INNER, slab + 1))
                 return 0;
-            b->moved++;
+            ibm->moved++;
         }
-        if (fresh || other_cell || t[0] != s->t[0] || t[1] != s->t[1] || t[2] != s->t[2]) set_stencil(b, cell, t, s);
+        if (fresh || other_cell || t[0] != s->t[0] || t[1] != s->t[1] || t[2] != s->t[2]) set_stencil(ibm, cell, t, s);
     }
-    for (int e = 0; e < b->edges; e++) {
-        const double *item = b->route.served + (size_t)b->arrival[b->inner + e] * IBM_ITEM;
-        struct ibm_edge *edge = &b->edge[e];
+    for (int e = 0; e < ibm->edges; e++) {
+        const double *item = ibm->route.served + (size_t)ibm->arrival[ibm->inner + e] * IBM_ITEM;
+        struct ibm_edge *edge = &ibm->edge[e];
         int moved = fresh;
         for (int d = 0; d < 3; d++) {
-            if (ibm_cell(b->grid, d, item[d]) != edge->cell[d]) return 0;
+            if (ibm_cell(ibm->grid, d, item[d]) != edge->cell[d]) return 0;
             moved |= edge->s[d] != item[d];
         }
         memcpy(edge->s, item, sizeof edge->s);
         memcpy(edge->v, item + IBM_V, sizeof edge->v);
         edge->volume = item[IBM_VOLUME];
-        if (moved) ibm_edge_set(b, edge);
+        if (moved) ibm_edge_set(ibm, edge);
     }
-    return b->moved <= b->inner / 4;
+    return ibm->moved <= ibm->inner / 4;
 }
 
-void ibm_markers_set(struct ibm *b, int n, const double *const x[3], const double *const v[3], const double *volume) {
+void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume) {
     clock_begin(CLOCK_FORCING);
     double differs[2];
-    const int before = b->route.n;
-    if (b->implicit) ibm_demand_home(b);
-    fill(b, n, x, v, volume, differs);
+    const int before = ibm->route.n;
+    if (ibm->implicit) ibm_demand_home(ibm);
+    fill(ibm, n, x, v, volume, differs);
     par_max_array(differs, 2);
-    if (differs[0] > 0) renew_plan(b);
+    if (differs[0] > 0) renew_plan(ibm);
     if (differs[0] > 0 || differs[1] > 0) {
-        par_exchange_forward(b->route.plan, b->route.mine, b->route.served, IBM_ITEM * sizeof(double));
-        if (differs[0] > 0 || !renew_weights(b, 0)) {
-            ibm_layout(b);
-            renew_weights(b, 1);
+        par_exchange_forward(ibm->route.plan, ibm->route.mine, ibm->route.served, IBM_ITEM * sizeof(double));
+        if (differs[0] > 0 || !renew_weights(ibm, 0)) {
+            ibm_layout(ibm);
+            renew_weights(ibm, 1);
         }
     }
-    if (b->implicit) ibm_demand_out(b, n == before);
+    if (ibm->implicit) ibm_demand_out(ibm, n == before);
     clock_end(CLOCK_FORCING);
 }

@@ -23,9 +23,9 @@ enum { BEFORE = 2, BEHIND = 2, LAYERS = 2 };
 enum { RENEW, LOW, HIGH = LOW + 3, AGREED = HIGH + 3 };
 
 /* Makes the tips' items and finds the ranks that serve them; agreed [AGREED]: this rank's values. */
-static void set_out(const struct ibm *b, const struct ibm_probe_input *in, const double length[3],
+static void set_out(const struct ibm *ibm, const struct ibm_probe_input *in, const double length[3],
                     struct ibm_route *route, double *agreed) {
-    const struct fluid_grid *g = b->grid;
+    const struct fluid_grid *g = ibm->grid;
     for (int h = 0; h < in->n; h++) {
         double *item = route->mine + (size_t)h * SENT;
         int cell[3];
@@ -36,7 +36,7 @@ static void set_out(const struct ibm *b, const struct ibm_probe_input *in, const
             cell[d] = ibm_cell(g, d, item[d]);
         }
         const int is_out = cell[0] < 0 || cell[1] < 0 || cell[2] < 0;
-        const int dest = is_out ? -1 : b->owner[1][cell[1]] + b->owner[2][cell[2]];
+        const int dest = is_out ? -1 : ibm->owner[1][cell[1]] + ibm->owner[2][cell[2]];
         if (dest != route->key[h]) agreed[RENEW] = 1;
         route->key[h] = dest;
         for (int d = 0; d < 3 && !is_out; d++) {
@@ -47,30 +47,30 @@ static void set_out(const struct ibm *b, const struct ibm_probe_input *in, const
 }
 
 /* Fills the ghosts of the state that the tips read. */
-static void refresh(struct ibm *b, const double *agreed) {
+static void refresh(struct ibm *ibm, const double *agreed) {
     int low[3], high[3];
     for (int d = 0; d < 3; d++) {
         low[d] = (int)-agreed[LOW + d] - BEFORE;
         high[d] = (int)agreed[HIGH + d] + BEHIND + 1;
     }
-    fluid_state_refresh_near(b->fluid, LAYERS, low, high);
+    fluid_state_refresh_near(ibm->fluid, LAYERS, low, high);
 }
 
 /* Sends the tips to their ranks and gets their results back. back [n][RETURNED] */
-static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, const double length[3]) {
+static const double *exchange(struct ibm *ibm, const struct ibm_probe_input *in, const double length[3]) {
     const double nowhere = -1e6; /* cells */
-    const struct fluid_input *fluid = fluid_input_of(b->fluid);
-    struct ibm_route *route = &b->probe;
+    const struct fluid_input *fluid = fluid_input_of(ibm->fluid);
+    struct ibm_route *route = &ibm->probe;
     double agreed[AGREED] = {ibm_route_reserve(route, in->n, SENT + RETURNED)};
     for (int a = LOW; a < AGREED; a++) agreed[a] = nowhere;
     double *sent = route->mine, *back = sent + (size_t)in->n * SENT;
-    set_out(b, in, length, route, agreed);
+    set_out(ibm, in, length, route, agreed);
     par_max_array(agreed, AGREED);
     if (agreed[RENEW] > 0) {
         for (int h = 0; h < in->n; h++) route->dest[h] = (int)route->key[h];
         route->plan = par_exchange_renew(route->plan, in->n, NULL, route->dest);
     }
-    refresh(b, agreed);
+    refresh(ibm, agreed);
     const size_t served = (size_t)par_exchange_count(route->plan);
     ibm_buffer_reserve(&route->served, &route->served_size, served * (SENT + RETURNED) + 1);
     par_exchange_forward(route->plan, sent, route->served, SENT * sizeof(double));
@@ -78,7 +78,7 @@ static const double *exchange(struct ibm *b, const struct ibm_probe_input *in, c
     const struct ibm_tip_form form = {
         .density = fluid->density, .mu = fluid->density * fluid->viscosity, .length = in->velocity[0] ? length[0] : 0};
     /* in order of arrival, in which neighbouring tips have close numbers */
-    ibm_tip_measure(b->grid, fluid_state_of(b->fluid), &form, served, route->served, result);
+    ibm_tip_measure(ibm->grid, fluid_state_of(ibm->fluid), &form, served, route->served, result);
     par_exchange_backward(route->plan, result, back, RETURNED * sizeof(double));
     return back;
 }
@@ -94,20 +94,20 @@ static double viscous(const double *e, double density, double push, double accel
     return fmax(-most, fmin(most, all));
 }
 
-void ibm_probe(struct ibm *b, const struct ibm_probe_input *in, double *const traction[3], double *pressure,
+void ibm_probe(struct ibm *ibm, const struct ibm_probe_input *in, double *const traction[3], double *pressure,
                uint8_t *active) {
     clock_begin(CLOCK_PROBE);
-    const struct fluid_input *fluid = fluid_input_of(b->fluid);
+    const struct fluid_input *fluid = fluid_input_of(ibm->fluid);
     double length[3], push[3], gradient[3] = {0, 0, 0};
-    for (int d = 0; d < 3; d++) length[d] = in->length * b->grid->d[d];
+    for (int d = 0; d < 3; d++) length[d] = in->length * ibm->grid->d[d];
     const double dl = length[0];
     /* forces per volume that the solved pressure balances in a fluid at rest */
     if (fluid->driving.type != FLUID_DRIVING_NONE)
-        gradient[fluid->driving.direction] = fluid_state_of(b->fluid)->driven;
+        gradient[fluid->driving.direction] = fluid_state_of(ibm->fluid)->driven;
     for (int d = 0; d < 3; d++) push[d] = fluid->density * fluid->body_force[d] + gradient[d];
-    const double *back = exchange(b, in, length);
+    const double *back = exchange(ibm, in, length);
     for (int h = 0; h < in->n; h++) {
-        active[h] = b->probe.key[h] >= 0;
+        active[h] = ibm->probe.key[h] >= 0;
         pressure[h] = 0;
         for (int c = 0; c < 3; c++) traction[c][h] = 0;
         if (!active[h]) continue;

@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-int ibm_share_ranks(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]) {
-    const struct ibm_touch *y = &b->touch[1][cell[1]], *z = &b->touch[2][cell[2]];
-    const int parts = b->grid->ranks[1];
+int ibm_share_ranks(const struct ibm *ibm, const int cell[3], int rank[IBM_SHARERS]) {
+    const struct ibm_touch *y = &ibm->touch[1][cell[1]], *z = &ibm->touch[2][cell[2]];
+    const int parts = ibm->grid->ranks[1];
     int n = 0;
     for (int k = 0; k <= (z->low != z->high); k++)
         for (int j = 0; j <= (y->low != y->high); j++)
@@ -19,8 +19,8 @@ int ibm_share_ranks(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS
     return n;
 }
 
-void ibm_share_sums(struct ibm *b) {
-    if (b->swapped == 0) return;
-    for (int k = 0; k < b->swapped; k++) memcpy(b->sent[k], b->sum[b->swap_edge[k]], sizeof *b->sent);
-    par_swap(b->swap, &b->sent[0][0], &b->sum[b->edges][0], 3);
+void ibm_share_sums(struct ibm *ibm) {
+    if (ibm->swapped == 0) return;
+    for (int k = 0; k < ibm->swapped; k++) memcpy(ibm->sent[k], ibm->sum[ibm->swap_edge[k]], sizeof *ibm->sent);
+    par_swap(ibm->swap, &ibm->sent[0][0], &ibm->sum[ibm->edges][0], 3);
 }

@@ -143,8 +143,8 @@ struct ibm {
 
 /* The four lists of a slab. */
 enum ibm_list { IBM_INNER, IBM_NEAR, IBM_NEAR_PIECES, IBM_FAR_PIECES, IBM_LISTS };
-static inline int ibm_slab_first(const struct ibm *b, enum ibm_list list, int slab) {
-    return b->slab_at[(int)list * (b->slabs + 1) + slab];
+static inline int ibm_slab_first(const struct ibm *ibm, enum ibm_list list, int slab) {
+    return ibm->slab_at[(int)list * (ibm->slabs + 1) + slab];
 }
 
 /* Makes the buffer hold this many doubles; its contents are lost. */
@@ -170,17 +170,17 @@ void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, co
                      size_t tips, const double *item, double *result);
 
 /* The ranks that serve a marker in a cell, by rising number. Returns how many. */
-int ibm_share_ranks(const struct ibm *b, const int cell[3], int rank[IBM_SHARERS]);
+int ibm_share_ranks(const struct ibm *ibm, const int cell[3], int rank[IBM_SHARERS]);
 
 /* Sorts the arrived markers into inner markers, edges and slabs, and makes the edges' pieces. Not collective. */
-void ibm_layout(struct ibm *b);
-int ibm_layout_bins(const struct ibm *b); /* number of bins of the sort */
-int ibm_layout_is_inner(const struct ibm *b, const int cell[3]);
-int ibm_layout_slab_of(const struct ibm *b, int plane); /* plane of this rank, or next to it */
+void ibm_layout(struct ibm *ibm);
+int ibm_layout_bins(const struct ibm *ibm); /* number of bins of the sort */
+int ibm_layout_is_inner(const struct ibm *ibm, const int cell[3]);
+int ibm_layout_slab_of(const struct ibm *ibm, int plane); /* plane of this rank, or next to it */
 /* The planes of a marker and of its images that have pieces here. Returns the number of pieces. */
-int ibm_edge_planes(const struct ibm *b, const int cell[3], int plane[IBM_PIECES]);
+int ibm_edge_planes(const struct ibm *ibm, const int cell[3], int plane[IBM_PIECES]);
 /* Sets the weights of an edge's pieces, its constant and its share, from its position. */
-void ibm_edge_set(struct ibm *b, struct ibm_edge *e);
+void ibm_edge_set(struct ibm *ibm, struct ibm_edge *e);
 
 /* What is done with an increment: nothing, stored as the received force, or added to it. */
 enum ibm_keep { IBM_LOOK, IBM_SET, IBM_ADD };
@@ -190,23 +190,24 @@ static inline void ibm_keep(double received[3], const double increment[3], enum 
 }
 /* increment <- (V_h - U_h) A_h dx / cell, which is the increment of dt_r Q_h V_h before the kernel spreads it.  (001:
  * eqs 3.79, 3.80)      For the inner markers first .. last-1. */
-void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep, struct ibm_tally *t);
+void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
+                      struct ibm_tally *t);
 /* u += increment delta  (001: eqs 3.81, 3.82) */
-void ibm_sweep_read(const struct ibm *b, double *const u[3], double (*velocity)[3]);
-void ibm_sweep_scatter(const struct ibm *b, double *const u[3], int first, int last);
+void ibm_sweep_read(const struct ibm *ibm, double *const u[3], double (*velocity)[3]);
+void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int last);
 /* The same for edges: sums over pieces; increments, once the sums are complete; spreading by pieces. */
-void ibm_edge_sum(struct ibm *b, double *const u[3], int first_piece, int last_piece);
-void ibm_edge_finish(struct ibm *b, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
-void ibm_edge_velocity(struct ibm *b, int with_sides, double (*velocity)[3]);
-void ibm_edge_scatter(const struct ibm *b, double *const u[3], int first_piece, int last_piece);
+void ibm_edge_sum(struct ibm *ibm, double *const u[3], int first_piece, int last_piece);
+void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
+void ibm_edge_velocity(struct ibm *ibm, int with_sides, double (*velocity)[3]);
+void ibm_edge_scatter(const struct ibm *ibm, double *const u[3], int first_piece, int last_piece);
 /* Returns each marker's guess to the rank that sent the marker (stored in home); and sends it out again after a new
  * sort. Unless the markers are the same, the guesses are set to zero. Collective. */
-void ibm_demand_home(struct ibm *b);
-void ibm_demand_out(struct ibm *b, int same);
+void ibm_demand_home(struct ibm *ibm);
+void ibm_demand_out(struct ibm *ibm, int same);
 /* Velocities at all markers, velocity [served]; with_sides: with the part that comes from the sides' boundary
  * conditions. Collective. */
-void ibm_whole_read(struct ibm *b, double *const u[3], int with_sides, double (*velocity)[3]);
+void ibm_whole_read(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]);
 /* u += strength delta, for all markers, strength [served]. Not collective. */
-void ibm_whole_write(struct ibm *b, double *const u[3], const double (*strength)[3]);
+void ibm_whole_write(struct ibm *ibm, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
-void ibm_share_sums(struct ibm *b);
+void ibm_share_sums(struct ibm *ibm);

@@ -35,18 +35,19 @@ static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const 
 
 enum { AHEAD = 6 }; /* number of markers that prefetching is ahead */
 
-void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
-    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
+void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
+                      struct ibm_tally *t) {
+    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
     ibm_row given = ibm_row_set(0), squares = given;
     for (int h = first; h < last; h++) {
-        const struct ibm_stencil *s = &b->stencil[h];
-        ask_ahead(s + (h + AHEAD < b->inner ? AHEAD : 0), u, row, plane);
+        const struct ibm_stencil *s = &ibm->stencil[h];
+        ask_ahead(s + (h + AHEAD < ibm->inner ? AHEAD : 0), u, row, plane);
         const ibm_row lack = (ibm_row){s->v[0], s->v[1], s->v[2], 0} - block_velocity(s, u, row, plane);
         const ibm_row increment = lack * ibm_row_set(s->volume);
         given += increment;
         squares += lack * lack;
-        for (int c = 0; c < 3; c++) b->increment[h][c] = increment[c];
-        ibm_keep(b->received[h], b->increment[h], keep);
+        for (int c = 0; c < 3; c++) ibm->increment[h][c] = increment[c];
+        ibm_keep(ibm->received[h], ibm->increment[h], keep);
     }
     for (int c = 0; c < 3; c++) {
         t->given[c] += given[c];
@@ -54,24 +55,24 @@ void ibm_sweep_gather(struct ibm *b, double *const u[3], int first, int last, en
     }
 }
 
-void ibm_sweep_read(const struct ibm *b, double *const u[3], double (*velocity)[3]) {
-    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
-    for (int h = 0; h < b->inner; h++) {
-        const struct ibm_stencil *s = &b->stencil[h];
-        ask_ahead(s + (h + AHEAD < b->inner ? AHEAD : 0), u, row, plane);
+void ibm_sweep_read(const struct ibm *ibm, double *const u[3], double (*velocity)[3]) {
+    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
+    for (int h = 0; h < ibm->inner; h++) {
+        const struct ibm_stencil *s = &ibm->stencil[h];
+        ask_ahead(s + (h + AHEAD < ibm->inner ? AHEAD : 0), u, row, plane);
         const ibm_row block = block_velocity(s, u, row, plane);
         for (int c = 0; c < 3; c++) velocity[h][c] = block[c];
     }
 }
 
-void ibm_sweep_scatter(const struct ibm *b, double *const u[3], int first, int last) {
-    const ptrdiff_t row = b->grid->row, plane = b->grid->plane;
+void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int last) {
+    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
     for (int h = first; h < last; h++) {
-        const struct ibm_stencil *s = &b->stencil[h];
+        const struct ibm_stencil *s = &ibm->stencil[h];
         double w[3][8];
         ibm_kernel_expand(s, w);
         for (int c = 0; c < 3; c++) {
-            const ibm_row along = along_x(w, c) * ibm_row_set(b->increment[h][c]);
+            const ibm_row along = along_x(w, c) * ibm_row_set(ibm->increment[h][c]);
             const int y = align_y[c], z = align_z[c];
             double *at = u[c] + s->at[c];
             for (int k = 0; k < 3; k++, at += plane) {

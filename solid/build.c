@@ -34,25 +34,26 @@ void solid_build_ghosts(struct solid *s, struct solid_sites *const *sites, struc
     memory_free(id);
 }
 
-static void cloud_place(struct solid *s, const struct solid_cloud *t, int first, int n) {
-    const long from = s->first[par_rank()] + first - t->first;
+static void cloud_place(struct solid *s, const struct solid_cloud *cloud, int first, int n) {
+    const long from = s->first[par_rank()] + first - cloud->first;
     for (int i = 0; i < n; i++) {
-        for (int c = 0; c < s->dim; c++) s->x0[c][first + i] = solid_cloud_x(t, c, from + i);
-        s->volume[first + i] = t->volume[from + i] * t->unit;
+        for (int c = 0; c < s->dim; c++) s->x0[c][first + i] = solid_cloud_x(cloud, c, from + i);
+        s->volume[first + i] = cloud->volume[from + i] * cloud->unit;
     }
 }
 
-static void lattice_place(struct solid *s, const struct solid_sites *t) {
+static void lattice_place(struct solid *s, const struct solid_sites *sites) {
     const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
     const double spacing = s->in.spacing;
-    for (int q = 0; q < t->filled; q++) {
-        const int row = t->order[q];
-        if (t->start[row] < from || t->start[row] >= to) continue;
-        const int site[3] = {t->low[0] + 8 * (row % t->rows[0]), t->low[1] + row / t->rows[0] % t->rows[1],
-                             t->low[2] + row / t->rows[0] / t->rows[1]};
-        int h = (int)(t->start[row] - from);
+    for (int q = 0; q < sites->filled; q++) {
+        const int row = sites->order[q];
+        if (sites->start[row] < from || sites->start[row] >= to) continue;
+        const int site[3] = {sites->low[0] + 8 * (row % sites->rows[0]),
+                             sites->low[1] + row / sites->rows[0] % sites->rows[1],
+                             sites->low[2] + row / sites->rows[0] / sites->rows[1]};
+        int h = (int)(sites->start[row] - from);
         for (int k = 0; k < 8; k++) {
-            if (!(t->bits[row] >> k & 1)) continue;
+            if (!(sites->bits[row] >> k & 1)) continue;
             for (int c = 0; c < 3; c++) s->x0[c][h] = s->in.origin[c] + (site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
             s->volume[h++] = spacing * spacing * spacing;
         }
@@ -85,15 +86,15 @@ void solid_build_places(struct solid *s, struct solid_sites *const *sites, struc
     }
 }
 
-static void plate_edges(struct solid *s, const struct solid_list *t) {
+static void plate_edges(struct solid *s, const struct solid_list *list) {
     struct solid_end last = {0};
     double full = 0;
-    for (int i = 0; i < t->n; i++) {
-        const struct solid_end *p = &t->particle[i];
+    for (int i = 0; i < list->n; i++) {
+        const struct solid_end *p = &list->particle[i];
         if (p->size != last.size || p->horizon != last.horizon)
-            full = solid_pair_full_volume(&t->law, p->horizon, p->size);
+            full = solid_pair_full_volume(&list->law, p->horizon, p->size);
         last = *p;
-        if (t->own_volume[i] < (1 - 1e-6) * full) s->flag[t->first + i] |= SOLID_INTERFACE;
+        if (list->own_volume[i] < (1 - 1e-6) * full) s->flag[list->first + i] |= SOLID_INTERFACE;
     }
 }
 
@@ -104,10 +105,10 @@ void solid_build_edges(struct solid *s) {
     const struct solid_family *f = s->family;
     for (int b = 0; s->dim == 2 && b < f->bodies; b++) plate_edges(s, f->list[b]);
     for (int h = 0; s->dim == 3 && h < s->n; h++) {
-        const struct solid_lattice *t = f->lattice[s->body[h]];
+        const struct solid_lattice *lattice = f->lattice[s->body[h]];
         struct solid_family_view view;
-        if (t) solid_family_view(s, h, &view);
-        if (!t || view.n < t->stencil->n) s->flag[h] |= SOLID_INTERFACE;
+        if (lattice) solid_family_view(s, h, &view);
+        if (!lattice || view.n < lattice->stencil->n) s->flag[h] |= SOLID_INTERFACE;
     }
 }
 

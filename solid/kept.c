@@ -85,8 +85,8 @@ static int restore_lost(struct solid_keep *k, struct solid *s) {
         const uint8_t *bits = k->bits + (size_t)h * bytes;
         solid_family_load(s, h, bits);
         k->lost->intact[h] = (uint16_t)bits_count(bits, bytes);
-        struct solid_list *t = s->family->list[s->body[h]];
-        if (t) t->counted[h - t->first] = 0;
+        struct solid_list *list = s->family->list[s->body[h]];
+        if (list) list->counted[h - list->first] = 0;
     }
     if (found > 0) solid_lost_find(k->lost, s); /* updates the counts of the rows as well */
     k->version = s->bonds_version = ++s->versions;
@@ -127,13 +127,13 @@ static void given_drop(void *keep) { memory_free(((struct solid_keep *)keep)->fa
 const struct state_kept solid_kept_given = {given_make, given_take, given_restore, given_drop};
 
 static int path_of(const struct solid *s, int b, void *at[SOLID_KEPT_PATHS], size_t size[SOLID_KEPT_PATHS]) {
-    const struct solid_lattice *t = s->family->lattice[b];
+    const struct solid_lattice *lattice = s->family->lattice[b];
     const struct solid_list *list = s->family->list[b];
-    at[0] = t ? (void *)t->segments->large : (void *)list->large;
-    at[1] = t ? (void *)t->segments->high : (void *)list->power;
+    at[0] = lattice ? (void *)lattice->segments->large : (void *)list->large;
+    at[1] = lattice ? (void *)lattice->segments->high : (void *)list->power;
     size[0] = 1;
-    size[1] = t ? sizeof *t->segments->high : sizeof *list->power;
-    return t ? t->segments->n : list->n;
+    size[1] = lattice ? sizeof *lattice->segments->high : sizeof *list->power;
+    return lattice ? lattice->segments->n : list->n;
 }
 
 static void paths_make(void *keep, void *owner) {

@@ -95,11 +95,11 @@ struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const stru
     return boundary;
 }
 
-void fluid_boundary_free(struct fluid_boundary *b) {
-    if (!b) return;
+void fluid_boundary_free(struct fluid_boundary *boundary) {
+    if (!boundary) return;
     for (int d = 0; d < 3; d++)
-        for (int side = 0; side < 2; side++) memory_free(b->side[d][side].plane);
-    free(b);
+        for (int side = 0; side < 2; side++) memory_free(boundary->side[d][side].plane);
+    free(boundary);
 }
 
 /* How a field is extended at one side: about the side's face, or (on_face) about the value on the face. */
@@ -157,11 +157,11 @@ void fluid_boundary_faces(const struct fluid_boundary *boundary, const struct fl
         }
 }
 
-void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+void fluid_boundary_ghosts(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                            int direction, const struct par_halo_part *part) {
     par_halo_fill_part(g->halos, direction, 3, q, part);
     for (int side = 0; side < 2; side++) {
-        const struct fluid_boundary_side *s = &b->side[direction][side];
+        const struct fluid_boundary_side *s = &boundary->side[direction][side];
         if (!s->here || !part->wanted[direction][side]) continue;
         for (int c = 0; c < 3; c++) {
             /* an outflow's normal velocity has an even extension, as the other components have */
@@ -174,24 +174,24 @@ void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_gr
     }
 }
 
-void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+void fluid_boundary_velocity_part(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                                   const struct par_halo_part *part) {
-    fluid_boundary_faces(b, g, q, part);
-    for (int d = 0; d < 3; d++) fluid_boundary_ghosts(b, g, q, d, part);
+    fluid_boundary_faces(boundary, g, q, part);
+    for (int d = 0; d < 3; d++) fluid_boundary_ghosts(boundary, g, q, d, part);
 }
 
-void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+void fluid_boundary_velocity(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                              int layers) {
     const struct par_halo_part whole = par_halo_whole(g->halos, layers);
-    fluid_boundary_velocity_part(b, g, q, &whole);
+    fluid_boundary_velocity_part(boundary, g, q, &whole);
 }
 
-void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
+void fluid_boundary_pressure(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *p,
                              const struct par_halo_part *part) {
     for (int d = 0; d < 3; d++) {
         par_halo_fill_part(g->halos, d, 1, &p, part);
         for (int side = 0; side < 2; side++) {
-            const struct fluid_boundary_side *s = &b->side[d][side];
+            const struct fluid_boundary_side *s = &boundary->side[d][side];
             const struct extension e = {0, s->condition[3], s->value[3]};
             if (s->here && part->wanted[d][side]) extend(g, p, d, side, &e, part);
         }
@@ -215,19 +215,19 @@ void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fl
     }
 }
 
-void fluid_boundary_advanced(const struct fluid_boundary *b, const struct fluid_grid *g, int c, int low[3],
+void fluid_boundary_advanced(const struct fluid_boundary *boundary, const struct fluid_grid *g, int c, int low[3],
                              int high[3]) {
     for (int d = 0; d < 3; d++) {
         low[d] = 0;
         high[d] = g->m[d];
     }
-    const struct fluid_boundary_side *side = b->side[c];
+    const struct fluid_boundary_side *side = boundary->side[c];
     if (side[0].here && side[0].normal == FLUID_NORMAL_FREE) low[c] = -1;
     if (side[1].here && side[1].normal != FLUID_NORMAL_FREE) high[c] = g->m[c] - 1;
 }
 
-enum fluid_end fluid_boundary_end(const struct fluid_boundary *b, int direction, int side, int quantity) {
-    const enum fluid_condition condition = b->side[direction][side].condition[quantity];
+enum fluid_end fluid_boundary_end(const struct fluid_boundary *boundary, int direction, int side, int quantity) {
+    const enum fluid_condition condition = boundary->side[direction][side].condition[quantity];
     switch (condition) {
     case FLUID_DIRICHLET:
         return FLUID_END_DIRICHLET;

@@ -35,30 +35,30 @@ struct fluid_boundary {
 
 /* Dies (exit 2) on conditions that contradict each other. Collective. */
 struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const struct fluid_input *in);
-void fluid_boundary_free(struct fluid_boundary *b);
+void fluid_boundary_free(struct fluid_boundary *boundary);
 
 /* Sets normal velocities that are not free on the faces of the sides, then exchanges and extends `layers` ghosts of the
  * three components. q [3]. Collective. */
-void fluid_boundary_velocity(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+void fluid_boundary_velocity(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                              int layers);
 /* The ghosts of one direction in part, after the faces are set and the directions before it are filled. Collective. */
-void fluid_boundary_ghosts(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+void fluid_boundary_ghosts(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                            int direction, const struct par_halo_part *part);
 /* The same for a part of the ghosts and of the faces. Collective. */
-void fluid_boundary_velocity_part(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+void fluid_boundary_velocity_part(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                                   const struct par_halo_part *part);
 /* Sets the faces of a part. Not collective. */
-void fluid_boundary_faces(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3],
+void fluid_boundary_faces(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                           const struct par_halo_part *part);
 /* Fills a part of the pressure's ghosts. Collective. */
-void fluid_boundary_pressure(const struct fluid_boundary *b, const struct fluid_grid *g, double *p,
+void fluid_boundary_pressure(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *p,
                              const struct par_halo_part *part);
 /* Free normal velocities on low sides. No array stores them; they follow from continuity in the cells behind them. Not
  * collective. */
-void fluid_boundary_close(const struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
+void fluid_boundary_close(const struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]);
 
 /* The end of a solver's lines at a side, of values at cell centres: of u, v, w or p. Not collective. */
-enum fluid_end fluid_boundary_end(const struct fluid_boundary *b, int direction, int side, int quantity);
+enum fluid_end fluid_boundary_end(const struct fluid_boundary *boundary, int direction, int side, int quantity);
 
 /* The distance, in doubles, from a cell to the next along a direction. */
 static inline ptrdiff_t fluid_boundary_stride(const struct fluid_grid *g, int direction) {
@@ -79,5 +79,5 @@ static inline void fluid_boundary_others(int direction, int *a, int *b) {
 
 /* The faces of component c that the momentum equation advances on this rank: index low .. high-1 of each direction. Not
  * collective. */
-void fluid_boundary_advanced(const struct fluid_boundary *b, const struct fluid_grid *g, int c, int low[3],
+void fluid_boundary_advanced(const struct fluid_boundary *boundary, const struct fluid_grid *g, int c, int low[3],
                              int high[3]);

@@ -6,10 +6,10 @@
 #include "fluid/grid/boundary.h"
 
 /* U_c of each convective side: the mean velocity out of the domain, never negative. Once a step. Collective. */
-void fluid_outflow_begin(struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
+void fluid_outflow_begin(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]);
 /* One stage: plane = u + a F + b F_old with F = -U_c du/dn, which replaces F_old (stored at the face in rate). Then a
  * uniform correction makes the flux out of all sides equal to the flux into them. q, rate [3]. Collective. */
 void fluid_outflow_advance(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3],
                            double *const rate[3], double a, double b);
 /* Sets the planes to the values in q. Not collective. */
-void fluid_outflow_take(struct fluid_boundary *b, const struct fluid_grid *g, double *const q[3]);
+void fluid_outflow_take(struct fluid_boundary *boundary, const struct fluid_grid *g, double *const q[3]);

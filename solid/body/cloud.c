@@ -18,76 +18,77 @@ static double rounded(double x) { return rint(x * 0x1p20) * 0x1p-20; }
 
 static double size_of(double volume, int dim) { return rounded(dim == 3 ? cbrt(volume) : sqrt(volume)); }
 
-static long cell_of(const struct solid_cloud *t, long i) {
+static long cell_of(const struct solid_cloud *cloud, long i) {
     long cell = 0;
-    for (int c = t->dim - 1; c >= 0; c--)
-        cell = cell * t->cells.cells[c] + (long)((t->place[c][i] - t->cells.low[c]) / t->cells.width);
+    for (int c = cloud->dim - 1; c >= 0; c--)
+        cell = cell * cloud->cells.cells[c] + (long)((cloud->place[c][i] - cloud->cells.low[c]) / cloud->cells.width);
     return cell;
 }
 
 /* Sorts the particles into cells a third as wide as the longest bond, so that a search tests few particles that are too
  * far away. */
-static void sort_into_cells(struct solid_cloud *t) {
-    struct solid_cloud_cells *k = &t->cells;
+static void sort_into_cells(struct solid_cloud *cloud) {
+    struct solid_cloud_cells *k = &cloud->cells;
     long cells = 1;
-    k->width = t->longest_reach / 3;
+    k->width = cloud->longest_reach / 3;
     for (int c = 0; c < 3; c++) k->cells[c] = 1;
-    for (int c = 0; c < t->dim; c++) {
+    for (int c = 0; c < cloud->dim; c++) {
         double high = -INFINITY;
         k->low[c] = INFINITY;
-        for (long i = 0; i < t->n; i++) {
-            k->low[c] = fmin(k->low[c], t->place[c][i]);
-            high = fmax(high, t->place[c][i]);
+        for (long i = 0; i < cloud->n; i++) {
+            k->low[c] = fmin(k->low[c], cloud->place[c][i]);
+            high = fmax(high, cloud->place[c][i]);
         }
         k->cells[c] = (int)((high - k->low[c]) / k->width) + 1;
         cells *= k->cells[c];
     }
     k->start = memory_new(MEMORY_SOLID, (size_t)cells + 2, sizeof *k->start);
-    k->item = memory_new(MEMORY_SOLID, (size_t)t->n + 1, sizeof *k->item);
-    for (long i = 0; i < t->n; i++) k->start[cell_of(t, i) + 2]++;
+    k->item = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, sizeof *k->item);
+    for (long i = 0; i < cloud->n; i++) k->start[cell_of(cloud, i) + 2]++;
     for (long q = 2; q < cells + 2; q++) k->start[q] += k->start[q - 1];
-    for (long i = 0; i < t->n; i++) k->item[k->start[cell_of(t, i) + 1]++] = i;
+    for (long i = 0; i < cloud->n; i++) k->item[k->start[cell_of(cloud, i) + 1]++] = i;
 }
 
 struct solid_cloud *solid_cloud_new(const struct solid_cloud_input *in) {
-    struct solid_cloud *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
-    t->dim = in->law.dim;
-    t->n = in->n;
-    t->first = in->first;
-    t->spacing = in->spacing;
-    t->unit = in->spacing * in->spacing * (t->dim == 3 ? in->spacing : in->thickness);
-    t->law = in->law;
-    t->law.table = solid_weight_table_new();
-    snprintf(t->name, sizeof t->name, "%s", in->name ? in->name : "");
-    for (int c = 0; c < t->dim; c++) {
-        t->origin[c] = in->origin[c];
-        t->period[c] = rounded(in->period[c] / in->spacing);
-        t->place[c] = memory_new(MEMORY_SOLID, (size_t)t->n + 1, sizeof *t->place[c]);
-        for (long i = 0; i < t->n; i++) t->place[c][i] = rounded(in->place[c][i]);
+    struct solid_cloud *cloud = memory_new(MEMORY_SOLID, 1, sizeof *cloud);
+    cloud->dim = in->law.dim;
+    cloud->n = in->n;
+    cloud->first = in->first;
+    cloud->spacing = in->spacing;
+    cloud->unit = in->spacing * in->spacing * (cloud->dim == 3 ? in->spacing : in->thickness);
+    cloud->law = in->law;
+    cloud->law.table = solid_weight_table_new();
+    snprintf(cloud->name, sizeof cloud->name, "%s", in->name ? in->name : "");
+    for (int c = 0; c < cloud->dim; c++) {
+        cloud->origin[c] = in->origin[c];
+        cloud->period[c] = rounded(in->period[c] / in->spacing);
+        cloud->place[c] = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, sizeof *cloud->place[c]);
+        for (long i = 0; i < cloud->n; i++) cloud->place[c][i] = rounded(in->place[c][i]);
     }
-    t->volume = memory_copy(MEMORY_SOLID, in->volume, (size_t)t->n, sizeof(double));
-    t->size = memory_copy(MEMORY_SOLID, in->size ? in->size : in->volume, (size_t)t->n, sizeof(double));
-    t->horizon = memory_copy(MEMORY_SOLID, in->horizon ? in->horizon : in->volume, (size_t)t->n, sizeof(double));
+    cloud->volume = memory_copy(MEMORY_SOLID, in->volume, (size_t)cloud->n, sizeof(double));
+    cloud->size = memory_copy(MEMORY_SOLID, in->size ? in->size : in->volume, (size_t)cloud->n, sizeof(double));
+    cloud->horizon =
+        memory_copy(MEMORY_SOLID, in->horizon ? in->horizon : in->volume, (size_t)cloud->n, sizeof(double));
     double size = 0, horizon = 0;
-    for (long i = 0; i < t->n; i++) {
-        if (!(t->volume[i] > 0))
-            die_all(EXIT_CODE_SCENE, "particle %ld of solid body %s has no volume (%g)", i, t->name,
-                    t->volume[i] * t->unit);
-        if (!in->size) t->size[i] = size_of(t->volume[i], t->dim);
-        if (!in->horizon) t->horizon[i] = t->law.horizon;
-        size = fmax(size, t->size[i]);
-        horizon = fmax(horizon, t->horizon[i]);
+    for (long i = 0; i < cloud->n; i++) {
+        if (!(cloud->volume[i] > 0))
+            die_all(EXIT_CODE_SCENE, "particle %ld of solid body %s has no volume (%g)", i, cloud->name,
+                    cloud->volume[i] * cloud->unit);
+        if (!in->size) cloud->size[i] = size_of(cloud->volume[i], cloud->dim);
+        if (!in->horizon) cloud->horizon[i] = cloud->law.horizon;
+        size = fmax(size, cloud->size[i]);
+        horizon = fmax(horizon, cloud->horizon[i]);
     }
-    t->longest_reach = horizon + M_SQRT1_2 * size; /* to the centre of a square whose corner is at the horizon */
-    sort_into_cells(t);
-    return t;
+    cloud->longest_reach = horizon + M_SQRT1_2 * size; /* to the centre of a square whose corner is at the horizon */
+    sort_into_cells(cloud);
+    return cloud;
 }
 
-void solid_cloud_free(struct solid_cloud *t) {
-    if (!t) return;
-    solid_weight_table_free(t->law.table);
-    void *const own[] = {t->place[0], t->place[1],    t->place[2],   t->size, t->volume,
-                         t->horizon,  t->cells.start, t->cells.item, t};
+void solid_cloud_free(struct solid_cloud *cloud) {
+    if (!cloud) return;
+    solid_weight_table_free(cloud->law.table);
+    void *const own[] = {cloud->place[0], cloud->place[1],    cloud->place[2],   cloud->size, cloud->volume,
+                         cloud->horizon,  cloud->cells.start, cloud->cells.item, cloud};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -123,36 +124,37 @@ static struct solid_cloud *draft_end(struct draft *d) {
 }
 
 struct solid_cloud *solid_cloud_points(const struct solid_input *in, const struct solid_body *body,
-                                       const struct solid_sites *t) {
+                                       const struct solid_sites *sites) {
     struct draft d;
-    draft_begin(&d, in, body, t);
+    draft_begin(&d, in, body, sites);
     const int dim = d.in.law.dim;
     const double unit = in->spacing * in->spacing * (dim == 3 ? in->spacing : 1);
     for (int c = 0; c < dim; c++) {
         d.in.origin[c] = INFINITY;
-        for (long i = 0; i < t->count; i++) d.in.origin[c] = fmin(d.in.origin[c], body->point[c][i]);
-        for (long i = 0; i < t->count; i++)
-            d.place[c][i] = (body->point[c][t->point[i]] - d.in.origin[c]) / in->spacing;
+        for (long i = 0; i < sites->count; i++) d.in.origin[c] = fmin(d.in.origin[c], body->point[c][i]);
+        for (long i = 0; i < sites->count; i++)
+            d.place[c][i] = (body->point[c][sites->point[i]] - d.in.origin[c]) / in->spacing;
     }
-    for (long i = 0; i < t->count; i++) d.volume[i] = body->point_volume[t->point[i]] / unit;
+    for (long i = 0; i < sites->count; i++) d.volume[i] = body->point_volume[sites->point[i]] / unit;
     if (body->point_horizon) {
-        for (long i = 0; i < t->count; i++) d.horizon[i] = body->point_horizon[t->point[i]] / in->spacing;
+        for (long i = 0; i < sites->count; i++) d.horizon[i] = body->point_horizon[sites->point[i]] / in->spacing;
         d.in.horizon = d.horizon;
     }
     return draft_end(&d);
 }
 
 struct solid_cloud *solid_cloud_lattice(const struct solid_input *in, const struct solid_body *body,
-                                        const struct solid_sites *t) {
+                                        const struct solid_sites *sites) {
     struct draft d;
-    draft_begin(&d, in, body, t);
+    draft_begin(&d, in, body, sites);
     long i = 0;
-    for (int q = 0; q < t->filled; q++) {
-        const int row = t->order[q];
-        const int site[3] = {t->low[0] + SOLID_ROW * (row % t->rows[0]), t->low[1] + row / t->rows[0] % t->rows[1],
-                             t->low[2] + row / t->rows[0] / t->rows[1]};
+    for (int q = 0; q < sites->filled; q++) {
+        const int row = sites->order[q];
+        const int site[3] = {sites->low[0] + SOLID_ROW * (row % sites->rows[0]),
+                             sites->low[1] + row / sites->rows[0] % sites->rows[1],
+                             sites->low[2] + row / sites->rows[0] / sites->rows[1]};
         for (int k = 0; k < SOLID_ROW; k++) {
-            if (!(t->bits[row] >> k & 1)) continue;
+            if (!(sites->bits[row] >> k & 1)) continue;
             for (int c = 0; c < 3; c++) d.place[c][i] = site[c] + (c == 0 ? k : 0) + 0.5;
             d.volume[i++] = 1;
         }

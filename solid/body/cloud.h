@@ -57,15 +57,15 @@ struct solid_cloud *solid_cloud_lattice(const struct solid_input *in, const stru
 void solid_cloud_free(struct solid_cloud *cloud);
 
 /* X0 of a particle in direction c, m. */
-static inline double solid_cloud_x(const struct solid_cloud *t, int c, long i) {
-    return t->origin[c] + t->place[c][i] * t->spacing;
+static inline double solid_cloud_x(const struct solid_cloud *cloud, int c, long i) {
+    return cloud->origin[c] + cloud->place[c][i] * cloud->spacing;
 }
 
 /* Volume of a particle, m3. */
 static inline double solid_cloud_volume(const struct solid_cloud *t, long i) { return t->volume[i] * t->unit; }
 
-static inline struct solid_end solid_cloud_end(const struct solid_cloud *t, long i) {
-    return (struct solid_end){t->size[i], t->horizon[i], t->volume[i]};
+static inline struct solid_end solid_cloud_end(const struct solid_cloud *cloud, long i) {
+    return (struct solid_end){cloud->size[i], cloud->horizon[i], cloud->volume[i]};
 }
 
 /* The family of a particle: all particles it has bonds with, ordered by xi: z, then y, then x. */
@@ -77,7 +77,7 @@ struct solid_cloud_near {
 };
 
 /* 1: a particle, or an image of one, is at x, m, to the precision of positions. Not collective. */
-int solid_cloud_near_holds(const struct solid_cloud *t, const double x[3]);
+int solid_cloud_near_holds(const struct solid_cloud *cloud, const double x[3]);
 /* Dies (exit 2) when there are more than SOLID_FAMILY_MAX or two particles coincide. Not collective. */
 void solid_cloud_near_find(const struct solid_cloud *cloud, long i, struct solid_cloud_near *near);
 /* Their number only, which is faster. */

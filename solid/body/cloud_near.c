@@ -5,10 +5,10 @@
 #include <math.h>
 
 /* The cells that the interval x - reach .. x + reach overlaps in direction c; 0: none. */
-static int range(const struct solid_cloud *t, int c, double x, double reach, int *from, int *to) {
-    const double low = floor((x - reach - t->cells.low[c]) / t->cells.width),
-                 high = floor((x + reach - t->cells.low[c]) / t->cells.width);
-    const int last = t->cells.cells[c] - 1;
+static int range(const struct solid_cloud *cloud, int c, double x, double reach, int *from, int *to) {
+    const double low = floor((x - reach - cloud->cells.low[c]) / cloud->cells.width),
+                 high = floor((x + reach - cloud->cells.low[c]) / cloud->cells.width);
+    const int last = cloud->cells.cells[c] - 1;
     if (high < 0 || low > last) return 0;
     *from = low < 0 ? 0 : (int)low;
     *to = high > last ? last : (int)high;
@@ -16,25 +16,25 @@ static int range(const struct solid_cloud *t, int c, double x, double reach, int
 }
 
 /* Visits the particles of one periodic image. */
-static inline __attribute__((always_inline)) void visit_image(const struct solid_cloud *t, const double *place,
+static inline __attribute__((always_inline)) void visit_image(const struct solid_cloud *cloud, const double *place,
                                                               double reach, const int image[3],
                                                               solid_cloud_visitor *visit, void *with) {
     int from[3] = {0}, to[3] = {0};
     double shift[3] = {0};
-    for (int c = 0; c < t->dim; c++) {
-        shift[c] = image[c] * t->period[c];
-        if (!range(t, c, place[c] - shift[c], reach, &from[c], &to[c])) return;
+    for (int c = 0; c < cloud->dim; c++) {
+        shift[c] = image[c] * cloud->period[c];
+        if (!range(cloud, c, place[c] - shift[c], reach, &from[c], &to[c])) return;
     }
     const int code = solid_cloud_image_code(image);
     for (int k = from[2]; k <= to[2]; k++)
         for (int j = from[1]; j <= to[1]; j++) {
-            const long line = ((long)k * t->cells.cells[1] + j) * t->cells.cells[0];
-            const long *start = t->cells.start + line;
+            const long line = ((long)k * cloud->cells.cells[1] + j) * cloud->cells.cells[0];
+            const long *start = cloud->cells.start + line;
             for (long q = start[from[0]]; q < start[to[0] + 1]; q++) {
-                const long l = t->cells.item[q];
+                const long l = cloud->cells.item[q];
                 double xi[3] = {0}, xi2 = 0;
-                for (int c = 0; c < t->dim; c++) {
-                    xi[c] = (t->place[c][l] - place[c]) + shift[c];
+                for (int c = 0; c < cloud->dim; c++) {
+                    xi[c] = (cloud->place[c][l] - place[c]) + shift[c];
                     xi2 += xi[c] * xi[c];
                 }
                 if (xi2 <= reach * reach) visit(with, l, code, xi);
@@ -42,18 +42,19 @@ static inline __attribute__((always_inline)) void visit_image(const struct solid
         }
 }
 
-static inline __attribute__((always_inline)) void visit_all(const struct solid_cloud *t, const double *place,
+static inline __attribute__((always_inline)) void visit_all(const struct solid_cloud *cloud, const double *place,
                                                             double reach, solid_cloud_visitor *visit, void *with) {
     int image[3], most[3];
-    for (int c = 0; c < 3; c++) most[c] = t->period[c] > 0;
+    for (int c = 0; c < 3; c++) most[c] = cloud->period[c] > 0;
     for (image[2] = -most[2]; image[2] <= most[2]; image[2]++)
         for (image[1] = -most[1]; image[1] <= most[1]; image[1]++)
-            for (image[0] = -most[0]; image[0] <= most[0]; image[0]++) visit_image(t, place, reach, image, visit, with);
+            for (image[0] = -most[0]; image[0] <= most[0]; image[0]++)
+                visit_image(cloud, place, reach, image, visit, with);
 }
 
-void solid_cloud_near_visit(const struct solid_cloud *t, const double place[3], double reach,
+void solid_cloud_near_visit(const struct solid_cloud *cloud, const double place[3], double reach,
                             solid_cloud_visitor *visit, void *with) {
-    visit_all(t, place, reach, visit, with);
+    visit_all(cloud, place, reach, visit, with);
 }
 
 static void find(void *found, long l, int image, const double *xi) {
@@ -61,11 +62,11 @@ static void find(void *found, long l, int image, const double *xi) {
     *(int *)found = 1;
 }
 
-int solid_cloud_near_holds(const struct solid_cloud *t, const double x[3]) {
+int solid_cloud_near_holds(const struct solid_cloud *cloud, const double x[3]) {
     double place[3] = {0};
     int found = 0;
-    for (int c = 0; c < t->dim; c++) place[c] = (x[c] - t->origin[c]) / t->spacing;
-    visit_all(t, place, 0x1p-19, find, &found);
+    for (int c = 0; c < cloud->dim; c++) place[c] = (x[c] - cloud->origin[c]) / cloud->spacing;
+    visit_all(cloud, place, 0x1p-19, find, &found);
     return found;
 }
 
@@ -115,22 +116,22 @@ static void insert(void *with, long l, int image, const double *xi) {
     for (int c = 0; c < 3; c++) near->xi[at][c] = xi[c];
 }
 
-static struct search search_of(const struct solid_cloud *t, long i, double place[3]) {
-    for (int c = 0; c < 3; c++) place[c] = c < t->dim ? t->place[c][i] : 0;
-    return (struct search){.cloud = t, .number = i, .end = solid_cloud_end(t, i)};
+static struct search search_of(const struct solid_cloud *cloud, long i, double place[3]) {
+    for (int c = 0; c < 3; c++) place[c] = c < cloud->dim ? cloud->place[c][i] : 0;
+    return (struct search){.cloud = cloud, .number = i, .end = solid_cloud_end(cloud, i)};
 }
 
-void solid_cloud_near_find(const struct solid_cloud *t, long i, struct solid_cloud_near *near) {
+void solid_cloud_near_find(const struct solid_cloud *cloud, long i, struct solid_cloud_near *near) {
     double place[3];
-    struct search k = search_of(t, i, place);
+    struct search k = search_of(cloud, i, place);
     k.near = near;
-    visit_all(t, place, t->longest_reach, insert, &k);
+    visit_all(cloud, place, cloud->longest_reach, insert, &k);
     near->n = k.n;
 }
 
-int solid_cloud_near_count(const struct solid_cloud *t, long i) {
+int solid_cloud_near_count(const struct solid_cloud *cloud, long i) {
     double place[3];
-    struct search k = search_of(t, i, place);
-    visit_all(t, place, t->longest_reach, count, &k);
+    struct search k = search_of(cloud, i, place);
+    visit_all(cloud, place, cloud->longest_reach, count, &k);
     return k.n;
 }

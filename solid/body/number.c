@@ -8,13 +8,13 @@
 enum { LIST_COST = 4 };
 
 /* Walks over the indivisible units (rows, points) in the order of the ids. */
-static long cost_of(const struct solid_sites *t, long unit, int general_bonds) {
-    if (!t->is_lattice) return LIST_COST;
-    return general_bonds ? LIST_COST * __builtin_popcount(t->bits[t->order[unit]]) : SOLID_ROW;
+static long cost_of(const struct solid_sites *sites, long unit, int general_bonds) {
+    if (!sites->is_lattice) return LIST_COST;
+    return general_bonds ? LIST_COST * __builtin_popcount(sites->bits[sites->order[unit]]) : SOLID_ROW;
 }
 
-static long id_of(const struct solid_sites *t, long unit) {
-    return t->is_lattice ? t->start[t->order[unit]] : t->first + unit;
+static long id_of(const struct solid_sites *sites, long unit) {
+    return sites->is_lattice ? sites->start[sites->order[unit]] : sites->first + unit;
 }
 
 static long units(const struct solid_sites *t) { return t->is_lattice ? t->filled : t->count; }

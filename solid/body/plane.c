@@ -9,24 +9,24 @@
 #include <stdlib.h>
 
 struct solid_cloud *solid_plane_cloud(const struct solid_input *in, const struct solid_body *body,
-                                      const struct solid_sites *t) {
+                                      const struct solid_sites *sites) {
     struct solid_cloud_input cloud = {.name = body->name,
-                                      .n = t->count,
-                                      .first = t->first,
+                                      .n = sites->count,
+                                      .first = sites->first,
                                       .spacing = in->spacing,
                                       .thickness = in->thickness,
-                                      .volume = t->area,
+                                      .volume = sites->area,
                                       .law = solid_pair_law(in, &in->material[body->material])};
-    const size_t n = (size_t)t->count + 1;
+    const size_t n = (size_t)sites->count + 1;
     double *place[2] = {memory_new(MEMORY_SOLID, n, sizeof(double)), memory_new(MEMORY_SOLID, n, sizeof(double))};
     double *size = memory_new(MEMORY_SOLID, n, sizeof *size);
     for (int c = 0; c < 2; c++) {
-        cloud.origin[c] = in->origin[c] + t->base[c] * in->spacing;
+        cloud.origin[c] = in->origin[c] + sites->base[c] * in->spacing;
         cloud.period[c] = in->periodic[c] ? in->length[c] : 0;
-        for (long i = 0; i < t->count; i++) place[c][i] = t->cell[i][c] - t->base[c] + 0.5;
+        for (long i = 0; i < sites->count; i++) place[c][i] = sites->cell[i][c] - sites->base[c] + 0.5;
         cloud.place[c] = place[c];
     }
-    for (long i = 0; i < t->count; i++) size[i] = 1;
+    for (long i = 0; i < sites->count; i++) size[i] = 1;
     cloud.size = size;
     struct solid_cloud *made = solid_cloud_new(&cloud);
     memory_free(place[0]);

@@ -10,17 +10,17 @@
 #include <stdlib.h>
 
 /* Whether x is in the nearest of the cavities of the cubic array. */
-static int in_cavity(const struct solid_body *b, const double x[3]) {
+static int in_cavity(const struct solid_body *body, const double x[3]) {
     double r2 = 0;
     for (int c = 0; c < 3; c++) {
-        const double r = (x[c] - b->cavity_centre[c]) / b->cavity_period;
+        const double r = (x[c] - body->cavity_centre[c]) / body->cavity_period;
         r2 += (r - rint(r)) * (r - rint(r));
     }
-    return r2 * b->cavity_period * b->cavity_period < b->cavity_radius * b->cavity_radius;
+    return r2 * body->cavity_period * body->cavity_period < body->cavity_radius * body->cavity_radius;
 }
 
-int solid_sites_body_contains(const struct solid_body *b, const double x[3], double spacing) {
-    return solid_shape_of(b)->contains(b, x, 1e-9 * spacing) && !(b->cavity_period > 0 && in_cavity(b, x));
+int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing) {
+    return solid_shape_of(body)->contains(body, x, 1e-9 * spacing) && !(body->cavity_period > 0 && in_cavity(body, x));
 }
 
 struct keyed {
@@ -36,8 +36,8 @@ static int by_key(const void *a, const void *b) {
 
 /* One byte for each site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and
  * extent. */
-static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *b, const int low[3], const int n[3],
-                             struct solid_sites *t, int top[3]) {
+static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *body, const int low[3],
+                             const int n[3], struct solid_sites *sites, int top[3]) {
     uint8_t *inside = memory_new(MEMORY_SOLID, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1), *at = inside;
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
@@ -45,13 +45,13 @@ static uint8_t *sites_inside(const struct solid_input *in, const struct solid_bo
                 const int site[3] = {low[0] + i, low[1] + j, low[2] + k};
                 double x[3];
                 for (int c = 0; c < 3; c++) x[c] = in->origin[c] + (site[c] + 0.5) * in->spacing;
-                if (!solid_sites_body_contains(b, x, in->spacing)) continue;
+                if (!solid_sites_body_contains(body, x, in->spacing)) continue;
                 *at = 1;
                 for (int c = 0; c < 3; c++) {
-                    if (site[c] < t->base[c] || t->count == 0) t->base[c] = site[c];
-                    if (site[c] > top[c] || t->count == 0) top[c] = site[c];
+                    if (site[c] < sites->base[c] || sites->count == 0) sites->base[c] = site[c];
+                    if (site[c] > top[c] || sites->count == 0) top[c] = site[c];
                 }
-                t->count++;
+                sites->count++;
             }
     return inside;
 }
@@ -76,30 +76,31 @@ static int best_shift(const uint8_t *inside, const int n[3]) {
     return best;
 }
 
-static void fill_rows(struct solid_sites *t, const uint8_t *inside, const int n[3], int shift) {
+static void fill_rows(struct solid_sites *sites, const uint8_t *inside, const int n[3], int shift) {
     for (long line = 0; line < (long)n[1] * n[2]; line++)
         for (int i = 0; i < n[0]; i++)
             if (inside[line * n[0] + i])
-                t->bits[line * t->rows[0] + (i + shift) / SOLID_ROW] |= (uint8_t)(1 << (i + shift) % SOLID_ROW);
+                sites->bits[line * sites->rows[0] + (i + shift) / SOLID_ROW] |= (uint8_t)(1 << (i + shift) % SOLID_ROW);
 }
 
-static void number_rows(struct solid_sites *t) {
-    const int rows = t->rows[0] * t->rows[1] * t->rows[2];
+static void number_rows(struct solid_sites *sites) {
+    const int rows = sites->rows[0] * sites->rows[1] * sites->rows[2];
     struct keyed *row = memory_new(MEMORY_SOLID, (size_t)rows, sizeof *row);
     for (int r = 0; r < rows; r++) {
-        if (!t->bits[r]) continue;
-        const int i = r % t->rows[0], j = r / t->rows[0] % t->rows[1], k = r / t->rows[0] / t->rows[1];
+        if (!sites->bits[r]) continue;
+        const int i = r % sites->rows[0], j = r / sites->rows[0] % sites->rows[1],
+                  k = r / sites->rows[0] / sites->rows[1];
         const uint32_t brick[3] = {(uint32_t)i, (uint32_t)j / SOLID_ROW, (uint32_t)k / SOLID_ROW};
-        row[t->filled++] = (struct keyed){solid_curve_key(brick, 3), r};
+        row[sites->filled++] = (struct keyed){solid_curve_key(brick, 3), r};
     }
-    qsort(row, (size_t)t->filled, sizeof *row, by_key);
-    t->order = memory_new(MEMORY_SOLID, (size_t)t->filled + 1, sizeof *t->order);
-    long id = t->first;
-    for (int q = 0; q < t->filled; q++) {
+    qsort(row, (size_t)sites->filled, sizeof *row, by_key);
+    sites->order = memory_new(MEMORY_SOLID, (size_t)sites->filled + 1, sizeof *sites->order);
+    long id = sites->first;
+    for (int q = 0; q < sites->filled; q++) {
         const int r = (int)row[q].item;
-        t->order[q] = r;
-        t->start[r] = id;
-        id += __builtin_popcount(t->bits[r]);
+        sites->order[q] = r;
+        sites->start[r] = id;
+        id += __builtin_popcount(sites->bits[r]);
     }
     memory_free(row);
 }
@@ -119,41 +120,42 @@ static void period_set(const struct solid_input *in, const struct solid_body *b,
                 in->length[c]);
 }
 
-static void cut_from_lattice(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t,
+static void cut_from_lattice(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
                              int reach) {
     double low[3], high[3];
     int top[3] = {0}, n[3];
-    solid_shape_of(b)->bounds(b, low, high);
+    solid_shape_of(body)->bounds(body, low, high);
     for (int c = 0; c < 3; c++) {
-        t->low[c] = (int)floor((low[c] - in->origin[c]) / in->spacing - 1);
-        n[c] = (int)ceil((high[c] - in->origin[c]) / in->spacing + 1) - t->low[c] + 1;
-        t->rows[c] = n[c];
+        sites->low[c] = (int)floor((low[c] - in->origin[c]) / in->spacing - 1);
+        n[c] = (int)ceil((high[c] - in->origin[c]) / in->spacing + 1) - sites->low[c] + 1;
+        sites->rows[c] = n[c];
     }
-    uint8_t *inside = sites_inside(in, b, t->low, n, t, top);
+    uint8_t *inside = sites_inside(in, body, sites->low, n, sites, top);
     const int shift = best_shift(inside, n);
-    t->low[0] -= shift;
-    t->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;
-    const size_t rows = (size_t)t->rows[0] * (size_t)t->rows[1] * (size_t)t->rows[2];
-    t->bits = memory_new(MEMORY_SOLID, rows, sizeof *t->bits);
-    t->start = memory_new(MEMORY_SOLID, rows, sizeof *t->start);
-    fill_rows(t, inside, n, shift);
+    sites->low[0] -= shift;
+    sites->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;
+    const size_t rows = (size_t)sites->rows[0] * (size_t)sites->rows[1] * (size_t)sites->rows[2];
+    sites->bits = memory_new(MEMORY_SOLID, rows, sizeof *sites->bits);
+    sites->start = memory_new(MEMORY_SOLID, rows, sizeof *sites->start);
+    fill_rows(sites, inside, n, shift);
     memory_free(inside);
-    if (t->count == 0) return;
-    for (int c = 0; c < 3; c++) period_set(in, b, t, c, top[c] - t->base[c] + 1, reach);
-    number_rows(t);
+    if (sites->count == 0) return;
+    for (int c = 0; c < 3; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
+    number_rows(sites);
 }
 
 /* Numbers points or cells in the order of their keys. */
-static void number(struct solid_sites *t, struct keyed *key, long n) {
+static void number(struct solid_sites *sites, struct keyed *key, long n) {
     qsort(key, (size_t)n, sizeof *key, by_key);
-    t->count = n;
-    t->point = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *t->point);
-    for (long p = 0; p < n; p++) t->point[p] = key[p].item;
+    sites->count = n;
+    sites->point = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *sites->point);
+    for (long p = 0; p < n; p++) sites->point[p] = key[p].item;
 }
 
 /* Finds the cells of a polygon. */
-static void cut_from_plane(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t, int reach) {
-    struct solid_outline_cells *cells = solid_outline_cells(b->outline, b->outlines, in->origin, in->spacing);
+static void cut_from_plane(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
+                           int reach) {
+    struct solid_outline_cells *cells = solid_outline_cells(body->outline, body->outlines, in->origin, in->spacing);
     struct keyed *key = memory_new(MEMORY_SOLID, (size_t)cells->n + 1, sizeof *key);
     solid_outline_symmetry_cells(cells);
     for (long p = 0; p < cells->n; p++) {
@@ -161,82 +163,82 @@ static void cut_from_plane(const struct solid_input *in, const struct solid_body
         const uint32_t at[2] = {(uint32_t)(cell->i - cells->low[0]), (uint32_t)(cell->j - cells->low[1])};
         key[p] = (struct keyed){solid_curve_key(at, 2), p};
     }
-    number(t, key, cells->n);
+    number(sites, key, cells->n);
     memory_free(key);
-    t->cell = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *t->cell);
-    t->area = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *t->area);
-    for (long i = 0; i < t->count; i++) {
-        const struct solid_outline_cell *cell = &cells->cell[t->point[i]];
-        t->cell[i][0] = cell->i;
-        t->cell[i][1] = cell->j;
-        t->area[i] = cell->area;
+    sites->cell = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof *sites->cell);
+    sites->area = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof *sites->area);
+    for (long i = 0; i < sites->count; i++) {
+        const struct solid_outline_cell *cell = &cells->cell[sites->point[i]];
+        sites->cell[i][0] = cell->i;
+        sites->cell[i][1] = cell->j;
+        sites->area[i] = cell->area;
     }
-    for (int c = 0; c < 2 && t->count > 0; c++) {
-        t->base[c] = cells->low[c];
-        period_set(in, b, t, c, cells->high[c] - cells->low[c] + 1, reach);
+    for (int c = 0; c < 2 && sites->count > 0; c++) {
+        sites->base[c] = cells->low[c];
+        period_set(in, body, sites, c, cells->high[c] - cells->low[c] + 1, reach);
     }
     solid_outline_cells_free(cells);
 }
 
-static void number_points(const struct solid_input *in, const struct solid_body *b, struct solid_sites *t) {
-    struct keyed *key = memory_new(MEMORY_SOLID, (size_t)b->points + 1, sizeof *key);
+static void number_points(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites) {
+    struct keyed *key = memory_new(MEMORY_SOLID, (size_t)body->points + 1, sizeof *key);
     double low[3] = {INFINITY, INFINITY, INFINITY};
     const int dim = solid_dim(in);
-    for (long p = 0; p < b->points; p++)
-        for (int c = 0; c < dim; c++) low[c] = fmin(low[c], b->point[c][p]);
-    for (long p = 0; p < b->points; p++) {
+    for (long p = 0; p < body->points; p++)
+        for (int c = 0; c < dim; c++) low[c] = fmin(low[c], body->point[c][p]);
+    for (long p = 0; p < body->points; p++) {
         uint32_t cell[3];
-        for (int c = 0; c < dim; c++) cell[c] = (uint32_t)((b->point[c][p] - low[c]) / in->spacing);
+        for (int c = 0; c < dim; c++) cell[c] = (uint32_t)((body->point[c][p] - low[c]) / in->spacing);
         key[p] = (struct keyed){solid_curve_key(cell, dim), p};
     }
-    number(t, key, b->points);
+    number(sites, key, body->points);
     memory_free(key);
 }
 
 struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first, int reach) {
-    struct solid_sites *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
-    t->is_lattice = solid_shape_is_on_lattice(b);
-    t->first = first;
+    struct solid_sites *sites = memory_new(MEMORY_SOLID, 1, sizeof *sites);
+    sites->is_lattice = solid_shape_is_on_lattice(b);
+    sites->first = first;
     switch (solid_shape_of(b)->places) {
     case SOLID_PLACES_LATTICE:
-        cut_from_lattice(in, b, t, reach);
+        cut_from_lattice(in, b, sites, reach);
         break;
     case SOLID_PLACES_CELLS:
-        cut_from_plane(in, b, t, reach);
+        cut_from_plane(in, b, sites, reach);
         break;
     case SOLID_PLACES_POINTS:
-        number_points(in, b, t);
+        number_points(in, b, sites);
         break;
     }
-    if (t->count == 0)
+    if (sites->count == 0)
         die_all(EXIT_CODE_SCENE, "solid body %s holds no particle at spacing %g m", b->name, in->spacing);
-    return t;
+    return sites;
 }
 
-void solid_sites_free(struct solid_sites *t) {
-    if (!t) return;
-    memory_free(t->bits);
-    memory_free(t->start);
-    memory_free(t->order);
-    memory_free(t->point);
-    memory_free(t->cell);
-    memory_free(t->area);
-    memory_free(t);
+void solid_sites_free(struct solid_sites *sites) {
+    if (!sites) return;
+    memory_free(sites->bits);
+    memory_free(sites->start);
+    memory_free(sites->order);
+    memory_free(sites->point);
+    memory_free(sites->cell);
+    memory_free(sites->area);
+    memory_free(sites);
 }
 
-long solid_sites_id(const struct solid_sites *t, const int site[3]) {
+long solid_sites_id(const struct solid_sites *sites, const int site[3]) {
     int at[3];
     for (int c = 0; c < 3; c++) {
         at[c] = site[c];
-        if (t->wrap[c]) {
-            const int r = (site[c] - t->base[c]) % t->wrap[c];
-            at[c] = t->base[c] + (r < 0 ? r + t->wrap[c] : r);
+        if (sites->wrap[c]) {
+            const int r = (site[c] - sites->base[c]) % sites->wrap[c];
+            at[c] = sites->base[c] + (r < 0 ? r + sites->wrap[c] : r);
         }
-        at[c] -= t->low[c];
-        if (at[c] < 0 || at[c] >= (c == 0 ? SOLID_ROW : 1) * t->rows[c]) return -1;
+        at[c] -= sites->low[c];
+        if (at[c] < 0 || at[c] >= (c == 0 ? SOLID_ROW : 1) * sites->rows[c]) return -1;
     }
-    const long row = ((long)at[2] * t->rows[1] + at[1]) * t->rows[0] + at[0] / SOLID_ROW;
+    const long row = ((long)at[2] * sites->rows[1] + at[1]) * sites->rows[0] + at[0] / SOLID_ROW;
     const unsigned bit = 1u << at[0] % SOLID_ROW;
-    if (!(t->bits[row] & bit)) return -1;
-    return t->start[row] + __builtin_popcount(t->bits[row] & (bit - 1));
+    if (!(sites->bits[row] & bit)) return -1;
+    return sites->start[row] + __builtin_popcount(sites->bits[row] & (bit - 1));
 }

@@ -9,47 +9,48 @@
 #include <string.h>
 
 /* The stencil offset of the b-th bond of lattice particle h. */
-static int offset_of(const struct solid_lattice *t, int h, int b) {
-    const int cell = t->cell[h - t->first];
-    for (int o = 0; o < t->stencil->n; o++)
-        if (t->local[cell + t->offset[o].shift] >= 0 && b-- == 0) return o;
+static int offset_of(const struct solid_lattice *lattice, int h, int b) {
+    const int cell = lattice->cell[h - lattice->first];
+    for (int o = 0; o < lattice->stencil->n; o++)
+        if (lattice->local[cell + lattice->offset[o].shift] >= 0 && b-- == 0) return o;
     ENSURE(0, "particle %d has no bond %d", h, b);
 }
 
-static uint8_t *lambda_of(const struct solid_lattice *t, int h) {
-    return t->lambda + (size_t)t->row_of[t->cell[h - t->first] / SOLID_ROW] * (size_t)t->stencil->n;
+static uint8_t *lambda_of(const struct solid_lattice *lattice, int h) {
+    return lattice->lambda +
+           (size_t)lattice->row_of[lattice->cell[h - lattice->first] / SOLID_ROW] * (size_t)lattice->stencil->n;
 }
 
-static void view_lattice(const struct solid_lattice *t, int h, struct solid_family_view *view) {
-    const int cell = t->cell[h - t->first];
-    const uint8_t *lambda = lambda_of(t, h);
+static void view_lattice(const struct solid_lattice *lattice, int h, struct solid_family_view *view) {
+    const int cell = lattice->cell[h - lattice->first];
+    const uint8_t *lambda = lambda_of(lattice, h);
     int n = 0;
-    for (int o = 0; o < t->stencil->n; o++) {
-        const long other = cell + t->offset[o].shift;
-        if (t->local[other] < 0) continue;
-        const struct solid_offset *bond = &t->stencil->offset[o];
-        view->l[n] = t->local[other];
+    for (int o = 0; o < lattice->stencil->n; o++) {
+        const long other = cell + lattice->offset[o].shift;
+        if (lattice->local[other] < 0) continue;
+        const struct solid_offset *bond = &lattice->stencil->offset[o];
+        view->l[n] = lattice->local[other];
         for (int c = 0; c < 3; c++) view->xi[n][c] = bond->xi[c];
         view->weight[n] = bond->weight;
-        view->alpha[n] = 2 / (*solid_lattice_w(t, cell) + *solid_lattice_w(t, other));
-        view->micro[n] = t->law.c0;
+        view->alpha[n] = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, other));
+        view->micro[n] = lattice->law.c0;
         view->intact[n] = lambda[o] >> cell % SOLID_ROW & 1;
         n++;
     }
     view->n = n;
 }
 
-static void view_list(const struct solid_list *t, int h, struct solid_family_view *view) {
-    const long start = t->start[h - t->first];
-    view->n = (int)(t->end[h - t->first] - start);
+static void view_list(const struct solid_list *list, int h, struct solid_family_view *view) {
+    const long start = list->start[h - list->first];
+    view->n = (int)(list->end[h - list->first] - start);
     for (int b = 0; b < view->n; b++) {
         const long j = start + b;
-        view->l[b] = solid_list_other(t, j);
-        solid_list_xi(t, j, view->xi[b]);
-        view->alpha[b] = solid_list_alpha(t, h, j);
-        view->micro[b] = solid_list_micromodulus(t, h, j);
-        view->weight[b] = solid_list_weight(t, h, j, view->micro[b]);
-        view->intact[b] = (uint8_t)solid_list_is_intact(t, j);
+        view->l[b] = solid_list_other(list, j);
+        solid_list_xi(list, j, view->xi[b]);
+        view->alpha[b] = solid_list_alpha(list, h, j);
+        view->micro[b] = solid_list_micromodulus(list, h, j);
+        view->weight[b] = solid_list_weight(list, h, j, view->micro[b]);
+        view->intact[b] = (uint8_t)solid_list_is_intact(list, j);
     }
 }
 
@@ -64,9 +65,9 @@ void solid_family_view(const struct solid *s, int h, struct solid_family_view *v
 }
 
 int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
-    const struct solid_list *t = s->family->list[s->body[h]];
+    const struct solid_list *list = s->family->list[s->body[h]];
     int n = 0;
-    if (!t) {
+    if (!list) {
         struct solid_family_view view;
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) {
@@ -76,13 +77,13 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
         }
         return n;
     }
-    const long start = t->start[h - t->first], end = t->end[h - t->first];
+    const long start = list->start[h - list->first], end = list->end[h - list->first];
     for (long from = start; from < end; from += SOLID_LIST_BLOCK)
-        for (unsigned left = ~solid_list_block_intact(t, from) & 0xffu; left; left &= left - 1) {
+        for (unsigned left = ~solid_list_block_intact(list, from) & 0xffu; left; left &= left - 1) {
             const long j = from + __builtin_ctz(left);
             if (j >= end) break;
             place[n] = (int)(j - start);
-            other[n++] = solid_list_other(t, j);
+            other[n++] = solid_list_other(list, j);
         }
     return n;
 }
@@ -179,8 +180,9 @@ void solid_family_count(struct solid *s) {
     const struct solid_family *f = s->family;
     long intact = 0;
     for (int b = 0; b < f->bodies; b++) {
-        const struct solid_lattice *t = f->lattice[b];
-        intact += t ? bits_count(t->lambda, (size_t)t->rows * (size_t)t->stencil->n) : solid_list_intact(f->list[b]);
+        const struct solid_lattice *lattice = f->lattice[b];
+        intact += lattice ? bits_count(lattice->lambda, (size_t)lattice->rows * (size_t)lattice->stencil->n)
+                          : solid_list_intact(f->list[b]);
     }
     s->bonds_broken = s->bonds_total - par_sum_long(intact) / 2;
 }

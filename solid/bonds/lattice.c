@@ -8,66 +8,66 @@
 
 enum { NEEDED = -2, NOTHING = -1 };
 
-static void site_of_cell(const struct solid_lattice *b, long cell, int site[3]) {
-    site[0] = b->low[0] + (int)(cell % b->size[0]);
-    site[1] = b->low[1] + (int)(cell / b->size[0] % b->size[1]);
-    site[2] = b->low[2] + (int)(cell / b->size[0] / b->size[1]);
+static void site_of_cell(const struct solid_lattice *lattice, long cell, int site[3]) {
+    site[0] = lattice->low[0] + (int)(cell % lattice->size[0]);
+    site[1] = lattice->low[1] + (int)(cell / lattice->size[0] % lattice->size[1]);
+    site[2] = lattice->low[2] + (int)(cell / lattice->size[0] / lattice->size[1]);
 }
 
-static void site_of_row(const struct solid_sites *t, int row, int site[3]) {
-    site[0] = t->low[0] + SOLID_ROW * (row % t->rows[0]);
-    site[1] = t->low[1] + row / t->rows[0] % t->rows[1];
-    site[2] = t->low[2] + row / t->rows[0] / t->rows[1];
+static void site_of_row(const struct solid_sites *sites, int row, int site[3]) {
+    site[0] = sites->low[0] + SOLID_ROW * (row % sites->rows[0]);
+    site[1] = sites->low[1] + row / sites->rows[0] % sites->rows[1];
+    site[2] = sites->low[2] + row / sites->rows[0] / sites->rows[1];
 }
 
-static int owned_row(const struct solid_sites *t, int row, long from, long to) {
-    return t->start[row] >= from && t->start[row] < to;
+static int owned_row(const struct solid_sites *sites, int row, long from, long to) {
+    return sites->start[row] >= from && sites->start[row] < to;
 }
 
-static void offsets_new(struct solid_lattice *b) {
-    b->offset = solid_store_array((size_t)b->stencil->n, sizeof *b->offset);
-    for (int o = 0; o < b->stencil->n; o++) {
-        const struct solid_offset *from = &b->stencil->offset[o];
-        struct solid_lattice_offset *to = &b->offset[o];
+static void offsets_new(struct solid_lattice *lattice) {
+    lattice->offset = solid_store_array((size_t)lattice->stencil->n, sizeof *lattice->offset);
+    for (int o = 0; o < lattice->stencil->n; o++) {
+        const struct solid_offset *from = &lattice->stencil->offset[o];
+        struct solid_lattice_offset *to = &lattice->offset[o];
         for (int c = 0; c < 3; c++) {
             to->xi[c] = from->xi[c];
             to->xi2[c] = 2 * from->xi[c];
         }
         to->inv_length2 = from->inv_length2;
-        to->elastic = b->law.c0 * from->weight / (from->length * b->law.density);
+        to->elastic = lattice->law.c0 * from->weight / (from->length * lattice->law.density);
         to->elastic_twice = 2 * to->elastic;
-        to->viscous = from->weight * from->inv_length2 / b->law.density;
+        to->viscous = from->weight * from->inv_length2 / lattice->law.density;
     }
 }
 
 /* The box of sites around the owned rows: one row wider along x, and wider by the family's reach along y and z. */
-static void box_new(struct solid_lattice *b, const struct solid_sites *t, long from, long to) {
+static void box_new(struct solid_lattice *lattice, const struct solid_sites *t, long from, long to) {
     int high[3] = {0};
     for (int q = 0; q < t->filled; q++) {
         if (!owned_row(t, t->order[q], from, to)) continue;
         int site[3];
         site_of_row(t, t->order[q], site);
         for (int c = 0; c < 3; c++) {
-            if (b->rows == 0 || site[c] < b->low[c]) b->low[c] = site[c];
-            if (b->rows == 0 || site[c] > high[c]) high[c] = site[c];
+            if (lattice->rows == 0 || site[c] < lattice->low[c]) lattice->low[c] = site[c];
+            if (lattice->rows == 0 || site[c] > high[c]) high[c] = site[c];
         }
-        b->rows++;
+        lattice->rows++;
     }
-    if (b->rows == 0) return;
-    b->sites = 1;
+    if (lattice->rows == 0) return;
+    lattice->sites = 1;
     for (int c = 0; c < 3; c++) {
-        const int margin = c == 0 ? SOLID_ROW : b->stencil->reach;
-        b->low[c] -= margin;
-        b->size[c] = high[c] - b->low[c] + margin + (c == 0 ? SOLID_ROW : 1);
+        const int margin = c == 0 ? SOLID_ROW : lattice->stencil->reach;
+        lattice->low[c] -= margin;
+        lattice->size[c] = high[c] - lattice->low[c] + margin + (c == 0 ? SOLID_ROW : 1);
         if (c == 0)
-            b->size[c] |= SOLID_ROW; /* an odd number of rows, so that lines of sites use different sets of the
-                                      * cache */
-        b->sites *= b->size[c];
+            lattice->size[c] |= SOLID_ROW; /* an odd number of rows, so that lines of sites use different sets of the
+                                            * cache */
+        lattice->sites *= lattice->size[c];
     }
-    ENSURE(b->sites < 2000000000L, "a dense box of %ld sites on one rank", b->sites);
-    for (int o = 0; o < b->stencil->n; o++) {
-        const int *step = b->stencil->offset[o].step;
-        b->offset[o].shift = ((long)step[2] * b->size[1] + step[1]) * b->size[0] + step[0];
+    ENSURE(lattice->sites < 2000000000L, "a dense box of %ld sites on one rank", lattice->sites);
+    for (int o = 0; o < lattice->stencil->n; o++) {
+        const int *step = lattice->stencil->offset[o].step;
+        lattice->offset[o].shift = ((long)step[2] * lattice->size[1] + step[1]) * lattice->size[0] + step[0];
     }
 }
 
@@ -77,77 +77,79 @@ static unsigned neighbours(const int *local, long cell) {
     return bits;
 }
 
-static void rows_new(struct solid_lattice *b, const struct solid_sites *t, long from, long to) {
-    int r = 0, h = b->first;
-    for (int q = 0; q < t->filled; q++) {
-        const int row = t->order[q];
-        if (!owned_row(t, row, from, to)) continue;
+static void rows_new(struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to) {
+    int r = 0, h = lattice->first;
+    for (int q = 0; q < sites->filled; q++) {
+        const int row = sites->order[q];
+        if (!owned_row(sites, row, from, to)) continue;
         int site[3];
-        site_of_row(t, row, site);
-        const int cell = ((site[2] - b->low[2]) * b->size[1] + site[1] - b->low[1]) * b->size[0] + site[0] - b->low[0];
-        b->row_cell[r] = cell;
-        b->row_first[r] = h;
-        b->row_owned[r] = t->bits[row];
-        b->row_of[cell / SOLID_ROW] = r;
-        h += __builtin_popcount(t->bits[row]);
+        site_of_row(sites, row, site);
+        const int cell =
+            ((site[2] - lattice->low[2]) * lattice->size[1] + site[1] - lattice->low[1]) * lattice->size[0] + site[0] -
+            lattice->low[0];
+        lattice->row_cell[r] = cell;
+        lattice->row_first[r] = h;
+        lattice->row_owned[r] = sites->bits[row];
+        lattice->row_of[cell / SOLID_ROW] = r;
+        h += __builtin_popcount(sites->bits[row]);
         r++;
     }
-    b->n = h - b->first;
-    b->cell = solid_store_array((size_t)b->n, sizeof *b->cell);
-    for (r = 0, h = 0; r < b->rows; r++)
+    lattice->n = h - lattice->first;
+    lattice->cell = solid_store_array((size_t)lattice->n, sizeof *lattice->cell);
+    for (r = 0, h = 0; r < lattice->rows; r++)
         for (int k = 0; k < SOLID_ROW; k++)
-            if (b->row_owned[r] >> k & 1) b->cell[h++] = b->row_cell[r] + k;
+            if (lattice->row_owned[r] >> k & 1) lattice->cell[h++] = lattice->row_cell[r] + k;
 }
 
 /* Sets lambda of the whole families, and finds the sites that some owned particle needs. */
-static void bonds_new(struct solid_lattice *b, const struct solid_sites *t) {
-    for (long cell = 0; cell < b->sites; cell++) {
+static void bonds_new(struct solid_lattice *lattice, const struct solid_sites *sites) {
+    for (long cell = 0; cell < lattice->sites; cell++) {
         int site[3];
-        site_of_cell(b, cell, site);
-        b->local[cell] = solid_sites_id(t, site) >= 0 ? 0 : NOTHING;
+        site_of_cell(lattice, cell, site);
+        lattice->local[cell] = solid_sites_id(sites, site) >= 0 ? 0 : NOTHING;
     }
-    const int n = b->stencil->n;
-    uint8_t *needed = solid_store_array((size_t)b->sites, 1);
-    for (int r = 0; r < b->rows; r++) {
-        solid_lattice_made(b, r, b->lambda + (size_t)r * (size_t)n);
-        for (int k = 0; k < SOLID_ROW; k++) needed[b->row_cell[r] + k] |= b->row_owned[r] >> k & 1;
+    const int n = lattice->stencil->n;
+    uint8_t *needed = solid_store_array((size_t)lattice->sites, 1);
+    for (int r = 0; r < lattice->rows; r++) {
+        solid_lattice_made(lattice, r, lattice->lambda + (size_t)r * (size_t)n);
+        for (int k = 0; k < SOLID_ROW; k++) needed[lattice->row_cell[r] + k] |= lattice->row_owned[r] >> k & 1;
         for (int o = 0; o < n; o++)
             for (int k = 0; k < SOLID_ROW; k++)
-                needed[b->row_cell[r] + b->offset[o].shift + k] |=
-                    b->lambda[(size_t)r * (size_t)n + (size_t)o] >> k & 1;
+                needed[lattice->row_cell[r] + lattice->offset[o].shift + k] |=
+                    lattice->lambda[(size_t)r * (size_t)n + (size_t)o] >> k & 1;
     }
-    for (long cell = 0; cell < b->sites; cell++) b->local[cell] = needed[cell] ? NEEDED : NOTHING;
+    for (long cell = 0; cell < lattice->sites; cell++) lattice->local[cell] = needed[cell] ? NEEDED : NOTHING;
     memory_free(needed);
 }
 
-static void active_new(struct solid_lattice *b) {
-    const size_t n = (size_t)b->stencil->n;
-    b->row_active = solid_store_array((size_t)b->rows, sizeof *b->row_active);
-    for (int r = 0; r < b->rows; r++) {
-        b->row_active[r + 1] = b->row_active[r];
-        for (size_t o = 0; o < n; o++) b->row_active[r + 1] += b->lambda[(size_t)r * n + o] != 0;
+static void active_new(struct solid_lattice *lattice) {
+    const size_t n = (size_t)lattice->stencil->n;
+    lattice->row_active = solid_store_array((size_t)lattice->rows, sizeof *lattice->row_active);
+    for (int r = 0; r < lattice->rows; r++) {
+        lattice->row_active[r + 1] = lattice->row_active[r];
+        for (size_t o = 0; o < n; o++) lattice->row_active[r + 1] += lattice->lambda[(size_t)r * n + o] != 0;
     }
-    b->active = solid_store_array((size_t)b->row_active[b->rows], sizeof *b->active);
-    for (int r = 0; r < b->rows; r++) {
-        long at = b->row_active[r];
+    lattice->active = solid_store_array((size_t)lattice->row_active[lattice->rows], sizeof *lattice->active);
+    for (int r = 0; r < lattice->rows; r++) {
+        long at = lattice->row_active[r];
         for (size_t o = 0; o < n; o++)
-            if (b->lambda[(size_t)r * n + o]) b->active[at++] = (uint16_t)o;
+            if (lattice->lambda[(size_t)r * n + o]) lattice->active[at++] = (uint16_t)o;
     }
 }
 
 /* Indices of the rows in the field arrays. Rows that are adjacent on a line are adjacent in the arrays. Eight sites
  * that begin in a row that is not stored end in a stored one. */
-static void places_new(struct solid_lattice *b) {
-    const long rows = b->sites / SOLID_ROW;
-    b->place = solid_store_array((size_t)rows, sizeof *b->place);
-    b->places = SOLID_ROW;
+static void places_new(struct solid_lattice *lattice) {
+    const long rows = lattice->sites / SOLID_ROW;
+    lattice->place = solid_store_array((size_t)rows, sizeof *lattice->place);
+    lattice->places = SOLID_ROW;
     for (long r = 0; r < rows; r++) {
-        if (neighbours(b->local, SOLID_ROW * r)) {
-            b->place[r] = (int)b->places;
-            b->places += SOLID_ROW;
+        if (neighbours(lattice->local, SOLID_ROW * r)) {
+            lattice->place[r] = (int)lattice->places;
+            lattice->places += SOLID_ROW;
         } else {
-            b->place[r] = (int)b->places - SOLID_ROW; /* the last sites of such a row come before those of the next
-                                                       * row */
+            lattice->place[r] = (int)lattice->places - SOLID_ROW; /* the last sites of such a row come before those of
+                                                                   * the next row */
         }
     }
 }
@@ -155,57 +157,59 @@ static void places_new(struct solid_lattice *b) {
 /* The field arrays follow one another with a stride that gives each another offset within a page. With equal offsets,
  * values loaded and stored together would use the same sets of the cache, and a load would wait for the store at the
  * same offset. */
-static void fields_new(struct solid_lattice *b) {
+static void fields_new(struct solid_lattice *lattice) {
     enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
-    size_t step = (size_t)b->places + 2 * SOLID_ROW;
+    size_t step = (size_t)lattice->places + 2 * SOLID_ROW;
     step += (PAGE + PLACE - step % PAGE) % PAGE;
-    double *field = b->field = solid_store_array(10 * step, sizeof *field);
-    double **const of[] = {&b->d[0], &b->d[1], &b->d[2], &b->w,    &b->f[0],
-                           &b->f[1], &b->f[2], &b->v[0], &b->v[1], &b->v[2]};
+    double *field = lattice->field = solid_store_array(10 * step, sizeof *field);
+    double **const of[] = {&lattice->d[0], &lattice->d[1], &lattice->d[2], &lattice->w,    &lattice->f[0],
+                           &lattice->f[1], &lattice->f[2], &lattice->v[0], &lattice->v[1], &lattice->v[2]};
     for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) *of[i] = field + i * step;
 }
 
 struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struct solid_stencil *stencil,
                                         struct solid_law law, long from, long to, int first) {
-    struct solid_lattice *b = memory_new(MEMORY_SOLID, 1, sizeof *b);
-    b->stencil = stencil;
-    b->law = law;
-    b->first = first;
-    offsets_new(b);
-    box_new(b, t, from, to);
-    const size_t rows = (size_t)b->rows, sites = (size_t)b->sites;
-    b->row_cell = solid_store_array(rows, sizeof *b->row_cell);
-    b->row_first = solid_store_array(rows, sizeof *b->row_first);
-    b->row_owned = solid_store_array(rows, 1);
-    b->row_bulk = solid_store_array(rows, 1);
-    b->lambda = solid_store_array(rows * (size_t)stencil->n, 1);
-    b->row_of = solid_store_array(sites / SOLID_ROW, sizeof *b->row_of);
-    memset(b->row_of, 0xff, (sites / SOLID_ROW) * sizeof *b->row_of);
-    b->local = solid_store_array(sites, sizeof *b->local);
-    rows_new(b, t, from, to);
-    bonds_new(b, t);
-    places_new(b);
-    fields_new(b);
-    active_new(b);
-    return b;
+    struct solid_lattice *lattice = memory_new(MEMORY_SOLID, 1, sizeof *lattice);
+    lattice->stencil = stencil;
+    lattice->law = law;
+    lattice->first = first;
+    offsets_new(lattice);
+    box_new(lattice, t, from, to);
+    const size_t rows = (size_t)lattice->rows, sites = (size_t)lattice->sites;
+    lattice->row_cell = solid_store_array(rows, sizeof *lattice->row_cell);
+    lattice->row_first = solid_store_array(rows, sizeof *lattice->row_first);
+    lattice->row_owned = solid_store_array(rows, 1);
+    lattice->row_bulk = solid_store_array(rows, 1);
+    lattice->lambda = solid_store_array(rows * (size_t)stencil->n, 1);
+    lattice->row_of = solid_store_array(sites / SOLID_ROW, sizeof *lattice->row_of);
+    memset(lattice->row_of, 0xff, (sites / SOLID_ROW) * sizeof *lattice->row_of);
+    lattice->local = solid_store_array(sites, sizeof *lattice->local);
+    rows_new(lattice, t, from, to);
+    bonds_new(lattice, t);
+    places_new(lattice);
+    fields_new(lattice);
+    active_new(lattice);
+    return lattice;
 }
 
-void solid_lattice_free(struct solid_lattice *b) {
-    if (!b) return;
-    solid_segments_free(b->segments);
-    void *owned[] = {b->row_active, b->active, b->row_cell, b->row_first, b->row_owned, b->row_bulk, b->lambda,
-                     b->offset,     b->row_of, b->cell,     b->local,     b->field,     b->place,    b->copy_at,
-                     b->copy_local, b};
+void solid_lattice_free(struct solid_lattice *lattice) {
+    if (!lattice) return;
+    solid_segments_free(lattice->segments);
+    void *owned[] = {lattice->row_active, lattice->active,   lattice->row_cell,   lattice->row_first,
+                     lattice->row_owned,  lattice->row_bulk, lattice->lambda,     lattice->offset,
+                     lattice->row_of,     lattice->cell,     lattice->local,      lattice->field,
+                     lattice->place,      lattice->copy_at,  lattice->copy_local, lattice};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
-long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_sites *t, long from, long to, long *id) {
+long solid_lattice_wanted(const struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to,
+                          long *id) {
     long wanted = 0;
-    for (long cell = 0; cell < b->sites; cell++) {
-        if (b->local[cell] != NEEDED) continue;
+    for (long cell = 0; cell < lattice->sites; cell++) {
+        if (lattice->local[cell] != NEEDED) continue;
         int site[3];
-        site_of_cell(b, cell, site);
-        const long other = solid_sites_id(t, site);
+        site_of_cell(lattice, cell, site);
+        const long other = solid_sites_id(sites, site);
         if (other >= from && other < to) continue;
         if (id) id[wanted] = other;
         wanted++;
@@ -213,69 +217,73 @@ long solid_lattice_wanted(const struct solid_lattice *b, const struct solid_site
     return wanted;
 }
 
-void solid_lattice_link(struct solid_lattice *b, const struct solid_sites *t, const struct solid_numbering *numbering) {
-    for (long cell = 0; cell < b->sites; cell++) b->copies += b->local[cell] == NEEDED;
-    b->copy_at = solid_store_array((size_t)b->copies, sizeof *b->copy_at);
-    b->copy_local = solid_store_array((size_t)b->copies, sizeof *b->copy_local);
+void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites *sites,
+                        const struct solid_numbering *numbering) {
+    for (long cell = 0; cell < lattice->sites; cell++) lattice->copies += lattice->local[cell] == NEEDED;
+    lattice->copy_at = solid_store_array((size_t)lattice->copies, sizeof *lattice->copy_at);
+    lattice->copy_local = solid_store_array((size_t)lattice->copies, sizeof *lattice->copy_local);
     const int owned = (int)(numbering->to - numbering->from);
-    int home = b->copies - b->n, image = home;
-    for (long cell = 0; cell < b->sites; cell++) {
-        if (b->local[cell] != NEEDED) continue;
+    int home = lattice->copies - lattice->n, image = home;
+    for (long cell = 0; cell < lattice->sites; cell++) {
+        if (lattice->local[cell] != NEEDED) continue;
         int site[3];
-        site_of_cell(b, cell, site);
-        const int h = b->local[cell] = solid_number_local(numbering, solid_sites_id(t, site));
+        site_of_cell(lattice, cell, site);
+        const int h = lattice->local[cell] = solid_number_local(numbering, solid_sites_id(sites, site));
         ENSURE(h >= 0, "site %d %d %d is not known here", site[0], site[1], site[2]);
-        const int is_home = h >= b->first && h < b->first + b->n && b->cell[h - b->first] == cell;
-        const int i = is_home ? home++ : h < owned ? --image : b->ghosts++;
-        b->copy_at[i] = (int)solid_lattice_place(b, cell);
-        b->copy_local[i] = h;
+        const int is_home =
+            h >= lattice->first && h < lattice->first + lattice->n && lattice->cell[h - lattice->first] == cell;
+        const int i = is_home ? home++ : h < owned ? --image : lattice->ghosts++;
+        lattice->copy_at[i] = (int)solid_lattice_place(lattice, cell);
+        lattice->copy_local[i] = h;
     }
-    ENSURE(home == b->copies, "%d places for %d particles", home, b->n);
-    ENSURE(image == b->ghosts, "%d places for %d ghosts", image, b->ghosts);
-    b->away = b->copies - b->n;
-    b->segments = solid_segments_new(b);
+    ENSURE(home == lattice->copies, "%d places for %d particles", home, lattice->n);
+    ENSURE(image == lattice->ghosts, "%d places for %d ghosts", image, lattice->ghosts);
+    lattice->away = lattice->copies - lattice->n;
+    lattice->segments = solid_segments_new(lattice);
 }
 
-void solid_lattice_made(const struct solid_lattice *b, int row, uint8_t *lambda) {
-    for (int o = 0; o < b->stencil->n; o++)
-        lambda[o] = (uint8_t)(b->row_owned[row] & neighbours(b->local, b->row_cell[row] + b->offset[o].shift));
+void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda) {
+    for (int o = 0; o < lattice->stencil->n; o++)
+        lambda[o] = (uint8_t)(lattice->row_owned[row] &
+                              neighbours(lattice->local, lattice->row_cell[row] + lattice->offset[o].shift));
 }
 
-void solid_lattice_volumes(const struct solid_lattice *b, double *family_volume) {
-    for (int i = 0; i < b->n; i++) {
+void solid_lattice_volumes(const struct solid_lattice *lattice, double *family_volume) {
+    for (int i = 0; i < lattice->n; i++) {
         double sum = 0;
-        for (int o = 0; o < b->stencil->n; o++)
-            if (b->local[b->cell[i] + b->offset[o].shift] != NOTHING) sum += b->stencil->offset[o].weight;
-        family_volume[b->first + i] = sum;
+        for (int o = 0; o < lattice->stencil->n; o++)
+            if (lattice->local[lattice->cell[i] + lattice->offset[o].shift] != NOTHING)
+                sum += lattice->stencil->offset[o].weight;
+        family_volume[lattice->first + i] = sum;
     }
 }
 
-void solid_lattice_weights(struct solid_lattice *b, const double *family_volume, int surface_correction) {
-    for (long i = 0; i < b->places + SOLID_ROW; i++)
-        b->w[i] = 1; /* also for sites without bonds, to avoid a division
-                      * by 0 */
-    for (int i = 0; i < b->copies; i++)
-        if (surface_correction && family_volume[b->copy_local[i]] > 0)
-            b->w[b->copy_at[i]] = family_volume[b->copy_local[i]] / b->stencil->full_volume;
-    for (int r = 0; r < b->rows; r++) {
-        b->row_bulk[r] = 1;
+void solid_lattice_weights(struct solid_lattice *lattice, const double *family_volume, int surface_correction) {
+    for (long i = 0; i < lattice->places + SOLID_ROW; i++)
+        lattice->w[i] = 1; /* also for sites without bonds, to avoid a division
+                            * by 0 */
+    for (int i = 0; i < lattice->copies; i++)
+        if (surface_correction && family_volume[lattice->copy_local[i]] > 0)
+            lattice->w[lattice->copy_at[i]] = family_volume[lattice->copy_local[i]] / lattice->stencil->full_volume;
+    for (int r = 0; r < lattice->rows; r++) {
+        lattice->row_bulk[r] = 1;
         for (int k = 0; k < SOLID_ROW; k++) {
-            const int cell = b->row_cell[r] + k;
-            if (!(b->row_owned[r] >> k & 1)) continue;
-            if (*solid_lattice_w(b, cell) != 1) b->row_bulk[r] = 0;
-            for (int o = 0; o < b->stencil->n; o++) {
-                const long other = cell + b->offset[o].shift;
-                if (b->local[other] != NOTHING && *solid_lattice_w(b, other) != 1) b->row_bulk[r] = 0;
+            const int cell = lattice->row_cell[r] + k;
+            if (!(lattice->row_owned[r] >> k & 1)) continue;
+            if (*solid_lattice_w(lattice, cell) != 1) lattice->row_bulk[r] = 0;
+            for (int o = 0; o < lattice->stencil->n; o++) {
+                const long other = cell + lattice->offset[o].shift;
+                if (lattice->local[other] != NOTHING && *solid_lattice_w(lattice, other) != 1) lattice->row_bulk[r] = 0;
             }
         }
     }
-    solid_segments_weigh(b);
+    solid_segments_weigh(lattice);
 }
 
-void solid_lattice_cut(struct solid_lattice *b, int h, int o) {
-    const int cell = b->cell[h - b->first], r = b->row_of[cell / SOLID_ROW];
-    b->lambda[(size_t)r * (size_t)b->stencil->n + (size_t)o] &= (uint8_t) ~(1u << cell % SOLID_ROW);
-    solid_lattice_changed(b, h);
+void solid_lattice_cut(struct solid_lattice *lattice, int h, int o) {
+    const int cell = lattice->cell[h - lattice->first], r = lattice->row_of[cell / SOLID_ROW];
+    lattice->lambda[(size_t)r * (size_t)lattice->stencil->n + (size_t)o] &= (uint8_t) ~(1u << cell % SOLID_ROW);
+    solid_lattice_changed(lattice, h);
 }
 
 void solid_lattice_changed(struct solid_lattice *b, int h) { b->segments->stale[b->segments->of[h - b->first]] = 1; }

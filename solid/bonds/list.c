@@ -9,22 +9,23 @@
 #include <math.h>
 #include <string.h>
 
-void solid_list_free(struct solid_list *b) {
-    if (!b) return;
-    solid_weight_table_free(b->law.table);
-    void *const own[] = {b->start,  b->end,   b->at,         b->step,      b->stiffness,   b->large,    b->limit,
-                         b->digit,  b->power, b->own_volume, b->other_key, b->other_local, b->particle, b->w,
-                         b->record, b->speed, b->key,        b->scaled,    b->damage,      b->counted,  b->kept,
-                         b};
+void solid_list_free(struct solid_list *list) {
+    if (!list) return;
+    solid_weight_table_free(list->law.table);
+    void *const own[] = {
+        list->start,  list->end,   list->at,         list->step,      list->stiffness,   list->large,    list->limit,
+        list->digit,  list->power, list->own_volume, list->other_key, list->other_local, list->particle, list->w,
+        list->record, list->speed, list->key,        list->scaled,    list->damage,      list->counted,  list->kept,
+        list};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
-long solid_list_wanted(const struct solid_list *b, long from, long to, long *id) {
+long solid_list_wanted(const struct solid_list *list, long from, long to, long *id) {
     long wanted = 0;
-    for (int i = 0; i < b->n; i++) {
-        if (b->scaled[i] == SOLID_LIST_LINKED) continue;
-        for (long j = b->start[i]; j < b->end[i]; j++) {
-            const long other = b->key[j] < 0 ? from : solid_key_id(b->key[j]);
+    for (int i = 0; i < list->n; i++) {
+        if (list->scaled[i] == SOLID_LIST_LINKED) continue;
+        for (long j = list->start[i]; j < list->end[i]; j++) {
+            const long other = list->key[j] < 0 ? from : solid_key_id(list->key[j]);
             if (other >= from && other < to) continue;
             if (id) id[wanted] = other;
             wanted++;
@@ -34,174 +35,178 @@ long solid_list_wanted(const struct solid_list *b, long from, long to, long *id)
 }
 
 /* Whether the key is that of an owned particle, not of a periodic image; a key below 0 is already linked. */
-static int is_home(const struct solid_list *b, const struct solid_numbering *numbering, long key) {
+static int is_home(const struct solid_list *list, const struct solid_numbering *numbering, long key) {
     if (key < 0) return 1;
-    const long i = solid_key_id(key) - numbering->from - b->first;
-    return solid_key_image(key) == SOLID_NO_IMAGE && i >= 0 && i < b->n;
+    const long i = solid_key_id(key) - numbering->from - list->first;
+    return solid_key_image(key) == SOLID_NO_IMAGE && i >= 0 && i < list->n;
 }
 
-static void others_new(struct solid_list *b, const struct solid_numbering *numbering) {
+static void others_new(struct solid_list *list, const struct solid_numbering *numbering) {
     long n = 0, room = 0;
-    for (int i = 0; i < b->n; i++)
-        if (b->scaled[i] != SOLID_LIST_LINKED)
-            for (long j = b->start[i]; j < b->end[i]; j++) room += !is_home(b, numbering, b->key[j]);
+    for (int i = 0; i < list->n; i++)
+        if (list->scaled[i] != SOLID_LIST_LINKED)
+            for (long j = list->start[i]; j < list->end[i]; j++) room += !is_home(list, numbering, list->key[j]);
     long *all = solid_store_array(room, sizeof *all);
-    for (int i = 0; i < b->n && n < room; i++)
-        if (b->scaled[i] != SOLID_LIST_LINKED)
-            for (long j = b->start[i]; j < b->end[i]; j++)
-                if (!is_home(b, numbering, b->key[j])) all[n++] = b->key[j];
-    b->others = solid_number_unique(all, n);
-    b->other_key = solid_store_array(b->others, sizeof *all);
-    memcpy(b->other_key, all, (size_t)b->others * sizeof *all);
+    for (int i = 0; i < list->n && n < room; i++)
+        if (list->scaled[i] != SOLID_LIST_LINKED)
+            for (long j = list->start[i]; j < list->end[i]; j++)
+                if (!is_home(list, numbering, list->key[j])) all[n++] = list->key[j];
+    list->others = solid_number_unique(all, n);
+    list->other_key = solid_store_array(list->others, sizeof *all);
+    memcpy(list->other_key, all, (size_t)list->others * sizeof *all);
     memory_free(all);
-    b->other_local = solid_store_array(b->others, sizeof *b->other_local);
-    for (int i = 0; i < b->others; i++) {
-        const long id = solid_key_id(b->other_key[i]);
-        b->other_local[i] = solid_number_local(numbering, id);
-        ENSURE(b->other_local[i] >= 0, "particle %ld is not known here", id);
+    list->other_local = solid_store_array(list->others, sizeof *list->other_local);
+    for (int i = 0; i < list->others; i++) {
+        const long id = solid_key_id(list->other_key[i]);
+        list->other_local[i] = solid_number_local(numbering, id);
+        ENSURE(list->other_local[i] >= 0, "particle %ld is not known here", id);
     }
 }
 
-static void records_new(struct solid_list *b, const struct solid_cloud *cloud) {
-    const int records = b->n + b->others;
-    b->record = solid_store_array((long)b->width * records, sizeof *b->record);
-    b->speed = solid_store_array((long)SOLID_LIST_SPEED * records, sizeof *b->speed);
-    b->particle = solid_store_array(records, sizeof *b->particle);
-    b->w = solid_store_array(records, sizeof *b->w);
+static void records_new(struct solid_list *list, const struct solid_cloud *cloud) {
+    const int records = list->n + list->others;
+    list->record = solid_store_array((long)list->width * records, sizeof *list->record);
+    list->speed = solid_store_array((long)SOLID_LIST_SPEED * records, sizeof *list->speed);
+    list->particle = solid_store_array(records, sizeof *list->particle);
+    list->w = solid_store_array(records, sizeof *list->w);
     for (int r = 0; r < records; r++)
-        b->particle[r] =
-            solid_cloud_end(cloud, r < b->n ? b->number + r : solid_key_id(b->other_key[r - b->n]) - b->first_id);
+        list->particle[r] = solid_cloud_end(
+            cloud, r < list->n ? list->number + r : solid_key_id(list->other_key[r - list->n]) - list->first_id);
 }
 
-void solid_list_link(struct solid_list *b, const struct solid_cloud *cloud, const struct solid_numbering *numbering) {
-    others_new(b, numbering);
-    const struct solid_numbering others = {0, 0, b->others, b->other_key};
-    for (int i = 0; i < b->n; i++) {
-        const long next = i + 1 < b->n ? b->start[i + 1] : b->room;
-        if (b->scaled[i] == SOLID_LIST_LINKED) continue;
-        for (long j = b->start[i]; j < b->end[i]; j++) {
-            const long key = b->key[j];
+void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
+                     const struct solid_numbering *numbering) {
+    others_new(list, numbering);
+    const struct solid_numbering others = {0, 0, list->others, list->other_key};
+    for (int i = 0; i < list->n; i++) {
+        const long next = i + 1 < list->n ? list->start[i + 1] : list->room;
+        if (list->scaled[i] == SOLID_LIST_LINKED) continue;
+        for (long j = list->start[i]; j < list->end[i]; j++) {
+            const long key = list->key[j];
             if (key < 0) continue;
-            const int record = is_home(b, numbering, key) ? (int)(solid_key_id(key) - numbering->from) - b->first
-                                                          : b->n + solid_number_local(&others, key);
-            b->at[j] = b->width * record;
+            const int record = is_home(list, numbering, key) ? (int)(solid_key_id(key) - numbering->from) - list->first
+                                                             : list->n + solid_number_local(&others, key);
+            list->at[j] = list->width * record;
         }
-        for (long j = b->end[i]; j < next; j++) b->at[j] = b->width * i;
+        for (long j = list->end[i]; j < next; j++) list->at[j] = list->width * i;
     }
-    memory_free(b->key);
-    memory_free(b->kept);
-    b->key = NULL;
-    b->kept = NULL;
-    records_new(b, cloud);
+    memory_free(list->key);
+    memory_free(list->kept);
+    list->key = NULL;
+    list->kept = NULL;
+    records_new(list, cloud);
 }
 
-void solid_list_volumes(const struct solid_list *b, double *family_volume) {
-    for (int i = 0; i < b->n; i++) family_volume[b->first + i] = b->own_volume[i] * b->unit;
+void solid_list_volumes(const struct solid_list *list, double *family_volume) {
+    for (int i = 0; i < list->n; i++) family_volume[list->first + i] = list->own_volume[i] * list->unit;
 }
 
 /* V_h/V0 of all records. */
-static void ratios_set(struct solid_list *b, const double *family_volume, int surface_correction) {
+static void ratios_set(struct solid_list *list, const double *family_volume, int surface_correction) {
     struct solid_end last = {0};
     double full = 1;
-    for (int r = 0; r < b->n + b->others; r++) {
-        const struct solid_end *p = &b->particle[r];
+    for (int r = 0; r < list->n + list->others; r++) {
+        const struct solid_end *p = &list->particle[r];
         if (surface_correction && (p->size != last.size || p->horizon != last.horizon)) {
-            full = solid_pair_full_volume(&b->law, p->horizon, p->size) * b->unit;
+            full = solid_pair_full_volume(&list->law, p->horizon, p->size) * list->unit;
             last = *p;
         }
-        b->w[r] = surface_correction ? family_volume[solid_list_local(b, r)] / full : 1;
-        b->speed[(long)SOLID_LIST_SPEED * r + SOLID_LIST_SPEED - 1] = b->w[r];
+        list->w[r] = surface_correction ? family_volume[solid_list_local(list, r)] / full : 1;
+        list->speed[(long)SOLID_LIST_SPEED * r + SOLID_LIST_SPEED - 1] = list->w[r];
     }
 }
 
 /* The digit to which bond forces are rounded. A component of a bond force is at most k |xi| g |zeta|/|xi| = k |xi| |s|
  * <= k |xi| |eps|; the digit has k |xi| rounded up to a power of two, and leaves room for the sum over the family. */
-static double digit_of(const struct solid_list *b, int i) {
+static double digit_of(const struct solid_list *list, int i) {
     double most = 0, xi[3];
-    for (long j = b->start[i]; j < b->end[i]; j++)
-        most = fmax(most, fabs(b->stiffness[j]) * solid_list_steps(b, j, xi));
-    return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * solid_list_room(b, i) : 0;
+    for (long j = list->start[i]; j < list->end[i]; j++)
+        most = fmax(most, fabs(list->stiffness[j]) * solid_list_steps(list, j, xi));
+    return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * solid_list_room(list, i) : 0;
 }
 
-void solid_list_weights(struct solid_list *b, const double *family_volume, int surface_correction) {
-    ratios_set(b, family_volume, surface_correction);
-    for (int i = 0; i < b->n; i++) {
-        if (b->scaled[i]) continue;
-        for (long j = b->start[i]; j < b->end[i]; j++) b->stiffness[j] *= solid_list_alpha(b, b->first + i, j);
-        b->digit[i] = digit_of(b, i);
+void solid_list_weights(struct solid_list *list, const double *family_volume, int surface_correction) {
+    ratios_set(list, family_volume, surface_correction);
+    for (int i = 0; i < list->n; i++) {
+        if (list->scaled[i]) continue;
+        for (long j = list->start[i]; j < list->end[i]; j++)
+            list->stiffness[j] *= solid_list_alpha(list, list->first + i, j);
+        list->digit[i] = digit_of(list, i);
     }
 }
 
-int solid_list_longest(const struct solid_list *b) {
+int solid_list_longest(const struct solid_list *list) {
     long longest = 0;
-    for (int i = 0; i < b->n; i++)
-        if (b->end[i] - b->start[i] > longest) longest = b->end[i] - b->start[i];
+    for (int i = 0; i < list->n; i++)
+        if (list->end[i] - list->start[i] > longest) longest = list->end[i] - list->start[i];
     return (int)longest;
 }
 
-long solid_list_intact(const struct solid_list *b) {
+long solid_list_intact(const struct solid_list *list) {
     long count = 0;
-    for (int i = 0; i < b->n; i++)
-        for (long j = b->start[i]; j < b->end[i]; j += SOLID_LIST_BLOCK)
-            count += __builtin_popcount(solid_list_block_intact(b, j));
+    for (int i = 0; i < list->n; i++)
+        for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK)
+            count += __builtin_popcount(solid_list_block_intact(list, j));
     return count;
 }
 
-void solid_list_swap(struct solid_list *b, uint8_t *intact) {
-    for (int i = 0; i < b->n; i++)
-        for (long j = b->start[i]; j < b->end[i]; j++) {
-            const int was = solid_list_is_intact(b, j);
-            solid_list_set(b, j, intact[j]);
+void solid_list_swap(struct solid_list *list, uint8_t *intact) {
+    for (int i = 0; i < list->n; i++)
+        for (long j = list->start[i]; j < list->end[i]; j++) {
+            const int was = solid_list_is_intact(list, j);
+            solid_list_set(list, j, intact[j]);
             intact[j] = (uint8_t)was;
         }
 }
 
-long solid_list_reverse(const struct solid_list *b, int h, long j) {
-    const int i = solid_list_other(b, j) - b->first;
-    if (i < 0 || i >= b->n) return -1;
+long solid_list_reverse(const struct solid_list *list, int h, long j) {
+    const int i = solid_list_other(list, j) - list->first;
+    if (i < 0 || i >= list->n) return -1;
     double xi[3], back[3];
-    solid_list_steps(b, j, xi);
-    for (long k = b->start[i]; k < b->end[i]; k++) {
-        if (solid_list_other(b, k) != h) continue;
-        solid_list_steps(b, k, back);
+    solid_list_steps(list, j, xi);
+    for (long k = list->start[i]; k < list->end[i]; k++) {
+        if (solid_list_other(list, k) != h) continue;
+        solid_list_steps(list, k, back);
         if (back[0] == -xi[0] && back[1] == -xi[1] && back[2] == -xi[2]) return k;
     }
     return -1;
 }
 
-double solid_list_micromodulus(const struct solid_list *b, int h, long j) {
+double solid_list_micromodulus(const struct solid_list *list, int h, long j) {
     double xi[3];
-    solid_list_steps(b, j, xi);
-    return solid_pair_micromodulus(&b->law, xi, &b->particle[h - b->first], &b->particle[solid_list_record(b, j)]);
+    solid_list_steps(list, j, xi);
+    return solid_pair_micromodulus(&list->law, xi, &list->particle[h - list->first],
+                                   &list->particle[solid_list_record(list, j)]);
 }
 
-double solid_list_weight(const struct solid_list *b, int h, long j, double micromodulus) {
+double solid_list_weight(const struct solid_list *list, int h, long j, double micromodulus) {
     double xi[3];
-    const double length = solid_list_steps(b, j, xi);
-    const double kv = fabs(b->stiffness[j]) * b->law.density * length / solid_list_alpha(b, h, j);
+    const double length = solid_list_steps(list, j, xi);
+    const double kv = fabs(list->stiffness[j]) * list->law.density * length / solid_list_alpha(list, h, j);
     return kv / micromodulus;
 }
 
 /* The damage computed last is valid until a bond of the family breaks. */
-double solid_list_damage(struct solid_list *b, int h) {
-    const int i = h - b->first;
+double solid_list_damage(struct solid_list *list, int h) {
+    const int i = h - list->first;
     int intact = 0;
-    for (long j = b->start[i]; j < b->end[i]; j += SOLID_LIST_BLOCK)
-        intact += __builtin_popcount(solid_list_block_intact(b, j));
-    if (b->counted[i] == intact + 1) return b->damage[i];
+    for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK)
+        intact += __builtin_popcount(solid_list_block_intact(list, j));
+    if (list->counted[i] == intact + 1) return list->damage[i];
     double left = 0, all = 0;
-    for (long j = b->start[i]; j < b->end[i]; j++) {
-        const double weight = solid_list_weight(b, h, j, solid_list_micromodulus(b, h, j));
+    for (long j = list->start[i]; j < list->end[i]; j++) {
+        const double weight = solid_list_weight(list, h, j, solid_list_micromodulus(list, h, j));
         all += weight;
-        if (solid_list_is_intact(b, j)) left += weight;
+        if (solid_list_is_intact(list, j)) left += weight;
     }
-    b->counted[i] = intact + 1;
-    b->damage[i] = all > 0 ? 1 - left / all : 0;
-    return b->damage[i];
+    list->counted[i] = intact + 1;
+    list->damage[i] = all > 0 ? 1 - left / all : 0;
+    return list->damage[i];
 }
 
-double solid_list_limit(const struct solid_list *b, int h, long j) {
+double solid_list_limit(const struct solid_list *list, int h, long j) {
     double xi[3];
-    solid_list_steps(b, j, xi);
-    return solid_pair_limit(&b->law, xi, &b->particle[h - b->first], &b->particle[solid_list_record(b, j)]);
+    solid_list_steps(list, j, xi);
+    return solid_pair_limit(&list->law, xi, &list->particle[h - list->first],
+                            &list->particle[solid_list_record(list, j)]);
 }

@@ -81,50 +81,50 @@ void solid_list_swap(struct solid_list *list, uint8_t *intact);
 long solid_list_reverse(const struct solid_list *list, int h, long j);
 
 /* Local index of the particle of a record. */
-static inline int solid_list_local(const struct solid_list *t, int record) {
-    return record < t->n ? t->first + record : t->other_local[record - t->n];
+static inline int solid_list_local(const struct solid_list *list, int record) {
+    return record < list->n ? list->first + record : list->other_local[record - list->n];
 }
 
 /* Record of the other end of bond j; and its local index. */
 static inline int solid_list_record(const struct solid_list *t, long j) { return t->at[j] / t->width; }
-static inline int solid_list_other(const struct solid_list *t, long j) {
-    return solid_list_local(t, solid_list_record(t, j));
+static inline int solid_list_other(const struct solid_list *list, long j) {
+    return solid_list_local(list, solid_list_record(list, j));
 }
 
 static inline int solid_list_is_intact(const struct solid_list *t, long j) { return !signbit(t->stiffness[j]); }
 /* Whether eight bonds from j, the first of a block, are intact: bit k for bond j + k. Padding counts as broken. */
-static inline unsigned solid_list_block_intact(const struct solid_list *t, long j) {
-    return ~vec_signs(vec_load(t->stiffness + j)) & 0xffu;
+static inline unsigned solid_list_block_intact(const struct solid_list *list, long j) {
+    return ~vec_signs(vec_load(list->stiffness + j)) & 0xffu;
 }
-static inline void solid_list_set(struct solid_list *t, long j, int intact) {
-    t->stiffness[j] = copysign(t->stiffness[j], intact ? 1 : -1);
+static inline void solid_list_set(struct solid_list *list, long j, int intact) {
+    list->stiffness[j] = copysign(list->stiffness[j], intact ? 1 : -1);
 }
 
 /* X0_l - X0_h of bond j in direction c, spacings. */
-static inline float *solid_list_step(const struct solid_list *t, long j, int c) {
-    return t->step + (j / SOLID_LIST_BLOCK * t->dim + c) * SOLID_LIST_BLOCK + j % SOLID_LIST_BLOCK;
+static inline float *solid_list_step(const struct solid_list *list, long j, int c) {
+    return list->step + (j / SOLID_LIST_BLOCK * list->dim + c) * SOLID_LIST_BLOCK + j % SOLID_LIST_BLOCK;
 }
 
 /* The vector xi, spacings; the third component is 0 in a plate. Returns |xi|. */
-static inline double solid_list_steps(const struct solid_list *t, long j, double xi[3]) {
+static inline double solid_list_steps(const struct solid_list *list, long j, double xi[3]) {
     double xi2 = 0;
     xi[2] = 0;
-    for (int c = 0; c < t->dim; c++) {
-        xi[c] = *solid_list_step(t, j, c);
+    for (int c = 0; c < list->dim; c++) {
+        xi[c] = *solid_list_step(list, j, c);
         xi2 += xi[c] * xi[c];
     }
     return sqrt(xi2);
 }
 
 /* The same in m. */
-static inline void solid_list_xi(const struct solid_list *t, long j, double xi[3]) {
-    solid_list_steps(t, j, xi);
-    for (int c = 0; c < 3; c++) xi[c] *= t->spacing;
+static inline void solid_list_xi(const struct solid_list *list, long j, double xi[3]) {
+    solid_list_steps(list, j, xi);
+    for (int c = 0; c < 3; c++) xi[c] *= list->spacing;
 }
 
 /* Surface correction of bond j of particle h. */
-static inline double solid_list_alpha(const struct solid_list *t, int h, long j) {
-    return 2 / (t->w[h - t->first] + t->w[solid_list_record(t, j)]);
+static inline double solid_list_alpha(const struct solid_list *list, int h, long j) {
+    return 2 / (list->w[h - list->first] + list->w[solid_list_record(list, j)]);
 }
 
 /* Micromodulus of the bond, N/m6, and Gamma V_l, m3: their product is K V_l (solid/law/pair.h). */
@@ -137,7 +137,7 @@ double solid_list_limit(const struct solid_list *list, int h, long j);
 
 /* Room for a plate's sums of the i-th family (solid/force/sweep_family.h). 1.5 2^L, 2^L at least the number of bonds:
  * the shift in powers of two above all components, halved. */
-static inline double solid_list_room(const struct solid_list *b, int i) {
-    const unsigned blocks = (unsigned)((b->end[i] - b->start[i] + VEC_LANES - 1) / VEC_LANES);
+static inline double solid_list_room(const struct solid_list *list, int i) {
+    const unsigned blocks = (unsigned)((list->end[i] - list->start[i] + VEC_LANES - 1) / VEC_LANES);
     return 1.5 * VEC_LANES * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);
 }

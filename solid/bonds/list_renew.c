@@ -76,70 +76,70 @@ static long key_now(const struct change *k, const struct solid_list *old, int re
 }
 
 /* Copies a family with its alpha. Bonds to owned particles, which keep their order, need no key. */
-static void copy_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o) {
-    const long from = old->start[o], to = b->start[i];
+static void copy_family(struct solid_list *list, const struct solid_list *old, const struct change *k, int i, int o) {
+    const long from = old->start[o], to = list->start[i];
     const size_t n = (size_t)(old->end[o] - from),
                  blocks = (n + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK * SOLID_LIST_BLOCK;
-    memcpy(b->at + to, old->at + from, blocks * sizeof *b->at);
-    memcpy(b->step + to * b->dim, old->step + from * b->dim, blocks * (size_t)b->dim * sizeof *b->step);
-    memcpy(b->stiffness + to, old->stiffness + from, blocks * sizeof *b->stiffness);
-    b->limit[i] = old->limit[o];
-    b->digit[i] = old->digit[o];
-    b->power[i] = old->power[o];
-    b->own_volume[i] = old->own_volume[o];
-    b->scaled[i] = SOLID_LIST_LINKED;
+    memcpy(list->at + to, old->at + from, blocks * sizeof *list->at);
+    memcpy(list->step + to * list->dim, old->step + from * list->dim, blocks * (size_t)list->dim * sizeof *list->step);
+    memcpy(list->stiffness + to, old->stiffness + from, blocks * sizeof *list->stiffness);
+    list->limit[i] = old->limit[o];
+    list->digit[i] = old->digit[o];
+    list->power[i] = old->power[o];
+    list->own_volume[i] = old->own_volume[o];
+    list->scaled[i] = SOLID_LIST_LINKED;
     for (size_t j = 0; old->others > 0 && j < n; j++) {
         const int record = solid_list_record(old, from + (long)j);
-        b->key[to + (long)j] = record < old->n ? -1 : key_now(k, old, record);
-        if (record >= old->n) b->scaled[i] = SOLID_LIST_SCALED;
+        list->key[to + (long)j] = record < old->n ? -1 : key_now(k, old, record);
+        if (record >= old->n) list->scaled[i] = SOLID_LIST_SCALED;
     }
 }
 
 /* Computes the numbers of a family, without alpha. */
-static void number_family(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o,
+static void number_family(struct solid_list *list, const struct solid_list *old, const struct change *k, int i, int o,
                           long number) {
-    const long from = old->start[o], to = b->start[i], n = old->end[o] - from;
-    for (long j = 0; j < n; j++) b->key[to + j] = key_now(k, old, solid_list_record(old, from + j));
-    solid_list_find_number(b, k->cloud, i, number);
-    for (long j = 0; j < n; j++) solid_list_set(b, to + j, solid_list_is_intact(old, from + j));
+    const long from = old->start[o], to = list->start[i], n = old->end[o] - from;
+    for (long j = 0; j < n; j++) list->key[to + j] = key_now(k, old, solid_list_record(old, from + j));
+    solid_list_find_number(list, k->cloud, i, number);
+    for (long j = 0; j < n; j++) solid_list_set(list, to + j, solid_list_is_intact(old, from + j));
 }
 
 /* Breaks the bonds that were broken before. */
-static void keep_broken(struct solid_list *b, const struct solid_list *old, const struct change *k, int i, int o) {
+static void keep_broken(struct solid_list *list, const struct solid_list *old, const struct change *k, int i, int o) {
     for (long j = old->start[o]; j < old->end[o]; j++) {
         if (solid_list_is_intact(old, j)) continue;
         const long key = key_now(k, old, solid_list_record(old, j));
-        for (long q = b->start[i]; q < b->end[i]; q++)
-            if (b->key[q] == key) solid_list_set(b, q, 0);
+        for (long q = list->start[i]; q < list->end[i]; q++)
+            if (list->key[q] == key) solid_list_set(list, q, 0);
     }
 }
 
 struct solid_list *solid_list_renew(const struct solid_list *old, const struct solid_cloud *before,
                                     const struct solid_cloud *cloud, const long *was, long from, long to, int first) {
     struct change k = {.before = before, .cloud = cloud, .was = was};
-    struct solid_list *b = solid_list_find_begin(cloud, from, to, first);
+    struct solid_list *list = solid_list_find_begin(cloud, from, to, first);
     struct solid_cloud_near *near = memory_new(MEMORY_SOLID, 1, sizeof *near);
     change_begin(&k);
-    for (int i = 0; i < b->n; i++) {
-        const long number = b->number + i, o = was[number] - old->number;
+    for (int i = 0; i < list->n; i++) {
+        const long number = list->number + i, o = was[number] - old->number;
         ENSURE(was[number] < 0 || (o >= 0 && o < old->n), "particle %ld was not of this rank", number);
-        b->end[i] = k.family[number] == FRESH ? solid_cloud_near_count(cloud, number) : old->end[o] - old->start[o];
+        list->end[i] = k.family[number] == FRESH ? solid_cloud_near_count(cloud, number) : old->end[o] - old->start[o];
     }
-    solid_list_find_room(b);
-    for (int i = 0; i < b->n; i++) {
-        const long number = b->number + i;
+    solid_list_find_room(list);
+    for (int i = 0; i < list->n; i++) {
+        const long number = list->number + i;
         const int o = (int)(was[number] - old->number), is_old = was[number] >= 0;
-        if (is_old) b->large[i] = old->large[o];
+        if (is_old) list->large[i] = old->large[o];
         if (k.family[number] == UNTOUCHED) {
-            copy_family(b, old, &k, i, o);
+            copy_family(list, old, &k, i, o);
         } else if (k.family[number] == NEAR) {
-            number_family(b, old, &k, i, o, number);
+            number_family(list, old, &k, i, o, number);
         } else {
-            solid_list_find(b, cloud, i, number, near);
-            if (is_old) keep_broken(b, old, &k, i, o);
+            solid_list_find(list, cloud, i, number, near);
+            if (is_old) keep_broken(list, old, &k, i, o);
         }
     }
     change_end(&k);
     memory_free(near);
-    return b;
+    return list;
 }

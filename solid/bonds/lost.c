@@ -22,16 +22,16 @@ static void compare(struct solid_lost *lost, int h, int intact) {
     lost->h[lost->found++] = h;
 }
 
-static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice *t, int *row_intact) {
-    const int n = t->stencil->n;
-    for (int r = 0; r < t->rows; r++) {
-        const uint8_t *lambda = t->lambda + (size_t)r * (size_t)n;
+static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice *lattice, int *row_intact) {
+    const int n = lattice->stencil->n;
+    for (int r = 0; r < lattice->rows; r++) {
+        const uint8_t *lambda = lattice->lambda + (size_t)r * (size_t)n;
         const int row = (int)bits_count(lambda, (size_t)n);
         if (row == row_intact[r]) continue;
         row_intact[r] = row;
-        int h = t->row_first[r];
+        int h = lattice->row_first[r];
         for (int k = 0; k < SOLID_ROW; k++) {
-            if (!(t->row_owned[r] >> k & 1)) continue;
+            if (!(lattice->row_owned[r] >> k & 1)) continue;
             int intact = 0;
             for (int o = 0; o < n; o++) intact += lambda[o] >> k & 1;
             compare(lost, h++, intact);
@@ -40,13 +40,13 @@ static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice 
 }
 
 /* Only particles with the flag SOLID_BROKEN have lost bonds. */
-static void find_in_list(struct solid_lost *lost, const struct solid_list *t, const uint8_t *flag) {
-    for (int i = 0; i < t->n; i++) {
-        if (!(flag[t->first + i] & SOLID_BROKEN)) continue;
+static void find_in_list(struct solid_lost *lost, const struct solid_list *list, const uint8_t *flag) {
+    for (int i = 0; i < list->n; i++) {
+        if (!(flag[list->first + i] & SOLID_BROKEN)) continue;
         int intact = 0;
-        for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK)
-            intact += __builtin_popcount(solid_list_block_intact(t, j));
-        compare(lost, t->first + i, intact);
+        for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK)
+            intact += __builtin_popcount(solid_list_block_intact(list, j));
+        compare(lost, list->first + i, intact);
     }
 }
 
@@ -54,10 +54,10 @@ int solid_lost_find(struct solid_lost *lost, const struct solid *s) {
     int *row_intact = lost->row_intact;
     lost->found = 0;
     for (int b = 0; b < s->family->bodies; b++) {
-        const struct solid_lattice *t = s->family->lattice[b];
-        if (t) {
-            find_in_lattice(lost, t, row_intact);
-            row_intact += t->rows;
+        const struct solid_lattice *lattice = s->family->lattice[b];
+        if (lattice) {
+            find_in_lattice(lost, lattice, row_intact);
+            row_intact += lattice->rows;
         } else {
             find_in_list(lost, s->family->list[b], s->flag);
         }

@@ -13,18 +13,18 @@ struct solid_row {
 };
 
 /* Copies the present displacements to the dense box. Ghosts must be current. */
-static inline void solid_row_begin(const struct solid *s, const struct solid_lattice *t) {
+static inline void solid_row_begin(const struct solid *s, const struct solid_lattice *lattice) {
     for (int c = 0; c < 3; c++)
-        for (int i = 0; i < t->copies; i++) t->d[c][t->copy_at[i]] = s->d[c][t->copy_local[i]];
+        for (int i = 0; i < lattice->copies; i++) lattice->d[c][lattice->copy_at[i]] = s->d[c][lattice->copy_local[i]];
 }
 
-static inline struct solid_row solid_row_of(const struct solid_lattice *t, int r) {
-    struct solid_row row = {.t = t, .cell = t->row_cell[r], .bulk = t->row_bulk[r]};
-    row.lambda = t->lambda + (size_t)r * (size_t)t->stencil->n;
-    row.bond = t->active + t->row_active[r];
-    row.end = t->active + t->row_active[r + 1];
-    for (int c = 0; c < 3; c++) row.d[c] = vec_load(t->d[c] + solid_lattice_place(t, row.cell));
-    row.w = vec_load(solid_lattice_w(t, row.cell));
+static inline struct solid_row solid_row_of(const struct solid_lattice *lattice, int r) {
+    struct solid_row row = {.t = lattice, .cell = lattice->row_cell[r], .bulk = lattice->row_bulk[r]};
+    row.lambda = lattice->lambda + (size_t)r * (size_t)lattice->stencil->n;
+    row.bond = lattice->active + lattice->row_active[r];
+    row.end = lattice->active + lattice->row_active[r + 1];
+    for (int c = 0; c < 3; c++) row.d[c] = vec_load(lattice->d[c] + solid_lattice_place(lattice, row.cell));
+    row.w = vec_load(solid_lattice_w(lattice, row.cell));
     return row;
 }
 
@@ -48,9 +48,9 @@ static inline vec solid_row_alpha(const struct solid_row *row, int o) {
 }
 
 /* Writes the values of the lanes that are owned particles, in order: to[i * stride] for the i-th. */
-static inline void solid_row_put(const struct solid_lattice *t, int r, vec value, double *to, int stride) {
+static inline void solid_row_put(const struct solid_lattice *lattice, int r, vec value, double *to, int stride) {
     for (int k = 0; k < VEC_LANES; k++)
-        if (t->row_owned[r] >> k & 1) {
+        if (lattice->row_owned[r] >> k & 1) {
             *to = value[k];
             to += stride;
         }

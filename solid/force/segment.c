@@ -25,12 +25,12 @@
 #include "solid/force/strip.h"
 
 static inline __attribute__((always_inline)) struct solid_range segment(const struct solid_boxes *in,
-                                                                        const struct solid_segments *t, int g,
+                                                                        const struct solid_segments *segments, int g,
                                                                         const enum solid_kernel kernel, double *power) {
-    const uint32_t *entry = t->entry + t->first[g];
-    const uint16_t *count = t->count[g];
-    const int *far = t->far + t->first[g];
-    const long at = t->at[g];
+    const uint32_t *entry = segments->entry + segments->first[g];
+    const uint16_t *count = segments->count[g];
+    const int *far = segments->far + segments->first[g];
+    const long at = segments->at[g];
     struct wide_result wide = {vec_set(0), vec_set(0), vec_set(0)};
     struct narrow_result narrow = {vec4_set(0), vec4_set(0), vec4_set(0)};
     struct solid_range range = {0, 0};
@@ -81,7 +81,7 @@ static segment_kernel *const kernels[] = {segment_0, segment_1, segment_2, segme
                                           segment_5, segment_6, segment_7, segment_8};
 static_assert(sizeof kernels / sizeof *kernels == KERNEL_JUDGE + 1, "every kernel of enum solid_kernel needs its line");
 
-struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *t, int g,
+struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *segments, int g,
                                        enum solid_kernel kernel, double *power) {
-    return kernels[kernel & KERNEL_JUDGE ? KERNEL_JUDGE : kernel](in, t, g, power);
+    return kernels[kernel & KERNEL_JUDGE ? KERNEL_JUDGE : kernel](in, segments, g, power);
 }

@@ -30,10 +30,10 @@ struct solid_sweep_family {
  *     f += (k_d/c) k/(alpha |xi|) [(v_l - v_h).zeta]/(1 + eps) zeta     1/alpha = (w_h + w_l)/2
  * Lengths in spacings. viscous: k_d/(2 c), s/m. */
 static inline __attribute__((always_inline)) struct solid_sweep_family
-solid_sweep_family_of(const struct solid_list *b, int i, double viscous, const int dim, const int exact,
+solid_sweep_family_of(const struct solid_list *list, int i, double viscous, const int dim, const int exact,
                       const int damped) {
-    const double *here = b->record + (long)b->width * i, *speed = b->speed + (long)SOLID_LIST_SPEED * i;
-    const vec zero = vec_set(0), shift = vec_set(b->power[i] * (damped ? solid_list_room(b, i) : b->digit[i]));
+    const double *here = list->record + (long)list->width * i, *speed = list->speed + (long)SOLID_LIST_SPEED * i;
+    const vec zero = vec_set(0), shift = vec_set(list->power[i] * (damped ? solid_list_room(list, i) : list->digit[i]));
     struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
     vec d[3], v[3], w = zero;
     for (int c = 0; c < dim; c++) {
@@ -41,28 +41,28 @@ solid_sweep_family_of(const struct solid_list *b, int i, double viscous, const i
         if (damped) v[c] = vec_set(speed[c]);
     }
     if (damped) w = vec_set(speed[SOLID_LIST_SPEED - 1]);
-    const long end = b->end[i];
-    for (long j = b->start[i]; j < end; j += VEC_LANES) {
-        const float *step = b->step + j * dim;
+    const long end = list->end[i];
+    for (long j = list->start[i]; j < end; j += VEC_LANES) {
+        const float *step = list->step + j * dim;
         vec there[4], speeds[4], zeta[3], q = zero, xi2 = zero;
         if (dim == 2)
-            vec_gather2(b->record, b->at + j, there);
+            vec_gather2(list->record, list->at + j, there);
         else
-            vec_gather4(b->record, 1, b->at + j, there);
+            vec_gather4(list->record, 1, list->at + j, there);
         for (int c = 0; c < dim; c++) {
             const vec xi = vec_load_floats(step + VEC_LANES * c), eta = there[c] - d[c];
             zeta[c] = xi + eta;
             q = c == 0 ? eta * (xi + zeta[c]) : q + eta * (xi + zeta[c]);
             xi2 = c == 0 ? xi * xi : xi2 + xi * xi;
         }
-        const vec k = vec_load(b->stiffness + j), inv_xi2 = vec_reciprocal(xi2);
+        const vec k = vec_load(list->stiffness + j), inv_xi2 = vec_reciprocal(xi2);
         const unsigned lambda = ~vec_signs(k);
         const vec eps = vec_where(lambda, q * inv_xi2);
         of.high = vec_max(of.high, eps);
         of.far = vec_absmax(of.far, eps);
         vec f = solid_sweep_family_g_times(eps, k, exact);
         if (damped) {
-            vec_gather4(b->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), b->at + j, speeds);
+            vec_gather4(list->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), list->at + j, speeds);
             vec closing = (speeds[0] - v[0]) * zeta[0];
             for (int c = 1; c < dim; c++) closing += (speeds[c] - v[c]) * zeta[c];
             const vec scale = k * vec_sqrt(inv_xi2) * ((w + speeds[3]) * viscous);

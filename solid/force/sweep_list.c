@@ -8,28 +8,30 @@
 /* Bonds are tested from slightly below the limit: the kernels' eps may differ from bond_eps in its last digit. */
 static const double NEAR_LIMIT = 1 - 1e-9;
 
-static inline __attribute__((always_inline)) void fill_places(const struct solid *s, const struct solid_list *b,
+static inline __attribute__((always_inline)) void fill_places(const struct solid *s, const struct solid_list *list,
                                                               const int dim) {
     const int width = dim == 2 ? 2 : 4;
-    const double inv_spacing = 1 / b->spacing, *d[3];
+    const double inv_spacing = 1 / list->spacing, *d[3];
     for (int c = 0; c < dim; c++) d[c] = s->d[c];
-    for (long r = 0; r < b->n; r++)
-        for (int c = 0; c < dim; c++) b->record[width * r + c] = d[c][b->first + r] * inv_spacing;
-    for (long r = 0; r < b->others; r++)
-        for (int c = 0; c < dim; c++) b->record[width * (b->n + r) + c] = d[c][b->other_local[r]] * inv_spacing;
+    for (long r = 0; r < list->n; r++)
+        for (int c = 0; c < dim; c++) list->record[width * r + c] = d[c][list->first + r] * inv_spacing;
+    for (long r = 0; r < list->others; r++)
+        for (int c = 0; c < dim; c++)
+            list->record[width * (list->n + r) + c] = d[c][list->other_local[r]] * inv_spacing;
 }
 
-void solid_sweep_list_fill(const struct solid *s, const struct solid_list *b) {
-    if (b->dim == 2)
-        fill_places(s, b, 2);
+void solid_sweep_list_fill(const struct solid *s, const struct solid_list *list) {
+    if (list->dim == 2)
+        fill_places(s, list, 2);
     else
-        fill_places(s, b, 3);
+        fill_places(s, list, 3);
 }
 
-static void fill(const struct solid *s, const struct solid_list *b, int damped) {
-    solid_sweep_list_fill(s, b);
-    for (int r = 0; damped && r < b->n + b->others; r++)
-        for (int c = 0; c < b->dim; c++) b->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(b, r)];
+static void fill(const struct solid *s, const struct solid_list *list, int damped) {
+    solid_sweep_list_fill(s, list);
+    for (int r = 0; damped && r < list->n + list->others; r++)
+        for (int c = 0; c < list->dim; c++)
+            list->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(list, r)];
 }
 
 /* The kernels of a family, compiled for a plate and for 3D, with and without damping, with square roots (exact) and
@@ -64,23 +66,23 @@ static __attribute__((noinline)) double bond_eps(const double *xi, const double 
 }
 
 /* Breaks the bonds of the particle that are stretched beyond their limits, on its side. Returns how many. */
-static int break_bonds(struct solid *s, struct solid_list *b, int i) {
-    const int h = b->first + i;
-    const double *here = b->record + (long)b->width * i;
+static int break_bonds(struct solid *s, struct solid_list *list, int i) {
+    const int h = list->first + i;
+    const double *here = list->record + (long)list->width * i;
     int broken = 0;
-    for (long j = b->start[i]; j < b->end[i]; j++) {
-        const double *there = b->record + b->at[j];
+    for (long j = list->start[i]; j < list->end[i]; j++) {
+        const double *there = list->record + list->at[j];
         double xi[3], eta[3] = {0};
-        if (!solid_list_is_intact(b, j) || ((s->flag[h] | s->flag[solid_list_other(b, j)]) & SOLID_UNBREAKABLE))
+        if (!solid_list_is_intact(list, j) || ((s->flag[h] | s->flag[solid_list_other(list, j)]) & SOLID_UNBREAKABLE))
             continue;
-        const double length = solid_list_steps(b, j, xi);
-        for (int c = 0; c < b->dim; c++) eta[c] = there[c] - here[c];
-        const double eps = bond_eps(xi, eta, b->dim);
-        if (!(eps > b->limit[i]) || !(eps > solid_list_limit(b, h, j))) continue;
+        const double length = solid_list_steps(list, j, xi);
+        for (int c = 0; c < list->dim; c++) eta[c] = there[c] - here[c];
+        const double eps = bond_eps(xi, eta, list->dim);
+        if (!(eps > list->limit[i]) || !(eps > solid_list_limit(list, h, j))) continue;
         const double stretch = eps / (1 + sqrt(1 + eps));
-        s->e_fracture +=
-            0.25 * b->law.density * b->stiffness[j] * length * stretch * stretch * (length * b->spacing) * s->volume[h];
-        solid_list_set(b, j, 0);
+        s->e_fracture += 0.25 * list->law.density * list->stiffness[j] * length * stretch * stretch *
+                         (length * list->spacing) * s->volume[h];
+        solid_list_set(list, j, 0);
         broken++;
     }
     if (broken) {
@@ -111,12 +113,12 @@ static inline vec decides(const struct sweep *k, const struct solid_sweep_family
 
 /* The sums, rounded to the right digits. */
 static struct solid_sweep_family in_digits(const struct sweep *k, int i, int exact) {
-    struct solid_list *b = k->b;
-    struct solid_sweep_family of = k->kernels[exact](b, i, k->viscous);
+    struct solid_list *list = k->b;
+    struct solid_sweep_family of = k->kernels[exact](list, i, k->viscous);
     const vec a = decides(k, &of);
-    if (b->dim == 3 || is_power_below(b->power[i], a)) return of;
-    b->power[i] = vec_power_below(vec_highest(a));
-    return k->kernels[exact](b, i, k->viscous);
+    if (list->dim == 3 || is_power_below(list->power[i], a)) return of;
+    list->power[i] = vec_power_below(vec_highest(a));
+    return k->kernels[exact](list, i, k->viscous);
 }
 
 static inline int may_break_here(const struct sweep *k, int i, const struct solid_sweep_family *of) {
@@ -126,24 +128,24 @@ static inline int may_break_here(const struct sweep *k, int i, const struct soli
 /* Computes a family that needs another treatment than most: again, if bonds break or the series does not hold; with
  * square roots from the start, if eps was large. */
 static __attribute__((noinline)) struct solid_sweep_family judged(const struct sweep *k, int i) {
-    struct solid_list *b = k->b;
-    const int exact = b->large[i];
+    struct solid_list *list = k->b;
+    const int exact = list->large[i];
     const struct solid_sweep_family of = in_digits(k, i, exact);
     const int too_large = vec_any_above(of.far, (exact ? 0.5 : 1) * SOLID_SERIES_LIMIT);
-    const int broken = may_break_here(k, i, &of) && break_bonds(k->s, b, i);
-    b->large[i] = (uint8_t)too_large;
+    const int broken = may_break_here(k, i, &of) && break_bonds(k->s, list, i);
+    list->large[i] = (uint8_t)too_large;
     return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
 }
 
 static inline __attribute__((always_inline)) double sweep_all(const struct sweep *k, const int dim, const int damped) {
     struct solid *s = k->s;
-    struct solid_list *b = k->b;
+    struct solid_list *list = k->b;
     double power = 0;
-    for (int i = 0; i < b->n; i++) {
-        const int h = b->first + i;
-        struct solid_sweep_family of = solid_sweep_family_of(b, i, k->viscous, dim, 0, damped);
-        if (b->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
-            (dim == 2 && !is_power_below(b->power[i], damped ? of.largest : of.far)))
+    for (int i = 0; i < list->n; i++) {
+        const int h = list->first + i;
+        struct solid_sweep_family of = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped);
+        if (list->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
+            (dim == 2 && !is_power_below(list->power[i], damped ? of.largest : of.far)))
             of = judged(k, i);
         for (int c = 0; c < dim; c++) s->a[c][h] = vec_total(of.sum[c]);
         if (damped) power += vec_sum(of.power) * s->volume[h];
@@ -151,15 +153,15 @@ static inline __attribute__((always_inline)) double sweep_all(const struct sweep
     return power;
 }
 
-double solid_sweep_list(struct solid *s, struct solid_list *b, const struct solid_sweep *asked) {
+double solid_sweep_list(struct solid *s, struct solid_list *list, const struct solid_sweep *asked) {
     const int damped = asked->damping > 0;
-    const struct sweep k = {s,     b, kernels[b->dim - 2][damped], asked->damping / (2 * b->law.c), asked->may_break,
-                            damped};
-    fill(s, b, damped);
+    const struct sweep k = {
+        s, list, kernels[list->dim - 2][damped], asked->damping / (2 * list->law.c), asked->may_break, damped};
+    fill(s, list, damped);
     double power;
-    if (b->dim == 2)
+    if (list->dim == 2)
         power = damped ? sweep_all(&k, 2, 1) : sweep_all(&k, 2, 0);
     else
         power = damped ? sweep_all(&k, 3, 1) : sweep_all(&k, 3, 0);
-    return 0.5 * b->law.density * power;
+    return 0.5 * list->law.density * power;
 }

@@ -5,8 +5,8 @@
 static const struct solid_shape_kind points = {.name = "points", .places = SOLID_PLACES_POINTS},
                                      polygon = {.name = "polygon", .places = SOLID_PLACES_CELLS};
 
-const struct solid_shape_kind *solid_shape_of(const struct solid_body *b) {
-    switch (b->shape) {
+const struct solid_shape_kind *solid_shape_of(const struct solid_body *body) {
+    switch (body->shape) {
     case SOLID_BOX:
         return &solid_shape_box;
     case SOLID_SPHERE:
@@ -22,7 +22,7 @@ const struct solid_shape_kind *solid_shape_of(const struct solid_body *b) {
     case SOLID_SHAPES:
         break;
     }
-    ENSURE(0, "shape %d", (int)b->shape);
+    ENSURE(0, "shape %d", (int)body->shape);
 }
 
 int solid_shape_is_on_lattice(const struct solid_body *b) { return solid_shape_of(b)->places == SOLID_PLACES_LATTICE; }

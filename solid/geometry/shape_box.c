@@ -3,23 +3,23 @@
 
 #include <string.h>
 
-static int contains(const struct solid_body *b, const double x[3], double tiny) {
+static int contains(const struct solid_body *body, const double x[3], double tiny) {
     for (int c = 0; c < 3; c++)
-        if (x[c] < b->low[c] - tiny || x[c] >= b->high[c] - tiny) return 0;
+        if (x[c] < body->low[c] - tiny || x[c] >= body->high[c] - tiny) return 0;
     return 1;
 }
 
-static void bounds(const struct solid_body *b, double low[3], double high[3]) {
-    memcpy(low, b->low, sizeof b->low);
-    memcpy(high, b->high, sizeof b->high);
+static void bounds(const struct solid_body *body, double low[3], double high[3]) {
+    memcpy(low, body->low, sizeof body->low);
+    memcpy(high, body->high, sizeof body->high);
 }
 
 /* Three pairs of planes. */
-static int pieces(const struct solid_body *b, struct solid_piece piece[SOLID_PIECES_MAX]) {
+static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]) {
     for (int c = 0; c < 3; c++) {
         double centre[3] = {0};
-        centre[c] = (b->low[c] + b->high[c]) / 2;
-        piece[c] = solid_piece_round(1 << c, 1, centre, (b->high[c] - b->low[c]) / 2);
+        centre[c] = (body->low[c] + body->high[c]) / 2;
+        piece[c] = solid_piece_round(1 << c, 1, centre, (body->high[c] - body->low[c]) / 2);
     }
     return 3;
 }

@@ -16,15 +16,15 @@ static double level(const double centre[3], const double radii[3], const double 
     return sum;
 }
 
-static int contains(const struct solid_body *b, const double x[3], double tiny) {
+static int contains(const struct solid_body *body, const double x[3], double tiny) {
     (void)tiny;
-    return level(b->centre, b->radii, x) < 1;
+    return level(body->centre, body->radii, x) < 1;
 }
 
-static void bounds(const struct solid_body *b, double low[3], double high[3]) {
+static void bounds(const struct solid_body *body, double low[3], double high[3]) {
     for (int c = 0; c < 3; c++) {
-        low[c] = b->centre[c] - b->radii[c];
-        high[c] = b->centre[c] + b->radii[c];
+        low[c] = body->centre[c] - body->radii[c];
+        high[c] = body->centre[c] + body->radii[c];
     }
 }
 
@@ -81,10 +81,10 @@ static double depth(const struct solid_piece *p, const double x[3], double norma
     return (1 - u) * e[m] * e[m] * steep;
 }
 
-static int pieces(const struct solid_body *b, struct solid_piece piece[SOLID_PIECES_MAX]) {
+static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]) {
     piece[0] = (struct solid_piece){.depth = depth, .inside = 1};
-    memcpy(piece[0].centre, b->centre, sizeof piece[0].centre);
-    memcpy(piece[0].radii, b->radii, sizeof piece[0].radii);
+    memcpy(piece[0].centre, body->centre, sizeof piece[0].centre);
+    memcpy(piece[0].radii, body->radii, sizeof piece[0].radii);
     return 1;
 }
 

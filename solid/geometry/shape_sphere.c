@@ -1,25 +1,25 @@
 /* Sphere. */
 #include "solid/geometry/shape.h"
 
-static int contains(const struct solid_body *b, const double x[3], double tiny) {
+static int contains(const struct solid_body *body, const double x[3], double tiny) {
     double r2 = 0;
     (void)tiny;
     for (int c = 0; c < 3; c++) {
-        const double r = x[c] - b->centre[c];
+        const double r = x[c] - body->centre[c];
         r2 += r * r;
     }
-    return r2 < b->radius * b->radius;
+    return r2 < body->radius * body->radius;
 }
 
-static void bounds(const struct solid_body *b, double low[3], double high[3]) {
+static void bounds(const struct solid_body *body, double low[3], double high[3]) {
     for (int c = 0; c < 3; c++) {
-        low[c] = b->centre[c] - b->radius;
-        high[c] = b->centre[c] + b->radius;
+        low[c] = body->centre[c] - body->radius;
+        high[c] = body->centre[c] + body->radius;
     }
 }
 
-static int pieces(const struct solid_body *b, struct solid_piece piece[SOLID_PIECES_MAX]) {
-    piece[0] = solid_piece_round(SOLID_PIECE_ALL, 1, b->centre, b->radius);
+static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]) {
+    piece[0] = solid_piece_round(SOLID_PIECE_ALL, 1, body->centre, body->radius);
     return 1;
 }
 

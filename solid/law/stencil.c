@@ -10,55 +10,55 @@
 
 enum { CELLS = 400 }; /* columns along a side of a cube's face: fractions accurate to 1e-6 */
 
-static double fraction_of_step(const struct solid_stencil *t, const int step[3]) {
+static double fraction_of_step(const struct solid_stencil *stencil, const int step[3]) {
     /* the fraction is equal for all permutations and signs: checks whether it is known already */
-    for (int o = 0; o < t->n; o++) {
-        const int *other = t->offset[o].step;
+    for (int o = 0; o < stencil->n; o++) {
+        const int *other = stencil->offset[o].step;
         const int same2 = other[0] * other[0] + other[1] * other[1] + other[2] * other[2] ==
                           step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
         const int same4 = other[0] * other[0] * other[1] * other[1] * other[2] * other[2] ==
                           step[0] * step[0] * step[1] * step[1] * step[2] * step[2];
         const int sum = abs(other[0]) + abs(other[1]) + abs(other[2]);
         if (same2 && same4 && sum == abs(step[0]) + abs(step[1]) + abs(step[2]))
-            return t->offset[o].weight / (t->spacing * t->spacing * t->spacing);
+            return stencil->offset[o].weight / (stencil->spacing * stencil->spacing * stencil->spacing);
     }
     const double xi[3] = {step[0], step[1], step[2]};
-    return solid_weight_fraction(xi, 1, t->horizon / t->spacing, CELLS);
+    return solid_weight_fraction(xi, 1, stencil->horizon / stencil->spacing, CELLS);
 }
 
 struct solid_stencil *solid_stencil_new(double spacing, double m) {
-    struct solid_stencil *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
-    t->spacing = spacing;
-    t->horizon = m * spacing;
+    struct solid_stencil *stencil = memory_new(MEMORY_SOLID, 1, sizeof *stencil);
+    stencil->spacing = spacing;
+    stencil->horizon = m * spacing;
     const double limit = (m + 0.5) * (m + 0.5) * (1 - 1e-12), volume = spacing * spacing * spacing;
     const int reach = (int)floor(m + 0.5);
-    t->offset = memory_new(MEMORY_SOLID, SOLID_FAMILY_MAX, sizeof *t->offset);
+    stencil->offset = memory_new(MEMORY_SOLID, SOLID_FAMILY_MAX, sizeof *stencil->offset);
     for (int k = -reach; k <= reach; k++)
         for (int j = -reach; j <= reach; j++)
             for (int i = -reach; i <= reach; i++) {
                 const int step2 = i * i + j * j + k * k;
                 if (step2 == 0 || step2 >= limit) continue;
-                if (t->n == SOLID_FAMILY_MAX)
+                if (stencil->n == SOLID_FAMILY_MAX)
                     die_all(EXIT_CODE_SCENE, "horizon_ratio = %g: a particle would have more than %d bonds", m,
                             SOLID_FAMILY_MAX);
                 const int step[3] = {i, j, k};
-                const double fraction = fraction_of_step(t, step);
-                struct solid_offset *o = &t->offset[t->n++];
+                const double fraction = fraction_of_step(stencil, step);
+                struct solid_offset *o = &stencil->offset[stencil->n++];
                 for (int c = 0; c < 3; c++) {
                     o->step[c] = step[c];
                     o->xi[c] = step[c] * spacing;
-                    if (abs(step[c]) > t->reach) t->reach = abs(step[c]);
+                    if (abs(step[c]) > stencil->reach) stencil->reach = abs(step[c]);
                 }
                 o->length = sqrt(step2) * spacing;
                 o->inv_length2 = 1 / (step2 * spacing * spacing);
                 o->weight = fraction * volume;
-                t->full_volume += o->weight;
+                stencil->full_volume += o->weight;
             }
-    return t;
+    return stencil;
 }
 
-void solid_stencil_free(struct solid_stencil *t) {
-    if (!t) return;
-    memory_free(t->offset);
-    memory_free(t);
+void solid_stencil_free(struct solid_stencil *stencil) {
+    if (!stencil) return;
+    memory_free(stencil->offset);
+    memory_free(stencil);
 }

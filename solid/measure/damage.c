@@ -12,25 +12,25 @@ static vec intact_of(const struct solid_row *row) {
 }
 
 /* phi of the row's owned particles, which are the n from h on; phi is not changed if no bond of the row is broken. */
-static void of_row(const struct solid *s, const struct solid_lattice *t, int r, double *phi) {
-    const int h = t->row_first[r], n = __builtin_popcount(t->row_owned[r]);
+static void of_row(const struct solid *s, const struct solid_lattice *lattice, int r, double *phi) {
+    const int h = lattice->row_first[r], n = __builtin_popcount(lattice->row_owned[r]);
     int broken = 0;
     for (int i = h; i < h + n; i++) {
         broken |= s->flag[i] & SOLID_BROKEN;
         phi[i] = 0;
     }
     if (!broken) return;
-    const struct solid_row row = solid_row_of(t, r);
-    solid_row_put(t, r, intact_of(&row), phi + h, 1);
+    const struct solid_row row = solid_row_of(lattice, r);
+    solid_row_put(lattice, r, intact_of(&row), phi + h, 1);
     for (int i = h; i < h + n; i++)
         phi[i] = s->flag[i] & SOLID_BROKEN && s->family_volume[i] > 0 ? 1 - phi[i] / s->family_volume[i] : 0;
 }
 
 void solid_damage_measure(const struct solid *s, double *phi) {
     for (int b = 0; b < s->family->bodies; b++) {
-        const struct solid_lattice *t = s->family->lattice[b];
-        for (int r = 0; t && r < t->rows; r++) of_row(s, t, r, phi);
-        for (int h = s->family->first[b]; !t && h < s->family->first[b + 1]; h++)
+        const struct solid_lattice *lattice = s->family->lattice[b];
+        for (int r = 0; lattice && r < lattice->rows; r++) of_row(s, lattice, r, phi);
+        for (int h = s->family->first[b]; !lattice && h < s->family->first[b + 1]; h++)
             phi[h] = s->flag[h] & SOLID_BROKEN ? solid_list_damage(s->family->list[b], h) : 0;
     }
 }

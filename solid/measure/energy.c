@@ -38,24 +38,24 @@ static double of_view(const struct solid *s, int h, const struct solid_family_vi
 
 /* The same for the i-th particle of a list, whose stiffness is alpha c Gamma V_l/(rho |xi|) with |xi| in spacings.
  * *most: the largest stretch, -1 without an intact bond. */
-static double of_bonds(const struct solid *s, const struct solid_list *t, int i, double *most) {
-    const double scale = 1 / t->spacing;
+static double of_bonds(const struct solid *s, const struct solid_list *list, int i, double *most) {
+    const double scale = 1 / list->spacing;
     double sum = 0;
     *most = -1;
-    for (long j = t->start[i]; j < t->end[i]; j++) {
-        if (!solid_list_is_intact(t, j)) continue;
-        const int h = t->first + i, l = solid_list_other(t, j);
+    for (long j = list->start[i]; j < list->end[i]; j++) {
+        if (!solid_list_is_intact(list, j)) continue;
+        const int h = list->first + i, l = solid_list_other(list, j);
         double xi[3], q = 0;
-        const double length = solid_list_steps(t, j, xi), xi2 = length * length;
-        for (int c = 0; c < t->dim; c++) {
+        const double length = solid_list_steps(list, j, xi), xi2 = length * length;
+        for (int c = 0; c < list->dim; c++) {
             const double eta = scale * (s->d[c][l] - s->d[c][h]);
             q += eta * (xi[c] + (xi[c] + eta));
         }
         const double eps = q / xi2, stretch = eps / (1 + sqrt(1 + eps));
         *most = fmax(*most, stretch);
-        sum += t->stiffness[j] * xi2 * stretch * stretch;
+        sum += list->stiffness[j] * xi2 * stretch * stretch;
     }
-    return 0.25 * t->law.density * t->spacing * sum;
+    return 0.25 * list->law.density * list->spacing * sum;
 }
 
 static const double small_eps = 1. / 256; /* below it the series for s^2 is exact to 1e-15 */
@@ -73,20 +73,20 @@ static inline vec square_of_stretch(vec e, int small) {
 }
 
 /* The energy density of the i-th particle of a list, eight bonds at a time, from its records. *largest: of |eps|. */
-static inline __attribute__((always_inline)) double of_family(const struct solid_list *t, int i, int dim, int small,
+static inline __attribute__((always_inline)) double of_family(const struct solid_list *list, int i, int dim, int small,
                                                               vec *largest) {
-    const double *here = t->record + (long)t->width * i;
+    const double *here = list->record + (long)list->width * i;
     vec sum = vec_set(0);
-    for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK) {
+    for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK) {
         vec there[4], q = vec_set(0), xi2 = vec_set(0);
-        const vec stiffness = vec_load(t->stiffness + j);
+        const vec stiffness = vec_load(list->stiffness + j);
         const unsigned intact = ~vec_signs(stiffness) & 0xffu;
         if (dim == 2)
-            vec_gather2(t->record, t->at + j, there);
+            vec_gather2(list->record, list->at + j, there);
         else
-            vec_gather4(t->record, 1, t->at + j, there);
+            vec_gather4(list->record, 1, list->at + j, there);
         for (int c = 0; c < dim; c++) {
-            const vec xi = vec_load_floats(solid_list_step(t, j, c)), eta = there[c] - here[c];
+            const vec xi = vec_load_floats(solid_list_step(list, j, c)), eta = there[c] - here[c];
             q += eta * (xi + (xi + eta));
             xi2 += xi * xi;
         }
@@ -94,41 +94,42 @@ static inline __attribute__((always_inline)) double of_family(const struct solid
         *largest = vec_max(*largest, vec_max(eps, -eps));
         sum += vec_where(intact, stiffness * xi2) * square_of_stretch(eps, small);
     }
-    return 0.25 * t->law.density * t->spacing * vec_sum(sum);
+    return 0.25 * list->law.density * list->spacing * vec_sum(sum);
 }
 
-static double of_list(const struct solid_list *t, int i) {
+static double of_list(const struct solid_list *list, int i) {
     vec largest = vec_set(0);
-    const double small = t->dim == 2 ? of_family(t, i, 2, 1, &largest) : of_family(t, i, 3, 1, &largest);
+    const double small = list->dim == 2 ? of_family(list, i, 2, 1, &largest) : of_family(list, i, 3, 1, &largest);
     if (vec_highest(largest) < small_eps) return small;
-    return t->dim == 2 ? of_family(t, i, 2, 0, &largest) : of_family(t, i, 3, 0, &largest);
+    return list->dim == 2 ? of_family(list, i, 2, 0, &largest) : of_family(list, i, 3, 0, &largest);
 }
 
 /* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), from the displacements in
  * its dense box. *largest: of |eps|. */
-static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *t, long cell, int n,
+static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *lattice, long cell, int n,
                                                           const uint32_t *entry, int bulk, int small, vec *largest) {
-    const long at = solid_lattice_place(t, cell);
-    const vec x = vec_load(t->d[0] + at), y = vec_load(t->d[1] + at), z = vec_load(t->d[2] + at);
-    const vec w = vec_load(t->w + at);
+    const long at = solid_lattice_place(lattice, cell);
+    const vec x = vec_load(lattice->d[0] + at), y = vec_load(lattice->d[1] + at), z = vec_load(lattice->d[2] + at);
+    const vec w = vec_load(lattice->w + at);
     vec sum = vec_set(0);
     for (int i = 0; i < n; i++) {
-        const struct solid_lattice_offset *bond = &t->offset[entry[i] >> 8];
-        const struct solid_offset *from = &t->stencil->offset[entry[i] >> 8];
-        const long far = solid_lattice_place(t, cell + bond->shift);
-        const vec ex = vec_load(t->d[0] + far) - x, ey = vec_load(t->d[1] + far) - y, ez = vec_load(t->d[2] + far) - z;
+        const struct solid_lattice_offset *bond = &lattice->offset[entry[i] >> 8];
+        const struct solid_offset *from = &lattice->stencil->offset[entry[i] >> 8];
+        const long far = solid_lattice_place(lattice, cell + bond->shift);
+        const vec ex = vec_load(lattice->d[0] + far) - x, ey = vec_load(lattice->d[1] + far) - y,
+                  ez = vec_load(lattice->d[2] + far) - z;
         const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
         const vec eps = vec_where(entry[i] & 0xffu, q * bond->inv_length2);
         const vec e = square_of_stretch(eps, small) * (from->length * from->weight);
         *largest = vec_max(*largest, vec_max(eps, -eps));
-        sum += bulk ? e : vec_where(entry[i] & 0xffu, 2 * e * vec_reciprocal(w + vec_load(t->w + far)));
+        sum += bulk ? e : vec_where(entry[i] & 0xffu, 2 * e * vec_reciprocal(w + vec_load(lattice->w + far)));
     }
     return sum;
 }
 
 /* The energy of a segment: bonds between particles owned here count in full, the others by half. */
-static double of_segment(const struct solid_lattice *t, int g, int small, vec *largest) {
-    const struct solid_segments *all = t->segments;
+static double of_segment(const struct solid_lattice *lattice, int g, int small, vec *largest) {
+    const struct solid_segments *all = lattice->segments;
     const uint32_t *entry = all->entry + all->first[g];
     vec sum[2] = {vec_set(0), vec_set(0)};
     for (int strip = 0; strip < SOLID_STRIPS; strip++) {
@@ -136,28 +137,28 @@ static double of_segment(const struct solid_lattice *t, int g, int small, vec *l
         const long cell = all->cell[g] + solid_segments_strip_site(strip);
         if (n == 0) continue;
         if (small && all->bulk[g])
-            sum[strip % 2] += of_strip(t, cell, n, entry, 1, 1, largest);
+            sum[strip % 2] += of_strip(lattice, cell, n, entry, 1, 1, largest);
         else if (small)
-            sum[strip % 2] += of_strip(t, cell, n, entry, 0, 1, largest);
+            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 1, largest);
         else
-            sum[strip % 2] += of_strip(t, cell, n, entry, 0, 0, largest);
+            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 0, largest);
         entry += n;
     }
     return vec_sum(sum[0] + 0.5 * sum[1]);
 }
 
 /* J */
-static double of_lattice(const struct solid *s, const struct solid_lattice *t) {
-    const double spacing = t->stencil->spacing;
+static double of_lattice(const struct solid *s, const struct solid_lattice *lattice) {
+    const double spacing = lattice->stencil->spacing;
     double sum = 0;
-    solid_row_begin(s, t);
-    for (int g = 0; g < t->segments->n; g++) {
+    solid_row_begin(s, lattice);
+    for (int g = 0; g < lattice->segments->n; g++) {
         vec largest = vec_set(0);
-        if (t->segments->stale[g]) solid_segments_pack(t, g);
-        const double small = of_segment(t, g, 1, &largest);
-        sum += vec_highest(largest) < small_eps ? small : of_segment(t, g, 0, &largest);
+        if (lattice->segments->stale[g]) solid_segments_pack(lattice, g);
+        const double small = of_segment(lattice, g, 1, &largest);
+        sum += vec_highest(largest) < small_eps ? small : of_segment(lattice, g, 0, &largest);
     }
-    return 0.5 * t->law.c0 * spacing * spacing * spacing * sum;
+    return 0.5 * lattice->law.c0 * spacing * spacing * spacing * sum;
 }
 
 struct solid_energy solid_energy_measure(struct solid *s) {

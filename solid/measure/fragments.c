@@ -28,46 +28,48 @@ static int join(int *parent, int a, int b) {
 
 /* Joins a row's particles with their neighbours at offset o. piece [sites]: the root of the site's particle, possibly
  * out of date; only particles with different roots are joined. */
-static inline void join_at(const struct solid_lattice *t, int cell, int o, unsigned intact, int *piece, int *parent) {
-    const long at = cell + t->offset[o].shift;
+static inline void join_at(const struct solid_lattice *lattice, int cell, int o, unsigned intact, int *piece,
+                           int *parent) {
+    const long at = cell + lattice->offset[o].shift;
     for (unsigned lanes = intact & vec_differ(piece + cell, piece + at); lanes; lanes &= lanes - 1) {
         const int k = __builtin_ctz(lanes);
-        piece[cell + k] = piece[at + k] = join(parent, t->local[cell + k], t->local[at + k]);
+        piece[cell + k] = piece[at + k] = join(parent, lattice->local[cell + k], lattice->local[at + k]);
     }
 }
 
 /* Joins the particles of all bonds of a segment (solid/bonds/segments.h): bonds between owned particles from one end,
  * others from this end. */
-static void join_segment(const struct solid_lattice *t, int g, int *piece, int *parent) {
-    const struct solid_segments *all = t->segments;
-    if (all->stale[g]) solid_segments_pack(t, g);
+static void join_segment(const struct solid_lattice *lattice, int g, int *piece, int *parent) {
+    const struct solid_segments *all = lattice->segments;
+    if (all->stale[g]) solid_segments_pack(lattice, g);
     const uint32_t *entry = all->entry + all->first[g];
     for (int strip = 0; strip < SOLID_STRIPS; strip++)
         for (int i = 0; i < all->count[g][strip]; i++, entry++)
-            join_at(t, all->cell[g] + solid_segments_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece,
+            join_at(lattice, all->cell[g] + solid_segments_strip_site(strip), (int)(*entry >> 8), *entry & 0xffu, piece,
                     parent);
 }
 
 /* Nearest neighbours first: most of a body is then connected, and the other bonds need little work. */
-static void join_lattice(const struct solid_lattice *t, int *parent) {
-    int *piece = memory_new(MEMORY_SOLID, (size_t)t->sites + 2 * SOLID_ROW, sizeof *piece);
-    const int offsets = t->stencil->n;
-    for (long i = 0; i < t->sites; i++) piece[i] = t->local[i];
+static void join_lattice(const struct solid_lattice *lattice, int *parent) {
+    int *piece = memory_new(MEMORY_SOLID, (size_t)lattice->sites + 2 * SOLID_ROW, sizeof *piece);
+    const int offsets = lattice->stencil->n;
+    for (long i = 0; i < lattice->sites; i++) piece[i] = lattice->local[i];
     for (int o = 0; o < offsets; o++) {
-        if (t->stencil->offset[o].length > 1.1 * t->stencil->spacing) continue;
-        for (int r = 0; r < t->rows; r++)
-            join_at(t, t->row_cell[r], o, t->lambda[(size_t)r * (size_t)offsets + (size_t)o], piece, parent);
+        if (lattice->stencil->offset[o].length > 1.1 * lattice->stencil->spacing) continue;
+        for (int r = 0; r < lattice->rows; r++)
+            join_at(lattice, lattice->row_cell[r], o, lattice->lambda[(size_t)r * (size_t)offsets + (size_t)o], piece,
+                    parent);
     }
-    for (long i = 0; i < t->sites; i++) piece[i] = t->local[i] < 0 ? -1 : find(parent, t->local[i]);
-    for (int g = 0; g < t->segments->n; g++) join_segment(t, g, piece, parent);
+    for (long i = 0; i < lattice->sites; i++) piece[i] = lattice->local[i] < 0 ? -1 : find(parent, lattice->local[i]);
+    for (int g = 0; g < lattice->segments->n; g++) join_segment(lattice, g, piece, parent);
     memory_free(piece);
 }
 
-static void join_list(const struct solid_list *t, int *parent) {
-    for (int i = 0; i < t->n; i++)
-        for (long j = t->start[i]; j < t->end[i]; j++) {
-            const int l = solid_list_other(t, j);
-            if (solid_list_is_intact(t, j) && parent[t->first + i] != parent[l]) join(parent, t->first + i, l);
+static void join_list(const struct solid_list *list, int *parent) {
+    for (int i = 0; i < list->n; i++)
+        for (long j = list->start[i]; j < list->end[i]; j++) {
+            const int l = solid_list_other(list, j);
+            if (solid_list_is_intact(list, j) && parent[list->first + i] != parent[l]) join(parent, list->first + i, l);
         }
 }
 

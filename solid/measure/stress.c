@@ -58,15 +58,15 @@ static void stress_of_row(const struct solid_row *row, vec t[6]) {
 void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
     struct solid_family_view view;
     for (int b = 0; b < s->family->bodies; b++) {
-        const struct solid_lattice *t = s->family->lattice[b];
-        if (t) solid_row_begin(s, t);
-        for (int r = 0; t && r < t->rows; r++) {
-            const struct solid_row row = solid_row_of(t, r);
+        const struct solid_lattice *lattice = s->family->lattice[b];
+        if (lattice) solid_row_begin(s, lattice);
+        for (int r = 0; lattice && r < lattice->rows; r++) {
+            const struct solid_row row = solid_row_of(lattice, r);
             vec sum[6];
             stress_of_row(&row, sum);
-            for (int k = 0; k < 6; k++) solid_row_put(t, r, sum[k], &stress[t->row_first[r]][k], 6);
+            for (int k = 0; k < 6; k++) solid_row_put(lattice, r, sum[k], &stress[lattice->row_first[r]][k], 6);
         }
-        for (int h = s->family->first[b]; !t && h < s->family->first[b + 1]; h++) {
+        for (int h = s->family->first[b]; !lattice && h < s->family->first[b + 1]; h++) {
             solid_family_view(s, h, &view);
             stress_of_view(s, h, &view, stress[h]);
         }
@@ -156,16 +156,16 @@ void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
     struct moments m;
     vec of[6];
     for (int b = 0; b < s->family->bodies; b++) {
-        const struct solid_lattice *t = s->family->lattice[b];
+        const struct solid_lattice *lattice = s->family->lattice[b];
         const int end = s->family->first[b + 1];
-        if (t) solid_row_begin(s, t);
-        for (int r = 0; t && r < t->rows; r++) {
-            const struct solid_row row = solid_row_of(t, r);
+        if (lattice) solid_row_begin(s, lattice);
+        for (int r = 0; lattice && r < lattice->rows; r++) {
+            const struct solid_row row = solid_row_of(lattice, r);
             moments_of_row(&row, &m);
             strain_of(&m, of);
-            for (int k = 0; k < 6; k++) solid_row_put(t, r, of[k], &strain[t->row_first[r]][k], 6);
+            for (int k = 0; k < 6; k++) solid_row_put(lattice, r, of[k], &strain[lattice->row_first[r]][k], 6);
         }
-        for (int h = s->family->first[b]; !t && h < end; h += VEC_LANES)
+        for (int h = s->family->first[b]; !lattice && h < end; h += VEC_LANES)
             strain_of_eight(s, h, end - h < VEC_LANES ? end - h : VEC_LANES, strain);
     }
 }

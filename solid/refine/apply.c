@@ -111,11 +111,11 @@ static void carry(struct solid *s, const struct change *change, const int *old_f
 }
 
 /* Sets the flag of new particles that have inherited broken bonds. */
-static void mark_broken(struct solid *s, const struct solid_list *t) {
-    for (int i = 0; i < t->n; i++) {
-        if (t->scaled[i]) continue;
-        for (long j = t->start[i]; j < t->end[i]; j++)
-            if (!solid_list_is_intact(t, j)) s->flag[t->first + i] |= SOLID_BROKEN;
+static void mark_broken(struct solid *s, const struct solid_list *list) {
+    for (int i = 0; i < list->n; i++) {
+        if (list->scaled[i]) continue;
+        for (long j = list->start[i]; j < list->end[i]; j++)
+            if (!solid_list_is_intact(list, j)) s->flag[list->first + i] |= SOLID_BROKEN;
     }
 }
 

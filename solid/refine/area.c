@@ -122,11 +122,11 @@ static void walk_down(struct walk *w, const int x[2], int level, long owner) {
 }
 
 static double area_of(const struct solid_refine_plan *p, const int x[2], int side) {
-    const struct solid_cloud *t = p->cloud;
+    const struct solid_cloud *cloud = p->cloud;
     double centre[2];
-    for (int c = 0; c < 2; c++) centre[c] = t->origin[c] + (double)x[c] / UNIT * t->spacing;
-    return solid_outline_area_in(p->body->outline, p->body->outlines, centre, (double)side / UNIT * t->spacing) /
-           (t->spacing * t->spacing);
+    for (int c = 0; c < 2; c++) centre[c] = cloud->origin[c] + (double)x[c] / UNIT * cloud->spacing;
+    return solid_outline_area_in(p->body->outline, p->body->outlines, centre, (double)side / UNIT * cloud->spacing) /
+           (cloud->spacing * cloud->spacing);
 }
 
 static void give_area(struct walk *w, const struct owners *to, const int x[2], int level) {

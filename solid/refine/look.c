@@ -29,35 +29,36 @@ static inline double sum_of_blocks(const double *term, long n, double most) {
 
 /* 1/4 sum of alpha c s^2 |xi| Gamma V_l, with k = alpha c Gamma V_l/(rho |xi|), negative for a broken bond. From the
  * records. (001: eq. 3.23) */
-static double energy_of(const struct solid_list *t, int i) {
+static double energy_of(const struct solid_list *list, int i) {
     double term[SOLID_FAMILY_MAX + VEC_LANES];
-    const double *here = t->record + (long)t->width * i;
-    const long n = t->end[i] - t->start[i];
+    const double *here = list->record + (long)list->width * i;
+    const long n = list->end[i] - list->start[i];
     vec most = vec_set(0);
     for (long k = 0; k < n; k += VEC_LANES) {
-        const long j = t->start[i] + k;
-        const vec x = vec_load_floats(solid_list_step(t, j, 0)), y = vec_load_floats(solid_list_step(t, j, 1));
-        const vec stiffness = vec_load(t->stiffness + j), length2 = x * x + y * y;
+        const long j = list->start[i] + k;
+        const vec x = vec_load_floats(solid_list_step(list, j, 0)), y = vec_load_floats(solid_list_step(list, j, 1));
+        const vec stiffness = vec_load(list->stiffness + j), length2 = x * x + y * y;
         vec there[2];
-        vec_gather2(t->record, t->at + j, there);
+        vec_gather2(list->record, list->at + j, there);
         const vec dx = there[0] - here[0], dy = there[1] - here[1];
         const vec one = dx * (x + (x + dx)), two = dy * (y + (y + dy));
         const vec eps = (one + two) * vec_reciprocal(length2), stretch = eps / (1 + vec_sqrt(1 + eps));
-        const vec of = vec_where(solid_list_block_intact(t, j), stiffness * length2 * (stretch * stretch));
+        const vec of = vec_where(solid_list_block_intact(list, j), stiffness * length2 * (stretch * stretch));
         most = vec_max(most, of);
         vec_store(term + k, of);
     }
     const double largest = vec_highest(most);
-    return largest > 0 ? 0.25 * t->law.density * t->spacing * sum_of_blocks(term, n, largest) : 0;
+    return largest > 0 ? 0.25 * list->law.density * list->spacing * sum_of_blocks(term, n, largest) : 0;
 }
 
 /* Upper bound of energy_of, if the list's last sweep was without damping at the present displacements: from the power
  * of two of its largest |eps| and the family's digit for k |xi|. INFINITY: no bound is known. */
-static double energy_bound(const struct solid_list *t, int i) {
-    const double eps = 2 * t->power[i];
+static double energy_bound(const struct solid_list *list, int i) {
+    const double eps = 2 * list->power[i];
     if (!(eps > 0) || eps > 0.03) return INFINITY;
-    const double force = t->digit[i] / solid_list_room(t, i), reach = t->law.horizon + 1;
-    return 0.25 * t->law.density * t->spacing * (double)(t->end[i] - t->start[i]) * force * reach * (0.26 * eps * eps);
+    const double force = list->digit[i] / solid_list_room(list, i), reach = list->law.horizon + 1;
+    return 0.25 * list->law.density * list->spacing * (double)(list->end[i] - list->start[i]) * force * reach *
+           (0.26 * eps * eps);
 }
 
 /* The fraction of the family's volume with broken bonds, the same for mirror images. */
@@ -81,21 +82,21 @@ static double energy_where(const struct solid *s, const uint8_t *mark, double pa
     const int is_bound = s->a_holds && s->stage_of_a.damping_relative == 0;
     double most = 0;
     for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_list *t = s->family->list[b];
+        const struct solid_list *list = s->family->list[b];
         int first = -1; /* the particle with the largest eps: most others are then known to have less */
         double power = 0;
-        for (int i = 0; is_bound && i < t->n; i++) {
-            if (!mark[t->first + i] || t->power[i] <= power) continue;
-            power = t->power[i];
+        for (int i = 0; is_bound && i < list->n; i++) {
+            if (!mark[list->first + i] || list->power[i] <= power) continue;
+            power = list->power[i];
             first = i;
         }
-        solid_sweep_list_fill(s, t);
-        if (first >= 0) most = fmax(most, energy_of(t, first));
-        for (int i = 0; i < t->n; i++) {
-            const int h = t->first + i;
+        solid_sweep_list_fill(s, list);
+        if (first >= 0) most = fmax(most, energy_of(list, first));
+        for (int i = 0; i < list->n; i++) {
+            const int h = list->first + i;
             energy[h] = 0;
-            if (!mark[h] || (is_bound && energy_bound(t, i) < part * most)) continue;
-            energy[h] = energy_of(t, i);
+            if (!mark[h] || (is_bound && energy_bound(list, i) < part * most)) continue;
+            energy[h] = energy_of(list, i);
             most = energy[h] > most ? energy[h] : most;
         }
     }

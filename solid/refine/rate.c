@@ -9,18 +9,18 @@
 
 /* u.K u = 1/2 sum over bonds of k (e.(u_h - u_l))^2 <= 2 sum u_h.T_h u_h,  T_h = sum k e e. If the two halves of a bond
  * differ (one-sided horizons), it is an estimate only. */
-static double rate2_of(const struct solid_list *t, int i) {
+static double rate2_of(const struct solid_list *list, int i) {
     vec xx = vec_set(0), yy = vec_set(0), xy = vec_set(0);
-    for (long j = t->start[i]; j < t->end[i]; j += SOLID_LIST_BLOCK) {
-        const vec stiffness = vec_load(t->stiffness + j), x = vec_load_floats(solid_list_step(t, j, 0)),
-                  y = vec_load_floats(solid_list_step(t, j, 1)),
+    for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK) {
+        const vec stiffness = vec_load(list->stiffness + j), x = vec_load_floats(solid_list_step(list, j, 0)),
+                  y = vec_load_floats(solid_list_step(list, j, 1)),
                   k = vec_absmax(stiffness, stiffness) * vec_reciprocal(x * x + y * y);
         xx += k * x * x;
         yy += k * y * y;
         xy += k * x * y;
     }
     const double a = vec_sum(xx), b = vec_sum(yy);
-    return (a + b + hypot(a - b, 2 * vec_sum(xy))) / t->spacing;
+    return (a + b + hypot(a - b, 2 * vec_sum(xy))) / list->spacing;
 }
 
 double solid_refine_rate_bound(const struct solid *s) {
@@ -68,14 +68,14 @@ double solid_refine_rate_lattice(const struct solid *s, int level) {
     double most = 0;
     struct lattice_bond bond[SOLID_FAMILY_MAX];
     for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_cloud *t = s->family->cloud[b];
-        const double horizon = s->refine->in.horizon_kept ? t->law.horizon : ldexp(t->law.horizon, -level),
-                     side = ldexp(1, -level), unit = t->unit / (t->spacing * t->spacing);
-        const int n = solid_refine_plan_is_possible(s, b) ? bonds_of(&t->law, horizon, side, bond) : 0;
+        const struct solid_cloud *cloud = s->family->cloud[b];
+        const double horizon = s->refine->in.horizon_kept ? cloud->law.horizon : ldexp(cloud->law.horizon, -level),
+                     side = ldexp(1, -level), unit = cloud->unit / (cloud->spacing * cloud->spacing);
+        const int n = solid_refine_plan_is_possible(s, b) ? bonds_of(&cloud->law, horizon, side, bond) : 0;
         for (int i = 0; n > 0 && i <= WAVES; i++)
             for (int j = 0; j <= WAVES; j++)
-                most =
-                    fmax(most, unit * t->spacing * of_wave(bond, n, M_PI / side * i / WAVES, M_PI / side * j / WAVES));
+                most = fmax(most,
+                            unit * cloud->spacing * of_wave(bond, n, M_PI / side * i / WAVES, M_PI / side * j / WAVES));
     }
     return most;
 }

@@ -14,16 +14,16 @@
 #include <stdlib.h>
 
 /* Copies the caller's outlines and cracks, which are needed again during the solid's life. */
-static void own_outlines(struct solid_body *b) {
-    struct solid_outline *outline = memory_copy(MEMORY_SOLID, b->outline, (size_t)b->outlines, sizeof *outline);
-    for (int l = 0; l < b->outlines; l++) {
+static void own_outlines(struct solid_body *body) {
+    struct solid_outline *outline = memory_copy(MEMORY_SOLID, body->outline, (size_t)body->outlines, sizeof *outline);
+    for (int l = 0; l < body->outlines; l++) {
         const size_t n = (size_t)outline[l].corners;
         outline[l].corner = memory_copy(MEMORY_SOLID, outline[l].corner, n, sizeof *outline[l].corner);
         if (outline[l].centre)
             outline[l].centre = memory_copy(MEMORY_SOLID, outline[l].centre, n, sizeof *outline[l].centre);
         outline[l].turn = memory_copy(MEMORY_SOLID, outline[l].turn, n, 1);
     }
-    b->outline = outline;
+    body->outline = outline;
 }
 
 static void own_cuts(struct solid_input *in) {
@@ -74,16 +74,16 @@ void solid_refine_free(struct solid_refine *r) {
 }
 
 int solid_refine_level(const struct solid *s, int h) {
-    const struct solid_cloud *t = s->family->cloud[s->body[h]];
-    return s->refine ? solid_refine_plan_level(t->size[s->first[par_rank()] + h - t->first]) : 0;
+    const struct solid_cloud *cloud = s->family->cloud[s->body[h]];
+    return s->refine ? solid_refine_plan_level(cloud->size[s->first[par_rank()] + h - cloud->first]) : 0;
 }
 
 int solid_refine_finest(const struct solid *s) {
     int finest = 0;
     for (int b = 0; s->refine && b < s->in.bodies; b++) {
-        const struct solid_cloud *t = s->family->cloud[b];
-        for (long i = 0; solid_refine_plan_is_possible(s, b) && i < t->n; i++) {
-            const int level = solid_refine_plan_level(t->size[i]);
+        const struct solid_cloud *cloud = s->family->cloud[b];
+        for (long i = 0; solid_refine_plan_is_possible(s, b) && i < cloud->n; i++) {
+            const int level = solid_refine_plan_level(cloud->size[i]);
             finest = level > finest ? level : finest;
         }
     }
@@ -94,15 +94,15 @@ long solid_refine_events(const struct solid *s) { return s->refine ? s->refine->
 
 /* The particles of the body's cloud that have a constraint or a load, on every rank. Collective. */
 static uint8_t *kept_of(const struct solid *s, int b) {
-    const struct solid_cloud *t = s->family->cloud[b];
+    const struct solid_cloud *cloud = s->family->cloud[b];
     const long from = s->first[par_rank()];
     uint8_t *here = memory_new(MEMORY_SOLID, (size_t)s->n + 1, 1);
-    uint8_t *kept = memory_new(MEMORY_SOLID, (size_t)t->n + 1, 1);
+    uint8_t *kept = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, 1);
     long *id = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *id), n = 0;
     size_t bytes;
     solid_given_mark(s, here);
     for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++)
-        if (here[h] || (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z))) id[n++] = from + h - t->first;
+        if (here[h] || (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z))) id[n++] = from + h - cloud->first;
     long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);
     for (size_t k = 0; k < bytes / sizeof *id; k++) kept[all[k]] = 1;
     free(all);
@@ -150,10 +150,11 @@ long solid_refine_marked(struct solid *s, const uint8_t *mark) {
     if (n > 0) {
         struct solid_refine_plan **plan = plans(s);
         for (int b = 0; b < s->in.bodies; b++) {
-            const struct solid_cloud *t = s->family->cloud[b];
+            const struct solid_cloud *cloud = s->family->cloud[b];
             long of_body = 0, *number = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *number);
             for (long k = 0; k < n; k++)
-                if (all[k] >= t->first && all[k] < t->first + t->n) number[of_body++] = all[k] - t->first;
+                if (all[k] >= cloud->first && all[k] < cloud->first + cloud->n)
+                    number[of_body++] = all[k] - cloud->first;
             if (solid_refine_plan_is_possible(s, b)) solid_refine_plan_close(plan[b], number, of_body, 1);
             memory_free(number);
         }
@@ -166,14 +167,14 @@ long solid_refine_marked(struct solid *s, const uint8_t *mark) {
 
 /* Marks the particles of a region that have not reached its level yet. */
 static void start_region(struct solid_refine_plan *p, const struct solid_refined *region) {
-    const struct solid_cloud *t = p->cloud;
+    const struct solid_cloud *cloud = p->cloud;
     for (int level = 0; level < region->level; level++) {
         long n = 0, *marked = memory_new(MEMORY_SOLID, (size_t)p->n + 1, sizeof *marked);
         for (long i = 0; i < p->n; i++) {
             int inside = p->level[i] == level;
             for (int c = 0; c < 2; c++) {
-                const double x = t->origin[c] + (double)p->at[i][c] / SOLID_REFINE_UNIT * t->spacing;
-                inside &= x >= region->low[c] - 1e-9 * t->spacing && x <= region->high[c] + 1e-9 * t->spacing;
+                const double x = cloud->origin[c] + (double)p->at[i][c] / SOLID_REFINE_UNIT * cloud->spacing;
+                inside &= x >= region->low[c] - 1e-9 * cloud->spacing && x <= region->high[c] + 1e-9 * cloud->spacing;
             }
             if (inside) marked[n++] = i;
         }

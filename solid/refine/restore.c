@@ -15,11 +15,11 @@
 #include <string.h>
 
 void solid_refine_restore_save(const struct solid *s, int h, uint8_t *level, double place[3]) {
-    const struct solid_cloud *t = s->family->cloud[s->body[h]];
-    const long i = s->first[par_rank()] + h - t->first;
+    const struct solid_cloud *cloud = s->family->cloud[s->body[h]];
+    const long i = s->first[par_rank()] + h - cloud->first;
     *level = (uint8_t)solid_refine_level(s, h);
-    for (int c = 0; c < 2; c++) place[c] = t->place[c][i];
-    place[2] = t->volume[i];
+    for (int c = 0; c < 2; c++) place[c] = cloud->place[c][i];
+    place[2] = cloud->volume[i];
 }
 
 /* A cloud of the particles from .. to-1, with the properties of the present cloud. horizon: NULL: found from the
@@ -78,13 +78,13 @@ static int fits(const struct solid *s, long n, const uint8_t *body, const uint8_
         first[body[i] + 1] = i + 1;
     }
     for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_cloud *t = s->family->cloud[b];
-        if (first[b + 1] <= first[b] || (!solid_refine_plan_is_possible(s, b) && first[b + 1] - first[b] != t->n))
+        const struct solid_cloud *cloud = s->family->cloud[b];
+        if (first[b + 1] <= first[b] || (!solid_refine_plan_is_possible(s, b) && first[b + 1] - first[b] != cloud->n))
             return 0;
         for (long i = first[b]; i < first[b + 1]; i++)
             for (int c = 0; c < 2; c++)
-                if (!(place[i][c] > t->cells.low[c] - 2 &&
-                      place[i][c] < t->cells.low[c] + t->cells.cells[c] * t->cells.width + 2))
+                if (!(place[i][c] > cloud->cells.low[c] - 2 &&
+                      place[i][c] < cloud->cells.low[c] + cloud->cells.cells[c] * cloud->cells.width + 2))
                     return 0;
     }
     return 1;

@@ -42,19 +42,19 @@ static int by_pair(const void *a, const void *b) {
 static struct pair pair_of(long a, long b) { return a < b ? (struct pair){a, b} : (struct pair){b, a}; }
 
 /* Number of the particle of a record. */
-static long number_of(const struct solid_list *t, int record) {
-    return record < t->n ? t->number + record : solid_key_id(t->other_key[record - t->n]) - t->first_id;
+static long number_of(const struct solid_list *list, int record) {
+    return record < list->n ? list->number + record : solid_key_id(list->other_key[record - list->n]) - list->first_id;
 }
 
 /* The pairs of broken bonds of owned particles with an ancestor at one end. Written to pair unless that is NULL;
  * returns how many. */
-static long find(const struct solid *s, const struct solid_list *t, const uint8_t *is_ancestor, struct pair *pair) {
+static long find(const struct solid *s, const struct solid_list *list, const uint8_t *is_ancestor, struct pair *pair) {
     long n = 0;
-    for (int i = 0; i < t->n; i++) {
-        if (!(s->flag[t->first + i] & SOLID_BROKEN)) continue;
-        for (long j = t->start[i]; j < t->end[i]; j++) {
-            if (solid_list_is_intact(t, j)) continue;
-            const long here = t->number + i, there = number_of(t, solid_list_record(t, j));
+    for (int i = 0; i < list->n; i++) {
+        if (!(s->flag[list->first + i] & SOLID_BROKEN)) continue;
+        for (long j = list->start[i]; j < list->end[i]; j++) {
+            if (solid_list_is_intact(list, j)) continue;
+            const long here = list->number + i, there = number_of(list, solid_list_record(list, j));
             if (!is_ancestor[here] && !is_ancestor[there]) continue;
             if (pair) pair[n] = pair_of(here, there);
             n++;
@@ -102,21 +102,21 @@ static int was_torn(const struct solid_refine_torn *torn, const long *a, int as,
     return 0;
 }
 
-void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct solid_list *t,
+void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct solid_list *list,
                                const struct solid_cloud *cloud, const long *was) {
     const struct solid_refine_plan *p = torn->plan;
-    for (int i = 0; torn->pairs > 0 && i < t->n; i++) {
-        if (t->scaled[i]) continue; /* a copied family */
+    for (int i = 0; torn->pairs > 0 && i < list->n; i++) {
+        if (list->scaled[i]) continue; /* a copied family */
         long here[ANCESTORS], there[ANCESTORS];
-        const long one = was[t->number + i];
+        const long one = was[list->number + i];
         const int heres = ancestors_of(p, one, here, 0);
         int any = 0;
         for (int k = 0; k < heres; k++) any |= torn->is_end[here[k]];
         if (!any) continue;
-        for (long j = t->start[i]; j < t->end[i]; j++) {
-            const long two = was[solid_key_id(t->key[j]) - cloud->first];
+        for (long j = list->start[i]; j < list->end[i]; j++) {
+            const long two = was[solid_key_id(list->key[j]) - cloud->first];
             if (one < p->before && two < p->before) continue;
-            if (was_torn(torn, here, heres, there, ancestors_of(p, two, there, 0))) solid_list_set(t, j, 0);
+            if (was_torn(torn, here, heres, there, ancestors_of(p, two, there, 0))) solid_list_set(list, j, 0);
         }
     }
 }

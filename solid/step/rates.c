@@ -47,9 +47,10 @@ static uint8_t *whole_new(const struct solid_family *f, int b) {
         for (int i = 0; i < list->n; i++) memset(intact + list->start[i], 1, (size_t)(list->end[i] - list->start[i]));
         return intact;
     }
-    const struct solid_lattice *t = f->lattice[b];
-    uint8_t *lambda = memory_new(MEMORY_SOLID, (size_t)t->rows * (size_t)t->stencil->n + 1, 1);
-    for (int r = 0; r < t->rows; r++) solid_lattice_made(t, r, lambda + (size_t)r * (size_t)t->stencil->n);
+    const struct solid_lattice *lattice = f->lattice[b];
+    uint8_t *lambda = memory_new(MEMORY_SOLID, (size_t)lattice->rows * (size_t)lattice->stencil->n + 1, 1);
+    for (int r = 0; r < lattice->rows; r++)
+        solid_lattice_made(lattice, r, lambda + (size_t)r * (size_t)lattice->stencil->n);
     return lambda;
 }
 

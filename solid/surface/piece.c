@@ -7,15 +7,16 @@
 #include <math.h>
 
 /* The pieces of the shape, and of its cavities the one about x. */
-static int pieces_of(const struct solid_body *b, const double x[3], struct solid_piece piece[SOLID_PIECES_MAX]) {
-    if (!solid_shape_is_on_lattice(b)) return 0;
+static int pieces_of(const struct solid_body *body, const double x[3], struct solid_piece piece[SOLID_PIECES_MAX]) {
+    if (!solid_shape_is_on_lattice(body)) return 0;
     double centre[3];
-    int n = solid_shape_of(b)->pieces(b, piece);
-    ENSURE(n + (b->cavity_period > 0) <= SOLID_PIECES_MAX, "a surface of %d pieces", n);
-    if (b->cavity_period > 0) {
+    int n = solid_shape_of(body)->pieces(body, piece);
+    ENSURE(n + (body->cavity_period > 0) <= SOLID_PIECES_MAX, "a surface of %d pieces", n);
+    if (body->cavity_period > 0) {
         for (int c = 0; c < 3; c++)
-            centre[c] = b->cavity_centre[c] + rint((x[c] - b->cavity_centre[c]) / b->cavity_period) * b->cavity_period;
-        piece[n++] = solid_piece_round(SOLID_PIECE_ALL, -1, centre, b->cavity_radius);
+            centre[c] = body->cavity_centre[c] +
+                        rint((x[c] - body->cavity_centre[c]) / body->cavity_period) * body->cavity_period;
+        piece[n++] = solid_piece_round(SOLID_PIECE_ALL, -1, centre, body->cavity_radius);
     }
     return n;
 }

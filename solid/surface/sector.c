@@ -57,14 +57,14 @@ void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES
 
 void solid_sector_look_near(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
                             struct solid_watch *w) {
-    const struct solid_lattice *t = s->family->lattice[s->body[h]];
-    const int cell = t->cell[h - t->first], bit = cell % 8;
-    const uint8_t *lambda = t->lambda + (size_t)t->row_of[cell / 8] * (size_t)t->stencil->n;
+    const struct solid_lattice *lattice = s->family->lattice[s->body[h]];
+    const int cell = lattice->cell[h - lattice->first], bit = cell % 8;
+    const uint8_t *lambda = lattice->lambda + (size_t)lattice->row_of[cell / 8] * (size_t)lattice->stencil->n;
     memset(w, 0, sizeof *w);
     w->h = h;
     w->set_free = intact == 0;
     for (int f = 0; f < SOLID_FACES; f++) {
-        const int l = t->local[cell + t->offset[near[f]].shift];
+        const int l = lattice->local[cell + lattice->offset[near[f]].shift];
         if (l < 0) {
             w->bare |= (uint8_t)(1u << f);
         } else if (!(lambda[near[f]] >> bit & 1)) {

@@ -1,8 +1,8 @@
 /* Balanced loads: what the fluid loses the solid has, to round-off. */
-#include "ball.h"
+#include "tests/coupling/ball.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
-#include "scene_of.h"
+#include "tests/coupling/scene_of.h"
 #include "tests/check.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* What is said of a flow that has no way out: a channel with a block across all of it, across half of its inlet, or
  * away from everything. */
 #include "coupling/blocked.h"
-#include "scene_of.h"
+#include "tests/coupling/scene_of.h"
 
 #include "tests/check.h"
 #include "coupling/step.h"

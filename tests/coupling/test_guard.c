@@ -4,7 +4,7 @@
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "program/checkpoint.h"
-#include "scene_of.h"
+#include "tests/coupling/scene_of.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
 #include "solid/refine/refine.h"

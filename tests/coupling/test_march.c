@@ -2,7 +2,7 @@
 #include "coupling/march.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
-#include "scene_of.h"
+#include "tests/coupling/scene_of.h"
 
 #include <math.h>
 #include <stdio.h>

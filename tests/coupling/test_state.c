@@ -7,7 +7,7 @@
 #include "files/seal.h"
 #include "files/state_file.h"
 #include "fluid/state_table.h"
-#include "scene_of.h"
+#include "tests/coupling/scene_of.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"

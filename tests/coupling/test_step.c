@@ -1,10 +1,10 @@
 /* Coupled step: no force on a body that moves with the flow, momentum balance, parts of a stage. */
 /* A body that moves with the flow has no force; the box's momentum balance closes; a step consists of the parts that
  * the stage needs. */
-#include "ball.h"
+#include "tests/coupling/ball.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
-#include "scene_of.h"
+#include "tests/coupling/scene_of.h"
 #include "solid/bonds/family.h"
 #include "tests/check.h"
 

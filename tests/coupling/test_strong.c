@@ -1,10 +1,10 @@
 /* Strongly coupled step: one answer for every relaxation, no iterations where none are needed. */
 /* The iterated step: its result does not depend on the iteration method; a body that moves with the flow needs no
  * iterations; steps that do not converge are counted. */
-#include "ball.h"
+#include "tests/coupling/ball.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
-#include "scene_of.h"
+#include "tests/coupling/scene_of.h"
 #include "tests/check.h"
 
 #include <math.h>

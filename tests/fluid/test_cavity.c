@@ -1,6 +1,6 @@
 /* Lid-driven cavity at Re = 100: extrema on the centrelines against Marchi et al. (2009): u -0.2140417, v 0.1795728 and
  * -0.2538030. With 32 cells the error of a second-order scheme is four times that allowed for 64 (0.7 %). */
-#include "fluid_case.h"
+#include "tests/fluid/fluid_case.h"
 #include "tests/check.h"
 
 enum { N = 32 };

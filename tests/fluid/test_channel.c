@@ -1,6 +1,6 @@
 /* Laminar flows with known solutions. Between walls at 0 and H the scheme holds, at the cell centres, the parabola plus
  * a constant: u = G/(2 mu) (y (H - y) + dy^2/4). */
-#include "fluid_case.h"
+#include "tests/fluid/fluid_case.h"
 #include "tests/check.h"
 
 /* A channel along `stream` between walls along `across`, thin in the third direction. */

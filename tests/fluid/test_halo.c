@@ -1,6 +1,6 @@
 /* Halo exchange: each ghost is its owner's image, and adding back is the adjoint of filling. */
 #include "base/par_halo.h"
-#include "fluid_case.h"
+#include "tests/fluid/fluid_case.h"
 #include "tests/check.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Initial Taylor-Green vortices: their values on the faces, and zero discrete divergence. */
-#include "fluid_case.h"
+#include "tests/fluid/fluid_case.h"
 #include "tests/check.h"
 
 static struct fluid_input box(const int n[3], const double length[3]) {

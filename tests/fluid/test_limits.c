@@ -1,6 +1,6 @@
 /* The stable step's numbers from velocities by hand, and what is told of a field that is no longer sound. */
 #include "base/step_status.h"
-#include "fluid_case.h"
+#include "tests/fluid/fluid_case.h"
 
 #include "tests/check.h"
 

@@ -1,6 +1,6 @@
 /* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare. */
 /* Two fluids exist at the same time. */
-#include "fluid_case.h"
+#include "tests/fluid/fluid_case.h"
 #include "tests/check.h"
 
 #include <stdio.h>

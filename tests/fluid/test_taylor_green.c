@@ -1,6 +1,6 @@
 /* Two-dimensional Taylor-Green vortices on the staggered grid: the convective term is a discrete gradient, so that the
  * initial field times exp(-2 nu t (2/h)^2 sin^2(h/2)) solves the semi-discrete equations exactly. */
-#include "fluid_case.h"
+#include "tests/fluid/fluid_case.h"
 #include "tests/check.h"
 
 /* The vortices of the plane a, b carried along with the mean flow for the time t, at the face's own place. */

@@ -1,6 +1,6 @@
 /* Two creeping flows with known answers: through a simple cubic array of spheres, and between planes. */
 #pragma once
-#include "bodies.h"
+#include "tests/ibm/bodies.h"
 
 struct flow_result {
     double drag;     /* force of the fluid on the markers along x, N, of the whole box */

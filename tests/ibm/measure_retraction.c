@@ -2,7 +2,7 @@
  * result. */
 /* measure_retraction [largest mesh, default 48 [smallest, default 24]]: the tables of docs/retraction.md, as Markdown.
  * Minutes on one core. */
-#include "flows.h"
+#include "tests/ibm/flows.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Permeability of a cubic array of spheres against Zick and Homsy (1982). */
 /* Permeability of a simple cubic array of spheres as frana makes bodies: markers at the outer layer of a lattice, with
  * the frozen retraction. k / L^2 = 0.0398542 at a solid fraction of 1/8 (Zick and Homsy 1982: K = 4.292). */
-#include "flows.h"
+#include "tests/ibm/flows.h"
 #include "physics/retraction.h"
 #include "tests/check.h"
 

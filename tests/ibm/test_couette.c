@@ -4,7 +4,7 @@
  * Markers are as deep in the material as is exact for a plane, (1/2 + 2 phi(t-1) phi(t+1))/2 cells in the mean over
  * positions t on the grid (test_planes.c). The fluid inside the inner cylinder rotates as a rigid body; the fluid
  * outside the outer one is at rest except for leakage. */
-#include "flows.h"
+#include "tests/ibm/flows.h"
 #include "tests/check.h"
 
 #include <setjmp.h>

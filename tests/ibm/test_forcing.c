@@ -1,6 +1,6 @@
 /* Markers and forcing against plain sums over the whole grid. */
 #include "base/par.h"
-#include "bodies.h"
+#include "tests/ibm/bodies.h"
 #include "physics/rk3.h"
 #include "tests/check.h"
 

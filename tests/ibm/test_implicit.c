@@ -2,7 +2,7 @@
 /* One steady flow for every step and number of ranks, the explicit scheme's; momentum; moving bodies; sides with
  * conditions. */
 #include "base/step_status.h"
-#include "flows.h"
+#include "tests/ibm/flows.h"
 #include "physics/retraction.h"
 #include "tests/check.h"
 

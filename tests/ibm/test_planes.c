@@ -6,7 +6,7 @@
  *     e / 2                                                        for fluid at rest behind it (a thick body),
  * with t the position of the marker relative to the nearest grid point. For a body the distance is between 0.25 and
  * 0.278: it depends on the grid by at most 0.03 cells. */
-#include "flows.h"
+#include "tests/ibm/flows.h"
 #include "tests/check.h"
 
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* Normal probe on known fields: exact where it must be, observed order elsewhere. */
 #include "base/par.h"
-#include "bodies.h"
+#include "tests/ibm/bodies.h"
 #include "tests/check.h"
 
 #include <setjmp.h>

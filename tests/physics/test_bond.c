@@ -1,11 +1,9 @@
 /* Micromodulus and critical stretch against integrals over the horizon and numbers printed for materials. */
 #include "physics/bond.h"
-
-#include <stddef.h>
 #include "tests/check.h"
 
 static double micromodulus(const struct physics_bond *k, enum physics_micromodulus kind, double part) {
-    return kind == PHYSICS_CONICAL ? k->c * (1 - part) : k->c;
+    return k->c * physics_micromodulus_of(kind)->profile(part);
 }
 
 /* The integral of c(xi) xi^power from 0 to delta: Simpson's rule, whose error is (1/n)^4. */

@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "physics/retraction.h"
 #include "scene/outline.h"
-#include "scene_sample.h"
+#include "tests/scene/scene_sample.h"
 #include "tests/check.h"
 
 #include <math.h>

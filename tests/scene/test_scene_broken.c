@@ -1,6 +1,6 @@
 /* Each mistake in a scene is reported in its own line, and all of them at once. */
 #include "base/par.h"
-#include "scene_sample.h"
+#include "tests/scene/scene_sample.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
-#include "scene_sample.h"
+#include "tests/scene/scene_sample.h"
 #include "tests/check.h"
 
 struct keys {

@@ -3,7 +3,7 @@
  * own line. Files of other systems are read. */
 #include "base/par.h"
 #include "base/text.h"
-#include "scene_sample.h"
+#include "tests/scene/scene_sample.h"
 #include "tests/check.h"
 
 /* clang-format off */

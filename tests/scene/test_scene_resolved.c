@@ -1,7 +1,7 @@
 /* The resolved scene reads back as the same scene. */
 #include "base/par.h"
 #include "base/text.h"
-#include "scene_sample.h"
+#include "tests/scene/scene_sample.h"
 #include "tests/check.h"
 
 /* Arrays are equal, or both NULL if empty. */

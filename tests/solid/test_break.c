@@ -1,5 +1,5 @@
 /* Bonds break at the critical stretch from both ends, and unbreakable ones do not. */
-#include "make.h"
+#include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/law/material.h"

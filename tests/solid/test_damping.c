@@ -1,5 +1,5 @@
 /* Damping dissipates energy, and the energy budget closes with all sources and sinks. */
-#include "make.h"
+#include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/solid.h"

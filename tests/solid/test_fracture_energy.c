@@ -1,5 +1,5 @@
 /* Energy released by a cleaved block per area against the bonds' sum.  (001: eq. 3.26) */
-#include "make.h"
+#include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/law/material.h"

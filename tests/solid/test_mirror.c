@@ -1,7 +1,7 @@
 /* A mirror-symmetric plate stays symmetric to the bit while it is loaded and breaks. */
 /* A mirror-symmetric plate stays mirror-symmetric to the bit while it is loaded and breaks, on one rank and at any
  * position in the coordinates. */
-#include "make_plate.h"
+#include "tests/solid/make_plate.h"
 #include "solid/contact/contact.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"

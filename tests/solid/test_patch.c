@@ -1,5 +1,5 @@
 /* Bond forces of fields for which they are known exactly: affine, quadratic, rotated. */
-#include "make.h"
+#include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/law/material.h"

@@ -1,6 +1,6 @@
 /* A plate in motion: conservation, loads, driven layers, energy, regular and irregular points. */
 #include "base/memory.h"
-#include "make_plate.h"
+#include "tests/solid/make_plate.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/measure/stress.h"

@@ -1,7 +1,7 @@
 /* Cracks of a plate: initial cuts, released energy, contact of the faces, stress and strain. */
 /* Cracks of a plate: initial ones, the energy released by a straight one, contact of its faces, stress and strain
  * before. */
-#include "make_plate.h"
+#include "tests/solid/make_plate.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"

@@ -1,7 +1,7 @@
 /* A plate under every load has the same motion to the bit on any number of ranks. */
 /* A plate that is driven, loaded, damped, torn and compressed has the same motion to the bit on any number of ranks.
  * One rank writes its results to a file; more ranks compare with it. */
-#include "make_plate.h"
+#include "tests/solid/make_plate.h"
 #include "solid/contact/contact.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"

@@ -1,5 +1,5 @@
 /* Bodies of points on no lattice, and several bodies. */
-#include "make.h"
+#include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/solid.h"

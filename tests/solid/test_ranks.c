@@ -1,7 +1,7 @@
 /* The same motion on any number of ranks and with either bond store. */
 /* The same motion on any number of ranks and in both bond stores: a body that is loaded, damped, driven and breaks. One
  * rank writes its results to a file; more ranks compare with it. */
-#include "make.h"
+#include "tests/solid/make.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
 #include "tests/check.h"

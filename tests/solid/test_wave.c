@@ -1,6 +1,6 @@
 /* Dispersion of plane waves, and the stable step by stepping beyond it. */
 #include "base/step_status.h"
-#include "make.h"
+#include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/solid.h"

@@ -1,0 +1,222 @@
+/* Bonds from their two ends: partial areas, material constants, family sums, unequal horizons. */
+/* Bonds from the data of their ends: partial areas, constants of materials, sums over lattices, pairs of different
+ * horizons. */
+#include "tests/solid/make.h"
+
+#include "solid/law/material.h"
+#include "solid/law/pair.h"
+#include "solid/law/stencil.h"
+#include "solid/law/weight.h"
+#include "solid/law/weight_plane.h"
+#include "tests/check.h"
+
+#include <stdlib.h>
+
+static double uniform(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
+
+/* The squares of a lattice together cover the disc; hand-computed values if the circle cuts a side or a corner. */
+static void test_areas(void **state) {
+    (void)state;
+    srand(3);
+    for (int trial = 0; trial < 200; trial++) {
+        const double radius = uniform(0.3, 6), side = uniform(0.1, 2), shift[2] = {uniform(0, 1), uniform(0, 1)};
+        const int reach = (int)(radius / side + 2);
+        double area = 0;
+        for (int j = -reach; j <= reach; j++)
+            for (int i = -reach; i <= reach; i++) {
+                const double xi[2] = {side * (i + shift[0]), side * (j + shift[1])}, turned[2] = {-xi[1], xi[0]};
+                const double part = solid_weight_plane_fraction(xi, side, radius);
+                check_at_least(part, 0);
+                check_at_most(part, 1);
+                check_equal(part, solid_weight_plane_fraction(turned, side, radius));
+                area += part * side * side;
+            }
+        /* the last digit of the angle in each of up to 500 cells on the circle */
+        check_close(area / (M_PI * radius * radius), 1, 1e-12);
+    }
+    const double ahead[2] = {3, 0}, far[2] = {3.5, 0}, near[2] = {2, 0};
+    check_equal(solid_weight_plane_fraction(far, 1, 3), 0);
+    check_equal(solid_weight_plane_fraction(near, 1, 3), 1);
+    /* the strip 2.5 < x, |y| < 1/2 under the arc: sqrt(9 - 1/4)/2 + 9 asin(1/6) - 2.5 */
+    check_close(solid_weight_plane_fraction(ahead, 1, 3), sqrt(8.75) / 2 + 9 * asin(1. / 6) - 2.5, 1e-14);
+}
+
+struct material_case {
+    double young, energy, ratio, spacing;
+    enum solid_model model;
+    double c, s0, within;
+};
+
+/* Numbers that theses print for their materials.  (000: tables 4, 9, 13; 003; 001) */
+static void test_constants(void **state) {
+    (void)state;
+    const struct material_case of[] = {
+        {65e9, 204, 3, 1e-3, SOLID_PLANE_STRESS, 6.897e18, 1.2086e-3, 1e-4},
+        {72e9, 135, 3, 1e-3, SOLID_PLANE_STRESS, 7.639e18, 9.342e-4, 1e-4},
+        {72e9, 135, 3, 5e-4, SOLID_PLANE_STRESS, 6.112e19, 1.3211e-3, 1e-4},
+        {191e9, 38590, 3, 2e-3, SOLID_PLANE_STRAIN, 2.702e18, 6.639e-3, 1e-4},
+        {190e9, 22170, 3, 1e-3, SOLID_PLANE_STRAIN, 2.1504e19, 7.135e-3, 1e-4},
+        {71.4e9, 1000, 3, 1e-3, SOLID_PLANE_STRAIN, 8.081e18, 2.472e-3, 1e-4},
+        {1e8, 0.05, 3, 1.5625e-3, SOLID_3D, 7.9116e17, 2.9814e-4, 1e-4},
+    };
+    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+        const struct solid_material m = {of[k].young, DENSITY, of[k].energy, of[k].ratio, SOLID_CONSTANT};
+        const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
+        check_close(is.c / of[k].c, 1, of[k].within);
+        check_close(is.s0 / of[k].s0, 1, of[k].within);
+    }
+    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
+    const struct physics_bond space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
+    check_close(space.c / solid_material_micromodulus(&m, SPACING), 1, 1e-15);
+    check_close(space.s0 / solid_material_critical_stretch(&m, SPACING), 1, 1e-15);
+}
+
+struct sums {
+    int bonds;
+    double c11, c12, nu, w, g; /* over the continuum's */
+};
+
+/* C_ijkl = (1/2) sum c xi_i xi_j xi_k xi_l/|xi|^3 Gamma V, and the energy of the bonds across a line x = const, in a
+ * full family of one size and horizon.  (000: eqs 9, 16) */
+static struct sums sums_of(enum solid_model model, enum solid_partial partial, enum solid_micromodulus_kind kind,
+                           double m) {
+    const struct solid_material material = {YOUNG, DENSITY, 0.05, m, kind};
+    const struct solid_input in = {.model = model, .thickness = 0.7, .spacing = 1, .partial = partial};
+    const struct solid_bond_law law = solid_pair_law(&in, &material);
+    const struct solid_end end = {1, m, 1};
+    const int plate = model != SOLID_3D, reach = (int)m + 2;
+    const double unit = plate ? 0.7 : 1;
+    struct sums sums = {0};
+    for (int k = plate ? 0 : -reach; k <= (plate ? 0 : reach); k++)
+        for (int j = -reach; j <= reach; j++)
+            for (int i = -reach; i <= reach; i++) {
+                const double xi[3] = {i, j, k}, length = sqrt(i * i + j * j + k * k);
+                if (length == 0 || !solid_pair_exists(&law, xi, &end, &end)) continue;
+                const struct solid_pair pair = solid_pair_of(&law, xi, &end, &end);
+                const double kv = pair.stiffness * unit, s2 = law.s0 * law.s0;
+                sums.bonds++;
+                sums.c11 += 0.5 * kv * pow(i, 4) / pow(length, 3);
+                sums.c12 += 0.5 * kv * i * i * j * j / pow(length, 3);
+                if (i > 0) sums.g += 0.5 * kv * s2 * length * i;
+                check_close(pair.limit, law.s0 * (2 + law.s0), 1e-15 * pair.limit);
+            }
+    sums.nu = sums.c12 / sums.c11;
+    const double c11 = YOUNG * (model == SOLID_PLANE_STRESS ? 9. / 8 : 1.2),
+                 c12 = YOUNG * (model == SOLID_PLANE_STRESS ? 3. / 8 : 0.4);
+    sums.w = (sums.c11 + sums.c12) / (c11 + c12);
+    sums.c11 /= c11;
+    sums.c12 /= c12;
+    sums.g /= 0.05;
+    return sums;
+}
+
+/* What correct sums over the square lattice return at m = 3. */
+static void test_lattice_sums(void **state) {
+    (void)state;
+    static const struct sums exact = {44, 1.02200, 0.98967, 0.32279, 1.01392, 1.02801},
+                             ramp = {36, 1.03268, 0.98249, 0.31713, 1.02013, 1.03424};
+    for (int model = SOLID_PLANE_STRESS; model <= SOLID_PLANE_STRAIN; model++)
+        for (int k = 0; k < 2; k++) {
+            const struct sums expected = k ? ramp : exact;
+            const struct sums is =
+                sums_of((enum solid_model)model, k ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT, SOLID_CONSTANT, 3);
+            assert_int_equal(is.bonds, expected.bonds);
+            check_close(is.c11, expected.c11, 1e-5);
+            check_close(is.c12, expected.c12, 1e-5);
+            if (model == SOLID_PLANE_STRESS) check_close(is.nu, expected.nu, 1e-5);
+            check_close(is.w, expected.w, 1e-5);
+            check_close(is.g, expected.g, 1e-5);
+        }
+}
+
+/* With more particles in the horizon the constants converge to the continuum's, for each model and micromodulus; at m =
+ * 3.5 and 4 they are within a few per cent. */
+static void test_fine_sums(void **state) {
+    (void)state;
+    for (int model = SOLID_3D; model <= SOLID_PLANE_STRAIN; model++)
+        for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++) {
+            if (model == SOLID_3D && kind == SOLID_CONSTANT) continue; /* tests/solid/bonds/test_lattice.c */
+            const double m[3] = {3.5, 4, model == SOLID_3D ? 8 : 20}, within[3] = {0.08, 0.05, 0.015};
+            for (int k = 0; k < 3; k++) {
+                const struct sums is =
+                    sums_of((enum solid_model)model, model == SOLID_3D ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
+                            (enum solid_micromodulus_kind)kind, m[k]);
+                check_close(is.c11, 1, within[k]);
+                check_close(is.w, 1, within[k]);
+                check_close(is.g, 1, within[k]);
+            }
+        }
+}
+
+/* Different horizons: both ends get the same numbers to the bit; a half is 0 if its end does not reach the other; a
+ * bond releases the energy of its halves. With equal horizons both couplings are the same. */
+static void test_pairs(void **state) {
+    (void)state;
+    srand(17);
+    int one_half = 0;
+    for (int trial = 0; trial < 20000; trial++) {
+        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, trial & 1 ? SOLID_CONICAL : SOLID_CONSTANT};
+        struct solid_input in = {.model = trial & 2 ? SOLID_PLANE_STRESS : SOLID_PLANE_STRAIN,
+                                 .thickness = 0.1,
+                                 .spacing = 1e-3,
+                                 .partial = trial & 4 ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT};
+        const struct solid_bond_law dual = solid_pair_law(&in, &m);
+        in.horizons = SOLID_ONE_SIDED;
+        const struct solid_bond_law single = solid_pair_law(&in, &m);
+        const struct solid_end a = {uniform(0.2, 1), uniform(1, 3.5), uniform(0.1, 1)},
+                               b = {uniform(0.2, 1), uniform(1, 3.5), uniform(0.1, 1)};
+        const double xi[3] = {uniform(-4, 4), uniform(-4, 4), 0}, back[3] = {-xi[0], -xi[1], 0};
+        const int ab = solid_pair_exists(&single, xi, &a, &b), ba = solid_pair_exists(&single, back, &b, &a);
+        assert_int_equal(solid_pair_exists(&dual, xi, &a, &b), ab || ba);
+        assert_int_equal(solid_pair_exists(&dual, back, &b, &a), ab || ba);
+        if (!ab && !ba) continue;
+        const struct solid_pair there = solid_pair_of(&dual, xi, &a, &b), here = solid_pair_of(&dual, back, &b, &a);
+        check_equal(there.stiffness, here.stiffness);
+        check_equal(there.limit, here.limit);
+        const struct solid_pair half[2] = {solid_pair_of(&single, xi, &a, &b), solid_pair_of(&single, back, &b, &a)};
+        check_close(there.stiffness, 0.5 * (half[0].stiffness + half[1].stiffness), 1e-15 * there.stiffness);
+        double energy = 0;
+        for (int k = 0; k < 2; k++) energy += 0.5 * half[k].stiffness * pow(sqrt(1 + half[k].limit) - 1, 2);
+        check_close(there.stiffness * pow(sqrt(1 + there.limit) - 1, 2) / energy, 1, 1e-10);
+        one_half += ab != ba;
+        const struct solid_end same = {b.size, a.horizon, b.volume};
+        const struct solid_end like = {b.size, a.horizon, a.volume};
+        if (!solid_pair_exists(&single, xi, &like, &same)) continue;
+        check_equal(solid_pair_of(&dual, xi, &like, &same).stiffness,
+                    solid_pair_of(&single, xi, &like, &same).stiffness);
+        check_close(solid_pair_of(&dual, xi, &like, &same).limit / solid_pair_of(&single, xi, &like, &same).limit, 1,
+                    0);
+    }
+    check_above(one_half, 1000);
+}
+
+/* V0 scales with the size of things, and is that of the lattice's stencil. */
+static void test_full_volume(void **state) {
+    (void)state;
+    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
+    const struct solid_input plate = {.model = SOLID_PLANE_STRESS, .thickness = 1, .spacing = 1},
+                             space = {.spacing = 1};
+    const struct solid_bond_law law = solid_pair_law(&plate, &m);
+    struct solid_bond_law solid = solid_pair_law(&space, &m);
+    solid.columns = 400;
+    const double full = solid_pair_full_volume(&law, 3, 1);
+    check_close(full, M_PI * 9 - 1, 1e-13);
+    check_close(solid_pair_full_volume(&law, 1.5, 0.5) * 4 / full, 1, 1e-14);
+    check_close(solid_pair_full_volume(&law, 3, 0.97) / full, 1, 0);
+    solid.table = solid_weight_table_new();
+    struct solid_stencil *stencil = solid_stencil_new(1, 3);
+    check_close(solid_pair_full_volume(&solid, 3, 1) / stencil->full_volume, 1, 1e-13); /* rounded weights */
+    solid_stencil_free(stencil);
+    solid_weight_table_free(solid.table);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_areas),     cmocka_unit_test(test_constants), cmocka_unit_test(test_lattice_sums),
+        cmocka_unit_test(test_fine_sums), cmocka_unit_test(test_pairs),     cmocka_unit_test(test_full_volume),
+    };
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
