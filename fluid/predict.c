@@ -1,4 +1,4 @@
-/* Predictor of a Runge-Kutta stage: u* from the explicit momentum equation.  (001: eq. 3.66) */
+/* Predictor of a Runge-Kutta stage: u* from the explicit momentum equation.  (001: eqs 3.70, 3.74) */
 #include "base/clock.h"
 #include "base/par_halo.h"
 #include "fluid/grid/boundary.h"

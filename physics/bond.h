@@ -1,4 +1,4 @@
-/* Micromodulus and critical stretch of the bonds from a material's constants.  (001: eqs 3.21, 3.28; 000: eqs 9, 10,
+/* Micromodulus and critical stretch of the bonds from a material's constants.  (001: eqs 3.21, 3.27; 000: eqs 9, 10,
  * 16, 17) */
 #pragma once
 #include "physics/micromodulus.h"

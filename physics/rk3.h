@@ -1,4 +1,4 @@
-/* Coefficients of the low-storage Runge-Kutta scheme of third order.  (001: eqs 3.47-3.48, 3.66; Wesseling 2001)
+/* Coefficients of the low-storage Runge-Kutta scheme of third order.  (001: eqs 3.47-3.48, 3.70; Wesseling 2001)
  *     stage r:  q += dt (alpha[r] R + beta[r] R_old),   over gamma[r] dt = (alpha[r] + beta[r]) dt of time */
 #pragma once
 

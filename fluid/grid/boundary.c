@@ -1,4 +1,4 @@
-/* Boundary conditions of the six sides: values on the sides' faces and in the ghost cells.  (001: sec. 3.4.2) */
+/* Boundary conditions of the six sides: values on the sides' faces and in the ghost cells.  (001: secs 3.4.3, 4.1) */
 #include "fluid/grid/boundary.h"
 #include "base/die.h"
 #include "base/ensure.h"

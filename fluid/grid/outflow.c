@@ -1,4 +1,4 @@
-/* Convective outflow condition for the normal velocity, with mass conserved.  (001: sec. 3.4.2) */
+/* Convective outflow condition for the normal velocity, with mass conserved.  (001: sec. 5.1) */
 #include "fluid/grid/outflow.h"
 #include "base/par.h"
 #include "fluid/grid/boundary.h"

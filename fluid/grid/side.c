@@ -1,4 +1,4 @@
-/* Table of the types of sides: conditions of u, v, w and p, and whether fluid passes.  (001: sec. 3.4.2) */
+/* Table of the types of sides: conditions of u, v, w and p, and whether fluid passes.  (001: sec. 4.1, eqs 4.1-4.4) */
 #include "fluid/grid/side.h"
 #include "base/ensure.h"
 

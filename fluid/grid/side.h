@@ -1,4 +1,4 @@
-/* What each type of side stands for: one line of a table.  (001: sec. 3.4.2) */
+/* What each type of side stands for: one line of a table.  (001: sec. 4.1, eqs 4.1-4.4) */
 #pragma once
 #include "fluid/grid/boundary.h"
 

@@ -1,4 +1,4 @@
-/* Explicit stage of the momentum equation in one pass over the grid.  (001: eqs 3.64-3.68) */
+/* Explicit stage of the momentum equation in one pass over the grid.  (001: eqs 3.70, 3.74) */
 #include "fluid/momentum/momentum.h"
 #include "fluid/momentum/flux.h"
 

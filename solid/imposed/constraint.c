@@ -1,4 +1,4 @@
-/* Held and driven layers: flags, imposed velocities and displacements, reactions.  (001: sec. 3.3.8) */
+/* Held and driven layers: flags, imposed velocities and displacements, reactions.  (001: sec. 3.3.11) */
 #include "solid/imposed/constraint.h"
 #include "base/die.h"
 #include "base/par.h"

@@ -1,4 +1,4 @@
-/* The stencil of a lattice's family.  (001: sec. 3.3.5; SPEC 2) */
+/* The stencil of a lattice's family.  (001: sec. 3.3.5, eqs 3.32, 3.33) */
 #pragma once
 
 /* One directed bond of the lattice's family. */

@@ -1,4 +1,4 @@
-/* Partial volumes.  (001: sec. 3.3.5; SPEC 2) */
+/* Partial volumes.  (001: eq. 3.33, mended) */
 #pragma once
 
 /* The fraction of a cube (with this side, centred at xi from the origin, axes along x, y, z) inside the sphere of this

@@ -1,4 +1,4 @@
-/* Wetted area of each interface particle.  (001: sec. 3.5.4) */
+/* Wetted area of each interface particle.  (001: sec. 3.5.3) */
 #include "solid/surface/area.h"
 
 #include "base/par.h"
