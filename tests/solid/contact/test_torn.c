@@ -100,7 +100,7 @@ static void listed_if_near(void **state) {
     const int torn = c->torn;
     check_above(p->n, 0);
     for (int way = 0; way < 2; way++) {
-        bodies_open(s, 0, 3, way ? 0 : 2 * SPACING);
+        bodies_open(s, 0, 3, (way ? 0.1 : 2) * SPACING);
         solid_ghosts_update(s);
         p->n = 0;
         solid_contact_torn_list(s, c);
