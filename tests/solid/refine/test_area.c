@@ -117,10 +117,40 @@ static void edges(void **state) {
     }
 }
 
+/* A disc, whose edge cuts cells every way: parts of cells without a particle go to several ones in equal parts, and the
+ * areas and the lengths of the upper half of its edge still add up. */
+static void cut_cells(void **state) {
+    (void)state;
+    static const double c = 6.1 * SPACING, r = 5.37 * SPACING;
+    static const double corner[2][2] = {{c - r, c}, {c + r, c}}, centre[2][2] = {{c, c}, {c, c}};
+    static const signed char turn[2] = {1, 1};
+    const struct solid_outline outline = {0, 2, corner, centre, turn};
+    const struct solid_refinement refinement = {.levels = 2, .low = {-1, -1}, .high = {1, 1}};
+    struct solid *s =
+        make((struct make){.sites = {NX, NX}, .outlines = 1, .outline = &outline, .refinement = &refinement});
+    for (int k = 0; k < 2; k++) {
+        struct solid_refine_plan *p = k ? plan_of(s, 2, 2, 2) : plan_of(s, 6, 10, 2);
+        double *volume = areas(p, s), *length = calloc((size_t)p->n + 1, sizeof *length), sum = 0, along = 0;
+        char text[256] = "";
+        check_equal(solid_refine_area_length(p, corner[1], corner[0], length, text, sizeof text), 1);
+        for (long i = 0; i < p->n; i++) {
+            check_above(volume[i], 0);
+            sum += volume[i];
+            along += length[i];
+        }
+        check_relative(sum, M_PI * 5.37 * 5.37, 1e-10);
+        check_relative(along, M_PI * r, 1e-10);
+        free(length);
+        free(volume);
+        solid_refine_plan_free(p);
+    }
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(one_particle), cmocka_unit_test(whole_plate),
-                                       cmocka_unit_test(edges)};
+                                       cmocka_unit_test(edges), cmocka_unit_test(cut_cells)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
