@@ -7,15 +7,17 @@
 
 #include <stdlib.h>
 
-/* A block in which a few bonds are about to break. */
+/* A block under loads and damping, in which a few bonds are about to break. */
 static struct solid *block(int list, int verlet) {
     struct solid *s = make((struct make){.sites = {8, 6, 5}, .list = list, .fracture_energy = 0.05});
     s->stage.breakage = 1;
+    s->stage.damping_absolute = 1e4;
     s->stage.integrator = verlet ? SOLID_VERLET : SOLID_RK3;
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
             s->d[c][h] = 1.4e-4 * SPACING * noise(s, h, c);
             s->v[c][h] = 0.05 * noise(s, h, c + 3);
+            s->load[c][h] = 1e5 * noise(s, h, c + 6);
         }
     solid_ghosts_update(s);
     return s;
