@@ -80,6 +80,40 @@ static void families_and_kept(void **state) {
     solid_free(s);
 }
 
+/* A particle between two marked ones has six of the eight places around it filled, and is refined with them; in their
+ * corner it has five, and is not. */
+static void enclosed(void **state) {
+    (void)state;
+    const struct solid_refinement refinement = levels(1);
+    struct solid *s = make((struct make){.sites = {12, 12}, .refinement = &refinement});
+    for (int corner = 0; corner < 2; corner++) {
+        struct solid_refine_plan *p = solid_refine_plan_of(s, 0, NULL);
+        const long marked[2] = {in_cell(p, 4, 5), corner ? in_cell(p, 5, 4) : in_cell(p, 6, 5)};
+        solid_refine_plan_close(p, marked, 2, 0);
+        check_equal(p->level[in_cell(p, 5, 5)], !corner);
+        check_equal(p->refined, corner ? 2 : 3);
+        check_born(p);
+        solid_refine_plan_free(p);
+    }
+    solid_free(s);
+}
+
+/* A particle refined alone and once more: first the eight coarser ones within its horizon of 3/2. */
+static void coarser_ones_first(void **state) {
+    (void)state;
+    const struct solid_refinement refinement = levels(2);
+    struct solid *s = make((struct make){.sites = {12, 12}, .refinement = &refinement});
+    struct solid_refine_plan *p = solid_refine_plan_of(s, 0, NULL);
+    const long i = in_cell(p, 5, 5);
+    solid_refine_plan_close(p, &i, 1, 0);
+    solid_refine_plan_close(p, &i, 1, 0);
+    check_equal(p->refined, 1 + 8 + 1);
+    for (int k = 0; k < 9; k++) check_equal(p->level[in_cell(p, 4 + k % 3, 4 + k / 3)], k == 4 ? 2 : 1);
+    check_born(p);
+    solid_refine_plan_free(p);
+    solid_free(s);
+}
+
 /* Refined again and again in one place: within a particle's horizon all others are at most one level coarser, and no
  * particle has more than five of the eight places around it filled. */
 static void graded(void **state) {
@@ -138,7 +172,8 @@ static void horizons(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(one_particle), cmocka_unit_test(families_and_kept),
-                                       cmocka_unit_test(graded), cmocka_unit_test(horizons)};
+                                       cmocka_unit_test(enclosed),     cmocka_unit_test(coarser_ones_first),
+                                       cmocka_unit_test(graded),       cmocka_unit_test(horizons)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
