@@ -1,4 +1,4 @@
-/* Cells of CSV files are in quotes where they must be.  (RFC 4180) */
+/* Cells of CSV files are in quotes where they must be. */
 #include "files/csv.h"
 #include "tests/check.h"
 
