@@ -19,7 +19,11 @@ echo
 # quantity,unit,value; a quantity that contains a comma is in quotes
 awk '
     function field(   f) {
-        if (substr($0, 1, 1) == "\"") { f = substr($0, 2); $0 = substr(f, index(f, "\"") + 2); return substr(f, 1, index(f, "\"") - 1) }
+        if (substr($0, 1, 1) == "\"") {
+            f = substr($0, 2)
+            $0 = substr(f, index(f, "\"") + 2)
+            return substr(f, 1, index(f, "\"") - 1)
+        }
         f = index($0, ",") ? substr($0, 1, index($0, ",") - 1) : $0
         $0 = index($0, ",") ? substr($0, index($0, ",") + 1) : ""
         return f

@@ -12,7 +12,10 @@ folder=build flavour=() patience=600
 for argument in "$@"; do
     case $argument in
     --nightly) select=() ;;
-    --sanitize) folder=build-debug flavour=(-DCMAKE_BUILD_TYPE=Debug -DFRANA_SANITIZE=ON -DFRANA_WERROR=ON) patience=6000 ;;
+    --sanitize)
+        folder=build-debug patience=6000
+        flavour=(-DCMAKE_BUILD_TYPE=Debug -DFRANA_SANITIZE=ON -DFRANA_WERROR=ON)
+        ;;
     *) options+=("$argument") ;;
     esac
 done
@@ -24,4 +27,5 @@ setup_mpi 4
 # Open MPI leaks memory; tests/valgrind.sh finds leaks of frana itself
 [ "$folder" = build ] || export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 [ ! -t 1 ] || options=(--progress "${options[@]}")
-exec ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout "$patience" --parallel "$(setup_tests)" "${select[@]}" "${options[@]}"
+exec ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout "$patience" \
+    --parallel "$(setup_tests)" "${select[@]}" "${options[@]}"

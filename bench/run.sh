@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Measures, and writes the pages: bench/results/*.csv, docs/performance.md, the tables in docs/scaling.md.
-#     bench/run.sh [--build DIR] [--no-lammps] [RUN.json...]        run.json of whole runs of the main case's S3, with their
-#                                                                   scene.resolved.yaml beside (those kept in bench/results)
-# Builds first if there is no program yet. Takes under five minutes; nothing else should run on the machine.
+#     bench/run.sh [--build DIR] [--no-lammps] [RUN.json...]
+# RUN.json: run.json of whole runs of the main case's S3, each with its scene.resolved.yaml in the same folder. Without
+# one: those in bench/results.
+# Builds the program if it is missing. Takes less than five minutes. Nothing else should run on the machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=build lammps=1 runs=()

@@ -1,10 +1,10 @@
 # shellcheck shell=bash
-# Sourced by the cases of plates: runs under $runs, and numbers of their cracks from post/ and crack.csv.
+# What the cases of plates share, sourced by bash: runs in $runs, and numbers of their cracks from post/ and crack.csv.
 # shellcheck source=cases/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 frana=${FRANA:-build/frana}
 
-# go NAME SCENE [--set ...]: runs it into $runs/NAME and reads its crack, unless that is done
+# go NAME SCENE [--set ...]: runs SCENE in $runs/NAME and runs frana post on it, unless that is done already
 go() {
   local name=$1 scene=$2
   shift 2
@@ -15,14 +15,14 @@ go() {
   [ "$runs/$name/post/crack-summary.csv" -nt "$runs/$name/run.json" ] || "$frana" post "$runs/$name"
 }
 
-# of NAME QUANTITY: a number of NAME's crack-summary.csv, nothing where it has none
+# of NAME QUANTITY: a number from the crack-summary.csv of NAME; nothing if the quantity is missing
 of() {
   awk -v q="$2" '{ gsub(/"/, ""); v = $0; sub(/.*,/, "", v); sub(/,[^,]*,[^,]*$/, ""); if ($0 == q) print v }' \
     "$runs/$1/post/crack-summary.csv"
 }
 
-# variation NAME SCENE WORD...: go with the words, in which :_ stands for a colon and a space; what it says goes to
-# $runs/NAME.log
+# variation NAME SCENE WORD...: calls go with the words. In a word, :_ stands for a colon and a space. The output goes
+# to $runs/NAME.log.
 variation() {
   local name=$1 scene=$2 words=() w
   shift 2
@@ -30,8 +30,9 @@ variation() {
   go "$name" "$scene" "${words[@]}" >"$runs/$name.log"
 }
 
-# meet NAME AXIS REACH: x (m) where the branch's way, a straight line by least squares through the left tip's places
-# over REACH behind the place from which undamaged particles part the branches, comes from the axis y = AXIS
+# meet NAME AXIS REACH: x (m) at which the branch's path meets the axis y = AXIS. The path is a straight line, fitted by
+# least squares to the positions of the left tip, from the x at which undamaged particles first separate the branches
+# and over a length of REACH.
 meet() {
   local from
   from=$(of "$1" "branching, x")
@@ -43,7 +44,7 @@ meet() {
       if (b > 0) printf "%.6g\n", (sx - sy / b) / n }' "$runs/$1/crack.csv"
 }
 
-# top NAME WINDOW: largest speed (m/s) of the upper tip over windows (s) that stand end to end, as 000's eq. 41 has them
+# top NAME WINDOW: largest speed (m/s) of the upper tip, from consecutive windows of WINDOW seconds (000: eq. 41)
 top() {
   awk -F, -v window="$2" '
     NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i }
@@ -55,8 +56,8 @@ top() {
     END { printf "%.6g\n", most }' "$runs/$1/crack.csv"
 }
 
-# mirrored NAME AXIS SPACING: a row: of the run's particles, how many are not their mirror image's about y = AXIS to the
-# bit
+# mirrored NAME AXIS SPACING: writes a row: how many particles of the run are not, to the bit, the mirror image of
+# another about y = AXIS
 mirrored() {
   local state
   state=$("$(dirname "${BASH_SOURCE[0]}")/symmetric.sh" "$runs/$1" "$2" "$3") || true

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Is the state at a run's end its own mirror image about y = AXIS, to the last bit? Needs h5dump (Debian: hdf5-tools).
-# The places X0 are the last field's current places less its displacements, rounded to thousandths of SPACING; the
-# displacements and velocities that are compared are the checkpoint's doubles, written with 17 digits.
-# usage: cases/symmetric.sh RUN AXIS SPACING
-# Prints "symmetric N" or "unsymmetric K of N"; leaves with 1 where it is not.
+# Checks whether the state at a run's end is its own mirror image about y = AXIS, to the last bit.
+# The initial positions X0 are the last field's positions minus its displacements, rounded to SPACING/1000. The
+# displacements and velocities that are compared are the checkpoint's doubles, printed with 17 digits.
+# usage: cases/symmetric.sh RUN AXIS SPACING      needs h5dump (Debian: hdf5-tools)
+# Prints "symmetric N" or "unsymmetric K of N". Exits with 1 if the state is not symmetric.
 set -euo pipefail
 # shellcheck source=cases/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"

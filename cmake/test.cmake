@@ -1,9 +1,18 @@
-# A TIMEOUT ends a test that hangs. It is many times what the test takes, so that a busy machine does not miss it; under the
-# sanitizers ten times that: TIMEOUT 900${tenfold}.
+# A TIMEOUT ends a test that hangs. It is many times what the test takes, so that a busy machine does not miss it; under
+# the sanitizers ten times that: TIMEOUT 900${tenfold}.
 set(tenfold "")
 if(FRANA_SANITIZE)
   set(tenfold 0)
 endif()
+
+# Environment of tests on several ranks; frana_test_environment also for the sanitizers, because Open MPI leaks memory.
+set(frana_mpi_environment
+  OMPI_MCA_rmaps_base_oversubscribe=1
+  OMPI_MCA_hwloc_base_binding_policy=none
+  OMPI_MCA_mpi_yield_when_idle=1
+  OMPI_ALLOW_RUN_AS_ROOT=1
+  OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+set(frana_test_environment ${frana_mpi_environment} ASAN_OPTIONS=detect_leaks=0)
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])
 # One executable of cmocka tests, run by ctest once for each number of ranks.
@@ -13,7 +22,8 @@ function(frana_test source)
   string(REGEX REPLACE "_c$" "" name ${name})
   add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
   target_link_libraries(${name} PRIVATE frana_${T_ROOM} PkgConfig::CMOCKA)
-  target_compile_definitions(${name} PRIVATE FRANA_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FRANA_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  target_compile_definitions(${name} PRIVATE
+    FRANA_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FRANA_BINARY_DIR="${CMAKE_BINARY_DIR}")
   if(NOT T_RANKS)
     set(T_RANKS 1)
   endif()
@@ -31,8 +41,9 @@ function(frana_test source)
     set(T_TIMEOUT 600)
   endif()
   foreach(n ${T_RANKS})
-    add_test(NAME ${name}_${n} COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n ${n} $<TARGET_FILE:${name}>)
-    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${T_ROOM};${T_LABELS}" PROCESSORS ${n}
-      ENVIRONMENT "OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_hwloc_base_binding_policy=none;OMPI_MCA_mpi_yield_when_idle=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;ASAN_OPTIONS=detect_leaks=0")
+    add_test(NAME ${name}_${n}
+      COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n ${n} $<TARGET_FILE:${name}>)
+    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${T_ROOM};${T_LABELS}"
+      PROCESSORS ${n} ENVIRONMENT "${frana_test_environment}")
   endforeach()
 endfunction()

@@ -3,12 +3,14 @@
 # and conserved quantities must not drift. A porous block in a stream is pushed to and fro, each time harder, so that
 # bonds break until the end.
 # usage: tests/soak.sh FRANA SOURCE WORK [SECONDS [RANKS]]        by default an hour on one rank
-. "$(dirname "$0")/coupling/common.sh" "$@"
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/program/common.sh" "$@"
 seconds=${4:-3600} n=${5:-1} step=3.3569e-5
 # 1. memory: growth in ten minutes, kB    2. energy balance of the solid, as a fraction of the work done
 growth_most=1024 book_most=0.001
 scene | sed -e '/name: fracture/s/steps: [0-9]*/steps: 1000000000/; s/substeps: 4/substeps: auto/' \
-  -e 's/series_every: .*/series_every: 50/; s/fields_every: .*/fields_every: 5000/; s/checkpoint_every: .*/checkpoint_every: 5000/' >calm.yaml
+  -e 's/series_every: .*/series_every: 50/; s/fields_every: .*/fields_every: 5000/' \
+  -e 's/checkpoint_every: .*/checkpoint_every: 5000/' >calm.yaml
 value() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$1/run.json" | head -n 1; }
 
 # Measures the number of steps a second, which gives the length of the run.
@@ -25,7 +27,8 @@ kicks=$(awk -v end="$end" 'BEGIN {
     printf ", [%.6f, 0], [%.6f, %.5f], [%.6f, %.5f], [%.6f, %.5f], [%.6f, %.5f], [%.6f, 0]",
       t, t + 1e-4, f, t + 2e-3, f, t + 2.2e-3, -f, t + 4.1e-3, -f, t + 4.2e-3 }
   print "]" }')
-sed "/^coupling:/i\\  loads:\n    - {low: [0, -0.01, 0], high: [0.05, 0.035, 0.025], force: [6.0e5, 6.0e5, 0], time: $kicks}" calm.yaml >scene.yaml
+push="{low: [0, -0.01, 0], high: [0.05, 0.035, 0.025], force: [6.0e5, 6.0e5, 0], time: $kicks}"
+sed "/^coupling:/i\\  loads:\n    - $push" calm.yaml >scene.yaml
 
 from=$EPOCHREALTIME
 mpiexec --oversubscribe -n "$n" "$frana" run scene.yaml --out run --max-wall "$seconds" >out 2>err & mpiexec=$!
@@ -55,25 +58,30 @@ awk -F, -v s="$seconds" -v n="$n" -v most=$growth_most '
 # Mass and momentum are tested in every row; the solid's energy balance from the first fifth to the last; and that bonds
 # broke.
 awk -F, -v most=$book_most '
-  function hold(name, x, limit) { if (!(x <= limit)) { print name, x, "is more than", limit, "in step", $1 > "/dev/stderr"; bad = 1 }
+  function hold(name, x, limit) {
+    if (!(x <= limit)) { print name, x, "is more than", limit, "in step", $1 > "/dev/stderr"; bad = 1 }
     if (x > worst[name]) worst[name] = x }
   function abs(x) { return x < 0 ? -x : x }
   NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   NR > 2 {
     hold("div_max", $at["div_max"], 1e-10)
-    force = sqrt($at["forcing_x"] ^ 2 + $at["forcing_y"] ^ 2 + $at["forcing_z"] ^ 2); if (force > largest) largest = force
-    hold("momentum_residual over the largest forcing", $at["momentum_residual"] * force / largest, 1e-11) # little force is left
+    force = sqrt($at["forcing_x"] ^ 2 + $at["forcing_y"] ^ 2 + $at["forcing_z"] ^ 2)
+    if (force > largest) largest = force
+    # little force is left
+    hold("momentum_residual over the largest forcing", $at["momentum_residual"] * force / largest, 1e-11)
     hold("u_bulk off by", abs($at["u_bulk"] / 0.1 - 1), 1e-10)
     rows++
     book[rows] = $at["e_kinetic_solid"] + $at["e_strain"] + $at["e_damped"] + $at["e_fracture"] - $at["work_fluid"]
-    work[rows] = $at["work_fluid"]; broken[rows] = $at["bonds_broken"]; outside[rows] = $at["particles_outside"]; pieces = $at["fragments"] }
+    work[rows] = $at["work_fluid"]; broken[rows] = $at["bonds_broken"]
+    outside[rows] = $at["particles_outside"]; pieces = $at["fragments"] }
   END {
     fifth = int(rows / 5)
     for (i = 1; i <= fifth; i++) { early += book[fifth + i] / fifth; late += book[rows - fifth + i] / fifth }
     for (i = fifth + 1; i <= rows; i++) through += abs(work[i] - work[i - 1])
     for (name in worst) printf "%s: at most %.2g\n", name, worst[name]
     printf "the solid'\''s books: %.3g J of %.3g J that went through them\n", late - early, through
-    printf "steps %d, bonds broken %d, then %d, fragments %d, particles outside %d, then %d\n", $1, broken[fifth], broken[rows], pieces, outside[1], outside[rows]
+    printf "steps %d, bonds broken %d, then %d, fragments %d, particles outside %d, then %d\n", $1, broken[fifth],
+      broken[rows], pieces, outside[1], outside[rows]
     if (!(abs(late - early) <= most * through)) { print "the books drift" > "/dev/stderr"; bad = 1 }
     if (!(broken[rows] > broken[fifth])) { print "nothing breaks after the first fifth" > "/dev/stderr"; bad = 1 }
     if (!(outside[rows] > outside[1])) { print "no fragment has left" > "/dev/stderr"; bad = 1 }

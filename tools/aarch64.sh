@@ -16,8 +16,10 @@ done
 
 if [ ! -e "$sysroot/unpacked" ]; then
     echo "-- an arm64 root in $sysroot"
+    packages=libc6-dev,libopenmpi-dev,libhdf5-openmpi-dev,libfftw3-dev,liblapacke-dev
+    packages=$packages,libcyaml-dev,libyaml-dev,libpng-dev,libcmocka-dev
     debootstrap --foreign --arch=arm64 --variant=minbase \
-        --include=libc6-dev,libopenmpi-dev,libhdf5-openmpi-dev,libfftw3-dev,liblapacke-dev,libcyaml-dev,libyaml-dev,libpng-dev,libcmocka-dev \
+        --include="$packages" \
         bookworm "$sysroot" >"$sysroot.log"
     for package in "$sysroot"/var/cache/apt/archives/*.deb; do dpkg-deb -x "$package" "$sysroot"; done
     # links that the packages' scripts would have made

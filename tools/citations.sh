@@ -14,8 +14,8 @@ if [ $# -gt 0 ]; then
 else
     git ls-files -z '*.c' '*.h' '*.md' '*.sh' '*.yaml' '*.awk' ':!:tests/fuzz/corpus' ':!:tests/scene/scenes'
 fi | xargs -0 awk -v page="$page" '
-    # names(LINE): the author and year of each paper in it, as "Breugem 2012", in found[1..]; returns how many. Of several
-    # authors the first counts, and of a name with small words (ten Cate, van der Walt) the last word of it.
+    # names(LINE): the author and year of each paper in it, as "Breugem 2012", in found[1..]; returns how many. Of
+    # several authors the first counts, and of a name with small words (ten Cate, van der Walt) the last word of it.
     function names(line,  n, text, author, year) {
         n = 0
         gsub(/[\047]s/, "", line) # Ha and Bobaru\047s (2010)

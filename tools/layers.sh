@@ -109,7 +109,8 @@ files=$(git ls-files '*.c' '*.h')
         q = place_of(to, a)
         if (p == q) next
         if (layer_of(a, p) < layer_of(a, q)) wrong(a "/" p " is a lower layer than " a "/" q)
-        else if (layer_of(a, p) == layer_of(a, q) && p !~ /\./ && q !~ /\./) wrong(a "/" p " and " a "/" q " are one layer")
+        else if (layer_of(a, p) == layer_of(a, q) && p !~ /\./ && q !~ /\./)
+            wrong(a "/" p " and " a "/" q " are one layer")
     }
     END {
         if (mistakes) printf "layers: %d arrows against the grain\n", mistakes

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# The force sweep of a full block of 54,872 particles in LAMMPS (pair_style peri/pmb) and in frana, in turn, one rank each:
+# The force sweep of a full block of 54,872 particles in LAMMPS (pair_style peri/pmb) and in frana, in turn, on one
+# rank each:
 #     bench/lammps/run.sh [--frana PROGRAM] [--repeats N] [--out DIR] [--install]
 # Each twice: with bonds up to 3 spacings (122 neighbours inside the block, LAMMPS's family for this horizon), and with
 # the 178 bonds of frana's horizon of 3 spacings. The last line is `ratio X`: LAMMPS's time a directed bond divided by
 # frana's for the first family, median over the repeats. --out writes DIR/lammps.csv.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-frana=$here/../../build/frana repeats=5 out= install=
+frana=$here/../../build/frana repeats=5 out='' install=''
 fail() { echo "run.sh: $*" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case $1 in
@@ -19,7 +20,8 @@ done
 [ -x "$frana" ] || fail "$frana: there is no such program; build it, or name it with --frana"
 if ! command -v lmp >/dev/null && [ -n "$install" ]; then apt-get install -y lammps >/dev/null; fi
 command -v lmp >/dev/null || fail "LAMMPS is missing: apt-get install lammps, or run this again with --install"
-lmp -help 2>/dev/null | grep 'peri/pmb' >/dev/null || fail "this LAMMPS ($(command -v lmp)) is built without its PERI package"
+lmp -help 2>/dev/null | grep 'peri/pmb' >/dev/null ||
+  fail "this LAMMPS ($(command -v lmp)) is built without its PERI package"
 frana=$(realpath "$frana")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -27,7 +29,8 @@ trap 'rm -rf "$work"' EXIT
 # theirs REACH: number of directed bonds, and time a bond, ns, as LAMMPS reports it for the pair style in the last run
 theirs() {
   local steps=8
-  lmp -in "$here/in.pmb" -var side 38 -var reach "$1" -var steps $steps -log "$work/log" -screen none || fail "LAMMPS failed"
+  lmp -in "$here/in.pmb" -var side 38 -var reach "$1" -var steps $steps -log "$work/log" -screen none ||
+    fail "LAMMPS failed"
   awk -v steps=$steps '
     /total # of bonds/ { bonds = $NF }
     /^Pair / { pair = $3 }
@@ -42,7 +45,9 @@ ours() {
     $at["part"] == part { printf "%.0f %s\n", $at["units"], $at["ns_per_unit"] }' "$work"/frana/*-1.csv
 }
 # middle LOW HIGH of the numbers in a file, one a line
-spread() { sort -g "$1" | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2, v[1], v[NR] }'; }
+spread() {
+  sort -g "$1" | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2, v[1], v[NR] }'
+}
 
 for ((k = 1; k <= repeats; k++)); do
   for reach in 122:3.0001 178:3.4999; do theirs "${reach#*:}" >"$work/theirs.${reach%:*}"; done
@@ -65,8 +70,10 @@ for n in 178 122; do
   read -r our_ns _ < <(spread "$work/ours.$n.all")
   read -r ratio low high < <(spread "$work/ratio.$n.all")
   read -r bonds _ <"$work/ours.$n"
-  printf 'LAMMPS PERI/PMB,%s,%.3g,%.3g,%.1f,%.1f-%.1f\n' "$bonds" "$their_ns" "$our_ns" "$ratio" "$low" "$high" >>"$table"
-  printf '%s neighbours: LAMMPS %.3g ns, frana %.3g ns a directed bond (medians of %d)\n' $n "$their_ns" "$our_ns" "$repeats"
+  printf 'LAMMPS PERI/PMB,%s,%.3g,%.3g,%.1f,%.1f-%.1f\n' \
+    "$bonds" "$their_ns" "$our_ns" "$ratio" "$low" "$high" >>"$table"
+  printf '%s neighbours: LAMMPS %.3g ns, frana %.3g ns a directed bond (medians of %d)\n' \
+    $n "$their_ns" "$our_ns" "$repeats"
   printf 'spread %.1f-%.1f\nratio %.1f\n' "$low" "$high" "$ratio"
 done
 if [ -n "$out" ]; then mkdir -p "$out" && cp "$table" "$out/lammps.csv"; fi

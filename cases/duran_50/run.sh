@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The plate with the source's weights and with others, and on finer grids; results/ from them.
+# Runs the plate with the source's weights, with other weights, and on finer grids. Writes results/.
 # usage: cases/duran_50/run.sh [RUNS]      (runs/duran_50)
-# FRANA is the program (build/frana). Goes on with what is there.
+# FRANA is the program (build/frana). Finished runs are kept.
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -15,7 +15,7 @@ go m3 $scene
 go m3_ramp $scene --set solid.partial_volume=ramp --set solid.surface_correction=false
 go m3.5 $scene $(ratio 3.5)
 go m4 $scene $(ratio 4)
-# bonds up to 3.5 spacings with c0 and s0 of 3: a plate of E (3.5/3)^3 and G0 (3.5/3)^4
+# Bonds up to 3.5 spacings with c0 and s0 of a horizon of 3: the same as a plate with E (3.5/3)^3 and G0 (3.5/3)^4.
 go m3.5_of_3 $scene $(ratio 3.5) --set solid.materials[0].youngs_modulus=103.218e9 \
   --set solid.materials[0].fracture_energy=377.94
 go m3_half $scene --set solid.spacing=5.0e-4
@@ -38,12 +38,14 @@ for n in m3 m3_ramp m3.5; do
 done
 
 {
-  echo "choice, particles, first bond us, tip moved us, branches seen us, ways meet mm, undamaged between from mm, top speed end to end m/s, top speed m/s, released over G0"
+  echo "choice, particles, first bond us, tip moved us, branches seen us, ways meet mm, undamaged between from mm," \
+    "top speed end to end m/s, top speed m/s, released over G0"
   for n in m3 m3_ramp m3.5 m4 m3.5_of_3 m3_half m3.5_half; do
-    echo "$n, $(json $n particles), $(us $n "start of growth: first broken bond, t"), $(
-      us $n "start of growth: tip moved by more than a spacing, t"), $(us $n "branching: fronts apart from then on, t"), $(
-      scaled 1e3 "$(meet $n $axis $reach)"), $(scaled 1e3 "$(of $n "branching, x")"), $(top $n 2.0e-6), $(of $n "top speed of the tip"), $(
-      of $n "energy released over the new area, over G0")"
+    echo "$n, $(json $n particles), $(us $n "start of growth: first broken bond, t")," \
+      "$(us $n "start of growth: tip moved by more than a spacing, t")," \
+      "$(us $n "branching: fronts apart from then on, t"), $(scaled 1e3 "$(meet $n $axis $reach)")," \
+      "$(scaled 1e3 "$(of $n "branching, x")"), $(top $n 2.0e-6), $(of $n "top speed of the tip")," \
+      "$(of $n "energy released over the new area, over G0")"
   done
 } >"$out/sensitivity.csv"
 cp "$runs/m3.5/post/pictures/damage.png" "$out/damage.png"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Both steels on uniform grids and refined where they crack, and in 3D; what the result depends on. Writes results/.
+# Runs both steels on uniform grids, on grids refined at the crack, and in 3D, and varies each choice. Writes results/.
 # usage: cases/kalthoff/run.sh [RUNS]      (runs/kalthoff)
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
@@ -8,15 +8,17 @@ runs=${1:-runs/kalthoff} case=cases/kalthoff out=cases/kalthoff/results
 . cases/crack.sh
 mkdir -p "$runs" "$out"
 
-# grid SPACING: the real notches, 75 and 125 mm up, which grids of 1 mm and less have between their rows
-grid() {
-  echo "--set solid.spacing=$1 --set solid.cracks.lower.points=[[0,0.075],[0.05,0.075]]" \
-    "--set solid.cracks.upper.points=[[0,0.125],[0.05,0.125]]" \
-    "--set solid.constraints[0].low=[0,0.075] --set solid.constraints[0].high=[$1,0.125]"
+# notches LOWER UPPER TO: notches at these heights, and the driven layer of width TO between them, m
+notches() {
+  echo "--set solid.cracks.lower.points=[[0,$1],[0.05,$1]] --set solid.cracks.upper.points=[[0,$2],[0.05,$2]]" \
+    "--set solid.constraints[0].low=[0,$1] --set solid.constraints[0].high=[$3,$2]"
 }
-# path NAME HEIGHT: of the upper crack, whose notch is HEIGHT up: the angle (degrees) of the chord from the notch's tip
-# to where the crack is at the end, the angle of the line by least squares through the tip's places, the time (s) from
-# which the tip is 2 mm off the notch, and the top speed (m/s) over windows of 1.82 and 9.1 us
+# grid SPACING: the real notches, at heights of 75 and 125 mm, which lie between the rows of grids of 1 mm and less
+grid() { echo "--set solid.spacing=$1 $(notches 0.075 0.125 "$1")"; }
+# path NAME HEIGHT: five numbers of the upper crack, whose notch is at y = HEIGHT: the angle (degrees) of the chord from
+# the notch's tip to the end of the crack; the angle of a line fitted by least squares to the positions of the tip; the
+# time (s) at which the tip is 2 mm away from the notch; the top speed (m/s) over windows of 1.82 us; the same over
+# windows of 9.1 us
 path() {
   awk -F, -v y0="$2" '
     NR < 3 { next }
@@ -33,7 +35,7 @@ path() {
       printf "%.2f %.2f %.4g %.0f %.0f\n", d * atan2(y[n] - y0, x[n] - 0.05), d * atan2(bb - b * b / m, ab - a * b / m),
         start, top(1.82e-6), top(9.1e-6) }' "$runs/$1/crack.csv"
 }
-# measured STEEL NAME HEIGHT SPACING ANGLE C_R PARTICLES: its rows; ANGLE and PARTICLES are the thesis's
+# measured STEEL NAME HEIGHT SPACING ANGLE C_R PARTICLES: writes the rows of a run; ANGLE and PARTICLES are from 000
 measured() {
   local p
   read -r -a p <<<"$(path "$2" "$3")"
@@ -69,15 +71,16 @@ x2nicomo 71 2841.2 8488
 STEELS
 measured x2nicomo slab 0.125 "" 71 2841.2 ""
 
-# what the angle depends on, of X2 NiCoMo 18 9 5 on 2 mm
+# how the angle depends on each choice, for X2 NiCoMo 18 9 5 with a spacing of 2 mm
 table=$out/sensitivity.csv
-echo "changed, angle to the end (deg), angle by least squares (deg), left the notch (s), top speed over 1.82 us (m/s), over 9.1 us (m/s)" >"$table"
+echo "changed, angle to the end (deg), angle by least squares (deg), left the notch (s)," \
+  "top speed over 1.82 us (m/s), over 9.1 us (m/s)" >"$table"
 while read -r name words; do
   variation "x_$name" $case/x2nicomo.yaml $words --set output.fields_every=0
   height=0.124
   case $name in notch_74) height=0.126 ;; notch_75*) height=0.125 ;; esac
   echo "$name, $(path "x_$name" $height | sed 's/ /, /g')" >>"$table"
-done <<'CHANGES'
+done <<CHANGES
 nothing
 horizon_ratio_3.5 --set solid.materials[0].horizon_ratio=3.5
 horizon_ratio_4 --set solid.materials[0].horizon_ratio=4
@@ -90,8 +93,8 @@ two_driven_layers --set solid.constraints[0].high=[0.004,0.124]
 three_driven_layers --set solid.constraints[0].high=[0.006,0.124]
 contact --set solid.contact.enabled=true
 plane_stress --set solid.model=plane_stress
-notch_74 --set solid.cracks.lower.points=[[0,0.074],[0.05,0.074]] --set solid.cracks.upper.points=[[0,0.126],[0.05,0.126]] --set solid.constraints[0].low=[0,0.074] --set solid.constraints[0].high=[0.002,0.126]
-notch_75_half_cells_at_edges --set solid.lattice_offset=[0,0.5] --set solid.cracks.lower.points=[[0,0.075],[0.05,0.075]] --set solid.cracks.upper.points=[[0,0.125],[0.05,0.125]] --set solid.constraints[0].low=[0,0.075] --set solid.constraints[0].high=[0.002,0.125]
+notch_74 $(notches 0.074 0.126 0.002)
+notch_75_half_cells_at_edges --set solid.lattice_offset=[0,0.5] $(notches 0.075 0.125 0.002)
 refined_by_energy_alone --set solid.refinement={levels:_1,energy:_0.35,from:_2.0e-5}
 refined_by_18ni_triggers --set solid.refinement={levels:_1,damage:_0.01,energy:_0.7,from:_1.533e-5}
 CHANGES

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The three cracks on uniform grids and refined where they run, and with the hole in the middle of the plate. Writes
-# results/.
+# Runs the three cracks on uniform grids, on grids refined at the crack, and with the hole in the middle of the plate.
+# Writes results/.
 # usage: cases/plate_hole/run.sh [RUNS]      (runs/plate_hole)
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
@@ -8,10 +8,11 @@ cd "$(dirname "$0")/../.."
 runs=${1:-runs/plate_hole} case=cases/plate_hole out=cases/plate_hole/results
 . cases/crack.sh
 mkdir -p "$runs" "$out"
-# grid SPACING: with a clamp of one layer
+# grid SPACING: settings for this spacing, with a clamp of one layer
 grid() { echo "--set solid.spacing=$1 --set solid.constraints[0].high=[0.03,$1]"; }
-# path NAME X Y RADIUS WIDTH: of the crack that began as the initial one: the time (s) from which its tip is more than 1
-# mm ahead, where it is at the end (mm), how far that is from the edge of the hole (mm), and what became of it
+# path NAME X Y RADIUS WIDTH: five results of the crack that continues the initial one: the time (s) at which its tip
+# has moved by 1 mm; the tip's x and its y at the end (mm); the distance from there to the edge of the hole (mm); a word
+# for the outcome
 path() {
   awk -F, -v cx="$2" -v cy="$3" -v r="$4" -v width="$5" '
     NR < 3 { next }
@@ -21,8 +22,8 @@ path() {
       printf "%.4g %.4g %.4g %.2f %s\n", start, 1e3 * x, 1e3 * y, 1e3 * gap,
         (gap < 0.002 ? "drawn_in" : x > width - 0.003 ? "passes" : "stops") }' "$runs/$1/crack.csv"
 }
-# measured NAME X Y RADIUS OUTCOME [PARTICLES]: its rows; what becomes of the crack passes where it is OUTCOME (-: not
-# said)
+# measured NAME X Y RADIUS OUTCOME [PARTICLES]: writes the rows of a run. The row of the outcome passes if it is OUTCOME
+# (-: no verdict).
 measured() {
   local p
   read -r -a p <<<"$(path "$1" "$2" "$3" "$4" 0.03)"
@@ -39,9 +40,9 @@ measured() {
   row "$1: wall time of the steps" s "$(json "$1" wall_seconds | cut -c 1-5)" "" ""
 }
 
-middle="--set domain.size=[0.03,0.045] --set solid.bodies.plate.high=[0.03,0.045] --set solid.loads[0].edge.from=[0,0.045]
-  --set solid.loads[0].edge.to=[0.03,0.045] --set solid.bodies.plate.holes[0].centre=[0.015,0.0225]
-  --set solid.bodies.plate.holes[0].radius=0.006"
+middle="--set domain.size=[0.03,0.045] --set solid.bodies.plate.high=[0.03,0.045]
+  --set solid.loads[0].edge.from=[0,0.045] --set solid.loads[0].edge.to=[0.03,0.045]
+  --set solid.bodies.plate.holes[0].centre=[0.015,0.0225] --set solid.bodies.plate.holes[0].radius=0.006"
 summary_begin "$out/summary.csv"
 while read -r m from outcome nodes; do
   variation ${m}_1mm $case/$m.yaml

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the models and writes results/: summary.csv beside the thesis's numbers, the energies, their plot.
+# Runs the models and writes results/: summary.csv with the thesis's numbers beside ours, the energies, their plot.
 # usage: cases/plate_step/run.sh [FRANA [RUNS [RESULTS]]]
 set -euo pipefail
 # shellcheck source=cases/common.sh
@@ -8,14 +8,14 @@ here=$(cd "$(dirname "$0")" && pwd)
 frana=${1:-build/frana} runs=${2:-runs/plate_step} out=${3:-$here/results}
 mkdir -p "$runs" "$out"
 
-one=(--set solid.horizons=one_sided) none=(--set 'solid.refinement={from: 1}') # not before 1 s: never
-# one particle and its family instead of a row of them: 7 x 7 mm
+one=(--set solid.horizons=one_sided) none=(--set 'solid.refinement={from: 1}') # none: refined after 1 s, that is never
+# one particle and its family, 7 x 7 mm, instead of a row of them
 patch=(--set 'solid.refinement.start=[{low: [0.0169, 0.0199], high: [0.0231, 0.0201], level: 1},
   {low: [0.0179, 0.0179], high: [0.0221, 0.0221], level: 1},
   {low: [0.0199, 0.0169], high: [0.0201, 0.0231], level: 1}]')
 # the supported rows are three as well, in a plate two fine rows shorter
 fine=(--set solid.spacing=5.0e-4 --set solid.bodies.plate.high='[0.04, 0.041]')
-run() { # run NAME options...: the step, and the plate at rest under the same load
+run() { # run NAME options...: runs the step load, and the plate at rest under the same load
   local name=$1
   shift
   rm -rf "${runs:?}/$name" "${runs:?}/${name}_rest"
@@ -33,28 +33,29 @@ run patch_b "${one[@]}" "${patch[@]}"
 run patch_b_corrected "${one[@]}" --set solid.refinement.interface=corrected "${patch[@]}"
 run patch_dual "${patch[@]}"
 
-# Largest |kinetic + strain - what load and support have put in|, over the largest energy, %: made or lost by the
-# coupling.
+# The energy error of the coupling, %: largest |kinetic + strain energy - work of load and support| over the largest
+# energy.
 unbalanced() {
   awk -F, "$names"' { e = $k["e_kinetic_solid"] + $k["e_strain"]; d = e - $k["work_load"] - $k["e_constraint"]
       if (e > top) top = e; if (d < 0) d = -d; if (d > most) most = d }
     END { print 100 * most / top }' "$runs/$1/series.csv"
 }
-# Largest difference of the total energy from the uniform coarse grid's, over the largest energy, %.
+# Largest difference between the total energy and that on the uniform coarse grid, over the largest energy, %.
 deviation() {
   awk -F, "$names"' { e = $k["e_kinetic_solid"] + $k["e_strain"]; s = $k["step"] }
     FILENAME == ARGV[1] { uniform[s] = e; if (e > top) top = e; next }
     { d = uniform[s] - e; if (d * d > most * most) most = d }
     END { print 100 * most / top }' "$runs/uniform/series.csv" "$runs/$1/series.csv"
 }
-# The particle's greatest energy density, and greatest displacement along the load, less the uniform coarse grid's, %.
+# Greatest energy density and greatest displacement along the load of a particle, minus those on the uniform coarse
+# grid, %.
 peak() { # peak NAME PROBE COLUMN
   awk -F, -v p="$2" -v c="$3" "$names"' $k["probe"] != p { next } { v = $k[c]; if (v < 0) v = -v }
     FILENAME == ARGV[1] { if (v > uniform) uniform = v; next }
     { if (v > here) here = v }
     END { print 100 * (here / uniform - 1) }' "$runs/uniform/probes.csv" "$runs/$1/probes.csv"
 }
-# How much farther the loaded edge goes at rest than on the uniform coarse grid, %.
+# Displacement of the loaded edge at rest, minus that on the uniform coarse grid, %.
 longer() {
   awk -F, "$names"' $k["probe"] == 2 { if (FILENAME == ARGV[1]) uniform = $k["displacement_y"];
     else here = $k["displacement_y"] }
@@ -66,7 +67,7 @@ summary_begin "$out/summary.csv"
 row "particles: uniform" 1 "$(json uniform particles)" "" ""
 row "particles: band" 1 "$(json dual particles)" "" ""
 row "particles: patch" 1 "$(json patch_dual particles)" "" ""
-measures() { # measures LABEL NAME REFERENCE SOURCE LIMIT LIMIT: both measures
+measures() { # measures LABEL NAME REFERENCE SOURCE LIMIT LIMIT: writes the rows of both measures
   at_most "$1: energy made or lost" % "$(unbalanced "$2")" "$3" "$4" "$5"
   at_most "$1: energy less than uniform coarse's" % "$(deviation "$2")" "$3" "$4" "$6"
   row "$1: at rest longer than uniform coarse" % "$(longer "$2")" "" ""

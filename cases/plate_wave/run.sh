@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the models and writes results/: summary.csv beside the thesis's numbers, the displacement before the patch, its
-# plot.
+# Runs the models and writes results/: summary.csv with the thesis's numbers beside ours, the displacement in front of
+# the patch, its plot.
 # usage: cases/plate_wave/run.sh [FRANA [RUNS [RESULTS]]]
 set -euo pipefail
 # shellcheck source=cases/common.sh
@@ -11,12 +11,12 @@ mkdir -p "$runs" "$out"
 
 one=(--set solid.horizons=one_sided) kept=(--set solid.refinement.horizon=kept)
 corrected=(--set solid.refinement.interface=corrected)
-none=(--set 'solid.refinement={from: 1}') # not before 1 s: never
-# a displacement that is linear about the middle of the patch to 1e-6, strain 1e-8
+none=(--set 'solid.refinement={from: 1}') # refined after 1 s, that is never
+# an initial displacement that is linear to 1e-6 around the middle of the patch, with a strain of 1e-8
 affine=(--set \
   'solid.initial=[{shape: gaussian, along: x, centre: -70.660678, width: 100, displacement: [-1.16582e-6, 0]}]'
   --set stages.pass.steps=1 --set stages.pass.time_step=1.0e-6)
-run() { # run NAME options...: the wave, and one small step from an affine displacement
+run() { # run NAME options...: runs the wave, and one small step from an affine displacement
   local name=$1
   shift
   rm -rf "${runs:?}/$name" "${runs:?}/${name}_affine"
@@ -30,22 +30,21 @@ run b_corrected "${one[@]}" "${corrected[@]}"
 run dual
 run dual_kept "${kept[@]}"
 
-# Largest |u - u of the uniform run| at the place before the patch once the pulse has passed, over the pulse's height,
-# %.
+# Largest |u - u of the uniform run| in front of the patch after the pulse has passed, over the pulse's height, %.
 reflection() {
   awk -F, "$names"' $k["probe"] != 0 { next } { u = $k["displacement_x"]; t = $k["t"] }
     FILENAME == ARGV[1] { uniform[t] = u; if (u > top) top = u; next }
     t >= 0.05 { d = u - uniform[t]; if (d < 0) d = -d; if (d > most) most = d }
     END { print 100 * most / top }' "$runs/uniform/probes.csv" "$runs/$1/probes.csv"
 }
-# Largest difference of the total energy from the uniform run's, %.
+# Largest difference between the total energy and that of the uniform run, %.
 energy() {
   awk -F, "$names"' { e = $k["e_kinetic_solid"] + $k["e_strain"]; t = $k["t"] }
     FILENAME == ARGV[1] { uniform[t] = e; next }
     { d = 1 - e / uniform[t]; if (d * d > most * most) most = d }
     END { print 100 * most }' "$runs/uniform/series.csv" "$runs/$1/series.csv"
 }
-# Largest loss and largest gain of a particle's greatest energy density in or at the patch, %.
+# Largest decrease and largest increase of the greatest energy density of a particle in or near the patch, %.
 density() {
   awk -F, "$names"' $k["probe"] < 2 { next } { p = $k["probe"]; w = $k["energy_density"] }
     FILENAME == ARGV[1] { if (w > uniform[p]) uniform[p] = w; next }
@@ -53,8 +52,8 @@ density() {
     END { for (p in here) { d = 100 * (1 - here[p] / uniform[p]); if (d > loss) loss = d; if (-d > gain) gain = -d }
       print '"$2"' }' "$runs/uniform/probes.csv" "$runs/$1/probes.csv"
 }
-# Of the affine displacement: largest change of the energy density in or at the patch, %, and largest force density
-# there, which should be 0, times delta/(E strain).
+# Under the affine displacement, in or near the patch: largest change of the energy density, %, and largest force
+# density times delta/(E strain), which should be 0.
 affine_density() {
   awk -F, "$names"' $k["t"] > 0 || $k["probe"] < 2 { next } { p = $k["probe"]; w = $k["energy_density"] }
     FILENAME == ARGV[1] { uniform[p] = w; next }
@@ -66,7 +65,7 @@ affine_force() {
     { a = $k["velocity_x"] / $k["t"]; if (a < 0) a = -a; if (a > most) most = a }
     END { print most * 0.0015 / 1e-8 }' "$runs/$1_affine/probes.csv"
 }
-# When the pulse's top passes x = 0.04: through the highest sample and its neighbours a parabola.
+# Time at which the pulse's top passes x = 0.04, from a parabola through the highest sample and its neighbours.
 passes() {
   awk -F, "$names"' $k["probe"] == 1 { n++; t[n] = $k["t"]; u[n] = $k["displacement_x"]; if (u[n] > u[at]) at = n }
     END { print t[at] + 0.5 * (t[2] - t[1]) * (u[at - 1] - u[at + 1]) / (u[at - 1] - 2 * u[at] + u[at + 1]) }' \

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# results/ from the runs' folders: series, plots, pictures, wall times, and summary.csv beside the thesis's numbers.
+# Writes results/ from the runs' folders: series, plots, pictures, wall times, and summary.csv with the thesis's numbers
+# beside ours.
 # usage: cases/porous_channel/collect.sh RUNS
 set -euo pipefail
 # shellcheck source=cases/common.sh
 . "$(dirname "$0")/../common.sh"
 runs=$1 out=$(dirname "$0")/results
 mkdir -p "$out"
-column() { # column NAME first|last FILE: the value of the first sample of the last stage, or of the last sample
+column() { # column NAME first|last FILE: a value of the last stage's first sample, or of the last sample
   awk -F, -v name="$1" -v which="$2" -v from="$4" '
     NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i }
     NR > 2 && $1 >= from { if (!seen++) first = $c; last = $c } END { print which == "first" ? first : last }' "$3"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The three runs at full size on their shared first stages, and results/ from them.
+# Runs the three scenes at full size, from the stages that they share, and writes results/.
 # usage: cases/porous_channel/run.sh [RANKS] [RUNS]      (2, runs/porous_channel)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 n=${1:-2} runs=${2:-runs/porous_channel} case=cases/porous_channel frana=build/frana
 . cases/common.sh
 mkdir -p "$runs"
-go() { # go NAME [--resume...]: goes on with what is there, does nothing for what is done
+go() { # go NAME [--resume...]: resumes a run that was stopped; does nothing for a finished run
   local name=$1; shift
   is_done "$runs/$name" && return
   if [ -f "$runs/$name/checkpoint/latest" ]; then set -- --resume; else rm -rf "${runs:?}/$name"; fi

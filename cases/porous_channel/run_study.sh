@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What the main case's choices change and cost, in short runs of its S2, and how far round-off takes its runs apart.
-# Stopped and started again it goes on where it was. About 20 minutes on two cores, on which nothing else should run.
+# Measures in short runs of S2 of the main case what each choice changes and costs, and how far round-off makes its runs
+# differ. Finished runs are kept. Takes about 20 minutes on two cores. Nothing else should run on the machine.
 # usage: cases/porous_channel/run_study.sh [FRANA [RUNS [SETTLED]]]
-#   build/frana; runs/porous_channel_study; runs/porous_channel/s1/checkpoint/stage_settle.h5, which is made where it is
-# missing
+#   defaults: build/frana; runs/porous_channel_study; runs/porous_channel/s1/checkpoint/stage_settle.h5, which is made
+#   if it is missing
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/porous_channel_study} case=cases/porous_channel \
@@ -14,11 +14,11 @@ mkdir -p "$runs" "$out"
 for study in iterations surface choices grid step; do
   "$frana" study "$case/study_$study.yaml" --out "$runs"
   cp "$runs/study_$study".csv "$runs/study_$study"_pressure-drop.png "$out"
-  # of the page's pictures that one is kept
+  # only this one of the page's pictures is kept
   sed '/^!\[.*\.png)$/{/_pressure-drop\.png)$/!d;}' "$runs/study_$study".md | cat -s >"$out/study_$study.md"
 done
 
-go() { # go FOLDER SCENE [...]: does nothing for what is done
+go() { # go FOLDER SCENE [...]: does nothing for a finished run
   local folder=$1 scene=$2
   shift 2
   is_done "$folder" && return

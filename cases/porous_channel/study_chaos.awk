@@ -1,7 +1,14 @@
-# How far runs drift apart whose inflow differs by parts in 1e12 to 1e6: a row a sample since their bonds may break.
-# usage: awk -f study_chaos.awk RUN/0/series.csv RUN/1e-12/series.csv ...; the first is what the others are held against
+# How far runs drift apart whose inflow differs by a factor of 1 + 1e-12 to 1 + 1e-6. Prints one row a sample, from the
+# moment at which bonds may break.
+# usage: awk -f study_chaos.awk RUN/0/series.csv RUN/1e-12/series.csv ...    the others are compared with the first
 BEGIN { FS = "," }
-FNR == 1 { member++; parts = split(FILENAME, part, "/"); name[member] = part[parts - 1]; for (i = 1; i <= NF; i++) c[$i] = i; next }
+FNR == 1 {
+  member++
+  parts = split(FILENAME, part, "/")
+  name[member] = part[parts - 1]
+  for (i = 1; i <= NF; i++) c[$i] = i
+  next
+}
 FNR == 2 { row = 0; next }
 {
   if (!row++) begin = $c["t"] - $c["dt"]

@@ -1,5 +1,8 @@
-# A number of a short run's series.csv, from the moment at which the block is let go (the last row with a rigid solid).
-# what = first: s until a bond is broken; onset: s until 0.1 % of the bonds are, between two rows; share: of the bonds, at the end
+# A number from the series.csv of a short run. Time begins when the block is released, after the last row with a rigid
+# solid. usage: awk -v what=WHAT -f study_value.awk series.csv
+#   first  time of the first broken bond, s
+#   onset  time at which 0.1 % of the bonds are broken, s, interpolated between two rows
+#   share  share of broken bonds at the end
 BEGIN { FS = ","; let_go = 0.0384030 }
 NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
 NR == 2 || $c["t"] < let_go { next }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Does the number of substeps matter: the first 250 steps of fracture of S1, S2 and S3 from one settled state, with the
-# automatic number and with ten. Writes results/substeps.csv. Runs that are there already are kept.
-# usage: cases/porous_channel/substeps.sh SETTLED [RANKS] [RUNS]    a stage_settle.h5; 2; runs/substeps
+# Shows whether the number of substeps matters: runs the first 250 steps of fracture of S1, S2 and S3 from one settled
+# state, with the automatic number and with ten. Writes results/substeps.csv. Finished runs are kept.
+# usage: cases/porous_channel/substeps.sh SETTLED [RANKS] [RUNS]      SETTLED: a stage_settle.h5; RANKS: 2; RUNS:
+# runs/substeps
 set -euo pipefail
 settled=$(realpath "${1:?the checkpoint of a settled state: runs/porous_channel/s1/checkpoint/stage_settle.h5}")
 cd "$(dirname "$0")/../.."

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Opening of the notch at its mouth (m) at the end of the run in this folder: displacement of the particle nearest to
-# the corner above it, less that of the one below. Needs h5dump (Debian: hdf5-tools).
+# Prints the opening of the notch's mouth (m) at the end of the run in the current folder: the displacement of the
+# particle nearest to the corner above it, minus that of the one below. Needs h5dump (Debian: hdf5-tools).
 set -euo pipefail
 # shellcheck source=cases/common.sh
 . "$(dirname "$0")/../common.sh"

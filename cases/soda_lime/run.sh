@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The three plates of the source's tables 5 to 7, a finer one, and what the choices matter; results/ from them.
+# Runs the three plates of the source's tables 5 to 7, a finer plate, and variations of the choices. Writes results/.
 # usage: cases/soda_lime/run.sh [RUNS]      (runs/soda_lime)
-# FRANA is the program (build/frana). Goes on with what is there.
+# FRANA is the program (build/frana). Finished runs are kept.
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -32,7 +32,7 @@ done
 
 axis=0.02 reach=0.005 rayleigh=$(of uniform_4000 "Rayleigh speed")
 summary_begin "$out/summary.csv"
-# plate RUN START FORK PLACE FIRST LAST SPEED SECONDS FINEST: rows of one plate beside the source's numbers
+# plate RUN START FORK PLACE FIRST LAST SPEED SECONDS FINEST: writes the rows of one plate with the source's numbers
 plate() {
   local n=$1
   row "$n: particles at the end" 1 "$(json "$n" particles)" "${10}" "000 tab. 5"
@@ -57,8 +57,8 @@ plate uniform_16000 6.00 "21 to 22" 65.5 "34.5 to 35.5" "15 to 16" 1803 34090 5.
 plate adaptive 5.75 "22.0 to 22.5" 64.5 "34.5 to 35.5" "21 to 22" 1750 12813 5.0e-4 6429
 row "Rayleigh speed" m/s "$(scaled 1 "$rayleigh")" 3058 "(2 - c2/cs2)^2 = 4 ..., plane stress" 3057 3059
 row "experiment: top speed" m/s "" 1580 "Bowden et al. 1967, in 000"
-# Freund 1990: K = 2 p/(1 - nu) sqrt(c_d t (1 - 2 nu)/pi) from when both waves have met at the notch, p twice the
-# traction
+# Freund 1990: K = 2 p/(1 - nu) sqrt(c_d t (1 - 2 nu)/pi). t starts when both waves have met at the notch; p is twice
+# the traction.
 for s in 22 13.442; do
   n=uniform_16000; [ $s = 22 ] && n=traction_22_16000
   exact=$(awk -v s=$s 'BEGIN { E = 72e9; rho = 2440; G = 135; nu = 0.25; pi = atan2(0, -1)
@@ -70,16 +70,20 @@ for s in 22 13.442; do
 done
 
 {
-  echo "choice, particles, initiation us, branches seen us, ways meet mm, undamaged between from mm, angle first deg, angle last deg, top speed end to end m/s, top speed m/s, released over G0"
+  echo "choice, particles, initiation us, branches seen us, ways meet mm, undamaged between from mm, angle first deg," \
+    "angle last deg, top speed end to end m/s, top speed m/s, released over G0"
   for n in traction_22 traction_12 traction_11 uniform ramp no_correction ramp_no_correction load_over_horizon \
     half_step; do
     for grid in 4000 16000 64000; do
       r=${n}_$grid
       [ -d "$runs/$r" ] || continue
-      echo "$n, $grid, $(scaled 1e6 "$(of "$r" "start of growth: first broken bond, t")"), $(scaled 1e6 "$(of "$r" "branching: fronts apart from then on, t")"), $(
-        scaled 1e3 "$(meet "$r" $axis $reach)"), $(scaled 1e3 "$(of "$r" "branching, x")"), $(
-        of "$r" "angle of the branch to the left, at first"), $(of "$r" "angle of the branch to the left, at last"), $(
-        top "$r" 2.0e-6), $(of "$r" "top speed of the tip"), $(of "$r" "energy released over the new area, over G0")"
+      echo "$n, $grid, $(scaled 1e6 "$(of "$r" "start of growth: first broken bond, t")")," \
+        "$(scaled 1e6 "$(of "$r" "branching: fronts apart from then on, t")")," \
+        "$(scaled 1e3 "$(meet "$r" $axis $reach)"), $(scaled 1e3 "$(of "$r" "branching, x")")," \
+        "$(of "$r" "angle of the branch to the left, at first")," \
+        "$(of "$r" "angle of the branch to the left, at last")," \
+        "$(top "$r" 2.0e-6), $(of "$r" "top speed of the tip")," \
+        "$(of "$r" "energy released over the new area, over G0")"
     done
   done
 } >"$out/sensitivity.csv"

@@ -1,12 +1,12 @@
 # shellcheck shell=bash
 # shellcheck disable=SC2154 # frana, here, runs, out, quick: of cases/verification/common.sh
-# What the maps share, besides cases/verification/common.sh: runs that hold or do not, and the edge between them.
-# Edges and points found are kept under RUNS by program, scene and settings, so a map that was stopped goes on where it
-# was.
+# What the maps share, besides cases/verification/common.sh: a run is judged stable or not, and the limit between stable
+# and unstable settings is found by bisection. Limits and points are stored in RUNS by program, scene and settings. A
+# map that was stopped continues from them.
 build=$("$frana" --version)
 export LC_ALL=C OMP_NUM_THREADS=1
 
-# of_run DIR COLUMN COMMAND: COMMAND (awk, with n, t[], x[]) on a column of its series.
+# of_run DIR COLUMN COMMAND: runs COMMAND, awk code that may use n, t[] and x[], on a column of the run's series.
 of_run() {
   awk -F, -v column="$2" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } NR > 2 { t[++n] = $2;
     x[n] = $at[column] }
@@ -14,7 +14,7 @@ of_run() {
       if (y > m || y != y) m = y } return m }
     END { '"$3"' }' "$1/series.csv"
 }
-# made DIR SCENE SETTING...: runs it; 1 where it went unstable, and leaves where it is refused or fails otherwise.
+# made DIR SCENE SETTING...: runs SCENE. Returns 1 if the run is unstable; exits if it fails otherwise.
 made() {
   local dir=$1 scene=$2 code=0 set=() s
   shift 2
@@ -28,11 +28,12 @@ made() {
     *) cat "$dir.log" >&2; exit 2 ;;
   esac
 }
-# holds DIR SCENE SETTING...: made, and what the map's own function `judge DIR` asks for.
+# holds DIR SCENE SETTING...: whether the run ends and the map's own function `judge DIR` accepts it.
 holds() { made "$@" && judge "$1"; }
 
-# edge GOOD BAD WITHIN SCENE SETTING...: by bisection of @ in the settings, from GOOD, which should hold, towards BAD.
-# Prints the middle of what is left, 1 + WITHIN wide; BAD where that holds too, nan where not even GOOD does.
+# edge GOOD BAD WITHIN SCENE SETTING...: the limit of the value that replaces @ in the settings, by bisection between
+# GOOD, which should hold, and BAD. Prints the middle of the last interval, whose ends have a ratio of at most
+# 1 + WITHIN. Prints BAD if BAD holds too, and nan if GOOD does not hold.
 edge() {
   local good=$1 bad=$2 within=$3 scene=$4 key kept dir mid
   key=$(printf '%s\n' "$build" "$(declare -f judge)" "$scene" "$(cat "$here/$scene.yaml")" "$@" | cksum | tr -d ' ')
@@ -56,14 +57,14 @@ edge() {
   fi
   cat "$kept"
 }
-# stable_step SCENE NAME SETTING...: what frana check says a step may be, by the name of its line.
+# stable_step SCENE NAME SETTING...: the stable step that `frana check` prints in the line NAME.
 stable_step() {
   local scene=$1 name=$2 set=() s
   shift 2
   for s in "$@"; do set+=(--set "$s"); done
   "$frana" check "$here/$scene.yaml" "${set[@]}" | sed -n "s/^  $name  *\([0-9.e+-]*\)\$/\1/p"
 }
-# kept_point ARGUMENT...: what the map's function `point` prints of them.
+# kept_point ARGUMENT...: the output of the map's function `point`, computed once and stored.
 kept_point() {
   local kept
   kept=$runs/points_found/$(printf '%s\n' "$build" "$(declare -f point judge || true)" "$(cat "$here"/*.yaml)" "$@" |
@@ -75,8 +76,8 @@ kept_point() {
   fi
   cat "$kept"
 }
-# table NAME HEADER: lines of arguments from the standard input, two at a time through the map's function `point`, in
-# their order.
+# table NAME HEADER: calls the map's function `point` for each line of arguments on standard input, two at a time.
+# Writes NAME.csv in the order of the lines.
 table() {
   local i=0 args
   mkdir -p "$runs/rows"
@@ -90,7 +91,7 @@ table() {
   { echo "$2"; cat "$runs/rows/$1".*; } >"$out/$1.csv"
   [ "$(wc -l <"$out/$1.csv")" -gt "$i" ] || { echo "$1: points are missing" >&2; exit 1; }
 }
-# plot NAME: a gnuplot script on the standard input to NAME.png; without gnuplot there are the tables alone.
+# plot NAME: makes NAME.png from a gnuplot script on standard input. Does nothing without gnuplot.
 plot() {
   [ ! "$quick" ] || return 0
   command -v gnuplot >/dev/null || return 0

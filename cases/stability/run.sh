@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# All maps, one after the other; edges that this build has found are not sought again. usage: cases/stability/run.sh
-# [FRANA [RUNS]]
+# Makes all maps, one after the other. Limits that this build has found already are kept.
+# usage: cases/stability/run.sh [FRANA [RUNS]]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/stability}

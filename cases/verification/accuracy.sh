@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# docs/accuracy.md from the results of all cases. Runs nothing. usage: cases/verification/accuracy.sh
+# Writes docs/accuracy.md from the results of all cases. Runs nothing. usage: cases/verification/accuracy.sh
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 page=docs/accuracy.md work=$(mktemp)
 trap 'rm -f "$work"' EXIT
 
-# One paragraph of a README, from the line that begins with a word, bold or not, to the next blank line.
+# paragraph FOLDER WORD: the paragraph of FOLDER/README.md that begins with WORD, bold or not, up to the next blank line
 paragraph() { awk -v word="$2" 'index($0, word) == 1 || index($0, "**" word) == 1 { on = 1 } /^$/ { on = 0 }
   on' "$1/README.md"; }
-# moved FOLDER: a page that stands in FOLDER, its relative links as they are in docs/
+# moved FOLDER: copies a page of FOLDER; relative links are changed so that they hold in docs/
 moved() {
   awk -v folder="$1" '
     function seen_from_docs(link,  part, n, i, k, path, up) {
@@ -28,14 +28,14 @@ moved() {
       }
       print line $0 }'
 }
-plot() { # plot CSV: of a study's first quantity: NAME.png, or NAME_QUANTITY.png of several
+plot() { # plot CSV: the plot of a study's first quantity: NAME.png, or NAME_QUANTITY.png if there are several
   local name=${1%.csv} first png
   first=$(sed -n 's/^# reference of \([^:]*\):.*/\1/p' "$1" | sed -n '1{s/[^A-Za-z0-9._]/-/g;p}')
   for png in "$name.png" "${name}_$first.png"; do
     if [ -f "$png" ]; then printf '\n![error against wall time](../%s)\n' "$png"; fi
   done
 }
-study() { # study CSV: title, machine, one line of advice a quantity, its plots
+study() { # study CSV: title, machine, one line of advice for each quantity, plots
   echo
   echo "**$(sed -n '1s/^# //p' "$1")**"
   echo
@@ -49,7 +49,7 @@ case_section() {
   echo
   passed=$(grep -c ',yes$' "$summary" || true) missed=$(grep -c ',no$' "$summary" || true)
   echo "[$(basename "$dir")](../$dir): $passed of $((passed + missed)) tolerances met ([summary](../$summary))."
-  awk '/,no$/ { # quantity, unit, ours, reference, source, tolerance; fields with a comma stand in quotes
+  awk '/,no$/ { # quantity, unit, ours, reference, source, tolerance; a field with a comma is in quotes
       n = 0
       while (match($0, /^("([^"]|"")*"|[^,]*)(,|$)/) && RLENGTH > 0) {
         cell[++n] = substr($0, 1, RLENGTH)
@@ -67,9 +67,9 @@ case_section() {
   cat <<'END'
 # Accuracy
 
-Made by `cases/verification/nightly.sh` from the results of the cases in [cases/verification](../cases/verification), not by hand. What an
-error costs is the wall time of the steps of the cheapest run that stays below it, by the named method at the named level;
-times are of the machine named in each table of results, errors are not.
+Made by `cases/verification/nightly.sh` from the results of the cases in [cases/verification](../cases/verification),
+not by hand. What an error costs is the wall time of the steps of the cheapest run that stays below it, by the named
+method at the named level; times are of the machine named in each table of results, errors are not.
 END
   cat cases/verification/*/results/*.csv | sed -n 's/^# machine: \(.*\)/Machine: \1./p' | sort -u | sed 's/^/\n/'
   [ ! -f cases/verification/defaults.md ] || { echo; moved cases/verification <cases/verification/defaults.md; }

@@ -1,9 +1,8 @@
 # shellcheck shell=bash
-# What the cases of this folder and of cases/stability share. Sourced, by bash. usage: CASE/run.sh [FRANA [RUNS [OUT
-# [quick]]]]
-# Runs go to RUNS (default runs/verification/CASE), numbers to OUT (default CASE/results); quick leaves out what takes
-# minutes.
-# Leaves with 1 where a number misses its tolerance.
+# What the cases of this folder and of cases/stability share, sourced by bash.
+# usage: CASE/run.sh [FRANA [RUNS [OUT [quick]]]]
+# Runs are written to RUNS (default runs/verification/CASE), numbers to OUT (default CASE/results). `quick` leaves out
+# runs of minutes. The script exits with 1 if a number misses its tolerance.
 set -euo pipefail
 # shellcheck source=cases/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
@@ -14,12 +13,12 @@ mkdir -p "$runs" "$out"
 digits=10
 summary_begin "$out/$([ "$quick" ] && echo quick || echo summary).csv"
 
-# study NAME: of this case; its tables and plots are kept beside the summary.
+# study NAME: runs a study of this case. Its tables and plots are stored beside the summary.
 study() {
   "$frana" study "$here/$1.yaml" --out "$runs" >"$runs/$1.log" 2>&1 || { cat "$runs/$1.log" >&2; exit 1; }
   [ "$quick" ] || cp "$runs/$1".csv "$runs/$1".md "$runs/$1"*.png "$out" 2>/dev/null || true
 }
-# cell STUDY COLUMN METHOD LEVEL QUANTITY: a cell of its table.
+# cell STUDY COLUMN METHOD LEVEL QUANTITY: a cell of the study's table.
 cell() {
   awk -F, -v c="$2" -v m="$3" -v l="$4" -v q="$5" '/^#/ { next }
     !at { for (i = 1; i <= NF; i++) if ($i == c) at = i; next }

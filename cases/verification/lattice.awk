@@ -1,10 +1,13 @@
-# What a simple cubic lattice of spacing 1 with E = 1, density 1 and the horizon m gives, by sums over one family of its own: nothing
-# here is read from the program. usage: awk -v m=3 [-v k=0.1] -f lattice.awk, k in pi/spacing; a line a quantity.
-#     C_ijkl = (1/2) sum c G xi_i xi_j xi_k xi_l/|xi|^3      omega^2 = sum c G (xi.e)^2/|xi|^3 (1 - cos k.xi)      c = 12/(pi m^4)
-# G is the part of a unit cube within the sphere of radius m: slices of exact area (rectangle and disc), Gauss's rule across.
+# Properties of a simple cubic lattice of spacing 1 with E = 1, density 1 and the horizon m, by sums over the bonds of
+# one particle. Nothing is read from the program. Prints one quantity a line.
+# usage: awk -v m=3 [-v k=0.1] -f lattice.awk        k: wave number in pi/spacing
+#     C_ijkl = (1/2) sum c G xi_i xi_j xi_k xi_l/|xi|^3
+#     omega^2 = sum c G (xi.e)^2/|xi|^3 (1 - cos k.xi)      c = 12/(pi m^4)
+# G is the volume of a unit cube within the sphere of radius m: slices of exact area (rectangle and disc), integrated by
+# Gauss's rule across the slices.
 
 function min(a, b) { return a < b ? a : b }
-function primitive(t, r) { # of sqrt(r^2 - t^2)
+function primitive(t, r) { # integral of sqrt(r^2 - t^2)
   return (t * sqrt(max0(r * r - t * t)) + r * r * atan2(t, sqrt(max0(r * r - t * t)))) / 2
 }
 function max0(a) { return a > 0 ? a : 0 }
@@ -18,7 +21,8 @@ function quadrant(x, y, r,   sign, turn) { # area of the disc within [0, x] x [0
 function slice(x, y, z,   r) {
   if (z * z >= m * m) return 0
   r = sqrt(m * m - z * z)
-  return quadrant(x + 0.5, y + 0.5, r) - quadrant(x - 0.5, y + 0.5, r) - quadrant(x + 0.5, y - 0.5, r) + quadrant(x - 0.5, y - 0.5, r)
+  return quadrant(x + 0.5, y + 0.5, r) - quadrant(x - 0.5, y + 0.5, r) - quadrant(x + 0.5, y - 0.5, r) + \
+    quadrant(x - 0.5, y - 0.5, r)
 }
 function part(x, y, z,   n, i, c, g, sum, far, near) {
   far = (x + 0.5) ^ 2 + (y + 0.5) ^ 2 + (z + 0.5) ^ 2
@@ -30,7 +34,7 @@ function part(x, y, z,   n, i, c, g, sum, far, near) {
   }
   return sum
 }
-function part_kept(i, j, l,   t, key) { # the same for all signs and orders
+function part_kept(i, j, l,   t, key) { # part(i, j, l), computed once for all signs and orders of i, j, l
   i = i < 0 ? -i : i; j = j < 0 ? -j : j; l = l < 0 ? -l : l
   if (i > j) { t = i; i = j; j = t }
   if (j > l) { t = j; j = l; l = t }

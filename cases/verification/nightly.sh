@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# All cases in full, one after the other; ends with a table of what passed, and makes docs/accuracy.md. Stopped and
-# started again it goes on where it was: cases that this build has finished are not run again.
+# Runs all cases in full, one after the other. Prints a table of the verdicts at the end, and makes docs/accuracy.md.
+# Cases that this build has finished are not run again.
 # usage: cases/verification/nightly.sh [FRANA [RUNS [CASE ...]]]      (build/frana, runs/verification, all)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/verification}
 shift $(($# < 2 ? $# : 2))
 . cases/common.sh
+# shellcheck disable=SC2046 # a list
 [ $# -gt 0 ] || set -- $(cd cases/verification && ls -d */ | tr -d /)
 build=$("$frana" --version)
 mkdir -p "$runs"

@@ -1,5 +1,6 @@
 /* Transforms two real lines at once as one complex line, for periodic, Neumann and Dirichlet ends. */
 #include "fluid/poisson/transform_pair.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 
 #include <fftw3.h>
@@ -54,6 +55,7 @@ struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transfo
     const int along = in->stride == 1 && in->distance >= in->n && in->n > 1, n = in->n;
     if (in->low != in->high || in->low == FLUID_END_FACE || in->lines % 2 || n < 2 || (!along && in->distance != 1))
         return NULL;
+    ENSURE(!along || !in->out_stride || in->out_stride == 1, "values of a line written %d apart", in->out_stride);
     struct fluid_transform_pair *t = calloc(1, sizeof *t);
     t->in = *in;
     if (!in->out_stride) {

@@ -13,8 +13,9 @@ table=$(ls out/*-"$ranks".csv) traffic=$(ls out/*-"$ranks"-traffic.csv)
 awk -F, '
   function positive(x) { return x ~ /^[0-9.]+(e[-+]?[0-9]+)?$/ && x + 0 > 0 }
   NR == 1 { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i
-    n = split("part size ranks calls repeats median_ms low_ms high_ms ns_per_unit unit units bytes_per_unit flops_per_unit " \
-      "gb_per_s bandwidth_gb_per_s peak_gflop_per_s fraction_of_limit cpu cores compiler flags fftw plan mpi date revision", want, " ")
+    n = split("part size ranks calls repeats median_ms low_ms high_ms ns_per_unit unit units bytes_per_unit " \
+      "flops_per_unit gb_per_s bandwidth_gb_per_s peak_gflop_per_s fraction_of_limit cpu cores compiler flags fftw " \
+      "plan mpi date revision", want, " ")
     for (k = 1; k <= n; k++) if (!(want[k] in at)) { print "no column " want[k]; bad = 1 }
     next }
   { part = $at["part"]; seen[part] = 1; memory = part ~ /^memory/
@@ -26,19 +27,22 @@ awk -F, '
     if (!memory)
       for (k = 1; k <= 11; k++) if ($at[want[k]] == "") { print part ": no " want[k]; bad = 1 }
     if (memory && !positive($at["bytes_per_unit"])) { print part ": no bytes"; bad = 1 }
-    if (!memory && ($at["low_ms"] + 0 > $at["median_ms"] + 0 || $at["high_ms"] + 0 < $at["median_ms"] + 0)) { print part ": spread"; bad = 1 } }
+    if (!memory && ($at["low_ms"] + 0 > $at["median_ms"] + 0 || $at["high_ms"] + 0 < $at["median_ms"] + 0)) {
+      print part ": spread"; bad = 1 } }
   END {
     n = split("triad_one_rank triad multiply_add fluid_step fluid_momentum fluid_poisson fluid_poisson_forward " \
-      "fluid_poisson_columns fluid_poisson_backward fluid_halo halo_fill channel_step sweep_full sweep_full_damped sweep_porous " \
-      "sweep_porous_damped sweep_full_list sweep_full_list_damped sweep_porous_list sweep_porous_list_damped coupled_step " \
-      "coupled_step_breakage coupled_step_rk3 coupled_step_broken markers forcing probe interface interface_broken contact " \
-      "contact_broken solid_substeps memory_fluid memory_lattice_bond memory_lattice_particle memory_list_bond " \
+      "fluid_poisson_columns fluid_poisson_backward fluid_halo halo_fill channel_step sweep_full sweep_full_damped " \
+      "sweep_porous sweep_porous_damped sweep_full_list sweep_full_list_damped sweep_porous_list " \
+      "sweep_porous_list_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken markers " \
+      "forcing probe interface interface_broken contact contact_broken solid_substeps memory_fluid " \
+      "memory_lattice_bond memory_lattice_particle memory_list_bond " \
       "memory_list_particle memory_marker memory_run", rows, " ")
     for (k = 1; k <= n; k++) if (!(rows[k] in seen)) { print "no row " rows[k]; bad = 1 }
     exit bad }' "$table" || fail "$table"
 if [ "$ranks" -gt 1 ]; then
   for kind in halo ghost exchange transpose reduction; do
-    awk -F, -v kind=$kind '$4 == kind && $5 + $6 > 0 && $7 > 0 { found = 1 } END { exit !found }' "$traffic" || fail "no $kind in $traffic"
+    awk -F, -v kind=$kind '$4 == kind && $5 + $6 > 0 && $7 > 0 { found = 1 } END { exit !found }' "$traffic" ||
+      fail "no $kind in $traffic"
   done
 else
   [ "$(wc -l <"$traffic")" = 1 ] || fail "one rank has spoken to itself: $(cat "$traffic")"

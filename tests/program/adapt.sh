@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Adaptive steps: rejected steps are repeated, in the same way on any number of ranks; a run that cannot continue
 # reports which limit was exceeded.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 sides() { # sides X_LOW X_HIGH
   printf '  sides:\n    x_low: {%s}\n    x_high: {%s}\n    y_low: {type: wall}\n    y_high: {type: wall}\n' "$1" "$2"
@@ -22,26 +23,31 @@ done_alike() {
 
 # from rest to a bulk velocity in one step: the step chosen at rest exceeds the limit of the velocity after it
 {
-  printf 'title: jump\ndomain: {size: [0.1, 0.05, 0.05], cells: [32, 24, 16]}\nfluid:\n  density: 1000\n  viscosity: 1.0e-4\n'
+  printf 'title: jump\ndomain: {size: [0.1, 0.05, 0.05], cells: [32, 24, 16]}\n'
+  printf 'fluid:\n  density: 1000\n  viscosity: 1.0e-4\n'
   printf '  driving: {type: bulk_velocity, direction: x, value: 2}\n'
   sides 'type: periodic' 'type: periodic'
   printf 'stages:\n  - {name: flow, steps: 30, time_step: auto}\noutput: {series_every: 1}\n'
 } >jump
 done_alike jump 1 2 4
-awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "cfl") c = i } NR > 2 && $c > sqrt(3) { print "step", $1, "cfl", $c; bad = 1 } END { exit bad }' \
-  1-jump/series.csv >&2 || fail "a step beyond the limit was kept"
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "cfl") c = i }
+  NR > 2 && $c > sqrt(3) { print "step", $1, "cfl", $c; bad = 1 }
+  END { exit bad }' 1-jump/series.csv >&2 || fail "a step beyond the limit was kept"
 grep -q 'made again with .* s: convection = .* on rank' 1-jump/run.log || fail "the log does not say what was exceeded"
 [ "$(awk -F, '{ print $1 }' 1-jump/series.csv | sort | uniq -d | wc -l)" = 0 ] || fail "a step has two rows"
 
 # a plate at rest in slow flow is suddenly driven, between two kept states: the steps since the kept state are repeated
 {
-  printf 'title: plunge\ndomain: {size: [0.16, 0.08, 0.08], cells: [32, 16, 16]}\nfluid:\n  density: 1000\n  viscosity: 1.0e-3\n'
+  printf 'title: plunge\ndomain: {size: [0.16, 0.08, 0.08], cells: [32, 16, 16]}\n'
+  printf 'fluid:\n  density: 1000\n  viscosity: 1.0e-3\n'
   printf '  initial: {velocity: [0.1, 0, 0]}\n'
   sides 'type: inflow, profile: uniform, bulk_velocity: 0.1' 'type: outflow'
   printf 'solid:\n  materials: [{name: soft, youngs_modulus: 1.0e6, density: 3000, fracture_energy: 1.0e-3}]\n'
   printf '  bodies: [{name: plate, material: soft, shape: box, low: [0.06, 0.02, 0.02], high: [0.08, 0.06, 0.06]}]\n'
-  printf '  constraints: [{low: [0.06, 0.02, 0.02], high: [0.065, 0.06, 0.06], velocity: [6, 0, 0], time: [[0, 0], [0.07, 0], [0.0701, 1], [0.071, 0.1]]}]\n'
-  printf 'stages: [{name: drift, steps: 60, time_step: auto, integrator: verlet, damping_relative: 1.0e11, breakage: false}]\n'
+  printf '  constraints: [{low: [0.06, 0.02, 0.02], high: [0.065, 0.06, 0.06], velocity: [6, 0, 0],'
+  printf ' time: [[0, 0], [0.07, 0], [0.0701, 1], [0.071, 0.1]]}]\n'
+  printf 'stages: [{name: drift, steps: 60, time_step: auto, integrator: verlet, '
+  printf 'damping_relative: 1.0e11, breakage: false}]\n'
   printf 'output: {series_every: 1}\n'
 } >plunge
 done_alike plunge 1 2 3
@@ -58,10 +64,12 @@ awk '/made again/ { split($2, step, ":"); if (step[1] % 50 > 10) late = 1 } END 
   printf 'stages: [{name: meet, steps: 40, time_step: 7.5e-6, integrator: verlet}]\noutput: {series_every: 1}\n'
 } >collide
 done_alike collide 1 2 4
-grep -q 'made again with 2 solid substeps instead of 1: bound by contact' 1-collide/run.log || fail "contact was not what bounds"
+grep -q 'made again with 2 solid substeps instead of 1: bound by contact' 1-collide/run.log ||
+  fail "contact was not what bounds"
 
 # all bonds break at once, in a flow, with automatic steps and substeps
-scene | sed -e 's/time_step: [0-9.e-]*/time_step: auto/; s/substeps: 4/substeps: auto/; s/fracture_energy: [0-9.e-]*/fracture_energy: 1.0e-12/' >dust.yaml
+scene | sed -e 's/time_step: [0-9.e-]*/time_step: auto/; s/substeps: 4/substeps: auto/' \
+  -e 's/fracture_energy: [0-9.e-]*/fracture_energy: 1.0e-12/' >dust.yaml
 for n in 1 3; do
   code 0 ranks $n run dust.yaml --out dust$n --set stages.fracture.steps=30
   grep -q '"status": *"done"' dust$n/run.json || fail "dust on $n ranks is not done"
@@ -74,7 +82,8 @@ scene >scene.yaml
 code 3 ranks 2 run scene.yaml --out given --set stages.flow.time_step=1.0e-3
 grep -q 'times what diffusion would allow' err || { cat err >&2; fail "the limit is not named"; }
 step=$(grep '^frana: unstable' err | sed 's/.*would allow, \([0-9.e+-]*\) s.*/\1/')
-code 0 ranks 1 run scene.yaml --out given --resume --set stages.flow.time_step="$step" --set stages.settle.steps=2 --set stages.fracture.steps=2
+code 0 ranks 1 run scene.yaml --out given --resume --set stages.flow.time_step="$step" --set stages.settle.steps=2 \
+  --set stages.fracture.steps=2
 code 3 ranks 2 run scene.yaml --out coarse --set stages.settle.substeps=1
 n=$(grep '^frana: unstable' err | sed 's/.*: \([0-9]*\) substeps would do.*/\1/')
 [ "$n" -gt 1 ] 2>/dev/null || { cat err >&2; fail "no number of substeps that would do"; }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Every scene of cases/ passes frana check.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 count=0
 for file in $(find "$source/cases" -name '*.yaml' ! -path '*/results/*' ! -name 'study*.yaml' | sort); do

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Common to the program's tests. usage: script FRANA SOURCE WORK
 set -euo pipefail
 frana=$(realpath "$1") source=$(realpath "$2") work=$3
@@ -13,8 +14,8 @@ code() {
   "$@" >out 2>err || got=$?
   [ "$got" = "$want" ] || { cat out err >&2; fail "exit code $got, not $want: $*"; }
 }
-# await PID COMMAND...: until the command succeeds. Fails where the process ends before. There is no deadline, so that a busy machine
-# cannot miss it: ctest's own limit ends what never comes.
+# await PID COMMAND...: waits until the command succeeds. Fails if the process ends before. There is no deadline,
+# which a busy machine could miss. ctest's own limit ends a test that hangs.
 await() {
   local pid=$1; shift
   until "$@"; do
@@ -25,13 +26,16 @@ await() {
 # A porous block small enough to test on, one cavity's period wide: 32 x 16 x 16 cells, all stages.
 scene() {
   sed -e 's/size: .*/size: [0.05, 0.025, 0.025]/' -e 's/cells: .*/cells: [32, 16, 16]/' \
-    -e 's/low: .*-0.0046875, 0]/low: [0.0125, -0.0046875, 0]/; s/high: .*0.0546875, 0.05]/high: [0.0375, 0.0296875, 0.025]/' \
+    -e 's/low: .*-0.0046875, 0]/low: [0.0125, -0.0046875, 0]/' \
+    -e 's/high: .*0.0546875, 0.05]/high: [0.0375, 0.0296875, 0.025]/' \
     -e 's/{low: .0, -0.01, 0.*/{low: [0, -0.01, 0], high: [0.05, 0, 0.025], directions: xyz}/' \
     -e 's/{low: .0, 0.05, 0.*/{low: [0, 0.025, 0], high: [0.05, 0.035, 0.025], directions: xyz}/' \
     -e 's/medium: .*/medium: {low: [0.0125, 0, 0], high: [0.0375, 0.025, 0.025]}/' \
     -e 's/fracture_energy: [0-9.e-]*/fracture_energy: 2.0e-3/' \
-    -e '/name: flow/s/steps: [0-9]*/steps: 60/; /name: settle/s/steps: [0-9]*/steps: 60/; /name: fracture/s/steps: [0-9]*/steps: 60/' \
-    -e 's/series_every: .*/series_every: 15/; s/fields_every: .*/fields_every: 60/; s/checkpoint_every: .*/checkpoint_every: 50/' \
+    -e '/name: flow/s/steps: [0-9]*/steps: 60/; /name: settle/s/steps: [0-9]*/steps: 60/' \
+    -e '/name: fracture/s/steps: [0-9]*/steps: 60/' \
+    -e 's/series_every: .*/series_every: 15/; s/fields_every: .*/fields_every: 60/' \
+    -e 's/checkpoint_every: .*/checkpoint_every: 50/' \
     "$source/cases/porous_channel/demo.yaml"
 }
 # same A B: two series agree, every number to 1e-10 of the largest in its column. Components of forces are compared with
@@ -40,7 +44,10 @@ same() {
   awk -F, -v a="$1" '
     FNR == 1 && FILENAME == a { for (i = 1; i <= NF; i++) { name[i] = $i; if ($i == "load_x") x = i } }
     FNR <= 2 { next }
-    FILENAME == a { rows = FNR; for (i = 1; i <= NF; i++) { v[FNR, i] = $i; s = $i < 0 ? -$i : $i; if (s > big[i]) big[i] = s }; next }
+    FILENAME == a {
+      rows = FNR
+      for (i = 1; i <= NF; i++) { v[FNR, i] = $i; s = $i < 0 ? -$i : $i; if (s > big[i]) big[i] = s }
+      next }
     { other = FNR
       for (i = 1; i <= NF; i++) {
         scale = name[i] ~ /^(load|forcing)_/ ? big[x] : name[i] ~ /div_max|momentum_residual/ ? 1 : big[i]

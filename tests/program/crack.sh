@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # crack.csv: its format; the same on any number of ranks; continued by a resumed run; and the results of frana post.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'EOF'
 title: A small notched plate
@@ -25,7 +26,8 @@ output: {series_every: 20, fields_every: 100, checkpoint_every: 90, crack: {ever
 EOF
 code 0 ranks 1 run scene.yaml --out whole
 [ "$(wc -l <whole/crack.csv)" = 103 ] || fail "not 101 rows in crack.csv"
-grown=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "length") l = i } END { print ($l > 0.005) }' whole/crack.csv)
+grown=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "length") l = i }
+  END { print ($l > 0.005) }' whole/crack.csv)
 [ "$grown" = 1 ] || fail "the crack has not grown: the rest would test nothing"
 code 0 ranks 3 run scene.yaml --out ranks
 same whole/crack.csv ranks/crack.csv

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Damaged checkpoints: one given by name is refused with exit code 4 and a sentence on the damage and on another, intact
 # checkpoint. --resume without a name takes the intact one, reports that, and ends with the same series.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene >scene.yaml
 code 0 ranks 2 run scene.yaml --out run --set output.checkpoint_every=50
@@ -36,7 +37,8 @@ named() {
 passed_over() {
   rm -rf on && cp -rp run on
   code 0 several "${2:-1}" run scene.yaml --out on --resume
-  grep -q "^frana: passed over checkpoint on/checkpoint/$newest: .*$1" err || { cat err; fail "not passed over for: $1"; }
+  grep -q "^frana: passed over checkpoint on/checkpoint/$newest: .*$1" err ||
+    { cat err; fail "not passed over for: $1"; }
   grep -q "^resumed from on/checkpoint/" on/run.log || fail "run.log does not say from where"
   same run/series.csv on/series.csv
 }
@@ -98,7 +100,8 @@ for latest in 'nothing.h5' '' gone folder; do
     continue
   fi
   code 0 several 1 run scene.yaml --out on --resume
-  grep -q "^resumed from on/checkpoint/$newest" on/run.log || { cat on/run.log; fail "latest = $latest: another is taken"; }
+  grep -q "^resumed from on/checkpoint/$newest" on/run.log ||
+    { cat on/run.log; fail "latest = $latest: another is taken"; }
 done
 
 # no checkpoint is intact

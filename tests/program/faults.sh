@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # All faults with which a run may end.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene >scene.yaml
 
 # unstable: a step far above the limit; exit code 3, reports field, position and rank, writes the last good state
 code 3 ranks 2 run scene.yaml --out nan --set stages.flow.time_step=1.0 --set output.series_every=1
-grep -Eq 'unstable in step [0-9]+: (u|v|w|p) = .* at \(.*\) m on rank [01]' err || { cat err; fail "no place in the message"; }
+grep -Eq 'unstable in step [0-9]+: (u|v|w|p) = .* at \(.*\) m on rank [01]' err ||
+  { cat err; fail "no place in the message"; }
 [ -f nan/checkpoint/latest ] || fail "the last good state was not kept"
 grep -q '"status": *"unstable"' nan/run.json || fail "run.json does not say unstable"
 code 0 ranks 1 run scene.yaml --out nan --resume
@@ -18,7 +20,8 @@ code 4 ranks 1 run scene.yaml --out none --resume
 echo rubbish >rubbish.h5
 code 4 ranks 2 run scene.yaml --out none2 --resume=rubbish.h5
 # a checkpoint of another scene
-code 5 ranks 2 run scene.yaml --out other --resume=nan/checkpoint/stage_flow.h5 --set domain.cells="[32, 16, 32]" --set domain.size="[0.05, 0.025, 0.05]"
+code 5 ranks 2 run scene.yaml --out other --resume=nan/checkpoint/stage_flow.h5 --set domain.cells="[32, 16, 32]" \
+  --set domain.size="[0.05, 0.025, 0.05]"
 # limit on the run's wall time
 code 75 ranks 2 run scene.yaml --out wall --max-wall 1 --set stages.flow.steps=1000000
 grep -q -- '--max-wall' wall/run.log || fail "run.log does not say why it stopped"
@@ -37,7 +40,8 @@ echo 'oddity: 1' >>scene.yaml
 code 2 ranks 2 run scene.yaml --out never
 [ ! -e never ] || fail "a folder was made for a broken scene"
 # and so is an invalid outline of a plate, which only its geometry shows
-code 2 ranks 2 run "$source/tests/scene/scenes/plate.yaml" --out never --set 'solid.bodies.plate.outline=[[0, 0], [0.05, 0.04], [0.05, 0], [0, 0.04]]'
+code 2 ranks 2 run "$source/tests/scene/scenes/plate.yaml" --out never \
+  --set 'solid.bodies.plate.outline=[[0, 0], [0.05, 0.04], [0.05, 0], [0, 0.04]]'
 grep -q 'crosses or touches itself' err || { cat err; fail "no sentence on the outline"; }
 [ ! -e never ] || fail "a folder was made for an outline that crosses itself"
 echo ok

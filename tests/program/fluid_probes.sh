@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # fluid_probes.csv: its format; the same on any number of ranks; continued by a resumed run; an oscillating gradient
 # keeps its phase.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'END'
 title: Vortices carried along a channel of slip, with an oscillating gradient
@@ -21,13 +22,17 @@ stages: [{name: run, steps: 40, time_step: 5.0e-3}]
 output:
   series_every: 10
   checkpoint_every: 16
-  fluid_probes: {at: [[0.05, 0.025, 0.05], [0.2, 0.1, 0.1]], lines: [{from: [0, 0, 0.03], to: [0.2, 0.1, 0.03], points: 5}], every: 4}
+  fluid_probes:
+    at: [[0.05, 0.025, 0.05], [0.2, 0.1, 0.1]]
+    lines: [{from: [0, 0, 0.03], to: [0.2, 0.1, 0.03], points: 5}]
+    every: 4
 END
 code 0 ranks 1 run scene.yaml --out whole
 [ "$(wc -l <whole/fluid_probes.csv)" = 79 ] || fail "not 11 times 7 rows in fluid_probes.csv"
 [ "$(sed -n 2p whole/fluid_probes.csv)" = '#1,s,1,m,m,m,m/s,m/s,m/s,Pa' ] || fail "$(sed -n 2p whole/fluid_probes.csv)"
 [ "$(sed -n 7p whole/fluid_probes.csv | cut -d, -f1-6)" = 0,0,4,0.1,0.05,0.03 ] || fail "the third place of the line"
-awk -F, 'NR > 2 && $3 == 0 { if ($10 * $10 > most) most = $10 * $10 } END { exit !(most > 1) }' whole/fluid_probes.csv || fail "p is 0"
+awk -F, 'NR > 2 && $3 == 0 { if ($10 * $10 > most) most = $10 * $10 }
+  END { exit !(most > 1) }' whole/fluid_probes.csv || fail "p is 0"
 code 0 ranks 3 run scene.yaml --out ranks
 same whole/fluid_probes.csv ranks/fluid_probes.csv
 code 0 ranks 2 run scene.yaml --out stopped --set stages.run.steps=29

@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
 # Glass plates with a branching crack: published times and positions; mirror images to the bit, wherever the plate is in
 # the coordinates, refined or not.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
+# shellcheck disable=SC2034 # used by cases/crack.sh
 runs=$PWD FRANA=$frana
 . "$source/cases/crack.sh"
 # within QUANTITY LOW HIGH VALUE
-within() { awk -v x="$4" -v a="$2" -v b="$3" 'BEGIN { exit !(x != "" && x + 0 >= a && x + 0 <= b) }' || fail "$1 is $4, not $2 to $3"; }
+within() {
+  awk -v x="$4" -v a="$2" -v b="$3" 'BEGIN { exit !(x != "" && x + 0 >= a && x + 0 <= b) }' ||
+    fail "$1 is $4, not $2 to $3"
+}
 # mirrored RUN AXIS SPACING: only if h5dump is installed
 mirrored() { ! command -v h5dump >/dev/null || "$source/cases/symmetric.sh" "$@" >out || fail "$1 is $(cat out)"; }
 # breaks NAME: times and positions of the Duran plate (003 ch. 7: about 10 us, about 30 us, about 70 mm from its left
@@ -22,9 +27,11 @@ within "place" 66.5e-3 73.5e-3 "$(of plate "branching, x")"
 within "top speed" 1000 "$(of plate "Rayleigh speed")" "$(of plate "top speed of the tip")"
 mirrored plate 0.02 1.0e-3
 
-sed -e 's/size: .*/size: [0.12, 0.06]}/; s/  spacing: .*/&\n  lattice_offset: [0.3, 0.7]/' -e 's/\[0, 0\]/[0.0113, 0.0077]/g' \
+sed -e 's/size: .*/size: [0.12, 0.06]}/; s/  spacing: .*/&\n  lattice_offset: [0.3, 0.7]/' \
+  -e 's/\[0, 0\]/[0.0113, 0.0077]/g' \
   -e 's/\[0.1, 0\]/[0.1113, 0.0077]/g; s/\[0, 0.04\]/[0.0113, 0.0477]/g; s/\[0.1, 0.04\]/[0.1113, 0.0477]/g' \
-  -e 's/\[0, 0.02\], \[0.05, 0.02\]/[0.0113, 0.0277], [0.0613, 0.0277]/; s/\[0.1, 0.0006\]/[0.1113, 0.0083]/; s/\[0, 0.0394\]/[0.0113, 0.0471]/' \
+  -e 's/\[0, 0.02\], \[0.05, 0.02\]/[0.0113, 0.0277], [0.0613, 0.0277]/' \
+  -e 's/\[0.1, 0.0006\]/[0.1113, 0.0083]/; s/\[0, 0.0394\]/[0.0113, 0.0471]/' \
   "$duran" >moved.yaml
 go moved moved.yaml >log
 breaks moved

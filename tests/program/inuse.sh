@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A run folder that another run holds is refused to every command that writes; commands that read may use it; after a
 # kill it is free.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed 's/fields_every: .*/fields_every: 10/; s/checkpoint_every: .*/checkpoint_every: 10/' >scene.yaml
 mpiexec --oversubscribe -n 2 "$frana" run scene.yaml --out run --set stages.flow.steps=1000000 >first 2>&1 & mpiexec=$!
@@ -8,12 +9,14 @@ trap 'kill -9 $mpiexec 2>/dev/null || true' EXIT
 await $mpiexec test -f run/checkpoint/latest || { cat first; fail "the first run does not begin"; }
 
 refused() {
-  grep -Eq '^frana: run folder run: another run is at work there \(process [0-9]+ on .+\)$' err || { cat err; fail "$*: no sentence"; }
+  grep -Eq '^frana: run folder run: another run is at work there \(process [0-9]+ on .+\)$' err ||
+    { cat err; fail "$*: no sentence"; }
   [ "$(grep -c '^frana:' err)" = 1 ] || { cat err; fail "$*: more than one sentence"; }
 }
 before=$(cat run/checkpoint/latest)
 code 4 ranks 1 run scene.yaml --out run --resume && refused "a resume"
-code 4 ranks 2 run scene.yaml --out ./run/../run --resume && grep -q 'another run is at work' err || fail "by another name"
+code 4 ranks 2 run scene.yaml --out ./run/../run --resume && grep -q 'another run is at work' err ||
+  fail "by another name"
 code 4 ranks 1 run scene.yaml --out run # a new run: existing files are not overwritten
 grep -q 'holds a run already' err || { cat err; fail "a new run"; }
 code 0 ranks 1 post run

@@ -3,15 +3,18 @@
 # damaged.  usage: kill.sh FRANA SOURCE WORK LOOK KILLS [SEED]
 # RANKS: number of ranks (default 2). A rank or mpiexec is killed: some time after the start, or while a checkpoint or a
 # field is being written.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4") kills=$5 seed=${6:-$((EPOCHSECONDS % 32768))} until=$((EPOCHSECONDS + ${7:-86400}))
 RANDOM=$seed n=${RANKS:-2}
 echo "seed $seed"
 scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 30/; /name: settle/s/steps: [0-9]*/steps: 30/' \
-  -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 6/; s/checkpoint_every: .*/checkpoint_every: 4/' \
+  -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 6/' \
+  -e 's/checkpoint_every: .*/checkpoint_every: 4/' \
   -e 's/substeps: 4/substeps: auto/' >scene.yaml
 code 0 ranks "$n" run scene.yaml --out whole
-awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i } END { exit !($b > 0) }' whole/series.csv ||
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i }
+  END { exit !($b > 0) }' whole/series.csv ||
   fail "nothing has broken"
 wall=$(grep -o '"wall_seconds": *[0-9.]*' whole/run.json | grep -o '[0-9.]*$')
 echo "uninterrupted: $wall s"
@@ -26,8 +29,8 @@ moment() {
   local part count
   case $1 in
   0) sleep "$(random 1 $((2 * half)))"; return ;;
-  1) part=run/checkpoint/*.part count=$((1 + RANDOM % 6)) ;;
-  2) part=run/fields/*.part count=$((1 + RANDOM % 6)) ;;
+  1) part='run/checkpoint/*.part' count=$((1 + RANDOM % 6)) ;;
+  2) part='run/fields/*.part' count=$((1 + RANDOM % 6)) ;;
   3)
     until exists run/series.csv || ! kill -0 "$mpiexec" 2>/dev/null; do :; done
     sleep "$(random 1 "$half")"
@@ -45,14 +48,19 @@ killed=0 ends=0 waits=0 anew=0
 rm -rf run
 while :; do
   resume=
-  if exists 'run/checkpoint/*.h5'; then resume=--resume; elif [ -e run ]; then rm -rf run anew=$((anew + 1)); fi
+  if exists 'run/checkpoint/*.h5'; then resume=--resume; elif [ -e run ]; then rm -rf run; anew=$((anew + 1)); fi
   got=0
   mpiexec --oversubscribe -n "$n" "$frana" run scene.yaml --out run $resume >out 2>err & mpiexec=$!
   ((EPOCHSECONDS < until)) || kills=$killed
   if ((killed < kills)); then
     moment $((RANDOM % 4))
+    # shellcheck disable=SC2207 # numbers
     pids=($(pgrep -P "$mpiexec" -x frana || true))
-    if ((${#pids[@]} == n && RANDOM % 3 > 0)); then victim=rank pid=${pids[RANDOM % n]}; else victim=mpiexec pid=$mpiexec; fi
+    if ((${#pids[@]} == n && RANDOM % 3 > 0)); then
+      victim=rank pid=${pids[RANDOM % n]}
+    else
+      victim=mpiexec pid=$mpiexec
+    fi
     if kill -9 "$pid" 2>/dev/null; then hit=1; else hit=0; fi
     wait "$mpiexec" 2>/dev/null || got=$?
     for pid in "${pids[@]}"; do # what mpiexec has left behind goes by itself
@@ -67,7 +75,8 @@ while :; do
   if [ "$got" = 0 ]; then # finished, or killed too late
     same whole/series.csv run/series.csv
     exists 'run/*/*.part' && fail "an unfinished file is left: $(ls run/*/*.part)"
-    [ "$("$look" run | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "other files than of the uninterrupted run"
+    [ "$("$look" run | tail -n 1)" = "$("$look" whole | tail -n 1)" ] ||
+      fail "other files than of the uninterrupted run"
     ends=$((ends + 1))
     ((killed < kills)) || break
     rm -rf run
@@ -78,12 +87,16 @@ while :; do
   if exists 'run/checkpoint/*.h5.part'; then what=checkpoint
   elif exists 'run/fields/*.part'; then what=field
   elif exists 'run/*.part' || exists 'run/checkpoint/latest.part'; then what=record
-  elif [ ! -e run/series.csv ] || { [ -z "$resume" ] && ! exists 'run/checkpoint/*.h5' && [ "$(wc -l <run/series.csv)" -le 2 ]; }; then what=set-up
+  elif [ ! -e run/series.csv ] ||
+    { [ -z "$resume" ] && ! exists 'run/checkpoint/*.h5' && [ "$(wc -l <run/series.csv)" -le 2 ]; }; then what=set-up
   else what=step; fi
   during[$what]=$((during[$what] + 1))
-  if [ -d run ]; then "$look" run >found || { cat found >&2; fail "damaged after kill $killed, of $victim, during $what"; }; fi
+  if [ -d run ]; then
+    "$look" run >found || { cat found >&2; fail "damaged after kill $killed, of $victim, during $what"; }
+  fi
 done
-echo "$killed kills (${victims[rank]} of a rank, ${victims[mpiexec]} of mpiexec): ${during[checkpoint]} during a checkpoint," \
+echo "$killed kills (${victims[rank]} of a rank, ${victims[mpiexec]} of mpiexec):" \
+  "${during[checkpoint]} during a checkpoint," \
   "${during[field]} a field, ${during[record]} latest or run.json, ${during[set-up]} set-up, ${during[step]} a step;" \
   "$anew begun anew, $waits waits for a folder in use, $ends runs done"
 echo ok

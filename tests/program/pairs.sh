@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # All pairs of a scene's choices: the run ends with finite numbers, and a resumed run on another number of ranks gives
 # the same results; or the pair is refused in one sentence before any file is written.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 block='{name: block, material: soft, shape: box, low: [0.05, 0.0, 0.02], high: [0.07, 0.055, 0.06]}'
 fluid=(
@@ -22,7 +23,8 @@ plate=(
   '  bodies: [{name: block, material: glass, shape: rectangle, low: [0, 0], high: [0.06, 0.04]}]'
   '  cracks: [{points: [[0, 0.02], [0.02, 0.02]]}]' '  loads:'
   '    - {edge: {from: [0, 0.04], to: [0.03, 0.04]}, traction: [0, 8.0e6]}'
-  'stages:' '  - {name: flow, steps: 100, time_step: 5.0e-8, breakage: false}' '  - {name: move, steps: 100, time_step: 5.0e-8}'
+  'stages:' '  - {name: flow, steps: 100, time_step: 5.0e-8, breakage: false}'
+  '  - {name: move, steps: 100, time_step: 5.0e-8}'
   'output: {series_every: 20, checkpoint_every: 120}')
 ball='{name: ball, material: soft, shape: sphere, centre: [0.11, 0.04, 0.04], radius: 0.0149}'
 setting() { # CHOICE BASE: its settings, one a line
@@ -35,7 +37,8 @@ setting() { # CHOICE BASE: its settings, one a line
     breakage.fluid) echo solid.materials.soft.fracture_energy=5.0e-4 ;;
     breakage.plate) echo solid.materials.glass.fracture_energy=20 ;;
     several.fluid) echo "solid.bodies=[$block, $ball]" ;;
-    several.plate) echo 'solid.bodies=[{shape: rectangle, low: [0, 0], high: [0.04, 0.04]}, {shape: rectangle, low: [0.041, 0], high: [0.06, 0.04]}]' ;;
+    several.plate) printf 'solid.bodies=[%s, %s]\n' '{shape: rectangle, low: [0, 0], high: [0.04, 0.04]}' \
+      '{shape: rectangle, low: [0.041, 0], high: [0.06, 0.04]}' ;;
   esac | sed 'i--set'
 }
 # A plate with a fluid is refused for several reasons, each of which is reported.
@@ -44,7 +47,9 @@ refused() { # NAME SENTENCE
   grep -q "$2" err || { cat err >&2; fail "$1: not what was to be said"; }
   [ ! -e "$1" ] || fail "$1: refused after its folder was made"
 }
-of() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1/series.csv"; }
+of() {
+  awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1/series.csv"
+}
 # The refused pairs, by both names in the order below
 says() {
   case $1 in
@@ -71,8 +76,10 @@ for ((i = 0; i < 8; i++)); do
     code 0 ranks $n run scene.yaml --out $name "${with[@]}"
     grep -q '"status": *"done"' $name/run.json || fail "$name is not done"
     awk 'NR > 2 && /[0-9],(-?nan|-?inf)/ { bad = 1 } END { exit bad }' $name/series.csv || fail "$name: no numbers"
-    code 0 ranks $((n % 3 + 1)) run scene.yaml --out $name-again --resume=$(ls $name/checkpoint/step_*.h5 | head -n 1) "${with[@]}"
-    awk -F, 'NR == FNR { if (FNR > 2) first = first ? first : $1; next } FNR <= 2 || $1 >= first' $name-again/series.csv $name/series.csv >tail.csv
+    code 0 ranks $((n % 3 + 1)) run scene.yaml --out $name-again \
+      --resume="$(ls $name/checkpoint/step_*.h5 | head -n 1)" "${with[@]}"
+    awk -F, 'NR == FNR { if (FNR > 2) first = first ? first : $1; next } FNR <= 2 || $1 >= first' \
+      $name-again/series.csv $name/series.csv >tail.csv
     same tail.csv $name-again/series.csv
     case $name in *breakage*) [ "$(of $name bonds_broken)" -gt 0 ] || fail "$name: nothing has broken" ;; esac
   done
@@ -80,11 +87,18 @@ done
 # An elastic body under implicit diffusion: the initial motion decays, and its load is that of explicit diffusion but
 # for the forcing's slip, which is that of the longest explicit step.
 printf '%s\n' "${fluid[@]}" >scene.yaml
-long=(--set stages.flow.steps=100 --set stages.move.steps=300 --set output.series_every=20 --set output.checkpoint_every=0)
+long=(--set stages.flow.steps=100 --set stages.move.steps=300 --set output.series_every=20
+  --set output.checkpoint_every=0)
 code 0 ranks 1 run scene.yaml --out explicit "${long[@]}"
 code 0 ranks 2 run scene.yaml --out implicit "${long[@]}" --set fluid.diffusion=implicit
-mean() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "load_x") k = i } NR > 2 && $1 > 200 { sum += $k; n++ } END { print sum / n }' $1/series.csv; }
-awk -v a="$(mean explicit)" -v b="$(mean implicit)" 'BEGIN { d = b / a - 1; print "load, implicit over explicit:", 1 + d; exit !(d < 0.1 && d > -0.1) }' ||
+mean() {
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "load_x") k = i }
+    NR > 2 && $1 > 200 { sum += $k; n++ }
+    END { print sum / n }' $1/series.csv
+}
+awk -v a="$(mean explicit)" -v b="$(mean implicit)" 'BEGIN {
+    d = b / a - 1; print "load, implicit over explicit:", 1 + d
+    exit !(d < 0.1 && d > -0.1) }' ||
   fail "the load of an elastic body under implicit diffusion"
 for run in explicit implicit; do
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "e_kinetic_solid") k = i; if ($i == "e_strain") s = i } }

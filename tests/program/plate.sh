@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A plate that cracks: the same series on any number of ranks, stopped and resumed on another number; its output files;
 # refused inputs.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 plate() {
   cat <<YAML
@@ -42,13 +43,14 @@ for integrator in verlet rk3; do
 done
 [ -f one_rk3/fields/solid_00000160.hdf ] || fail "no field"
 for field in damage displacement velocity stretch_max energy_density volume; do
-  h5dump -n one_rk3/fields/solid_00000160.hdf 2>/dev/null | grep -q "/PointData/$field" || ! command -v h5dump >/dev/null ||
-    fail "no field $field"
+  h5dump -n one_rk3/fields/solid_00000160.hdf 2>/dev/null | grep -q "/PointData/$field" ||
+    ! command -v h5dump >/dev/null || fail "no field $field"
 done
 
 # energy balance to the integrator's own order, with the energy of broken bonds
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i } NR > 2 {
-  left = $k["e_kinetic_solid"] + $k["e_strain"] + $k["e_damped"] + $k["e_fracture"] - $k["work_load"] - $k["e_constraint"]
+  left = $k["e_kinetic_solid"] + $k["e_strain"] + $k["e_damped"] + $k["e_fracture"] \
+    - $k["work_load"] - $k["e_constraint"]
   if (NR == 3) start = left
   left -= start; if (left < 0) left = -left
   if (left > worst) worst = left; if ($k["e_kinetic_solid"] > most) most = $k["e_kinetic_solid"] }

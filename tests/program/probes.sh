@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # probes.csv: its format; the same on any number of ranks; continued by a resumed run and across a refinement.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'EOS'
 title: A pulse into a plate that is refined on the way
@@ -37,7 +38,8 @@ holds "$(of whole/probes.csv 0 0 x) == 0.0105 && $(of whole/probes.csv 0 0 y) ==
 holds "$(of whole/probes.csv 1 30 x) == 0.0155 && $(of whole/probes.csv 1 30 y) == 0.0065"
 holds "$(of whole/probes.csv 1 60 x) == 0.015 && $(of whole/probes.csv 1 60 y) == 0.006" # a new particle is nearer
 # Verlet: x(t + 2 dt) - x(t) = 2 dt v(t + dt) to third order
-v=$(of whole/probes.csv 0 40 velocity_x) u=$(of whole/probes.csv 0 42 displacement_x) w=$(of whole/probes.csv 0 38 displacement_x)
+v=$(of whole/probes.csv 0 40 velocity_x)
+u=$(of whole/probes.csv 0 42 displacement_x) w=$(of whole/probes.csv 0 38 displacement_x)
 holds "($v) ^ 2 > 1e-4 && (($u) - ($w)) / (2e-7 * ($v)) > 0.99 && (($u) - ($w)) / (2e-7 * ($v)) < 1.01"
 
 code 0 ranks 3 run scene.yaml --out ranks
@@ -53,7 +55,8 @@ same whole/probes.csv later/probes.csv
 # the field of the last step has the same energy density
 if command -v h5dump >/dev/null; then
   code 0 h5dump -y -w 1 -d /VTKHDF/PointData/energy_density whole/fields/solid_00000060.hdf
-  awk -v w="$(of whole/probes.csv 0 60 energy_density)" '{ sub(",", "") } $1 + 0 > 0 && ($1 / w - 1) ^ 2 < 1e-12 { found = 1 }
+  awk -v w="$(of whole/probes.csv 0 60 energy_density)" '{ sub(",", "") }
+    $1 + 0 > 0 && ($1 / w - 1) ^ 2 < 1e-12 { found = 1 }
     END { exit !found }' out || fail "no particle of the field has the probe's energy density"
 fi
 

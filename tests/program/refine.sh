@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A plate that is refined while it cracks: the same series on any number of ranks, stopped and resumed on another
 # number.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 plate() {
   cat <<YAML
@@ -13,7 +14,12 @@ solid:
   materials:
     - {name: glass, youngs_modulus: 72e9, density: 2440, fracture_energy: 135}
   bodies:
-    - {name: plate, material: glass, shape: rectangle, low: [0, 0], high: [0.02, 0.01], holes: [{shape: disc, centre: [0.0149, 0.0063], radius: 0.0012}]}
+    - name: plate
+      material: glass
+      shape: rectangle
+      low: [0, 0]
+      high: [0.02, 0.01]
+      holes: [{shape: disc, centre: [0.0149, 0.0063], radius: 0.0012}]
   cracks:
     - {points: [[0, 0.005], [0.008, 0.005]]}
   constraints:
@@ -23,7 +29,16 @@ solid:
     - {edge: {from: [0, 0.01], to: [0.018, 0.01]}, traction: [0, 3.0e7], depth: horizon, time: [[0, 0], [1.0e-6, 1]]}
   initial:
     - {shape: gaussian, along: y, centre: 0.005, width: 0.001, displacement: [1.0e-8, 0]}
-  refinement: {levels: 2, energy: 0.5, damage: 0.3, from: 1.0e-6, every: $2, held: $3, low: [0.004, 0.003], high: [0.017, 0.0075], start: [{low: [0.0141, 0.001], high: [0.0181, 0.0022], level: 1}]}
+  refinement:
+    levels: 2
+    energy: 0.5
+    damage: 0.3
+    from: 1.0e-6
+    every: $2
+    held: $3
+    low: [0.004, 0.003]
+    high: [0.017, 0.0075]
+    start: [{low: [0.0141, 0.001], high: [0.0181, 0.0022], level: 1}]
 stages:
   - {name: tear, steps: 120, $4, integrator: $1}
 output: {series_every: 10, fields_every: 60, checkpoint_every: 70}
@@ -43,12 +58,14 @@ for integrator in verlet rk3; do
   same tail.csv two_$integrator/series.csv
   sed -n 3p one_$integrator/series.csv >first.csv
   (sed -n 1p one_$integrator/series.csv && cat first.csv) >head.csv
-  awk "BEGIN { exit !($(value one_$integrator/series.csv particles) > 1.5 * $(value head.csv particles)) }" || fail "nothing has been refined"
-  awk "BEGIN { exit !($(value one_$integrator/series.csv bonds_broken) > 1.2 * $(value head.csv bonds_broken)) }" || fail "the crack has not grown"
+  awk "BEGIN { exit !($(value one_$integrator/series.csv particles) > 1.5 * $(value head.csv particles)) }" ||
+    fail "nothing has been refined"
+  awk "BEGIN { exit !($(value one_$integrator/series.csv bonds_broken) > 1.2 * $(value head.csv bonds_broken)) }" ||
+    fail "the crack has not grown"
   grep -q "solid substeps, stable up to" one_$integrator/run.log || fail "the substeps have not followed"
 done
-h5dump -n one_rk3/fields/solid_00000120.hdf 2>/dev/null | grep -q "/PointData/level" || ! command -v h5dump >/dev/null ||
-  fail "no field level"
+h5dump -n one_rk3/fields/solid_00000120.hdf 2>/dev/null | grep -q "/PointData/level" ||
+  ! command -v h5dump >/dev/null || fail "no field level"
 code 0 ranks 1 check scene.yaml
 grep -q "solid, bonds of level 2, velocity Verlet" out || fail "frana check does not say what level 2 allows"
 echo ok

@@ -3,20 +3,25 @@
 # Exit code 4 and one sentence with the name of the file; finished files are intact; the resumed run ends with the same
 # results.
 # usage: refused.sh FRANA SOURCE WORK LOOK
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4")
-scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 200/; /name: settle/s/steps: [0-9]*/steps: 30/; /name: fracture/s/steps: [0-9]*/steps: 30/' \
+scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 200/; /name: settle/s/steps: [0-9]*/steps: 30/' \
+  -e '/name: fracture/s/steps: [0-9]*/steps: 30/' \
   -e 's/fields_every: .*/fields_every: 80/; s/checkpoint_every: .*/checkpoint_every: 40/' >scene.yaml
 code 0 ranks 2 run scene.yaml --out whole
 
-# begin FOLDER [COMMAND...]: a run of two ranks in the background, held (SIGSTOP) as soon as its first checkpoint is there, so that
-# what is done to its folder comes before its end, however busy the machine is
+# begin FOLDER [COMMAND...]: starts a run of two ranks in the background and stops it (SIGSTOP) at its first checkpoint.
+# The caller can then change the folder before the run ends, however busy the machine is.
 begin() {
   local folder=$1
   said=$PWD/${1//\//_}; shift
   while :; do
-    "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" >"$said.out" 2>"$said.err" & mpiexec=$!
-    await "$mpiexec" test -f "$folder/checkpoint/latest" || { cat "$said.out" "$said.err" >&2; fail "$folder: no checkpoint"; }
+    "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" >"$said.out" 2>"$said.err" &
+    mpiexec=$!
+    await "$mpiexec" test -f "$folder/checkpoint/latest" ||
+      { cat "$said.out" "$said.err" >&2; fail "$folder: no checkpoint"; }
+    # shellcheck disable=SC2207 # numbers
     pids=($(pgrep -P "$mpiexec" -x frana || true))
     ((${#pids[@]} == 2)) && kill -STOP "${pids[@]}" && ! grep -q '"status": *"done"' "$folder/run.json" && return
     ((${#pids[@]} == 0)) || kill -CONT "${pids[@]}" 2>/dev/null || true
@@ -31,7 +36,8 @@ refused() { # FOLDER WHY
   wait "$mpiexec" || got=$?
   [ "$got" = 4 ] || grep -q 'with errorcode 4' "$said.err" || { cat "$said.err" >&2; fail "$2: exit code $got"; }
   [ "$(grep -c '^frana: ' "$said.err")" = 1 ] || { cat "$said.err" >&2; fail "$2: not one sentence"; }
-  grep -Eq "^frana: (rank 0: )?$1/[a-z0-9_/.]+: cannot be written: $2" "$said.err" || { cat "$said.err" >&2; fail "$2: not what was to be said"; }
+  grep -Eq "^frana: (rank 0: )?$1/[a-z0-9_/.]+: cannot be written: $2" "$said.err" ||
+    { cat "$said.err" >&2; fail "$2: not what was to be said"; }
   echo "$(grep '^frana: ' "$said.err")"
 }
 whole() { # FOLDER [COMMAND...]: no file is damaged, and the run can be resumed
@@ -39,7 +45,8 @@ whole() { # FOLDER [COMMAND...]: no file is damaged, and the run can be resumed
   "$look" "$folder" >found || { cat found >&2; fail "$folder: damaged"; }
   code 0 "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" --resume
   same whole/series.csv "$folder/series.csv"
-  [ "$("$look" "$folder" | tail -n 1)" = "$("$look" whole | tail -n 1)" ] || fail "$folder: other files than of the uninterrupted run"
+  [ "$("$look" "$folder" | tail -n 1)" = "$("$look" whole | tail -n 1)" ] ||
+    fail "$folder: other files than of the uninterrupted run"
 }
 
 # a limit on the size of files: of the growing series; of checkpoints and fields
@@ -58,7 +65,8 @@ whole gone
 # read-only, for a user other than root
 user=()
 if [ "$(id -u)" = 0 ]; then
-  user=(setpriv --reuid=65534 --regid=65534 --clear-groups env "HOME=$PWD/readonly.home" "XDG_CACHE_HOME=$PWD/readonly.home")
+  user=(setpriv --reuid=65534 --regid=65534 --clear-groups env "HOME=$PWD/readonly.home"
+    "XDG_CACHE_HOME=$PWD/readonly.home")
   mkdir readonly.home && chown 65534:65534 readonly.home
 fi
 if "${user[@]}" "$frana" --version >/dev/null 2>&1 && "${user[@]}" test -r "$PWD/scene.yaml"; then

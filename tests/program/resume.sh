@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # A run stopped anywhere and resumed on another number of ranks gives the same series; ranks do not matter either.
 # usage: resume.sh FRANA SOURCE WORK [SEED]: of the steps at which the run is stopped
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml # the number of substeps follows contact and is part of the state
+# The number of substeps follows contact and is part of the state.
+scene | sed 's/substeps: 4/substeps: auto/' >scene.yaml
 code 0 ranks 2 run scene.yaml --out whole
 grep -q '"status": *"done"' whole/run.json || fail "run.json does not say done"
 rows=$(($(wc -l <whole/series.csv) - 2))
 [ "$rows" = 12 ] || fail "$rows rows in the series, not 12"
-awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i } END { exit !($b > 0) }' whole/series.csv ||
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i }
+  END { exit !($b > 0) }' whole/series.csv ||
   fail "nothing has broken: the resumed fracture would not be tested"
 
 for n in 1 3 4; do
@@ -19,7 +22,11 @@ done
 RANDOM=${4:-1}
 echo "seed ${4:-1}"
 # The step of the series' last row, 0 without one.
-last() { local step=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1); case "$step" in '' | *[!0-9]*) echo 0 ;; *) echo "$step" ;; esac; }
+last() {
+  local step
+  step=$(tail -n 1 stopped/series.csv 2>/dev/null | cut -d, -f1) || true
+  case "$step" in '' | *[!0-9]*) echo 0 ;; *) echo "$step" ;; esac
+}
 reached() { [ "$(last)" -ge "$1" ]; }
 n=2
 rm -rf stopped

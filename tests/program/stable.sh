@@ -1,21 +1,27 @@
 #!/usr/bin/env bash
-# The coupled step stays bounded while a block comes apart, down to single particles, and the box's momentum closes in every
-# sample. What was measured, at a fracture energy of
+# The coupled step stays bounded while a block breaks, down to single particles. The box's momentum balance closes in
+# every sample. Measured at a fracture energy of
 #                                                            1e-3          1e-4          1e-5       J/m2
-#   sound:                       dp, Pa                       1890          1890          1890  (as the rigid block is set free)
+#   sound:                       dp, Pa                       1890          1890          1890
 #                                energy of the solid, J     8.6e-8        1.1e-5        3.7e-6
 #   with explicit added mass:    dp, Pa                       7150          3060          3060
 #                                energy of the solid, J     2.1e-5        2.0e-5        1.8e-5
 #   bonds-less particles probed: energy of the solid, J     8.6e-8        2.2e-5        6.5e-6
-# A limit is some third above the sound run: repeated, it differs by 2 %, as round-off tells which bond breaks first. The momentum
-# closes to round-off: 4e-13.
+# The sound run's dp occurs when the rigid block is set free. A limit is about a third above the sound run. Repeated
+# runs differ by 2 %, because round-off decides which bond breaks first. The momentum balance closes to 4e-13, which is
+# round-off.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed -e '/name: fracture/s/steps: [0-9]*/steps: 240/' -e 's/fields_every: .*/fields_every: 0/' >scene.yaml
-# bounded ENERGY MOST FRAGMENTS: fracture energy, J/m2; most of the solid's kinetic energy, J; fragments at the end at the least
+# bounded ENERGY MOST FRAGMENTS: ENERGY is the fracture energy, J/m2; MOST the upper limit of the solid's kinetic
+# energy, J; FRAGMENTS the lower limit of the number of fragments at the end
 bounded() {
   code 0 ranks 1 run scene.yaml --out "g$1" --set "solid.materials[0].fracture_energy=$1"
   awk -F, -v most="$2" -v least="$3" '
-    function limit(name, is, of) { if (!(is ~ /^-?[0-9]/ && is + 0 <= of + 0)) { print "step " $1 ": " name " = " is ", limit " of; bad = 1 } }
+    function limit(name, is, of) {
+      if (!(is ~ /^-?[0-9]/ && is + 0 <= of + 0)) {
+        print "step " $1 ": " name " = " is ", limit " of
+        bad = 1 } }
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
     NR > 2 { limit("momentum_residual", $at["momentum_residual"], 1e-11)
       dp = $at["dp"]; sub(/^-/, "", dp); limit("|dp|", dp, 2500)

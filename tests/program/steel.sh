@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Cases of plates on coarse grids: Kalthoff's cracks leave their notches at a steep angle and are mirror images to the
 # bit; a crack beside a hole turns towards the hole.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 last() { awk -F, -v c="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i } END { print $k }' "$1"; }
 

@@ -1,16 +1,20 @@
 #!/usr/bin/env bash
 # The strongly coupled step, while bonds break: every step converges, the box's momentum balance closes, any number of
 # ranks gives the same results, and so does a run resumed from a checkpoint.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-scene | sed -e 's/^coupling:/&\n  scheme: strong/' -e '/name: settle/s/steps: [0-9]*/steps: 20/; /name: fracture/s/steps: [0-9]*/steps: 25/' \
-  -e '/name: flow/s/steps: [0-9]*/steps: 30/' -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 0/' \
+scene | sed -e 's/^coupling:/&\n  scheme: strong/' \
+  -e '/name: settle/s/steps: [0-9]*/steps: 20/; /name: fracture/s/steps: [0-9]*/steps: 25/' \
+  -e '/name: flow/s/steps: [0-9]*/steps: 30/' \
+  -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 0/' \
   -e 's/checkpoint_every: .*/checkpoint_every: 20/' >scene.yaml
 code 0 ranks 1 run scene.yaml --out whole
 number() { sed -n "s/.*\"$1\": *\([0-9.]*\).*/\1/p" whole/run.json | head -n 1; }
 [ "$(number steps_not_converged)" = 0 ] || fail "$(number steps_not_converged) steps have not converged"
 awk -v m="$(number mean)" -v n="$(number most)" 'BEGIN { exit !(m > 1.5 && m < 10 && n < 50) }' ||
   fail "$(number mean) iterations a step, $(number most) at most"
-awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 { b = $at["bonds_broken"]; if ($at["momentum_residual"] > 1e-9) bad = 1 }
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+  NR > 2 { b = $at["bonds_broken"]; if ($at["momentum_residual"] > 1e-9) bad = 1 }
   END { exit bad || !(b > 100) }' whole/series.csv || fail "the momentum does not close, or nothing has broken"
 
 # values that are zero by symmetry are round-off, which the iteration may amplify up to its tolerance; all others agree

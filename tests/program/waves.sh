@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Waves over refined plates: reflection by a patch; the dual horizon conserves energy. Full size: cases/plate_wave,
 # cases/plate_step.
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 none='solid.refinement={from: 1}'
 names='FNR == 1 { delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { next }'
@@ -37,7 +38,8 @@ unbalanced() { # % of the largest energy
       if (e > top) top = e; if (d < 0) d = -d; if (d > most) most = d } END { print 100 * most / top }' "$1/series.csv"
 }
 for horizons in dual one_sided; do
-  code 0 "$frana" run "$source/cases/plate_step/scene.yaml" --out step_$horizons --set output.series_every=20 --set solid.horizons=$horizons
+  code 0 "$frana" run "$source/cases/plate_step/scene.yaml" --out step_$horizons --set output.series_every=20 \
+    --set solid.horizons=$horizons
 done
 between 0 "$(unbalanced step_dual)" 0.02 "dual horizon makes or loses"
 between 0.5 "$(unbalanced step_one_sided)" 7.15 "one-sided makes or loses"

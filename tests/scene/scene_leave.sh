@@ -16,5 +16,6 @@ expect() { # code, expected lines (one for each mistake), arguments...
 }
 expect 0 'frana: 3 stages' "$@" "$scenes/coupled.yaml"
 expect 2 "frana: --set fluid.density = 0: must be greater than 0
-frana: --set stages.flow.stepz: unknown key; did you mean steps?" "$@" "$scenes/coupled.yaml" fluid.density=0 stages.flow.stepz=1
+frana: --set stages.flow.stepz: unknown key; did you mean steps?" \
+    "$@" "$scenes/coupled.yaml" fluid.density=0 stages.flow.stepz=1
 expect 2 "frana: $scenes/none.yaml: the scene cannot be read: No such file or directory" "$@" "$scenes/none.yaml"

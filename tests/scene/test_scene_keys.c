@@ -89,18 +89,6 @@ static void test_the_reference_has_every_key(void **state) {
     free(text);
 }
 
-static void test_nearest_word(void **state) {
-    (void)state;
-    const char *const word[] = {"steps", "solid", "safety", "cfl"};
-    assert_string_equal(scene_problem_nearest("stepz", 4, word), "steps");
-    assert_string_equal(scene_problem_nearest("setps", 4, word), "steps"); /* a swap is one edit */
-    assert_string_equal(scene_problem_nearest("clf", 4, word), "cfl");
-    assert_string_equal(scene_problem_nearest("safty", 4, word), "safety");
-    assert_null(scene_problem_nearest("temperature", 4, word));
-    assert_null(scene_problem_nearest("abc", 4, word));
-    assert_null(scene_problem_nearest("", 4, word));
-}
-
 /* The largest horizon ratio is the one at which a family on the cubic lattice, |xi| < m + 1/2 spacings, would exceed
  * 512 bonds. */
 static void test_largest_horizon_fits_a_family(void **state) {
@@ -134,9 +122,9 @@ static void test_largest_horizon_of_a_plate(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_key_has_a_rule),          cmocka_unit_test(test_paths_find_their_rule),
-        cmocka_unit_test(test_the_reference_has_every_key),   cmocka_unit_test(test_nearest_word),
-        cmocka_unit_test(test_largest_horizon_fits_a_family), cmocka_unit_test(test_largest_horizon_of_a_plate)};
+        cmocka_unit_test(test_every_key_has_a_rule), cmocka_unit_test(test_paths_find_their_rule),
+        cmocka_unit_test(test_the_reference_has_every_key), cmocka_unit_test(test_largest_horizon_fits_a_family),
+        cmocka_unit_test(test_largest_horizon_of_a_plate)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # frana study: two methods by two levels; interrupted and resumed, changed, failed; and all its output.
 # usage: program.sh FRANA SOURCE WORK
+# shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/../program/common.sh" "$@"
 cat >scene.yaml <<'END'
 title: A short bar, pulled
@@ -31,7 +32,9 @@ END
 stamps() { stat -c '%n %Y %i' results/runs/bar/*/*/*/run.json; }
 # column NAME METHOD LEVEL QUANTITY: a cell of the table
 column() {
-  awk -F, -v name="$1" -v m="$2" -v l="$3" -v q="$4" '/^#/ { next } !at { for (i = 1; i <= NF; i++) if ($i == name) at = i; next }
+  awk -F, -v name="$1" -v m="$2" -v l="$3" -v q="$4" '
+    /^#/ { next }
+    !at { for (i = 1; i <= NF; i++) if ($i == name) at = i; next }
     $1 == m && $2 == l && $4 == q { print $at }' results/bar.csv
 }
 
@@ -44,7 +47,8 @@ kill -INT $study
 got=0; wait $study || got=$?
 [ $got = 75 ] && grep -q '^stopped at run 3 of 4' out || fail "stopped with $got: $(cat out err)"
 [ ! -e results/bar.csv ] || fail "a table of half a study"
-[ ! -e results/runs/bar/verlet/50/1/run.json ] || ! grep -q '"done"' results/runs/bar/verlet/50/1/run.json || fail "it was not stopped"
+[ ! -e results/runs/bar/verlet/50/1/run.json ] || ! grep -q '"done"' results/runs/bar/verlet/50/1/run.json ||
+  fail "it was not stopped"
 mv whole.yaml bar.yaml
 before=$(stamps | grep '/25/')
 code 0 "$frana" study bar.yaml
@@ -58,20 +62,24 @@ for what in machine compiler frana libraries date 'reference of energy' 'advice 
 done
 for m in verlet rk3; do
   for l in 25 50; do
-    [ "$(column status $m $l energy)" = done ] || fail "status of $m $l"
+    [ "$(column status $m $l energy)" = 'done' ] || fail "status of $m $l"
     [ "$(column value $m $l end)" = 5e-05 ] || fail "end of $m $l: $(column value $m $l end)"
     for c in wall_median_s wall_min_s setup_s ns_per_bond_sweep memory_mb; do
-      awk -v x="$(column $c $m $l energy)" 'BEGIN { exit !(x + 0 > 0) }' || fail "$c of $m $l: $(column $c $m $l energy)"
+      awk -v x="$(column $c $m $l energy)" 'BEGIN { exit !(x + 0 > 0) }' ||
+        fail "$c of $m $l: $(column $c $m $l energy)"
     done
   done
 done
 [ "$(column ranks verlet 25 energy) $(column ranks rk3 25 energy)" = "1 2" ] || fail "ranks"
 [ "$(column steps rk3 25 energy) $(column steps rk3 50 energy)" = "25 50" ] || fail "steps"
 # the energy is that of the series
-[ "$(tail -1 results/runs/bar/rk3/50/1/series.csv | tr , '\n' | grep -cx "$(column value rk3 50 energy)")" -ge 1 ] || fail "value of rk3 50"
-awk -v a="$(column error verlet 25 energy)" -v b="$(column error verlet 50 energy)" 'BEGIN { exit !(a > 3 * b && b > 0) }' ||
+[ "$(tail -1 results/runs/bar/rk3/50/1/series.csv | tr , '\n' | grep -cx "$(column value rk3 50 energy)")" -ge 1 ] ||
+  fail "value of rk3 50"
+awk -v a="$(column error verlet 25 energy)" -v b="$(column error verlet 50 energy)" '
+  BEGIN { exit !(a > 3 * b && b > 0) }' ||
   fail "verlet's error does not fall: $(column error verlet 25 energy) $(column error verlet 50 energy)"
-grep -q '^| rk3 | 50 |' results/bar.md && grep -q 'given order 3.00' results/bar.md || fail "the page: $(cat results/bar.md)"
+grep -q '^| rk3 | 50 |' results/bar.md && grep -q 'given order 3.00' results/bar.md ||
+  fail "the page: $(cat results/bar.md)"
 if command -v gnuplot >/dev/null; then
   for f in bar_energy bar_end; do [ -s results/$f.png ] && [ -s results/$f.svg ] || fail "no plot $f"; done
 fi
@@ -95,11 +103,12 @@ code 0 "$frana" study bar.yaml --fresh
 grep -q '4 runs, 0 of them made before' out || fail "fresh: $(cat out)"
 
 # a method with unstable runs does not stop the others, and is not tried again
-sed -i '/name: rk3/i \  - {name: wild, set: {stages.pull.integrator: verlet, stages.pull.substeps: 1, stages.pull.time_step: 1.0e-1}}' bar.yaml
+wild='{name: wild, set: {stages.pull.integrator: verlet, stages.pull.substeps: 1, stages.pull.time_step: 1.0e-1}}'
+sed -i "/name: rk3/i \\  - $wild" bar.yaml
 sed -i '/name: "25"/s/stages.pull.time_step: 2.0e-6, //; s/repeats: 1/repeats: 2/' bar.yaml
 code 0 "$frana" study bar.yaml
 [ "$(column status wild 25 energy)" = "failed 3" ] || fail "status of wild: $(cat results/bar.csv)"
-[ "$(column status rk3 50 energy)" = done ] || fail "rk3 after wild"
+[ "$(column status rk3 50 energy)" = 'done' ] || fail "rk3 after wild"
 [ "$(column repeats rk3 50 energy) $(column value_spread rk3 50 energy)" = "2 0" ] || fail "repeats of rk3"
 [ "$(grep -c 'wild.*left out, as an earlier repeat has failed' out)" = 2 ] || fail "wild was repeated: $(cat out)"
 grep -q '2 runs have failed' err || fail "failures are not said: $(cat err)"
@@ -114,7 +123,8 @@ refuses() {
   [ ! -e none ] || fail "sed $2: something was run"
 }
 refuses 'broken.yaml:3: repeats = none: must be a whole number' 's/repeats: 2/repeats: none/'
-refuses 'broken.yaml:12: verlet at level 25: .*steps = few: must be a whole number' 's/stages.pull.steps: 25/stages.pull.steps: few/'
+refuses 'broken.yaml:12: verlet at level 25: .*steps = few: must be a whole number' \
+  's/stages.pull.steps: 25/stages.pull.steps: few/'
 refuses 'broken.yaml:2: scene = gone.yaml: cannot be read' 's/scene.yaml/gone.yaml/'
 refuses 'broken.yaml:9: the names a.b and a.b differ only' 's/name: verlet/name: a b/; s/name: wild/name: a?b/'
 code 2 "$frana" study bar.yaml scene.yaml

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# How narrow a slit may be: its flow over h2/12 G/mu, and the longest step over the one without anything immersed, from
-# one cell on.
+# The flow through a narrow slit over h^2/12 G/mu, and the longest step over the one without an immersed body, for
+# widths from one cell on.
 # usage: cases/stability/cavities/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
 # shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
-# Bounded: never faster than the slit twice as wide, and at rest in the mean at the end.
+# A run is bounded if the bulk velocity stays below 1, and grows by less than 10 % between the last two samples.
 judge() { [ "$(of_run "$1" u_bulk 'print max(1, n) < 1 && max(n, n) - x[n - 1] < 0.1 * max(n, n)')" = 1 ]; }
-point() { # point DIFFUSION WIDTH, in cells
+point() { # point DIFFUSION WIDTH: the width in cells
   local kind=$1 width=$2 dir=$runs/flow/$1-$2 walls cells step ratio
   cells=$((width + 8))
   walls=("fluid.diffusion=$kind" "domain.size=[4, $cells, 4]" "domain.cells=[4, $cells, 4]"
@@ -18,11 +18,12 @@ point() { # point DIFFUSION WIDTH, in cells
     stages.0.steps="$(calc "int(2 * ($width + 2) ^ 2 / $step) + 20")" output.series_every=20 \
     output.fluid_probes.at="[$(seq -s, -f '[2, %.1f, 2]' 4.5 $((3 + width)).5 | sed 's/\],\[/], [/g')]" \
       output.fluid_probes.every=20
-  # not what moves inside the walls
+  # without the flow inside the walls
   ratio=$(awk -F, 'NR > 2 { if ($1 != step) { step = $1; sum = 0 } sum += $7 } END { print sum }' \
     "$dir/fluid_probes.csv")
   ratio=$(calc "$ratio / (1e-3 * $width ^ 3 / 12)")
-  echo "$kind,$width,$ratio,$(edge 0.07 2 0.02 scene "${walls[@]}" stages.0.time_step=@ stages.0.steps=600 output.series_every=20)"
+  echo "$kind,$width,$ratio,$(
+    edge 0.07 2 0.02 scene "${walls[@]}" stages.0.time_step=@ stages.0.steps=600 output.series_every=20)"
 }
 for width in 1 2 3 4 8 16; do printf '%s\n' "explicit $width" "implicit $width"; done >"$runs/points"
 table slit 'diffusion,width,flow_over_exact,longest_step' <"$runs/points"

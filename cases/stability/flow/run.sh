@@ -1,21 +1,22 @@
 #!/usr/bin/env bash
-# How long a step of the fluid may be: a uniform stream with small waves against the scheme's own amplification of each
-# wave, and a channel with a cube in it over its Reynolds number against the automatic step; explicit and implicit
-# diffusion.
+# The longest stable step of the fluid with explicit and with implicit diffusion. First a uniform stream with small
+# waves, compared with the scheme's exact amplification of each wave. Then a channel with a cube in it, over its
+# Reynolds number, compared with the automatic step.
 # usage: cases/stability/flow/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
 # shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
-# Bounded: the dissipation, which is that of the waves alone, late in the run is not ten times the one at its start.
+# A run is bounded if the dissipation late in the run is less than ten times that at its start. Only the waves
+# dissipate.
 judge() { [ "$(of_run "$1" dissipation 'print max(n - n / 4, n) <= 10 * max(1, n / 10)')" = 1 ]; }
 
-# computed DIFFUSION NU: the step of the first wave that grows, of those that 8 cells carry; U = 1 in each direction,
-# cells of 1. Low-storage
-# RK3 of the central differences: a wave's rates are i c = -i sum sin(theta), l = 2 nu sum (1 - cos(theta)).
+# computed DIFFUSION NU: the shortest step at which one of the waves on 8 cells grows, for U = 1 in each direction and
+# cells of size 1. The scheme is low-storage RK3 with central differences. The rates of a wave are i c = -i sum
+# sin(theta) and l = 2 nu sum (1 - cos(theta)).
 computed() {
   awk -v kind="$1" -v nu="$2" '
-    function grows(c, l,  r, x, y, fx, fy, ox, oy, nx, ny, d) { # c, l times the step
+    function grows(c, l,  r, x, y, fx, fy, ox, oy, nx, ny, d) { # c and l are multiplied by the step
       x = 1; y = ox = oy = 0
       for (r = 0; r < 3; r++) {
         fx = c * y; fy = -c * x; d = 1
@@ -40,13 +41,16 @@ point() {
   local map=$1 kind=$2 at=$3 nu step found
   if [ "$map" = waves ]; then # over the cell's Reynolds number U dx/nu
     nu=$(calc "1 / $at") step=$(computed "$kind" "$(calc "1 / $at")")
-    found=$(edge "$(calc "0.7 * $step")" "$(calc "1.6 * $step")" 0.005 scene fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
-    echo "$kind,$at,$found,$step,$(calc "12 * $nu * $found"),$(calc "3 * $found"),$(calc "12 * $nu * $step"),$(calc "3 * $step")"
+    found=$(edge "$(calc "0.7 * $step")" "$(calc "1.6 * $step")" 0.005 \
+      scene fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
+    echo "$kind,$at,$found,$step,$(calc "12 * $nu * $found"),$(calc "3 * $found"),$(
+      calc "12 * $nu * $step"),$(calc "3 * $step")"
   else # over the bulk Reynolds number; the automatic step is held against what a given one may be
     nu=$(calc "1 / $at")
     made "$runs/auto/$kind$at" channel fluid.viscosity="$nu" fluid.diffusion="$kind"
     step=$(of_run "$runs/auto/$kind$at" dt 'print x[n]')
-    found=$(edge "$(calc "0.5 * $step")" "$(calc "8 * $step")" 0.02 channel fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
+    found=$(edge "$(calc "0.5 * $step")" "$(calc "8 * $step")" 0.02 \
+      channel fluid.viscosity="$nu" fluid.diffusion="$kind" stages.0.time_step=@)
     echo "$kind,$at,$found,$step"
   fi
 }
@@ -72,7 +76,8 @@ plot f using (of('explicit', 2)):(of('explicit', 3)) with points pt 7 title 'exp
   2)):(of('explicit', 4)) with lines lc 'black' title 'computed', \
   '' using (of('implicit', 2)):(of('implicit', 3)) with points pt 6 title 'implicit (100: none found)', \
   '' using (of('implicit', 2)):(of('implicit', 4)) with lines lc 'black' dt 2 title 'computed', \
-  x * 1.65 / 12 with lines lc 'grey' title '1.65/(4 nu sum 1/dx^2)', sqrt(3) / 3 with lines lc 'grey' dt 2 title 'sqrt(3)/sum |u|/dx'
+  x * 1.65 / 12 with lines lc 'grey' title '1.65/(4 nu sum 1/dx^2)', \
+  sqrt(3) / 3 with lines lc 'grey' dt 2 title 'sqrt(3)/sum |u|/dx'
 END
 if [ ! "$quick" ]; then
   for kind in explicit implicit; do printf "channel $kind %s\n" 1e-3 1e-2 0.1 1 10 100 1000; done >"$runs/channel"

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# What iterations of the forcing buy: the slip at the walls of a slit, over their number and the step. The bulk velocity
-# of a slit under a given gradient, less the one without slip (100 iterations at the shortest step), over the shear at
-# its walls, is the slip's share of the flow.
+# The slip at the walls of a slit, over the number of forcing iterations and the step. The slip's share of the flow is
+# the bulk velocity under a given gradient, minus that without slip (100 iterations at the shortest step), over the
+# shear at the walls.
 # usage: cases/stability/forcing/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
 # shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
-point() { # point DIFFUSION STEP ITERATIONS, the step over the explicit viscous limit
+point() { # point DIFFUSION STEP ITERATIONS: the step is in units of the explicit viscous limit
   local dir=$runs/at/$1-$2-$3 steps
   steps=$(calc "int(200 / (0.1375 * $2) + 0.5)")
   if ! [ -f "$dir.u" ] || [ "$(head -n 1 "$dir.u")" != "$build" ]; then

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
-# How long a step of the solid may be, over stiffness, horizon, damping, damage and contact, against what frana
-# computes.
+# The longest stable step of the solid, over stiffness, horizon, damping, damage and contact, compared with the step
+# that frana computes.
 # usage: cases/stability/solid/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
 # shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
-# Bounded: the energy late in the run is not a thousand times the one at its start. At 0.3 % above RK3's limit it is,
-# after 2000 steps.
-# Two particles that touch let go of one another as soon as their swing grows: theirs never is thirty times that of the
-# first swing.
+# A run is bounded if the kinetic energy in its last quarter is less than a thousand times that at its start. A step
+# 0.3 % above RK3's limit exceeds this after 2000 steps.
+# Two particles in contact separate as soon as their oscillation grows. Their run is bounded if the energy stays below
+# thirty times that of the first oscillation.
 judge() {
   local growth='max(n - n / 4, n) <= 1e3 * max(1, n / 20)'
   ! grep -q 'name: left' "$1/scene.resolved.yaml" || growth='max(1, n) <= 30 * max(1, 3)'
   [ "$(of_run "$1" e_kinetic_solid "print $growth")" = 1 ]
 }
 
-both() { # both SCENE LIMIT SETTING...: edges with RK3 and Verlet, and what check says of LIMIT
+both() { # both SCENE LIMIT SETTING...: limits with RK3 and Verlet, and what `frana check` prints for LIMIT
   local scene=$1 limit=$2 method name at row=
   shift 2
   for method in rk3 verlet; do
@@ -29,18 +29,19 @@ both() { # both SCENE LIMIT SETTING...: edges with RK3 and Verlet, and what chec
     esac
     if [ "$name" ]; then at=$(stable_step "$scene" "$name" "$@"); else \
       at=$(stage_limit "$scene" "$@" stages.0.integrator=$method); fi
-    row=$row,$(edge "$(calc "0.5 * $at")" "$(calc "4 * $at")" 0.004 "$scene" "$@" stages.0.integrator=$method stages.0.time_step=@),$at
+    row=$row,$(edge "$(calc "0.5 * $at")" "$(calc "4 * $at")" 0.004 \
+      "$scene" "$@" stages.0.integrator=$method stages.0.time_step=@),$at
   done
   echo "${row#,}"
 }
-stage_limit() { # with the stage's damping
+stage_limit() { # the limit of a stage with its damping
   local scene=$1 set=() s
   shift
   for s in "$@"; do set+=(--set "$s"); done
   "$frana" check "$here/$scene.yaml" "${set[@]}" | sed -n 's/^  swing .*stable up to \([0-9.e+-]*\) s.*/\1/p'
 }
-planes() { # planes N: a setting of N cracks across the body, along x, y, z in turn
-  local k list= a
+planes() { # planes N: a setting with N cracks across the body, along x, y, z in turn
+  local k list='' a
   for ((k = 0; k < $1; k++)); do
     a=$((k / 3 + 1))
     case $((k % 3)) in
@@ -51,7 +52,7 @@ planes() { # planes N: a setting of N cracks across the body, along x, y, z in t
   done
   echo "solid.cracks=[${list#, }]"
 }
-point() { # point WHAT AT: of one kind
+point() { # point WHAT AT: WHAT is the quantity that is varied, AT its value
   local what=$1 at=$2
   case $what in
     E) echo "$what,$at,$(both scene bonds solid.materials.0.youngs_modulus="$at")" ;;
@@ -78,10 +79,10 @@ while IFS=, read -r what at rk3 of_rk3 verlet of_verlet; do
     [ $method = RK3 ] || found=$verlet computed=$of_verlet
     case $what-$method in
       what-*) ;;
-      contact-RK3) # what lets go as its swing grows is softer than its spring: a bound
+      contact-RK3) # contact that opens as the oscillation grows is softer than its spring: the computed step is a bound
         row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" \
           "not below it" 0.995 1e3 ;;
-      # one limit for the whole body, and a polygon about the rates of all modes: bounds
+      # computed from one limit for the whole body, or a polygon around the rates of all modes: a bound
       cracks-* | damping-* | absolute-*)
         row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" \
           "not below it" 0.995 1e3 ;;

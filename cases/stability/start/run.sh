@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The first steps after an impulsive start: the load on a cube that a stream meets at once, over the step; and what its
-# material gets of it with and without a stage of the flow alone before.
+# The first steps after an impulsive start: the load on a cube in a stream that starts at once, over the step, and the
+# cube's strain energy with and without a stage of the flow alone before.
 # usage: cases/stability/start/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
@@ -11,7 +11,8 @@ point() { # point STEP WAIT: the flow alone for WAIT seconds, then elastic for 4
   made "$dir" scene stages.flow.time_step="$1" stages.elastic.time_step="$1" \
     stages.flow.steps="$(calc "int($2 / $1 + 0.5)")" \
     stages.elastic.steps="$(calc "int(4 / $1 + 0.5)")" || { echo "$1,$2,nan,nan,nan,nan"; return; }
-  echo "$1,$2,$(of_run "$dir" load_x 'print x[1]'),$(of_run "$dir" load_x 'print x[n]'),$(of_run "$dir" e_strain 'print max(1, n)'),$(of_run "$dir" e_strain 'print x[n]')"
+  echo "$1,$2,$(of_run "$dir" load_x 'print x[1]'),$(of_run "$dir" load_x 'print x[n]'),$(
+    of_run "$dir" e_strain 'print max(1, n)'),$(of_run "$dir" e_strain 'print x[n]')"
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 {
     print $2 "," $at["load_x"] "," $at["e_strain"] }' "$dir/series.csv" >"$runs/load_$1_$2.csv"
 }

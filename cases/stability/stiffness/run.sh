@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
-# Whether an elastic wall holds that a channel's flow bends (Re = 20, two particles thick), over its density and
-# stiffness; explicit and strong.
+# Whether an elastic wall in a channel (Re = 20, two particles thick) stays stable, over its density and stiffness, with
+# explicit and with strong coupling.
 # usage: cases/stability/stiffness/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
 # shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
-# Bounded: the wall is late in its 200 steps not twice as fast as it ever was in their first half, and never twice as
-# fast as the stream.
+# A run of 200 steps is bounded if the wall, late in the run, is less than twice as fast as in the first half, and never
+# twice as fast as the stream.
 judge() {
   local density
   density=$(sed -n '/^solid/,$s/.*density: *\([0-9.e+-]*\).*/\1/p' "$1/scene.resolved.yaml" | head -n 1)
-  [ "$(of_run "$1" e_kinetic_solid "print max(n - 10, n) <= 4 * max(n - 39, n - 20) && max(1, n) <= 2 * $density * 96")" = 1 ]
+  [ "$(of_run "$1" e_kinetic_solid \
+    "print max(n - 10, n) <= 4 * max(n - 39, n - 20) && max(1, n) <= 2 * $density * 96")" = 1 ]
 }
-point() { # point SCHEME E/(rho_f U2) RATIO: a step of at most some 500 substeps of a wall as heavy as the fluid
+point() { # point SCHEME E/(rho_f U2) RATIO: the step has at most about 500 substeps of a wall as dense as the fluid
   local step held=1
   step=$(calc "($2 > 1.0e7 ? 3.7e-3 * sqrt(1.0e10 / $2) : 0.1)")
   holds "$runs/at/$1-$2-$3" scene coupling.scheme="$1" solid.materials.0.youngs_modulus="$2" \

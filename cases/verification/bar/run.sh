@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Moduli of a bar in uniaxial strain and in uniaxial stress against those of its lattice.
+# Moduli of a bar in uniaxial strain and in uniaxial stress, compared with those of its lattice.
 # usage: cases/verification/bar/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# In a run folder: the tip's deflection over that of Timoshenko's beam, or the bending stiffness E I, from the third
-# derivative of the axis's deflection, over that of the material. The beam is clamped at the face of the last held
-# layer, or where that layer itself stands if all is symmetric about it, and loaded where its last layer stands.
+# Prints, in a run folder, the tip's deflection over that of Timoshenko's beam, or the bending stiffness E I over that
+# of the material. The stiffness comes from the third derivative of the axis's deflection. The beam is clamped at the
+# face of the last held layer, or at the layer itself if all is symmetric about it. It is loaded at its last layer.
 # usage: bending.sh deflection|stiffness [lattice]
-# Timoshenko's beam has the moduli of the material, 1 and 2/5, or the lattice's.
+# Timoshenko's beam has the moduli of the material, 1 and 2/5, or with `lattice` those of the lattice.
 set -euo pipefail
 e=1 g=0.4
 if [ "${2:-}" = lattice ]; then
   read -r e g < \
     <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" | awk '{ v[$1] = $2 } END { print v["e100"], v["c12"] }')
 fi
-read -r low high clamp height sym < <(awk -F'[][,]' '
+read -r _ _ clamp height _ < <(awk -F'[][,]' '
   /^  constraints:/ { in_held = 1 }
   in_held && /low:/ { low = $2 }
   in_held && /high:/ { high = $2; in_held = 0 }
@@ -25,7 +25,7 @@ awk -F, -v what="$1" -v e="$e" -v g="$g" -v clamp="$clamp" -v h="$height" '
       print w[n] / (p / (e * h) * (4 * (length_ / h) ^ 3 + e / g * 1.2 * (length_ / h)))
       exit
     }
-    for (i = 0; i < n; i++) { # the tip, near its load, left out: w = sum a_k s^k, s = x/L, by least squares
+    for (i = 0; i < n; i++) { # w = sum a_k s^k, s = x/L, by least squares, without the tip, which is near its load
       s = x[i] / length_
       for (j = 0; j < 4; j++) {
         for (k = 0; k < 4; k++) m[j, k] += s ^ (j + k)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The first frequency over that of Timoshenko's cantilever, in a run folder: a sine through the tip's deflection by
-# least squares.
+# Prints, in a run folder, the first frequency over that of Timoshenko's cantilever. The frequency is that of a sine
+# fitted to the tip's deflection by least squares.
 # usage: frequency.sh [E G]
 set -euo pipefail
 read -r length height < <(awk -F'[][,]' '/^  size:/ { print $2 - 3, $3 }' scene.resolved.yaml)
@@ -8,7 +8,7 @@ exact=$(awk -v l="$length" -v h="$height" -v e="${1:-1}" -v g="${2:-0.4}" -f "$(
 awk -F, -v exact="$exact" '
   NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   NR > 3 { n++; t[n] = $2; w[n] = $at["displacement_z"] * 1e6 }
-  function explained(f,   i, c, s, cc, cs, ss, wc, ws, det) { # of the sum of squares by a cosine and a sine
+  function explained(f,   i, c, s, cc, cs, ss, wc, ws, det) { # part of the sum of squares that a cosine and a sine fit
     for (i = 1; i <= n; i++) {
       c = cos(f * t[i]); s = sin(f * t[i])
       cc += c * c; cs += c * s; ss += s * s; wc += w[i] * c; ws += w[i] * s

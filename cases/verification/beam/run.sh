@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Deflection, bending stiffness and first frequency of cantilevers against Timoshenko's.
+# Deflection, bending stiffness and first frequency of cantilevers, compared with Timoshenko's beam.
 # usage: cases/verification/beam/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

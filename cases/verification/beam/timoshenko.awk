@@ -1,10 +1,12 @@
-# The first circular frequency of a clamped and free beam of Timoshenko's, density 1, section h x h, length l, moduli e and g, shear factor 5/6:
+# The first circular frequency of Timoshenko's beam, clamped at one end and free at the other: density 1, section h x h,
+# length l, moduli e and g, shear factor 5/6. The equations are
 #     w' = phi + Q/(k G A)    phi' = M/(E I)    M' = -Q - rho I omega^2 phi    Q' = -rho A omega^2 w
-# Two solutions from the clamp (w = phi = 0), and omega where the determinant of (M, Q) at the tip changes sign. Signs: Q along w.
+# Q is positive along w. Two solutions start at the clamp with w = phi = 0. At the first frequency the determinant of
+# their (M, Q) at the tip changes sign.
 function slope(y, d) {
   d[1] = y[2] + y[4] / shear; d[2] = y[3] / bend; d[3] = -y[4] - inertia * o2 * y[2]; d[4] = -area * o2 * y[1]
 }
-function march(m0, q0,   i, k, s) { # leaves M and Q of the tip in y[3], y[4]; fourth order Runge and Kutta's
+function march(m0, q0,   i, k, s) { # leaves M and Q of the tip in y[3], y[4]; classical Runge-Kutta method of order 4
   y[1] = y[2] = 0; y[3] = m0; y[4] = q0
   for (i = 0; i < steps; i++) {
     slope(y, k1); for (k = 1; k <= 4; k++) z[k] = y[k] + s2 * k1[k]
@@ -23,7 +25,15 @@ BEGIN {
   area = h * h; inertia = h ^ 4 / 12; bend = e * inertia; shear = 5 / 6 * g * area; steps = 200; s2 = l / steps / 2
   euler = 3.5160152685 / (l * l) * sqrt(bend / area)
   low = 0; high = euler; sign = determinant(0) # 1 at rest
-  for (step = 1; step <= 20; step++) { high = euler * step / 20 * 1.2; if (determinant(high) * sign < 0) break; low = high }
-  for (k = 0; k < 50; k++) { middle = (low + high) / 2; if (determinant(middle) * sign < 0) high = middle; else low = middle }
+  for (step = 1; step <= 20; step++) {
+    high = euler * step / 20 * 1.2
+    if (determinant(high) * sign < 0) break
+    low = high
+  }
+  for (k = 0; k < 50; k++) {
+    middle = (low + high) / 2
+    if (determinant(middle) * sign < 0) high = middle
+    else low = middle
+  }
   printf "%.10g\n", (low + high) / 2
 }

@@ -1,5 +1,6 @@
 #!/bin/sh
-# An extremum of a velocity on a centreline at the run's end: a quadratic through the extreme value and its neighbours.
+# Prints an extremum of a velocity on a centreline at the run's end, from a quadratic through the extreme value and its
+# neighbours.
 # usage: extremum.sh u_min|v_max|v_min, in the run folder
 awk -F, -v what="$1" 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i } NR <= 2 { next }
   $k["step"] != step { step = $k["step"]; nu = nv = 0 }

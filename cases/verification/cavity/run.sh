@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Extrema of the velocities on the centrelines against spectral and extrapolated solutions.
+# Extrema of the velocities on the centrelines, compared with spectral and extrapolated solutions.
 # usage: cases/verification/cavity/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Implicit against explicit diffusion: the same permeability at a Reynolds number of 1e-3, and the wall time to reach
-# it.
+# Implicit compared with explicit diffusion at a Reynolds number of 1e-3: the permeability, and the wall time until it
+# is reached.
 # usage: cases/verification/creeping/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

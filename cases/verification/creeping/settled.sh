@@ -1,5 +1,5 @@
 #!/bin/sh
-# Seconds of stepping until the permeability stays within 0.1 % of its last value.
+# Prints the wall time (s) of the steps until the permeability stays within 0.1 % of its last value.
 # usage: settled.sh, in the run folder
 wall=$(sed -n 's/.*"wall_seconds": *\([0-9.e+-]*\).*/\1/p' run.json) \
   setup=$(sed -n 's/.*"setup_seconds": *\([0-9.e+-]*\).*/\1/p' run.json)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# usage, in a run folder: over.sh permeability|tortuosity: over the reference of this solid fraction c. k/L2 = mu U/F, F
-# per length as
-# Sangani and Acrivos (1982) with more digits, like the tortuosities from fundamental solutions summed over the lattice.
+# Prints a quantity over its reference at this solid fraction c. k/L^2 = mu U/F with the force F per length of Sangani
+# and Acrivos (1982), with more digits. The tortuosities are from fundamental solutions summed over the lattice.
+# usage: over.sh permeability|tortuosity, in the run folder
 radius=$(sed -n 's/^ *radius: *\([^ ,}]*\).*/\1/p' scene.resolved.yaml | head -1)
 awk -F, -v a="$radius" -v column="$1" '
   BEGIN {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Permeability and tortuosity of square arrays of cylinders, flow across.
+# Permeability and tortuosity of square arrays of cylinders in cross flow.
 # usage: cases/verification/cylinders/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

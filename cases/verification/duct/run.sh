@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Flow, resistance and three velocities of a square duct against the series solution.
+# Flow, resistance and three velocities of a square duct, compared with the series solution.
 # usage: cases/verification/duct/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,10 +1,12 @@
 #!/bin/sh
-# What does not add up in a run folder's series.csv from the first elastic step on, over what was put in: the gradient's
-# work int G u_bulk V dt, or the solid's energy at the start where nothing drives. Integrals by the trapezium rule.
-#   whole  d(fluid's + solid's energy) + damped + fracture + int dissipation dt - put in
-#   rigid  the same before the solid is let go, over the gradient's work until then, from a quarter of that time on
-#   solid  d(solid's energy) + damped + fracture - work of the fluid on it
-#   work   of the fluid on the solid;    broken  bonds
+# Prints the imbalance of energy in a run folder's series.csv, from the first elastic step on, over the energy that was
+# put in. Put in is the gradient's work int G u_bulk V dt, or without a gradient the solid's energy at the start.
+# Integrals are by the trapezium rule.
+#   whole   d(fluid's + solid's energy) + damped + fracture + int dissipation dt - put in
+#   rigid   the same before the solid is released, over the gradient's work until then, from a quarter of that time on
+#   solid   d(solid's energy) + damped + fracture - work of the fluid on it
+#   work    work of the fluid on the solid
+#   broken  broken bonds
 # usage: budget.sh whole|rigid|solid|work|broken
 g=$(sed -n '/driving:/,$s/.*value: *\([0-9.e+-]*\).*/\1/p' scene.resolved.yaml | head -n 1)
 v=$(sed -n 's/.*size: *\[\([^]]*\)\].*/\1/p' scene.resolved.yaml | awk -F, '{ print $1 * $2 * $3 }')

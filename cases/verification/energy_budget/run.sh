@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Where the energy of a coupled run goes, over what is put in, at three time steps.
+# The energy budget of a coupled run, over the energy that is put in, at three time steps.
 # usage: cases/verification/energy_budget/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A bar with a column of fluid in front of it: frequency and growth, explicitly and strongly coupled, over the ratio of
-# densities.
+# A bar with a column of fluid in front of it: frequency and growth with explicit and with strong coupling, over the
+# ratio of densities.
 # usage: cases/verification/fluid_column/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

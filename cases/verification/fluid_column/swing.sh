@@ -1,8 +1,10 @@
 #!/bin/sh
-# Of the bar's face, displacement_x of probes.csv in the run folder:
+# Prints a measure of displacement_x of the bar's face, from probes.csv in the run folder:
 #   frequency  from the first to the last of its zero crossings, rad/s
-#   ratio      the same over the exact one of the bar with its column, whose dry frequency with 1000 kg/m3 is $DRY
-#   growth     largest displacement before the last crossing over the largest behind the first, a period's share of it
+#   ratio      the frequency over the exact one of the bar with its column; $DRY is the frequency without the fluid at
+#              1000 kg/m3
+#   growth     largest displacement before the last crossing over the largest after the first, to a power that makes it
+#              the growth of one period
 #   late       largest displacement of the second half of the run over that of the first
 # usage: swing.sh frequency|ratio|growth|late
 solid=$(sed -n '/^solid/,$s/.*density: *\([0-9.e+-]*\).*/\1/p' scene.resolved.yaml | head -n 1)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# While the tip goes from x = 90 to 165, over the way and G0 (1e-4), in a run folder: the energy that goes out of motion
-# and strain
-# (balance), what the bonds release (bonds), the latter less the former (gap), or the tip's speed (speed).
+# Prints, in a run folder, an energy over the crack's way and G0 (1e-4) while the tip moves from x = 90 to 165: the
+# decrease of kinetic and strain energy (balance), the energy released by bonds (bonds), bonds minus balance (gap), or
+# the tip's speed (speed).
 set -euo pipefail
 awk -F, -v what="$1" '
   FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; file++ }

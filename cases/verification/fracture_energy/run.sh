@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The energy that a crack takes on its way through a strip. usage: cases/verification/fracture_energy/run.sh [FRANA
-# [RUNS [OUT [quick]]]]
+# The energy that a crack takes while it runs through a strip.
+# usage: cases/verification/fracture_energy/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 if [ "$quick" ]; then name=study levels="1/2 1/4" finest=1/4 tolerance=0.1; else name=study_fine levels="1/2 1/4 1/8" \

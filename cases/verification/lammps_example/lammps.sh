@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes lammps.csv anew: energies of LAMMPS's run of in.wave, in joules. usage: lammps.sh [LMP]
+# Makes lammps.csv again: the energies of LAMMPS's run of in.wave, in joules. usage: lammps.sh [LMP]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)

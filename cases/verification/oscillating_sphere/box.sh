@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Stokes' two numbers with the first reflection from slip walls: in phase with the velocity, and with the acceleration.
+# Stokes' two numbers in a box with slip walls, to the first reflection: the force in phase with the velocity, and the
+# force in phase with the acceleration.
 # usage: box.sh RADIUS_OVER_DELTA BOX_OVER_RADIUS
-#     F = -6 pi mu a ((1 + l + l^2/9)(U - u) - (2/9) l^2 u),  l = (1 + i) a/delta      (Stokes 1851; Landau and Lifshitz)
-#     u = S m/L^3 of the images' dipoles, m = (a^3/2)(1 + 3/l + 3/l^2)(U - u), S = -9.6874430 the sum over a cubic
-# lattice with
-#     alternating signs along x of (3 x^2 - r^2)/r^5
+#     F = -6 pi mu a ((1 + l + l^2/9)(U - u) - (2/9) l^2 u),  l = (1 + i) a/delta
+# (Stokes 1851; Landau and Lifshitz). The images' dipoles make the velocity u:
+#     u = S m/L^3,  m = (a^3/2)(1 + 3/l + 3/l^2)(U - u),  S = -9.6874430
+# S is the sum of (3 x^2 - r^2)/r^5 over a cubic lattice, with alternating signs along x.
 set -euo pipefail
 awk -v k="$1" -v box="$2" 'BEGIN {
   s = -9.687443038820428 / 2 / box ^ 3

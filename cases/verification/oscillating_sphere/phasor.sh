@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Stokes' two numbers from the run in this folder: the fluid's force on the sphere over 6 pi mu a U, against the
-# velocity and against the
-# acceleration, over the last whole period. usage: phasor.sh forcing|probe velocity|acceleration NU [DELAY]
-# The mean force of a step ending at t is that of t - dt/2; the forcing's also moves the fluid inside, rho V dU/dt of
-# it. The fluid sees the sphere as it was DELAY steps ago: with 0 this lag counts as an error, with 1.5 it does not.
+# Prints one of Stokes' two numbers of the run in this folder: the fluid's force on the sphere over 6 pi mu a U, in
+# phase with the velocity or with the acceleration, over the last whole period.
+# usage: phasor.sh forcing|probe velocity|acceleration NU [DELAY]
+# The mean force of a step that ends at t is the force at t - dt/2. The forcing also accelerates the fluid inside the
+# sphere, which takes rho V dU/dt of it. The fluid sees the sphere as it was DELAY steps ago. With DELAY = 0 this lag
+# counts as an error, with 1.5 it does not.
 set -euo pipefail
 awk -F, -v by="$1" -v what="$2" -v nu="$3" -v delay="${4:-0}" 'BEGIN { pi = atan2(0, -1); w = 2 * pi; U = 1e-3 }
   $1 == "step" { for (i = 1; i <= NF; i++) at[$i] = i; next }
@@ -14,6 +15,6 @@ awk -F, -v by="$1" -v what="$2" -v nu="$3" -v delay="${4:-0}" 'BEGIN { pi = atan
     samples = int(1 / gap + 0.5)
     for (i = n - samples + 1; i <= n; i++) { s += f[i] * sin(w * t[i]); c += f[i] * cos(w * t[i]) }
     s *= 2 / samples; c *= 2 / samples
-    # the fluid inside is moved too: on the sphere F = -forcing + rho V dU/dt
+    # the forcing also moves the fluid inside: the force on the sphere is F = -forcing + rho V dU/dt
     if (by == "forcing") c += 4 * pi / 3 * U * w
     printf "%.10g\n", -(what == "velocity" ? s : c) / (6 * pi * nu * U) }' series.csv

@@ -42,7 +42,8 @@ else
       shown "a/delta = 1, 8 cells, a box of $box radii: $what over Stokes without a box" 1 \
         "$(calc "$ours / $([ $k = 0 ] && echo 2 || echo 1.2222222)")" 1 "Stokes 1851"
       row "a/delta = 1, 8 cells, a box of $box radii: $what over Stokes in the box, against that in 12 radii" 1 \
-        "$(calc "$ours / ${exact[k]} / ($(cell study_box value lattice 12 "$what") / $("$here/box.sh" 1 12 | cut -d' ' -f$((k + 1))))")" 1 "the first reflection" 0.98 1.02
+        "$(calc "$ours / ${exact[k]} / ($(cell study_box value lattice 12 "$what") / $(
+          "$here/box.sh" 1 12 | cut -d' ' -f$((k + 1))))")" 1 "the first reflection" 0.98 1.02
     done
   done
   for step in 2.5e-3 1.25e-3 6.25e-4; do

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# The pressure over that at which an elastic crack would be where this one is, in a run folder: when the first bond
-# breaks (over Griffith's p_c), or when the tip has gone on by three spacings. The pressure stands on the first lips,
-# |x| < a, alone, so that
+# Prints, in a run folder, the pressure over its value in elastic theory when the first bond breaks (over Griffith's
+# p_c), or when the tip has moved by three spacings. The pressure acts only on the initial crack's faces, |x| < a:
 #     K = 2 p sqrt((a + s)/pi) asin(a/(a + s)):   p(s) = p_c (pi/2) sqrt(a/(a + s))/asin(a/(a + s))
 # usage: initiation.sh first|runs
 set -euo pipefail

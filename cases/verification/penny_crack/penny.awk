@@ -1,5 +1,7 @@
-# The scene of a penny-shaped crack of radius a in a cube of half side b, under the pressure 1e-6 E. usage: awk -v a=6 -v b=18 -f penny.awk
-# A fan of twelve quadrilaterals; the pressure stands on the particles of the two layers next to the crack, row by row.
+# Prints the scene of a penny-shaped crack of radius a in a cube of half side b, under the pressure 1e-6 E.
+# usage: awk -v a=6 -v b=18 -f penny.awk
+# The crack is a fan of twelve quadrilaterals. The pressure acts on the particles of the two layers next to the crack,
+# row by row.
 BEGIN {
   pi = atan2(0, -1)
   printf "title: A penny-shaped crack under pressure\ndomain: {size: [%d, %d, %d]}\n", 2 * b, 2 * b, 2 * b
@@ -14,8 +16,10 @@ BEGIN {
   for (y = -a + 0.5; y < a; y++) {
     half = sqrt(a * a - y * y)
     for (s = -1; s <= 1; s += 2)
-      printf "    - {low: [%.9g, %g, %d], high: [%.9g, %g, %d], force: [0, 0, %de-6]}\n", b - half, b + y - 0.25, b + (s < 0 ? -1 : 0), b + half, b + y + 0.25, b + (s > 0), s
+      printf "    - {low: [%.9g, %g, %d], high: [%.9g, %g, %d], force: [0, 0, %de-6]}\n", \
+        b - half, b + y - 0.25, b + (s < 0 ? -1 : 0), b + half, b + y + 0.25, b + (s > 0), s
   }
   print "  contact: {enabled: false}\nstages:\n  - {name: open, steps: 1, relax: true}"
-  printf "output:\n  series_every: 0\n  checkpoint_every: 0\n  probes: {at: [[%d.5, %d.5, %d.5], [%d.5, %d.5, %d.5]], every: 1}\n", b, b, b, b, b, b - 1
+  printf "output:\n  series_every: 0\n  checkpoint_every: 0\n"
+  printf "  probes: {at: [[%d.5, %d.5, %d.5], [%d.5, %d.5, %d.5]], every: 1}\n", b, b, b, b, b, b - 1
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Opening of a Griffith and of a penny-shaped crack under pressure, and the pressure at which the former runs.
+# Opening of a Griffith crack and of a penny-shaped crack under pressure, and the pressure at which the Griffith crack
+# runs.
 # usage: cases/verification/penny_crack/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
@@ -15,7 +16,7 @@ for a in $sizes; do
   near "plate: a = $a spacings: pressure at which the crack has run on by three spacings over the elastic one" 1 \
     "$(cell $name value "m = 3" $a "it runs")" 1 "Griffith with the pressure on the first lips" 0.12
 done
-# penny A B: opening over p a/E
+# penny A B: the opening over p a/E
 penny() {
   rm -rf "$runs/penny_$1_$2"
   awk -v a="$1" -v b="$2" -f "$here/penny.awk" >"$runs/penny_$1_$2.yaml"

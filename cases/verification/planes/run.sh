@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Where the flow feels two immersed planes, at ten offsets from the grid and two resolutions.
+# The effective position of two immersed planes in the flow, at ten offsets from the grid and on two grids.
 # usage: cases/verification/planes/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 
-# expected OFFSET CELLS: (1 + t/h)/2 (1/2 + 2 phi(s - 1) phi(s + 1)) - v/h - r_d, s the marker from the nearest centre
-# of a cell, t = 4.6 - 2 r_d and h the markers' distances on either side, phi Roma's kernel, v = sum_i phi(s - i) (s -
-# i)^2: the markers see a bent profile, and its curvature.
+# expected OFFSET CELLS: (1 + t/h)/2 (1/2 + 2 phi(s - 1) phi(s + 1)) - v/h - r_d. s is the distance of the marker from
+# the nearest cell centre, t = 4.6 - 2 r_d and h are the markers' distances on either side, phi is Roma's kernel, and
+# v = sum_i phi(s - i) (s - i)^2. The velocity profile has a kink at the markers and is curved.
 expected() {
   awk -v q="$1" -v n="$2" 'function phi(s) { s = s < 0 ? -s : s
       return s <= 0.5 ? (1 + sqrt(1 - 3 * s * s)) / 3 : s <= 1.5 ? (5 - 3 * s - sqrt(1 - 3 * (1 - s) ^ 2)) / 6 : 0 }
@@ -16,7 +16,7 @@ expected() {
       print (1 + t / h) / 2 * (0.5 + 2 * phi(s - 1) * phi(s + 1)) - v / h - r
     }'
 }
-# planes STUDY CELLS: mean and spread over the offsets, and the worst miss of what is expected
+# planes STUDY CELLS: mean and spread over the offsets, and the largest difference from the expected value
 planes() {
   study "$1"
   local miss=0 o

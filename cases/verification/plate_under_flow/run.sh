@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# A strut in a slow stream: bent as by the load that it feels when rigid, and rigid where it is stiff.
+# A strut in a slow stream: it bends as under the load that it feels when rigid; a stiff strut feels the rigid load.
 # usage: cases/verification/plate_under_flow/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
-# alone E LOAD: deflection of the tip under an even load, without the stream
+# alone E LOAD: deflection of the tip under a uniform load, without the stream
 alone() {
   rm -rf "$runs/dry"
   "$frana" run "$here/dry.yaml" --out "$runs/dry" --quiet --set "solid.materials.rubber.youngs_modulus=$1" \

@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# What is left at the end of the run in this folder. usage: final.sh load|forcing|strain|slip|broken|velocity
-# load, forcing: the largest component, N; strain: the bonds' energy, J; slip: velocity along x of the sphere's middle
-# less that of the fluid in the mean, m/s; broken: bonds; velocity: of the fluid, m/s
+# Prints a result at the end of the run in this folder. usage: final.sh load|forcing|strain|slip|broken|velocity
+#   load, forcing  the largest component, N
+#   strain         the bonds' energy, J
+#   slip           velocity along x of the sphere's middle minus the fluid's mean velocity, m/s
+#   broken         broken bonds
+#   velocity       velocity of the fluid, m/s
 set -euo pipefail
 awk -F, -v what="$1" -v OFMT=%.10g '
   function largest(name,   m, c, x) { for (c = 1; c <= 3; c++) { x = $at[name "_" substr("xyz", c, 1)];

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A body that moves with the flow feels nothing; a sphere in a fluid at rest feels its weight in fluid.
+# A body that moves with the flow has no load. A sphere in a fluid at rest has its weight minus its buoyancy.
 # usage: cases/verification/rest_and_galilean/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
@@ -18,8 +18,8 @@ for case in driven free; do
     done
   done
 done
-# Of the box's momentum 1 the sphere's particles, 463 of twice the fluid's density, take what the fluid within has not
-# brought already.
+# The fluid of the box has momentum 1. The sphere's 463 particles have twice the density of the fluid that they replace,
+# so they add the mass of 463 cells of fluid.
 near "free, balanced, 24 cells: velocity in the end" m/s "$(cell study_free value balanced 24 velocity)" \
   "$(calc "1 / (1 + 463 / 24 ^ 3)")" "momentum of fluid and sphere" 1e-9
 near "balanced, 20 cells a diameter: buoyancy" N "$(cell study_hydrostatic value balanced 20 buoyancy)" 5235.98776 \

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The inflow of 3D-1Z on N x N faces: 16 U_m y z (H - y)(H - z)/H^4, U_m = 0.45 m/s, scaled so that its mean over the
-# faces is U_m (2/3)^2.
+# Prints the inflow of 3D-1Z on N x N faces: 16 U_m y z (H - y)(H - z)/H^4, U_m = 0.45 m/s, scaled to a mean over the
+# faces of U_m (2/3)^2.
 # usage: inflow.sh N
 awk -v n="$1" 'BEGIN {
   for (i = 0; i < n; i++) { y = (i + 0.5) / n; p[i] = y * (1 - y); sum += p[i] }

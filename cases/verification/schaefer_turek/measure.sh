@@ -1,10 +1,15 @@
 #!/usr/bin/env bash
-# A number of the run in this folder. usage: measure.sh WHAT MEAN_VELOCITY [AFTER]
-# cd_forcing, cl_forcing, cd_probe, cl_probe: 2 F/(rho U^2 D b), the last value; dp: the pressure in front less that
-# behind, each continued to the surface by the parabola through two, three and four cells off; dp_surface: read on the
-# surface, where the forcing has spread it; la: length of the eddies, by the last change of sign of u on the axis. Over
-# whole periods of the lift after AFTER: cd_max, cl_max (means of the periods' largest), strouhal, dp_half (half a
-# period behind the largest lift). Diameter 0.1, density 1.
+# Prints a number of the run in this folder. usage: measure.sh WHAT MEAN_VELOCITY [AFTER]
+#   cd_forcing, cl_forcing, cd_probe, cl_probe  2 F/(rho U^2 D b), the last value
+#   dp          pressure in front minus pressure behind, each extrapolated to the surface by a parabola through the
+#               values two, three and four cells away
+#   dp_surface  the same, read on the surface, where the forcing smooths the pressure
+#   la          length of the eddies, from the last change of sign of u on the axis
+# Over whole periods of the lift after AFTER:
+#   cd_max, cl_max  means of the periods' largest values
+#   strouhal        Strouhal number
+#   dp_half         dp half a period after the largest lift
+# Diameter 0.1, density 1.
 set -euo pipefail
 what=$1 mean=$2 after=${3:-0}
 span=$(awk -F'[][,]' '/^ *size:/ { print $4; exit }' scene.resolved.yaml)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Drag, lift, pressure drop, eddies and shedding of a cylinder in a channel.
+# Drag, lift, pressure drop, eddies and vortex shedding of a cylinder in a channel.
 # usage: cases/verification/schaefer_turek/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Force on a sphere by forcing, momentum and probes; drag in a stream against Schiller and Naumann's correlation.
+# Force on a sphere from forcing, momentum balance and probes; drag in a stream, compared with Schiller and Naumann's
+# correlation.
 # usage: cases/verification/sphere_drag/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

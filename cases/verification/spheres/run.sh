@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Permeability and tortuosity of simple cubic arrays of spheres over solid fractions, places on the grid and ways to
-# make the surface.
+# Permeability and tortuosity of simple cubic arrays of spheres, over solid fractions, positions on the grid and methods
+# for the surface.
 # usage: cases/verification/spheres/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
@@ -17,7 +17,9 @@ done
 if [ ! "$quick" ]; then
   study study_place
   for c in 0.125 0.45; do
-    spread=$(awk -F, -v c="$c" 'index($1, c) == 1 && $4 == "permeability" { if (!n++ || $6 < low) low = $6; if (n == 1 || $6 > high) high = $6 }
+    spread=$(awk -F, -v c="$c" 'index($1, c) == 1 && $4 == "permeability" {
+        if (!n++ || $6 < low) low = $6
+        if (n == 1 || $6 > high) high = $6 }
       END { print (high - low) / low }' "$runs/study_place.csv")
     row "c = $c at 32^3: k's spread over five places on the grid" 1 "$spread" 0 "the same body" 0 0.005
   done
@@ -28,6 +30,7 @@ if [ ! "$quick" ]; then
       "Zick and Homsy 1982" 0.01
   done
   row "c = 0.125: order of k from 16^3 to 64^3" 1 \
-    "$(calc "log($(cell study error 0.125 16 permeability) / $(cell study_fine error 0.125 64 permeability)) / log(4)")" 2 "second order" 1.7 9
+    "$(calc "log($(cell study error 0.125 16 permeability) / $(
+      cell study_fine error 0.125 64 permeability)) / log(4)")" 2 "second order" 1.7 9
 fi
 finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The standing wave's frequency over that of the lattice, in a run folder. Samples of one mode obey d(n+1) = a d(n) + b
-# d(n-1) with a = 2 r cos(omega dt), b = -r^2; a and b by least squares.
+# Prints, in a run folder, the standing wave's frequency over that of the lattice. Samples of one mode obey d(n+1) =
+# a d(n) + b d(n-1) with a = 2 r cos(omega dt), b = -r^2. a and b are fitted by least squares.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 read -r width m shear < <(awk '/width:/ { w = $2 } /horizon_ratio:/ { m = $2 }

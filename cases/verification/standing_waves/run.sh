@@ -15,7 +15,7 @@ for level in 1/4 1/8 1/16; do
   row "order of RK3 to a step of $level" 1 "$(cell study_time order RK3 $level displacement)" 3 "RK3" 2.8 3.2
   row "order of Verlet to a step of $level" 1 "$(cell study_time order Verlet $level displacement)" 2 "Verlet" 1.9 2.1
 done
-# grows INTEGRATOR STEP: energy a thousand times that of the start, or no numbers any more
+# grows INTEGRATOR STEP: whether the energy exceeds a thousand times that at the start, or is not a number
 grows() {
   rm -rf "$runs/stability"
   "$frana" run "$here/stability.yaml" --out "$runs/stability" --set stages.swing.integrator="$1" \
@@ -25,7 +25,7 @@ grows() {
     NR > 2 { e = $at["e_kinetic_solid"] + $at["e_strain"]; if (!start) start = e }
     END { exit !(e > 1000 * start || e != e) }' "$runs/stability/series.csv"
 }
-# longest INTEGRATOR EXPECTED: between 0.9 and 1.1 of it, to a thousandth
+# longest INTEGRATOR EXPECTED: the longest stable step between 0.9 and 1.1 of EXPECTED, to a thousandth
 longest() {
   local low high middle
   low=$(calc "0.9 * $2") high=$(calc "1.1 * $2")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The flow on the axis and half way to the wall, at six times, against the series solution.
+# The flow on the axis and half way to the wall, at six times, compared with the series solution.
 # usage: cases/verification/start_up/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Velocity along the channel at a probe and a time; error: the largest distance from the series solution at both probes
-# and at the times 0.05, 0.1, 0.2, 0.5, 1, 2, over the final velocity on the axis,
-#     u = 1 - y^2 - 32/pi^3 sum (-1)^n/(2n+1)^3 cos((2n+1) pi y/2) exp(-(2n+1)^2 pi^2 t/4).
+# Prints the velocity along the channel at a probe and a time. error: the largest difference from the series solution at
+# both probes and at the times 0.05, 0.1, 0.2, 0.5, 1, 2, over the final velocity on the axis:
+#     u = 1 - y^2 - 32/pi^3 sum (-1)^n/(2n+1)^3 cos((2n+1) pi y/2) exp(-(2n+1)^2 pi^2 t/4)
 # usage: velocity.sh PROBE TIME | velocity.sh error, in the run folder
 awk -F, -v probe="$1" -v time="$2" 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i; pi = atan2(0, -1) } NR <= 2 { next }
   { t = $k["t"]; p = $k["probe"]; u = $k["u"]; now = int(t * 1000 + 0.5) }

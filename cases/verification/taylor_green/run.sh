@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Orders, decay rates and the Re = 1600 vortices against their references.
+# Orders, decay rates and the vortices at Re = 1600, compared with their references.
 # usage: cases/verification/taylor_green/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,8 +1,9 @@
 #!/bin/sh
-# Of the vortices in space, over density 1 and volume: energy or dissipation at the end; the dissipation's peak, and
-# when it is (a parabola through the highest sample and its neighbours); balance: the largest |-dE/dt - dissipation|
-# over the largest dissipation.
-# usage: space.sh energy|dissipation|peak|when|balance, in the run folder
+# Prints a measure of the vortices in space, per volume at density 1. usage: space.sh WHAT, in the run folder
+#   energy, dissipation  at the end
+#   peak, when           the largest dissipation and its time, from a parabola through the highest sample and its
+#                        neighbours
+#   balance              the largest |-dE/dt - dissipation| over the largest dissipation
 awk -F, -v what="$1" 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i } NR <= 2 { next }
   { n++; t[n] = $k["t"]; e[n] = $k["e_kinetic_fluid"]; d[n] = $k["dissipation"]; if (d[n] > d[top]) top = n }
   END { pi = atan2(0, -1); volume = 8 * pi * pi * pi
@@ -13,6 +14,6 @@ awk -F, -v what="$1" 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i } NR <= 2 { 
     if (top > 1 && top < n) {
       slope = (d[top + 1] - d[top - 1]) / 2; bend = d[top + 1] - 2 * d[top] + d[top - 1]
       peak = d[top] - slope * slope / bend / 2; when = t[top] - slope / bend * (t[top + 1] - t[top]) }
-    x = what == "energy" ? e[n] / volume : what == "dissipation" ? d[n] / volume : what == "balance" ? worst / d[top] : \
-      what == "peak" ? peak / volume : when
+    x = what == "energy" ? e[n] / volume : what == "dissipation" ? d[n] / volume : \
+      what == "balance" ? worst / d[top] : what == "peak" ? peak / volume : when
     printf "%.10g\n", x }' series.csv

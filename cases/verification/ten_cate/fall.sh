@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The largest speed of the fall over u_inf, as long as the sphere is two diameters and more above the floor; height:
-# half its way, the time
-# at which the gap below is four diameters, s. usage: fall.sh speed|time
-# u_inf by Abraham's formula for the drag (1970), as ten Cate et al. (2002) give it for each of their four liquids.
+# Prints a measure of the fall. usage: fall.sh speed|time
+#   speed  the largest speed over u_inf while the sphere is at least two diameters above the floor
+#   time   the time at which the gap below is four diameters, half of the way, s
+# u_inf is from Abraham's formula for the drag (1970), as in ten Cate et al. (2002) for each of their four liquids.
 set -euo pipefail
 density=$(awk '/^fluid:/ { on = 1 } on && /density:/ { print $2; exit }' scene.resolved.yaml)
 awk -F, -v what="$1" -v density="$density" -v OFMT=%.8g 'BEGIN { u[970] = 0.03829; u[965] = 0.05992; u[962] = 0.09062;

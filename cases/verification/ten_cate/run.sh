@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Largest speed of a settling sphere against the measured one.
+# Largest speed of a settling sphere, compared with the measured one.
 # usage: cases/verification/ten_cate/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

@@ -1,10 +1,11 @@
 #!/bin/sh
-# In a run folder: means from t = 20 h/u_tau on, from fluid_probes.csv, both halves of the channel together, in units of
-# the friction velocity of the mean flow's slope at the walls; kept in statistics.csv, profiles.csv and stress.csv.
-# The scene's lines are told by where they stand in a cell: of u (x face, y and z centre), of uv and v (x and y face),
-# of w (z face).
+# Computes, in a run folder, means from t = 20 h/u_tau on from fluid_probes.csv. Both halves of the channel are
+# averaged. The unit is the friction velocity from the mean flow's slope at the walls. The results are stored in
+# statistics.csv, profiles.csv and stress.csv. The position of a line of probes within a cell tells what it measures:
+# u (x face, y and z centre), uv and v (x and y face), w (z face).
 # usage: statistics.sh time|bulk|centre|u|v|w|uv|stress
 set -eu
+# shellcheck disable=SC3013 # dash and bash have -nt
 [ statistics.csv -nt fluid_probes.csv ] || awk -F, -v from="${FROM:-20}" '
   function near(a, b) { a -= b; return a * a < 1e-12 }
   NR <= 2 || $2 < from { next }
@@ -12,7 +13,7 @@ set -eu
     if (!nu) { nu = 5.6142e-3; n = 96; dy = 2 / n; dz = 0.4 * 3.14159265358979 / 48 }
     if (!first) first = $2
     last = $2
-    j = int($5 / dy + 0.25) # of a centre its cell, of a face the cells below it
+    j = int($5 / dy + 0.25) # centre: its cell; face: the number of cells below it
     if (near($5, j * dy)) { u2[j] += $7; v2[j] += $8; vv[j] += $8 * $8; uv[j] += $7 * $8; n2[j]++ }
     else if (near($6 / dz, int($6 / dz + 0.25))) { w[j] += $9; ww[j] += $9 * $9; nw[j]++ }
     else { u[j] += $7; uu[j] += $7 * $7; n1[j]++ }

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Amplitude (times rho w/G, G = rho = 1) or lag (degrees) of an oscillation of angular frequency W behind cos W t, over
-# the last period of a CSV file's column that is sampled evenly and a whole number of times a period.
+# Prints the amplitude (times rho w/G, G = rho = 1) or the lag behind cos W t (degrees) of an oscillation of angular
+# frequency W, over the last period of a column of a CSV file. Samples are evenly spaced, a whole number of them in a
+# period.
 # usage: phasor.sh FILE COLUMN W amplitude|lag, in the run folder
 awk -F, -v column="$2" -v w="$3" -v what="$4" 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i } NR <= 2 { next }
   { n++; t[n] = $k["t"]; u[n] = $k[column] }

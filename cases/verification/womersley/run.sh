@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Amplitude and lag of the oscillating flow, on the axis and in the mean, against the exact solution.
+# Amplitude and lag of the oscillating flow, on the axis and in the mean, compared with the exact solution.
 # usage: cases/verification/womersley/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"

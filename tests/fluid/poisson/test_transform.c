@@ -1,7 +1,5 @@
-/* Transforms in which the second difference is diagonal: by the difference itself, and the pairs of lines by FFTW's
- * single ones. */
+/* Transforms in which the second difference is diagonal, by the difference itself. */
 #include "fluid/poisson/transform.h"
-#include "fluid/poisson/transform_pair.h"
 #include "tests/fluid/fluid_case.h"
 
 #include "tests/check.h"
@@ -89,49 +87,9 @@ static void back_again(void **state) {
         }
 }
 
-/* Two lines at once give what each gives alone, in the same order, sign and scale. */
-static void pairs_are_singles(void **state) {
-    (void)state;
-    for (int k = 0; k < 3; k++)
-        for (int n = 2; n <= MOST; n += 2) {
-            const struct fluid_transform_input one = {
-                .n = n, .low = kinds[k].low, .high = kinds[k].high, .lines = 1, .stride = 1, .distance = n};
-            struct fluid_transform_input two = one;
-            two.lines = 2;
-            struct fluid_transform *single = fluid_transform_new(&one);
-            struct fluid_transform_pair *pair = fluid_transform_pair_new(&two);
-            if (!pair) fail_msg("no pair of lines of %d values, kind %d", n, k);
-            double a[2 * MOST], b[2 * MOST];
-            for (int i = 0; i < 2 * n; i++) a[i] = b[i] = random_at(k, n, 0, i);
-            fluid_transform_pair_forward(pair, a);
-            for (int l = 0; l < 2; l++) fluid_transform_forward(single, b + l * n);
-            for (int i = 0; i < 2 * n; i++) check_close(a[i], b[i], 1e-14 * n);
-            fluid_transform_pair_backward(pair, a, a);
-            for (int i = 0; i < 2 * n; i++)
-                check_close(a[i], fluid_transform_scale(n, kinds[k].low, kinds[k].high) * random_at(k, n, 0, i),
-                            1e-13 * n * n);
-            fluid_transform_pair_free(pair);
-            fluid_transform_free(single);
-        }
-}
-
-/* An odd number of lines, and ends of unlike kinds, are left to single transforms. */
-static void not_in_pairs(void **state) {
-    (void)state;
-    struct fluid_transform_input in = {
-        .n = 8, .low = FLUID_END_NEUMANN, .high = FLUID_END_NEUMANN, .lines = 3, .stride = 1, .distance = 8};
-    assert_null(fluid_transform_pair_new(&in));
-    in.lines = 2;
-    in.high = FLUID_END_DIRICHLET;
-    assert_null(fluid_transform_pair_new(&in));
-    in.low = in.high = FLUID_END_FACE;
-    assert_null(fluid_transform_pair_new(&in));
-}
-
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(differences_are_diagonal), cmocka_unit_test(back_again),
-                                       cmocka_unit_test(pairs_are_singles), cmocka_unit_test(not_in_pairs)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(differences_are_diagonal), cmocka_unit_test(back_again)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,4 +1,4 @@
-/* Rendering: silhouettes, hidden faces, shading, colours, text and the PNG file. */
+/* Rendering: silhouettes, hidden faces, shading, text and the PNG file. */
 #include "base/par.h"
 #include "postproc/draw/colour.h"
 #include "postproc/draw/font.h"
@@ -183,38 +183,6 @@ static void shade_in_a_shaft(void **state) {
     free(colour);
 }
 
-static void colours_at_the_ends(void **state) {
-    (void)state;
-    double a[3], b[3];
-    postproc_colour_map(POSTPROC_VIRIDIS, 0, a);
-    check_close(a[0], 0x44 / 255.0, 1e-12);
-    check_close(a[2], 0x54 / 255.0, 1e-12);
-    postproc_colour_map(POSTPROC_VIRIDIS, 1, a);
-    check_close(a[0], 0xfd / 255.0, 1e-12);
-    postproc_colour_map(POSTPROC_VIRIDIS, 7, b);
-    assert_memory_equal(a, b, sizeof a);
-    postproc_colour_map(POSTPROC_MAGMA_REVERSED, 0, a);
-    check_close(a[0], 0xf6 / 255.0, 1e-12);
-    postproc_colour_map(POSTPROC_MAGMA_REVERSED, 1, a);
-    check_close(a[2], 4 / 255.0, 1e-12);
-    /* lightness (CIE L*) is monotone, in steps that are equal within a factor of two */
-    for (int map = 0; map < 2; map++) {
-        double last = 0;
-        for (int i = 0; i <= 16; i++) {
-            postproc_colour_map(map ? POSTPROC_VIRIDIS : POSTPROC_MAGMA_REVERSED, i / 16.0, a);
-            const double y = 0.2126 * postproc_colour_linear(a[0]) + 0.7152 * postproc_colour_linear(a[1]) +
-                             0.0722 * postproc_colour_linear(a[2]);
-            const double l = y > 0.008856 ? 116 * cbrt(y) - 16 : 903.3 * y, step = fabs(l - last);
-            if (i > 0) {
-                check_between(step, map ? 3.3 : 3, map ? 7 : 9);
-                check_equal(l > last, map);
-            }
-            last = l;
-        }
-    }
-    for (int i = 0; i <= 10; i++) check_close(postproc_colour_srgb(postproc_colour_linear(i / 10.0)), i / 10.0, 1e-6);
-}
-
 static void text_leaves_ink(void **state) {
     (void)state;
     struct postproc_canvas *c = postproc_canvas_new(WIDTH, HEIGHT);
@@ -296,11 +264,9 @@ static void picture_is_a_png(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(silhouette),           cmocka_unit_test(front_hides_back),
-        cmocka_unit_test(inner_faces_left_out), cmocka_unit_test(strays_left_out),
-        cmocka_unit_test(ray_meets_cells),      cmocka_unit_test(shade_in_a_shaft),
-        cmocka_unit_test(colours_at_the_ends),  cmocka_unit_test(text_leaves_ink),
-        cmocka_unit_test(picture_is_a_png),
+        cmocka_unit_test(silhouette),      cmocka_unit_test(front_hides_back), cmocka_unit_test(inner_faces_left_out),
+        cmocka_unit_test(strays_left_out), cmocka_unit_test(ray_meets_cells),  cmocka_unit_test(shade_in_a_shaft),
+        cmocka_unit_test(text_leaves_ink), cmocka_unit_test(picture_is_a_png),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # Fragments that leave the domain through an outlet, a wall or a periodic side; and one that is squeezed out of a gap
 # narrower than a cell.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 grain() { echo "solid.bodies=[{name: grain, shape: sphere, centre: [$1], radius: 0.0006}]"; }
 place() { echo "output.probes={every: 50, at: [[$1]]}"; }
 at='0.0135, 0.0085, 0.0085'
-drift=(--set 'fluid.initial.velocity=[0.01, 0, 0]' --set "$(grain "$at")" --set "$(place "$at")" --set stages.run.steps=1000)
-open=(--set fluid.sides.x_low.type=inflow --set fluid.sides.x_low.bulk_velocity=0.01 --set fluid.sides.x_high.type=outflow)
+drift=(--set 'fluid.initial.velocity=[0.01, 0, 0]' --set "$(grain "$at")" --set "$(place "$at")"
+  --set stages.run.steps=1000)
+open=(--set fluid.sides.x_low.type=inflow --set fluid.sides.x_low.bulk_velocity=0.01
+  --set fluid.sides.x_high.type=outflow)
 for side in y_low y_high z_low z_high; do open+=(--set "fluid.sides.$side.type=slip"); done
 periodic=()
 for side in x_low x_high y_low y_high z_low z_high; do periodic+=(--set "fluid.sides.$side.type=periodic"); done
@@ -20,16 +23,20 @@ near "velocity outside" "$(probe 0 300 velocity_x)" 0 "$(probe 0 1000 velocity_x
 near "velocity with the stream" 0.01 2e-4 "$(probe 0 1000 velocity_x)"
 near "kinetic energy of the stream alone" 2.048e-7 1e-14 "$(last e_kinetic_fluid)"
 near "fragments" 1 0 "$(last fragments)"
-row "a fragment leaves through the outlet" "is counted in \`particles_outside\`, flies on, and the stream closes behind it"
+row "a fragment leaves through the outlet" \
+  "is counted in \`particles_outside\`, flies on, and the stream closes behind it"
 
-go 2 0 "$immersed" --set "$(grain "$at")" --set "$(place "$at")" --set stages.run.steps=1000 --set 'solid.body_force=[1, 0, 0]'
+go 2 0 "$immersed" --set "$(grain "$at")" --set "$(place "$at")" --set stages.run.steps=1000 \
+  --set 'solid.body_force=[1, 0, 0]'
 near "particles outside" 1 0 "$(last particles_outside)"
 near "forcing" 0 0 "$(last forcing_x)"
 near "free fall outside" 0.7 1e-12 "$(calc "$(probe 0 1000 velocity_x) - $(probe 0 300 velocity_x)")"
-row "a fragment hits a wall of the fluid" "goes through it, and is counted outside: only particles are contact's; a wall for it is a held body"
+row "a fragment hits a wall of the fluid" \
+  "goes through it, and is counted outside: only particles are contact's; a wall for it is a held body"
 
 go 2 0 "$immersed" "${periodic[@]}" "${drift[@]}"
-near "momentum of fluid and fragment" "$(calc '4.096e-3 * 0.01')" 1e-17 "$(calc "4.096e-3 * $(last u_bulk) + 2e-6 * $(probe 0 1000 velocity_x)")"
+near "momentum of fluid and fragment" "$(calc '4.096e-3 * 0.01')" 1e-17 \
+  "$(calc "4.096e-3 * $(last u_bulk) + 2e-6 * $(probe 0 1000 velocity_x)")"
 less "way in a periodic box of 0.016, from 0.0135" 0.0025 "$(probe 0 1000 displacement_x)"
 near "particles outside" 0 0 "$(last particles_outside)"
 near "velocity with the stream" 0.01 2e-5 "$(probe 0 1000 velocity_x)"
@@ -43,8 +50,12 @@ near "broken bonds" 0 0 "$(last bonds_broken)"
 row "a free body falls through the floor for good" "is no longer forced nor probed; the fluid comes to rest"
 
 # a grain of 1 mm between a held block and a driven one, 2 mm apart and approaching
-go 2 0 "$immersed" --set 'solid.bodies=[{name: body, shape: box, low: [0.005, 0.002, 0.005], high: [0.011, 0.006, 0.011]}, {name: top, shape: box, low: [0.005, 0.008, 0.005], high: [0.011, 0.012, 0.011]}, {name: grain, shape: sphere, centre: [0.0085, 0.0065, 0.0085], radius: 0.0006}]' \
-  --set 'solid.constraints=[{low: [0, 0, 0], high: [0.016, 0.006, 0.016]}, {low: [0, 0.008, 0], high: [0.016, 0.016, 0.016], velocity: [0, -0.02, 0]}]' \
+held='{name: body, shape: box, low: [0.005, 0.002, 0.005], high: [0.011, 0.006, 0.011]}'
+driven='{name: top, shape: box, low: [0.005, 0.008, 0.005], high: [0.011, 0.012, 0.011]}'
+between='{name: grain, shape: sphere, centre: [0.0085, 0.0065, 0.0085], radius: 0.0006}'
+down='{low: [0, 0.008, 0], high: [0.016, 0.016, 0.016], velocity: [0, -0.02, 0]}'
+go 2 0 "$immersed" --set "solid.bodies=[$held, $driven, $between]" \
+  --set "solid.constraints=[{low: [0, 0, 0], high: [0.016, 0.006, 0.016]}, $down]" \
   --set 'output.probes={every: 70, at: [[0.0085, 0.0065, 0.0085]]}' --set stages.run.steps=70
 less "momentum residual" "$(last momentum_residual)" 1e-10
 less "way aside" 1e-4 "$(probe 0 70 displacement_x)"

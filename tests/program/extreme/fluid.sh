@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # A fluid alone on very small grids, and with very large and very small numbers.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 walls=() across=()
 for side in x_low x_high y_low y_high z_low z_high; do walls+=(--set "fluid.sides.$side.type=wall"); done
@@ -24,7 +25,8 @@ near "pressure above" -2500 1e-9 "$(fluid_probe 1 p)"
 less "kinetic energy" "$(last e_kinetic_fluid)" 1e-25
 row "a closed box under a slanted body force" "hydrostatic to 1e-12, no flow"
 go 2 0 "$fluid" --set 'domain.cells=[4, 512, 4]' --set 'domain.size=[0.0078125, 1, 0.0078125]' "${across[@]}" \
-  --set 'fluid.initial={velocity: [1, 0, 0], poiseuille: true}' --set 'fluid.driving={type: pressure_gradient, value: 12}' --set output.series_every=10
+  --set 'fluid.initial={velocity: [1, 0, 0], poiseuille: true}' \
+  --set 'fluid.driving={type: pressure_gradient, value: 12}' --set output.series_every=10
 near "mean velocity" 1 1e-7 "$(last u_bulk)"
 row "4 × 512 × 4 cells: Poiseuille's flow" "stands"
 go 2 0 "$fluid" --set 'domain.size=[1000, 1, 1000]' "${vortices[@]}"
@@ -37,7 +39,8 @@ go 1 0 "$fluid" --set fluid.viscosity=1e-12 "${vortices[@]}"
 near "kinetic energy" 250 1e-4 "$(last e_kinetic_fluid)"
 row "viscosity 1e-12 m²/s" "Taylor and Green's vortices keep their energy"
 go 1 0 "$fluid" --set fluid.viscosity=1e6 "${vortices[@]}"
-near "logarithm of the decay over t" "$(calc '-4e6 * (16 * sin(atan2(0, -1) / 8)) ^ 2')" 1e6 "$(calc "log($(last e_kinetic_fluid) / $(of 1 e_kinetic_fluid)) / ($(last t) - $(of 1 t))")"
+near "logarithm of the decay over t" "$(calc '-4e6 * (16 * sin(atan2(0, -1) / 8)) ^ 2')" 1e6 \
+  "$(calc "log($(last e_kinetic_fluid) / $(of 1 e_kinetic_fluid)) / ($(last t) - $(of 1 t))")"
 row "viscosity 1e6 m²/s" "they decay as they should, in steps of 2 ns"
 for density in 1e-300 1e300; do
   go 1 0 "$fluid" --set "fluid.density=$density" "${vortices[@]}"

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # Very small plates, cracks outside of the material, and refinement everywhere at once.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 energy() { calc "$(of "$1" e_kinetic_solid) + $(of "$1" e_strain)"; }
 body() { echo "solid.bodies=[{name: plate, shape: rectangle, low: [$1], high: [$2]}]"; }
 hole() { echo "solid.bodies.plate.holes=[{shape: rectangle, low: [$1], high: [$2]}]"; }
 crack() { echo "solid.cracks=[{points: [[$1], [$2]]}]"; }
 
-go 1 0 "$plate" --set "$(body '0.005, 0.005' '0.006, 0.006')" --set stages.run.time_step=1e-7 --set 'solid.body_force=[0, -10]' --set 'output.probes={every: 200, at: [[0.0055, 0.0055]]}' --set output.checkpoint_every=100
+go 1 0 "$plate" --set "$(body '0.005, 0.005' '0.006, 0.006')" --set stages.run.time_step=1e-7 \
+  --set 'solid.body_force=[0, -10]' --set 'output.probes={every: 200, at: [[0.0055, 0.0055]]}' \
+  --set output.checkpoint_every=100
 near "fall" -2e-9 1e-21 "$(calc "$(probe 0 200 displacement_y) - ($(probe 0 0 displacement_y))")"
 [ -f run/checkpoint/stage_run.h5 ] || fail "no checkpoint"
 row "a plate of one particle" "falls by g t²/2 to round-off, with checkpoints"
@@ -33,7 +36,9 @@ near "fragments: what is not stretched, rows, holds" 10 0 "$(last fragments)"
 near "the largest" 20 0 "$(last largest_fragment)"
 near "kinetic energy" 0 0 "$(last e_kinetic_solid)"
 row "G₀ = 1e-300 J/m², bonds between rows stretched" "ten rows, at rest"
-go 2 0 "$plate" --set 'solid.refinement={levels: 3, energy: off, start: [{low: [0, 0], high: [0.03, 0.02], level: 3}]}' --set stages.run.safety=0.05
+go 2 0 "$plate" \
+  --set 'solid.refinement={levels: 3, energy: off, start: [{low: [0, 0], high: [0.03, 0.02], level: 3}]}' \
+  --set stages.run.safety=0.05
 near "particles: 8 a spacing and one more" "$((161 * 81))" 0 "$(last particles)"
 near "energy" "$(energy 1)" "$(calc "2.5e-3 * $(energy 1)")" "$(energy last)"
 row "everything refined from the start, three levels" "13,041 particles for 200; energy kept to 0.25 %"

@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
 # A solid alone: without breakage, with breakage of all bonds, and with very large and very small numbers.
+# shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 # velocity Verlet's energy oscillates by up to (w dt)^2/4 of its value, which is safety^2
 swing=2.5e-3 # safety 0.05
 energy() { calc "$(of "$1" e_kinetic_solid) + $(of "$1" e_strain)"; }
 # stretched in all directions: every bond is longer than at the start
-pulled=()
+pulses=()
 for axis in x y z; do
-  pulled+=("{shape: gaussian, along: $axis, centre: 0.2, width: 0.1, displacement: [$(for c in x y z; do [ $c = $axis ] && printf '1.0e-3,' || printf '0,'; done | sed 's/,$//')]}")
+  way=$(for c in x y z; do [ $c = $axis ] && printf '1.0e-3,' || printf '0,'; done | sed 's/,$//')
+  pulses+=("{shape: gaussian, along: $axis, centre: 0.2, width: 0.1, displacement: [$way]}")
 done
-pulled="solid.initial=[${pulled[0]}, ${pulled[1]}, ${pulled[2]}]"
+pulled="solid.initial=[${pulses[0]}, ${pulses[1]}, ${pulses[2]}]"
 material() { echo "solid.materials.stuff.$1"; }
 box='solid.bodies=[{shape: box, low: [0.03, 0.03, 0.03], high: [0.05, 0.04, 0.04]}]'
 grain='solid.bodies=[{shape: sphere, centre: [0.055, 0.055, 0.055], radius: 0.006}]'
@@ -28,7 +30,8 @@ for g in 1e300 1e-300; do
     near "energy released" "$start" "$(calc "$swing * $start")" "$(of 1 e_fracture)"
     near "fragments" 125 0 "$(last fragments)"
     near "kinetic energy" 0 0 "$(last e_kinetic_solid)"
-    row "G₀ = 1e-300 J/m², all bonds stretched" "all break in the first step and release what they held; 125 fragments stay where they are"
+    row "G₀ = 1e-300 J/m², all bonds stretched" \
+      "all break in the first step and release what they held; 125 fragments stay where they are"
   fi
 done
 
@@ -64,18 +67,21 @@ fallen=$(calc "0.5 * 0.125 * (10 * $(last t)) ^ 2")
 near "kinetic energy" "$fallen" "$(calc "1e-12 * $fallen")" "$(last e_kinetic_solid)"
 row "a body falls at 60,000 times its wave speed" "what a given force explains is no instability"
 
-go 1 0 "$solid" --set "$grain" --set 'solid.body_force=[0, -10, 0]' --set stages.run.time_step=1e-3 --set 'output.probes={every: 100, at: [[0.055, 0.055, 0.055]]}'
+go 1 0 "$solid" --set "$grain" --set 'solid.body_force=[0, -10, 0]' --set stages.run.time_step=1e-3 \
+  --set 'output.probes={every: 100, at: [[0.055, 0.055, 0.055]]}'
 near "fall of a particle" -0.05 1e-15 "$(probe 0 100 displacement_y)"
 row "one particle, free" "falls by g t²/2 to round-off"
 go 1 2 "$solid" --set "$grain"
 row "one particle, free, automatic step" "is refused"
-held=(--set 'solid.constraints=[{low: [0, 0, 0], high: [0.2, 0.1, 0.1]}]' --set 'solid.loads=[{low: [0, 0, 0], high: [0.2, 0.1, 0.1], force: [1.0e9, 0, 0]}]')
+held=(--set 'solid.constraints=[{low: [0, 0, 0], high: [0.2, 0.1, 0.1]}]'
+  --set 'solid.loads=[{low: [0, 0, 0], high: [0.2, 0.1, 0.1], force: [1.0e9, 0, 0]}]')
 go 2 0 "$solid" "${held[@]}" --set stages.run.time_step=1e-4
 near "kinetic energy" 0 0 "$(last e_kinetic_solid)"
 near "strain energy" 0 0 "$(last e_strain)"
 row "all particles held, under a load" "nothing moves"
 
-shift_=(--set "$box" --set 'solid.initial=[{shape: gaussian, along: x, centre: 0, width: 0.1, displacement: [1.0e-4, 0, 0]}]')
+shift_=(--set "$box"
+  --set 'solid.initial=[{shape: gaussian, along: x, centre: 0, width: 0.1, displacement: [1.0e-4, 0, 0]}]')
 go 1 0 "$solid" "${shift_[@]}" && mv run alone
 go 4 0 "$solid" "${shift_[@]}"
 same alone/series.csv run/series.csv
@@ -98,15 +104,18 @@ row "a row a step for 10,000 steps" "10,000 rows"
 
 mkdir -p 'kühl und grau'
 echo '0.05 0.05 0.05 1.0e-6' >'kühl und grau/Körner.txt'
-code 0 "$frana" run "$solid" --out 'kühl und grau/läuft' --set "solid.bodies=[{name: Körner, shape: points, file: '$PWD/kühl und grau/Körner.txt'}]" \
+code 0 "$frana" run "$solid" --out 'kühl und grau/läuft' \
+  --set "solid.bodies=[{name: Körner, shape: points, file: '$PWD/kühl und grau/Körner.txt'}]" \
   --set stages.run.time_step=1e-5 --set output.fields_every=100
 [ -s 'kühl und grau/läuft/fields/solid_00000100.hdf' ] || fail "no field"
 ended=0
 row "paths with blanks and umlauts" "files where they should be"
 
 # a bar of 1 x 1 x 1000 particles: d'Alembert's two pulses, each half potential, half kinetic
-go 2 0 "$solid" --set 'domain.size=[10, 0.01, 0.01]' --set 'solid.bodies=[{shape: box, low: [0, 0, 0], high: [10, 0.01, 0.01]}]' \
-  --set 'solid.initial=[{shape: gaussian, along: x, centre: 5, width: 0.2, displacement: [1.0e-4, 0, 0]}]' --set stages.run.safety=0.5 --set stages.run.steps=200
+go 2 0 "$solid" --set 'domain.size=[10, 0.01, 0.01]' \
+  --set 'solid.bodies=[{shape: box, low: [0, 0, 0], high: [10, 0.01, 0.01]}]' \
+  --set 'solid.initial=[{shape: gaussian, along: x, centre: 5, width: 0.2, displacement: [1.0e-4, 0, 0]}]' \
+  --set stages.run.safety=0.5 --set stages.run.steps=200
 near "kinetic share" 0.5 0.01 "$(calc "$(last e_kinetic_solid) / $(energy last)")"
 row "a domain and body of 1000 : 1 : 1" "a pulse parts in two that share its energy"
 echo ok

@@ -51,9 +51,36 @@ static void lattice_numbers(void **state) {
     check_equal(solid_material_critical_stretch(&endless, DELTA), INFINITY);
 }
 
+struct material_case {
+    double young, energy, ratio, spacing;
+    enum solid_model model;
+    double c, s0, within;
+};
+
+/* Numbers that theses print for their materials.  (000: tables 4, 9, 13; 003; 001) */
+static void printed_numbers(void **state) {
+    (void)state;
+    const struct material_case of[] = {
+        {65e9, 204, 3, 1e-3, SOLID_PLANE_STRESS, 6.897e18, 1.2086e-3, 1e-4},
+        {72e9, 135, 3, 1e-3, SOLID_PLANE_STRESS, 7.639e18, 9.342e-4, 1e-4},
+        {72e9, 135, 3, 5e-4, SOLID_PLANE_STRESS, 6.112e19, 1.3211e-3, 1e-4},
+        {191e9, 38590, 3, 2e-3, SOLID_PLANE_STRAIN, 2.702e18, 6.639e-3, 1e-4},
+        {190e9, 22170, 3, 1e-3, SOLID_PLANE_STRAIN, 2.1504e19, 7.135e-3, 1e-4},
+        {71.4e9, 1000, 3, 1e-3, SOLID_PLANE_STRAIN, 8.081e18, 2.472e-3, 1e-4},
+        {1e8, 0.05, 3, 1.5625e-3, SOLID_3D, 7.9116e17, 2.9814e-4, 1e-4},
+    };
+    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+        const struct solid_material m = {of[k].young, 3000, of[k].energy, of[k].ratio, SOLID_CONSTANT};
+        const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
+        check_close(is.c / of[k].c, 1, of[k].within);
+        check_close(is.s0 / of[k].s0, 1, of[k].within);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(energies_of_the_bonds), cmocka_unit_test(lattice_numbers)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(energies_of_the_bonds), cmocka_unit_test(lattice_numbers),
+                                       cmocka_unit_test(printed_numbers)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

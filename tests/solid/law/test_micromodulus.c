@@ -114,7 +114,7 @@ static void test_patch(void **state) {
                 inside++;
                 for (int c = 0; c < s->dim; c++) check_close(s->a[c][h] / scale, 0, 2e-5);
                 check_close(of[h] / (energy[1] * by * by), 1,
-                            0.08); /* as tests/solid/body/test_cloud.c finds at m = 3.5 */
+                            0.08); /* as tests/solid/law/test_pair.c finds at m = 3.5 */
                 part = of[h] / (energy[1] * by * by);
                 check_close(most[h], by, 1e-9 * by);
             }

@@ -1,6 +1,5 @@
 /* Partial volumes: closed forms, symmetry, and cells that make up the ball. */
 #include "base/par.h"
-#include "solid/law/stencil.h"
 #include "solid/law/weight.h"
 #include "tests/check.h"
 
@@ -66,34 +65,10 @@ static void symmetric_and_kept(void **state) {
     solid_weight_table_free(table);
 }
 
-/* At m = 3 all 178 sites with |step|^2 <= 12: each has its opposite, and the weights add up. */
-static void stencil_of_three(void **state) {
-    (void)state;
-    const double spacing = 0.01;
-    struct solid_stencil *t = solid_stencil_new(spacing, 3);
-    double sum = 0;
-    assert_int_equal(t->n, 178);
-    assert_int_equal(t->reach, 3);
-    for (int o = 0; o < t->n; o++) {
-        const struct solid_offset *a = &t->offset[o], *b = &t->offset[t->n - 1 - o];
-        for (int c = 0; c < 3; c++) assert_int_equal(a->step[c], -b->step[c]);
-        check_equal(a->weight, b->weight);
-        check_relative(a->inv_length2 * a->length * a->length, 1, 1e-15);
-        if (a->length < 2 * spacing * (1 + 1e-9)) check_equal(a->weight, spacing * spacing * spacing);
-        sum += a->weight;
-    }
-    check_relative(t->full_volume, sum, 1e-14);
-    /* the ball less the middle cell, and less corners of cells that no bond goes to */
-    const double all = (ball * 27 - 1) * spacing * spacing * spacing;
-    check_between(t->full_volume / all, 0.99, 1);
-    solid_stencil_free(t);
-}
-
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(whole_and_none), cmocka_unit_test(closed_forms),
-                                       cmocka_unit_test(cells_make_the_ball), cmocka_unit_test(symmetric_and_kept),
-                                       cmocka_unit_test(stencil_of_three)};
+                                       cmocka_unit_test(cells_make_the_ball), cmocka_unit_test(symmetric_and_kept)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

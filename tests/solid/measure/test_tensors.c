@@ -3,6 +3,8 @@
 #include "solid/measure/tensors.h"
 #include "tests/check.h"
 
+#include <stdlib.h>
+
 /* Turned by three angles. */
 static void axes_of(double a, double b, double c, double e[3][3]) {
     const double turn[3] = {a, b, c};
@@ -113,10 +115,53 @@ static void von_mises(void **state) {
     }
 }
 
+static void invariants(void **state) {
+    (void)state;
+    double value[3], vector[3][3];
+    srand(5);
+    solid_tensors_principal((double[]){1, 5, -2, 0, 0, 0}, value);
+    check_equal(value[0], 5);
+    check_equal(value[1], 1);
+    check_equal(value[2], -2);
+    check_close(solid_tensors_von_mises((double[]){7, 0, 0, 0, 0, 0}), 7, 1e-14);
+    check_close(solid_tensors_von_mises((double[]){0, 0, 0, 3, 0, 0}), 3 * sqrt(3), 1e-14);
+    check_close(solid_tensors_von_mises((double[]){4, 4, 4, 0, 0, 0}), 0, 1e-14);
+    solid_tensors_principal((double[]){0, 0, 0, 0, 0, 2}, value);
+    check_close(value[0], 2, 1e-14);
+    check_close(value[1], 0, 1e-14);
+    check_close(value[2] + 2, 0, 1e-14);
+    for (int k = 0; k < 200; k++) {
+        double t[6], trace = 0, norm = 0;
+        for (int i = 0; i < 6; i++) t[i] = (double)rand() / RAND_MAX - 0.5;
+        if (k % 4 == 0) t[3] = t[4] = 0;           /* a block */
+        if (k % 4 == 1) t[0] = t[1], t[3] *= 1e-9; /* nearly a double value */
+        for (int c = 0; c < 3; c++) {
+            trace += t[c];
+            norm += t[c] * t[c] + 2 * t[3 + c] * t[3 + c];
+        }
+        solid_tensors_eigen(t, value, vector);
+        check_at_least(value[0], value[1]);
+        check_at_least(value[1], value[2]);
+        check_close(value[0] + value[1] + value[2] - trace, 0, 1e-14);
+        check_close(value[0] * value[0] + value[1] * value[1] + value[2] * value[2] - norm, 0, 1e-14);
+        for (int i = 0; i < 3; i++) {
+            const double *v = vector[i];
+            const double tv[3] = {t[0] * v[0] + t[3] * v[1] + t[5] * v[2], t[3] * v[0] + t[1] * v[1] + t[4] * v[2],
+                                  t[5] * v[0] + t[4] * v[1] + t[2] * v[2]};
+            for (int c = 0; c < 3; c++) check_close(tv[c], value[i] * v[c], 1e-14);
+            for (int j = 0; j < 3; j++) {
+                const double dot = v[0] * vector[j][0] + v[1] * vector[j][1] + v[2] * vector[j][2];
+                check_close(dot, i == j, 1e-14);
+            }
+        }
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(eigenvalues_and_vectors), cmocka_unit_test(lanes_do_not_mix),
-                                       cmocka_unit_test(inverse_of_what_counts), cmocka_unit_test(von_mises)};
+                                       cmocka_unit_test(inverse_of_what_counts), cmocka_unit_test(von_mises),
+                                       cmocka_unit_test(invariants)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,75 +1,14 @@
-/* Bonds from their two ends: partial areas, material constants, family sums, unequal horizons. */
-/* Bonds from the data of their ends: partial areas, constants of materials, sums over lattices, pairs of different
- * horizons. */
+/* The bonds' constants from their two ends: sums over lattices, pairs of different horizons, family volumes. */
 #include "tests/solid/make.h"
 
-#include "solid/law/material.h"
 #include "solid/law/pair.h"
 #include "solid/law/stencil.h"
 #include "solid/law/weight.h"
-#include "solid/law/weight_plane.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
 
 static double uniform(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
-
-/* The squares of a lattice together cover the disc; hand-computed values if the circle cuts a side or a corner. */
-static void test_areas(void **state) {
-    (void)state;
-    srand(3);
-    for (int trial = 0; trial < 200; trial++) {
-        const double radius = uniform(0.3, 6), side = uniform(0.1, 2), shift[2] = {uniform(0, 1), uniform(0, 1)};
-        const int reach = (int)(radius / side + 2);
-        double area = 0;
-        for (int j = -reach; j <= reach; j++)
-            for (int i = -reach; i <= reach; i++) {
-                const double xi[2] = {side * (i + shift[0]), side * (j + shift[1])}, turned[2] = {-xi[1], xi[0]};
-                const double part = solid_weight_plane_fraction(xi, side, radius);
-                check_at_least(part, 0);
-                check_at_most(part, 1);
-                check_equal(part, solid_weight_plane_fraction(turned, side, radius));
-                area += part * side * side;
-            }
-        /* the last digit of the angle in each of up to 500 cells on the circle */
-        check_close(area / (M_PI * radius * radius), 1, 1e-12);
-    }
-    const double ahead[2] = {3, 0}, far[2] = {3.5, 0}, near[2] = {2, 0};
-    check_equal(solid_weight_plane_fraction(far, 1, 3), 0);
-    check_equal(solid_weight_plane_fraction(near, 1, 3), 1);
-    /* the strip 2.5 < x, |y| < 1/2 under the arc: sqrt(9 - 1/4)/2 + 9 asin(1/6) - 2.5 */
-    check_close(solid_weight_plane_fraction(ahead, 1, 3), sqrt(8.75) / 2 + 9 * asin(1. / 6) - 2.5, 1e-14);
-}
-
-struct material_case {
-    double young, energy, ratio, spacing;
-    enum solid_model model;
-    double c, s0, within;
-};
-
-/* Numbers that theses print for their materials.  (000: tables 4, 9, 13; 003; 001) */
-static void test_constants(void **state) {
-    (void)state;
-    const struct material_case of[] = {
-        {65e9, 204, 3, 1e-3, SOLID_PLANE_STRESS, 6.897e18, 1.2086e-3, 1e-4},
-        {72e9, 135, 3, 1e-3, SOLID_PLANE_STRESS, 7.639e18, 9.342e-4, 1e-4},
-        {72e9, 135, 3, 5e-4, SOLID_PLANE_STRESS, 6.112e19, 1.3211e-3, 1e-4},
-        {191e9, 38590, 3, 2e-3, SOLID_PLANE_STRAIN, 2.702e18, 6.639e-3, 1e-4},
-        {190e9, 22170, 3, 1e-3, SOLID_PLANE_STRAIN, 2.1504e19, 7.135e-3, 1e-4},
-        {71.4e9, 1000, 3, 1e-3, SOLID_PLANE_STRAIN, 8.081e18, 2.472e-3, 1e-4},
-        {1e8, 0.05, 3, 1.5625e-3, SOLID_3D, 7.9116e17, 2.9814e-4, 1e-4},
-    };
-    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-        const struct solid_material m = {of[k].young, DENSITY, of[k].energy, of[k].ratio, SOLID_CONSTANT};
-        const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
-        check_close(is.c / of[k].c, 1, of[k].within);
-        check_close(is.s0 / of[k].s0, 1, of[k].within);
-    }
-    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
-    const struct physics_bond space = solid_material_constants(SOLID_3D, 0, &m, 3 * SPACING);
-    check_close(space.c / solid_material_micromodulus(&m, SPACING), 1, 1e-15);
-    check_close(space.s0 / solid_material_critical_stretch(&m, SPACING), 1, 1e-15);
-}
 
 struct sums {
     int bonds;
@@ -210,12 +149,85 @@ static void test_full_volume(void **state) {
     solid_weight_table_free(solid.table);
 }
 
+/* Who belongs to a family of horizon 3, just inside and just outside of each limit; and the ramp's values. */
+static void test_members(void **state) {
+    (void)state;
+    const double tiny = 1e-6;
+    struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
+    struct solid_input in = {.spacing = 1, .thickness = 1};
+    struct solid_bond_law law = solid_pair_law(&in, &m);
+    check_equal(solid_pair_holds(&law, (double[]){0, 2.8, 2.1 - tiny}, 3, 1), 1);
+    check_equal(solid_pair_holds(&law, (double[]){0, 2.8, 2.1}, 3, 1), 0);
+    check_equal(solid_pair_holds(&law, (double[]){0, 2.8, 2.1}, 3, 1.1), 1);
+    in.model = SOLID_PLANE_STRESS; /* the cell's nearest corner at (1.8, 2.4) */
+    law = solid_pair_law(&in, &m);
+    check_equal(solid_pair_holds(&law, (double[]){-2.3, 2.9 - tiny}, 3, 1), 1);
+    check_equal(solid_pair_holds(&law, (double[]){-2.3, 2.9}, 3, 1), 0);
+    check_equal(solid_pair_holds(&law, (double[]){3.5, 0}, 3, 1), 0);
+    m.micromodulus = SOLID_CONICAL;
+    law = solid_pair_law(&in, &m);
+    check_equal(solid_pair_holds(&law, (double[]){1.8, 2.4 - tiny}, 3, 1), 1);
+    check_equal(solid_pair_holds(&law, (double[]){1.8, 2.4}, 3, 1), 0);
+    in.partial = SOLID_PARTIAL_RAMP;
+    law = solid_pair_law(&in, &m);
+    const double length[4] = {2.4, 3, 3.4, 3.6}, gamma[4] = {1, 0.5, 0.1, 0};
+    for (int k = 0; k < 4; k++) check_close(solid_pair_gamma(&law, (double[]){length[k], 0}, 3, 1), gamma[k], 1e-14);
+}
+
+/* A bond between horizons 3 and 1.5: c goes as delta^-(dim + 1), s0^2 as 1/delta; K is the mean of the halves, one half
+ * where only one end reaches; the micromodulus is the mean of those that exist. */
+static void test_horizons_by_hand(void **state) {
+    (void)state;
+    for (int plate = 0; plate < 2; plate++) {
+        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT};
+        const struct solid_input in = {.model = plate ? SOLID_PLANE_STRAIN : SOLID_3D, .thickness = 1, .spacing = 1};
+        const struct solid_bond_law law = solid_pair_law(&in, &m);
+        const struct solid_end coarse = {1, 3, 1}, fine = {0.5, 1.5, plate ? 0.25 : 0.125};
+        const double near[3] = {0.75, 0, 0}, far[3] = {2.25, 0, 0}, times = plate ? 8 : 16;
+        const struct solid_pair both = solid_pair_of(&law, near, &coarse, &fine),
+                                one = solid_pair_of(&law, far, &coarse, &fine),
+                                back = solid_pair_of(&law, far, &fine, &coarse);
+        /* near: all of either cell is in the other's horizon, Gamma = 1 */
+        check_relative(both.stiffness, 0.5 * (1 + times) * law.c, 1e-14);
+        check_relative(solid_pair_micromodulus(&law, near, &coarse, &fine), 0.5 * (1 + times) * law.c, 1e-14);
+        const double s2 = (1 + times * 2) / (1 + times) * law.s0 * law.s0, s0 = sqrt(s2);
+        check_relative(both.limit, s0 * (2 + s0), 1e-13);
+        check_equal(solid_pair_limit(&law, near, &coarse, &fine), both.limit);
+        /* far: the coarse cell begins at 1.75, beyond the fine horizon */
+        check_relative(one.stiffness, 0.5 * law.c, 1e-14);
+        check_equal(one.gamma, 1);
+        check_equal(back.gamma, 0);
+        check_equal(back.stiffness, one.stiffness);
+        check_relative(one.limit, law.s0 * (2 + law.s0), 1e-13);
+        check_relative(solid_pair_micromodulus(&law, far, &fine, &coarse), law.c, 1e-14);
+    }
+}
+
+/* Rounded volumes add up to the same bits in any order. */
+static void test_rounded(void **state) {
+    (void)state;
+    enum { N = 400 };
+    double part[N], up = 0, down = 0;
+    const struct solid_bond_law law = {.dim = 2};
+    srand(8);
+    for (int i = 0; i < N; i++) {
+        const double volume = uniform(0, 1);
+        part[i] = solid_pair_rounded(&law, 3, volume);
+        check_close(part[i], volume, 0x1p-44);
+    }
+    for (int i = 0; i < N; i++) {
+        up += part[i];
+        down += part[N - 1 - i];
+    }
+    check_equal(up, down);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),     cmocka_unit_test(test_constants), cmocka_unit_test(test_lattice_sums),
-        cmocka_unit_test(test_fine_sums), cmocka_unit_test(test_pairs),     cmocka_unit_test(test_full_volume),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lattice_sums), cmocka_unit_test(test_fine_sums),
+                                       cmocka_unit_test(test_pairs),        cmocka_unit_test(test_full_volume),
+                                       cmocka_unit_test(test_members),      cmocka_unit_test(test_horizons_by_hand),
+                                       cmocka_unit_test(test_rounded)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

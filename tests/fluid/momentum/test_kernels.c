@@ -1,0 +1,111 @@
+/* Divergence and correction of one plane: exact for linear fields, and adjoint to each other. */
+#include "base/par_halo.h"
+#include "fluid/momentum/momentum.h"
+#include "tests/fluid/fluid_case.h"
+
+#include <stdlib.h>
+
+enum { NX = 7, NY = 5, NZ = 6 };
+
+static struct fluid_grid *grid(int periodic) {
+    return fluid_grid_new((int[]){NX, NY, NZ}, (double[]){0.7, 1.5, 2.4}, (int[]){periodic, periodic, periodic}, 1);
+}
+
+static double *array(const struct fluid_grid *g) { return calloc(g->size, sizeof(double)); }
+
+/* The divergence of (2x - y, 3y + z, -4z + x) is 1 everywhere. */
+static void divergence_of_a_linear_field(void **state) {
+    (void)state;
+    struct fluid_grid *g = grid(0);
+    double *q[3] = {array(g), array(g), array(g)}, rhs[NX * NY];
+    for (int k = -1; k < NZ; k++)
+        for (int j = -1; j < NY; j++)
+            for (int i = -1; i < NX; i++) {
+                const size_t n = fluid_grid_at(g, i, j, k);
+                const double x = (i + 0.5) * g->d[0], y = (j + 0.5) * g->d[1], z = (k + 0.5) * g->d[2];
+                q[0][n] = 2 * (x + g->d[0] / 2) - y; /* each on its own face */
+                q[1][n] = 3 * (y + g->d[1] / 2) + z;
+                q[2][n] = -4 * (z + g->d[2] / 2) + x;
+            }
+    for (int k = 0; k < NZ; k++) {
+        fluid_momentum_kernels_divergence(g, k, 5, (const double *const *)q, rhs);
+        for (int n = 0; n < NX * NY; n++) check_close(rhs[n], 5, 1e-12);
+    }
+    for (int c = 0; c < 3; c++) free(q[c]);
+    fluid_grid_free(g);
+}
+
+/* q = predicted - c grad phi + shift, p += phi, for phi = x - 2y + 3z; the same into another array and in place. */
+static void correction_by_a_linear_field(void **state) {
+    (void)state;
+    struct fluid_grid *g = grid(0);
+    const double c = 0.3, shift[3] = {10, 20, 30}, gradient[3] = {1, -2, 3};
+    double *p = array(g), *phi = array(g), *predicted[3], *q[3];
+    for (int d = 0; d < 3; d++) predicted[d] = array(g), q[d] = array(g);
+    for (int k = 0; k <= NZ; k++)
+        for (int j = 0; j <= NY; j++)
+            for (int i = 0; i <= NX; i++) {
+                const size_t n = fluid_grid_at(g, i, j, k);
+                phi[n] = i * g->d[0] - 2 * j * g->d[1] + 3 * k * g->d[2];
+                p[n] = random_at(3, i, j, k);
+                for (int d = 0; d < 3; d++) predicted[d][n] = random_at(d, i, j, k);
+            }
+    for (int in_place = 0; in_place < 2; in_place++)
+        for (int k = 0; k < NZ; k++)
+            fluid_momentum_kernels_correct(g, k, c, shift, phi + fluid_grid_at(g, 0, 0, k),
+                                           phi + fluid_grid_at(g, 0, 0, k + 1), predicted, in_place ? predicted : q, p);
+    for (int k = 0; k < NZ; k++)
+        for (int j = 0; j < NY; j++)
+            for (int i = 0; i < NX; i++) {
+                const size_t n = fluid_grid_at(g, i, j, k);
+                check_close(p[n], random_at(3, i, j, k) + 2 * phi[n], 1e-13); /* it was added twice */
+                for (int d = 0; d < 3; d++) {
+                    check_close(q[d][n], random_at(d, i, j, k) - c * gradient[d] + shift[d], 1e-13);
+                    check_close(predicted[d][n], q[d][n], 1e-13);
+                }
+            }
+    for (int d = 0; d < 3; d++) free(predicted[d]), free(q[d]);
+    free(phi);
+    free(p);
+    fluid_grid_free(g);
+}
+
+/* In a periodic box sum phi div q = - sum q . grad phi for any q and phi. */
+static void divergence_and_gradient_are_adjoint(void **state) {
+    (void)state;
+    struct fluid_grid *g = grid(1);
+    const double none[3] = {0, 0, 0};
+    double *phi = array(g), *p = array(g), *q[3], *zero[3], *gradient[3], rhs[NX * NY];
+    for (int d = 0; d < 3; d++) q[d] = array(g), zero[d] = array(g), gradient[d] = array(g);
+    for (int k = 0; k < NZ; k++)
+        for (int j = 0; j < NY; j++)
+            for (int i = 0; i < NX; i++) {
+                const size_t n = fluid_grid_at(g, i, j, k);
+                phi[n] = random_at(3, i, j, k);
+                for (int d = 0; d < 3; d++) q[d][n] = random_at(d, i, j, k);
+            }
+    par_halo_fill(g->halos, 3, q, 1);
+    par_halo_fill(g->halos, 1, &phi, 1);
+    double left = 0, right = 0, size = 0;
+    for (int k = 0; k < NZ; k++) {
+        fluid_momentum_kernels_divergence(g, k, 1, (const double *const *)q, rhs);
+        fluid_momentum_kernels_correct(g, k, -1, none, phi + fluid_grid_at(g, 0, 0, k),
+                                       phi + fluid_grid_at(g, 0, 0, k + 1), zero, gradient, p);
+        for (int j = 0; j < NY; j++)
+            for (int i = 0; i < NX; i++) {
+                const size_t n = fluid_grid_at(g, i, j, k);
+                left += phi[n] * rhs[j * NX + i];
+                size += fabs(phi[n] * rhs[j * NX + i]);
+                for (int d = 0; d < 3; d++) right += q[d][n] * gradient[d][n];
+            }
+    }
+    check_above(fabs(left), 1e-3 * size);
+    check_close(left, -right, 1e-13 * size);
+    for (int d = 0; d < 3; d++) free(q[d]), free(zero[d]), free(gradient[d]);
+    free(phi);
+    free(p);
+    fluid_grid_free(g);
+}
+
+FLUID_TEST_MAIN(cmocka_unit_test(divergence_of_a_linear_field), cmocka_unit_test(correction_by_a_linear_field),
+                cmocka_unit_test(divergence_and_gradient_are_adjoint))

@@ -1,0 +1,75 @@
+/* A JSON file that the program wrote is read back by path. */
+#include "base/par.h"
+#include "files/folder.h"
+#include "files/json.h"
+#include "postproc/tree.h"
+#include "tests/check.h"
+
+#include <stdio.h>
+
+#define FOLDER FRANA_BINARY_DIR "/postproc/tree"
+
+static void what_is_written_is_read(void **state) {
+    (void)state;
+    const char *const quoted = "back\\slash \"quote\" \n\t\x01 \xc3\xa4";
+    struct json *j = json_begin(FOLDER "/it.json");
+    json_number(j, "third", 1. / 3);
+    json_number(j, "none", NAN);
+    json_long(j, "long", -12);
+    json_bool(j, "yes", 1);
+    json_text(j, "quoted", quoted);
+    json_array(j, "list");
+    json_long(j, NULL, 1);
+    json_close(j);
+    json_object(j, "inner");
+    json_object(j, "most");
+    json_number(j, "value", 2.5e-8);
+    json_end(j);
+
+    struct postproc_tree *t = postproc_tree_new(FOLDER "/it.json");
+    assert_non_null(t);
+    check_close(postproc_tree_number(t, "third"), 1. / 3, 1e-15);
+    assert_true(isnan(postproc_tree_number(t, "none")));
+    check_equal(postproc_tree_number(t, "long"), -12);
+    assert_string_equal(postproc_tree_text(t, "yes"), "true");
+    assert_string_equal(postproc_tree_text(t, "quoted"), quoted);
+    check_equal(postproc_tree_number(t, "inner.most.value"), 2.5e-8);
+    static const char *const none[] = {"other", "inner", "inner.most", "inner.value", "long.value", "list", "thir"};
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+        if (postproc_tree_text(t, none[k])) fail_msg("%s is found", none[k]);
+        assert_true(isnan(postproc_tree_number(t, none[k])));
+    }
+    assert_true(isnan(postproc_tree_number(t, "quoted")));
+    assert_string_equal(postproc_tree_key(t, "", 0), "third");
+    assert_string_equal(postproc_tree_key(t, "", 6), "inner");
+    assert_null(postproc_tree_key(t, "", 7));
+    assert_string_equal(postproc_tree_key(t, "inner.most", 0), "value");
+    assert_null(postproc_tree_key(t, "long", 0));
+    postproc_tree_free(t);
+}
+
+static void a_file_that_cannot_be_read_is_no_tree(void **state) {
+    (void)state;
+    assert_null(postproc_tree_new(FOLDER "/missing.json"));
+    FILE *file = fopen(FOLDER "/broken.json", "w");
+    assert_non_null(file);
+    fputs("{\"a\": [1, 2", file);
+    fclose(file);
+    assert_null(postproc_tree_new(FOLDER "/broken.json"));
+    file = fopen(FOLDER "/empty.json", "w");
+    fclose(file);
+    assert_null(postproc_tree_new(FOLDER "/empty.json"));
+    assert_null(postproc_tree_text(NULL, "a"));
+    assert_true(isnan(postproc_tree_number(NULL, "a")));
+    postproc_tree_free(NULL);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    folder_make(FOLDER);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_is_written_is_read),
+                                       cmocka_unit_test(a_file_that_cannot_be_read_is_no_tree)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}

@@ -1,0 +1,173 @@
+/* Each option of the command line is read, and each mistake ends with code 2 and one sentence. */
+#include "base/die.h"
+#include "program/command.h"
+#include "tests/check.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WORDS = 20 };
+
+static jmp_buf back;
+static int is_expected;
+static char sentence[400];
+
+/* Instead of the end of the program. */
+_Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...);
+void __wrap_die_all(enum exit_code code, const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    vsnprintf(sentence, sizeof sentence, format, args);
+    va_end(args);
+    if (!is_expected) print_error("frana: %s\n", sentence), exit(1);
+    longjmp(back, 1000 + (int)code);
+}
+
+/* The words of a line, of which the first is the program's name; they must outlive the command. */
+static struct command *command_of(const char *line) {
+    static char text[400];
+    static char *word[WORDS + 1];
+    int n = 0;
+    snprintf(text, sizeof text, "frana %s", line);
+    for (char *at = strtok(text, " "); at && n < WORDS; at = strtok(NULL, " ")) word[n++] = at;
+    word[n] = NULL;
+    optind = 0; /* a new line */
+    return command_new(n, word);
+}
+
+static void each_command_by_its_word(void **state) {
+    (void)state;
+    static const struct {
+        const char *line;
+        enum command_verb verb;
+    } of[] = {{"run a.yaml", COMMAND_RUN},     {"check a.yaml", COMMAND_CHECK},
+              {"post runs/a", COMMAND_POST},   {"bench", COMMAND_BENCH},
+              {"study a.yaml", COMMAND_STUDY}, {"--version", COMMAND_VERSION},
+              {"--help", COMMAND_HELP},        {"-h", COMMAND_HELP},
+              {"help", COMMAND_HELP},          {"", COMMAND_HELP}};
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        struct command *c = command_of(of[k].line);
+        assert_int_equal(c->verb, of[k].verb);
+        command_free(c);
+    }
+}
+
+static void options_of_run(void **state) {
+    (void)state;
+    struct command *c = command_of("run folder/long.name.yaml");
+    assert_int_equal(c->files, 1);
+    assert_string_equal(c->file[0], "folder/long.name.yaml");
+    assert_string_equal(c->out, "runs/long.name"); /* the default */
+    assert_int_equal(c->sets + c->resume + c->quiet, 0);
+    assert_null(c->resume_file);
+    check_equal(c->max_wall, 0);
+    command_free(c);
+
+    c = command_of("run --set a.b=1 it.yaml --out here --set c=2 --resume --quiet --max-wall 1:02:03");
+    assert_string_equal(c->file[0], "it.yaml");
+    assert_string_equal(c->out, "here");
+    assert_int_equal(c->sets, 2);
+    assert_string_equal(c->set[0], "a.b=1");
+    assert_string_equal(c->set[1], "c=2");
+    assert_true(c->resume && c->quiet && !c->resume_file);
+    check_equal(c->max_wall, 3723);
+    command_free(c);
+
+    c = command_of("run it.yaml --resume=old.h5 --max-wall 90:00");
+    assert_string_equal(c->resume_file, "old.h5");
+    check_equal(c->max_wall, 5400);
+    command_free(c);
+    c = command_of("run it.yaml --max-wall 7.5");
+    check_equal(c->max_wall, 7.5);
+    command_free(c);
+}
+
+static void options_of_the_others(void **state) {
+    (void)state;
+    struct command *c = command_of("post runs/a runs/b --film=stress --level 0.4 --magnify 20 --out both");
+    assert_int_equal(c->files, 2);
+    assert_string_equal(c->file[1], "runs/b");
+    assert_string_equal(c->out, "both");
+    assert_int_equal(c->film, 1);
+    assert_string_equal(c->film_quantity, "stress");
+    check_equal(c->level, 0.4);
+    check_equal(c->magnify, 20);
+    command_free(c);
+    c = command_of("post runs/a --film");
+    assert_true(c->film && !c->film_quantity);
+    assert_string_equal(c->out, "");
+    command_free(c);
+    c = command_of("bench --quick --only fluid,solid --sizes 16x8x8,12 --repeats 5");
+    assert_int_equal(c->quick, 1);
+    assert_int_equal(c->repeats, 5);
+    assert_int_equal(c->files, 0);
+    assert_string_equal(c->only, "fluid,solid");
+    assert_string_equal(c->sizes, "16x8x8,12");
+    command_free(c);
+    c = command_of("bench --table=growth a.csv run.json");
+    assert_int_equal(c->table, BENCH_PAGE_GROWTH);
+    assert_int_equal(c->files, 2);
+    command_free(c);
+    c = command_of("study s.yaml --fresh");
+    assert_int_equal(c->fresh, 1);
+    command_free(c);
+    c = command_of("check s.yaml --set a=1");
+    assert_int_equal(c->sets, 1);
+    assert_string_equal(c->out, ""); /* check writes no folder */
+    command_free(c);
+}
+
+/* The line, and how its sentence begins. */
+static void each_mistake_ends_with_code_2(void **state) {
+    (void)state;
+    static const char *const table[][2] = {
+        {"runs a.yaml", "runs: unknown command; there are run, check, post, bench, study"},
+        {"run", "frana run: which scene?"},
+        {"post", "frana post: which run folder?"},
+        {"study", "frana study: which study?"},
+        {"run a b", "frana run a b: takes one scene"},
+        {"study a b", "frana study a b: takes one study"},
+        {"bench a.csv", "frana bench a.csv: takes files with --table only"},
+        {"bench --table growth", "frana bench --table: of which measured tables?"},
+        {"bench --table=size a.csv", "--table=size: must be performance or growth"},
+        {"run a --outt b", "--outt: unknown option; frana --help lists them"},
+        {"run a -x", "-x: unknown option"},
+        {"run a --out", "--out: needs a value"},
+        {"run a --max-wall 1:60:00", "--max-wall 1:60:00: must be HH:MM:SS"},
+        {"run a --max-wall 0", "--max-wall 0: must be HH:MM:SS and more than nothing"},
+        {"run a --max-wall 1:2:3:4", "--max-wall 1:2:3:4: must be HH:MM:SS"},
+        {"run a --max-wall -5", "--max-wall -5: must be HH:MM:SS"},
+        {"run a --max-wall 5s", "--max-wall 5s: must be HH:MM:SS"},
+        {"check a --quiet", "--quiet: goes with frana run only"},
+        {"check a --resume", "--resume: goes with frana run only"},
+        {"post a --set b=1", "b=1: goes with frana run and check only"},
+        {"run a --film", "--film: goes with frana post only"},
+        {"run a --fresh", "--fresh: goes with frana study only"},
+        {"run a --quick", "--quick: goes with frana bench only"},
+        {"post a --level 1", "--level 1: must be a number above 0 and below 1"},
+        {"post a --level nan", "--level nan: must be a number above 0"},
+        {"post a --magnify 0", "--magnify 0: must be a number above 0"},
+        {"post a --magnify 2x", "--magnify 2x: must be a number above 0"},
+        {"bench --repeats 4", "--repeats 4: must be a whole number, at least 5"},
+        {"bench --repeats 5.5", "--repeats 5.5: must be a whole number"},
+        {"bench --repeats 99999999999", "--repeats 99999999999: must be a whole number"}};
+    is_expected = 1;
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+        const int code = setjmp(back);
+        if (code == 0) {
+            command_of(table[k][0]);
+            fail_msg("frana %s: is not refused", table[k][0]);
+        }
+        assert_int_equal(code - 1000, EXIT_CODE_SCENE);
+        if (strncmp(sentence, table[k][1], strlen(table[k][1])) != 0)
+            fail_msg("frana %s\n  says \"%s\"\n  and not \"%s\"", table[k][0], sentence, table[k][1]);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(each_command_by_its_word), cmocka_unit_test(options_of_run),
+                                       cmocka_unit_test(options_of_the_others),
+                                       cmocka_unit_test(each_mistake_ends_with_code_2)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,130 @@
+/* The view of a particle's bonds in both stores: reciprocity, breaking, counts, and lambda as a checkpoint stores it.
+ */
+#include "tests/solid/make.h"
+#include "tests/check.h"
+
+static struct solid *block(int list) {
+    return make((struct make){.sites = {7, 5, 6}, .periodic = {0, 1, 0}, .list = list});
+}
+
+/* The bond of l's view opposite to bond b of a view, or -1. */
+static int opposite(const struct solid_family_view *view, int b, int h, const struct solid_family_view *of_l) {
+    for (int k = 0; k < of_l->n; k++) {
+        double apart = 0;
+        for (int c = 0; c < 3; c++) apart = fmax(apart, fabs(of_l->xi[k][c] + view->xi[b][c]));
+        if (of_l->l[k] == h && apart < 1e-6 * SPACING) return k;
+    }
+    return -1;
+}
+
+/* Breaks every 17th bond; returns how many were intact before. */
+static long break_some(struct solid *s) {
+    struct solid_family_view view;
+    long broken = 0, met = 0;
+    for (int h = 0; h < s->n; h++) {
+        solid_family_view(s, h, &view);
+        for (int b = 0; b < view.n; b++)
+            if (met++ % 17 == 0 && view.intact[b]) {
+                solid_family_break(s, h, b);
+                broken++;
+            }
+    }
+    return broken;
+}
+
+/* Both ends see one bond: opposite vectors, one alpha and one lambda, and xi is the difference of the places. */
+static void both_ends(void **state) {
+    (void)state;
+    static struct solid_family_view view, other;
+    for (int list = 0; list < 2; list++) {
+        struct solid *s = block(list);
+        assert_true(break_some(s) > 100);
+        int broken = 0;
+        for (int h = 0; h < s->n; h++) {
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++) {
+                const int l = view.l[b];
+                for (int c = 0; c < 3; c++)
+                    check_close(solid_shortest(s, c, view.xi[b][c] - (s->x0[c][l] - s->x0[c][h])), 0, 1e-9 * SPACING);
+                solid_family_view(s, l, &other);
+                const int back = opposite(&view, b, h, &other);
+                check_at_least(back, 0);
+                check_equal(other.alpha[back], view.alpha[b]);
+                check_equal(other.intact[back], view.intact[b]);
+                broken += !view.intact[b];
+            }
+        }
+        check_above(broken, 200);
+        solid_free(s);
+    }
+}
+
+/* The short list of broken bonds is the view's; the flags say who has one; the counts are of bonds without a sense. */
+static void broken_bonds(void **state) {
+    (void)state;
+    static struct solid_family_view view;
+    static int place[SOLID_FAMILY_MAX], other[SOLID_FAMILY_MAX];
+    for (int list = 0; list < 2; list++) {
+        struct solid *s = block(list);
+        const long directed = solid_family_directed(s);
+        check_equal(directed, 2 * s->bonds_total);
+        solid_family_count(s);
+        check_equal(s->bonds_broken, 0);
+        s->broke = 0;
+        s->a_holds = 1;
+        const long broken = break_some(s);
+        check_equal(s->broke, 1);
+        check_equal(s->a_holds, 0);
+        solid_family_count(s);
+        check_equal(s->bonds_broken, broken);
+        for (int h = 0; h < s->n; h++) {
+            const int n = solid_family_broken(s, h, place, other);
+            int k = 0;
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++) {
+                if (view.intact[b]) continue;
+                check_below(k, n);
+                check_equal(place[k], b);
+                check_equal(other[k++], view.l[b]);
+            }
+            check_equal(k, n);
+            check_equal((s->flag[h] & SOLID_BROKEN) != 0, n > 0);
+        }
+        solid_free(s);
+    }
+}
+
+/* Bits saved from one solid and loaded into another break the same bonds there; both stores have the same bits. */
+static void saved_and_loaded(void **state) {
+    (void)state;
+    static struct solid_family_view view, again;
+    uint8_t bits[2][SOLID_FAMILY_MAX / 8] = {{0}};
+    for (int list = 0; list < 2; list++) {
+        struct solid *s = block(list), *copy = block(list);
+        int longest = 0;
+        break_some(s);
+        for (int h = 0; h < s->n; h++) {
+            solid_family_save(s, h, bits[0]);
+            solid_family_view(s, h, &view);
+            if (view.n > longest) longest = view.n;
+            for (int b = 0; b < view.n; b++) check_equal(bits[0][b / 8] >> b % 8 & 1, view.intact[b]);
+            solid_family_load(copy, h, bits[0]);
+            solid_family_view(copy, h, &again);
+            for (int b = 0; b < view.n; b++) check_equal(again.intact[b], view.intact[b]);
+            solid_family_save(copy, h, bits[1]);
+            assert_memory_equal(bits[0], bits[1], (size_t)solid_family_bytes(s));
+        }
+        check_at_least(8 * solid_family_bytes(s), longest);
+        solid_free(copy);
+        solid_free(s);
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(both_ends), cmocka_unit_test(broken_bonds),
+                                       cmocka_unit_test(saved_and_loaded)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
