@@ -1,4 +1,4 @@
-/* Markers whose kernel reaches over the boundary of this rank's cells: pieces, weights, sums. */
+/* Markers whose kernel reaches over the boundary of this rank's cells: pieces, weights, sums.  (001: eqs 3.79-3.82) */
 /* An edge is a marker whose block reaches over a side of this rank's cells. Its block is divided at the borders to
  * other ranks and at periodic sides, and folded at the domain's other sides. */
 #include "ibm/state.h"

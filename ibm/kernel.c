@@ -1,4 +1,4 @@
-/* Roma's three-point kernel.  (001: eq. 3.79; Roma, Peskin and Berger 1999) */
+/* Roma's three-point kernel.  (001: eq. 3.78; Roma, Peskin and Berger 1999) */
 #include "ibm/ibm.h"
 
 #include <math.h>

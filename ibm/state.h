@@ -192,10 +192,12 @@ static inline void ibm_keep(double received[3], const double increment[3], enum 
  * eqs 3.79, 3.80)      For the inner markers first .. last-1. */
 void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
                       struct ibm_tally *t);
-/* u += increment delta  (001: eqs 3.81, 3.82) */
+/* velocity [served] <- U_h of the inner markers  (001: eq. 3.79) */
 void ibm_sweep_read(const struct ibm *ibm, double *const u[3], double (*velocity)[3]);
+/* u += increment delta  (001: eqs 3.81, 3.82) */
 void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int last);
-/* The same for edges: sums over pieces; increments, once the sums are complete; spreading by pieces. */
+/* The same for edges: sums over pieces (001: eq. 3.79); increments, once the sums are complete (eq. 3.80); spreading by
+ * pieces (eqs 3.81, 3.82). */
 void ibm_edge_sum(struct ibm *ibm, double *const u[3], int first_piece, int last_piece);
 void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
 void ibm_edge_velocity(struct ibm *ibm, int with_sides, double (*velocity)[3]);

@@ -1,4 +1,4 @@
-/* The model of the bonds, and the Poisson's ratio that follows from it.  (000: sec. 1.1) */
+/* The model of the bonds, and the Poisson's ratio that follows from it.  (000: sec. 1.2.1) */
 #pragma once
 
 /* A solid in three dimensions, or a plate in the x-y plane. */

@@ -74,7 +74,9 @@ long solid_lattice_wanted(const struct solid_lattice *lattice, const struct soli
                           long *id);
 void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites *sites,
                         const struct solid_numbering *numbering);
+/* V_h of the owned particles, m3.  (001: eq. 3.44) */
 void solid_lattice_volumes(const struct solid_lattice *lattice, double *family_volume);
+/* w = V_h/V0, from which alpha follows.  (001: eq. 3.43, mended) */
 void solid_lattice_weights(struct solid_lattice *lattice, const double *family_volume, int surface_correction);
 
 /* The bits of lambda of one row with every bond intact, as in solid_lattice_new. Not collective. */

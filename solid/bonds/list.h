@@ -62,7 +62,9 @@ struct solid_list {
 struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, long from, long to, int first);
 long solid_list_wanted(const struct solid_list *list, long from, long to, long *id);
 void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud, const struct solid_numbering *numbering);
-void solid_list_volumes(const struct solid_list *list, double *family_volume); /* m3, of the owned */
+/* V_h of the owned particles, m3.  (001: eq. 3.44) */
+void solid_list_volumes(const struct solid_list *list, double *family_volume);
+/* w = V_h/V0, from which alpha follows.  (001: eq. 3.43, mended) */
 void solid_list_weights(struct solid_list *list, const double *family_volume, int surface_correction);
 void solid_list_free(struct solid_list *list);
 

@@ -1,4 +1,4 @@
-/* The force sweep, and its parts for the integrators.  (001: eq. 3.29) */
+/* The force sweep, and its parts for the integrators.  (001: eqs 3.37-3.39) */
 #pragma once
 #include "solid/state.h"
 
