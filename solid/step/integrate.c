@@ -1,6 +1,7 @@
 /* Advances the solid by substeps with the stage's integrator, and checks it for NaN and too large speeds. */
 #include "solid/step/integrate.h"
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
 #include "solid/imposed/constraint.h"
@@ -13,20 +14,25 @@
 
 static void nothing(struct solid *s) { (void)s; }
 
-static const struct solid_integrator_kind kinds[SOLID_INTEGRATORS] = {
-    [SOLID_RK3] = {"RK3", 3, nothing, nothing, solid_rk3_step, nothing},
-    [SOLID_VERLET] = {"velocity Verlet", 1, solid_verlet_begin, solid_verlet_again, solid_verlet_step,
-                      solid_verlet_end}};
+static const struct solid_integrator_kind rk3 = {"RK3", 3, nothing, nothing, solid_rk3_step, nothing};
+static const struct solid_integrator_kind verlet = {
+    "velocity Verlet", 1, solid_verlet_begin, solid_verlet_again, solid_verlet_step, solid_verlet_end};
 
 const struct solid_integrator_kind *solid_integrate_kind(enum solid_integrator integrator) {
-    return &kinds[integrator];
+    switch (integrator) {
+    case SOLID_RK3:
+        return &rk3;
+    case SOLID_VERLET:
+        return &verlet;
+    }
+    ENSURE(0, "integrator %d", (int)integrator);
 }
 
 long solid_integrate_sweeps(const struct solid *s, int substeps) {
-    return (long)substeps * kinds[s->stage.integrator].sweeps;
+    return (long)substeps * solid_integrate_kind(s->stage.integrator)->sweeps;
 }
 
-void solid_integrate_resume(struct solid *s) { kinds[s->stage.integrator].end(s); }
+void solid_integrate_resume(struct solid *s) { solid_integrate_kind(s->stage.integrator)->end(s); }
 
 /* Sets loads and imposed velocities of the coming substep. Returns whether one of them may have changed. */
 static int impose(struct solid *s, double dt) {
@@ -37,7 +43,7 @@ static int impose(struct solid *s, double dt) {
 
 void solid_integrate(struct solid *s, double dt, int substeps) {
     clock_begin(CLOCK_SOLID);
-    const struct solid_integrator_kind *kind = &kinds[s->stage.integrator];
+    const struct solid_integrator_kind *kind = solid_integrate_kind(s->stage.integrator);
     const double start = s->t;
     for (int i = 0; i < substeps; i++) {
         const int changed = impose(s, dt);

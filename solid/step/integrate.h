@@ -11,7 +11,7 @@ void solid_integrate(struct solid *s, double dt, int substeps);
 /* Finds NaN, and a speed of more than a hundred times the sum of sqrt(E/rho) and the given speed. Not collective. */
 struct step_status solid_integrate_check(const struct solid *s);
 
-/* What an integrator is: one line of the table in integrate.c. */
+/* What an integrator is: one line of solid_integrate_kind. */
 enum { SOLID_INTEGRATORS = SOLID_VERLET + 1 };
 struct solid_integrator_kind {
     const char *name;
