@@ -81,6 +81,7 @@ static void a_folder_that_does_not_exist(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     snprintf(path, sizeof path, "%s/it", files_folder("aside"));
+    remove(path); /* of a run before this one */
     snprintf(part, sizeof part, "%s.part", path);
     const struct CMUnitTest tests[] = {cmocka_unit_test(it_appears_when_it_is_complete),
                                        cmocka_unit_test(a_full_disk_leaves_the_old_file),

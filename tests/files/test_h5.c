@@ -89,6 +89,8 @@ static void wrong_requests_have_a_reason(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     snprintf(path, sizeof path, "%s/it.h5", files_folder("h5"));
+    if (par_rank() == 0) remove(path); /* of a run before this one */
+    par_barrier();
     const struct CMUnitTest tests[] = {cmocka_unit_test(arrays_attributes_and_texts),
                                        cmocka_unit_test(wrong_requests_have_a_reason)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

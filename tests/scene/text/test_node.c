@@ -24,7 +24,7 @@ static void nodes_are_found_by_their_path(void **state) {
     assert_string_equal(scene_node_find(root, "list[0]")->value, "x");
     assert_string_equal(scene_node_find(root, "list[1].b")->value, "2");
     assert_ptr_equal(scene_node_find(root, ""), root);
-    static const char *const none[] = {"abc", "list[2]", "list[-1]", "list.b", "a[0]", "a.b", "list[1].c"};
+    static const char *const none[] = {"abc", "l", "lis", "list[2]", "list[-1]", "list.b", "a[0]", "a.b", "list[1].c"};
     for (size_t k = 0; k < sizeof none / sizeof *none; k++)
         if (scene_node_find(root, none[k])) fail_msg("%s is found", none[k]);
     assert_ptr_equal(scene_node_child(root, "ab"), root->child[2]);
