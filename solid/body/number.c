@@ -42,7 +42,7 @@ static int ascending(const void *a, const void *b) {
 
 int solid_number_unique(long *id, long n) {
     long kept = 0;
-    qsort(id, (size_t)n, sizeof *id, ascending);
+    if (n > 0) qsort(id, (size_t)n, sizeof *id, ascending);
     for (long i = 0; i < n; i++)
         if (i == 0 || id[i] != id[i - 1]) id[kept++] = id[i];
     return (int)kept;
