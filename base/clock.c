@@ -3,8 +3,6 @@
 #include "base/ensure.h"
 #include "base/par.h"
 
-#include <string.h>
-
 enum { DEPTH = 16 };
 
 static double seconds[CLOCK_ALL];
@@ -39,5 +37,3 @@ const char *clock_name(enum clock_part part) {
                                                 "contact",  "interface", "output", "forward", "columns", "backward"};
     return name[part];
 }
-
-void clock_reset(void) { memset(seconds, 0, sizeof seconds); }

@@ -23,4 +23,3 @@ void clock_begin(enum clock_part part); /* Not collective. */
 void clock_end(enum clock_part part);   /* Not collective. */
 double clock_seconds(enum clock_part part);
 const char *clock_name(enum clock_part part);
-void clock_reset(void);
