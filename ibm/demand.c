@@ -32,6 +32,8 @@ void ibm_demand_out(struct ibm *ibm, int same) {
     for (int h = 0; h < ibm->served; h++) memcpy(ibm->vector[IBM_DEMAND][h], served[ibm->arrival[h]], sizeof *served);
 }
 
+int ibm_demand_is_kept(const struct ibm *ibm) { return ibm->implicit || ibm->slip_time > 0; }
+
 int ibm_demand_is_set(const struct ibm *b) { return b->route.plan != NULL; }
 
 void ibm_demand(struct ibm *ibm, double *const demand[3]) {

@@ -11,6 +11,7 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "ibm/feedback.h"
 #include "ibm/state.h"
 
 struct sweep {
@@ -73,6 +74,11 @@ static void iterate(const struct sweep *w, enum ibm_keep keep, int two) {
 }
 
 void ibm_forcing_stage(struct ibm *ibm, int r, double dt) {
+    if (ibm->slip_time > 0) {
+        ibm_feedback_begin(ibm, r, dt);
+        ibm_feedback_end(ibm, r, dt);
+        return;
+    }
     clock_begin(CLOCK_FORCING);
     const struct fluid_grid *g = ibm->grid;
     struct ibm_tally tally = {.squares = 0};

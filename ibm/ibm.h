@@ -24,6 +24,7 @@ void ibm_implicit_force_again(struct ibm *ibm, int r, double dt);
 void ibm_implicit_force(struct ibm *ibm, int r, double dt);
 /* Starting guess of the implicit forcing, one vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and
  * its setting from a checkpoint. [n] each. Collective. */
+int ibm_demand_is_kept(const struct ibm *ibm); /* 1: the forcing has such a value. Not collective. */
 int ibm_demand_is_set(const struct ibm *ibm); /* 1: some rank has markers. Not collective. */
 void ibm_demand(struct ibm *ibm, double *const demand[3]);
 void ibm_demand_set(struct ibm *ibm, const double *const demand[3]);

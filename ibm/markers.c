@@ -118,7 +118,7 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
     clock_begin(CLOCK_FORCING);
     double differs[2];
     const int before = ibm->route.n;
-    if (ibm->implicit) ibm_demand_home(ibm);
+    if (ibm_demand_is_kept(ibm)) ibm_demand_home(ibm);
     fill(ibm, n, x, v, volume, differs);
     par_max_array(differs, 2);
     if (differs[0] > 0) renew_plan(ibm);
@@ -129,6 +129,6 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
             renew_weights(ibm, 1);
         }
     }
-    if (ibm->implicit) ibm_demand_out(ibm, n == before);
+    if (ibm_demand_is_kept(ibm)) ibm_demand_out(ibm, n == before);
     clock_end(CLOCK_FORCING);
 }

@@ -73,7 +73,8 @@ struct ibm_touch {
 
 /* Vectors of the implicit forcing's equation. */
 enum ibm_vector {
-    IBM_DEMAND,    /* y: the guess of the forcing, q = B y, m/s2; kept from stage to stage */
+    IBM_DEMAND,    /* y: the guess of the forcing, q = B y, m/s2; kept from stage to stage. With feedback: the kept
+                    * force f */
     IBM_FORCE,     /* q = B y, m/s2 */
     IBM_RESIDUAL,  /* residual of the equation of y, m/s */
     IBM_Z,         /* B residual */
@@ -96,6 +97,7 @@ struct ibm {
     const struct fluid_grid *grid; /* borrowed */
     int iterations;
     int implicit;                        /* diffusion is implicit: ibm/implicit.c */
+    double slip_time;                    /* s, of the forcing with feedback; 0: it is not used (ibm/feedback.c) */
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */
     int *owner[3];                       /* [n[direction]] contribution of a cell to the number of the rank that owns
@@ -128,6 +130,7 @@ struct ibm {
 
     /* Work: of a stage or a step. */
     double (*increment)[3]; /* [served] (V - U) A_h dx / cell volume, m/s */
+    double (*velocity)[3];  /* [served] of the forcing with feedback: U_h, then its slip, m/s; NULL otherwise */
     double (*received)[3];  /* [served] sum of the increments over stages and iterations */
     double *home;           /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
     size_t home_size;
@@ -192,8 +195,8 @@ static inline void ibm_keep(double received[3], const double increment[3], enum 
  * eqs 3.79, 3.80)      For the inner markers first .. last-1. */
 void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
                       struct ibm_tally *t);
-/* velocity [served] <- U_h of the inner markers  (001: eq. 3.79) */
-void ibm_sweep_read(const struct ibm *ibm, double *const u[3], double (*velocity)[3]);
+/* velocity [served] <- U_h of the inner markers first .. last-1  (001: eq. 3.79) */
+void ibm_sweep_read(const struct ibm *ibm, double *const u[3], int first, int last, double (*velocity)[3]);
 /* u += increment delta  (001: eqs 3.81, 3.82) */
 void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int last);
 /* The same for edges: sums over pieces (001: eq. 3.79); increments, once the sums are complete (eq. 3.80); spreading by

@@ -55,9 +55,9 @@ void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, 
     }
 }
 
-void ibm_sweep_read(const struct ibm *ibm, double *const u[3], double (*velocity)[3]) {
+void ibm_sweep_read(const struct ibm *ibm, double *const u[3], int first, int last, double (*velocity)[3]) {
     const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
-    for (int h = 0; h < ibm->inner; h++) {
+    for (int h = first; h < last; h++) {
         const struct ibm_stencil *s = &ibm->stencil[h];
         ask_ahead(s + (h + AHEAD < ibm->inner ? AHEAD : 0), u, row, plane);
         const ibm_row block = block_velocity(s, u, row, plane);

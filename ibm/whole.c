@@ -4,7 +4,7 @@
 #include <string.h>
 
 void ibm_whole_read(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]) {
-    ibm_sweep_read(ibm, u, velocity);
+    ibm_sweep_read(ibm, u, 0, ibm->inner, velocity);
     ibm_edge_sum(ibm, u, 0, ibm->pieces);
     ibm_share_sums(ibm);
     ibm_edge_velocity(ibm, with_sides, velocity + ibm->inner);

@@ -1,0 +1,25 @@
+/* Forcing with feedback, in the place of ibm_forcing_stage: its slip does not depend on the step. (ibm/feedback.c;
+ * Goldstein et al. 1993) */
+#pragma once
+#include "ibm/ibm.h"
+
+/* Turns it on, before the first markers. slip_time, s: slip of a steady flow over the force, m/s over m/s2, that is
+ * over the force on the fluid per mass of a marker's volume. Explicit diffusion only. */
+void ibm_feedback_set(struct ibm *ibm, double slip_time);
+/* w of stage r: fraction of the slip that is taken away directly. */
+double ibm_feedback_weight(const struct ibm *ibm, int r, double dt);
+
+/* A stage with the velocities that the markers were set with is
+ *     fluid_predict; ibm_feedback_begin; ibm_feedback_end; fluid_project
+ * and with velocities that follow from the force in the same stage
+ *     fluid_predict; ibm_feedback_begin; ibm_feedback_out; [the solid] ibm_feedback_in; fluid_project.
+ * begin adds the kept force and reads the fluid's velocity U; end and in add the rest and renew the kept force.
+ * Collective. */
+void ibm_feedback_begin(struct ibm *ibm, int r, double dt);
+void ibm_feedback_end(struct ibm *ibm, int r, double dt);
+/* Markers in the order of ibm_markers_set [n]: U, m/s; kept force f, m/s2; 1, or 0 for a marker outside the domain. The
+ * fluid takes density * volume * (g f + w slip) from a marker, kg m/s. */
+enum { IBM_FEEDBACK_U = 0, IBM_FEEDBACK_FORCE = 3, IBM_FEEDBACK_REACHED = 6, IBM_FEEDBACK_SENT = 7 };
+void ibm_feedback_out(struct ibm *ibm, double (*out)[IBM_FEEDBACK_SENT]);
+/* slip [n][3]: mean of V - U over the stage, m/s. */
+void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3]);
