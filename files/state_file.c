@@ -185,6 +185,10 @@ static int read_item(struct store *s, const struct state_item *item, const struc
         return read_particles(s, item, part, why, room);
     case STATE_CELL:
         array = state_item_array(item, part, 0);
+        if (item->missing == STATE_ABOVE && store_read_count(s, item->name) < 0) {
+            memcpy(array, state_item_array(item - 1, part, 0), size.cells * sizeof *array);
+            return 0;
+        }
         return store_read_block(s, item->name, &size.block, array + size.inner);
     case STATE_BODY:
         if (item->missing != STATE_FAULT && is_left_out(item, part, store_read_count(s, item->name), size.bodies))

@@ -25,7 +25,12 @@ enum state_shape {
 enum state_in { STATE_STORED = 1, STATE_KEPT = 2, STATE_BOTH = 3 }; /* in checkpoints; in the state kept in memory */
 
 /* What is done if a checkpoint, of an earlier version or of a scene without the variable, does not have it. */
-enum state_missing { STATE_FAULT, STATE_LEFT, STATE_ZERO }; /* refused; left as it is; set to 0 */
+enum state_missing {
+    STATE_FAULT, /* the checkpoint is refused */
+    STATE_LEFT,  /* the variable is left as it is */
+    STATE_ZERO,  /* a value is set to 0 */
+    STATE_ABOVE  /* a STATE_CELL array gets the values of the item above it, which is one too */
+};
 
 /* Functions for a variable that is not simply copied. keep: the owner of the copy. */
 struct state_kept {

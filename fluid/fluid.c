@@ -35,6 +35,10 @@ static void check_driving(const struct fluid_input *in) {
  * change, and an open side's faces are advanced after the inner faces. */
 static int apart(const struct fluid *f) { return f->in.immersed || f->in.implicit || f->boundary->open; }
 
+/* Whether the momentum equation's pressure is apart from p: only a forcing changes u* between prediction and
+ * projection, and implicit diffusion has its own rule for p. */
+static int has_predictor(const struct fluid_input *in) { return in->immersed && !in->implicit; }
+
 struct fluid *fluid_new(const struct fluid_input *in) {
     struct fluid *f = calloc(1, sizeof *f);
     int periodic[3];
@@ -47,6 +51,7 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     double **arrays[] = {&f->state.u, &f->state.v, &f->state.w, &f->state.p, &f->rate[0], &f->rate[1], &f->rate[2]};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
+    f->state.pi = has_predictor(in) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : f->state.p;
     for (int c = 0; c < 3; c++)
         f->predicted[c] =
             apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : fluid_component(&f->state, c);
@@ -69,6 +74,7 @@ void fluid_free(struct fluid *f) {
         memory_free(fluid_component(&f->state, c));
         memory_free(f->rate[c]);
     }
+    if (has_predictor(&f->in)) memory_free(f->state.pi);
     memory_free(f->state.p);
     memory_free(f->correction);
     memory_free(f->flux);

@@ -64,6 +64,8 @@ struct fluid_input {
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
+    double *pi;        /* predictor pressure, which the momentum equation reads, centres, Pa; p itself unless bodies are
+                        * immersed and diffusion is explicit */
     double driving;    /* the present pressure gradient, Pa/m; its mean over the stage if it depends on time */
 
     /* Work. */
@@ -85,7 +87,7 @@ struct fluid_state *fluid_state_of(struct fluid *f);
  *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt);
  *     [ibm_implicit_force(..)]; fluid_project(f, r, dt); */
 
-/* u* = u + dt (alpha R + beta R_old - gamma grad p / rho), and the values on the sides' faces. Ghosts are not set;
+/* u* = u + dt (alpha R + beta R_old - gamma grad pi / rho), and the values on the sides' faces. Ghosts are not set;
  * fluid_predicted_refresh does that. Collective. */
 void fluid_predict(struct fluid *f, int r, double dt);
 /* Implicit diffusion: solves for u*, from the u* that fluid_predict has computed without a viscous term and a force has
@@ -108,16 +110,17 @@ struct fluid_mirror {
     double face, inner, constant;
 };
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
-/* Solves for the pressure and projects: new velocity and pressure. Sets one ghost layer of the velocity, and the
- * pressure's ghosts that the next stage reads. Collective. */
+/* Solves for the pressure and projects: new velocity and pressures. Sets one ghost layer of the velocity, and pi's
+ * ghosts that the next stage reads. Where pi is apart, p is set in the last stage, and in all stages if the force on
+ * the box is summed (fluid_box_force_begin). Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
 /* Three stages: a step of a fluid without immersed bodies. Collective. */
 void fluid_step(struct fluid *f, double dt);
-/* Fills all `halo` ghost layers of the state's u, v, w, p. Collective. */
+/* Fills all `halo` ghost layers of the state's u, v, w, p, and one of pi. Collective. */
 void fluid_state_refresh(struct fluid *f);
 /* Fills the nearest `layers` ghost layers for a reader of blocks of cells that stay within the global cells low ..
- * high-1 (which may lie beyond a side; the same box on every rank). Ghosts outside the box may keep old values.
- * Collective. */
+ * high-1 (which may lie beyond a side; the same box on every rank). Ghosts outside the box, and those of pi where it is
+ * apart, may keep old values. Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
 /* The largest stable step by its convective and its viscous limit, each INFINITY if there is none. With implicit

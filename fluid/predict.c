@@ -45,12 +45,12 @@ void fluid_predict(struct fluid *f, int r, double dt) {
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
     fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* before u* overwrites u, if they are one array */
     const double *const read[3] = {q[0], q[1], q[2]};
-    fluid_momentum_predict(&s, read, f->state.p, f->predicted, f->rate);
+    fluid_momentum_predict(&s, read, f->state.pi, f->predicted, f->rate);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
             if (b->here && b->normal == FLUID_NORMAL_FREE)
-                fluid_momentum_open_predict(&s, d, side, read, f->state.p, f->predicted, f->rate);
+                fluid_momentum_open_predict(&s, d, side, read, f->state.pi, f->predicted, f->rate);
         }
     const struct par_halo_part whole = par_halo_whole(g->halos, 1);
     fluid_boundary_faces(f->boundary, g, f->predicted, &whole);

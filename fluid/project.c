@@ -81,7 +81,7 @@ static void hold_bulk(struct fluid *f, double bulk, double stage) {
     f->state.driving += f->in.density * f->shift[d] / stage;
 }
 
-/* This rank's share of the mean of p over the cells at a side. */
+/* This rank's share of the mean of pi over the cells at a side. */
 static double section_mean(const struct fluid *f, int d, int side) {
     const struct fluid_grid *g = f->grid;
     int a, b;
@@ -90,7 +90,7 @@ static double section_mean(const struct fluid *f, int d, int side) {
     fluid_boundary_others(d, &a, &b);
     const ptrdiff_t in = side ? 0 : fluid_boundary_stride(g, d);
     for (int l = 0; l < g->m[b]; l++)
-        for (int j = 0; j < g->m[a]; j++) sum += f->state.p[(ptrdiff_t)fluid_boundary_face(g, d, side, j, l) + in];
+        for (int j = 0; j < g->m[a]; j++) sum += f->state.pi[(ptrdiff_t)fluid_boundary_face(g, d, side, j, l) + in];
     return sum / ((double)g->n[a] * g->n[b]);
 }
 
@@ -106,15 +106,26 @@ static double level(struct fluid *f) {
     return 0;
 }
 
-/* Solves lap phi = div(u*)/c, then q = u* - c grad phi + shift, p += phi; all planes of the right-hand side have been
- * transformed.  (001: eqs 3.71-3.73) */
-static void project(struct fluid *f, double c, int fix_level) {
+/* The pressures that stage r changes. With u -> u + S f between prediction and projection, handing the pressure on
+ * unweighted between stages of different lengths creates energy; with the weight |u|^2 + (gamma_1 dt/rho)^2 |grad pi|^2
+ * does not grow by it.  (docs/design/fluid.md) */
+static struct fluid_momentum_pressure pressure_of(const struct fluid *f, int r) {
+    const double ratio = physics_rk3_gamma[r] / physics_rk3_gamma[0];
+    const int is_apart = f->state.pi != f->state.p, is_read = r == 2 || f->audit.on;
+    return (struct fluid_momentum_pressure){
+        .p = is_apart && !is_read ? NULL : f->state.p, .pi = f->state.pi, .weight = is_apart ? ratio * ratio : 1};
+}
+
+/* Solves lap phi = div(u*)/c, then q = u* - c grad phi + shift and the stage's pressures; all planes of the right-hand
+ * side have been transformed.  (001: eqs 3.71-3.73) */
+static void project(struct fluid *f, int r, double c, int fix_level) {
     clock_begin(CLOCK_COLUMNS);
     fluid_poisson_solve(f->poisson, fix_level ? level(f) : 0);
     clock_end(CLOCK_COLUMNS);
     clock_begin(CLOCK_BACKWARD);
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
-    fluid_correction_apply(f, c, q);
+    const struct fluid_momentum_pressure pressure = pressure_of(f, r);
+    fluid_correction_apply(f, c, &pressure, q);
     clock_end(CLOCK_BACKWARD);
 }
 
@@ -135,7 +146,7 @@ void fluid_project(struct fluid *f, int r, double dt) {
     if (apart) fluid_box_force_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
     f->state.driven = (r == 0 ? 0 : f->state.driven) + physics_rk3_gamma[r] * f->state.driving;
-    project(f, c, r == 2);
+    project(f, r, c, r == 2);
     if (f->diffusion) refresh_pressure(f);
     if (f->audit.on) fluid_box_force_pressure(f, r);
     clock_end(CLOCK_POISSON);
@@ -150,7 +161,8 @@ void fluid_project_start(struct fluid *f) {
         memcpy(f->predicted[c], q[c], f->grid->size * sizeof(double));
     fluid_predicted_refresh(f, 1);
     forward(f, 1, 0);
-    project(f, 1, 0);
+    project(f, 0, 1, 0);
     memset(f->state.p, 0, f->grid->size * sizeof(double));
+    memset(f->state.pi, 0, f->grid->size * sizeof(double));
     fluid_state_refresh(f);
 }

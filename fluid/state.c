@@ -9,6 +9,12 @@ struct fluid_state *fluid_state_of(struct fluid *f) {
     return &f->state;
 }
 
+/* Fills the ghosts of pi that the momentum equation reads, if p's are not these. The correction keeps them current. */
+static void refresh_predictor(struct fluid *f) {
+    const struct par_halo_part nearest = par_halo_whole(f->grid->halos, 1);
+    if (f->state.pi != f->state.p) fluid_boundary_pressure(f->boundary, f->grid, f->state.pi, &nearest);
+}
+
 /* A free low side is closed by continuity, which reads one ghost layer of the neighbours; so these ghosts are filled
  * first. */
 static void state_refresh(struct fluid *f, const struct par_halo_part *part) {
@@ -26,6 +32,7 @@ static void state_refresh(struct fluid *f, const struct par_halo_part *part) {
 void fluid_state_refresh(struct fluid *f) {
     const struct par_halo_part whole = par_halo_whole(f->grid->halos, f->grid->halo);
     state_refresh(f, &whole);
+    refresh_predictor(f);
 }
 
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]) {

@@ -4,12 +4,19 @@
 
 #include <string.h>
 
+static int has_predictor(const void *owner) {
+    const struct fluid_state *s = &((const struct fluid *)owner)->state;
+    return s->pi != s->p;
+}
+
 /* Ghosts are rebuilt from the sides' conditions and the neighbours after reading; a kept state has them. */
 const struct state_item fluid_state_table[] = {
     {"u", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, u), .in = STATE_BOTH},
     {"v", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, v), .in = STATE_BOTH},
     {"w", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, w), .in = STATE_BOTH},
     {"p", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, p), .in = STATE_BOTH},
+    {"pi", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, pi), .in = STATE_BOTH, .missing = STATE_ABOVE,
+     .is_part = has_predictor},
     {"driving", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct fluid_state, driving), .in = STATE_BOTH},
 };
 

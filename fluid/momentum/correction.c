@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "base/par_halo.h"
 #include "fluid/grid/boundary.h"
-#include "fluid/momentum/momentum.h"
 #include "fluid/poisson/poisson.h"
 
 static int cut(const struct fluid_grid *g) { return g->ranks[1] > 1; }
@@ -47,23 +46,23 @@ static void extend(const struct fluid *f, double *phi) {
     for (int i = 0; i < mx; i++) phi[my * g->row + i] = in_y * phi[from_y * g->row + i];
 }
 
-/* Adds phi to p in the ghosts on the high sides of plane k. */
-static void add_beside(const struct fluid *f, int k, const double *phi) {
-    const struct fluid_grid *g = f->grid;
-    double *p = f->state.p + fluid_grid_at(g, 0, 0, k);
-    for (int j = 0; j < g->m[1]; j++) p[j * g->row + g->m[0]] += phi[j * g->row + g->m[0]];
-    for (int i = 0; i < g->m[0]; i++) p[g->m[1] * g->row + i] += phi[g->m[1] * g->row + i];
+/* Adds phi to the pressures in the ghosts on the high sides of plane k. */
+static void add_beside(const struct fluid_grid *g, int k, const double *phi,
+                       const struct fluid_momentum_pressure *pressure) {
+    const int mx = g->m[0], my = g->m[1];
+    for (int j = 0; j < my; j++)
+        fluid_momentum_kernels_add(pressure, fluid_grid_at(g, mx, j, k), 1, phi + j * g->row + mx);
+    fluid_momentum_kernels_add(pressure, fluid_grid_at(g, 0, my, k), mx, phi + my * g->row);
 }
 
-static void add_above(const struct fluid *f, const double *phi) {
-    const struct fluid_grid *g = f->grid;
-    double *p = f->state.p + fluid_grid_at(g, 0, 0, g->m[2]);
+static void add_above(const struct fluid_grid *g, const double *phi, const struct fluid_momentum_pressure *pressure) {
     for (int j = 0; j < g->m[1]; j++)
-        for (int i = 0; i < g->m[0]; i++) p[j * g->row + i] += phi[j * g->row + i];
+        fluid_momentum_kernels_add(pressure, fluid_grid_at(g, 0, j, g->m[2]), g->m[0], phi + j * g->row);
 }
 
-/* Corrects, at plane k, the free faces on low sides, which no array stores, and the pressure beyond them. */
-static void correct_low(const struct fluid *f, double c, int k, const double *phi, double *const q[3]) {
+/* Corrects, at plane k, the free faces on low sides, which no array stores, and the pressures beyond them. */
+static void correct_low(const struct fluid *f, double c, int k, const double *phi,
+                        const struct fluid_momentum_pressure *pressure, double *const q[3]) {
     const struct fluid_grid *g = f->grid;
     for (int d = 0; d < 3; d++) {
         const struct fluid_boundary_side *s = &f->boundary->side[d][0];
@@ -73,7 +72,8 @@ static void correct_low(const struct fluid *f, double c, int k, const double *ph
             for (int i = 0; i < (d == 0 ? 1 : g->m[0]); i++) {
                 const size_t n = fluid_grid_at(g, i, j, k) - (size_t)fluid_boundary_stride(g, d);
                 q[d][n] = f->predicted[d][n] - factor * phi[j * g->row + i] + f->shift[d];
-                f->state.p[n] += image(f, d, 0) * phi[j * g->row + i];
+                const double beyond = image(f, d, 0) * phi[j * g->row + i];
+                fluid_momentum_kernels_add(pressure, n, 1, &beyond);
             }
     }
 }
@@ -95,20 +95,21 @@ static void ghosts_between_planes(const struct fluid *f, double *const q[3]) {
     for (int d = cut(f->grid) ? 1 : 2; d < 3; d++) fluid_boundary_ghosts(f->boundary, f->grid, q, d, &whole);
 }
 
-void fluid_correction_apply(struct fluid *f, double c, double *const q[3]) {
+void fluid_correction_apply(struct fluid *f, double c, const struct fluid_momentum_pressure *pressure,
+                            double *const q[3]) {
     const struct fluid_grid *g = f->grid;
     if (cut(g)) collect(f);
     for (int k = g->m[2]; k >= 0; k--) {
         double *phi = plane_of(f, k);
         if (!cut(g)) fluid_poisson_plane_backward(f->poisson, k, phi);
         if (k == g->m[2]) {
-            add_above(f, phi);
+            add_above(g, phi, pressure);
             continue;
         }
         extend(f, phi);
-        fluid_momentum_kernels_correct(g, k, c, f->shift, phi, plane_of(f, k + 1), f->predicted, q, f->state.p);
-        add_beside(f, k, phi);
-        correct_low(f, c, k, phi, q);
+        fluid_momentum_kernels_correct(g, k, c, f->shift, phi, plane_of(f, k + 1), f->predicted, q, pressure);
+        add_beside(g, k, phi, pressure);
+        correct_low(f, c, k, phi, pressure, q);
         ghosts_of_plane(f, k, q);
     }
     ghosts_between_planes(f, q);

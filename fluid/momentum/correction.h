@@ -3,10 +3,12 @@
  * whole array is kept, because one row of every plane comes from the next rank. */
 #pragma once
 #include "fluid/internal.h"
+#include "fluid/momentum/momentum.h"
 
 /* To be freed by memory_free. */
 double *fluid_correction_new(const struct fluid_grid *g);
-/* q = predicted - c grad phi + shift on all faces inside the domain and on open sides; p += phi in the cells and in the
- * ghosts that the momentum equation reads. Fills one ghost layer of q, of each plane while it is in the cache. phi is
- * the solver's solution. q may be predicted. Collective. */
-void fluid_correction_apply(struct fluid *f, double c, double *const q[3]);
+/* q = predicted - c grad phi + shift on all faces inside the domain and on open sides; the pressures change by phi in
+ * the cells and in the ghosts that the momentum equation reads. Fills one ghost layer of q, of each plane while it is
+ * in the cache. phi is the solver's solution. q may be predicted. Collective. */
+void fluid_correction_apply(struct fluid *f, double c, const struct fluid_momentum_pressure *pressure,
+                            double *const q[3]);

@@ -24,13 +24,28 @@ static void correct_row_in_place(int count, double factor, double shift, const d
     for (int i = 0; i < count; i++) q[i] = q[i] - factor * (next[i] - phi[i]) + shift;
 }
 
-static void add_row(int count, const double *restrict phi, double *restrict p) {
-    for (int i = 0; i < count; i++) p[i] += phi[i];
+static void add_row(int count, double weight, const double *restrict phi, double *restrict pi) {
+    for (int i = 0; i < count; i++) pi[i] += weight * phi[i];
+}
+
+static void add_row_to_both(int count, double weight, const double *restrict phi, double *restrict p,
+                            double *restrict pi) {
+    for (int i = 0; i < count; i++) {
+        p[i] = pi[i] + phi[i];
+        pi[i] += weight * phi[i];
+    }
+}
+
+void fluid_momentum_kernels_add(const struct fluid_momentum_pressure *to, size_t n, int count, const double *phi) {
+    if (!to->p || to->p == to->pi)
+        add_row(count, to->weight, phi, to->pi + n);
+    else
+        add_row_to_both(count, to->weight, phi, to->p + n, to->pi + n);
 }
 
 void fluid_momentum_kernels_correct(const struct fluid_grid *g, int k, double c, const double shift[3],
                                     const double *phi, const double *above, double *const predicted[3],
-                                    double *const q[3], double *p) {
+                                    double *const q[3], const struct fluid_momentum_pressure *pressure) {
     for (int j = 0; j < g->m[1]; j++) {
         const size_t n = fluid_grid_at(g, 0, j, k);
         const double *here = phi + j * g->row, *next[3] = {here + 1, here + g->row, above + j * g->row};
@@ -40,6 +55,6 @@ void fluid_momentum_kernels_correct(const struct fluid_grid *g, int k, double c,
             else
                 correct_row(g->m[0], c / g->d[d], shift[d], here, next[d], predicted[d] + n, q[d] + n);
         }
-        add_row(g->m[0], here, p + n);
+        fluid_momentum_kernels_add(pressure, n, g->m[0], here);
     }
 }

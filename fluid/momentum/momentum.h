@@ -39,9 +39,18 @@ void fluid_momentum_open_predict(const struct fluid_momentum_stage *s, int direc
 /* Plane k: rhs = scale div q, [m_y][m_x] without padding, 1/s times scale. Reads the low ghosts. */
 void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
                                        double *rhs);
-/* Plane k: q = predicted - c grad phi + shift on the owned faces, p += phi in the cells; c = gamma_r dt / rho. q may be
- * predicted.
+/* The pressures that a stage's correction phi changes: p = pi + phi, then pi += weight phi. Both arrays are of
+ * g->size. p may be pi itself, with weight 1, or NULL: not written. */
+struct fluid_momentum_pressure {
+    double *p, *pi; /* Pa */
+    double weight;  /* (gamma_r/gamma_1)^2 */
+};
+
+/* For the cells n .. n+count-1; phi [count]. */
+void fluid_momentum_kernels_add(const struct fluid_momentum_pressure *to, size_t n, int count, const double *phi);
+/* Plane k: q = predicted - c grad phi + shift on the owned faces, the pressures as above in the cells;
+ * c = gamma_r dt / rho. q may be predicted.
  *     phi, above   centres of planes k, k+1, from cell (0,0) on, strides 1 and g->row; one ghost on the high sides */
 void fluid_momentum_kernels_correct(const struct fluid_grid *g, int k, double c, const double shift[3],
                                     const double *phi, const double *above, double *const predicted[3],
-                                    double *const q[3], double *p);
+                                    double *const q[3], const struct fluid_momentum_pressure *pressure);

@@ -35,37 +35,43 @@ static void divergence_of_a_linear_field(void **state) {
     fluid_grid_free(g);
 }
 
-/* q = predicted - c grad phi + shift, p += phi, for phi = x - 2y + 3z; the same into another array and in place. */
+/* q = predicted - c grad phi + shift, p = pi + phi, pi += w phi, for phi = x - 2y + 3z: into other arrays; in place and
+ * without p; in place with p the same array as pi. */
 static void correction_by_a_linear_field(void **state) {
     (void)state;
     struct fluid_grid *g = grid(0);
     const double c = 0.3, shift[3] = {10, 20, 30}, gradient[3] = {1, -2, 3};
-    double *p = array(g), *phi = array(g), *predicted[3], *q[3];
+    double *p = array(g), *pi = array(g), *phi = array(g), *predicted[3], *q[3];
+    const struct fluid_momentum_pressure pressure[3] = {{p, pi, 0.25}, {NULL, pi, 0.5}, {pi, pi, 1}};
     for (int d = 0; d < 3; d++) predicted[d] = array(g), q[d] = array(g);
     for (int k = 0; k <= NZ; k++)
         for (int j = 0; j <= NY; j++)
             for (int i = 0; i <= NX; i++) {
                 const size_t n = fluid_grid_at(g, i, j, k);
                 phi[n] = i * g->d[0] - 2 * j * g->d[1] + 3 * k * g->d[2];
-                p[n] = random_at(3, i, j, k);
+                pi[n] = random_at(3, i, j, k);
                 for (int d = 0; d < 3; d++) predicted[d][n] = random_at(d, i, j, k);
             }
-    for (int in_place = 0; in_place < 2; in_place++)
+    for (int turn = 0; turn < 3; turn++)
         for (int k = 0; k < NZ; k++)
             fluid_momentum_kernels_correct(g, k, c, shift, phi + fluid_grid_at(g, 0, 0, k),
-                                           phi + fluid_grid_at(g, 0, 0, k + 1), predicted, in_place ? predicted : q, p);
+                                           phi + fluid_grid_at(g, 0, 0, k + 1), predicted, turn ? predicted : q,
+                                           &pressure[turn]);
     for (int k = 0; k < NZ; k++)
         for (int j = 0; j < NY; j++)
             for (int i = 0; i < NX; i++) {
                 const size_t n = fluid_grid_at(g, i, j, k);
-                check_close(p[n], random_at(3, i, j, k) + 2 * phi[n], 1e-13); /* it was added twice */
+                check_close(p[n], random_at(3, i, j, k) + phi[n], 1e-13); /* by the first turn only */
+                check_close(pi[n], random_at(3, i, j, k) + 1.75 * phi[n], 1e-13);
                 for (int d = 0; d < 3; d++) {
-                    check_close(q[d][n], random_at(d, i, j, k) - c * gradient[d] + shift[d], 1e-13);
-                    check_close(predicted[d][n], q[d][n], 1e-13);
+                    const double change = shift[d] - c * gradient[d];
+                    check_close(q[d][n], random_at(d, i, j, k) + change, 1e-13);
+                    check_close(predicted[d][n], q[d][n] + change, 1e-13); /* it was corrected twice */
                 }
             }
     for (int d = 0; d < 3; d++) free(predicted[d]), free(q[d]);
     free(phi);
+    free(pi);
     free(p);
     fluid_grid_free(g);
 }
@@ -76,6 +82,7 @@ static void divergence_and_gradient_are_adjoint(void **state) {
     struct fluid_grid *g = grid(1);
     const double none[3] = {0, 0, 0};
     double *phi = array(g), *p = array(g), *q[3], *zero[3], *gradient[3], rhs[NX * NY];
+    const struct fluid_momentum_pressure pressure = {p, p, 1};
     for (int d = 0; d < 3; d++) q[d] = array(g), zero[d] = array(g), gradient[d] = array(g);
     for (int k = 0; k < NZ; k++)
         for (int j = 0; j < NY; j++)
@@ -90,7 +97,7 @@ static void divergence_and_gradient_are_adjoint(void **state) {
     for (int k = 0; k < NZ; k++) {
         fluid_momentum_kernels_divergence(g, k, 1, (const double *const *)q, rhs);
         fluid_momentum_kernels_correct(g, k, -1, none, phi + fluid_grid_at(g, 0, 0, k),
-                                       phi + fluid_grid_at(g, 0, 0, k + 1), zero, gradient, p);
+                                       phi + fluid_grid_at(g, 0, 0, k + 1), zero, gradient, &pressure);
         for (int j = 0; j < NY; j++)
             for (int i = 0; i < NX; i++) {
                 const size_t n = fluid_grid_at(g, i, j, k);
