@@ -82,7 +82,8 @@ static int wanted(struct run *r, solid_contact_enough *enough) {
         die_all(EXIT_CODE_SCENE,
                 "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
                 stage_of(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
-    return least > 1 ? (int)fmin(least, SUBSTEPS_MAX) : 1; /* without bonds there is no limit */
+    const double fewest = r->reaction ? 3 : 1; /* one in each stage of the fluid; without bonds there is no limit */
+    return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
 }
 
 int adapt_substeps_wanted(struct run *r) { return wanted(r, NULL); }

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-int forcing_guess_is_part_of(const struct run *r) { return r->ibm && fluid_input_of(r->fluid)->implicit; }
+int forcing_guess_is_part_of(const struct run *r) { return r->ibm && ibm_demand_is_kept(r->ibm); }
 
 void forcing_guess_take(struct run *r, double (*all)[3]) {
     const size_t bytes = (size_t)r->solid->n * sizeof *all;
@@ -40,6 +40,15 @@ void forcing_guess_hand_on(struct run *r) {
     set(r, (const double(*)[3])r->demand);
     memory_free(r->demand);
     r->demand = NULL;
+}
+
+void forcing_guess_keep(struct run *r) {
+    if (!r->reaction) return;
+    double(*all)[3] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof *all);
+    forcing_guess_take(r, all);
+    for (int i = 0; i < r->surface->n; i++)
+        for (int c = 0; c < 3 && r->surface->two_sided[i] == SOLID_SET_FREE; c++) all[r->surface->h[i]][c] = 0;
+    r->demand = all;
 }
 
 static void make(void *keep, void *owner) {

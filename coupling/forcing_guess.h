@@ -12,6 +12,9 @@ void forcing_guess_take(struct run *r, double (*all)[3]);
 /* Gives the guess back to the markers: at once if the solid is at rest, else when the markers have been set again.
  * Collective. */
 void forcing_guess_put(struct run *r, const double (*all)[3]);
+/* Stores the markers' values by particle, before the interface changes. A particle without bonds keeps no force: its
+ * marker stands for a drag. Collective. */
+void forcing_guess_keep(struct run *r);
 /* After ibm_markers_set: gives a stored guess to the markers. Collective. */
 void forcing_guess_hand_on(struct run *r);
 

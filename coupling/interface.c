@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "coupling/balance.h"
 #include "coupling/interface.h"
+#include "coupling/reaction.h"
 #include "coupling/run.h"
 #include "solid/imposed/given.h"
 
@@ -13,6 +14,7 @@
 /* Whether the load is carried from the probes to the wall. */
 static int is_at_wall(const struct run *r) {
     switch (r->scene->coupling->load) {
+    case SCENE_LOAD_REACTION:
     case SCENE_LOAD_PROBE:
         return 0;
     case SCENE_LOAD_WALL:
@@ -92,7 +94,9 @@ static double set_free_volume(const struct run *r, int h) {
     const double diameter = cbrt(6 / M_PI * s->volume[h]);
     const double drag = 3 * M_PI * fluid->viscosity * diameter * r->dt;
     const double half = 0.5 * s->in.material[s->in.body[s->body[h]].material].density / fluid->density * s->volume[h];
-    return fmin(drag, half) / (3 * r->scene->coupling->forcing_iterations);
+    double times = 3 * r->scene->coupling->forcing_iterations;
+    if (r->reaction) times = reaction_weights(r);
+    return fmin(drag, half) / times;
 }
 
 /* The centre of a particle is half a spacing inside its wetted face, or as deep as its shape says (depth); its marker
@@ -121,7 +125,7 @@ void interface_markers_update(struct run *r) {
             m->v[c][i] = s->v[c][h];
             if (r->v_last[0] && r->dt > 0) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * surface->normal[c][i];
         }
-        if (faces == SOLID_SET_FREE) continue;
+        if (faces == SOLID_SET_FREE || r->reaction) continue;
         for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {
             const int q = m->probes++;
             m->owner[q] = i;

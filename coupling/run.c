@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/interface.h"
+#include "coupling/reaction.h"
 #include "coupling/setup/given.h"
 #include "solid/solid.h"
 
@@ -67,7 +68,8 @@ struct run *run_new(const struct scene *scene) {
         r->medium = medium_of(r);
         for (int c = 0; c < 3; c++)
             r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
-        if (r->needs.bonds)
+        r->reaction = reaction_new(r);
+        if (r->needs.bonds && !r->reaction)
             for (int c = 0; c < 3; c++)
                 r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         r->strong = strong_new(r);
@@ -90,8 +92,11 @@ void run_free(struct run *r) {
     if (!r) return;
     interface_markers_free(r);
     strong_free(r->strong);
+    reaction_free(r->reaction);
     for (int c = 0; c < 3; c++) {
         memory_free(r->v_last[c]);
+        memory_free(r->inner_velocity[c]);
+        memory_free(r->inner_acceleration[c]);
         memory_free(r->position[c]);
     }
     memory_free(r->demand);

@@ -13,6 +13,7 @@
 #include "solid/surface/surface.h"
 
 struct run;
+struct reaction;
 typedef void run_part(struct run *r);
 enum { RUN_PARTS_MAX = 8 };
 
@@ -49,6 +50,7 @@ struct run {
     struct solid_surface *surface; /* NULL unless immersed */
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
+    struct reaction *reaction;     /* NULL unless the load is the forcing's reaction (coupling/reaction.h) */
     struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 
     /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
@@ -63,6 +65,10 @@ struct run {
     double load[3];       /* force of the fluid on the solid at the last probe, whole solid, N */
     double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed */
     double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
+    /* [n] of the fluid at each particle, NULL unless the load is the reaction: velocity at the last reading, m/s; running
+     * mean of its acceleration, m/s2; time of the last reading, s, -1: none (coupling/reaction.c) */
+    double *inner_velocity[3], *inner_acceleration[3];
+    double inner_time;
     double (*demand)[3];  /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct solid_rates solid_rates;
     struct run_refined refined;

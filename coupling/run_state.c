@@ -49,6 +49,7 @@ static int is_refined(const void *owner) {
     return r->needs.bonds && r->solid->refine;
 }
 
+static int has_inner(const void *owner) { return ((const struct run *)owner)->inner_velocity[0] != NULL; }
 static int has_guess(const void *owner) { return forcing_guess_is_part_of(owner); }
 static void save_guess(void *owner, void *value) { forcing_guess_take(owner, value); }
 static int load_guess(void *owner, const void *value, char *why, size_t room) {
@@ -95,6 +96,12 @@ const struct state_item run_state_table[] = {
      .is_part = is_refined, .why = of_rates},
     /* data that a step passes to the next */
     {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
+    {"inner_velocity", STATE_DOUBLE, STATE_PARTICLE, OF(inner_velocity), .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_inner},
+    {"inner_acceleration", STATE_DOUBLE, STATE_PARTICLE, OF(inner_acceleration), .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_inner},
+    {"inner_time", STATE_DOUBLE, STATE_ONE, OF(inner_time), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner},
     {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
      .after = "sweep"},
     /* after the surface is restored */

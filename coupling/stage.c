@@ -23,6 +23,7 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     if (!is_elastic(scene, k)) return needs;
     needs |= STAGE_ELASTIC;
     if (scene->fluid && scene->coupling->scheme == SCENE_STRONG) needs |= STAGE_STRONG;
+    if (scene->fluid && scene->coupling->load == SCENE_LOAD_REACTION) needs |= STAGE_REACTS;
     if (scene->solid->refinement) needs |= STAGE_REFINES;
     if (can_touch) needs |= STAGE_TOUCHES;
     if (stage->substeps == 0 && needs & (STAGE_TOUCHES | STAGE_AUTOMATIC)) needs |= STAGE_FOLLOWS;

@@ -14,7 +14,8 @@ enum stage_need {
     STAGE_REFINES = 128, /* a plate may get smaller particles */
     STAGE_TOUCHES = 256, /* particles without a common bond may meet */
     STAGE_FOLLOWS = 512, /* the number of substeps follows contact and the time step */
-    STAGE_ALL_NEEDS = 1023
+    STAGE_REACTS = 1024, /* the load is the forcing's reaction, found within the fluid's stages */
+    STAGE_ALL_NEEDS = 2047
 };
 
 /* The set of needs of stage k. can_touch: solid_contact_is_possible, for a scene with contact. Depends on its arguments

@@ -36,6 +36,9 @@ void ibm_forcing_total(struct ibm *ibm, double force[3]);
 /* The same by marker, in the order of ibm_markers_set, N: [n] each, zero for a marker outside the domain. The part of
  * the force that is not spread, beyond the domain's sides, counts as well. Collective. */
 void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]);
+/* U of field u on the faces at all markers, in the order of ibm_markers_set [n], m/s; 0 for a marker outside the domain.
+ * No ghost is read. Collective. */
+void ibm_whole_sample(struct ibm *ibm, double *const u[3], double (*out)[3]);
 double
 ibm_forcing_slip(struct ibm *ibm); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 

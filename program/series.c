@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/interface.h"
+#include "coupling/reaction.h"
 #include "files/folder.h"
 #include "files/table.h"
 #include "solid/bonds/family.h"
@@ -149,7 +150,7 @@ static double particles_outside(const struct run *r) {
 }
 
 static void sample_immersed(struct series *s, struct run *r) {
-    if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) interface_probe(r);
+    if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) (r->reaction ? reaction_measure : interface_probe)(r);
     run_deposit(r);
     const struct medium_values v = medium_measure(r->medium, r->fluid, r->surface->immersed_area);
     s->now.dp = v.pressure_drop;

@@ -216,7 +216,7 @@ struct scene_solid {
 };
 
 enum scene_surface { SCENE_SURFACE_LATTICE, SCENE_SURFACE_SHAPE };
-enum scene_load_form { SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
+enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
 enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
 enum scene_relaxation { SCENE_QUASI_NEWTON, SCENE_AITKEN };
 struct scene_coupling {

@@ -11,6 +11,7 @@ struct par_ghost;
 struct solid_family; /* opaque: the bonds, solid/bonds/family.h */
 struct solid_contact;
 struct solid_added_mass;
+struct solid_drag;
 struct solid_given;  /* opaque: the loads of the input, solid/imposed/given.h */
 struct solid_refine; /* opaque: the state of refinement, solid/refine/refine.h */
 
@@ -48,6 +49,7 @@ struct solid {
     double *family_volume;                /* [n + n_ghost] V_h = sum Gamma V of the unbroken family, m3 */
     uint8_t *body;                        /* [n + n_ghost] */
     const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
+    const struct solid_drag *drag;        /* borrowed, NULL: none (solid/force/drag.h) */
     long bonds_total; /* undirected, whole solid, of the families as made at the start or by a refinement */
 
     /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c looks that it has every
@@ -81,7 +83,7 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    double power_added; /* the part of power_load due to the added mass */
+    double power_added; /* the part of power_load due to added mass and drag */
 
     /* Counters: they only rise, and no step depends on their values. */
     long sweeps;        /* force sweeps so far */

@@ -3,6 +3,7 @@
 #include "base/vec.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/store.h"
+#include "solid/force/drag.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
 #include "solid/step/verlet.h"
@@ -49,6 +50,7 @@ static double predict(int n, double dt, double theta, double weight, const doubl
 void solid_verlet_again(struct solid *s) {
     s->power_damped = s->power_pairwise;
     solid_force_rest(s, s->v_old);
+    if (s->drag) solid_drag_begin(s);
 }
 
 void solid_verlet_begin(struct solid *s) {
@@ -59,6 +61,7 @@ void solid_verlet_begin(struct solid *s) {
         solid_ghosts_begin(s);
         sweep_pairs(s);
         solid_force_rest(s, s->v_old);
+        if (s->drag) solid_drag_begin(s);
     }
 }
 
@@ -85,6 +88,7 @@ void solid_verlet_step(struct solid *s, double dt) {
     for (int c = 0; c < s->dim && theta < 1; c++)
         for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - theta) * dt * s->a_old[c][h];
     solid_force_rest(s, s->v_old);
+    if (s->drag) solid_drag_end(s, dt, s->a_old);
     for (int c = 0; c < s->dim; c++) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
         for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);

@@ -1,0 +1,245 @@
+/* Load by reaction: what the forcing takes from the fluid is given to the solid, within the stage. */
+/* In stage r of the fluid's step, of length g = gamma_r dt, the forcing with feedback (ibm/feedback.c) gives the fluid at
+ * a marker of volume W the impulse rho W (g f + w e), with e the mean of V - U over the stage. The solid's substeps of
+ * the stage, T long together, take the same impulse back,
+ *
+ *     m dV/dt = ... - rho W (g f + w (V - U))/T + V_h (rho I - rho b - G) ,
+ *
+ * whose part in V is implicit in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off,
+ * marker by marker, and the work that is done on the solid is taken from the fluid but for the slip's loss: for
+ * w J S <= 1 no step creates energy, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
+ *
+ * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with
+ * acceleration I of the fluid at each particle, of the step before; and so are the body force b and the driving gradient
+ * G on it. For light bodies I is a running mean, because a delay of a step amplifies what changes from step to step. */
+#include "coupling/reaction.h"
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/run.h"
+#include "ibm/feedback.h"
+#include "physics/rk3.h"
+#include "solid/force/drag.h"
+#include "solid/imposed/given.h"
+#include "solid/step/integrate.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The slip time over the cell's diffusion time and over its convection time. */
+static const double OF_DIFFUSION = 0.0014, OF_CONVECTION = 0.02;
+/* Part of the inner fluid's new acceleration in the mean, for bodies of at least HEAVY times the fluid's density and for
+ * lighter ones. */
+static const double HEAVY = 3, PART_HEAVY = 1, PART_LIGHT = 0.2;
+
+struct reaction {
+    struct ibm *inner; /* all particles, to read the fluid within the body */
+    struct solid_drag drag;
+    int capacity;
+    int *h;               /* [markers] */
+    double *rate;         /* [markers] z, 1/s */
+    double (*u)[3];       /* [markers] U, m/s */
+    double (*path)[3];    /* [markers] integral of V - U, m */
+    double (*kept)[3];    /* [markers] force of the kept f on the solid in this stage, N/m3 */
+    double (*from)[IBM_FEEDBACK_SENT];
+    double *v[3], *volume; /* [n] of the inner markers; unused by reading */
+    double (*now)[3];      /* [n] U of the inner fluid, m/s */
+};
+
+double reaction_slip_time(const struct run *r) {
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    const double dx = fluid_grid_of(r->fluid)->d[0], speed = fluid_limits_speed(r->fluid);
+    return fmin(OF_DIFFUSION * dx * dx / in->viscosity, OF_CONVECTION * dx / speed);
+}
+
+struct reaction *reaction_new(struct run *r) {
+    if (!r->needs.immersed || r->scene->coupling->load != SCENE_LOAD_REACTION) return NULL;
+    struct reaction *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
+    ibm_feedback_set(r->ibm, reaction_slip_time(r));
+    if (!r->needs.bonds) return k;
+    const size_t n = (size_t)r->solid->n + 1;
+    k->inner = ibm_new(r->fluid, 0);
+    for (int c = 0; c < 3; c++) k->v[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+    k->volume = memory_new(MEMORY_COUPLING, n, sizeof(double));
+    k->now = memory_new(MEMORY_COUPLING, n, sizeof *k->now);
+    for (int c = 0; c < 3; c++) {
+        r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+        r->inner_acceleration[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+    }
+    r->inner_time = -1;
+    return k;
+}
+
+void reaction_free(struct reaction *k) {
+    if (!k) return;
+    ibm_free(k->inner);
+    void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept, k->from,
+                           k->v[0], k->v[1], k->v[2], k->volume, k->now,  k};
+    for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
+}
+
+static void reserve(struct reaction *k, int n) {
+    if (n <= k->capacity && k->h) return;
+    const size_t room = (size_t)(k->capacity = n + n / 4 + 64);
+    void *const old[] = {k->h, k->rate, k->u, k->path, k->kept, k->from};
+    for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
+    k->h = memory_new(MEMORY_COUPLING, room, sizeof *k->h);
+    k->rate = memory_new(MEMORY_COUPLING, room, sizeof *k->rate);
+    k->u = memory_new(MEMORY_COUPLING, room, sizeof *k->u);
+    k->path = memory_new(MEMORY_COUPLING, room, sizeof *k->path);
+    k->kept = memory_new(MEMORY_COUPLING, room, sizeof *k->kept);
+    k->from = memory_new(MEMORY_COUPLING, room, sizeof *k->from);
+}
+
+double reaction_weights(const struct run *r) {
+    double sum = 0;
+    for (int stage = 0; stage < 3; stage++) sum += ibm_feedback_weight(r->ibm, stage, r->dt);
+    return sum;
+}
+
+void reaction_split(int substeps, int of_stage[3]) {
+    of_stage[1] = (int)fmax(1, floor(physics_rk3_gamma[1] * substeps + 0.5));
+    of_stage[2] = (int)fmax(1, floor(physics_rk3_gamma[2] * substeps + 0.5));
+    of_stage[0] = substeps - of_stage[1] - of_stage[2];
+}
+
+/* Whether the particle is in the domain at X0 + d. */
+static int is_inside(const struct run *r, int h) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    double x[3];
+    solid_position(r->solid, h, x);
+    for (int c = 0; c < 3; c++)
+        if (!g->periodic[c] && (x[c] < 0 || x[c] > g->length[c])) return 0;
+    return 1;
+}
+
+/* The force per volume of body force and driving on the fluid, N/m3. */
+static double push_of(const struct run *r, int c) {
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == c;
+    return in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
+}
+
+/* Reads the fluid within the body, and renews the mean of its acceleration since the last reading. */
+static void read_inner(struct run *r) {
+    struct reaction *k = r->reaction;
+    struct solid *s = r->solid;
+    const struct fluid_state *state = fluid_state_of(r->fluid);
+    double *const u[3] = {state->u, state->v, state->w};
+    const double since = r->t - r->inner_time, density = fluid_input_of(r->fluid)->density;
+    const int has_last = r->inner_time >= 0 && since > 0;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
+    ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)k->v, k->volume);
+    ibm_whole_sample(k->inner, u, k->now);
+    for (int h = 0; h < s->n; h++) {
+        const double part = solid_density(s, h) >= HEAVY * density ? PART_HEAVY : PART_LIGHT;
+        for (int c = 0; c < 3; c++) {
+            const double a = has_last ? (k->now[h][c] - r->inner_velocity[c][h]) / since : 0;
+            double *mean = &r->inner_acceleration[c][h];
+            *mean = has_last ? *mean + part * (a - *mean) : 0;
+            r->inner_velocity[c][h] = k->now[h][c];
+        }
+    }
+    r->inner_time = r->t;
+    r->deposited = -1;
+}
+
+/* Sets the solid's load to the given loads and what the inner fluid gives back; sum: the latter's total. */
+static void load_inner(struct run *r, double sum[3]) {
+    struct solid *s = r->solid;
+    const double density = fluid_input_of(r->fluid)->density;
+    const struct solid_surface *f = r->surface;
+    for (int c = 0; c < 3; c++) {
+        const double push = push_of(r, c);
+        for (int h = 0; h < s->n; h++) {
+            const double back = is_inside(r, h) ? density * r->inner_acceleration[c][h] - push : 0;
+            s->load[c][h] = solid_given_of(s, h, c) + back;
+            sum[c] += back * s->volume[h];
+        }
+        for (int i = 0; i < f->n && f->set_free > 0; i++) { /* single particles carry no fluid along */
+            const int h = f->h[i];
+            if (f->two_sided[i] != SOLID_SET_FREE || !is_inside(r, h)) continue;
+            s->load[c][h] -= density * r->inner_acceleration[c][h];
+            sum[c] -= density * r->inner_acceleration[c][h] * s->volume[h];
+        }
+    }
+}
+
+/* Takes U and f of the markers: sets the drag, and adds the kept force to the load in place of that of the last stage. */
+static void receive(struct run *r, int stage, double length) {
+    struct reaction *k = r->reaction;
+    struct solid *s = r->solid;
+    const struct run_markers *m = &r->markers;
+    const double density = fluid_input_of(r->fluid)->density, g = physics_rk3_gamma[stage] * r->dt;
+    const double w = ibm_feedback_weight(r->ibm, stage, r->dt);
+    ibm_feedback_out(r->ibm, k->from);
+    for (int i = 0; i < m->n; i++) {
+        const int h = r->surface->h[i];
+        const double *from = k->from[i], per_volume = density * m->volume[i] / (length * s->volume[h]);
+        k->h[i] = h;
+        k->rate[i] = from[IBM_FEEDBACK_REACHED] * w * per_volume / solid_density(s, h);
+        for (int c = 0; c < 3; c++) {
+            const double kept = -per_volume * g * from[IBM_FEEDBACK_FORCE + c];
+            k->u[i][c] = from[IBM_FEEDBACK_U + c];
+            k->path[i][c] = 0;
+            s->load[c][h] += kept - (stage == 0 ? 0 : k->kept[i][c]);
+            k->kept[i][c] = kept;
+        }
+    }
+    k->drag = (struct solid_drag){m->n, k->h, k->rate, k->u, k->path};
+}
+
+/* Gives the mean slip of the substeps to the forcing; adds the load of the stage to sum, which is an impulse. */
+static void give(struct run *r, int stage, double length, double impulse[3]) {
+    struct reaction *k = r->reaction;
+    const struct solid *s = r->solid;
+    for (int i = 0; i < k->drag.n; i++) {
+        const int h = k->h[i];
+        const double mass = s->volume[h] * solid_density(s, h);
+        for (int c = 0; c < 3; c++) {
+            impulse[c] += s->volume[h] * length * k->kept[i][c] - mass * k->rate[i] * k->path[i][c];
+            k->path[i][c] *= (k->rate[i] > 0) / length;
+        }
+    }
+    ibm_feedback_in(r->ibm, stage, r->dt, (const double(*)[3])k->path);
+}
+
+void reaction_step(struct run *r) {
+    struct reaction *k = r->reaction;
+    struct solid *s = r->solid;
+    const double h = r->dt / r->substeps;
+    double impulse[3] = {0}, back[3] = {0};
+    int substeps[3];
+    reserve(k, r->markers.n);
+    reaction_split(r->substeps, substeps);
+    clock_begin(CLOCK_PROBE);
+    read_inner(r);
+    load_inner(r, back);
+    clock_end(CLOCK_PROBE);
+    fluid_state_of(r->fluid)->t = s->t = r->t;
+    s->drag = &k->drag;
+    for (int stage = 0; stage < 3; stage++) {
+        const double length = substeps[stage] * h;
+        fluid_predict(r->fluid, stage, r->dt);
+        ibm_feedback_begin(r->ibm, stage, r->dt);
+        receive(r, stage, length);
+        solid_integrate(s, h, substeps[stage]);
+        give(r, stage, length, impulse);
+        fluid_project(r->fluid, stage, r->dt);
+    }
+    s->drag = NULL;
+    for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt + back[c];
+    par_sum_array(r->load, 3);
+    r->moved = r->step + 1;
+}
+
+/* The inner fluid is at rest with the body, but it is pushed. */
+void reaction_measure(struct run *r) {
+    const struct solid *s = r->solid;
+    double volume = 0;
+    for (int h = 0; h < s->n; h++) volume += is_inside(r, h) ? s->volume[h] : 0;
+    volume = par_sum(volume);
+    ibm_forcing_total(r->ibm, r->load);
+    for (int c = 0; c < 3; c++) r->load[c] = -r->load[c] - push_of(r, c) * volume;
+}

@@ -1,0 +1,58 @@
+/* Drag of listed particles towards given velocities, implicit in the particle's velocity. */
+#include "solid/force/drag.h"
+#include "solid/state.h"
+
+static int is_imposed(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
+
+/* Adds the power of the force mass z (U - v) on a particle that moves at v. */
+static void add_power(struct solid *s, int h, double z, double u, double v) {
+    const double power = s->volume[h] * solid_density(s, h) * z * (u - v) * v;
+    s->power_added += power;
+    s->power_load += power;
+}
+
+void solid_drag_begin(struct solid *s) {
+    const struct solid_drag *drag = s->drag;
+    for (int i = 0; i < drag->n; i++)
+        for (int c = 0; c < s->dim; c++) {
+            const int h = drag->h[i];
+            const double v = s->v[c][h];
+            if (is_imposed(s, h, c)) continue;
+            s->a[c][h] += drag->rate[i] * (drag->u[i][c] - v);
+            add_power(s, h, drag->rate[i], drag->u[i][c], v);
+        }
+}
+
+/* v = v_half + dt/2 (a + z (U - v)), solved for v; with v_half = v_old + dt/2 a_old. */
+void solid_drag_end(struct solid *s, double dt, double *const a_old[3]) {
+    const struct solid_drag *drag = s->drag;
+    const double half = 0.5 * dt;
+    for (int i = 0; i < drag->n; i++)
+        for (int c = 0; c < s->dim; c++) {
+            const int h = drag->h[i];
+            const double z = drag->rate[i], u = drag->u[i][c], first = s->v[c][h] - dt * a_old[c][h];
+            double last = s->v[c][h];
+            if (!is_imposed(s, h, c)) {
+                const double free = first + half * (a_old[c][h] + s->a[c][h]);
+                last = (free + half * z * u) / (1 + half * z);
+                s->a[c][h] += z * (u - last);
+                add_power(s, h, z, u, last);
+            }
+            drag->path[i][c] += half * (first + last - 2 * u);
+        }
+}
+
+void solid_drag_stage(struct solid *s, double gamma_dt) {
+    const struct solid_drag *drag = s->drag;
+    for (int i = 0; i < drag->n; i++)
+        for (int c = 0; c < s->dim; c++) {
+            const int h = drag->h[i];
+            const double z = drag->rate[i], u = drag->u[i][c];
+            if (!is_imposed(s, h, c)) {
+                const double before = s->v[c][h], after = (before + gamma_dt * z * u) / (1 + gamma_dt * z);
+                s->v[c][h] = after;
+                s->work_load += s->volume[h] * solid_density(s, h) * (after - before) * 0.5 * (after + before);
+            }
+            drag->path[i][c] += gamma_dt * (s->v[c][h] - u);
+        }
+}
