@@ -4,11 +4,11 @@
  * the direct forcing in the place of their damping). For stage r of length g = gamma_r dt, with J the reading, S the
  * spreading of A_h dx/cell times a value, and V the wall's velocity,
  *
- *     u* += S (g f) ,   U = J u* ,   e = V - U ,   u* += S (w e) ,   w = min(1, g/s) ,
+ *     u* += S (g f) ,   U = J u* ,   e = V - U ,   u* += S (w e) ,   w = g/max(s, g_1) ,
  *     f <- (f + (g/k) e) / (1 + c g/k) ,   k = (0.8 dt)^2 ,   1/c = 1/s - sum_r w_r/dt .
  *
- * In a steady flow f dt + sum_r w_r e is the force's impulse F dt, and e = c f, so the slip is e = s F: s is a time that
- * belongs to the scene, and the wall does not move with the step. Without s the force of a mode that the markers cannot
+ * In a steady flow e = c f, and each stage has its share gamma_r of the step's impulse F dt = f dt + sum_r w_r e. So the
+ * slip is e = s F: s is a time that belongs to the scene, and the wall does not move with the step. Without s the force of a mode that the markers cannot
  * see (J S f = 0) would grow without bound. For w J S <= 1 the sum of the fluid's energy, of k |f|^2/2 and of the
  * predictor pressure's part does not grow. */
 #include "ibm/feedback.h"
@@ -29,7 +29,7 @@ void ibm_feedback_set(struct ibm *ibm, double slip_time) {
 }
 
 static double weight(const struct ibm *ibm, int r, double dt) {
-    return fmin(1, physics_rk3_gamma[r] * dt / ibm->slip_time);
+    return physics_rk3_gamma[r] * dt / fmax(ibm->slip_time, physics_rk3_gamma[0] * dt);
 }
 
 double ibm_feedback_weight(const struct ibm *ibm, int r, double dt) { return weight(ibm, r, dt); }
