@@ -2,7 +2,8 @@
  * are cut from the lattice (docs/design/solid.md, Points on a surface). A point nearer to a surface than the tolerance
  * lies on it, and what lies on it is inside: on the surface of a shape, a cavity or a hole it is in the body, on the
  * border of a region it is in the region, on an initial crack it is cut. The tolerance is far above the round-off of
- * coordinates (1e-12 spacings at 10^4 spacings from the origin), so that scale, place and compiler change nothing. */
+ * coordinates (some 1e-11 spacings at 10^5 spacings from the origin), so that scale, place and compiler change nothing.
+ */
 #pragma once
 
 /* In spacings, 4.8e-7: half the unit to which a plate's positions are rounded (solid/body/cloud.h). */

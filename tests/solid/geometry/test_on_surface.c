@@ -187,7 +187,8 @@ static void regions(void **state) {
     (void)state;
     for (int run = 0; run < SCALES * SHIFTS; run++) {
         const double h = scale[run / SHIFTS], to = PLACE + shift[run % SHIFTS];
-        const double low[3] = {(to - 1) * h, to * h, (to - 3) * h}, high[3] = {(to + 2) * h, (to + 2) * h, (to + 1) * h};
+        const double low[3] = {(to - 1) * h, to * h, (to - 3) * h},
+                     high[3] = {(to + 2) * h, (to + 2) * h, (to + 1) * h};
         int inside = 0, on = 0;
         for (int q = 0; q < 1000; q++) {
             const double x[3] = {(to - 5 + q % 10) * h, (to - 5 + q / 10 % 10) * h, (to - 5 + q / 100) * h};
@@ -249,7 +250,8 @@ static void cracks(void **state) {
                          xi[1], xi[2]);
         }
         check_equal(met, 2 * 16 * 26 - 2 * (12 + 12 + 9 + 9)); /* of each corner all; those between two of them once */
-        const double line[2][3] = {{to * h, to * h}, {(to + 3) * h, to * h}}, origin[2] = {(PLACE - 0.5) * h, (PLACE - 0.5) * h};
+        const double line[2][3] = {{to * h, to * h}, {(to + 3) * h, to * h}},
+                     origin[2] = {(PLACE - 0.5) * h, (PLACE - 0.5) * h};
         const struct solid_cut cut = {2, line};
         struct solid_cut_line *made = solid_cut_line_new(&cut, origin, h);
         for (int i = -3; i < 7; i++) {
