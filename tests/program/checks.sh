@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every scene of cases/ passes frana check, and no lattice point lies on a surface unless the scene says that it is meant.
+# Every scene of cases/ passes frana check; no lattice point lies on a surface unless the scene says that it is meant.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 count=0
