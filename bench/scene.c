@@ -26,7 +26,7 @@ static const char text[] =
     "  bodies:\n"
     "    - {name: block, material: ceramic, shape: box, low: [%.9g, -0.0046875, 0], high: [%.9g, %.9g, "
     "%.9g],\n"
-    "       cavities: {period: 0.025, radius: 0.014296875, centre: [%.9g, 0, 0]}}\n"
+    "       cavities: {period: 0.025, radius: 0.014325, centre: [%.9g, 0, 0]}}\n"
     "  constraints:\n"
     "    - {low: [0, -0.01, 0], high: [1, 0, 1], directions: xyz}\n"
     "    - {low: [0, %.9g, 0], high: [1, 1, 1], directions: xyz}\n"

@@ -26,7 +26,7 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
     }
     if (!in->side) { /* the main case's block, with its cavities and its periodic span */
         body.cavity_period = 16 * SPACING;
-        body.cavity_radius = 9.15 * SPACING;
+        body.cavity_radius = 9.168 * SPACING;
         body.cavity_centre[0] = 16.15 * SPACING;
         input.periodic[2] = 1;
         input.length[2] = width * SPACING;

@@ -11,6 +11,7 @@
 #include "program/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
+#include "solid/imposed/constraint.h"
 #include "solid/law/material.h"
 #include "solid/refine/refine.h"
 #include "solid/step/integrate.h"
@@ -43,6 +44,27 @@ static const char *model_name(enum solid_model model) {
     ENSURE(0, "model %d", (int)model);
 }
 
+static void say_border(const struct solid *s, const char *key, int k, const double low[3], const double high[3]) {
+    const long on = solid_constraint_on_border(s, low, high);
+    if (on > 0) say("  warning: %ld particles lie on the border of solid.%s[%d]; they count as inside\n", on, key, k);
+}
+
+/* Lattice points that a small change of a size would move in or out. */
+static void say_on_surface(const struct solid *s) {
+    const struct solid_input *in = &s->in;
+    for (int b = 0; b < in->bodies; b++)
+        if (in->body[b].on_surface > 0)
+            say("  warning: %ld lattice points lie on the surface of %s; they count as inside. Sizes that move the "
+                "surface by %.3g m avoid this\n",
+                in->body[b].on_surface, in->body[b].name, 0.5 * in->body[b].surface_gap);
+    for (int k = 0; k < in->constraints; k++)
+        say_border(s, "constraints", k, in->constraint[k].low, in->constraint[k].high);
+    for (int k = 0; k < in->unbreakables; k++)
+        say_border(s, "unbreakable", k, in->unbreakable[k].low, in->unbreakable[k].high);
+    for (int k = 0; k < in->loads; k++)
+        if (in->load[k].kind == SOLID_LOAD_REGION) say_border(s, "loads", k, in->load[k].low, in->load[k].high);
+}
+
 static void say_holdings(struct run *r) {
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     say("%s\n\nholds\n", r->scene->title);
@@ -62,6 +84,7 @@ static void say_holdings(struct run *r) {
             say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
         }
     }
+    if (r->solid) say_on_surface(r->solid);
     if (r->surface)
         say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
             r->surface->immersed_area, r->surface->initial_area);

@@ -85,7 +85,10 @@ struct solid_body {
     int outlines;
     const struct solid_outline *outline; /* borrowed */
     int material;
-    double least_horizon; /* m, the least of its particles; set by solid_new */
+    /* set by solid_new */
+    double least_horizon; /* m, the least of its particles */
+    long on_surface;      /* lattice points on its surface; they count as inside (solid/geometry/on_surface.h) */
+    double surface_gap;   /* no other lattice point is nearer to its surface, m */
 };
 
 /* A factor that varies in time: linear between points, constant before the first and after the last. n = 0: the factor

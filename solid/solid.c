@@ -165,6 +165,9 @@ struct solid *solid_new(const struct solid_input *in) {
         sites[b] =
             solid_sites_new(in, &in->body[b], s->n_global, (int)floor(m->horizon_ratio + (s->dim == 3 ? 0.5 : 1)));
         s->n_global += sites[b]->count;
+        struct solid_body *body = (struct solid_body *)(uintptr_t)&s->in.body[b];
+        body->on_surface = sites[b]->on_surface;
+        body->surface_gap = sites[b]->gap;
     }
     overlap_check(in, sites);
     solid_plane_overlap_check(in, sites);

@@ -3,24 +3,16 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "solid/geometry/curve.h"
+#include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/shape.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Whether x is in the nearest of the cavities of the cubic array. */
-static int in_cavity(const struct solid_body *body, const double x[3]) {
-    double r2 = 0;
-    for (int c = 0; c < 3; c++) {
-        const double r = (x[c] - body->cavity_centre[c]) / body->cavity_period;
-        r2 += (r - rint(r)) * (r - rint(r));
-    }
-    return r2 * body->cavity_period * body->cavity_period < body->cavity_radius * body->cavity_radius;
-}
-
 int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing) {
-    return solid_shape_of(body)->contains(body, x, 1e-9 * spacing) && !(body->cavity_period > 0 && in_cavity(body, x));
+    const struct solid_shape_surface surface = solid_shape_surface(body);
+    return solid_on_surface_is_inside(solid_shape_depth(&surface, x, spacing), spacing);
 }
 
 struct keyed {
@@ -34,18 +26,29 @@ static int by_key(const void *a, const void *b) {
     return x->item < y->item ? -1 : x->item > y->item;
 }
 
+/* Takes note of a lattice point's depth below the body's surface. */
+static void note(struct solid_sites *sites, double depth, double spacing) {
+    if (solid_on_surface_is_on(depth, spacing))
+        sites->on_surface++;
+    else
+        sites->gap = fmin(sites->gap, fabs(depth));
+}
+
 /* One byte for each site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and
- * extent. */
+ * extent, and who lies on its surface. */
 static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *body, const int low[3],
                              const int n[3], struct solid_sites *sites, int top[3]) {
     uint8_t *inside = memory_new(MEMORY_SOLID, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1), *at = inside;
+    const struct solid_shape_surface surface = solid_shape_surface(body);
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
             for (int i = 0; i < n[0]; i++, at++) {
                 const int site[3] = {low[0] + i, low[1] + j, low[2] + k};
                 double x[3];
                 for (int c = 0; c < 3; c++) x[c] = in->origin[c] + (site[c] + 0.5) * in->spacing;
-                if (!solid_sites_body_contains(body, x, in->spacing)) continue;
+                const double depth = solid_shape_depth(&surface, x, in->spacing);
+                note(sites, depth, in->spacing);
+                if (!solid_on_surface_is_inside(depth, in->spacing)) continue;
                 *at = 1;
                 for (int c = 0; c < 3; c++) {
                     if (site[c] < sites->base[c] || sites->count == 0) sites->base[c] = site[c];
@@ -164,6 +167,8 @@ static void cut_from_plane(const struct solid_input *in, const struct solid_body
         key[p] = (struct keyed){solid_curve_key(at, 2), p};
     }
     number(sites, key, cells->n);
+    sites->on_surface = cells->on_edge;
+    sites->gap = cells->gap * in->spacing;
     memory_free(key);
     sites->cell = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof *sites->cell);
     sites->area = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof *sites->area);
@@ -199,6 +204,7 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
     struct solid_sites *sites = memory_new(MEMORY_SOLID, 1, sizeof *sites);
     sites->is_lattice = solid_shape_is_on_lattice(b);
     sites->first = first;
+    sites->gap = INFINITY;
     switch (solid_shape_of(b)->places) {
     case SOLID_PLACES_LATTICE:
         cut_from_lattice(in, b, sites, reach);

@@ -8,6 +8,8 @@ enum { SOLID_ROW = 8 }; /* sites of a row */
 struct solid_sites {
     int is_lattice;
     long first, count; /* global ids first .. first+count-1 */
+    long on_surface;   /* lattice points on the body's surface; they count as inside (solid/geometry/on_surface.h) */
+    double gap;        /* no other lattice point is nearer to the surface than this, m; INFINITY: points */
     /* lattice: rows of eight sites along x */
     int low[3];    /* lattice index of the corner */
     int rows[3];   /* rows along x (eight sites each), sites along y and z */
@@ -29,5 +31,6 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
 void solid_sites_free(struct solid_sites *sites);
 /* The global id of a lattice site, also across periodic sides; -1: not in the body. Not collective. */
 long solid_sites_id(const struct solid_sites *sites, const int site[3]);
-/* Whether a point belongs to a body on the lattice: in its shape, and in none of its cavities. Not collective. */
+/* Whether a point belongs to a body on the lattice: in its shape or on its surface, and inside none of its cavities.
+ * Not collective. */
 int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing);

@@ -42,8 +42,9 @@ static int is_near(const struct crack *k, int dim, const double at[3], double re
     return 1;
 }
 
-static int crosses(const struct crack *k, const double from[3], const double to[3]) {
-    return k->line ? solid_cut_line_crosses(k->line, from, to) : solid_cut_plane_crosses(k->cut->point, from, to);
+static int crosses(const struct crack *k, const double from[3], const double to[3], double spacing) {
+    return k->line ? solid_cut_line_crosses(k->line, from, to)
+                   : solid_cut_plane_crosses(k->cut->point, from, to, spacing);
 }
 
 /* Breaks those bonds of h that the crack crosses, with h at the position `at`. Returns how many. */
@@ -58,7 +59,7 @@ static long break_from(struct solid *s, const struct crack *k, int h, const doub
             const double xi = view.xi[b][c]; /* in a plate: an exact number of spacings */
             to[c] = at[c] + (k->line ? 0x1p-32 * rint(0x1p32 * (xi / s->in.spacing)) : xi);
         }
-        if (!crosses(k, at, to)) continue;
+        if (!crosses(k, at, to, s->in.spacing)) continue;
         if (view.intact[b]) solid_family_break(s, h, b);
         met++;
     }

@@ -2,11 +2,12 @@
 #include "solid/geometry/cut.h"
 #include "base/die.h"
 #include "base/memory.h"
+#include "solid/geometry/on_surface.h"
 
 #include <math.h>
 #include <stdio.h>
 
-static const double PLANE = 1e-9, TOUCH = 1e-12;
+static const double PLANE = 1e-9; /* of the extent */
 
 static void minus(const double a[3], const double b[3], double d[3]) {
     for (int c = 0; c < 3; c++) d[c] = a[c] - b[c];
@@ -75,7 +76,8 @@ struct solid_cut_line *solid_cut_line_new(const struct solid_cut *cut, const dou
             const double at = (cut->point[k][c] - origin[c]) / spacing;
             if (!(fabs(at) < 0x1p28))
                 die_all(EXIT_CODE_SCENE, "a crack's point is %g spacings from the lattice's origin", at);
-            line->point[k][c] = (int64_t)rint(at * 0x1p20) * (1 << 12);
+            const double unit = 2 * SOLID_ON_SURFACE; /* what lies on a row of particles is moved into it */
+            line->point[k][c] = (int64_t)rint(at / unit) * (int64_t)(unit * 0x1p32);
         }
     return line;
 }
@@ -128,10 +130,11 @@ static int in_plane(const double (*corner)[3], const double normal[3], const dou
     return from <= to;
 }
 
-int solid_cut_plane_crosses(const double (*corner)[3], const double first[3], const double second[3]) {
+int solid_cut_plane_crosses(const double (*corner)[3], const double first[3], const double second[3], double spacing) {
     double normal[3], to[3], away[2], x[3];
-    const double extent = normal_of(corner, normal), tolerance = TOUCH * extent;
+    const double tolerance = SOLID_ON_SURFACE * spacing;
     int c = 0;
+    normal_of(corner, normal);
     while (c < 2 && first[c] == second[c]) c++;
     const int swap = first[c] > second[c];
     const double *end[2] = {swap ? second : first, swap ? first : second};

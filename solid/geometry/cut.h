@@ -6,7 +6,8 @@
  * has the four corners of a plane, convex quadrilateral. Tolerances are fractions of its extent. */
 int solid_cut_fault(const struct solid_cut *cut, int dim, char *text, size_t size);
 
-/* A crack of a plate with its points rounded to multiples of 2^-20 of a lattice's spacing. */
+/* A crack of a plate with its points rounded to multiples of 2^-20 of a lattice's spacing, twice the tolerance of
+ * solid/geometry/on_surface.h. */
 struct solid_cut_line {
     int points;
     int64_t (*point)[2]; /* in 2^-32 spacings from the lattice's origin; owned */
@@ -19,6 +20,6 @@ void solid_cut_line_free(struct solid_cut_line *line);
  * particles breaks all their bonds. So a crack should run between rows. */
 int solid_cut_line_crosses(const struct solid_cut_line *line, const double a[2], const double b[2]);
 
-/* 1: the bond from a to b meets the quadrilateral, to 1e-12 of its extent; touching counts. The result for b to a is
- * the same. All lengths are in the same unit, whatever it is. */
-int solid_cut_plane_crosses(const double (*corner)[3], const double a[3], const double b[3]);
+/* 1: the bond from a to b meets the quadrilateral; touching counts (solid/geometry/on_surface.h). The result for b to a
+ * is the same. All lengths are in the same unit, whatever it is. */
+int solid_cut_plane_crosses(const double (*corner)[3], const double a[3], const double b[3], double spacing);

@@ -2,6 +2,7 @@
 #include "solid/geometry/outline.h"
 #include "base/memory.h"
 #include "base/sort.h"
+#include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>
@@ -73,7 +74,7 @@ int solid_outline_contains(const struct solid_outline *outline, int n, const dou
     for (int l = 0; l < n; l++)
         for (int k = 0; k < outline[l].corners; k++) {
             const struct solid_outline_edge e = solid_outline_edge(&outline[l], k, x, spacing);
-            if (solid_outline_edge_distance(&e, here) <= 1e-9) return 1;
+            if (solid_on_surface_is_on(solid_outline_edge_distance(&e, here), 1)) return 1;
         }
     return solid_outline_parity(outline, n, x, spacing);
 }

@@ -13,7 +13,7 @@ int solid_outline_fault(const struct solid_outline *outline, int n, char *text, 
 
 void solid_outline_bounds(const struct solid_outline *outline, int n, double low[2], double high[2]); /* m */
 double solid_outline_area(const struct solid_outline *outline, int n);                                /* m2 */
-/* 1: x is in the body, or on its boundary to 1e-9 of the spacing. */
+/* 1: x is in the body, or on its boundary (solid/geometry/on_surface.h). */
 int solid_outline_contains(const struct solid_outline *outline, int n, const double x[2], double spacing);
 /* Area of the body inside a square with this centre and side, m2. */
 double solid_outline_area_in(const struct solid_outline *outline, int n, const double centre[2], double side);
@@ -32,10 +32,12 @@ struct solid_outline_cells {
     long n;
     struct solid_outline_cell *cell; /* [n] by j, then i; owned */
     int low[2], high[2];             /* smallest and largest i, j */
+    long on_edge;                    /* cells with their centre on the boundary; they count as inside */
+    double gap;                      /* no other centre of a cell is nearer to it, in spacings, at most 1/2 */
     long *row;                       /* [high[1] - low[1] + 2] index of the first cell of each row; owned */
 };
 
-/* There is one particle for every cell whose centre is in the body or on its boundary (to 1e-9 spacing). The part of
+/* There is one particle for every cell whose centre is in the body or on its boundary. The part of
  * the body in another cell is added, in equal parts, to the particles nearest to that cell's centre among its eight
  * neighbours; if there are none, the cell is a particle of its own. So particles do not overlap, not even in concave
  * corners, and their areas add up to the body's (to 1e-12 of it, if it is no thinner than a hundredth of its distance

@@ -1,14 +1,15 @@
 /* Divides a plate into lattice cells and computes each particle's area by Green's theorem. */
 #include "base/die.h"
 #include "base/memory.h"
+#include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/outline_edge.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* A point nearer to an edge than ON_EDGE is on it, in spacings; an area less than NOTHING is no particle, in cells. */
-static const double ON_EDGE = 1e-9, NOTHING = 1e-12;
+/* An area less than this is no particle, in cells. */
+static const double NOTHING = 1e-12;
 
 /* The contribution of edges to a cell. Cells of a row are summed up from the left:
  *
@@ -18,7 +19,7 @@ struct hit {
     int i, j;
     double area, rise;   /* integral of (x - (i + 1)) dy and of dy, with the body on the left */
     int crossings, left; /* of the row's middle; those left of the cell's centre */
-    int is_on;           /* the centre is on an edge */
+    double away;         /* distance of the centre from the edge, the least */
 };
 
 static struct hit hit_of(const struct solid_outline_edge *piece, const struct solid_outline_walk *w, int sense) {
@@ -31,7 +32,7 @@ static struct hit hit_of(const struct solid_outline_edge *piece, const struct so
         .rise = sense * (w->to[1] - w->from[1]),
         .crossings = crosses,
         .left = crosses && solid_outline_edge_at(piece, 1, centre[1]) < centre[0],
-        .is_on = solid_outline_edge_distance(piece, centre) <= ON_EDGE,
+        .away = solid_outline_edge_distance(piece, centre),
     };
 }
 
@@ -73,7 +74,7 @@ static long merge(struct hit *hit, long hits) {
         last->rise += hit[k].rise;
         last->crossings += hit[k].crossings;
         last->left += hit[k].left;
-        last->is_on |= hit[k].is_on;
+        last->away = fmin(last->away, hit[k].away);
     }
     return kept;
 }
@@ -87,7 +88,7 @@ static long cells_of(const struct hit *hit, long hits, struct solid_outline_cell
         int crossed = 0;
         for (; k < hits && hit[k].j == j; k++) {
             const struct hit *h = &hit[k];
-            const int is_inside = h->is_on || ((crossed + h->left) & 1);
+            const int is_inside = solid_on_surface_is_on(h->away, 1) || ((crossed + h->left) & 1);
             const double area = full + h->area;
             if (is_inside || area > 0) {
                 if (cell) cell[n] = (struct solid_outline_cell){h->i, j, is_inside, fmax(area, 0)};
@@ -101,6 +102,16 @@ static long cells_of(const struct hit *hit, long hits, struct solid_outline_cell
         }
     }
     return n;
+}
+
+/* Counts the centres on the boundary, and finds the nearest of the others. */
+static void look_at_centres(struct solid_outline_cells *cells, const struct hit *hit, long hits) {
+    cells->gap = 0.5;
+    for (long k = 0; k < hits; k++)
+        if (solid_on_surface_is_on(hit[k].away, 1))
+            cells->on_edge++;
+        else
+            cells->gap = fmin(cells->gap, hit[k].away);
 }
 
 /* Finds the rows of the present cells. */
@@ -196,6 +207,7 @@ struct solid_outline_cells *solid_outline_cells(const struct solid_outline *outl
     cells->n = cells_of(hit, hits, NULL);
     cells->cell = memory_new(MEMORY_SOLID, (size_t)cells->n, sizeof *cells->cell);
     cells_of(hit, hits, cells->cell);
+    look_at_centres(cells, hit, hits);
     memory_free(hit);
     index_rows(cells);
     hand_over(cells);

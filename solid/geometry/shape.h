@@ -12,10 +12,9 @@ enum solid_places {
 struct solid_shape_kind {
     const char *name;
     enum solid_places places;
-    /* of a shape on the lattice; tiny: places nearer to a face than this are on it, m */
-    int (*contains)(const struct solid_body *body, const double x[3], double tiny);
+    /* of a shape on the lattice */
     void (*bounds)(const struct solid_body *body, double low[3], double high[3]); /* m */
-    /* its surface as smooth pieces; returns how many */
+    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. */
     int (*pieces)(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]);
 };
 
@@ -25,3 +24,19 @@ const struct solid_shape_kind *solid_shape_of(const struct solid_body *body); /*
 /* The same, of a body whose particles stand on the lattice: shapes that have bounds, a surface, and may have cavities.
  */
 int solid_shape_is_on_lattice(const struct solid_body *body);
+
+/* The surface of a body on the lattice: the pieces of its shape, and the array of its cavities. */
+struct solid_shape_surface {
+    int n;
+    struct solid_piece piece[SOLID_PIECES_MAX];
+    double period; /* of the cavities, m; 0: none */
+    struct solid_piece cavity;
+};
+
+/* Nothing below is collective. */
+struct solid_shape_surface solid_shape_surface(const struct solid_body *body);
+/* The cavity nearest to x; needs cavities. */
+struct solid_piece solid_shape_cavity(const struct solid_shape_surface *surface, const double x[3]);
+/* Depth of x below the pieces and the cavity next to it, the least of them, m. More than the tolerance of
+ * solid/geometry/on_surface.h away from the surface it may be a number of the same sign that is nearer to 0. */
+double solid_shape_depth(const struct solid_shape_surface *surface, const double x[3], double spacing);

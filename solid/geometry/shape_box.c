@@ -1,13 +1,7 @@
-/* Box with faces along x, y and z. A place on a low face is in it, one on a high face is not. */
+/* Box with faces along x, y and z. */
 #include "solid/geometry/shape.h"
 
 #include <string.h>
-
-static int contains(const struct solid_body *body, const double x[3], double tiny) {
-    for (int c = 0; c < 3; c++)
-        if (x[c] < body->low[c] - tiny || x[c] >= body->high[c] - tiny) return 0;
-    return 1;
-}
 
 static void bounds(const struct solid_body *body, double low[3], double high[3]) {
     memcpy(low, body->low, sizeof body->low);
@@ -25,4 +19,4 @@ static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_
 }
 
 const struct solid_shape_kind solid_shape_box = {
-    .name = "box", .places = SOLID_PLACES_LATTICE, .contains = contains, .bounds = bounds, .pieces = pieces};
+    .name = "box", .places = SOLID_PLACES_LATTICE, .bounds = bounds, .pieces = pieces};

@@ -1,18 +1,5 @@
-/* Cylinder along x, y or z. A place on its low end is in it, one on its high end is not. */
+/* Cylinder along x, y or z. */
 #include "solid/geometry/shape.h"
-
-static int contains(const struct solid_body *body, const double x[3], double tiny) {
-    double r2 = 0;
-    for (int c = 0; c < 3; c++) {
-        const double r = x[c] - body->centre[c];
-        if (c == body->axis) {
-            if (r < -body->length / 2 - tiny || r >= body->length / 2 - tiny) return 0;
-        } else {
-            r2 += r * r;
-        }
-    }
-    return r2 < body->radius * body->radius;
-}
 
 static void bounds(const struct solid_body *body, double low[3], double high[3]) {
     for (int c = 0; c < 3; c++) {
@@ -30,4 +17,4 @@ static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_
 }
 
 const struct solid_shape_kind solid_shape_cylinder = {
-    .name = "cylinder", .places = SOLID_PLACES_LATTICE, .contains = contains, .bounds = bounds, .pieces = pieces};
+    .name = "cylinder", .places = SOLID_PLACES_LATTICE, .bounds = bounds, .pieces = pieces};

@@ -6,21 +6,6 @@
 
 enum { ROUNDS = 200 };
 
-/* Sum of ((x - centre)/radius)^2: less than 1 inside. */
-static double level(const double centre[3], const double radii[3], const double x[3]) {
-    double sum = 0;
-    for (int c = 0; c < 3; c++) {
-        const double q = (x[c] - centre[c]) / radii[c];
-        sum += q * q;
-    }
-    return sum;
-}
-
-static int contains(const struct solid_body *body, const double x[3], double tiny) {
-    (void)tiny;
-    return level(body->centre, body->radii, x) < 1;
-}
-
 static void bounds(const struct solid_body *body, double low[3], double high[3]) {
     for (int c = 0; c < 3; c++) {
         low[c] = body->centre[c] - body->radii[c];
@@ -81,12 +66,22 @@ static double depth(const struct solid_piece *p, const double x[3], double norma
     return (1 - u) * e[m] * e[m] * steep;
 }
 
+/* The level |(x - centre)/e| falls or rises by at most 1 in the shortest radius. */
+static double least(const struct solid_piece *p, const double x[3]) {
+    double level2 = 0;
+    for (int c = 0; c < 3; c++) {
+        const double q = (x[c] - p->centre[c]) / p->radii[c];
+        level2 += q * q;
+    }
+    return (1 - sqrt(level2)) * fmin(fmin(p->radii[0], p->radii[1]), p->radii[2]);
+}
+
 static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]) {
-    piece[0] = (struct solid_piece){.depth = depth, .inside = 1};
+    piece[0] = (struct solid_piece){.depth = depth, .least = least, .inside = 1};
     memcpy(piece[0].centre, body->centre, sizeof piece[0].centre);
     memcpy(piece[0].radii, body->radii, sizeof piece[0].radii);
     return 1;
 }
 
 const struct solid_shape_kind solid_shape_ellipsoid = {
-    .name = "ellipsoid", .places = SOLID_PLACES_LATTICE, .contains = contains, .bounds = bounds, .pieces = pieces};
+    .name = "ellipsoid", .places = SOLID_PLACES_LATTICE, .bounds = bounds, .pieces = pieces};

@@ -1,16 +1,6 @@
 /* Sphere. */
 #include "solid/geometry/shape.h"
 
-static int contains(const struct solid_body *body, const double x[3], double tiny) {
-    double r2 = 0;
-    (void)tiny;
-    for (int c = 0; c < 3; c++) {
-        const double r = x[c] - body->centre[c];
-        r2 += r * r;
-    }
-    return r2 < body->radius * body->radius;
-}
-
 static void bounds(const struct solid_body *body, double low[3], double high[3]) {
     for (int c = 0; c < 3; c++) {
         low[c] = body->centre[c] - body->radius;
@@ -24,4 +14,4 @@ static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_
 }
 
 const struct solid_shape_kind solid_shape_sphere = {
-    .name = "sphere", .places = SOLID_PLACES_LATTICE, .contains = contains, .bounds = bounds, .pieces = pieces};
+    .name = "sphere", .places = SOLID_PLACES_LATTICE, .bounds = bounds, .pieces = pieces};

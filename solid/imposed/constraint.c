@@ -2,13 +2,23 @@
 #include "solid/imposed/constraint.h"
 #include "base/die.h"
 #include "base/par.h"
+#include "solid/geometry/on_surface.h"
 #include "solid/imposed/time.h"
 
+static double depth_of(const struct solid *s, int h, const double low[3], const double high[3]) {
+    double x[3];
+    for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h];
+    return solid_on_surface_depth(x, low, high, s->dim);
+}
+
 int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3]) {
-    const double tiny = 1e-9 * s->in.spacing;
-    for (int c = 0; c < s->dim; c++)
-        if (s->x0[c][h] < low[c] - tiny || s->x0[c][h] > high[c] + tiny) return 0;
-    return 1;
+    return solid_on_surface_is_inside(depth_of(s, h, low, high), s->in.spacing);
+}
+
+long solid_constraint_on_border(const struct solid *s, const double low[3], const double high[3]) {
+    long on = 0;
+    for (int h = 0; h < s->n; h++) on += solid_on_surface_is_on(depth_of(s, h, low, high), s->in.spacing);
+    return par_sum_long(on);
 }
 
 /* Tested first: most particles are free. */

@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "solid/body/cloud.h"
 #include "solid/bonds/store.h"
+#include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/shape.h"
 
@@ -79,7 +80,7 @@ static void over_layer(const struct solid *s, int body, long first, const struct
 static double depth_of(const struct solid *s, const struct solid_load *load, const double x[2]) {
     const double along[2] = {load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]};
     const double at[2] = {x[0] - load->edge[0][0], x[1] - load->edge[0][1]};
-    const double length = hypot(along[0], along[1]), tiny = 1e-9 * s->in.spacing;
+    const double length = hypot(along[0], along[1]), tiny = SOLID_ON_SURFACE * s->in.spacing;
     const double way = (at[0] * along[0] + at[1] * along[1]) / length;
     if (way < -tiny || way > length + tiny) return -1;
     return 0x1p-20 * rint(0x1p20 * fabs(at[0] * along[1] - at[1] * along[0]) / (length * s->in.spacing));
@@ -98,7 +99,7 @@ static void over_horizon(const struct solid *s, int body, const struct solid_loa
             const double x[2] = {s->x0[0][h], s->x0[1][h]};
             if (s->body[h] != body) continue;
             const double depth = depth_of(s, load, x);
-            if (depth < 0 || depth > horizon) continue;
+            if (depth < 0 || depth > horizon + SOLID_ON_SURFACE) continue;
             if (!pass) cells += lrint(0x1p40 * (s->volume[h] / unit));
             for (int c = 0; pass && c < 2; c++) force[c][h] += load->traction[c] * (length * s->in.thickness / sum);
         }

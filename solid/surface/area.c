@@ -2,6 +2,7 @@
 #include "solid/surface/area.h"
 
 #include "base/par.h"
+#include "solid/geometry/on_surface.h"
 #include "solid/geometry/shape.h"
 #include "solid/surface/surface.h"
 #include "solid/surface/sector.h"
@@ -57,9 +58,8 @@ void solid_surface_area_restrict(struct solid *s, struct solid_surface *surface,
     double sum[2] = {0, 0}; /* sums of area and of wetted faces */
     for (int h = 0; h < s->n; h++) {
         if (!(s->flag[h] & SOLID_FIRST)) continue;
-        int inside = 1;
-        for (int c = 0; c < 3; c++) inside = inside && s->x0[c][h] >= low[c] && s->x0[c][h] <= high[c];
-        if (!inside) continue;
+        const double x[3] = {s->x0[0][h], s->x0[1][h], s->x0[2][h]};
+        if (!solid_on_surface_is_inside(solid_on_surface_depth(x, low, high, 3), s->in.spacing)) continue;
         sum[0] += surface->share[h];
         sum[1] += surface->faces[h];
     }

@@ -20,7 +20,7 @@ static struct solid *block(void) {
                                     .low = {16 * SPACING, -3 * SPACING, 0},
                                     .high = {64 * SPACING, 67 * SPACING, 64 * SPACING},
                                     .cavity_period = 16 * SPACING,
-                                    .cavity_radius = 9.15 * SPACING,
+                                    .cavity_radius = 9.168 * SPACING,
                                     .cavity_centre = {16.15 * SPACING, 0, 0}};
     const struct solid_material material = {1e8, 3000, 0.05, 3, SOLID_CONSTANT};
     const struct solid_input in = {.spacing = SPACING,
