@@ -7,22 +7,21 @@
 #include <stdio.h>
 
 /* One period of a simple cubic array of spheres, radius 0.4, creeping flow; %s: the sides in x, driving, bodies. */
-static const char *const array =
-    "title: test\n"
-    "domain: {size: [1, 1, 1], cells: [16, 16, 16]}\n"
-    "fluid:\n"
-    "  density: 1\n"
-    "  viscosity: 1\n"
-    "  sides:\n"
-    "%s"
-    "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
-    "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
-    "%s"
-    "solid:\n"
-    "  materials:\n    - {name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 2}\n"
-    "  bodies:\n"
-    "%s"
-    "coupling:\n  surface: shape\n  medium: {low: [0, 0, 0], high: [1, 1, 1]}\n";
+static const char *const array = "title: test\n"
+                                 "domain: {size: [1, 1, 1], cells: [16, 16, 16]}\n"
+                                 "fluid:\n"
+                                 "  density: 1\n"
+                                 "  viscosity: 1\n"
+                                 "  sides:\n"
+                                 "%s"
+                                 "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
+                                 "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
+                                 "%s"
+                                 "solid:\n"
+                                 "  materials:\n    - {name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 2}\n"
+                                 "  bodies:\n"
+                                 "%s"
+                                 "coupling:\n  surface: shape\n  medium: {low: [0, 0, 0], high: [1, 1, 1]}\n";
 static const char *const stages = "stages:\n"
                                   "  - {name: flow, steps: 280, time_step: 5.37e-4, solid: rigid}\n"; /* to t = 0.15 */
 
@@ -46,9 +45,10 @@ static struct medium_values measure(const char *sides, const char *driving, cons
  * that would come from the spheres' other halves. */
 static void test_array_between_pressures(void **state) {
     (void)state;
-    const struct medium_values endless = measure(
-        "    x_low: {type: periodic}\n    x_high: {type: periodic}\n", "  driving: {type: pressure_gradient, value: 1.0e-3}\n",
-        "    - {name: a, material: rigid, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.4}\n");
+    const struct medium_values endless =
+        measure("    x_low: {type: periodic}\n    x_high: {type: periodic}\n",
+                "  driving: {type: pressure_gradient, value: 1.0e-3}\n",
+                "    - {name: a, material: rigid, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.4}\n");
     const struct medium_values cut =
         measure("    x_low: {type: pressure, pressure: 1.0e-3}\n    x_high: {type: pressure, pressure: 0}\n", "",
                 "    - {name: a, material: rigid, shape: sphere, centre: [0, 0.5, 0.5], radius: 0.4}\n"
@@ -61,9 +61,9 @@ static void test_array_between_pressures(void **state) {
 /* The same with the body force along x instead of a difference of pressures, and no velocity along the sides. */
 static void test_array_between_symmetric_ends(void **state) {
     (void)state;
-    const struct medium_values endless = measure(
-        "    x_low: {type: periodic}\n    x_high: {type: periodic}\n", "  body_force: [1.0e-3, 0, 0]\n",
-        "    - {name: a, material: rigid, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.4}\n");
+    const struct medium_values endless =
+        measure("    x_low: {type: periodic}\n    x_high: {type: periodic}\n", "  body_force: [1.0e-3, 0, 0]\n",
+                "    - {name: a, material: rigid, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.4}\n");
     const struct medium_values cut =
         measure("    x_low: {type: general, u: neumann, v: dirichlet, w: dirichlet, p: dirichlet}\n"
                 "    x_high: {type: general, u: neumann, v: dirichlet, w: dirichlet, p: dirichlet}\n",
