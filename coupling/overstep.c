@@ -30,7 +30,8 @@ static int of_solid(struct run *r, const struct scene_stage *stage, double dt, c
     }
     if (substep <= ROUNDED * limit) return 0;
     snprintf(sentence, OVERSTEP_SENTENCE,
-             "stage %s: the solid's substep of %s%.5g s is %.4g times its limit by %s%s: at most %.5g s is stable, which takes "
+             "stage %s: the solid's substep of %s%.5g s is %.4g times its limit by %s%s: at most %.5g s is stable, "
+             "which takes "
              "%.0f substeps in a step",
              stage->name, stage->time_step > 0 ? "" : "up to ", substep, substep / limit, limited, once, limit,
              ceil(dt / (stage->safety * limit) * (1 - 1e-12)));
