@@ -32,7 +32,8 @@ has "stage flow: .* 73\.9 times the fluid's convective limit .*: at most 0\.0135
 says 0 --set fluid.diffusion=implicit --set stages.flow.time_step=1e-2 --set stages.fracture.breakage=false
 # the solid's own limit, with a given step and with an automatic one
 says 1 --set stages.fracture.substeps=1
-has "stage fracture: the solid's substep of 3\.3569e-05 s is [0-9.]* times its limit by damping: at most 1\.1[0-9]*e-05 s is stable, which takes 4 substeps in a step"
+has "stage fracture: the solid's substep of 3\.3569e-05 s is [0-9.]* times its limit by damping: at most .*"
+has "stage fracture: .*: at most 1\.1[0-9]*e-05 s is stable, which takes 4 substeps in a step"
 says 1 --set stages.fracture.substeps=1 --set stages.fracture.time_step=auto
 has "stage fracture: the solid's substep of up to 0\.0003[0-9]* s is [0-9.]* times its limit by damping: .*"
 # the limit with contact, when a bond has broken
@@ -52,7 +53,7 @@ sed -n 's/^  warning: //p' out >want
 code 0 ranks 2 run block.yaml --out run --quiet "${set[@]}"
 [ "$(wc -l <want)" = 2 ] || fail "$(wc -l <want) sentences, not 2"
 while read -r line; do
-  [ "$(grep -cF "warning: $line" run/run.log)" = 1 ] || { cat run/run.log >&2; fail "the log does not say once: $line"; }
+  [ "$(grep -cF "warning: $line" run/run.log)" = 1 ] || fail "the log does not say once: $line"
 done <want
 # a solid without a fluid
 code 0 ranks 1 check "$source/cases/bar/scene.yaml" --set stages.pull.time_step=0.01 --set stages.pull.substeps=1
