@@ -28,7 +28,9 @@ static struct medium *medium_of(struct run *r) {
         low[c] = scene->coupling->has_box ? scene->coupling->box_low[c] : fmax(low[c], 0);
         high[c] = scene->coupling->has_box ? scene->coupling->box_high[c] : fmin(high[c], scene->domain.size[c]);
     }
-    return medium_new(fluid_grid_of(r->fluid), low, high);
+    struct medium *m = medium_new(fluid_grid_of(r->fluid), low, high);
+    medium_reach(m, IBM_KERNEL_REACH - scene->coupling->retraction);
+    return m;
 }
 
 /* A stage without bonds needs a given step and number of substeps: only bonds would limit them. */

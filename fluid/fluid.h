@@ -130,6 +130,9 @@ struct fluid_limits {
     double convective, viscous, step;
 };
 struct fluid_limits fluid_limits_stable_step(struct fluid *f);
+/* The same, with the velocities that sides give and a held bulk velocity as well, before these have set the fluid in
+ * motion. A pressure or a body force gives no velocity. Collective. */
+struct fluid_limits fluid_limits_foreseen(const struct fluid *f);
 /* The same for a caller that does the reduction: this rank's largest sum of |velocity|/d over its cells, from the faces
  * of each, 1/s (INFINITY if one is NaN), and the centre of that cell, m (x may be NULL); then the limits from the
  * largest sum of all ranks. Not collective. */

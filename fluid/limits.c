@@ -68,6 +68,30 @@ struct fluid_limits fluid_limits_stable_step(struct fluid *f) {
     return fluid_limits_of(f, par_max(fluid_limits_convection_rate(f, NULL)));
 }
 
+/* The largest rate of the velocities that this rank's sides and a held bulk velocity give, 1/s. */
+static double given_rate(const struct fluid *f) {
+    const struct fluid_grid *g = f->grid;
+    const struct fluid_driving *driving = &f->in.driving;
+    double most = driving->type == FLUID_DRIVING_BULK ? fabs(driving->value) / g->d[driving->direction] : 0;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            const struct fluid_boundary_side *s = &f->boundary->side[d][side];
+            const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;
+            double normal = 0, along = 0;
+            if (!s->here) continue;
+            for (int i = 0; s->normal == FLUID_NORMAL_GIVEN && s->plane && i < g->m[a] * g->m[b]; i++)
+                normal = fmax(normal, fabs(s->plane[i]));
+            for (int c = 0; c < 3; c++)
+                if (c != d && s->condition[c] == FLUID_DIRICHLET) along += fabs(s->value[c]) / g->d[c];
+            most = fmax(most, normal / g->d[d] + along);
+        }
+    return most;
+}
+
+struct fluid_limits fluid_limits_foreseen(const struct fluid *f) {
+    return fluid_limits_of(f, par_max(fmax(fluid_limits_convection_rate(f, NULL), given_rate(f))));
+}
+
 double fluid_limits_cfl(struct fluid *f, double dt) { return dt * par_max(fluid_limits_convection_rate(f, NULL)); }
 
 /* The largest velocity scale of sides, initial flow, driving and diffusion over a cell. */

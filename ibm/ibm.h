@@ -3,7 +3,8 @@
 #include "fluid/fluid.h"
 #include <stdint.h>
 
-/* Roma, Peskin and Berger (1999): three cells wide.  (001: eq. 3.78) */
+/* Roma, Peskin and Berger (1999): three cells wide, IBM_KERNEL_REACH to either side.  (001: eq. 3.78) */
+#define IBM_KERNEL_REACH 1.5
 double ibm_kernel(double t);
 
 struct ibm; /* opaque: markers served here, their weights, the exchange */

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/blocked.h"
+#include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "physics/waves.h"
@@ -100,17 +101,16 @@ static void say_holdings(struct run *r) {
     if (n == 0) say("  nothing\n");
 }
 
-/* Number of substeps that a contact would need, if there is none yet. */
+/* Number of substeps that a contact would need, if there is none yet and the number is automatic. */
 static void say_touch(struct run *r, const struct scene_stage *stage) {
-    if (!(r->substeps > 0) || !r->needs.contact || !solid_contact_is_possible(r->solid)) return;
+    if (stage->substeps > 0 || !(r->substeps > 0)) return;
+    if (!r->needs.contact || !solid_contact_is_possible(r->solid)) return;
     const double limit =
         solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_contact_rate_touch(r->solid), NULL);
     const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
-    if (stage->substeps == 0 && least > r->substeps)
+    if (least > r->substeps)
         say("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n", stage->name,
             least);
-    else if (r->dt / r->substeps > limit)
-        say("  warning: %s's substep is above the limit of %.6g s for contact\n", stage->name, limit);
 }
 
 /* Stable steps of the levels that a refinement may add, inside a body of one level only. */
@@ -133,14 +133,14 @@ static void say_levels(struct run *r) {
 static void say_limits(struct run *r) {
     say("\nstable steps, s\n");
     if (r->fluid) {
-        const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
+        const struct fluid_limits l = fluid_limits_foreseen(r->fluid);
         if (fluid_input_of(r->fluid)->implicit) {
             say("  %-42s %s\n", "fluid, viscous", "none: implicit diffusion");
             say("  %-42s %.6g\n", "fluid, an automatic step at most", l.viscous);
         } else {
             say("  %-42s %.6g\n", "fluid, viscous", l.viscous);
         }
-        say("  %-42s %.6g\n", "fluid, convective (initial velocity)", l.convective);
+        say("  %-42s %.6g\n", "fluid, convective (velocity of the scene)", l.convective);
     }
     if (r->needs.bonds) {
         const int touches = r->needs.contact;
@@ -164,20 +164,17 @@ static void say_limits(struct run *r) {
             say(" of %.6g s", r->dt);
         else
             say(", automatic");
-        if (r->substeps > 0)
+        if (r->substeps > 0 && !(r->dt > 0))
+            say(", %d substep%s, stable up to %.6g s (%s)", r->substeps, r->substeps > 1 ? "s" : "", r->solid_stable,
+                solid_stable_bound_name[r->solid_bound]);
+        else if (r->substeps > 0)
             say(", %d substep%s of %.6g s, stable up to %.6g s (%s)", r->substeps, r->substeps > 1 ? "s" : "",
                 r->dt / r->substeps, r->solid_stable, solid_stable_bound_name[r->solid_bound]);
         say(":");
         for (int k = 0; k < r->parts; k++) say("%s %s", k ? "," : "", r->part_name[k]);
         say("\n");
-        if (r->fluid && r->dt > 0) {
-            const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
-            const double limit = fluid_input_of(r->fluid)->implicit ? l.convective : l.step;
-            if (r->dt > limit) say("  warning: %s's step is above the fluid's limit of %.6g s\n", stage->name, limit);
-        }
-        if (r->substeps > 0 && r->dt / r->substeps > r->solid_stable)
-            say("  warning: %s's substep is above the limit of %.6g s for %s\n", stage->name, r->solid_stable,
-                solid_stable_bound_name[r->solid_bound]);
+        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE];
+        for (int k = 0, n = overstep_of(r, sentence); k < n; k++) say("  warning: %s\n", sentence[k]);
         say_touch(r, stage);
     }
 }

@@ -6,6 +6,7 @@
 #include "base/step_status.h"
 #include "coupling/blocked.h"
 #include "coupling/march.h"
+#include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "files/aside.h"
@@ -21,6 +22,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 struct program {
     const struct command *command;
@@ -163,11 +165,16 @@ static void refuse_to_overwrite(const struct command *c, int here) {
         die_all(EXIT_CODE_FILE, "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
 }
 
-/* Dies (exit 2) on stages whose steps the solid cannot take; that is known only once its bonds exist. */
-static void check_stages(struct run *r) {
-    for (r->stage = 0; r->stage < r->scene->stages; r->stage++)
+/* Dies (exit 2) on stages whose steps the solid cannot take; that is known only once its bonds exist. Returns the
+ * number of sentences on given steps that are too long, OVERSTEP_MAX a stage at most. */
+static int check_stages(struct run *r, char (*sentence)[OVERSTEP_SENTENCE]) {
+    int n = 0;
+    for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
         if (r->solid && r->scene->stage[r->stage].solid == SCENE_SOLID_ELASTIC) step_begin_stage(r);
+        n += overstep_of(r, sentence + n);
+    }
     r->stage = 0;
+    return n;
 }
 
 static void begin(struct program *p) {
@@ -180,7 +187,8 @@ static void begin(struct program *p) {
     p->crack = crack_series_new(p->run);
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
-    if (!here) check_stages(p->run);
+    char(*too_long)[OVERSTEP_SENTENCE] = calloc((size_t)p->scene->stages * OVERSTEP_MAX, sizeof *too_long);
+    const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
     folder_make(c->out);
     folder_hold(c->out);
     refuse_to_overwrite(c, here); /* the folder is locked: no other run can write there */
@@ -202,6 +210,8 @@ static void begin(struct program *p) {
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
     char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
+    for (int k = 0; k < steps_too_long; k++) log_line("warning: %s", too_long[k]);
+    free(too_long);
 }
 
 int program_run(const struct command *c, const struct scene *scene) {

@@ -48,11 +48,6 @@ double medium_measure_permeability(struct medium *m, struct fluid *f) {
     return permeability_from(m, f, &s, medium_measure_pressure_drop(m, f));
 }
 
-/* The line through the means of sections a and b (with centres (a + 1/2) d, (b + 1/2) d), at x. */
-static double line_at(const double *section, int a, int b, double d, double x) {
-    return section[a] + (section[b] - section[a]) * (x / d - (a + 0.5)) / (b - a);
-}
-
 /* The part of the driving along x that p does not contain, Pa/m. */
 static double driving_along_x(struct fluid *f) {
     const struct fluid_input *in = fluid_input_of(f);
@@ -60,19 +55,14 @@ static double driving_along_x(struct fluid *f) {
     return (driven ? fluid_state_of(f)->driven : 0) + in->density * in->body_force[0];
 }
 
-/*        a  b |front ........ back| b  a
- *      +--+--+                     +--+--+    two sections wholly outside on either side        */
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f) {
     const struct fluid_grid *g = m->g;
-    const double d = g->d[0], driven = driving_along_x(f) * (m->high[0] - m->low[0]);
+    const struct fluid_input *in = fluid_input_of(f);
+    const double driving = driving_along_x(f), driven = driving * (m->high[0] - m->low[0]);
     if (m->whole_period || g->n[0] < 2) return driven;
+    if (g->periodic[0] && !medium_face_is_clear(m, 0)) return driving * g->length[0];
     fluid_measures_mean_pressure(f, 0, m->section);
-    const int before = (int)floor(m->low[0] / d + 1e-9) - 1; /* the last section wholly before the box */
-    const int behind = (int)ceil(m->high[0] / d - 1e-9);     /* the first section wholly behind it */
-    const int front = before < 1 ? 1 : before;
-    const int back = behind > g->n[0] - 2 ? g->n[0] - 2 : behind;
-    return line_at(m->section, front - 1, front, d, m->low[0]) - line_at(m->section, back + 1, back, d, m->high[0]) +
-           driven;
+    return medium_face_pressure(m, in, driving, 0) - medium_face_pressure(m, in, driving, 1) + driven;
 }
 
 double medium_measure_specific_surface(const struct medium *m, double immersed_area) {

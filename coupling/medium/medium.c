@@ -11,20 +11,17 @@
 #include <math.h>
 #include <string.h>
 
-/* Faces of a box and of a cell that differ by less than this are the same: the input is decimal, cells are
- * fractions. */
-static const double SNAP = 1e-9;
-
 /* Part of cell i (of width d) inside [low, high]. */
 static double part_inside(int i, double d, double low, double high) {
     const double part = fmin(high / d, i + 1.0) - fmax(low / d, i);
-    return part < SNAP ? 0 : part > 1 - SNAP ? 1 : part;
+    return part < MEDIUM_SNAP ? 0 : part > 1 - MEDIUM_SNAP ? 1 : part;
 }
 
 struct medium *medium_new(const struct fluid_grid *g, const double low[3], const double high[3]) {
     struct medium *m = memory_new(MEMORY_COUPLING, 1, sizeof *m);
     m->g = g;
     m->total = 1;
+    m->reach = 1;
     for (int c = 0; c < 3; c++) {
         const double L = g->length[c];
         m->low[c] = fmax(low[c], 0);
@@ -51,6 +48,8 @@ struct medium *medium_new(const struct fluid_grid *g, const double low[3], const
     m->section = memory_new(MEMORY_COUPLING, (size_t)g->n[0], sizeof(double));
     return m;
 }
+
+void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }
 
 void medium_free(struct medium *m) {
     if (!m) return;
@@ -134,7 +133,7 @@ static int particles_plan(struct medium *m, int n, const double *const x[3], con
         die_all(EXIT_CODE_SCENE,
                 "solid: a particle is %g cells wide; its volume can be laid on the fluid's cells up to %d",
                 2 * found[1], 2 * g->halo);
-    return (int)fmax(1, ceil(found[1] - SNAP));
+    return (int)fmax(1, ceil(found[1] - MEDIUM_SNAP));
 }
 
 void medium_deposit(struct medium *m, int n, const double *const x[3], const double *volume) {

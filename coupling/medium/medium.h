@@ -18,6 +18,9 @@ struct medium_values {
 /* The box is clipped to the domain; g is borrowed. There is no solid until the first deposit. Collective. */
 struct medium *medium_new(const struct fluid_grid *g, const double low[3], const double high[3]);
 void medium_free(struct medium *m);
+/* How far the force on the fluid may reach beyond the box's front and back faces, in cells; 1 until it is said. Not
+ * collective. */
+void medium_reach(struct medium *m, double cells);
 
 /* Computes the solid fraction of every cell from the particles. Each particle is a cube of its volume about its centre,
  * with its sides along the axes; a cell gets the volume that it has in common with the cube. So the total volume is
@@ -40,11 +43,14 @@ double medium_connect_porosity(struct medium *m);
 /* Fraction of the cells along side d, high that have no path through faces of pore cells to any of the outlets. Paths
  * use the whole domain and its periodic sides; across: those of direction d as well. */
 double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2], int across);
-/* Mean pressure at the front face minus that at the back face, from means over whole sections of the domain. At the
- * front the line through the two nearest sections of cells wholly before the box is extrapolated to the face; at the
- * back likewise from behind. If the domain has fewer sections there, the line goes through its outermost two. The
- * driving along x that p does not contain, a gradient and a body force, is added over the box's length. If x is
- * periodic and the box is the whole domain along x, only this driving counts. */
+/* Mean pressure at the front face minus that at the back face, from means over whole sections of the domain. Each
+ * face's pressure is the line through the two nearest places outside the box where it is known, continued to the face.
+ * These are the sections that the force on the fluid does not reach (medium_reach), across a periodic end as well, and
+ * after the last of them a side of given pressure. One place: its pressure, with the driving. None, and x is periodic:
+ * the whole period's driving is the drop. None, and the side gives no pressure: the domain's outermost section if it is
+ * outside the box; otherwise the line through the outermost two, which is only an estimate, because they are in the
+ * medium. The driving along x that p does not contain, a gradient and a body force, is added over the box's length. If
+ * x is periodic and the box is the whole domain along x, only this driving counts. */
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f);
 /* k = (Q L/S) mu/dp, Q/S = mean of u over the box  (001: eq. 2.4). */
 double medium_measure_permeability(struct medium *m, struct fluid *f);

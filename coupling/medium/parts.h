@@ -3,12 +3,17 @@
 #include "coupling/medium/kernels.h"
 #include "coupling/medium/medium.h"
 
+/* Faces of a box and of a cell that differ by less than this are the same: the input is decimal, cells are
+ * fractions. */
+#define MEDIUM_SNAP 1e-9
+
 struct par_exchange;
 
 struct medium {
     const struct fluid_grid *g; /* borrowed */
     double low[3], high[3];     /* the box within the domain, m */
     double total;               /* sum of the weights over all ranks: its volume in cells */
+    double reach;               /* of the force on the fluid beyond the box's faces, cells; at least 1 */
     int whole_period;           /* x is periodic and the box is the whole domain along x */
     double *weight[3];          /* [m[c]] fraction of this rank's cell inside the box, along c */
     double *fraction;           /* [g->size] */
@@ -38,6 +43,12 @@ static inline int medium_at_end(const struct fluid_grid *g, int c, int high) {
 /* Floods a level on all ranks from the first n cells of the stack. over [3]: also across the periodic sides of that
  * direction. Collective. */
 void medium_connect_flood(struct medium *m, uint8_t level, int n, const int over[3]);
+
+/* Mean pressure at the box's front (high = 0) or back face. section is up to date; driving: the part of the gradient
+ * along x that p does not contain, Pa/m. Not collective. */
+double medium_face_pressure(const struct medium *m, const struct fluid_input *in, double driving, int high);
+/* 1: some section of the domain is clear of the force beyond that face. Not collective. */
+int medium_face_is_clear(const struct medium *m, int high);
 
 struct medium_cube {
     double x[3], side; /* centre, wrapped, m */

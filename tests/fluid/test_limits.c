@@ -29,6 +29,24 @@ static void of_a_uniform_flow(void **state) {
     fluid_free(f);
 }
 
+/* A fluid at rest: the rate of a wall that moves along x and z, 3/0.1 + 1/0.05, and of a bulk velocity to be held,
+ * 6/0.1. Neither has set the fluid in motion yet. */
+static void of_what_the_scene_gives(void **state) {
+    (void)state;
+    struct fluid_input in = {.n = {8, 16, 16}, .length = {0.8, 3.2, 0.8}, .density = 2, .viscosity = 0.01};
+    in.side[1][0].type = in.side[1][1].type = FLUID_WALL;
+    in.side[1][1].velocity[0] = 3, in.side[1][1].velocity[2] = -1;
+    for (int held = 0; held < 2; held++) {
+        if (held) in.driving = (struct fluid_driving){.type = FLUID_DRIVING_BULK, .direction = 0, .value = -6};
+        struct fluid *f = fluid_new(&in);
+        const struct fluid_limits l = fluid_limits_foreseen(f);
+        check_relative(l.convective, sqrt(3) / (held ? 60 : 50), 1e-13);
+        check_relative(l.viscous, 1.65 / (4 * 0.01 * 525), 1e-13);
+        check_equal(fluid_limits_stable_step(f).convective, INFINITY);
+        fluid_free(f);
+    }
+}
+
 /* One face with a larger velocity, on the rank that holds it: the two cells beside it have the rate, and the first
  * is named. */
 static void where_it_is_largest(void **state) {
@@ -71,7 +89,8 @@ static void what_is_no_number_shows(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(of_a_uniform_flow), cmocka_unit_test(where_it_is_largest),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(of_a_uniform_flow), cmocka_unit_test(of_what_the_scene_gives),
+                                       cmocka_unit_test(where_it_is_largest),
                                        cmocka_unit_test(what_is_no_number_shows)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -168,6 +168,91 @@ static void test_pressure_outside_only(void **state) {
     fluid_free(f);
 }
 
+/* A fluid between the given sides along x, open across; the driving along x is G = 30 Pa/m. */
+static const double G = 30;
+static struct fluid *between(struct fluid_side low, struct fluid_side high) {
+    struct fluid_input in = {.n = {NX, NY, NZ},
+                             .length = {NX * d, NY * d, NZ * d},
+                             .density = density,
+                             .viscosity = viscosity,
+                             .side = {{low, high}},
+                             .body_force = {G / density, 0, 0}};
+    return fluid_new(&in);
+}
+
+/* The drop over a box from low to high, both in cells, with p section by section. */
+static double drop_with(struct fluid *f, double low, double high, double reach, const double *p) {
+    const double u[NY] = {0};
+    struct medium *m = medium_between(f, low * d, high * d);
+    medium_reach(m, reach);
+    flow_set(f, u, 0, 0, p);
+    const double drop = medium_measure_pressure_drop(m, f);
+    medium_free(m);
+    return drop;
+}
+
+/* A face on a side of given pressure, or less than a cell from it; with one section and with two between them; a side
+ * that gives none. */
+static void test_sides_of_given_pressure(void **state) {
+    (void)state;
+    const struct fluid_side open = {.type = FLUID_PRESSURE, .pressure = 7},
+                            outlet = {.type = FLUID_PRESSURE, .pressure = 2};
+    struct fluid *f = between(open, outlet);
+    double p[NX];
+    for (int i = 0; i < NX; i++) p[i] = 1e6;
+    check_relative(drop_with(f, 0, NX, 1, p), 5 + G * NX * d, 1e-14);
+    /* between face and side only the driving acts */
+    check_relative(drop_with(f, 0.4, NX - 0.7, 1, p), 5 + G * NX * d, 1e-14);
+    /* the line through the side and the one section */
+    p[0] = 6, p[NX - 1] = 2.5;
+    check_relative(drop_with(f, 1.2, NX - 1, 1, p), 7 - 1.2 * 2 - (2 + 1) + G * (NX - 2.2) * d, 1e-14);
+    /* the force reaches that section: the side alone */
+    check_relative(drop_with(f, 1.1, NX - 1, 1.3, p), 5 + G * NX * d, 1e-14);
+    /* the line through the two nearest sections, not the side */
+    p[0] = 100, p[1] = 6, p[2] = 5, p[NX - 1] = 3, p[NX - 2] = 4, p[NX - 3] = 1e6;
+    check_relative(drop_with(f, 3, NX - 2.4, 1, p), 4.5 - 4.9 + G * (NX - 5.4) * d, 1e-14);
+    fluid_free(f);
+
+    struct fluid_side in = {.type = FLUID_INFLOW, .bulk_velocity = 0.1}, out = {.type = FLUID_OUTFLOW};
+    f = between(in, out);
+    for (int i = 0; i < NX; i++) p[i] = 1e6;
+    p[0] = 6, p[NX - 1] = 3;
+    check_relative(drop_with(f, 1, NX - 1.5, 1, p), 3 + G * (NX - 1) * d, 1e-14); /* one section: with the driving */
+    check_relative(drop_with(f, 1, NX - 1, 1.4, p), 3 + G * (NX - 1) * d, 1e-14); /* at whatever reach */
+    fluid_free(f);
+}
+
+/* Sections that the force on the fluid reaches do not count. */
+static void test_reach_of_the_force(void **state) {
+    (void)state;
+    struct fluid *f = between((struct fluid_side){.type = FLUID_PRESSURE}, (struct fluid_side){.type = FLUID_PRESSURE});
+    double p[NX];
+    for (int i = 0; i < NX; i++) p[i] = i < 4 ? 100 - 5 * (i + 0.5) : i >= 12 ? 20 - 3 * (i + 0.5) : 1e6 * i;
+    const double expected = 100 - 5 * 5 - (20 - 3 * 11) + G * 6 * d;
+    check_relative(drop_with(f, 5, 11, 2, p), expected, 1e-12);
+    check_relative(drop_with(f, 5, 11, 1.2, p), expected, 1e-12);
+    check_above(fabs(drop_with(f, 5, 11, 1, p)), 1e5);
+    check_relative(drop_with(f, 5.1, 10.9, 1.2, p), 100 - 5 * 5.1 - (20 - 3 * 10.9) + G * 5.8 * d, 1e-12);
+    fluid_free(f);
+}
+
+/* Beyond a periodic end the sections repeat. */
+static void test_box_at_a_periodic_end(void **state) {
+    (void)state;
+    struct fluid *f = between((struct fluid_side){0}, (struct fluid_side){0});
+    double p[NX];
+    for (int i = 0; i < NX; i++) p[i] = i < 8 ? 1e6 : 4 - 2 * (i - 12);
+    const double front = 4 - 2 * (16 - 12.5), back = 4 - 2 * (8 - 12.5);
+    check_relative(drop_with(f, 0, 8, 1, p), front - back + G * 8 * d, 1e-12);
+    for (int i = 0; i < NX; i++) p[i] = i > 0 && i < 9 ? 1e6 : 4 - 2 * (i == 0 ? 4 : i - 12);
+    check_relative(drop_with(f, 1, 9, 1, p), 4 - 2 * 4.5 - (4 - 2 * (9 - 12.5)) + G * 8 * d, 1e-12);
+    /* one section, or less, is left of the period: all of the driving is over the box */
+    for (int i = 0; i < NX; i++) p[i] = 1e3 * i;
+    check_relative(drop_with(f, 1, NX, 1, p), G * NX * d, 1e-12);
+    check_relative(drop_with(f, 0.3, NX - 0.2, 1, p), G * NX * d, 1e-12);
+    fluid_free(f);
+}
+
 /* Oblique flow: sqrt(2); and only pore cells count. */
 static void test_tortuosity(void **state) {
     (void)state;
@@ -221,6 +306,9 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_slit_between_plates),
         cmocka_unit_test(test_poiseuille_by_the_fluid),
         cmocka_unit_test(test_pressure_outside_only),
+        cmocka_unit_test(test_sides_of_given_pressure),
+        cmocka_unit_test(test_reach_of_the_force),
+        cmocka_unit_test(test_box_at_a_periodic_end),
         cmocka_unit_test(test_tortuosity),
         cmocka_unit_test(test_at_rest),
     };

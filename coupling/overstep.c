@@ -1,0 +1,54 @@
+/* Compares a stage's given step and substeps with the limits of the fluid and of the solid. */
+#include "coupling/overstep.h"
+#include "solid/contact/contact.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* A step that is given as the limit itself, with the digits of a print, is no longer than it. */
+static const double ROUNDED = 1 + 1e-5;
+
+static int of_fluid(const struct scene_stage *stage, const struct fluid_limits *l, int implicit, char *sentence) {
+    const int convective = implicit || l->convective < l->viscous;
+    const double limit = convective ? l->convective : l->viscous;
+    if (stage->time_step <= ROUNDED * limit) return 0; /* an automatic step is 0 */
+    snprintf(sentence, OVERSTEP_SENTENCE,
+             "stage %s: the step of %.5g s is %.4g times the fluid's %s limit%s: at most %.5g s is stable", stage->name,
+             stage->time_step, stage->time_step / limit, convective ? "convective" : "viscous",
+             convective ? " for the velocities that the scene gives" : "", limit);
+    return 1;
+}
+
+static int of_solid(struct run *r, const struct scene_stage *stage, double dt, char *sentence) {
+    const double substep = dt / r->substeps;
+    const char *limited = solid_stable_bound_name[r->solid_bound], *once = "";
+    double limit = r->solid_stable;
+    if (substep <= ROUNDED * limit && stage->substeps > 0 && r->needs.contact && solid_contact_is_possible(r->solid)) {
+        limit = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_contact_rate_touch(r->solid), NULL);
+        limited = solid_stable_bound_name[SOLID_BOUND_CONTACT];
+        once = ", once a broken bond has closed";
+    }
+    if (substep <= ROUNDED * limit) return 0;
+    snprintf(sentence, OVERSTEP_SENTENCE,
+             "stage %s: the solid's substep of %s%.5g s is %.4g times its limit by %s%s: at most %.5g s is stable, "
+             "which takes "
+             "%.0f substeps in a step",
+             stage->name, stage->time_step > 0 ? "" : "up to ", substep, substep / limit, limited, once, limit,
+             ceil(dt / (stage->safety * limit) * (1 - 1e-12)));
+    return 1;
+}
+
+int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
+    int n = 0;
+    if (stage->relax) return 0;
+    if (r->fluid) {
+        l = fluid_limits_foreseen(r->fluid);
+        n += of_fluid(stage, &l, fluid_input_of(r->fluid)->implicit, sentence[n]);
+    }
+    const double dt = stage->time_step > 0 ? stage->time_step : r->fluid ? stage->cfl * l.step : r->dt;
+    if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
+        n += of_solid(r, stage, dt, sentence[n]);
+    return n;
+}

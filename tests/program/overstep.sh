@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Given steps beyond the stable ones: frana check and the log of a run name the stage, the step and the limit.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+scene >block.yaml
+# says COUNT [--set KEY=VALUE]...: frana check ends with 0 and has that many warnings
+says() {
+  local count=$1; shift
+  code 0 ranks 1 check block.yaml "$@"
+  [ "$(grep -c warning: out)" = "$count" ] || { cat out >&2; fail "not $count warnings: $*"; }
+}
+has() { grep -qE "^  warning: $1\$" out || { cat out >&2; fail "check does not say: $1"; }; }
+
+# 1.65 cell^2/(12 viscosity) = 3.35693e-4 s, given with five digits, and four substeps
+says 0
+# 1,860 times the fluid's viscous limit
+says 1 --set stages.flow.time_step=0.62439
+has "stage flow: the step of 0\.62439 s is 1860 times the fluid's viscous limit: at most 0\.00033569 s is stable"
+# the convective limit: from the inflow's largest velocity, while the fluid is at rest
+says 1 --set fluid.initial.velocity='[0, 0, 0]' --set fluid.viscosity=1e-9 --set stages.flow.time_step=1
+has "stage flow: .* times the fluid's convective limit for the velocities .*: at most 0\.01[0-9]* s is stable"
+# from a wall's velocity: 1.7321 x 1.5625e-3 m / (10 m/s), in another direction than the flow's
+says 1 --set fluid.initial.velocity='[0, 0, 0]' --set fluid.viscosity=1e-9 --set stages.flow.time_step=0.1 \
+  --set fluid.sides.y_high.velocity='[0, 0, 10]'
+has "stage flow: .* times the fluid's convective limit .*: at most 0\.00027063 s is stable"
+# from a held bulk velocity, twice it
+says 1 --set fluid.initial.velocity='[0, 0, 0]' --set fluid.viscosity=1e-9 --set stages.flow.time_step=1 \
+  --set fluid.sides.x_low='{type: periodic}' --set fluid.sides.x_high='{type: periodic}' \
+  --set fluid.driving='{type: bulk_velocity, value: 0.2}'
+has "stage flow: .* 73\.9 times the fluid's convective limit .*: at most 0\.013532 s is stable"
+# implicit diffusion has no viscous limit
+says 0 --set fluid.diffusion=implicit --set stages.flow.time_step=1e-2 --set stages.fracture.breakage=false
+# the solid's own limit, with a given step and with an automatic one
+says 1 --set stages.fracture.substeps=1
+has "stage fracture: the solid's substep of 3\.3569e-05 s is [0-9.]* times its limit by damping: at most .*"
+has "stage fracture: .*: at most 1\.1[0-9]*e-05 s is stable, which takes 4 substeps in a step"
+says 1 --set stages.fracture.substeps=1 --set stages.fracture.time_step=auto
+has "stage fracture: the solid's substep of up to 0\.0003[0-9]* s is [0-9.]* times its limit by damping: .*"
+# the limit with contact, when a bond has broken
+says 1 --set stages.fracture.substeps=3
+has "stage fracture: .* times its limit by contact, once a broken bond has closed: .* takes 4 substeps in a step"
+# an automatic number of substeps is never too small; each stage and each part has its sentence
+says 3 --set stages.flow.time_step=1 --set stages.fracture.time_step=1.0e-2
+has "stage flow: .*viscous.*"
+has "stage fracture: .*viscous.*"
+has "stage fracture: .*damping.*"
+
+# a run logs the same once, and runs
+set=(--set stages.flow.steps=0 --set stages.settle.steps=0 --set stages.fracture.steps=0
+  --set stages.flow.time_step=1 --set stages.fracture.substeps=1)
+code 0 ranks 1 check block.yaml "${set[@]}"
+sed -n 's/^  warning: //p' out >want
+code 0 ranks 2 run block.yaml --out run --quiet "${set[@]}"
+[ "$(wc -l <want)" = 2 ] || fail "$(wc -l <want) sentences, not 2"
+while read -r line; do
+  [ "$(grep -cF "warning: $line" run/run.log)" = 1 ] || fail "the log does not say once: $line"
+done <want
+# a solid without a fluid
+code 0 ranks 1 check "$source/cases/bar/scene.yaml" --set stages.pull.time_step=0.01 --set stages.pull.substeps=1
+has "stage pull: the solid's substep of 0\.01 s is 1099 times its limit by bonds: at most 9\.0998e-06 s is stable, .*"
+echo "every limit is named"
