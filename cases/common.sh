@@ -94,8 +94,8 @@ is_done() { grep -qs '"status": *"done"' "$1/run.json"; }
 # number FILE KEY, text FILE KEY: the first value of KEY in a run.json
 number() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$1" | head -n 1; }
 text() { sed -n "s/.*\"$2\": *\"\(.*\)\".*/\1/p" "$1" | head -n 1; }
-# json NAME KEY: a number from run.json of the run $runs/NAME
-json() { number "$runs/$1/run.json" "$2"; }
+# json NAME KEY: a number from run.json of the run $runs/NAME; kept
+json() { kept "$1: $2" number "$runs/$1/run.json" "$2"; }
 
 # calc EXPRESSION: the value of an awk expression, which may use pi
 calc() { awk "BEGIN { pi = atan2(0, -1); printf \"%.12g\\n\", $1 }"; }

@@ -8,10 +8,10 @@ if [ "$quick" ]; then name=study levels="1/2 1/4" finest=1/4 tolerance=0.1; else
 study $name
 for level in $levels; do
   judge=(shown)
-  [ $level != 1/8 ] || judge=(near 0.05)
+  [ "$level" != 1/8 ] || judge=(near 0.05)
   "${judge[0]}" "step $level: energy out of motion and strain over crack area" G0 \
-    "$(cell $name value Verlet $level balance)" 1.02801 "bonds across a plane of the lattice" "${judge[@]:1}"
-  shown "step $level: energy that bonds released over crack area" G0 "$(cell $name value Verlet $level bonds)" 1.02801 \
+    "$(cell $name value Verlet "$level" balance)" 1.02801 "bonds across a plane of the lattice" "${judge[@]:1}"
+  shown "step $level: energy that bonds released over crack area" G0 "$(cell $name value Verlet "$level" bonds)" 1.02801 \
     "bonds across a plane of the lattice"
 done
 near "step $finest: energy that bonds released over what went out of motion and strain" 1 \

@@ -16,11 +16,11 @@ if [ "$quick" ]; then name=study_initiation sizes=6; else name=study_initiation_
 study $name
 for a in $sizes; do
   judge=(shown)
-  [ $a != 12 ] || judge=(near 0.12)
+  [ "$a" != 12 ] || judge=(near 0.12)
   "${judge[0]}" "plate: a = $a spacings: pressure at which the first bond breaks over Griffith's" 1 \
-    "$(cell $name value "m = 3" $a "first bond")" 1 "sqrt(E G0/(pi (1 - nu^2) a))" "${judge[@]:1}"
+    "$(cell $name value "m = 3" "$a" "first bond")" 1 "sqrt(E G0/(pi (1 - nu^2) a))" "${judge[@]:1}"
   near "plate: a = $a spacings: pressure at which the crack has run on by three spacings over the elastic one" 1 \
-    "$(cell $name value "m = 3" $a "it runs")" 1 "Griffith with the pressure on the first lips" 0.12
+    "$(cell $name value "m = 3" "$a" "it runs")" 1 "Griffith with the pressure on the first lips" 0.12
 done
 # penny A B: the opening over p a/E
 penny() {
