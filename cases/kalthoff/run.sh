@@ -36,8 +36,8 @@ path() {
       printf "%.2f %.2f %.4g %.0f %.0f\n", d * atan2(y[n] - y0, x[n] - 0.05), d * atan2(bb - b * b / m, ab - a * b / m),
         start, top(1.82e-6), top(9.1e-6) }' "$runs/$1/crack.csv"
 }
-# measures STEEL NAME HEIGHT SPACING ANGLE LOW HIGH C_R PARTICLES: writes the rows of a run. ANGLE and PARTICLES are from
-# 000; the angle passes from LOW to HIGH.
+# measures STEEL NAME HEIGHT SPACING ANGLE LOW HIGH C_R PARTICLES: writes the rows of a run. ANGLE and PARTICLES are
+# from 000; the angle passes from LOW to HIGH.
 measures() {
   local p source="000 table 11"
   [ "$2" != slab ] || source="experiment: 68 to 70"

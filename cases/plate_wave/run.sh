@@ -80,7 +80,8 @@ passes() {
 
 digits=4
 summary_begin "$out/summary.csv"
-row "new particles of the patch" 1 "$(($(json dual particles) - $(json uniform particles)))" 348 "000 sec. 2.2.1" 348 348
+row "new particles of the patch" 1 "$(($(json dual particles) - $(json uniform particles)))" 348 "000 sec. 2.2.1" \
+  348 348
 row "pulse's top at x = 0.04" s "$(kept "pulse's top" passes)" 0.0371 "speed of the lattice with ramp weights 1.0778" \
   0.0367 0.0375
 reflected() { kept "$1: reflection" reflection "$1"; }

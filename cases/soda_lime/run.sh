@@ -56,7 +56,8 @@ plate() {
     "$(calc "$4 - 1")" "$(calc "$4 + 1")"
   between "$n: angle at first" deg "$(scaled 1 "$(of "$n" "angle of the branch to the left, at first")")" "$5" \
     "000 tab. 5"
-  between "$n: angle at last" deg "$(scaled 1 "$(of "$n" "angle of the branch to the left, at last")")" "$6" "000 tab. 5"
+  between "$n: angle at last" deg "$(scaled 1 "$(of "$n" "angle of the branch to the left, at last")")" "$6" \
+    "000 tab. 5"
   row "$n: top speed, windows of 2 us end to end" m/s "$(top "$n" 2.0e-6)" "$7" "000 tab. 6, eq. 41" \
     "$(scaled 0.9 "$7")" "$(scaled 1.1 "$7")"
   row "$n: top speed, any window of 2 us" m/s "$(scaled 1 "$(of "$n" "top speed of the tip")")" "below Rayleigh's" \

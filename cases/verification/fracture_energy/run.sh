@@ -11,8 +11,8 @@ for level in $levels; do
   [ "$level" != 1/8 ] || judge=(near 0.05)
   "${judge[0]}" "step $level: energy out of motion and strain over crack area" G0 \
     "$(cell $name value Verlet "$level" balance)" 1.02801 "bonds across a plane of the lattice" "${judge[@]:1}"
-  shown "step $level: energy that bonds released over crack area" G0 "$(cell $name value Verlet "$level" bonds)" 1.02801 \
-    "bonds across a plane of the lattice"
+  shown "step $level: energy that bonds released over crack area" G0 \
+    "$(cell $name value Verlet "$level" bonds)" 1.02801 "bonds across a plane of the lattice"
 done
 near "step $finest: energy that bonds released over what went out of motion and strain" 1 \
   "$(cell $name value Verlet $finest bonds)" "$(cell $name value Verlet $finest balance)" "energy balance" $tolerance

@@ -3,7 +3,9 @@
 # usage: cases/verification/lammps_example/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
-lattice() { "$frana" check "$here/lattice.yaml" | awk '$1 == "solid" && $3 == "particles" { print $2, 2 * $(NF - 1) }'; }
+lattice() {
+  "$frana" check "$here/lattice.yaml" | awk '$1 == "solid" && $3 == "particles" { print $2, 2 * $(NF - 1) }'
+}
 read -r particles bonds <<<"$(kept lattice lattice)"
 row "lattice: particles" 1 "$particles" 3487 "LAMMPS log.27Nov18.peri.pmb" 3487 3487
 row "lattice: directed bonds" 1 "$bonds" 335966 "LAMMPS log.27Nov18.peri.pmb" 335966 335966
@@ -25,7 +27,8 @@ energy() { awk -F, -v c="$1" -v s="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if (
   print $at }' "$runs/wave/series.csv"; }
 theirs() { awk -F, -v c="$1" -v s="$2" '$1 == s { print $c }' "$here/lammps.csv"; }
 for step in 20 40 60 80 100; do
-  near "step $step: energy of the bonds" J "$(kept "e_strain at $step" energy e_strain $step)" "$(theirs 2 $step)" "LAMMPS" 1e-11
+  near "step $step: energy of the bonds" J "$(kept "e_strain at $step" energy e_strain $step)" \
+    "$(theirs 2 $step)" "LAMMPS" 1e-11
   near "step $step: kinetic energy" J "$(kept "e_kinetic_solid at $step" energy e_kinetic_solid $step)" \
     "$(theirs 3 $step)" "LAMMPS" 1e-11
 done

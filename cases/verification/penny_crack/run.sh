@@ -31,7 +31,8 @@ penny() {
   awk -F, -v a="$1" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 { u[$3] = $at["displacement_z"] }
     END { printf "%.10g\n", (u[0] - u[1]) / (1e-6 * a) }' "$runs/penny_$1_$2/probes.csv"
 }
-shown "penny: a = 6 spacings in a cube of 6 a: opening over p a/E" 1 "$(kept "penny 6 18" penny 6 18)" 2.3873 "8 (1 - nu^2)/pi"
+shown "penny: a = 6 spacings in a cube of 6 a: opening over p a/E" 1 "$(kept "penny 6 18" penny 6 18)" 2.3873 \
+  "8 (1 - nu^2)/pi"
 if [ ! "$quick" ]; then
   near "plate: a = 12 spacings: opening over p a/E" 1 "$(cell study_fine value "m = 3" 12 opening)" 3.75 \
     "4 (1 - nu^2)" 0.1
@@ -46,7 +47,8 @@ if [ ! "$quick" ]; then
   shown "plate: a = 6 spacings: opening with b = 5 a over that with b = 10 a" 1 \
     "$(calc "$(cell study_wide value "m = 3" 5 opening) / $(cell study_wide value "m = 3" 10 opening)")" 1 \
     "what the plate's sides do"
-  shown "penny: a = 6 spacings in a cube of 10 a: opening over p a/E" 1 "$(kept "penny 6 30" penny 6 30)" 2.3873 "8 (1 - nu^2)/pi"
+  shown "penny: a = 6 spacings in a cube of 10 a: opening over p a/E" 1 "$(kept "penny 6 30" penny 6 30)" 2.3873 \
+    "8 (1 - nu^2)/pi"
   near "penny: a = 12 spacings in a cube of 6 a: opening over p a/E" 1 "$(kept "penny 12 36" penny 12 36)" 2.3873 \
     "8 (1 - nu^2)/pi" 0.1
 fi
