@@ -1,12 +1,15 @@
 # shellcheck shell=bash
 # What the cases of plates share, sourced by bash: runs in $runs, and numbers of their cracks from post/ and crack.csv.
+# If $runs is --summary, nothing runs, and the numbers are those that results/measured.csv keeps.
 # shellcheck source=cases/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-frana=${FRANA:-build/frana}
+frana=${FRANA:-build/frana} again=
+if [ "$runs" = --summary ]; then again=yes; else mkdir -p "$runs"; fi
 
 # go NAME SCENE [--set ...]: runs SCENE in $runs/NAME and runs frana post on it, unless that is done already
 go() {
   local name=$1 scene=$2
+  [ ! "$again" ] || return 0
   shift 2
   if ! is_done "$runs/$name"; then
     rm -rf "${runs:?}/$name"
@@ -15,8 +18,9 @@ go() {
   [ "$runs/$name/post/crack-summary.csv" -nt "$runs/$name/run.json" ] || "$frana" post "$runs/$name"
 }
 
-# of NAME QUANTITY: a number from the crack-summary.csv of NAME; nothing if the quantity is missing
-of() {
+# of NAME QUANTITY: a number from the crack-summary.csv of NAME; nothing if the quantity is missing; kept
+of() { kept "$1: $2" of_run "$@"; }
+of_run() {
   awk -v q="$2" '{ gsub(/"/, ""); v = $0; sub(/.*,/, "", v); sub(/,[^,]*,[^,]*$/, ""); if ($0 == q) print v }' \
     "$runs/$1/post/crack-summary.csv"
 }
@@ -27,13 +31,14 @@ variation() {
   local name=$1 scene=$2 words=() w
   shift 2
   for w in "$@"; do words+=("${w//:_/: }"); done
-  go "$name" "$scene" "${words[@]}" >"$runs/$name.log"
+  [ "$again" ] || go "$name" "$scene" "${words[@]}" >"$runs/$name.log"
 }
 
 # meet NAME AXIS REACH: x (m) at which the branch's path meets the axis y = AXIS. The path is a straight line, fitted by
 # least squares to the positions of the left tip, from the x at which undamaged particles first separate the branches
-# and over a length of REACH.
-meet() {
+# and over a length of REACH. Kept.
+meet() { kept "$1: branches' ways meet" meet_run "$@"; }
+meet_run() {
   local from
   from=$(of "$1" "branching, x")
   [ -z "$from" ] || awk -F, -v p="$from" -v axis="$2" -v reach="$3" '
@@ -44,8 +49,9 @@ meet() {
       if (b > 0) printf "%.6g\n", (sx - sy / b) / n }' "$runs/$1/crack.csv"
 }
 
-# top NAME WINDOW: largest speed (m/s) of the upper tip, from consecutive windows of WINDOW seconds (000: eq. 41)
-top() {
+# top NAME WINDOW: largest speed (m/s) of the upper tip, from consecutive windows of WINDOW seconds (000: eq. 41); kept
+top() { kept "$1: top speed, windows end to end" top_run "$@"; }
+top_run() {
   awk -F, -v window="$2" '
     NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i }
     NR < 3 { next }
@@ -59,8 +65,11 @@ top() {
 # mirrored NAME AXIS SPACING: writes a row: how many particles of the run are not, to the bit, the mirror image of
 # another about y = AXIS
 mirrored() {
+  row "$1: particles that are no mirror image to the bit" 1 "$(kept "$1: no mirror image" unsymmetric "$@")" 0 \
+    "symmetry" 0 0
+}
+unsymmetric() {
   local state
   state=$("$(dirname "${BASH_SOURCE[0]}")/symmetric.sh" "$runs/$1" "$2" "$3") || true
-  row "$1: particles that are no mirror image to the bit" 1 \
-    "$(awk '{ print $1 == "symmetric" ? 0 : $1 == "unsymmetric" ? $2 : "" }' <<<"$state")" 0 "symmetry" 0 0
+  awk '{ print $1 == "symmetric" ? 0 : $1 == "unsymmetric" ? $2 : "" }' <<<"$state"
 }

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Runs the plate with the source's weights, with other weights, and on finer grids. Writes results/.
 # usage: cases/duran_50/run.sh [RUNS]      (runs/duran_50)
+#        cases/duran_50/run.sh --summary     runs nothing: judges the numbers of results/measured.csv again
 # FRANA is the program (build/frana). Finished runs are kept.
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 case=cases/duran_50 runs=${1:-runs/duran_50} scene=$case/scene.yaml out=$case/results
 . cases/crack.sh
-mkdir -p "$runs" "$out"
+mkdir -p "$out"
 axis=0.02 reach=0.005
 ratio() { echo "--set solid.materials[0].horizon_ratio=$1"; }
 
@@ -34,9 +35,9 @@ for n in m3 m3_ramp m3.5; do
   row "$n: top speed" m/s "$(scaled 1 "$(of $n "top speed of the tip")")" "below Rayleigh's" \
     "$(of $n "Rayleigh speed") m/s" 0 "$(of $n "Rayleigh speed")"
   mirrored "$n" $axis 1.0e-3
-  row "$n: wall time" s "$(scaled 1 "$(json $n wall_seconds)")" "" ""
+  shown "$n: wall time" s "$(scaled 1 "$(json $n wall_seconds)")" "" ""
 done
-
+[ ! "$again" ] || { finish; exit; }
 {
   echo "choice, particles, first bond us, tip moved us, branches seen us, ways meet mm, undamaged between from mm," \
     "top speed end to end m/s, top speed m/s, released over G0"

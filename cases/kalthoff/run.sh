@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Runs both steels on uniform grids, on grids refined at the crack, and in 3D, and varies each choice. Writes results/.
 # usage: cases/kalthoff/run.sh [RUNS]      (runs/kalthoff)
+#        cases/kalthoff/run.sh --summary     runs nothing: judges the numbers of results/measured.csv again
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/kalthoff} case=cases/kalthoff out=cases/kalthoff/results
 . cases/crack.sh
-mkdir -p "$runs" "$out"
+mkdir -p "$out"
 
 # notches LOWER UPPER TO: notches at these heights, and the driven layer of width TO between them, m
 notches() {
@@ -35,18 +36,20 @@ path() {
       printf "%.2f %.2f %.4g %.0f %.0f\n", d * atan2(y[n] - y0, x[n] - 0.05), d * atan2(bb - b * b / m, ab - a * b / m),
         start, top(1.82e-6), top(9.1e-6) }' "$runs/$1/crack.csv"
 }
-# measured STEEL NAME HEIGHT SPACING ANGLE C_R PARTICLES: writes the rows of a run; ANGLE and PARTICLES are from 000
-measured() {
-  local p
-  read -r -a p <<<"$(path "$2" "$3")"
-  row "$2: angle to where the crack ends" deg "${p[0]}" "$5" "000 table 11 (experiment: 68 to 70)" 66 71
-  row "$2: angle by least squares" deg "${p[1]}" "$5" "000 table 11 (experiment: 68 to 70)"
-  row "$2: the crack has left the notch" s "${p[2]}" "" ""
+# measures STEEL NAME HEIGHT SPACING ANGLE LOW HIGH C_R PARTICLES: writes the rows of a run. ANGLE and PARTICLES are
+# from 000; the angle passes from LOW to HIGH.
+measures() {
+  local p source="000 table 11"
+  [ "$2" != slab ] || source="experiment: 68 to 70"
+  read -r -a p <<<"$(kept "$2: path" path "$2" "$3")"
+  row "$2: angle to where the crack ends" deg "${p[0]}" "$5" "$source" "$6" "$7"
+  shown "$2: angle by least squares" deg "${p[1]}" "$5" "$source"
+  shown "$2: the crack has left the notch" s "${p[2]}" "" ""
   row "$2: top speed over 1.82 us" m/s "${p[3]}" "below 2000" "000 figs. 75 and 76" 0 2000
-  row "$2: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "$1" 0 "$6"
+  row "$2: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "$1" 0 "$8"
   [ -z "$4" ] || mirrored "$2" 0.1 "$4"
-  row "$2: particles at the end" 1 "$(json "$2" particles)" "$7" "000 table 10"
-  row "$2: wall time of the steps" s "$(json "$2" wall_seconds | cut -c 1-5)" "" ""
+  shown "$2: particles at the end" 1 "$(json "$2" particles)" "$9" "000 table 10"
+  shown "$2: wall time of the steps" s "$(json "$2" wall_seconds | cut -c 1-5)" "" ""
 }
 
 refine='solid.refinement={levels:_1,damage:_0.01,energy:'
@@ -57,20 +60,35 @@ for steel in x2nicomo 18ni1900; do
 done
 variation x2nicomo_refined $case/x2nicomo.yaml --set "${refine}_0.35,from:_2.0e-5}"
 variation 18ni1900_refined $case/18ni1900.yaml --set "${refine}_0.7,from:_1.533e-5}"
+variation x2nicomo_000_trigger $case/x2nicomo.yaml --set "solid.refinement={levels:_1,energy:_0.35,from:_2.0e-5}"
 variation slab $case/slab.yaml
 
 summary_begin "$out/summary.csv"
+# each steel's own angle, within half of what parts the two
 while read -r steel angle c_r nodes; do
-  measured "$steel" ${steel}_2mm 0.124 0.002 "$angle" "$c_r" ""
-  measured "$steel" ${steel}_refined 0.124 0.001 "$angle" "$c_r" "$nodes"
-  measured "$steel" ${steel}_1mm 0.125 0.001 "$angle" "$c_r" ""
-  measured "$steel" ${steel}_half_mm 0.125 0.0005 "$angle" "$c_r" ""
+  range=("$(calc "$angle - 2.5")" "$(calc "$angle + 2.5")")
+  measures "$steel" ${steel}_2mm 0.124 0.002 "$angle" "${range[@]}" "$c_r" ""
+  measures "$steel" ${steel}_refined 0.124 0.001 "$angle" "${range[@]}" "$c_r" "$nodes"
+  measures "$steel" ${steel}_1mm 0.125 0.001 "$angle" "${range[@]}" "$c_r" ""
+  measures "$steel" ${steel}_half_mm 0.125 0.0005 "$angle" "${range[@]}" "$c_r" ""
 done <<'STEELS'
 x2nicomo 71 2841.2 8488
 18ni1900 66 2833.8 9550
 STEELS
-measured x2nicomo slab 0.125 "" 71 2841.2 ""
+measures x2nicomo x2nicomo_000_trigger 0.124 0.001 71 68.5 73.5 2841.2 8488
+measures x2nicomo slab 0.125 "" 69 68 70 2841.2 ""
+while read -r grid height; do # which steel has the steeper crack
+  read -r first _ <<<"$(kept "x2nicomo_$grid: path" path "x2nicomo_$grid" "$height")"
+  read -r second _ <<<"$(kept "18ni1900_$grid: path" path "18ni1900_$grid" "$height")"
+  row "$grid: angle of x2nicomo less that of 18ni1900" deg "$(calc "$first - $second")" 5 "000 table 11" 0
+done <<'GRIDS'
+2mm 0.124
+refined 0.124
+1mm 0.125
+half_mm 0.125
+GRIDS
 
+[ ! "$again" ] || { finish; exit; }
 # how the angle depends on each choice, for X2 NiCoMo 18 9 5 with a spacing of 2 mm
 table=$out/sensitivity.csv
 echo "changed, angle to the end (deg), angle by least squares (deg), left the notch (s)," \
@@ -79,7 +97,7 @@ while read -r name words; do
   variation "x_$name" $case/x2nicomo.yaml $words --set output.fields_every=0
   height=0.124
   case $name in notch_74) height=0.126 ;; notch_75*) height=0.125 ;; esac
-  echo "$name, $(path "x_$name" $height | sed 's/ /, /g')" >>"$table"
+  echo "$name, $(path "x_$name" "$height" | sed 's/ /, /g')" >>"$table"
 done <<CHANGES
 nothing
 horizon_ratio_3.5 --set solid.materials[0].horizon_ratio=3.5

@@ -2,12 +2,13 @@
 # Runs the three cracks on uniform grids, on grids refined at the crack, and with the hole in the middle of the plate.
 # Writes results/.
 # usage: cases/plate_hole/run.sh [RUNS]      (runs/plate_hole)
+#        cases/plate_hole/run.sh --summary     runs nothing: judges the numbers of results/measured.csv again
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/plate_hole} case=cases/plate_hole out=cases/plate_hole/results
 . cases/crack.sh
-mkdir -p "$runs" "$out"
+mkdir -p "$out"
 # grid SPACING: settings for this spacing, with a clamp of one layer
 grid() { echo "--set solid.spacing=$1 --set solid.constraints[0].high=[0.03,$1]"; }
 # path NAME X Y RADIUS WIDTH: five results of the crack that continues the initial one: the time (s) at which its tip
@@ -23,21 +24,21 @@ path() {
         (gap < 0.002 ? "drawn_in" : x > width - 0.003 ? "passes" : "stops") }' "$runs/$1/crack.csv"
 }
 # measured NAME X Y RADIUS OUTCOME [PARTICLES]: writes the rows of a run. The row of the outcome passes if it is OUTCOME
-# (-: no verdict).
+# (-: it is only shown).
 measured() {
   local p
-  read -r -a p <<<"$(path "$1" "$2" "$3" "$4" 0.03)"
-  row "$1: the crack starts" s "${p[0]}" "" ""
-  row "$1: x of the tip at the end" mm "${p[1]}" "" ""
-  row "$1: y of the tip at the end" mm "${p[2]}" "" ""
-  row "$1: from there to the hole" mm "${p[3]}" "" ""
+  read -r -a p <<<"$(kept "$1: path" path "$1" "$2" "$3" "$4" 0.03)"
+  shown "$1: the crack starts" s "${p[0]}" "" ""
+  shown "$1: x of the tip at the end" mm "${p[1]}" "" ""
+  shown "$1: y of the tip at the end" mm "${p[2]}" "" ""
+  shown "$1: from there to the hole" mm "${p[3]}" "" ""
   if [ "$5" = - ]; then
     shown "$1: what becomes of the crack" "" "${p[4]}" "" ""
   else
     same "$1: what becomes of the crack" "" "${p[4]}" "$5" "expected (the figures of 000 are not at hand)"
   fi
-  row "$1: particles at the end" 1 "$(json "$1" particles)" "${6-}" "${6:+000 table 15}"
-  row "$1: wall time of the steps" s "$(json "$1" wall_seconds | cut -c 1-5)" "" ""
+  shown "$1: particles at the end" 1 "$(json "$1" particles)" "${6-}" "${6:+000 table 15}"
+  shown "$1: wall time of the steps" s "$(json "$1" wall_seconds | cut -c 1-5)" "" ""
 }
 
 middle="--set domain.size=[0.03,0.045] --set solid.bodies.plate.high=[0.03,0.045]
@@ -62,5 +63,5 @@ a 1.92e-5 passes 1927
 b 1.80e-5 - 2409
 c 1.92e-5 drawn_in 2492
 MODELS
-for name in a_half_mm c_half_mm; do cp "$runs/$name/post/pictures/damage.png" "$out/$name.png"; done
+[ "$again" ] || for name in a_half_mm c_half_mm; do cp "$runs/$name/post/pictures/damage.png" "$out/$name.png"; done
 finish

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Runs the three scenes at full size, from the stages that they share, and writes results/.
 # usage: cases/porous_channel/run.sh [RANKS] [RUNS]      (2, runs/porous_channel)
+#        cases/porous_channel/run.sh --summary     runs nothing: judges the series in results/ again
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+[ "${1-}" != --summary ] || exec cases/porous_channel/collect.sh --summary
 n=${1:-2} runs=${2:-runs/porous_channel} case=cases/porous_channel frana=build/frana
 . cases/common.sh
 mkdir -p "$runs"

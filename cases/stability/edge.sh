@@ -1,9 +1,14 @@
 # shellcheck shell=bash
-# shellcheck disable=SC2154 # frana, here, runs, out, quick: of cases/verification/common.sh
+# shellcheck disable=SC2154 # frana, here, runs, out, quick, again: of cases/verification/common.sh
 # What the maps share, besides cases/verification/common.sh: a run is judged stable or not, and the limit between stable
 # and unstable settings is found by bisection. Limits and points are stored in RUNS by program, scene and settings. A
 # map that was stopped continues from them.
-build=$("$frana" --version)
+if [ "$again" ]; then # maps are not made again; their tables in OUT are judged again
+  build='' runs=$(mktemp -d)
+  trap 'rm -rf "$runs"' EXIT
+else
+  build=$("$frana" --version)
+fi
 export LC_ALL=C OMP_NUM_THREADS=1
 
 # of_run DIR COLUMN COMMAND: runs COMMAND, awk code that may use n, t[] and x[], on a column of the run's series.
@@ -80,6 +85,7 @@ kept_point() {
 # Writes NAME.csv in the order of the lines.
 table() {
   local i=0 args
+  [ ! "$again" ] || return 0
   mkdir -p "$runs/rows"
   rm -f "$runs/rows/$1".*
   while read -r args; do
@@ -93,7 +99,7 @@ table() {
 }
 # plot NAME: makes NAME.png from a gnuplot script on standard input. Does nothing without gnuplot.
 plot() {
-  [ ! "$quick" ] || return 0
+  [ ! "$quick$again" ] || return 0
   command -v gnuplot >/dev/null || return 0
   { echo "set terminal pngcairo size 900,560 font 'sans,11'; set output '$out/$1.png'; set datafile separator ','"
     echo "set grid; set key left top"

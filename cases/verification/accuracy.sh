@@ -1,9 +1,34 @@
 #!/usr/bin/env bash
-# Writes docs/accuracy.md from the results of all cases. Runs nothing. usage: cases/verification/accuracy.sh
+# Writes docs/accuracy.md from the results of all cases, and the numbers of tolerances into README.md and
+# cases/verification/README.md. Runs nothing. With --check it writes nothing, and leaves with 1 if one of the three
+# pages is not what it would write.
+# usage: cases/verification/accuracy.sh [--check]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-page=docs/accuracy.md work=$(mktemp)
-trap 'rm -f "$work"' EXIT
+export LC_ALL=C
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# with_gates: the folders of all cases whose results/summary.csv has a row
+with_gates() {
+  local f
+  for f in cases/{*,stability/*,verification/*}/results/summary.csv; do
+    [ "$(wc -l <"$f")" -lt 2 ] || echo "${f%/results/summary.csv}"
+  done
+}
+# count VERDICT FOLDER...: how many rows of the folders' summaries have this verdict
+count() {
+  local verdict=$1
+  shift
+  cat "${@/%//results/summary.csv}" | grep -c ",$verdict\$" || true
+}
+# rows FOLDER: how many numbers of the folder's cases are in shown.csv
+rows() { if [ -f "$1/results/shown.csv" ]; then tail -n +2 "$1/results/shown.csv" | wc -l; else echo 0; fi; }
+mapfile -t all < <(with_gates)
+mapfile -t verification < <(with_gates | grep '^cases/verification/')
+held=$(count yes "${all[@]}") gates=$((held + $(count no "${all[@]}")))
+# counted FILE HELD GATES: the page FILE with its "N of M tolerances" made anew
+counted() { sed "s/[0-9]* of [0-9]* tolerances/$2 of $3 tolerances/" "$1"; }
 
 # paragraph FOLDER WORD: the paragraph of FOLDER/README.md that begins with WORD, bold or not, up to the next blank line
 paragraph() { awk -v word="$2" 'index($0, word) == 1 || index($0, "**" word) == 1 { on = 1 } /^$/ { on = 0 }
@@ -43,12 +68,13 @@ study() { # study CSV: title, machine, one line of advice for each quantity, plo
   plot "$1"
 }
 case_section() {
-  local dir=$1 summary=$1/results/summary.csv passed missed
+  local dir=$1 summary=$1/results/summary.csv passed missed csv
   echo
   echo "## $(sed -n '1s/^# //p' "$dir/README.md")"
   echo
-  passed=$(grep -c ',yes$' "$summary" || true) missed=$(grep -c ',no$' "$summary" || true)
+  passed=$(count yes "$dir") missed=$(count no "$dir")
   echo "[$(basename "$dir")](../$dir): $passed of $((passed + missed)) tolerances met ([summary](../$summary))."
+  [ "$missed" = 0 ] || echo
   awk '/,no$/ { # quantity, unit, ours, reference, source, tolerance; a field with a comma is in quotes
       n = 0
       while (match($0, /^("([^"]|"")*"|[^,]*)(,|$)/) && RLENGTH > 0) {
@@ -57,24 +83,61 @@ case_section() {
         sub(/,$/, "", cell[n])
         if (sub(/^"/, "", cell[n])) sub(/"$/, "", cell[n])
       }
-      printf "* missed: %s: %s %s, asked %s\n", cell[1], cell[3], cell[2], cell[6] }' "$summary"
+      printf "* missed: %s: %s%s, reference %s, asked %s\n", cell[1], cell[3] == "" ? "none" : cell[3],
+        cell[2] == "1" || cell[2] == "" ? "" : " " cell[2], cell[4], cell[6] }' "$summary"
+  [ "$missed" = 0 ] || { echo; paragraph "$dir" 'Missed' | moved "$dir"; }
   for csv in "$dir"/results/*.csv; do
     if grep -qs '^method,level' "$csv"; then study "$csv"; fi
   done
   [ -z "$(paragraph "$dir" 'Limitations')" ] || { echo; paragraph "$dir" 'Limitations' | moved "$dir"; }
 }
-{
-  cat <<'END'
+accuracy() {
+  cat <<END
 # Accuracy
 
-Made by `cases/verification/nightly.sh` from the results of the cases in [cases/verification](../cases/verification),
-not by hand. What an error costs is the wall time of the steps of the cheapest run that stays below it, by the named
-method at the named level; times are of the machine named in each table of results, errors are not.
+Made by \`cases/verification/accuracy.sh\` from the results of all cases, not by hand.
+
+**$held of $gates tolerances are met.** A number that a reference gives a tolerance for has a verdict in its case's
+\`results/summary.csv\`. Numbers that show a trend, or that have no reference, are in \`results/shown.csv\` and count
+nowhere. Each miss is listed below with its reason.
+
+| case | tolerances | met | missed | only shown |
+|---|--:|--:|--:|--:|
+END
+  for dir in "${all[@]}"; do
+    echo "| [${dir#cases/}](../$dir) | $(($(count yes "$dir") + $(count no "$dir"))) | $(count yes "$dir") |" \
+      "$(count no "$dir") | $(rows "$dir") |"
+  done
+  cat <<'END'
+
+Below are the cases of [cases/verification](../cases/verification) first, then the others. What an error costs is the
+wall time of the steps of the cheapest run that stays below it, by the named method at the named level; times are of the
+machine named in each table of results, errors are not.
 END
   cat cases/verification/*/results/*.csv | sed -n 's/^# machine: \(.*\)/Machine: \1./p' | sort -u | sed 's/^/\n/'
   [ ! -f cases/verification/defaults.md ] || { echo; moved cases/verification <cases/verification/defaults.md; }
-  for dir in cases/verification/*/; do
-    [ ! -f "$dir/results/summary.csv" ] || case_section "${dir%/}"
+  for dir in "${verification[@]}"; do case_section "$dir"; done
+  for dir in "${all[@]}"; do
+    case $dir in cases/verification/* | cases/stability/*) ;; *) case_section "$dir" ;; esac
   done
-} >"$work"
-cp "$work" "$page"
+}
+accuracy >"$work/accuracy.md"
+counted README.md "$held" "$gates" >"$work/README.md"
+counted cases/verification/README.md "$(count yes "${verification[@]}")" \
+  "$(($(count yes "${verification[@]}") + $(count no "${verification[@]}")))" >"$work/verification.md"
+code=0
+while read -r made page; do
+  if [ "${1-}" != --check ]; then
+    cp "$work/$made" "$page"
+  elif ! cmp -s "$work/$made" "$page"; then
+    diff -u "$page" "$work/$made" | head -n 20
+    echo "$page: not what cases/verification/accuracy.sh makes of the results; run it"
+    code=1
+  fi
+done <<'END'
+accuracy.md docs/accuracy.md
+README.md README.md
+verification.md cases/verification/README.md
+END
+[ "${1-}" = --check ] || echo "$held of $gates tolerances are met"
+exit $code

@@ -4,9 +4,12 @@
 # usage: cases/verification/fluid_column/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
-rm -rf "$runs/dry"
-"$frana" run "$here/dry.yaml" --out "$runs/dry" --quiet
-DRY=$(cd "$runs/dry" && "$here/swing.sh" frequency)
+dry() {
+  rm -rf "$runs/dry"
+  "$frana" run "$here/dry.yaml" --out "$runs/dry" --quiet >&2
+  (cd "$runs/dry" && "$here/swing.sh" frequency)
+}
+DRY=$(kept "the bar alone: angular frequency" dry)
 export DRY
 shown "the bar alone: angular frequency" rad/s "$DRY" "$(calc 'pi / 2 / 0.016 * sqrt(1.2 * 1.02041 * 1.0e6 / 1000)')" \
   "a bar of 16 spacings without ends"

@@ -7,15 +7,17 @@ if [ "$quick" ]; then name=study levels="1/2 1/4" finest=1/4 tolerance=0.1; else
   finest=1/8 tolerance=0.05; fi
 study $name
 for level in $levels; do
-  shown "step $level: energy out of motion and strain over crack area" G0 "$(cell $name value Verlet $level balance)" \
-    1.02801 "bonds across a plane of the lattice"
-  shown "step $level: energy that bonds released over crack area" G0 "$(cell $name value Verlet $level bonds)" 1.02801 \
-    "bonds across a plane of the lattice"
+  judge=(shown)
+  [ "$level" != 1/8 ] || judge=(near 0.05)
+  "${judge[0]}" "step $level: energy out of motion and strain over crack area" G0 \
+    "$(cell $name value Verlet "$level" balance)" 1.02801 "bonds across a plane of the lattice" "${judge[@]:1}"
+  shown "step $level: energy that bonds released over crack area" G0 \
+    "$(cell $name value Verlet "$level" bonds)" 1.02801 "bonds across a plane of the lattice"
 done
 near "step $finest: energy that bonds released over what went out of motion and strain" 1 \
   "$(cell $name value Verlet $finest bonds)" "$(cell $name value Verlet $finest balance)" "energy balance" $tolerance
 row "order in time of the gap between the two" 1 "$(cell $name order Verlet $finest gap)" 1 \
   "a bond breaks within a step" 0.8 1.3
-shown "step $finest: speed of the tip" "sqrt(E/density)" "$(cell $name value Verlet $finest speed)" 0.5630 \
-  "Rayleigh's wave"
+row "step $finest: speed of the tip" "sqrt(E/density)" "$(cell $name value Verlet $finest speed)" "below 0.5630" \
+  "Rayleigh's wave" 0 0.5630
 finish

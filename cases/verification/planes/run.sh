@@ -26,7 +26,7 @@ planes() {
   done
   read -r mean spread < \
     <(awk -F, '$4 == "shift" { s += $6; if (!n++ || $6 < low) low = $6; if (n == 1 || $6 > high) high = $6 }
-    END { print s / n, high - low }' "$runs/$1.csv")
+    END { print s / n, high - low }' "$tables/$1.csv")
   row "$2 cells: mean shift of the walls over ten offsets" cells "$mean" 0 "the planes as given" -0.05 0.05
   row "$2 cells: spread" cells "$spread" 0 "no locking to the grid" 0 0.03
   row "$2 cells: largest difference from the kernel's own shift" cells "$miss" 0 "Roma's kernel on a bent profile" 0 \

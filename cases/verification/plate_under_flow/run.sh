@@ -15,7 +15,8 @@ study study
 load=$(cell study value probe '2 kPa' "$rigid")
 tip=$(cell study value probe '2 kPa' tip)
 row "probe, 2 kPa: tip over the strut's height" 1 "$(calc "$tip / 0.024")" "" "small" 0 0.01
-near "probe, 2 kPa: tip" m "$tip" "$(alone 2e3 "$load")" "the solid alone under the rigid strut's load" 0.03
+near "probe, 2 kPa: tip" m "$tip" "$(kept "alone at 2e3" alone 2e3 "$load")" \
+  "the solid alone under the rigid strut's load" 0.03
 near "probe, 200 kPa: load" N "$(cell study value probe '200 kPa' 'load in the end')" "$load" "the rigid strut's" 0.005
 shown "probe: load on the rigid strut" N "$load" 2.2176e-5 "gradient times the volume of the fluid"
 [ "$quick" ] || {
@@ -23,18 +24,18 @@ shown "probe: load on the rigid strut" N "$load" 2.2176e-5 "gradient times the v
   departures=()
   for level in '2e3 2 kPa' '1e3 1 kPa' '500 500 Pa' '250 250 Pa'; do
     tip=$(cell study_soft value probe "${level#* }" tip)
-    against=$(alone "${level%% *}" "$load")
+    against=$(kept "alone at ${level%% *}" alone "${level%% *}" "$load")
     departures+=("($(calc "$tip / $against - 1"))")
     shown "probe, ${level#* }: tip, $(calc "int($tip / 0.024 * 1000 + 0.5) / 10") % of the height" m "$tip" "$against" \
       "the solid alone under the rigid strut's load"
   done
   d=("${departures[@]}")
-  shown "probe: power of the deflection that the departure grows with" 1 \
-    "$(calc "log((${d[3]} - ${d[0]}) / (${d[2]} - ${d[0]})) / log(2)")" 2 "symmetry"
+  row "probe: power of the deflection that the departure grows with" 1 \
+    "$(calc "log((${d[3]} - ${d[0]}) / (${d[2]} - ${d[0]})) / log(2)")" 2 "symmetry" 1.9 2.1
   study study_balanced
   load=$(cell study_balanced value balanced '2 kPa' "$rigid")
   shown "balanced: load on the rigid strut" N "$load" 2.2176e-5 "gradient times the volume of the fluid"
-  near "balanced, 2 kPa: tip" m "$(cell study_balanced value balanced '2 kPa' tip)" "$(alone 2e3 "$load")" \
-    "the solid alone under the rigid strut's load" 0.03
+  near "balanced, 2 kPa: tip" m "$(cell study_balanced value balanced '2 kPa' tip)" \
+    "$(kept "alone at 2e3, balanced" alone 2e3 "$load")" "the solid alone under the rigid strut's load" 0.03
 }
 finish

@@ -20,7 +20,7 @@ if [ ! "$quick" ]; then
     spread=$(awk -F, -v c="$c" 'index($1, c) == 1 && $4 == "permeability" {
         if (!n++ || $6 < low) low = $6
         if (n == 1 || $6 > high) high = $6 }
-      END { print (high - low) / low }' "$runs/study_place.csv")
+      END { print (high - low) / low }' "$tables/study_place.csv")
     row "c = $c at 32^3: k's spread over five places on the grid" 1 "$spread" 0 "the same body" 0 0.005
   done
   study study_how
@@ -31,6 +31,6 @@ if [ ! "$quick" ]; then
   done
   row "c = 0.125: order of k from 16^3 to 64^3" 1 \
     "$(calc "log($(cell study error 0.125 16 permeability) / $(
-      cell study_fine error 0.125 64 permeability)) / log(4)")" 2 "second order" 1.7 9
+      cell study_fine error 0.125 64 permeability)) / log(4)")" 2 "second order" 1.7 2.3
 fi
 finish

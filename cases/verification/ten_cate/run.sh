@@ -15,11 +15,11 @@ else
   for e in E1 E2 E3 E4; do shown "$e, 6 cells: $what" 1 "$(cell study value $e 6 "$what")" "$(measured $e)" \
     "$source"; done
   near "E4, 12 cells: $what" 1 "$(cell study_fine value balanced 12 "$what")" 0.955 "$source" 0.05
-  for level in 6 12; do shown "E4, $level cells, by the probe alone: $what" 1 \
-    "$(cell study_fine value probe $level "$what")" 0.955 "$source"; done
+  shown "E4, 6 cells, by the probe alone: $what" 1 "$(cell study_fine value probe 6 "$what")" 0.955 "$source"
+  near "E4, 12 cells, by the probe alone: $what" 1 "$(cell study_fine value probe 12 "$what")" 0.955 "$source" 0.05
   coarse=$(cell study_fine value probe 6 "$what") fine=$(cell study_fine value probe 12 "$what")
-  near "E4, by the probe alone, of 6 and 12 cells extrapolated with order 1: $what" 1 "$(calc "2 * $fine - $coarse")" \
-    0.955 "$source" 0.05
+  shown "E4, by the probe alone, of 6 and 12 cells extrapolated with order 1: $what" 1 "$(calc "2 * $fine - $coarse")" \
+    0.955 "$source"
   at=$(cell study_knobs value "as it is" 6 "$what")
   near "E4, 6 cells, ten times as stiff: $what" 1 "$(cell study_knobs value "ten times as stiff" 6 "$what")" "$at" \
     "the softer sphere" 5e-3

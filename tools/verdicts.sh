@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Checks the results of the cases that git tracks: each row of a summary.csv has the verdict yes or no, and a tolerance;
+# no quantity is twice in it; a case with a miss has a paragraph **Missed.** in its README.md; docs/accuracy.md,
+# README.md and cases/verification/README.md are what cases/verification/accuracy.sh makes of the results. Prints what
+# is wrong, and leaves with 1 if something is.
+#   tools/verdicts.sh
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+code=0
+while read -r summary; do
+    awk -v file="$summary" '
+        NR == 1 { if ($0 != "quantity,unit,ours,reference,source,tolerance,pass") {
+                    print file ":1: other columns"; bad = 1 }
+                  next }
+        !/,(yes|no)$/ || /,,(yes|no)$/ { print file ":" NR ": no verdict, or no tolerance: " $0; bad = 1 }
+        { match($0, /^("([^"]|"")*"|[^,]*)/); name = substr($0, 1, RLENGTH) }
+        seen[name]++ { print file ":" NR ": for the second time: " name; bad = 1 }
+        END { exit bad }' "$summary" || code=1
+    readme=${summary%/results/summary.csv}/README.md
+    if grep -q ',no$' "$summary" && ! grep -qs '^\*\*Missed\.\*\*' "$readme"; then
+        echo "$readme: no paragraph **Missed.**, but $summary has a miss"
+        code=1
+    fi
+done < <(git ls-files 'cases/*summary.csv')
+cases/verification/accuracy.sh --check || code=1
+exit $code
