@@ -1,17 +1,19 @@
 /* Load by reaction: what the forcing takes from the fluid is given to the solid, within the stage. */
 /* In stage r of the fluid's step, of length g = gamma_r dt, the forcing with feedback (ibm/feedback.c) gives the fluid at
- * a marker of volume W the impulse rho W (g f + w e), with e the mean of V - U over the stage. The solid's substeps of
- * the stage, T long together, take the same impulse back,
+ * a marker of volume W the impulse rho W (g f + w e), with e the mean of V - U over the stage. In the solid's substeps of
+ * the stage, T long together, the particle is under
  *
- *     m dV/dt = ... - rho W (g f + w (V - U))/T + V_h (rho I - rho b - G) ,
+ *     m dV/dt = ... - rho W (f + w (V - U)/T) + V_h (rho I - rho b - G) ,
  *
- * whose part in V is implicit in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off,
- * marker by marker, and the work that is done on the solid is taken from the fluid but for the slip's loss: for
- * w J S <= 1 no step creates energy, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
+ * so that a step takes the same impulse from the solid, f being the same in its three stages. The part with V is implicit
+ * in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off, marker by marker, and the work
+ * that is done on the solid is taken from the fluid but for the slip's loss: for w J S <= 1 no step creates energy,
+ * whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
  *
- * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with
- * acceleration I of the fluid at each particle, of the step before; and so are the body force b and the driving gradient
- * G on it. For light bodies I is a running mean, because a delay of a step amplifies what changes from step to step. */
+ * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with the
+ * acceleration I of the fluid at each particle in the step before; and so are the body force b and the driving gradient G
+ * on it. It is given to all particles evenly, not to the faces on which the inner pressure acts: the sum is right, the
+ * strain of a body that is accelerated is not quite. */
 #include "coupling/reaction.h"
 #include "base/clock.h"
 #include "base/memory.h"
@@ -25,13 +27,10 @@
 
 #include <math.h>
 #include <string.h>
-#include <stdlib.h>
 
-/* The slip time over the cell's diffusion time and over its convection time. */
-static const double OF_DIFFUSION = 0.0014, OF_CONVECTION = 0.02;
-/* Part of the inner fluid's new acceleration in the mean, for bodies of at least HEAVY times the fluid's density and for
- * lighter ones. */
-static const double HEAVY = 3, PART_HEAVY = 1, PART_LIGHT = 0.2;
+/* The slip time over the times in which momentum diffuses over a cell, the flow crosses one, and a wave of the solid
+ * crosses one. */
+static const double OF_DIFFUSION = 1.4e-4, OF_CONVECTION = 2e-3, OF_WAVE = 5e-3;
 
 struct reaction {
     struct ibm *inner; /* all particles, to read the fluid within the body */
@@ -44,14 +43,17 @@ struct reaction {
     double (*kept)[3];    /* [markers] force of the kept f on the solid in this stage, N/m3 */
     double (*from)[IBM_FEEDBACK_SENT];
     double *v[3], *volume; /* [n] of the inner markers; unused by reading */
-    double (*now)[3];      /* [n] U of the inner fluid, m/s */
+    double (*acceleration)[3]; /* [n] of the inner fluid, m/s2 */
 };
 
 double reaction_slip_time(const struct run *r) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
-    const double dx = fluid_grid_of(r->fluid)->d[0], speed = fluid_limits_speed(r->fluid);
-    if (getenv("FRANA_S")) return atof(getenv("FRANA_S"));
-    return fmin(OF_DIFFUSION * dx * dx / in->viscosity, OF_CONVECTION * dx / speed);
+    const struct solid_input *solid = &r->solid->in;
+    const double dx = fluid_grid_of(r->fluid)->d[0];
+    double most = fmin(OF_DIFFUSION * dx * dx / in->viscosity, OF_CONVECTION * dx / fluid_limits_speed(r->fluid));
+    for (int m = 0; m < solid->materials && r->needs.bonds; m++)
+        most = fmin(most, OF_WAVE * dx * sqrt(solid->material[m].density / solid->material[m].youngs_modulus));
+    return most;
 }
 
 struct reaction *reaction_new(struct run *r) {
@@ -63,11 +65,8 @@ struct reaction *reaction_new(struct run *r) {
     k->inner = ibm_new(r->fluid, 0);
     for (int c = 0; c < 3; c++) k->v[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->volume = memory_new(MEMORY_COUPLING, n, sizeof(double));
-    k->now = memory_new(MEMORY_COUPLING, n, sizeof *k->now);
-    for (int c = 0; c < 3; c++) {
-        r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-        r->inner_acceleration[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-    }
+    k->acceleration = memory_new(MEMORY_COUPLING, n, sizeof *k->acceleration);
+    for (int c = 0; c < 3; c++) r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
     r->inner_time = -1;
     return k;
 }
@@ -76,7 +75,7 @@ void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
     void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept, k->from,
-                           k->v[0], k->v[1], k->v[2], k->volume, k->now,  k};
+                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration,  k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
@@ -122,25 +121,23 @@ static double push_of(const struct run *r, int c) {
     return in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
 }
 
-/* Reads the fluid within the body, and renews the mean of its acceleration since the last reading. */
+/* Reads the fluid within the body, and finds its acceleration since the last reading. */
 static void read_inner(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const struct fluid_state *state = fluid_state_of(r->fluid);
     double *const u[3] = {state->u, state->v, state->w};
-    const double since = r->t - r->inner_time, density = fluid_input_of(r->fluid)->density;
+    const double since = r->t - r->inner_time;
     const int has_last = r->inner_time >= 0 && since > 0;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
     ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)k->v, k->volume);
-    ibm_whole_sample(k->inner, u, k->now);
+    ibm_whole_sample(k->inner, u, k->acceleration);
     for (int h = 0; h < s->n; h++) {
-        const double part = solid_density(s, h) >= HEAVY * density ? PART_HEAVY : PART_LIGHT;
         for (int c = 0; c < 3; c++) {
-            const double a = has_last ? (k->now[h][c] - r->inner_velocity[c][h]) / since : 0;
-            double *mean = &r->inner_acceleration[c][h];
-            *mean = has_last ? *mean + part * (a - *mean) : 0;
-            r->inner_velocity[c][h] = k->now[h][c];
+            const double now = k->acceleration[h][c];
+            k->acceleration[h][c] = has_last ? (now - r->inner_velocity[c][h]) / since : 0;
+            r->inner_velocity[c][h] = now;
         }
     }
     r->inner_time = r->t;
@@ -152,41 +149,42 @@ static void load_inner(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     const double density = fluid_input_of(r->fluid)->density;
     const struct solid_surface *f = r->surface;
+    const struct reaction *k = r->reaction;
     for (int c = 0; c < 3; c++) {
         const double push = push_of(r, c);
         for (int h = 0; h < s->n; h++) {
-            const double back = is_inside(r, h) ? density * r->inner_acceleration[c][h] - push : 0;
+            const double back = is_inside(r, h) ? density * k->acceleration[h][c] - push : 0;
             s->load[c][h] = solid_given_of(s, h, c) + back;
             sum[c] += back * s->volume[h];
         }
         for (int i = 0; i < f->n && f->set_free > 0; i++) { /* single particles carry no fluid along */
             const int h = f->h[i];
             if (f->two_sided[i] != SOLID_SET_FREE || !is_inside(r, h)) continue;
-            s->load[c][h] -= density * r->inner_acceleration[c][h];
-            sum[c] -= density * r->inner_acceleration[c][h] * s->volume[h];
+            s->load[c][h] -= density * k->acceleration[h][c];
+            sum[c] -= density * k->acceleration[h][c] * s->volume[h];
         }
     }
 }
 
-/* Takes U and f of the markers: sets the drag, and adds the kept force to the load in place of that of the last stage. */
+/* Takes U and f of the markers: sets the drag, and before the first stage adds the kept force to the load. */
 static void receive(struct run *r, int stage, double length) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const struct run_markers *m = &r->markers;
-    const double density = fluid_input_of(r->fluid)->density, g = physics_rk3_gamma[stage] * r->dt;
+    const double density = fluid_input_of(r->fluid)->density;
     const double w = ibm_feedback_weight(r->ibm, stage, r->dt);
     ibm_feedback_out(r->ibm, k->from);
     for (int i = 0; i < m->n; i++) {
         const int h = r->surface->h[i];
-        const double *from = k->from[i], per_volume = density * m->volume[i] / (length * s->volume[h]);
+        const double *from = k->from[i], per_volume = density * m->volume[i] / s->volume[h];
         k->h[i] = h;
-        k->rate[i] = from[IBM_FEEDBACK_REACHED] * w * per_volume / solid_density(s, h);
+        k->rate[i] = from[IBM_FEEDBACK_REACHED] * w * per_volume / (length * solid_density(s, h));
         for (int c = 0; c < 3; c++) {
-            const double kept = -per_volume * g * from[IBM_FEEDBACK_FORCE + c];
             k->u[i][c] = from[IBM_FEEDBACK_U + c];
             k->path[i][c] = 0;
-            s->load[c][h] += kept - (stage == 0 ? 0 : k->kept[i][c]);
-            k->kept[i][c] = kept;
+            if (stage > 0) continue;
+            k->kept[i][c] = -per_volume * from[IBM_FEEDBACK_FORCE + c];
+            s->load[c][h] += k->kept[i][c];
         }
     }
     k->drag = (struct solid_drag){m->n, k->h, k->rate, k->u, k->path};

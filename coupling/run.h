@@ -65,10 +65,9 @@ struct run {
     double load[3];       /* force of the fluid on the solid at the last probe, whole solid, N */
     double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed */
     double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
-    /* [n] of the fluid at each particle, NULL unless the load is the reaction: velocity at the last reading, m/s; running
-     * mean of its acceleration, m/s2; time of the last reading, s, -1: none (coupling/reaction.c) */
-    double *inner_velocity[3], *inner_acceleration[3];
-    double inner_time;
+    double *inner_velocity[3]; /* [n] of the fluid at each particle at the last reading, m/s; NULL unless the load is
+                                * the reaction (coupling/reaction.c) */
+    double inner_time;         /* s, of that reading; -1: none */
     double (*demand)[3];  /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct solid_rates solid_rates;
     struct run_refined refined;

@@ -5,7 +5,8 @@
  * spreading of A_h dx/cell times a value, and V the wall's velocity,
  *
  *     u* += S (g f) ,   U = J u* ,   e = V - U ,   u* += S (w e) ,   w = g/max(s, g_1) ,
- *     f <- (f + (g/k) e) / (1 + c g/k) ,   k = (0.8 dt)^2 ,   1/c = 1/s - sum_r w_r/dt .
+ * and after the step
+ *     f <- (f + sum_r (g_r/k) e_r) / (1 + c dt/k) ,   k = dt^2 ,   1/c = 1/s - sum_r w_r/dt .
  *
  * In a steady flow e = c f, and each stage has its share gamma_r of the step's impulse F dt = f dt + sum_r w_r e. So the
  * slip is e = s F: s is a time that belongs to the scene, and the wall does not move with the step. Without s the force of a mode that the markers cannot
@@ -21,7 +22,7 @@
 #include <string.h>
 
 /* The time of the integrator, sqrt(k), over the step. */
-static const double INTEGRATOR = 0.8;
+static const double INTEGRATOR = 1.0;
 
 void ibm_feedback_set(struct ibm *ibm, double slip_time) {
     ENSURE(slip_time > 0 && ibm->served == 0 && !ibm->implicit, "slip time %g", slip_time);
@@ -87,18 +88,19 @@ static void give(struct ibm *ibm, int r, double dt, const double (*e)[3]) {
     const struct fluid_grid *g = ibm->grid;
     const struct law law = law_of(ibm, r, dt);
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    const double keep = law.inverse_c / (law.inverse_c + law.gain);
+    const double keep = law.inverse_c / (law.inverse_c + 1 / (INTEGRATOR * INTEGRATOR * dt));
     for (int c = 0; c < 3 && r == 0; c++) ibm->given[c] = 0;
     for (int h = 0; h < ibm->served; h++) {
         const double volume = volume_of(ibm, h);
         const struct ibm_edge *edge = h < ibm->inner ? NULL : &ibm->edge[h - ibm->inner];
-        double *f = ibm->vector[IBM_DEMAND][h];
+        double *f = ibm->vector[IBM_DEMAND][h], *change = ibm->change[h];
         for (int c = 0; c < 3; c++) {
             const double direct = volume * law.w * e[h][c], all = direct + volume * law.g * f[c];
             ibm->increment[h][c] = direct;
             ibm->received[h][c] = (r == 0 ? 0 : ibm->received[h][c]) + all;
             if (!edge || edge->mine) ibm->given[c] += scale * (edge ? edge->share[c] : 1) * all;
-            f[c] = keep * (f[c] + law.gain * e[h][c]);
+            change[c] = (r == 0 ? 0 : change[c]) + law.gain * e[h][c];
+            if (r == 2) f[c] = keep * (f[c] + change[c]);
         }
     }
     double *const *u = fluid_predicted(ibm->fluid);

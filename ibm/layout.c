@@ -57,8 +57,10 @@ static void reserve_markers(struct ibm *ibm) {
     ibm->stencil = memory_renew(MEMORY_IBM, ibm->stencil, (size_t)ibm->capacity, sizeof *ibm->stencil);
     ibm->increment = memory_renew(MEMORY_IBM, ibm->increment, (size_t)ibm->capacity, sizeof *ibm->increment);
     ibm->received = memory_renew(MEMORY_IBM, ibm->received, (size_t)ibm->capacity, sizeof *ibm->received);
-    if (ibm->slip_time > 0)
+    if (ibm->slip_time > 0) {
         ibm->velocity = memory_renew(MEMORY_IBM, ibm->velocity, (size_t)ibm->capacity, sizeof *ibm->velocity);
+        ibm->change = memory_renew(MEMORY_IBM, ibm->change, (size_t)ibm->capacity, sizeof *ibm->change);
+    }
     for (int k = 0; k < (ibm->implicit ? IBM_VECTORS : ibm_demand_is_kept(ibm)); k++)
         ibm->vector[k] = memory_renew(MEMORY_IBM, ibm->vector[k], (size_t)ibm->capacity, sizeof *ibm->vector[k]);
 }

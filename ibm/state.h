@@ -131,6 +131,7 @@ struct ibm {
     /* Work: of a stage or a step. */
     double (*increment)[3]; /* [served] (V - U) A_h dx / cell volume, m/s */
     double (*velocity)[3];  /* [served] of the forcing with feedback: U_h, then its slip, m/s; NULL otherwise */
+    double (*change)[3];    /* [served] of the kept force in this step, m/s2; NULL without feedback */
     double (*received)[3];  /* [served] sum of the increments over stages and iterations */
     double *home;           /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
     size_t home_size;

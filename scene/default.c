@@ -51,6 +51,21 @@ static double cell_of(const struct scene_domain *d) {
     return cell;
 }
 
+/* The load's name in a scene, for the two that are defaults. */
+static const char *load_name(enum scene_load_form load) { return load == SCENE_LOAD_REACTION ? "reaction" : "wall"; }
+
+/* The most accurate load that the scheme has: docs/accuracy.md. */
+static void fill_load(struct scene *s, struct scene_node *root) {
+    struct scene_node *coupling = scene_node_find(root, "coupling");
+    const int has_reaction = s->coupling->scheme == SCENE_EXPLICIT &&
+                             (!s->fluid || s->fluid->diffusion == SCENE_DIFFUSION_EXPLICIT);
+    if (scene_node_child(coupling, "load")) return;
+    s->coupling->load = has_reaction ? SCENE_LOAD_REACTION : SCENE_LOAD_WALL;
+    int at = 0;
+    while (at < coupling->n && strcmp(coupling->child[at]->key, "probe_length") != 0) at++;
+    scene_node_insert(coupling, at + 1, scalar(coupling, "load", load_name(s->coupling->load)));
+}
+
 /* The calibrated value of the surface. */
 static double retraction_of(enum scene_surface surface) {
     switch (surface) {
@@ -150,6 +165,7 @@ void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_p
         for (int m = 0; m < s->solid->materials; m++) fill_poisson(s, root, m);
         for (int b = 0; b < s->solid->bodies; b++) fill_body(s, root, problems, b);
     }
+    if (s->coupling) fill_load(s, root);
     if (s->coupling) fill_retraction(s, root);
     if (s->coupling && s->solid) fill_medium(s, root);
 }

@@ -28,6 +28,23 @@ static void check_cells(const struct scene_check *c) {
                          x, y, z);
 }
 
+/* The reaction is found within the stages of the explicit scheme, with at least one substep in each. */
+static void check_load(const struct scene_check *c) {
+    const struct scene *s = c->scene;
+    if (!s->coupling || s->coupling->load != SCENE_LOAD_REACTION || !scene_node_is_clean(c->root, "coupling.load"))
+        return;
+    if (s->coupling->scheme == SCENE_STRONG)
+        scene_problem_at(c->problems, c->root, "coupling.load", "does not go with coupling.scheme: strong");
+    if (s->fluid && s->fluid->diffusion == SCENE_DIFFUSION_IMPLICIT)
+        scene_problem_at(c->problems, c->root, "coupling.load", "does not go with fluid.diffusion: implicit");
+    for (int i = 0; i < s->stages; i++) {
+        const struct scene_path path = scene_check_parts_path("stages[%d].substeps", i);
+        if (s->stage[i].solid == SCENE_SOLID_ELASTIC && s->stage[i].substeps > 0 && s->stage[i].substeps < 3 &&
+            scene_check_parts_clean(c, path))
+            scene_problem_at(c->problems, c->root, path.text, "must be at least 3 with coupling.load: reaction");
+    }
+}
+
 static void check_medium(const struct scene_check *c) {
     const struct scene_coupling *k = c->scene->coupling;
     const struct scene_domain *d = &c->scene->domain;
@@ -88,5 +105,6 @@ void scene_check_parts(const struct scene_check *c) {
     check_crack_output(c);
     check_fluid_probes(c);
     check_cells(c);
+    check_load(c);
     check_medium(c);
 }

@@ -180,7 +180,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("coupling.surface", "choice", "lattice"),
     RULE("coupling.retraction", "cells", WITHIN(-1, 1)),
     RULE("coupling.probe_length", "cells", "2", WITHIN(0, 10), .open = 1),
-    RULE("coupling.load", "choice", "probe"),
+    RULE("coupling.load", "choice"),
     RULE("coupling.scheme", "choice", "explicit"),
     RULE("coupling.relaxation", "choice", "quasi_newton", WHERE("scheme", "strong")),
     RULE("coupling.tolerance", "1", "1.0e-3", WITHIN(0, 1), .open = 1, WHERE("scheme", "strong")),
