@@ -7,6 +7,8 @@ enum { SOLID_PIECES_MAX = 4, SOLID_PIECE_ALL = 7 };
 struct solid_piece {
     /* depth of x below the piece, m, > 0 in the material, and the piece's unit normal out of it there */
     double (*depth)(const struct solid_piece *piece, const double x[3], double normal[3]);
+    /* mean of the two principal curvatures where the normal is n, 1/m, > 0 where the material bulges */
+    double (*curvature)(const struct solid_piece *piece, const double n[3]);
     int mask[3];
     int inside;               /* +1: the material is inside the radius, -1: outside */
     double centre[3], radius; /* m */
