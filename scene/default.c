@@ -1,6 +1,5 @@
 /* Fills in defaults that follow from other values: spacing, Poisson's ratio, retraction, measurement box. */
 #include "scene/default.h"
-#include "base/ensure.h"
 #include "base/text.h"
 #include "physics/retraction.h"
 
@@ -66,17 +65,6 @@ static void fill_load(struct scene *s, struct scene_node *root) {
     scene_node_insert(coupling, at + 1, scalar(coupling, "load", load_name(s->coupling->load)));
 }
 
-/* The calibrated value of the surface. */
-static double retraction_of(enum scene_surface surface) {
-    switch (surface) {
-    case SCENE_SURFACE_LATTICE:
-        return PHYSICS_RETRACTION;
-    case SCENE_SURFACE_SHAPE:
-        return PHYSICS_RETRACTION_SHAPE;
-    }
-    ENSURE(0, "surface %d", (int)surface);
-}
-
 static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
     char *path = text_new("solid.materials[%d]", m);
     struct scene_node *node = scene_node_find(root, path);
@@ -128,7 +116,7 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
 static void fill_retraction(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
     if (scene_node_child(coupling, "retraction")) return;
-    s->coupling->retraction = retraction_of(s->coupling->surface);
+    s->coupling->retraction = PHYSICS_RETRACTION;
     int at = 0;
     while (at < coupling->n && strcmp(coupling->child[at]->key, "surface") != 0) at++;
     scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));

@@ -221,9 +221,9 @@ enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
 enum scene_relaxation { SCENE_QUASI_NEWTON, SCENE_AITKEN };
 struct scene_coupling {
     int forcing_iterations;     /* N_s, default 2 */
-    enum scene_surface surface; /* wetted surface of the bodies: faces of the lattice (default), surfaces of the
+    enum scene_surface surface; /* wetted surface of the bodies: found from the lattice (default), surfaces of the
                                  * shapes */
-    double retraction;          /* r_d / dx; the default is the calibrated value of that surface */
+    double retraction;          /* r_d / dx; the default is the calibrated value */
     double probe_length;        /* / dx, default 2 */
     enum scene_load_form load;  /* load on the solid: the probes' values (default), these carried to the wall, or these
                                  * with each body's sum corrected to the forcing's */

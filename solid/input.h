@@ -30,6 +30,10 @@ enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
  * uses its own horizon (000: sec. 1.2.5). */
 enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
 
+/* How deep an interface particle's centre is below the wetted surface: half a spacing; by the number of its neighbours
+ * (solid/surface/counted.h); by the shape that its body is cut from (solid/surface/shaped.h). */
+enum solid_depth { SOLID_DEPTH_HALF, SOLID_DEPTH_COUNTED, SOLID_DEPTH_SHAPE };
+
 struct solid_material {
     double youngs_modulus;  /* Pa */
     double density;         /* kg/m3 */
@@ -189,7 +193,7 @@ struct solid_input {
     double contact_stiffness;                  /* k_c / c0, default 15 */
     double contact_exponent;                   /* n_c, default 1 */
     double contact_radius;                     /* r_c / spacing, default 1 */
-    int shape_surface; /* 1: the wetted surface is that of the shapes, not of the lattice (solid/surface/shaped.h) */
+    enum solid_depth depth;                    /* SOLID_DEPTH_HALF where no fluid wets the solid */
 };
 
 static inline int solid_dim(const struct solid_input *in) {

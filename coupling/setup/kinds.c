@@ -100,6 +100,16 @@ enum solid_horizons setup_kinds_horizons(enum scene_horizons kind) {
     ENSURE(0, "horizons %d of the scene", (int)kind);
 }
 
+enum solid_depth setup_kinds_depth(enum scene_surface kind) {
+    switch (kind) {
+    case SCENE_SURFACE_LATTICE:
+        return SOLID_DEPTH_COUNTED;
+    case SCENE_SURFACE_SHAPE:
+        return SOLID_DEPTH_SHAPE;
+    }
+    ENSURE(0, "surface %d of the scene", (int)kind);
+}
+
 enum solid_shape setup_kinds_shape(enum scene_shape kind) {
     switch (kind) {
     case SCENE_BOX:

@@ -13,6 +13,7 @@ enum solid_model setup_kinds_model(enum scene_model kind);
 enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus kind);
 enum solid_partial setup_kinds_partial(enum scene_partial kind);
 enum solid_horizons setup_kinds_horizons(enum scene_horizons kind);
+enum solid_depth setup_kinds_depth(enum scene_surface kind);
 enum solid_shape setup_kinds_shape(enum scene_shape kind);
 enum solid_load_kind setup_kinds_load(enum scene_load_kind kind);
 enum solid_initial_shape setup_kinds_initial(enum scene_initial_shape kind);

@@ -91,27 +91,28 @@ struct solid_input *setup_solid(const struct scene *scene) {
         copy3(unbreakable[k].low, s->unbreakable[k].low);
         copy3(unbreakable[k].high, s->unbreakable[k].high);
     }
-    *in = (struct solid_input){.model = setup_kinds_model(s->model),
-                               .thickness = s->thickness,
-                               .partial = setup_kinds_partial(s->partial_volume),
-                               .horizons = setup_kinds_horizons(s->horizons),
-                               .cuts = s->cracks,
-                               .cut = cut,
-                               .spacing = s->spacing,
-                               .bodies = s->bodies,
-                               .body = body,
-                               .materials = s->materials,
-                               .material = material,
-                               .constraints = s->constraints,
-                               .constraint = constraint,
-                               .unbreakables = s->unbreakables,
-                               .unbreakable = unbreakable,
-                               .surface_correction = s->surface_correction,
-                               .contact = s->contact,
-                               .contact_stiffness = s->contact_stiffness,
-                               .contact_exponent = s->contact_exponent,
-                               .contact_radius = s->contact_radius,
-                               .shape_surface = scene->coupling && scene->coupling->surface == SCENE_SURFACE_SHAPE};
+    *in =
+        (struct solid_input){.model = setup_kinds_model(s->model),
+                             .thickness = s->thickness,
+                             .partial = setup_kinds_partial(s->partial_volume),
+                             .horizons = setup_kinds_horizons(s->horizons),
+                             .cuts = s->cracks,
+                             .cut = cut,
+                             .spacing = s->spacing,
+                             .bodies = s->bodies,
+                             .body = body,
+                             .materials = s->materials,
+                             .material = material,
+                             .constraints = s->constraints,
+                             .constraint = constraint,
+                             .unbreakables = s->unbreakables,
+                             .unbreakable = unbreakable,
+                             .surface_correction = s->surface_correction,
+                             .contact = s->contact,
+                             .contact_stiffness = s->contact_stiffness,
+                             .contact_exponent = s->contact_exponent,
+                             .contact_radius = s->contact_radius,
+                             .depth = scene->coupling ? setup_kinds_depth(scene->coupling->surface) : SOLID_DEPTH_HALF};
     for (int d = 0; d < scene->dimension; d++) in->origin[d] = s->lattice_offset[d] * s->spacing;
     copy3(in->body_force, s->body_force);
     copy3(in->length, scene->domain.size);

@@ -15,9 +15,18 @@ static double round_depth(const struct solid_piece *p, const double x[3], double
     return p->inside * (p->radius - length);
 }
 
+/* One of the two curvatures is 1/radius for the side of a cylinder, both for a ball. */
+static double round_curvature(const struct solid_piece *p, const double n[3]) {
+    (void)n;
+    return p->inside * (p->mask[0] + p->mask[1] + p->mask[2] - 1) / (2 * p->radius);
+}
+
 struct solid_piece solid_piece_round(int mask, int inside, const double centre[3], double radius) {
-    struct solid_piece p = {
-        .depth = round_depth, .mask = {mask & 1, mask >> 1 & 1, mask >> 2 & 1}, .inside = inside, .radius = radius};
+    struct solid_piece p = {.depth = round_depth,
+                            .curvature = round_curvature,
+                            .mask = {mask & 1, mask >> 1 & 1, mask >> 2 & 1},
+                            .inside = inside,
+                            .radius = radius};
     memcpy(p.centre, centre, sizeof p.centre);
     return p;
 }

@@ -9,6 +9,8 @@ struct solid_piece {
     double (*depth)(const struct solid_piece *piece, const double x[3], double normal[3]);
     /* the same, or a number of the same sign that is nearer to 0 and takes less time; NULL: depth takes little time */
     double (*least)(const struct solid_piece *piece, const double x[3]);
+    /* mean of the two principal curvatures where the normal is n, 1/m, > 0 where the material bulges */
+    double (*curvature)(const struct solid_piece *piece, const double n[3]);
     int mask[3];
     int inside;               /* +1: the material is inside the radius, -1: outside */
     double centre[3], radius; /* m */

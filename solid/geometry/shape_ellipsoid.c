@@ -76,8 +76,19 @@ static double least(const struct solid_piece *p, const double x[3]) {
     return (1 - sqrt(level2)) * fmin(fmin(p->radii[0], p->radii[1]), p->radii[2]);
 }
 
+/* Of the level set q = sum (y/e)^2 = 1, with the gradient 2 n/w, w = |(e n)|, and the Hessian 2/e^2: half the
+ * divergence of n is (w/2) sum (1 - n^2)/e^2. */
+static double curvature(const struct solid_piece *p, const double n[3]) {
+    double w2 = 0, sum = 0;
+    for (int c = 0; c < 3; c++) {
+        w2 += n[c] * n[c] * p->radii[c] * p->radii[c];
+        sum += (1 - n[c] * n[c]) / (p->radii[c] * p->radii[c]);
+    }
+    return 0.5 * sqrt(w2) * sum;
+}
+
 static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]) {
-    piece[0] = (struct solid_piece){.depth = depth, .least = least, .inside = 1};
+    piece[0] = (struct solid_piece){.depth = depth, .least = least, .curvature = curvature, .inside = 1};
     memcpy(piece[0].centre, body->centre, sizeof piece[0].centre);
     memcpy(piece[0].radii, body->radii, sizeof piece[0].radii);
     return 1;

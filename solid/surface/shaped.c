@@ -17,6 +17,7 @@ static void find(struct solid_shaped *shaped, const struct solid *s, const struc
     if (start.two_sided != SOLID_ONE_FACE) return;
     shaped->on[h] = 1;
     shaped->depth[h] = piece.depth(&piece, x, normal);
+    shaped->curvature[h] = piece.curvature(&piece, normal);
     for (int c = 0; c < 3; c++) {
         shaped->normal[c][h] = normal[c];
         shaped->lattice[c][h] = start.n[c];
@@ -28,6 +29,7 @@ struct solid_shaped *solid_shaped_new(const struct solid *s, const struct solid_
     struct solid_shaped *shaped = memory_new(MEMORY_SOLID, 1, sizeof *shaped);
     shaped->on = memory_new(MEMORY_SOLID, n, 1);
     shaped->depth = memory_new(MEMORY_SOLID, n, sizeof *shaped->depth);
+    shaped->curvature = memory_new(MEMORY_SOLID, n, sizeof *shaped->curvature);
     for (int c = 0; c < 3; c++) {
         shaped->normal[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
         shaped->lattice[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
@@ -44,6 +46,7 @@ void solid_shaped_free(struct solid_shaped *shaped) {
         memory_free(shaped->lattice[c]);
     }
     memory_free(shaped->depth);
+    memory_free(shaped->curvature);
     memory_free(shaped->on);
     memory_free(shaped);
 }
@@ -62,7 +65,7 @@ static void turn(const double a[3], const double b[3], double x[3]) {
     for (int c = 0; c < 3; c++) x[c] += wx[c] + wwx[c] / along;
 }
 
-int solid_shaped_at(const struct solid_surface *f, int h, double normal[3], double *depth) {
+int solid_shaped_at(const struct solid_surface *f, int h, double normal[3], double *depth, double *curvature) {
     const struct solid_shaped *shaped = f->shaped;
     const struct solid_facing *now = &f->facing[h];
     if (!shaped || !shaped->on[h] || now->two_sided || now->open != f->bare[h]) return 0;
@@ -77,5 +80,6 @@ int solid_shaped_at(const struct solid_surface *f, int h, double normal[3], doub
     if (cosine < -0.99) return 0; /* nearly opposite: the smallest rotation is not unique */
     if (has_turned) turn(then, now->n, normal);
     *depth = shaped->depth[h];
+    *curvature = shaped->curvature[h];
     return 1;
 }

@@ -1,5 +1,5 @@
 /* Distance and normal of interface particles by the exact surface of the body's shape. Without it a particle's wetted
- * face is half a spacing away, as on the lattice's own faces. */
+ * face is half a spacing away. */
 #pragma once
 #include "solid/surface/surface.h"
 
@@ -7,6 +7,7 @@ struct solid_shaped {
     /* by owned particle, [n] */
     uint8_t *on;
     double *depth;      /* below the surface, m */
+    double *curvature;  /* mean curvature of the surface, 1/m */
     double *normal[3];  /* unit, the surface's at the start */
     double *lattice[3]; /* unit, the initial normal from the particles, from which the rotation is measured */
 };
@@ -15,6 +16,6 @@ struct solid_shaped {
 struct solid_shaped *solid_shaped_new(const struct solid *s, const struct solid_surface *surface);
 void solid_shaped_free(struct solid_shaped *shaped);
 
-/* Particle h's depth below the surface, m, and the surface's normal, rotated with h's family. Returns 0 if h has no
- * such surface or if its neighbours have changed. Not collective. */
-int solid_shaped_at(const struct solid_surface *surface, int h, double normal[3], double *depth);
+/* Particle h's depth below the surface, m, the surface's mean curvature, and its normal, rotated with h's family.
+ * Returns 0 if h has no such surface or if its neighbours have changed. Not collective. */
+int solid_shaped_at(const struct solid_surface *surface, int h, double normal[3], double *depth, double *curvature);

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/bonds/lattice.h"
+#include "solid/surface/counted.h"
 #include "solid/surface/normal.h"
 #include "solid/surface/shaped.h"
 #include "solid/surface/area.h"
@@ -29,12 +30,20 @@ void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
     f->watch[f->watch_of[w->h]] = *w;
 }
 
+/* Depth below the lattice's face, m. */
+static double depth_of(const struct solid *s, const struct solid_surface *f, int h) {
+    const struct solid_facing *facing = &f->facing[h];
+    const int is_counted = f->counted && !facing->two_sided && facing->open == f->bare[h] && f->counted[h] >= 0;
+    return (is_counted ? f->counted[h] : 0.5) * s->in.spacing;
+}
+
 /* Updates entry i. */
 static void renew(const struct solid *s, struct solid_surface *f, int i) {
     const struct solid_facing *facing = &f->facing[f->h[i]];
-    double shape[3];
-    const int is_shaped = solid_shaped_at(f, f->h[i], shape, &f->depth[i]);
-    if (!is_shaped) f->depth[i] = 0.5 * s->in.spacing;
+    double shape[3], curvature = 0;
+    const int is_shaped = solid_shaped_at(f, f->h[i], shape, &f->depth[i], &curvature);
+    if (!is_shaped) f->depth[i] = depth_of(s, f, f->h[i]);
+    if (f->curvature) f->curvature[i] = curvature;
     for (int c = 0; c < 3; c++) f->normal[c][i] = is_shaped ? shape[c] : facing->n[c];
     f->two_sided[i] = facing->two_sided;
 }
@@ -63,6 +72,8 @@ static struct solid_surface *allocate(const struct solid *s) {
     f->bare = memory_new(MEMORY_SOLID, n, 1);
     f->share = memory_new(MEMORY_SOLID, n, sizeof(double));
     f->faces = memory_new(MEMORY_SOLID, n, 1);
+    if (s->in.depth == SOLID_DEPTH_COUNTED) f->counted = memory_new(MEMORY_SOLID, n, sizeof *f->counted);
+    if (s->in.depth == SOLID_DEPTH_SHAPE) f->curvature = memory_new(MEMORY_SOLID, n, sizeof *f->curvature);
     f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
     f->lost = solid_lost_new(s);
     f->near = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *f->near);
@@ -98,6 +109,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
             s->flag[h] |= SOLID_FIRST;
             f->share[h] = solid_surface_area_share(s, h, &view, &start);
             f->faces[h] = start.two_sided ? 2 : 1;
+            if (f->counted) f->counted[h] = solid_counted_depth(s, h, &view);
         }
         if (w.broken || w.set_free) solid_surface_watch(f, &w);
         const unsigned open = solid_sector_void(s, &w);
@@ -106,7 +118,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
         solid_normal_look(s, h, &view, open, &f->facing[h]);
     }
     solid_lost_take(s, SOLID_BROKE_SURFACE);
-    if (s->in.shape_surface) f->shaped = solid_shaped_new(s, f);
+    if (s->in.depth == SOLID_DEPTH_SHAPE) f->shaped = solid_shaped_new(s, f);
     solid_surface_gather(s, f);
     solid_surface_area_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
                                 (double[]){INFINITY, INFINITY, INFINITY});
@@ -126,6 +138,8 @@ void solid_surface_free(struct solid_surface *f) {
     memory_free(f->bare);
     memory_free(f->share);
     memory_free(f->faces);
+    memory_free(f->counted);
+    memory_free(f->curvature);
     memory_free(f->watch);
     memory_free(f->watch_of);
     solid_lost_free(f->lost);

@@ -32,7 +32,8 @@ struct solid_surface {
     int *h;               /* [n] local index of the particle */
     double *normal[3];    /* [n] unit, out of the material; for a wall one particle thick its axis, either sign */
     uint8_t *two_sided;   /* [n] enum solid_faces */
-    double *depth;        /* [n] of the particle's centre below the wetted face, m: half a spacing on a lattice */
+    double *depth;        /* [n] of the particle's centre below the wetted face, m (enum solid_depth) */
+    double *curvature;    /* [n] mean curvature of the shape's surface, 1/m; NULL: of no surface */
     double *area;         /* [n] A_h, m2 (per face) */
     double initial_area;  /* A_h of the particles that were on the interface at the start */
     double immersed_area; /* whole solid, at the start, m2 */
@@ -43,6 +44,7 @@ struct solid_surface {
     uint8_t *bare;               /* bit f: the nearest site in direction f was void at the start */
     double *share;               /* of immersed_area, m2; 0 off the interface */
     uint8_t *faces;              /* number of wetted faces at the start: 0, 1 or 2 */
+    float *counted;              /* depth at the start by the number of neighbours, spacings; NULL: not wanted */
     /* particles that have lost a nearest neighbour, or all their bonds */
     int watched, watch_capacity;
     struct solid_watch *watch; /* [watched] */

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/par.h"
 #include "ibm/ibm.h"
+#include "physics/depth.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -54,10 +55,26 @@ static inline void body_finish(struct body *b, double area, double dx) {
     }
 }
 
+static inline double body_square(const double r[3]) { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
+
+/* Depth of the site at r from a sphere's centre, m, by the number of its neighbours inside. */
+static inline double body_sphere_depth(const double r[3], double radius, double dx) {
+    double present = 0;
+    for (int k = -2; k <= 2; k++)
+        for (int j = -2; j <= 2; j++)
+            for (int i = -2; i <= 2; i++) {
+                const double other[3] = {r[0] + i * dx, r[1] + j * dx, r[2] + k * dx};
+                if (body_square(other) < radius * radius) present += physics_depth_weight(i * i + j * j + k * k);
+            }
+    return physics_depth(present) * dx;
+}
+
+enum body_depth { BODY_HALF, BODY_COUNTED }; /* half a spacing; by the number of neighbours */
+
 /* Outer layer of a sphere cut from the lattice lattice[] + i dx: sites within the radius that have a site outside among
- * their six neighbours; normals radial; every marker moved outward by shift. */
-static inline struct body body_sphere_lattice(const double centre[3], double radius, double dx, const double lattice[3],
-                                              double shift) {
+ * their six neighbours; normals radial; every marker the retraction (m) inside the face that its depth gives. */
+static inline struct body body_sphere_cut(const double centre[3], double radius, double dx, const double lattice[3],
+                                          enum body_depth depth, double retraction) {
     static const int neighbour[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     const int reach = (int)(radius / dx) + 2;
     struct body b = body_new(8L * (2 * reach + 1) * (2 * reach + 1) + 64);
@@ -67,11 +84,9 @@ static inline struct body body_sphere_lattice(const double centre[3], double rad
         for (int j = -reach; j <= reach; j++)
             for (int i = -reach; i <= reach; i++) {
                 const int site[3] = {middle[0] + i, middle[1] + j, middle[2] + k};
-                double r[3], outer = 0, inner = 0;
-                for (int d = 0; d < 3; d++) {
-                    r[d] = lattice[d] + site[d] * dx - centre[d];
-                    inner += r[d] * r[d];
-                }
+                double r[3], outer = 0;
+                for (int d = 0; d < 3; d++) r[d] = lattice[d] + site[d] * dx - centre[d];
+                const double inner = body_square(r);
                 if (inner >= radius * radius) continue;
                 for (int n = 0; n < 6; n++) {
                     double far = 0;
@@ -79,15 +94,22 @@ static inline struct body body_sphere_lattice(const double centre[3], double rad
                     if (far > outer) outer = far;
                 }
                 if (outer < radius * radius) continue;
+                const double below = depth == BODY_COUNTED ? body_sphere_depth(r, radius, dx) : 0.5 * dx;
                 double x[3], normal[3];
                 for (int d = 0; d < 3; d++) {
                     normal[d] = r[d] / sqrt(inner);
-                    x[d] = centre[d] + r[d] + shift * normal[d];
+                    x[d] = centre[d] + r[d] + (below - retraction) * normal[d];
                 }
                 body_add(&b, x, normal);
             }
     body_finish(&b, 4 * M_PI * radius * radius, dx);
     return b;
+}
+
+/* The same at the sites, moved outward by shift. */
+static inline struct body body_sphere_lattice(const double centre[3], double radius, double dx, const double lattice[3],
+                                              double shift) {
+    return body_sphere_cut(centre, radius, dx, lattice, BODY_HALF, 0.5 * dx - shift);
 }
 
 /* The same sphere with evenly spread markers (a spiral of equal areas), about one per dx^2, at the depth r_d dx. */

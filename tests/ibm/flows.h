@@ -1,6 +1,7 @@
 /* Two creeping flows with known answers: through a simple cubic array of spheres, and between planes. */
 #pragma once
 #include "tests/ibm/bodies.h"
+#include "ibm/feedback.h"
 
 struct flow_result {
     double drag;     /* force of the fluid on the markers along x, N, of the whole box */
@@ -10,6 +11,21 @@ struct flow_result {
     double seconds; /* of marching */
 };
 
+/* The forcing and its step. */
+struct flow_forcing {
+    int iterations;   /* N_s of the multidirect forcing */
+    double fraction;  /* step over the viscous limit, 1.65 dx^2 / (12 nu), nu = 1 */
+    double slip_time; /* of the forcing with feedback, over the same limit; 0: multidirect */
+};
+
+static inline double flow_limit(double dx) { return 1.65 * dx * dx / 12; }
+
+static inline struct ibm *flow_ibm(struct fluid *f, const struct flow_forcing *forcing) {
+    struct ibm *b = ibm_new(f, forcing->iterations);
+    if (forcing->slip_time > 0) ibm_feedback_set(b, forcing->slip_time * flow_limit(fluid_grid_of(f)->d[0]));
+    return b;
+}
+
 static inline struct fluid *flow_periodic_box(const int n[3], double dx, double velocity) {
     struct fluid_input in = {.density = 1, .viscosity = 1, .immersed = 1};
     for (int d = 0; d < 3; d++) in.n[d] = n[d], in.length[d] = n[d] * dx;
@@ -18,18 +34,18 @@ static inline struct fluid *flow_periodic_box(const int n[3], double dx, double 
     return fluid_new(&in); /* sides: FLUID_PERIODIC is 0 */
 }
 
-/* Marches at a fraction of the viscous limit, 1.65 dx^2 / (12 nu), until the drag changes by less than tolerance
- * over a time of `interval`. */
-static inline struct flow_result flow_march(struct fluid *f, const struct body *body, int iterations, double fraction,
-                                            double interval, double tolerance) {
-    const double dx = fluid_grid_of(f)->d[0], dt = fraction * 1.65 * dx * dx / 12;
+/* Marches until the drag changes by less than tolerance over each of two times of `interval`. */
+static inline struct flow_result flow_march(struct fluid *f, const struct body *body,
+                                            const struct flow_forcing *forcing, double interval, double tolerance) {
+    const double dt = forcing->fraction * flow_limit(fluid_grid_of(f)->d[0]);
     const long every = (long)ceil(interval / dt);
-    struct ibm *b = ibm_new(f, iterations);
+    struct ibm *b = flow_ibm(f, forcing);
     struct flow_result result = {.markers = body->total, .velocity = fluid_input_of(f)->driving.value};
     double last = 0, force[3];
+    int calm = 0;
     const double start = par_seconds();
+    body_send(b, body);
     for (long step = 1; step < 200 * every; step++) {
-        body_send(b, body);
         for (int r = 0; r < 3; r++) {
             fluid_predict(f, r, dt);
             ibm_forcing_stage(b, r, dt);
@@ -39,7 +55,8 @@ static inline struct flow_result flow_march(struct fluid *f, const struct body *
         if (step % every) continue;
         ibm_forcing_total(b, force);
         result.drag = -force[0];
-        if (fabs(force[0] - last) < tolerance * fabs(force[0])) break;
+        calm = fabs(force[0] - last) < tolerance * fabs(force[0]) ? calm + 1 : 0;
+        if (calm == 2) break;
         last = force[0];
     }
     result.seconds = par_seconds() - start;
@@ -48,45 +65,58 @@ static inline struct flow_result flow_march(struct fluid *f, const struct body *
     return result;
 }
 
-/* Zick and Homsy's array at c = 0.125: k / L^2, and the radius.  (docs/sources.md: K = 4.29159) */
-#define ARRAY_PERMEABILITY 0.0398542
-#define ARRAY_RADIUS 0.31017524 /* (3 c / 4 pi)^(1/3) L */
+/* Simple cubic arrays of spheres: drag factors K over Stokes' drag of one sphere.  (docs/sources.md) */
+static inline double array_drag_factor(double solid_fraction) {
+    static const double known[3][2] = {{0.125, 4.29159}, {0.2, 6.77592}, {0.343, 15.3995}};
+    for (int n = 0; n < 3; n++)
+        if (known[n][0] == solid_fraction) return known[n][1];
+    return NAN;
+}
+
+/* (3 c / 4 pi)^(1/3) L */
+static inline double array_radius(double solid_fraction) { return cbrt(3 * solid_fraction / (4 * M_PI)); }
+
+/* k / L^2 = 1 / (6 pi a K) */
+static inline double array_exact(double solid_fraction) {
+    return 1 / (6 * M_PI * array_radius(solid_fraction) * array_drag_factor(solid_fraction));
+}
 
 struct array_case {
     int n;                        /* cells across the box, L = 1 */
+    double solid_fraction;        /* c: 0.125, 0.2 or 0.343 */
     int even;                     /* evenly spread markers instead of a lattice's outer layer */
+    enum body_depth depth;        /* of the outer layer */
     double retraction;            /* r_d, cells */
     double sphere[3], lattice[3]; /* centre of the sphere, and the lattice's site, relative to a cell's centre, cells */
-    int iterations;
-    double fraction; /* of the time-step limit */
+    struct flow_forcing forcing;
 };
 
 static inline struct body array_body(const struct array_case *c) {
-    const double dx = 1.0 / c->n;
+    const double dx = 1.0 / c->n, radius = array_radius(c->solid_fraction);
     double centre[3], lattice[3];
     for (int d = 0; d < 3; d++) {
         centre[d] = (c->n / 2 + 0.5 + c->sphere[d]) * dx;
         lattice[d] = (0.5 + c->lattice[d]) * dx;
     }
-    if (c->even) return body_sphere_even(centre, ARRAY_RADIUS, dx, c->retraction * dx);
-    return body_sphere_lattice(centre, ARRAY_RADIUS, dx, lattice, (0.5 - c->retraction) * dx);
+    if (c->even) return body_sphere_even(centre, radius, dx, c->retraction * dx);
+    return body_sphere_cut(centre, radius, dx, lattice, c->depth, c->retraction * dx);
 }
 
-/* k / L^2 */
-static inline double array_permeability(const struct array_case *c, struct flow_result *result) {
+/* The error of k / L^2. */
+static inline double array_error(const struct array_case *c, struct flow_result *result) {
     const int n[3] = {c->n, c->n, c->n};
     struct fluid *f = flow_periodic_box(n, 1.0 / c->n, 1e-3);
     struct body body = array_body(c);
-    *result = flow_march(f, &body, c->iterations, c->fraction, 0.004, 2e-4);
+    *result = flow_march(f, &body, &c->forcing, 0.004, 2e-4);
     body_free(&body);
     fluid_free(f);
-    return result->velocity / result->drag;
+    return result->velocity / result->drag / array_exact(c->solid_fraction) - 1;
 }
 
 /* Two sheets of markers `height` cells apart in a periodic box twice as high, driven along x: fluid on both sides.
  * Returns the distance e of the effective wall from the markers, in cells: mean velocity = G (H - 2 e)^3 / (12 mu H).
  * area: A_h / dx^2 of a marker. */
-static inline double sheets_shift(int height, double offset, double area, int iterations, double fraction,
+static inline double sheets_shift(int height, double offset, double area, const struct flow_forcing *forcing,
                                   struct flow_result *result) {
     const int n[3] = {4, 2 * height, 4};
     const double dx = 1.0 / height, up[3] = {0, 1, 0};
@@ -99,7 +129,7 @@ static inline double sheets_shift(int height, double offset, double area, int it
                 body_add(&body, (double[3]){(i + 0.5) * dx, y * dx, (k + 0.5) * dx}, up);
             }
     body_finish(&body, 32 * area * dx * dx, dx);
-    *result = flow_march(f, &body, iterations, fraction, 0.01, 1e-6);
+    *result = flow_march(f, &body, forcing, 0.01, 1e-6);
     body_free(&body);
     fluid_free(f);
     const double gradient = result->drag / (n[0] * dx * n[1] * dx * n[2] * dx);
@@ -119,16 +149,16 @@ static inline double walls_mean(struct fluid *f, int j) {
 
 /* Two thick walls, each a pair of sheets with fluid at rest (in the wall's frame) behind them; one moves along x.
  * Returns e of the wall at rest, cells: where the line through the shear flow between them reaches zero. */
-static inline double walls_shift(double offset, double area, int iterations, double fraction) {
+static inline double walls_shift(double offset, double area, const struct flow_forcing *forcing) {
     enum { GAP = 12, WALL = 6, HEIGHT = 2 * (GAP + WALL) };
     static const int low[4] = {WALL / 2, WALL / 2 + GAP, WALL / 2 + GAP + WALL, HEIGHT - WALL / 2};
     struct fluid_input in = {.n = {4, HEIGHT, 4}, .density = 1, .viscosity = 1, .immersed = 1};
     for (int d = 0; d < 3; d++) in.length[d] = in.n[d];
     struct fluid *f = fluid_new(&in);
     const struct fluid_grid *g = fluid_grid_of(f);
-    struct ibm *b = ibm_new(f, iterations);
+    struct ibm *b = flow_ibm(f, forcing);
     struct body body = body_new(64);
-    const double up[3] = {0, 1, 0}, speed = 1e-3, dt = fraction * 1.65 / 12;
+    const double up[3] = {0, 1, 0}, speed = 1e-3, dt = forcing->fraction * flow_limit(1);
     for (int sheet = 0; sheet < 4; sheet++)
         for (int k = 0; k < 4; k++)
             for (int i = 0; i < 4; i++) body_add(&body, (double[3]){i + 0.5, low[sheet] + offset, k + 0.5}, up);
@@ -142,8 +172,8 @@ static inline double walls_shift(double offset, double area, int iterations, dou
                 fluid_state_of(f)->u[fluid_grid_at(g, i, j, k)] = speed * fmax(0, fmin(1, rise));
             }
     fluid_state_refresh(f);
+    body_send(b, &body);
     for (long step = 0; step < (long)(0.5 * GAP * GAP / dt); step++) {
-        body_send(b, &body);
         for (int r = 0; r < 3; r++) {
             fluid_predict(f, r, dt);
             ibm_forcing_stage(b, r, dt);

@@ -44,7 +44,7 @@ static struct fluid_input box(int implicit) {
 
 static struct body sphere(void) {
     const double centre[3] = {0.5 * N, 0.5 * N, 0.5 * N}, lattice[3] = {0.5, 0.5, 0.5};
-    return body_sphere_lattice(centre, ARRAY_RADIUS * N, 1, lattice, 0.5 - PHYSICS_RETRACTION);
+    return body_sphere_cut(centre, array_radius(0.125) * N, 1, lattice, BODY_COUNTED, PHYSICS_RETRACTION);
 }
 
 /* k/L^2 after so many steps; each step's momentum balance, with the force on the fluid. */

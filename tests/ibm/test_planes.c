@@ -14,6 +14,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+static const struct flow_forcing multidirect = {2, 1, 0};
+
 static double sheet(double offset) {
     const double t = offset - 0.5; /* u is at the cells' centres */
     return 0.5 + 2 * ibm_kernel(t - 1) * ibm_kernel(t + 1);
@@ -23,7 +25,7 @@ static void thick_walls(void **state) {
     (void)state;
     double low = INFINITY, high = -INFINITY;
     for (int n = 0; n < 10; n++) {
-        const double e = walls_shift(0.1 * n, 1, 2, 1);
+        const double e = walls_shift(0.1 * n, 1, &multidirect);
         print_message("offset 0.%d: the wall stands %.4f cells out, %.4f without slip\n", n, e, sheet(0.1 * n) / 2);
         /* the slip left after two iterations moves the wall back, by less than 0.01 cells */
         if (!(fabs(e - sheet(0.1 * n) / 2) < 0.01)) fail_msg("offset %g: e = %g", 0.1 * n, e);
@@ -36,7 +38,7 @@ static void thin_sheets(void **state) {
     (void)state;
     struct flow_result result;
     for (int n = 0; n <= 5; n += 5) {
-        const double e = sheets_shift(16, 0.1 * n, 1, 2, 1, &result);
+        const double e = sheets_shift(16, 0.1 * n, 1, &multidirect, &result);
         if (!(fabs(e - sheet(0.1 * n)) < 0.01)) fail_msg("offset %g: e = %g, not %g", 0.1 * n, e, sheet(0.1 * n));
         check_below(result.slip, 0.02);
     }

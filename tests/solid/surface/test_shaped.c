@@ -9,7 +9,7 @@
 
 static struct solid *make(const struct solid_body *body, int periodic, int sites, struct solid_surface **f) {
     struct solid_input in = bodies_input(1, body);
-    in.shape_surface = 1;
+    in.depth = SOLID_DEPTH_SHAPE;
     if (periodic >= 0) {
         in.periodic[periodic] = 1;
         in.length[periodic] = sites * SPACING;
@@ -55,6 +55,7 @@ static void ball(void **state) {
         point(s, f, i, x);
         const double r = distance(x, middle);
         check_close(r, 6.3, 1e-12);
+        check_relative(f->curvature[i], 1 / (6.3 * SPACING), 1e-12);
         for (int c = 0; c < 3; c++) check_close(f->normal[c][i], (x[c] - middle[c]) / r, 1e-12);
         least = fmin(least, f->depth[i] / SPACING);
         most = fmax(most, f->depth[i] / SPACING);
@@ -119,13 +120,16 @@ static void cylinder(void **state) {
             axis[2] = x[2];
             if (!at_end) {
                 check_close(distance(x, axis), 5.7, 1e-12);
+                check_relative(f->curvature[i], 1 / (2 * 5.7 * SPACING), 1e-12);
                 check_equal(f->normal[2][i], 0);
             }
             if (at_end && !on_side) {
                 check_close(fabs(f->normal[2][i]), 1, 1e-12);
                 check_close(f->depth[i] / SPACING, 0.5, 1e-9);
+                check_equal(f->curvature[i], 0);
             }
             if (at_end && on_side) {
+                check_equal(f->curvature[i], 0);
                 check_equal(f->depth[i], 0.5 * SPACING);
                 check_close(f->normal[2][i], 0, 0.99);
             }
@@ -180,6 +184,7 @@ static void cavity_and_crack(void **state) {
         if (distance(home, middle) > 6) continue;
         point(s, f, i, x);
         check_close(distance(x, middle), 4.4, 1e-12);
+        check_relative(f->curvature[i], -1 / (4.4 * SPACING), 1e-12);
         check_above(f->depth[i], 0);
         inner++;
     }
@@ -203,6 +208,29 @@ static double depth_of(const struct solid_body *b, const double x[3], double nor
     struct solid_piece piece[SOLID_PIECES_MAX];
     assert_int_equal(solid_shape_of(b)->pieces(b, piece), 1);
     return piece[0].depth(&piece[0], x, normal);
+}
+
+/* Half the divergence of the normal, by differences, where the depth is 0. */
+static void ellipsoid_curvature(void **state) {
+    (void)state;
+    const struct solid_body egg = {.shape = SOLID_ELLIPSOID, .centre = {0.3, -0.2, 0.1}, .radii = {3, 2, 1.2}};
+    struct solid_piece piece[SOLID_PIECES_MAX];
+    solid_shape_of(&egg)->pieces(&egg, piece);
+    srand(8);
+    for (int trial = 0; trial < 50; trial++) {
+        double x[3], n[3], divergence = 0;
+        for (int c = 0; c < 3; c++) x[c] = egg.centre[c] + egg.radii[c] * (2. * rand() / RAND_MAX - 1);
+        const double depth = piece->depth(piece, x, n), step = 1e-4;
+        for (int c = 0; c < 3; c++) x[c] += depth * n[c];
+        for (int c = 0; c < 3; c++) {
+            double ahead[3] = {x[0], x[1], x[2]}, behind[3] = {x[0], x[1], x[2]}, to[3], from[3];
+            ahead[c] += step, behind[c] -= step;
+            piece->depth(piece, ahead, to);
+            piece->depth(piece, behind, from);
+            divergence += (to[c] - from[c]) / (2 * step);
+        }
+        check_relative(piece->curvature(piece, n), divergence / 2, 1e-5);
+    }
 }
 
 /* The ellipsoid of a body with points all over it: the least distance of x from any of them. */
@@ -297,6 +325,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(box),
                                        cmocka_unit_test(cavity_and_crack),
                                        cmocka_unit_test(ellipsoid_depth),
+                                       cmocka_unit_test(ellipsoid_curvature),
                                        cmocka_unit_test(ellipsoid)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
