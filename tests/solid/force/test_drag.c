@@ -38,7 +38,7 @@ static void pull(struct solid *one, struct pull *p, double rate, double u) {
     one->drag = &p->drag;
 }
 
-/* Factor of v - U in a substep with z dt = x: the trapezoidal rule of Verlet; one implicit step in each stage of RK3. */
+/* Factor of v - U in a substep with z dt = x: the trapezoidal rule of Verlet; an implicit step in each stage of RK3. */
 static double factor(enum solid_integrator integrator, double x) {
     double f = 1;
     if (integrator == SOLID_VERLET) return (1 - x / 2) / (1 + x / 2);
