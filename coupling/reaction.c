@@ -31,7 +31,7 @@
 /* The slip time over the times in which momentum diffuses over a cell, the flow crosses one, and a wave of the solid
  * crosses one. A longer slip time lets more fluid through the wall and damps the solid's motion; with a shorter one the
  * part of the force that the markers cannot see fades more slowly, in dt^2 over the slip time. */
-static const double OF_DIFFUSION = 1.4e-3, OF_CONVECTION = 0.02, OF_WAVE = 0.02;
+static const double OF_DIFFUSION = 4e-3, OF_CONVECTION = 0.02, OF_WAVE = 0.02;
 
 struct reaction {
     struct ibm *inner; /* all particles, to read the fluid within the body */
