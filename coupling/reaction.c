@@ -3,7 +3,7 @@
  * at a marker of volume W the impulse rho W (g f + w e), with e the mean of V - U over the stage. In the solid's
  * substeps of the stage, T long together, the particle is under
  *
- *     m dV/dt = ... - rho W (f + w (V - U)/T) + V_h (rho I - rho b - G) ,
+ *     m dV/dt = ... - rho W (f + w (V - U)/T) + V_h (rho I - rho b) ,
  *
  * so that a step takes the same impulse from the solid, f being the same in its three stages. The part with V is
  * implicit in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off, marker by marker, and
@@ -11,9 +11,10 @@
  * energy, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
  *
  * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with the
- * acceleration I of the fluid at each particle in the step before; and so are the body force b and the driving gradient
- * G on it. It is given to all particles evenly, not to the faces on which the inner pressure acts: the sum is right,
- * the strain of a body that is accelerated is not quite. */
+ * acceleration I of the fluid at each particle in the step before; and so is the body force b on it. It is given to all
+ * particles evenly, not to the faces on which the inner pressure acts: the sum is right, the strain of a body that is
+ * accelerated is not quite. A driving gradient acts on the body as on the fluid, as with the probes: what of it acts on
+ * the inner fluid is the body's. */
 #include "coupling/reaction.h"
 #include "base/clock.h"
 #include "base/memory.h"
@@ -115,11 +116,10 @@ static int is_inside(const struct run *r, int h) {
     return 1;
 }
 
-/* The force per volume of body force and driving on the fluid, N/m3. */
+/* The body force on the fluid, N/m3. */
 static double push_of(const struct run *r, int c) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
-    const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == c;
-    return in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
+    return in->density * in->body_force[c];
 }
 
 /* Reads the fluid within the body, and finds its acceleration since the last reading. */
