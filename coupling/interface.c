@@ -114,7 +114,8 @@ void interface_markers_update(struct run *r) {
     for (int i = 0; i < surface->n; i++) {
         const int h = surface->h[i], faces = surface->two_sided[i];
         const double bend = surface->curvature ? PHYSICS_RETRACTION_CURVED * surface->curvature[i] * dx * dx : 0;
-        const double shift = surface->depth[i] - retraction - bend, root = at_wall ? surface->depth[i] : shift;
+        const double shift = surface->depth[i] - retraction - bend,
+                     root = surface->depth[i] - (at_wall ? 0 : retraction);
         double x[3], a_n = 0;
         solid_position(s, h, x);
         m->volume[i] = faces == SOLID_SET_FREE ? set_free_volume(r, h) : surface->area[i] * dx;
