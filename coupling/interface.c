@@ -99,7 +99,7 @@ static double set_free_volume(const struct run *r, int h) {
 /* The centre of a particle is `depth` inside its wetted face; its marker is r_d inside the face, and more where a
  * shape's surface is curved: it is moved by depth - r_d - 1/2 curvature dx^2 along the outward normal. A wall wetted on
  * both faces has its marker at the centre and one probe on each side. A particle without bonds has no probe. A probe's
- * root is the marker, or the face itself if loads are carried to the wall. */
+ * root is r_d inside the face, or the face itself if loads are carried to the wall. */
 void interface_markers_update(struct run *r) {
     const struct solid *s = r->solid;
     const struct solid_surface *surface = r->surface;
