@@ -103,7 +103,7 @@ static double set_free_volume(const struct run *r, int h) {
 /* The centre of a particle is `depth` inside its wetted face; its marker is r_d inside the face, and more where a
  * shape's surface is curved: it is moved by depth - r_d - 1/2 curvature dx^2 along the outward normal. A wall wetted on
  * both faces has its marker at the centre and one probe on each side. A particle without bonds has no probe. A probe's
- * root is the marker, or the face itself if loads are carried to the wall. */
+ * root is r_d inside the face, or the face itself if loads are carried to the wall. */
 void interface_markers_update(struct run *r) {
     const struct solid *s = r->solid;
     const struct solid_surface *surface = r->surface;
@@ -118,7 +118,8 @@ void interface_markers_update(struct run *r) {
     for (int i = 0; i < surface->n; i++) {
         const int h = surface->h[i], faces = surface->two_sided[i];
         const double bend = surface->curvature ? PHYSICS_RETRACTION_CURVED * surface->curvature[i] * dx * dx : 0;
-        const double shift = surface->depth[i] - retraction - bend, root = at_wall ? surface->depth[i] : shift;
+        const double shift = surface->depth[i] - retraction - bend,
+                     root = surface->depth[i] - (at_wall ? 0 : retraction);
         double x[3], a_n = 0;
         solid_position(s, h, x);
         m->volume[i] = faces == SOLID_SET_FREE ? set_free_volume(r, h) : surface->area[i] * dx;

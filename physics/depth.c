@@ -3,29 +3,36 @@
 
 #include <math.h>
 
-enum {
-    ALL = 25 + 6 * 16 + 12 * 9 + 8 * 4 + 6 * 1, /* weights of the 33 sites */
-    FACE = 25 + 5 * 16 + 8 * 9 + 4 * 4 + 5 * 1  /* of those that are not above a face along the lattice */
-};
-static const double FAR = 2; /* the farthest site */
+enum { SHELLS = 5 };
+/* sites at r^2 = 0 .. 4, and those of them that are not above a face along the lattice */
+static const int sites[SHELLS] = {1, 6, 12, 8, 6}, below_face[SHELLS] = {1, 5, 8, 4, 5};
 
-int physics_depth_weight(int r2) { return r2 <= PHYSICS_DEPTH_REACH2 ? (5 - r2) * (5 - r2) : 0; }
+int physics_depth_weight(int r2, int reach2) { return r2 <= reach2 ? (reach2 + 1 - r2) * (reach2 + 1 - r2) : 0; }
 
-static double integral(double z) {
-    const double z2 = z * z;
-    return z * (1 - 1 / 125.0 - z2 * (1 / 5.0 - z2 * (3 / 125.0 - z2 / 875)));
+static double weight_of(const int number[SHELLS], int reach2) {
+    int sum = 0;
+    for (int r2 = 0; r2 < SHELLS; r2++) sum += number[r2] * physics_depth_weight(r2, reach2);
+    return sum;
+}
+
+static double integral(double z, double b) {
+    const double q = z * z / b;
+    return z * (1 - 1 / (b * b * b) - q * (1 - q * (3 / 5.0 - q / 7)));
 }
 
 /* d with F(d) = fraction, by bisection: F rises with d. */
-static double inverse(double fraction) {
-    double low = -FAR, high = FAR;
+static double inverse(double fraction, int reach2) {
+    const double far = sqrt(reach2), b = reach2 + 1;
+    double low = -far, high = far;
     for (int n = 0; n < 60; n++) {
         const double d = 0.5 * (low + high);
-        *(integral(d) < (2 * fraction - 1) * integral(FAR) ? &low : &high) = d;
+        *(integral(d, b) < (2 * fraction - 1) * integral(far, b) ? &low : &high) = d;
     }
     return 0.5 * (low + high);
 }
 
-double physics_depth(int present) {
-    return fmin(1, fmax(0, inverse((double)present / ALL) - inverse((double)FACE / ALL) + 0.5));
+double physics_depth(int present, int reach2) {
+    const double all = weight_of(sites, reach2);
+    const double face = inverse(weight_of(below_face, reach2) / all, reach2);
+    return fmin(1, fmax(0, inverse(present / all, reach2) - face + 0.5));
 }

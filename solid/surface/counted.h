@@ -2,7 +2,7 @@
 #pragma once
 #include "solid/bonds/family.h"
 
-/* The depth in spacings; negative where there is none: a particle on no lattice, of a plate, or of a family that does
- * not reach two spacings. Sites across periodic sides and particles outside the fluid's domain count. Not collective.
+/* The depth in spacings; negative where there is none: a particle on no lattice, or of a plate. Sites across periodic
+ * sides and particles outside the fluid's domain count. Not collective.
  */
 float solid_counted_depth(const struct solid *s, int h, const struct solid_family_view *view);

@@ -64,9 +64,10 @@ static inline double body_sphere_depth(const double r[3], double radius, double 
         for (int j = -2; j <= 2; j++)
             for (int i = -2; i <= 2; i++) {
                 const double other[3] = {r[0] + i * dx, r[1] + j * dx, r[2] + k * dx};
-                if (body_square(other) < radius * radius) present += physics_depth_weight(i * i + j * j + k * k);
+                if (body_square(other) < radius * radius)
+                    present += physics_depth_weight(i * i + j * j + k * k, PHYSICS_DEPTH_REACH2);
             }
-    return physics_depth(present) * dx;
+    return physics_depth(present, PHYSICS_DEPTH_REACH2) * dx;
 }
 
 enum body_depth { BODY_HALF, BODY_COUNTED, BODY_TRUE }; /* half a spacing; by the number of neighbours; as it is */
@@ -165,11 +166,11 @@ static inline struct body body_cut(const struct body_shape *shape, const int n[3
                 for (int i = -2; i <= 2; i++) {
                     const double other[3] = {x[0] + i, x[1] + j, x[2] + k};
                     const int has = body_shape_has(shape, other), r2 = i * i + j * j + k * k;
-                    if (has) present += physics_depth_weight(r2);
+                    if (has) present += physics_depth_weight(r2, PHYSICS_DEPTH_REACH2);
                     is_outer |= !has && r2 == 1;
                 }
         if (!is_outer) continue;
-        if (depth != BODY_TRUE) below = depth == BODY_HALF ? 0.5 : physics_depth(present);
+        if (depth != BODY_TRUE) below = depth == BODY_HALF ? 0.5 : physics_depth(present, PHYSICS_DEPTH_REACH2);
         for (int c = 0; c < 3; c++) {
             x[c] += (below - retraction) * normal[c];
             b.v[c][b.total] = way ? (slab ? -1 : 1) * way[c] : 0;
