@@ -46,7 +46,8 @@ grep -q 'made again with .* s: convection = .* on rank' 1-jump/run.log || fail "
   printf '  bodies: [{name: plate, material: soft, shape: box, low: [0.06, 0.02, 0.02], high: [0.08, 0.06, 0.06]}]\n'
   printf '  constraints: [{low: [0.06, 0.02, 0.02], high: [0.065, 0.06, 0.06], velocity: [6, 0, 0],'
   printf ' time: [[0, 0], [0.07, 0], [0.0701, 1], [0.071, 0.1]]}]\n'
-  printf 'stages: [{name: drift, steps: 60, time_step: auto, integrator: verlet, '
+  printf 'coupling: {load: probe}\n'
+  printf 'stages: [{name: drift, steps: 58, time_step: auto, integrator: verlet, '
   printf 'damping_relative: 1.0e11, breakage: false}]\n'
   printf 'output: {series_every: 1}\n'
 } >plunge

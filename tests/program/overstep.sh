@@ -2,7 +2,7 @@
 # Given steps beyond the stable ones: frana check and the log of a run name the stage, the step and the limit.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-scene >block.yaml
+scene | sed 's/^coupling:/&\n  load: probe/' >block.yaml # the probe takes any number of substeps
 # says COUNT [--set KEY=VALUE]...: frana check ends with 0 and has that many warnings
 says() {
   local count=$1; shift

@@ -89,7 +89,7 @@ done
 printf '%s\n' "${fluid[@]}" >scene.yaml
 long=(--set stages.flow.steps=100 --set stages.move.steps=300 --set output.series_every=20
   --set output.checkpoint_every=0)
-code 0 ranks 1 run scene.yaml --out explicit "${long[@]}"
+code 0 ranks 1 run scene.yaml --out explicit "${long[@]}" --set coupling.load=wall
 code 0 ranks 2 run scene.yaml --out implicit "${long[@]}" --set fluid.diffusion=implicit
 mean() {
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "load_x") k = i }

@@ -42,7 +42,8 @@ near "particles outside" 0 0 "$(last particles_outside)"
 near "velocity with the stream" 0.01 2e-5 "$(probe 0 1000 velocity_x)"
 row "a fragment wraps round a periodic side" "goes on with the stream; momentum of both kept to 1e-12"
 
-go 2 0 "$immersed" --set 'solid.body_force=[0, -10, 0]' --set stages.run.steps=400 --set output.series_every=10
+go 2 0 "$immersed" --set 'solid.body_force=[0, -10, 0]' --set stages.run.steps=400 --set output.series_every=10 \
+  --set coupling.load=probe
 near "particles outside" 64 0 "$(last particles_outside)"
 near "forcing" 0 0 "$(last forcing_y)"
 less "kinetic energy of the fluid left to itself" "$(last e_kinetic_fluid)" "$(of 100 e_kinetic_fluid)"
