@@ -85,10 +85,11 @@ grep -q 'times what diffusion would allow' err || { cat err >&2; fail "the limit
 step=$(grep '^frana: unstable' err | sed 's/.*would allow, \([0-9.e+-]*\) s.*/\1/')
 code 0 ranks 1 run scene.yaml --out given --resume --set stages.flow.time_step="$step" --set stages.settle.steps=2 \
   --set stages.fracture.steps=2
-code 3 ranks 2 run scene.yaml --out coarse --set stages.settle.substeps=1
+code 3 ranks 2 run scene.yaml --out coarse --set stages.settle.substeps=1 --set coupling.load=probe
 n=$(grep '^frana: unstable' err | sed 's/.*: \([0-9]*\) substeps would do.*/\1/')
 [ "$n" -gt 1 ] 2>/dev/null || { cat err >&2; fail "no number of substeps that would do"; }
-code 0 ranks 1 run scene.yaml --out coarse --resume --set stages.settle.substeps="$n" --set stages.fracture.steps=2
+code 0 ranks 1 run scene.yaml --out coarse --resume --set stages.settle.substeps="$n" --set stages.fracture.steps=2 \
+  --set coupling.load=probe
 
 # no step is stable: a velocity whose square overflows
 sed 's/value: 2/value: 1.0e200/' jump >hopeless
