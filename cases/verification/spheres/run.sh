@@ -4,10 +4,11 @@
 # usage: cases/verification/spheres/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
+source_of() { if [ "$1" = 0.2 ]; then echo "fundamental solutions"; else echo "Zick and Homsy 1982"; fi; }
 fractions="0.027 0.064 0.125 0.2 0.216 0.343 0.45"
 study study
 for c in $fractions; do
-  near "c = $c at 32^3: k over the reference" 1 "$(cell study value "$c" 32 permeability)" 1 "Zick and Homsy 1982" 0.02
+  near "c = $c at 32^3: k over the reference" 1 "$(cell study value "$c" 32 permeability)" 1 "$(source_of "$c")" 0.02
 done
 study study_tortuosity
 for c in 0.125 0.343; do
@@ -30,7 +31,7 @@ if [ ! "$quick" ]; then
   for surface in "" " lattice"; do
     for place in "at a corner" "at a centre" "at .3 .1 .7" "at .25 .6 .4" "at .8 .45 .05"; do
       near "c = 0.2 at 32^3,${surface:- shape} $place: k over the reference" 1 \
-        "$(cell study_place value "0.2$surface $place" 32 permeability)" 1 "Sangani and Acrivos 1982" 0.02
+        "$(cell study_place value "0.2$surface $place" 32 permeability)" 1 "fundamental solutions" 0.02
     done
   done
   study study_step
@@ -45,7 +46,7 @@ if [ ! "$quick" ]; then
   study study_fine
   for c in $fractions; do
     near "c = $c at 64^3: k over the reference" 1 "$(cell study_fine value "$c" 64 permeability)" 1 \
-      "Zick and Homsy 1982" 0.01
+      "$(source_of "$c")" 0.01
   done
   order() { # order C STUDY COARSE STUDY FINE
     calc "log($(cell "$2" error "$1" "$3" permeability) / $(cell "$4" error "$1" "$5" permeability)) / log($5 / $3)"
