@@ -35,6 +35,7 @@ else
   study study_1
   study study_4
   study study_4_fine
+  study study_4_step
   study study_box
   study study_step
   for method in lattice shape; do
@@ -43,6 +44,11 @@ else
     gates study_4 $method 16 4 6 0.05 0.05
   done
   gates study_4_fine shape 32 4 6 0.05 0.05
+  read -r -a exact <<<"$("$here/box.sh" 4 6)"
+  near "a/delta = 4, shape, 16 cells, half the step: in phase by the load" 1 \
+    "$(cell study_4_step value shape 1.25e-3 "in phase by the load")" "${exact[0]}" "Stokes 1851 in the box" 0.05
+  near "a/delta = 4, shape, 16 cells, half the step: out of phase by the load" 1 \
+    "$(cell study_4_step value shape 1.25e-3 "out of phase by the load")" "${exact[1]}" "Stokes 1851 in the box" 0.05
   old_loads study 8 1 8
   old_loads study_4 16 4 6
   for box in 6 8 12; do # the box is taken out when what is left is the same in all of them
