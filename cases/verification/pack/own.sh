@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Prints, in a run folder, the load along x on one sphere of the pack over what the body force gives the fluid in the box
-# (0.1 N), and with 0 for a sphere the load on all, by the series. A particle's volume is a cell's. usage: own.sh SPHERE
+# Prints, in a run folder, the load along x on one sphere of the pack over what the body force gives the fluid in the
+# box (0.1 N), and with 0 for a sphere the load on all, by the series. A particle's volume is a cell's.
+# usage: own.sh SPHERE
 set -euo pipefail
 . "$FRANA_STUDY/../../common.sh"
 if [ "$1" = 0 ]; then

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Prints a quantity over its reference at this solid fraction c. k/L^2 = 2 (a/L)^2/(9 c K) with K of Zick and Homsy,
-# with one more digit, and for c = 0.2 of Sangani and Acrivos' series. The tortuosities are from fundamental solutions summed over the lattice.
+# with one more digit. The tortuosities and K at c = 0.2 are from fundamental solutions summed over the
+# lattice.
 # usage: over.sh permeability|tortuosity, in the run folder
 radius=$(sed -n 's/^ *radius: *\([^ ,}]*\).*/\1/p' scene.resolved.yaml | head -1)
 awk -F, -v a="$radius" -v column="$1" '
