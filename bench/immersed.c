@@ -111,20 +111,27 @@ static void measure(struct bench *bench, const char *part, bench_call *call, str
  * three components on 4 x 4 x 4 points, 256 multiply-adds, and the differences at 8 points: about 800 flops; its
  * position, normal and result are 11 doubles, the fields' values 32 B. */
 static const double forcing_bytes = 6 * (300 + 48), forcing_flops = 6 * 380;
+/* With feedback a stage writes twice and reads once, three quarters of the work of two iterations. */
+static const double feedback_bytes = 0.75 * 6 * (300 + 48), feedback_flops = 0.75 * 6 * 380;
 static const double probe_bytes = 11 * 8 + 32, probe_flops = 800;
 
-/* Takes steps of the four runs in turn: an intact block whose bonds may not break; one whose bonds may break; the same
- * by RK3; a broken block. */
-static void steps(struct bench *bench, struct run *const run[4]) {
-    static const char *const name[4] = {"coupled_step", "coupled_step_breakage", "coupled_step_rk3",
-                                        "coupled_step_broken"};
-    struct bench_sample of[4][BENCH_CHANNELS];
-    bench_measure(&bench->effort, coupled_step, 4, (void *const *)run, of);
-    for (int k = 0; k < 4; k++)
+enum { RUNS = 5 };
+
+/* Takes steps of the runs in turn: an intact block whose bonds may not break; one whose bonds may break; the same by
+ * RK3; a broken block; the intact block with the load by reaction. */
+static void steps(struct bench *bench, struct run *const run[RUNS]) {
+    static const char *const name[RUNS] = {"coupled_step", "coupled_step_breakage", "coupled_step_rk3",
+                                           "coupled_step_broken", "coupled_step_reaction"};
+    struct bench_sample of[RUNS][BENCH_CHANNELS];
+    bench_measure(&bench->effort, coupled_step, RUNS, (void *const *)run, of);
+    for (int k = 0; k < RUNS; k++)
         row_of(bench, run[k], name[k], of[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
     if (par_rank() == 0)
         printf("%-26s %-12s intact block, breakage on over off: %.4f (%d and %d substeps)\n", "", "",
                of[1][BENCH_WALL].median / of[0][BENCH_WALL].median, run[1]->substeps, run[0]->substeps);
+    if (par_rank() == 0)
+        printf("%-26s %-12s intact block, load by reaction over by probe: %.4f (%d and %d substeps)\n", "", "",
+               of[4][BENCH_WALL].median / of[0][BENCH_WALL].median, run[4]->substeps, run[0]->substeps);
     for (int k = 0; k < 4; k += 3) {
         char size[32];
         const int *n = fluid_grid_of(run[k]->fluid)->n;
@@ -134,9 +141,10 @@ static void steps(struct bench *bench, struct run *const run[4]) {
 }
 
 void bench_immersed(struct bench *bench) {
-    struct run *run[4];
-    for (int k = 0; k < 4; k++)
-        run[k] = run_of(&(struct bench_scene){.half = bench->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2});
+    struct run *run[RUNS];
+    for (int k = 0; k < RUNS; k++)
+        run[k] = run_of(&(struct bench_scene){
+            .half = bench->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2, .reaction = k == 4});
     break_up(run[3]->solid);
     for (int k = 0; k < 3; k++) step_advance(run[3]); /* so that contact has its lists and the interface is set up */
     steps(bench, run);
@@ -145,6 +153,7 @@ void bench_immersed(struct bench *bench) {
     const double probes = par_sum(intact->markers.probes);
     measure(bench, "markers", markers, intact, n, "marker", 0, 0);
     measure(bench, "forcing", forcing, intact, n, "marker", forcing_bytes, forcing_flops);
+    measure(bench, "forcing_feedback", forcing, run[4], n, "marker", feedback_bytes, feedback_flops);
     measure(bench, "probe", probe, intact, probes, "probe", probe_bytes, probe_flops);
     measure(bench, "interface", interface, intact, n, "marker", 0, 0);
     measure(bench, "interface_broken", interface, broken, m, "marker", 0, 0);
@@ -152,5 +161,5 @@ void bench_immersed(struct bench *bench) {
     measure(bench, "contact_broken", contact, broken, (double)broken->solid->n_global, "particle", 0, 0);
     measure(bench, "solid_substeps", solid, intact,
             (double)par_sum_long(solid_family_directed(intact->solid)) * intact->substeps, "directed bond", 0, 0);
-    for (int k = 0; k < 4; k++) end(run[k]);
+    for (int k = 0; k < RUNS; k++) end(run[k]);
 }

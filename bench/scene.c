@@ -30,6 +30,7 @@ static const char text[] =
     "  constraints:\n"
     "    - {low: [0, -0.01, 0], high: [1, 0, 1], directions: xyz}\n"
     "    - {low: [0, %.9g, 0], high: [1, 1, 1], directions: xyz}\n"
+    "coupling: {load: %s}\n"
     "stages:\n"
     "  - {name: flow, steps: 20, time_step: 3.3569e-4, solid: rigid}\n"
     "  - {name: elastic, steps: 1000000, time_step: 3.3569e-5, breakage: %s, integrator: %s,\n"
@@ -41,7 +42,8 @@ struct scene *bench_scene_new(const struct bench_scene *b) {
     const double f = b->half ? 0.5 : 1;
     const double low = 0.025 * f, high = 0.1 * f, h = 0.1 * f;
     snprintf(filled, sizeof filled, text, 0.2 * f, h, h, (int)(128 * f), (int)(64 * f), (int)(64 * f), low, high,
-             h + 0.0046875, h, low + 0.000234375, h, b->breakage ? "true" : "false", b->rk3 ? "rk3" : "verlet");
+             h + 0.0046875, h, low + 0.000234375, h, b->reaction ? "reaction" : "probe", b->breakage ? "true" : "false",
+             b->rk3 ? "rk3" : "verlet");
     struct scene *scene = scene_read("the bench's scene", filled, strlen(filled), 0, NULL, 0, &problems);
     ENSURE(scene, "%s", problems.n ? problems.text[0] : "no scene");
     scene_problem_free(&problems);

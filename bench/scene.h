@@ -6,6 +6,7 @@
 struct bench_scene {
     int half;     /* 1: half the size in each direction, on 64 x 32 x 32 cells */
     int breakage; /* 1: bonds may break, but are too strong to break; contact is then searched for as well */
+    int reaction; /* 1: the load is the forcing's reaction, else the probes' */
     int rk3;      /* 1: the solid by RK3, else velocity Verlet */
 };
 

@@ -3,14 +3,15 @@
  * over the body's size. The forcing's sum is exact. For the markers' shell and the fluid within it, which moves with
  * the body,
  *
- *     rho V dU/dt = T + f + V (rho g + G),      so  T = rho V dU/dt - f - V (rho g + G),      (after Uhlmann 2005)
+ *     rho V dU/dt = T + f + V rho g,      so  T = rho V dU/dt - f - V rho g,      (after Uhlmann 2005)
  *
- * T is the force of the outer fluid on the body, f that of the forcing on the fluid, G the driving gradient, which the
- * solved pressure does not contain. T minus the probes' sum is spread evenly over the body's volume in the domain: it
- * moves the body without straining free parts. A body is one of the scene's bodies, whole or in pieces. dU/dt is that
- * of the last step; in the strong scheme it is the markers' mean in the present step. The carried mass uses the last
- * step's acceleration as well, as the probes do: for each body a step gives back exactly the force that the step before
- * has taken, so that no momentum is lost if normals turn or particles break off. */
+ * T is the force of the outer fluid on the body, with that of a driving gradient, which the probes' pressure contains
+ * and the solved pressure does not; f is the force of the forcing on the fluid. T minus the probes' sum is spread
+ * evenly over the body's volume in the domain: it moves the body without straining free parts. A body is one of the
+ * scene's bodies, whole or in pieces. dU/dt is that of the last step; in the strong scheme it is the markers' mean in
+ * the present step. The carried mass uses the last step's acceleration as well, as the probes do: for each body a step
+ * gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or particles
+ * break off. */
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -50,8 +51,7 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
     for (int c = 0; c < 3; c++) {
         const int has_last = r->v_last[0] && r->dt > 0 && !r->strong;
         const double acceleration = has_last ? (s->v[c][h] - r->v_last[c][h]) / r->dt : 0;
-        const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == c;
-        const double push = in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
+        const double push = in->density * in->body_force[c];
         const double probed = s->load[c][h] - solid_given_of(s, h, c);
         sum[LACK + c] += (in->density * acceleration - push - probed) * s->volume[h];
     }

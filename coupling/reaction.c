@@ -1,19 +1,20 @@
 /* Load by reaction: what the forcing takes from the fluid is given to the solid, within the stage. */
-/* In stage r of the fluid's step, of length g = gamma_r dt, the forcing with feedback (ibm/feedback.c) gives the fluid at
- * a marker of volume W the impulse rho W (g f + w e), with e the mean of V - U over the stage. In the solid's substeps of
- * the stage, T long together, the particle is under
+/* In stage r of the fluid's step, of length g = gamma_r dt, the forcing with feedback (ibm/feedback.c) gives the fluid
+ * at a marker of volume W the impulse rho W (g f + w e), with e the mean of V - U over the stage. In the solid's
+ * substeps of the stage, T long together, the particle is under
  *
- *     m dV/dt = ... - rho W (f + w (V - U)/T) + V_h (rho I - rho b - G) ,
+ *     m dV/dt = ... - rho W (f + w (V - U)/T) + V_h (rho I - rho b) ,
  *
- * so that a step takes the same impulse from the solid, f being the same in its three stages. The part with V is implicit
- * in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off, marker by marker, and the work
- * that is done on the solid is taken from the fluid but for the slip's loss: for w J S <= 1 no step creates energy,
- * whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
+ * so that a step takes the same impulse from the solid, f being the same in its three stages. The part with V is
+ * implicit in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off, marker by marker, and
+ * the work that is done on the solid is taken from the fluid but for the slip's loss: for w J S <= 1 no step creates
+ * energy, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
  *
  * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with the
- * acceleration I of the fluid at each particle in the step before; and so are the body force b and the driving gradient G
- * on it. It is given to all particles evenly, not to the faces on which the inner pressure acts: the sum is right, the
- * strain of a body that is accelerated is not quite. */
+ * acceleration I of the fluid at each particle in the step before; and so is the body force b on it. It is given to all
+ * particles evenly, not to the faces on which the inner pressure acts: the sum is right, the strain of a body that is
+ * accelerated is not quite. A driving gradient acts on the body as on the fluid, as with the probes: what of it acts on
+ * the inner fluid is the body's. */
 #include "coupling/reaction.h"
 #include "base/clock.h"
 #include "base/memory.h"
@@ -29,20 +30,21 @@
 #include <string.h>
 
 /* The slip time over the times in which momentum diffuses over a cell, the flow crosses one, and a wave of the solid
- * crosses one. */
-static const double OF_DIFFUSION = 1.4e-4, OF_CONVECTION = 2e-3, OF_WAVE = 5e-3;
+ * crosses one. A longer slip time lets more fluid through the wall and damps the solid's motion; with a shorter one the
+ * part of the force that the markers cannot see fades more slowly, in dt^2 over the slip time. */
+static const double OF_DIFFUSION = 4e-3, OF_CONVECTION = 0.02, OF_WAVE = 0.02;
 
 struct reaction {
     struct ibm *inner; /* all particles, to read the fluid within the body */
     struct solid_drag drag;
     int capacity;
-    int *h;               /* [markers] */
-    double *rate;         /* [markers] z, 1/s */
-    double (*u)[3];       /* [markers] U, m/s */
-    double (*path)[3];    /* [markers] integral of V - U, m */
-    double (*kept)[3];    /* [markers] force of the kept f on the solid in this stage, N/m3 */
+    int *h;            /* [markers] */
+    double *rate;      /* [markers] z, 1/s */
+    double (*u)[3];    /* [markers] U, m/s */
+    double (*path)[3]; /* [markers] integral of V - U, m */
+    double (*kept)[3]; /* [markers] force of the kept f on the solid in this stage, N/m3 */
     double (*from)[IBM_FEEDBACK_SENT];
-    double *v[3], *volume; /* [n] of the inner markers; unused by reading */
+    double *v[3], *volume;     /* [n] of the inner markers; unused by reading */
     double (*acceleration)[3]; /* [n] of the inner fluid, m/s2 */
 };
 
@@ -74,8 +76,8 @@ struct reaction *reaction_new(struct run *r) {
 void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
-    void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept, k->from,
-                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration,  k};
+    void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept,         k->from,
+                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration, k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
@@ -114,11 +116,10 @@ static int is_inside(const struct run *r, int h) {
     return 1;
 }
 
-/* The force per volume of body force and driving on the fluid, N/m3. */
+/* The body force on the fluid, N/m3. */
 static double push_of(const struct run *r, int c) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
-    const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == c;
-    return in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
+    return in->density * in->body_force[c];
 }
 
 /* Reads the fluid within the body, and finds its acceleration since the last reading. */

@@ -96,8 +96,8 @@ const struct state_item run_state_table[] = {
      .is_part = is_refined, .why = of_rates},
     /* data that a step passes to the next */
     {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
-    {"inner_velocity", STATE_DOUBLE, STATE_PARTICLE, OF(inner_velocity), .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_inner},
+    {"inner_velocity", STATE_DOUBLE, STATE_PARTICLE, OF(inner_velocity), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner},
     {"inner_time", STATE_DOUBLE, STATE_ONE, OF(inner_time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
     {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,

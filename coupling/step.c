@@ -96,16 +96,17 @@ static const struct step_part box[] = {
     {"time step from the fluid's limits", STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
     {"markers", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG, part_markers},    /* 001: sec. 3.5.2, X^n and V^n */
     {"fluid", STAGE_FLUID, STAGE_IMMERSED, part_fluid},                         /* 001: eqs 3.70-3.74 */
-    {"fluid with forcing", STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS, part_fluid_forced}, /* 001: eqs 3.70-3.82 */
+    {"fluid with forcing", STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
+     part_fluid_forced}, /* 001: eqs 3.70-3.82 */
     {"fluid with forcing, implicit diffusion", STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG, part_fluid_implicit},
     {"probe", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, interface_probe}, /* 001: eqs 3.83-3.96 */
-    {"refinement", STAGE_REFINES, STAGE_STRONG, part_refine},                 /* 000: ch. 2 */
-    {"contact", STAGE_TOUCHES, 0, part_contact},                              /* lists of pairs for 001: eq. 3.40 */
-    {"number of substeps", STAGE_FOLLOWS, 0, adapt_substeps},                 /* the solid's stable step */
-    {"solid", STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid},                       /* 001: eqs 3.38, 3.47, 3.48 */
-    {"fluid, probe and solid, iterated", STAGE_STRONG, 0, strong_step},       /* Degroote et al. 2009 */
-    {"fluid, forcing and solid, stage by stage", STAGE_REACTS, 0, reaction_step}, /* SPEC */
-    {"surface", STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface},             /* 001: secs 3.3.7, 3.3.9 */
+    {"refinement", STAGE_REFINES, STAGE_STRONG, part_refine},                                /* 000: ch. 2 */
+    {"contact", STAGE_TOUCHES, 0, part_contact},                                  /* lists of pairs for 001: eq. 3.40 */
+    {"number of substeps", STAGE_FOLLOWS, 0, adapt_substeps},                     /* the solid's stable step */
+    {"solid", STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid},            /* 001: eqs 3.38, 3.47, 3.48 */
+    {"fluid, probe and solid, iterated", STAGE_STRONG, 0, strong_step},           /* Degroote et al. 2009 */
+    {"fluid, forcing and solid, stage by stage", STAGE_REACTS, 0, reaction_step}, /* Tschisgale et al. 2017 */
+    {"surface", STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface},                 /* 001: secs 3.3.7, 3.3.9 */
 };
 
 int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]) {

@@ -8,9 +8,10 @@
  * and after the step
  *     f <- (f + sum_r (g_r/k) e_r) / (1 + c dt/k) ,   k = dt^2 ,   1/c = 1/s - sum_r w_r/dt .
  *
- * In a steady flow e = c f, and each stage has its share gamma_r of the step's impulse F dt = f dt + sum_r w_r e. So the
- * slip is e = s F: s is a time that belongs to the scene, and the wall does not move with the step. Without s the force of a mode that the markers cannot
- * see (J S f = 0) would grow without bound. For w J S <= 1 the sum of the fluid's energy, of k |f|^2/2 and of the
+ * In a steady flow e = c f, and each stage has its share gamma_r of the step's impulse F dt = f dt + sum_r w_r e. So
+ * the slip is e = s F: s is a time that belongs to the scene, and the wall does not move with the step as long as
+ * s < g_1. A force that the markers cannot see (J S f = 0), as one that changes its sign from marker to marker,
+ * fades in the time k/c; without s it would stay. For w J S <= 1 the sum of the fluid's energy, of k |f|^2/2 and of the
  * predictor pressure's part does not grow. */
 #include "ibm/feedback.h"
 #include "base/clock.h"

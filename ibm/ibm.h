@@ -26,7 +26,7 @@ void ibm_implicit_force(struct ibm *ibm, int r, double dt);
 /* Starting guess of the implicit forcing, one vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and
  * its setting from a checkpoint. [n] each. Collective. */
 int ibm_demand_is_kept(const struct ibm *ibm); /* 1: the forcing has such a value. Not collective. */
-int ibm_demand_is_set(const struct ibm *ibm); /* 1: some rank has markers. Not collective. */
+int ibm_demand_is_set(const struct ibm *ibm);  /* 1: some rank has markers. Not collective. */
 void ibm_demand(struct ibm *ibm, double *const demand[3]);
 void ibm_demand_set(struct ibm *ibm, const double *const demand[3]);
 /* Multidirect forcing of the fluid's predicted velocity at RK stage r; dt_r = gamma_r dt. Collective. */
@@ -37,8 +37,8 @@ void ibm_forcing_total(struct ibm *ibm, double force[3]);
 /* The same by marker, in the order of ibm_markers_set, N: [n] each, zero for a marker outside the domain. The part of
  * the force that is not spread, beyond the domain's sides, counts as well. Collective. */
 void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]);
-/* U of field u on the faces at all markers, in the order of ibm_markers_set [n], m/s; 0 for a marker outside the domain.
- * No ghost is read. Collective. */
+/* U of field u on the faces at all markers, in the order of ibm_markers_set [n], m/s; 0 for a marker outside the
+ * domain. No ghost is read. Collective. */
 void ibm_whole_sample(struct ibm *ibm, double *const u[3], double (*out)[3]);
 double
 ibm_forcing_slip(struct ibm *ibm); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */

@@ -3,15 +3,13 @@
 
 #include <math.h>
 
-static const double ALL = 10.68; /* weights of the 33 sites: 1 + 6 0.64 + 12 0.36 + 8 0.16 + 6 0.04 */
-static const double FACE =
-    7.92;                    /* of those at or below a face along the lattice: 1 + 5 0.64 + 8 0.36 + 4 0.16 + 5 0.04 */
+enum {
+    ALL = 25 + 6 * 16 + 12 * 9 + 8 * 4 + 6 * 1, /* weights of the 33 sites */
+    FACE = 25 + 5 * 16 + 8 * 9 + 4 * 4 + 5 * 1  /* of those that are not above a face along the lattice */
+};
 static const double FAR = 2; /* the farthest site */
 
-double physics_depth_weight(double r2) {
-    const double t = 1 - r2 / 5;
-    return r2 <= PHYSICS_DEPTH_REACH2 * (1 + 1e-6) ? t * t : 0;
-}
+int physics_depth_weight(int r2) { return r2 <= PHYSICS_DEPTH_REACH2 ? (5 - r2) * (5 - r2) : 0; }
 
 static double integral(double z) {
     const double z2 = z * z;
@@ -28,4 +26,6 @@ static double inverse(double fraction) {
     return 0.5 * (low + high);
 }
 
-double physics_depth(double present) { return fmin(1, fmax(0, inverse(present / ALL) - inverse(FACE / ALL) + 0.5)); }
+double physics_depth(int present) {
+    return fmin(1, fmax(0, inverse((double)present / ALL) - inverse((double)FACE / ALL) + 0.5));
+}

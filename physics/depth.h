@@ -1,6 +1,6 @@
 /* Depth of a lattice site below a body's surface, from the number of its neighbours that belong to the body.
  *
- * The sites within two spacings (32 and the site itself) have the weight w(r) = (1 - r^2/5)^2, r in spacings; r^2 = 5
+ * The sites within two spacings (32 and the site itself) have the weight w(r) = (5 - r^2)^2, r in spacings; r^2 = 5
  * is the first shell that is not counted. A half-space whose face is d above the site holds the fraction F(d) of the
  * integral of w over the ball,
  *
@@ -18,6 +18,7 @@
 
 enum { PHYSICS_DEPTH_REACH2 = 4 }; /* r^2 of the farthest site counted */
 
-double physics_depth_weight(double r2); /* of a site at the distance sqrt(r2) spacings; 0 beyond two spacings */
+/* Whole numbers, so that their sum does not depend on its order. */
+int physics_depth_weight(int r2); /* of a site at the distance sqrt(r2) spacings; 0 beyond two spacings */
 /* The depth in spacings; present: sum of the weights of the sites that belong to the body, itself included. */
-double physics_depth(double present);
+double physics_depth(int present);

@@ -83,7 +83,7 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    double power_added; /* the part of power_load due to added mass and drag */
+    double power_added; /* the part of power_load due to the added mass */
 
     /* Counters: they only rise, and no step depends on their values. */
     long sweeps;        /* force sweeps so far */

@@ -20,8 +20,10 @@ static const cyaml_strval_t conditions[] = {{"dirichlet", SCENE_DIRICHLET}, {"ne
 static const cyaml_strval_t drivings[] = {
     {"none", SCENE_DRIVING_NONE}, {"pressure_gradient", SCENE_DRIVING_GRADIENT}, {"bulk_velocity", SCENE_DRIVING_BULK}};
 static const cyaml_strval_t axes[] = {{"xy", SCENE_XY}, {"xz", SCENE_XZ}, {"yz", SCENE_YZ}, {"xyz", SCENE_XYZ}};
-static const cyaml_strval_t load_forms[] = {
-    {"reaction", SCENE_LOAD_REACTION}, {"probe", SCENE_LOAD_PROBE}, {"wall", SCENE_LOAD_WALL}, {"balanced", SCENE_LOAD_BALANCED}};
+static const cyaml_strval_t load_forms[] = {{"reaction", SCENE_LOAD_REACTION},
+                                            {"probe", SCENE_LOAD_PROBE},
+                                            {"wall", SCENE_LOAD_WALL},
+                                            {"balanced", SCENE_LOAD_BALANCED}};
 static const cyaml_strval_t schemes[] = {{"explicit", SCENE_EXPLICIT}, {"strong", SCENE_STRONG}};
 static const cyaml_strval_t relaxations[] = {{"quasi_newton", SCENE_QUASI_NEWTON}, {"aitken", SCENE_AITKEN}};
 static const cyaml_strval_t diffusions[] = {{"explicit", SCENE_DIFFUSION_EXPLICIT},

@@ -4,11 +4,10 @@
 
 static int is_imposed(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
 
-/* Adds the power of the force mass z (U - v) on a particle that moves at v. */
-static void add_power(struct solid *s, int h, double z, double u, double v) {
-    const double power = s->volume[h] * solid_density(s, h) * z * (u - v) * v;
-    s->power_added += power;
-    s->power_load += power;
+/* The work of an impulse, m/s times the particle's mass, while its velocity goes from `first` to `last`: the impulse's
+ * part of the change of kinetic energy. */
+static void add_work(struct solid *s, int h, double impulse, double first, double last) {
+    s->work_load += s->volume[h] * solid_density(s, h) * impulse * 0.5 * (first + last);
 }
 
 void solid_drag_begin(struct solid *s) {
@@ -16,10 +15,7 @@ void solid_drag_begin(struct solid *s) {
     for (int i = 0; i < drag->n; i++)
         for (int c = 0; c < s->dim; c++) {
             const int h = drag->h[i];
-            const double v = s->v[c][h];
-            if (is_imposed(s, h, c)) continue;
-            s->a[c][h] += drag->rate[i] * (drag->u[i][c] - v);
-            add_power(s, h, drag->rate[i], drag->u[i][c], v);
+            if (!is_imposed(s, h, c)) s->a[c][h] += drag->rate[i] * (drag->u[i][c] - s->v[c][h]);
         }
 }
 
@@ -36,7 +32,7 @@ void solid_drag_end(struct solid *s, double dt, double *const a_old[3]) {
                 const double free = first + half * (a_old[c][h] + s->a[c][h]);
                 last = (free + half * z * u) / (1 + half * z);
                 s->a[c][h] += z * (u - last);
-                add_power(s, h, z, u, last);
+                add_work(s, h, half * z * (2 * u - first - last), first, last);
             }
             drag->path[i][c] += half * (first + last - 2 * u);
         }
@@ -51,7 +47,7 @@ void solid_drag_stage(struct solid *s, double gamma_dt) {
             if (!is_imposed(s, h, c)) {
                 const double before = s->v[c][h], after = (before + gamma_dt * z * u) / (1 + gamma_dt * z);
                 s->v[c][h] = after;
-                s->work_load += s->volume[h] * solid_density(s, h) * (after - before) * 0.5 * (after + before);
+                add_work(s, h, after - before, before, after);
             }
             drag->path[i][c] += gamma_dt * (s->v[c][h] - u);
         }

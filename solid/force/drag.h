@@ -13,10 +13,10 @@ struct solid_drag {
                          * particle has given is its mass times z times this */
 };
 
-/* Velocity Verlet, at the start of substeps: a += z (U - v), and power_added the drag's power. */
+/* Velocity Verlet, at the start of substeps: a += z (U - v). */
 void solid_drag_begin(struct solid *s);
 /* At the end of a Verlet substep dt, where v is v_old + dt a_old and a has no drag: finds a with the drag at the
- * velocity v_old + dt/2 (a_old + a). */
+ * velocity v_old + dt/2 (a_old + a). Adds the drag's work to work_load. */
 void solid_drag_end(struct solid *s, double dt, double *const a_old[3]);
 /* In stage r of RK3, gamma_dt = gamma_r dt, once v has all its other changes: v <- (v + gamma_dt z U)/(1 + gamma_dt z).
  * Adds the drag's work to work_load. */

@@ -14,11 +14,11 @@ static int reaches(const struct solid *s, const struct solid_body *body) {
 float solid_counted_depth(const struct solid *s, int h, const struct solid_family_view *view) {
     const struct solid_body *body = &s->in.body[s->body[h]];
     if (s->dim == 2 || !solid_shape_is_on_lattice(body) || !reaches(s, body)) return -1;
-    double present = physics_depth_weight(0);
+    int present = physics_depth_weight(0);
     for (int b = 0; b < view->n; b++) {
         double r2 = 0;
         for (int c = 0; c < 3; c++) r2 += view->xi[b][c] * view->xi[b][c];
-        present += physics_depth_weight(r2 / (s->in.spacing * s->in.spacing));
+        present += physics_depth_weight((int)lrint(r2 / (s->in.spacing * s->in.spacing)));
     }
     return (float)physics_depth(present);
 }

@@ -13,7 +13,7 @@
 /* What a scene and its only stage say. */
 struct kind {
     int fluid, implicit, automatic;
-    int solid, elastic, strong, refined, relaxed, touches;
+    int solid, elastic, strong, reacts, refined, relaxed, touches;
     int substeps; /* given; 0: automatic */
 };
 
@@ -21,7 +21,8 @@ static unsigned needs_of(const struct kind *k) {
     struct scene_fluid fluid = {.diffusion = k->implicit ? SCENE_DIFFUSION_IMPLICIT : SCENE_DIFFUSION_EXPLICIT};
     struct scene_refinement refinement = {0};
     struct scene_solid solid = {.refinement = k->refined ? &refinement : NULL};
-    struct scene_coupling coupling = {.scheme = k->strong ? SCENE_STRONG : SCENE_EXPLICIT};
+    struct scene_coupling coupling = {.scheme = k->strong ? SCENE_STRONG : SCENE_EXPLICIT,
+                                      .load = k->reacts ? SCENE_LOAD_REACTION : SCENE_LOAD_PROBE};
     struct scene_stage stage = {.time_step = k->automatic ? 0 : 1e-3,
                                 .solid = k->elastic ? SCENE_SOLID_ELASTIC : SCENE_SOLID_RIGID,
                                 .relax = k->relaxed,
@@ -82,6 +83,13 @@ static void test_parts(void **state) {
         {{.fluid = 1, .solid = 1, .elastic = 1, .automatic = 1, .touches = 1},
          "time step from the fluid's limits, markers, fluid with forcing, probe, contact, number of substeps, solid, "
          "surface"},
+        /* the same, with the load by reaction */
+        {{.fluid = 1, .solid = 1, .reacts = 1}, "fluid with forcing"},
+        {{.fluid = 1, .solid = 1, .elastic = 1, .reacts = 1},
+         "markers, fluid, forcing and solid, stage by stage, surface"},
+        {{.fluid = 1, .solid = 1, .elastic = 1, .reacts = 1, .automatic = 1, .touches = 1},
+         "time step from the fluid's limits, markers, contact, number of substeps, fluid, forcing and solid, stage by "
+         "stage, surface"},
         /* strong scheme */
         {{.fluid = 1, .solid = 1, .elastic = 1, .strong = 1}, "fluid, probe and solid, iterated, surface"},
         {{.fluid = 1, .solid = 1, .elastic = 1, .strong = 1, .touches = 1},
@@ -107,10 +115,16 @@ static int count(const struct step_part *const *part, int n, const char *const *
 }
 
 static void check_kind(const struct kind *k) {
-    static const char *const fluid[] = {"fluid", "fluid with forcing", "fluid with forcing, implicit diffusion",
-                                        "fluid, probe and solid, iterated", NULL};
-    static const char *const solid[] = {"relaxation", "solid", "fluid, probe and solid, iterated", NULL};
-    static const char *const probe[] = {"probe", "fluid, probe and solid, iterated", NULL};
+    static const char *const fluid[] = {"fluid",
+                                        "fluid with forcing",
+                                        "fluid with forcing, implicit diffusion",
+                                        "fluid, probe and solid, iterated",
+                                        "fluid, forcing and solid, stage by stage",
+                                        NULL};
+    static const char *const solid[] = {"relaxation", "solid", "fluid, probe and solid, iterated",
+                                        "fluid, forcing and solid, stage by stage", NULL};
+    static const char *const load[] = {"probe", "fluid, probe and solid, iterated",
+                                       "fluid, forcing and solid, stage by stage", NULL};
     static const char *const length[] = {"time step from the fluid's limits", NULL};
     static const char *const surface[] = {"surface", NULL}, *const contact[] = {"contact", NULL};
     const struct step_part *part[RUN_PARTS_MAX];
@@ -120,7 +134,7 @@ static void check_kind(const struct kind *k) {
         for (int j = 0; j < i; j++) assert_true(part[i] > part[j]); /* each once, in the box's order */
     assert_int_equal(count(part, n, fluid), k->fluid);
     assert_int_equal(count(part, n, solid), k->elastic);
-    assert_int_equal(count(part, n, probe), immersed && k->elastic);
+    assert_int_equal(count(part, n, load), immersed && k->elastic);
     assert_int_equal(count(part, n, surface), immersed && k->elastic);
     assert_int_equal(count(part, n, contact), k->elastic && k->touches && !k->relaxed);
     assert_int_equal(count(part, n, length), k->fluid && k->automatic);
@@ -131,7 +145,7 @@ static void check_kind(const struct kind *k) {
 static void test_every_kind(void **state) {
     (void)state;
     int kinds = 0;
-    for (int bits = 0; bits < 1 << 10; bits++) {
+    for (int bits = 0; bits < 1 << 11; bits++) {
         const struct kind k = {.fluid = bits & 1,
                                .implicit = bits >> 1 & 1,
                                .automatic = bits >> 2 & 1,
@@ -141,17 +155,19 @@ static void test_every_kind(void **state) {
                                .refined = bits >> 6 & 1,
                                .relaxed = bits >> 7 & 1,
                                .touches = bits >> 8 & 1,
-                               .substeps = bits >> 9 & 1};
+                               .substeps = bits >> 9 & 1,
+                               .reacts = bits >> 10 & 1};
         const int immersed = k.fluid && k.solid, alone = k.solid && !k.fluid;
         if (!k.fluid && (!k.solid || k.implicit)) continue;
         if (alone && !k.elastic) continue; /* nothing would move */
         if (!k.solid && (k.elastic || k.touches || k.substeps)) continue;
         if (k.strong && (!immersed || k.implicit)) continue;
+        if (k.reacts && (!immersed || k.implicit || k.strong)) continue;
         if ((k.refined || k.relaxed) && !alone) continue;
         check_kind(&k);
         kinds++;
     }
-    assert_int_equal(kinds, 4 + 32 + 32 + 16); /* fluid alone; solid alone; explicit; strong */
+    assert_int_equal(kinds, 4 + 32 + 32 + 16 + 16); /* fluid alone; solid alone; explicit; reaction; strong */
 }
 
 int main(int argc, char **argv) {

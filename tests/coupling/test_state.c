@@ -483,6 +483,7 @@ static void test_flow(void **state) {
     const char *const balanced[] = {"coupling.load=balanced"};
     const char *const implicit[] = {"fluid.diffusion=implicit", "solid.materials.soft.fracture_energy=.inf"};
     go(flow, 3, 1, balanced);
+    go(flow, 3, 0, NULL);
     go(flow, 3, 2, implicit);
 }
 

@@ -65,7 +65,7 @@ static void test_parts(void **state) {
     scene = scene_of(box, drift, 0, NULL);
     r = run_new(scene);
     step_begin_stage(r);
-    assert_int_equal(r->parts, 7);
+    assert_int_equal(r->parts, 5);
     /* the least number of substeps within the safety */
     const double safety = scene->stage[0].safety;
     check_at_most(r->dt / r->substeps, safety * r->solid_stable * (1 + 1e-9));
@@ -81,8 +81,9 @@ static double spread_after(const char *integrator, const char *damping, int subs
     snprintf(text[0], sizeof text[0], "stages.drift.integrator=%s", integrator);
     snprintf(text[1], sizeof text[1], "stages.drift.damping_relative=%s", damping);
     snprintf(text[2], sizeof text[2], "stages.drift.substeps=%d", substeps);
-    const char *set[] = {text[0], text[1], text[2], "stages.drift.steps=4", "stages.drift.breakage=false"};
-    struct scene *scene = scene_of(box, drift, 5, set);
+    const char *set[] = {
+        text[0], text[1], text[2], "stages.drift.steps=4", "stages.drift.breakage=false", "coupling.load=probe"};
+    struct scene *scene = scene_of(box, drift, 6, set);
     struct run *r = run_new(scene);
     step_begin_stage(r);
     while (r->stage_step < 4) step_advance(r);

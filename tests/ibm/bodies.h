@@ -59,7 +59,7 @@ static inline double body_square(const double r[3]) { return r[0] * r[0] + r[1] 
 
 /* Depth of the site at r from a sphere's centre, m, by the number of its neighbours inside. */
 static inline double body_sphere_depth(const double r[3], double radius, double dx) {
-    double present = 0;
+    int present = 0;
     for (int k = -2; k <= 2; k++)
         for (int j = -2; j <= 2; j++)
             for (int i = -2; i <= 2; i++) {
@@ -69,7 +69,7 @@ static inline double body_sphere_depth(const double r[3], double radius, double 
     return physics_depth(present) * dx;
 }
 
-enum body_depth { BODY_HALF, BODY_COUNTED }; /* half a spacing; by the number of neighbours */
+enum body_depth { BODY_HALF, BODY_COUNTED, BODY_TRUE }; /* half a spacing; by the number of neighbours; as it is */
 
 /* Outer layer of a sphere cut from the lattice lattice[] + i dx: sites within the radius that have a site outside among
  * their six neighbours; normals radial; every marker the retraction (m) inside the face that its depth gives. */
@@ -110,6 +110,77 @@ static inline struct body body_sphere_cut(const double centre[3], double radius,
 static inline struct body body_sphere_lattice(const double centre[3], double radius, double dx, const double lattice[3],
                                               double shift) {
     return body_sphere_cut(centre, radius, dx, lattice, BODY_HALF, 0.5 * dx - shift);
+}
+
+/* A body in a periodic box, in cells: two equal slabs a box, or a ball, cylinder or cavity. */
+struct body_shape {
+    int across[3];            /* slabs: the direction of their normal, whole numbers */
+    double period, thickness; /* slabs: distance of their lower faces, and thickness */
+    double offset;            /* slabs: of a lower face from the corner of the box, along the normal */
+    int round[3];             /* round: the directions that count in the distance from the centre */
+    double centre[3], radius; /* round */
+    int inside;               /* round: 1: the material is inside the radius; -1: outside; 0: slabs */
+};
+
+/* Depth of x below the surface, > 0 in the material; the normal out of it; which of the two slabs. */
+static inline double body_shape_depth(const struct body_shape *b, const double x[3], double normal[3], int *slab) {
+    double along = -b->offset, r2 = 0, length2 = 0;
+    for (int c = 0; c < 3; c++) {
+        normal[c] = b->inside ? (b->round[c] ? x[c] - b->centre[c] : 0) : b->across[c];
+        length2 += b->across[c] * b->across[c];
+        r2 += normal[c] * normal[c];
+    }
+    for (int c = 0; c < 3; c++) {
+        along += x[c] * b->across[c] / sqrt(length2);
+        normal[c] *= (b->inside < 0 ? -1 : 1) / sqrt(r2);
+    }
+    *slab = 0;
+    if (b->inside) return b->inside * (b->radius - sqrt(r2));
+    const double turns = floor(along / b->period), s = along - turns * b->period;
+    *slab = ((int)turns & 1) != 0;
+    const int is_upper = s < b->thickness ? s > b->thickness / 2 : s < (b->thickness + b->period) / 2;
+    for (int c = 0; c < 3 && !is_upper; c++) normal[c] = -normal[c];
+    return s < b->thickness ? fmin(s, b->thickness - s) : -fmin(s - b->thickness, b->period - s);
+}
+
+static inline int body_shape_has(const struct body_shape *b, const double x[3]) {
+    double normal[3];
+    int slab;
+    return body_shape_depth(b, x, normal, &slab) > 1e-9;
+}
+
+/* Outer layer of the lattice's sites in the shape, in a box of n[] cells of size 1; a marker is `retraction` inside the
+ * face that its depth gives. On slabs v is +speed and -speed along `way`. area: of the whole surface. */
+static inline struct body body_cut(const struct body_shape *shape, const int n[3], const double lattice[3],
+                                   enum body_depth depth, double retraction, double area, const double way[3]) {
+    struct body b = body_new((long)n[0] * n[1] * n[2]);
+    for (int site = 0; site < n[0] * n[1] * n[2]; site++) {
+        double x[3] = {site % n[0] + lattice[0], site / n[0] % n[1] + lattice[1], site / n[0] / n[1] + lattice[2]};
+        double normal[3];
+        int slab, is_outer = 0, present = 0;
+        double below = body_shape_depth(shape, x, normal, &slab);
+        if (!(below > 1e-9)) continue;
+        for (int k = -2; k <= 2; k++)
+            for (int j = -2; j <= 2; j++)
+                for (int i = -2; i <= 2; i++) {
+                    const double other[3] = {x[0] + i, x[1] + j, x[2] + k};
+                    const int has = body_shape_has(shape, other), r2 = i * i + j * j + k * k;
+                    if (has) present += physics_depth_weight(r2);
+                    is_outer |= !has && r2 == 1;
+                }
+        if (!is_outer) continue;
+        if (depth != BODY_TRUE) below = depth == BODY_HALF ? 0.5 : physics_depth(present);
+        for (int c = 0; c < 3; c++) {
+            x[c] += (below - retraction) * normal[c];
+            b.v[c][b.total] = way ? (slab ? -1 : 1) * way[c] : 0;
+        }
+        body_add(&b, x, normal);
+    }
+    const long first = b.total * par_rank() / par_size();
+    body_finish(&b, area, 1);
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < b.n; i++) b.v[c][i] = b.v[c][i + first];
+    return b;
 }
 
 /* The same sphere with evenly spread markers (a spiral of equal areas), about one per dx^2, at the depth r_d dx. */

@@ -187,3 +187,140 @@ static inline double walls_shift(double offset, double area, const struct flow_f
     fluid_free(f);
     return j0 + 0.5 - u0 * (j1 - j0) / (u1 - u0) - (low[0] + offset);
 }
+
+/* Inclined walls of cells of size 1: two slabs, normal across[], that move in opposite directions along way[] (a unit
+ * vector at right angles). The box is a period of the slabs. Returns how far their faces are found too far inside. */
+static inline double slabs_shift(const int across[3], int period, const double way[3], double offset,
+                                 enum body_depth depth, double retraction, const struct flow_forcing *forcing) {
+    struct fluid_input in = {.density = 1, .viscosity = 1, .immersed = 1};
+    double length = 0, area = 1, speed = 1e-3, v[3];
+    for (int c = 0; c < 3; c++) {
+        in.n[c] = across[c] ? period / across[c] : 4;
+        in.length[c] = in.n[c];
+        area *= in.n[c];
+        length += across[c] * across[c];
+        v[c] = speed * way[c];
+    }
+    length = sqrt(length);
+    struct body_shape slabs = {.across = {across[0], across[1], across[2]},
+                               .period = period / length / 2,
+                               .thickness = period / length / 4,
+                               .offset = offset};
+    const double gap = slabs.period - slabs.thickness, lattice[3] = {0.5, 0.5, 0.5};
+    area /= period / length; /* of one plane */
+    struct fluid *f = fluid_new(&in);
+    const struct fluid_grid *g = fluid_grid_of(f);
+    struct ibm *b = flow_ibm(f, forcing);
+    struct body body = body_cut(&slabs, in.n, lattice, depth, retraction, 4 * area, v);
+    struct fluid_state *state = fluid_state_of(f);
+    double *const u[3] = {state->u, state->v, state->w};
+    for (int k = 0; k < g->m[2]; k++) /* near the answer */
+        for (int j = 0; j < g->m[1]; j++)
+            for (int i = 0; i < g->m[0]; i++)
+                for (int c = 0; c < 3; c++) {
+                    const double x[3] = {g->lo[0] + i + (c == 0 ? 1 : 0.5), g->lo[1] + j + (c == 1 ? 1 : 0.5),
+                                         g->lo[2] + k + (c == 2 ? 1 : 0.5)};
+                    double normal[3], towards = 0;
+                    int slab;
+                    const double from = -body_shape_depth(&slabs, x, normal, &slab);
+                    for (int d = 0; d < 3; d++) towards += normal[d] * across[d];
+                    const double rise = from < 0 ? 0 : (towards > 0 ? from : gap - from) / gap;
+                    u[c][fluid_grid_at(g, i, j, k)] = (slab ? -1 : 1) * (1 - 2 * rise) * v[c];
+                }
+    fluid_state_refresh(f);
+    body_send(b, &body);
+    const double dt = forcing->fraction * flow_limit(1);
+    for (long step = 0; step < (long)(0.5 * gap * gap / dt); step++)
+        for (int r = 0; r < 3; r++) {
+            fluid_predict(f, r, dt);
+            ibm_forcing_stage(b, r, dt);
+            fluid_project(f, r, dt);
+        }
+    double *force[3], sum = 0;
+    for (int c = 0; c < 3; c++) force[c] = calloc((size_t)body.n + 1, sizeof(double));
+    ibm_forcing_by_marker(b, dt, force);
+    for (int i = 0; i < body.n; i++) /* on the slab that moves forward, and against the one that moves back */
+        for (int c = 0; c < 3; c++) sum += force[c][i] * body.v[c][i] / speed;
+    sum = par_sum(sum);
+    for (int c = 0; c < 3; c++) free(force[c]);
+    body_free(&body);
+    ibm_free(b);
+    fluid_free(f);
+    return (4 * area * 2 * speed / sum - gap) / 2;
+}
+
+/* Square array of cylinders across the flow, c = 0.2: the error of k/L^2 = 1/51.5269.  (docs/sources.md) */
+static inline double cylinders_error(int n, const double centre[2], enum body_depth depth, double retraction,
+                                     const struct flow_forcing *forcing, struct flow_result *result) {
+    const int cells[3] = {n, n, 4};
+    struct body_shape shape = {.round = {1, 1, 0}, .inside = 1, .radius = sqrt(0.2 / M_PI) * n};
+    const double lattice[3] = {0.5, 0.5, 0.5};
+    for (int c = 0; c < 2; c++) shape.centre[c] = n / 2 + 0.5 + centre[c];
+    struct fluid *f = flow_periodic_box(cells, 1, 1e-3);
+    struct body body = body_cut(&shape, cells, lattice, depth, retraction, 2 * M_PI * shape.radius * cells[2], NULL);
+    *result = flow_march(f, &body, forcing, 0.004 * n * n, 2e-4);
+    body_free(&body);
+    fluid_free(f);
+    return 51.5269 * result->velocity / (result->drag / cells[2]) - 1;
+}
+
+/* First zeros of the Bessel function J0 and of the spherical Bessel function j1. */
+#define PIPE_ZERO 2.404825557695773
+#define CAVITY_ZERO 4.493409457909064
+
+/* Decay of the slowest flow inside a pipe (along it) or a spherical cavity (a rotation): u ~ exp(-q^2 t) with
+ * q = zero/radius. Returns the error of the radius, cells of size 1, without that of the grid's second derivative,
+ * q^2 (1 - q^2/16) or q^2 (1 - q^2/20) in the mean over directions. */
+static inline double hollow_shift(int is_pipe, double radius, const double centre[3], enum body_depth depth,
+                                  double retraction, const struct flow_forcing *forcing) {
+    const int across = 2 * (int)(radius + 5), n[3] = {across, across, is_pipe ? 4 : across};
+    const double lattice[3] = {0.5, 0.5, 0.5}, zero = is_pipe ? PIPE_ZERO : CAVITY_ZERO;
+    struct body_shape shape = {.round = {1, 1, !is_pipe}, .inside = -1, .radius = radius};
+    for (int c = 0; c < 3; c++) shape.centre[c] = across / 2 + centre[c];
+    struct fluid_input in = {.density = 1, .viscosity = 1, .immersed = 1};
+    for (int c = 0; c < 3; c++) in.n[c] = n[c], in.length[c] = n[c];
+    struct fluid *f = fluid_new(&in);
+    const struct fluid_grid *g = fluid_grid_of(f);
+    struct ibm *b = flow_ibm(f, forcing);
+    struct body body = body_cut(&shape, n, lattice, depth, retraction,
+                                is_pipe ? 2 * M_PI * radius * n[2] : 4 * M_PI * radius * radius, NULL);
+    double *const u[3] = {fluid_state_of(f)->u, fluid_state_of(f)->v, fluid_state_of(f)->w};
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++)
+            for (int i = 0; i < g->m[0]; i++)
+                for (int c = 0; c < 3; c++) {
+                    const double x[3] = {g->lo[0] + i + (c == 0 ? 1 : 0.5) - shape.centre[0],
+                                         g->lo[1] + j + (c == 1 ? 1 : 0.5) - shape.centre[1],
+                                         is_pipe ? 0 : g->lo[2] + k + (c == 2 ? 1 : 0.5) - shape.centre[2]};
+                    const double r = sqrt(body_square(x)), q = zero * r / radius;
+                    const double turn = q > 1e-3 ? (sin(q) / q - cos(q)) / (q * q) : 1 / 3.0; /* j1(q) / q */
+                    const double way = is_pipe ? c == 2 : (c == 0 ? -x[1] : c == 1 ? x[0] : 0);
+                    u[c][fluid_grid_at(g, i, j, k)] = r < radius ? 1e-6 * way * (is_pipe ? j0(q) : turn) : 0;
+                }
+    fluid_state_refresh(f);
+    body_send(b, &body);
+    const double dt = forcing->fraction * flow_limit(1), life = radius * radius / (zero * zero);
+    double energy[2] = {0, 0};
+    const long first = (long)(0.5 * life / dt), last = (long)(1.5 * life / dt);
+    for (long step = 0; step <= last; step++) {
+        if (step == first || step == last) {
+            double *sum = &energy[step == last];
+            for (int k = 0; k < g->m[2]; k++)
+                for (int j = 0; j < g->m[1]; j++)
+                    for (int i = 0; i < g->m[0]; i++)
+                        for (int c = 0; c < 3; c++) *sum += pow(u[c][fluid_grid_at(g, i, j, k)], 2);
+            *sum = par_sum(*sum);
+        }
+        for (int r = 0; r < 3 && step < last; r++) {
+            fluid_predict(f, r, dt);
+            ibm_forcing_stage(b, r, dt);
+            fluid_project(f, r, dt);
+        }
+    }
+    body_free(&body);
+    ibm_free(b);
+    fluid_free(f);
+    const double rate = 0.5 * log(energy[0] / energy[1]) / ((double)(last - first) * dt);
+    const double q2 = rate * (1 + rate / (is_pipe ? 16 : 20));
+    return zero / sqrt(q2) - radius;
+}

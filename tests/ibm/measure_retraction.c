@@ -2,6 +2,7 @@
  * result. */
 /* measure_retraction [largest mesh, default 32 [smallest, default 16]]: the tables of docs/retraction.md, as Markdown.
  * Minutes on one core. */
+#include "physics/retraction.h"
 #include "tests/ibm/flows.h"
 
 #include <stdio.h>
@@ -53,7 +54,7 @@ static void planes(void) {
 
 /* k's error at three retractions, and the retraction at which a parabola through them is zero. */
 static void array_row(struct array_case c, const char *name) {
-    static const double retraction[2][3] = {{0.3, 0.6, 0.8}, {0.2, 0.28, 0.36}};
+    static const double retraction[2][3] = {{0.3, 0.6, 0.8}, {0.2, PHYSICS_RETRACTION, 0.36}};
     const double *at = retraction[c.even || c.depth != BODY_HALF];
     double error[3];
     struct flow_result result[3];
@@ -134,12 +135,85 @@ static void arrays(void) {
     }
 }
 
+/* Mean, and smallest and largest value of a shift over cuts of a body. */
+static void say_spread(int n, const double *value, double unit) {
+    double sum = 0, low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < n; i++) sum += value[i], low = fmin(low, value[i]), high = fmax(high, value[i]);
+    SAY(" %+.3f (%+.3f to %+.3f) |", unit * sum / n, unit * low, unit * high);
+}
+
+static const double hollow[4][3] = {{0, 0, 0}, {0.25, 0.6, 0.4}, {0.35, 0.85, 0.15}, {0.1, 0.45, 0.8}};
+static const char *const depth_name[3] = {"half", "counted", "true"};
+
+static void other_bodies(void) {
+    static const struct {
+        int across[3], period;
+        double way[3];
+    } slab[8] = {{{1, 0, 0}, 40, {0, 0, 1}},
+                 {{1, 1, 0}, 56, {0, 0, 1}},
+                 {{1, 1, 0}, 56, {M_SQRT1_2, -M_SQRT1_2, 0}},
+                 {{1, 2, 0}, 88, {0, 0, 1}},
+                 {{1, 2, 0}, 88, {0.894427190999916, -0.447213595499958, 0}},
+                 {{1, 3, 0}, 120, {0, 0, 1}},
+                 {{1, 3, 0}, 120, {0.948683298050514, -0.316227766016838, 0}},
+                 {{1, 1, 1}, 64, {M_SQRT1_2, -M_SQRT1_2, 0}}};
+    SAY("\n## Other bodies\n\nSlabs: the gap between a face and the next, found too wide, per face, cells; r_d = 0.28 "
+        "(half: 0.6). A slab is a whole number of the lattice's planes thick.\n\n"
+        "| normal | motion | depth | forcing | dt / limit | shift |\n|---|---|---|---|---|---|\n");
+    for (int n = 0; n < 8; n++)
+        for (int d = 0; d < 3; d++)
+            for (int h = 0; h < (d == 1 ? 2 : 1); h++) {
+                const struct flow_forcing *forcing = h ? &multidirect : &feedback;
+                const double shift = slabs_shift(slab[n].across, slab[n].period, slab[n].way, n == 0 ? 0 : 0.05,
+                                                 (enum body_depth)d, d == 0 ? 0.6 : PHYSICS_RETRACTION, forcing);
+                SAY("| %d %d %d | %.2f %.2f %.2f | %s ", slab[n].across[0], slab[n].across[1], slab[n].across[2],
+                    slab[n].way[0], slab[n].way[1], slab[n].way[2], depth_name[d]);
+                say_forcing(forcing);
+                SAY(" %+.3f |\n", shift);
+            }
+    SAY("\nCylinders, c = 0.2: k's error in %%, four places on the lattice; r_d = 0.28 (half: 0.6; true: 0.28 + 0.25 "
+        "dx/a).\n\n| cells | radius | depth | forcing | dt / limit | error |\n|---|---|---|---|---|---|\n");
+    for (int n = 16; n <= 48; n += n < 32 ? 8 : 16)
+        for (int d = 0; d < 3; d++) {
+            double error[4];
+            const double a = sqrt(0.2 / M_PI) * n;
+            struct flow_result result;
+            for (int o = 0; o < 4; o++)
+                error[o] =
+                    cylinders_error(n, hollow[o], (enum body_depth)d,
+                                    d == 0 ? 0.6 : PHYSICS_RETRACTION + (d == 2) * PHYSICS_RETRACTION_CURVED * 0.5 / a,
+                                    &feedback, &result);
+            SAY("| %d | %.1f | %s ", n, a, depth_name[d]);
+            say_forcing(&feedback);
+            say_spread(4, error, 100);
+            SAY("\n");
+        }
+    SAY("\nHollows: error of the radius, cells; r_d = 0.28 (half: 0.6; true: 0.28 - 0.25 dx/a of a pipe, 0.28 - 0.5 "
+        "dx/a of a cavity).\n\n| hollow | radius | depth | forcing | dt / limit | error "
+        "|\n|---|---|---|---|---|---|\n");
+    for (int pipe = 1; pipe >= 0; pipe--)
+        for (int a = 0; a < 3; a++)
+            for (int d = 0; d < 3; d++) {
+                double shift[4];
+                const double radius = (const double[3]){5.2, 8.1, 12.3}[a],
+                             bend = PHYSICS_RETRACTION_CURVED * (pipe ? 0.5 : 1) / radius;
+                for (int o = 0; o < 4; o++)
+                    shift[o] = hollow_shift(pipe, radius, hollow[o], (enum body_depth)d,
+                                            d == 0 ? 0.6 : PHYSICS_RETRACTION - (d == 2) * bend, &feedback);
+                SAY("| %s | %g | %s ", pipe ? "pipe" : "cavity", radius, depth_name[d]);
+                say_forcing(&feedback);
+                say_spread(4, shift, 1);
+                SAY("\n");
+            }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     if (argc > 1) largest = atoi(argv[1]);
     if (argc > 2) smallest = atoi(argv[2]);
     planes();
     arrays();
+    other_bodies();
     par_end();
     return 0;
 }

@@ -114,7 +114,7 @@ static void test_defaults_are_filled_in(void **state) {
     check_equal(s->coupling->retraction, PHYSICS_RETRACTION);
     check_equal(s->coupling->probe_length, 2);
     assert_int_equal(s->coupling->surface, SCENE_SURFACE_LATTICE);
-    assert_int_equal(s->coupling->load, SCENE_LOAD_PROBE);
+    assert_int_equal(s->coupling->load, SCENE_LOAD_REACTION);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
     assert_int_equal(s->coupling->scheme, SCENE_EXPLICIT);
     check_equal(s->stage[2].solid, SCENE_SOLID_ELASTIC);

@@ -99,7 +99,7 @@ static const struct sample_broken table[] = {
     {"coupled", "forcing_iterations: 2", "relaxation: aitken",
      "it.yaml:39: coupling.relaxation = aitken: only with scheme strong, here it is explicit"},
     {"coupled", "forcing_iterations: 2", "load: wal",
-     "it.yaml:39: coupling.load = wal: must be one of probe, wall, balanced; did you mean wall?"},
+     "it.yaml:39: coupling.load = wal: must be one of reaction, probe, wall, balanced; did you mean wall?"},
     {"coupled", "forcing_iterations: 2", "scheme: strongly",
      "it.yaml:39: coupling.scheme = strongly: must be one of explicit, strong; did you mean strong?"},
     {"coupled", "steps: 100, time_step: auto", "steps: -1", "it.yaml:42: stages[0].steps = -1: must be at least 0"},

@@ -11,7 +11,7 @@ expected() {
   awk -v q="$1" -v n="$2" 'function phi(s) { s = s < 0 ? -s : s
       return s <= 0.5 ? (1 + sqrt(1 - 3 * s * s)) / 3 : s <= 1.5 ? (5 - 3 * s - sqrt(1 - 3 * (1 - s) ^ 2)) / 6 : 0 }
     BEGIN {
-      r = 0.3; t = 4.6 - 2 * r; h = n - t; s = q + r; s -= int(s) + 0.5
+      r = 0.28; t = 4.6 - 2 * r; h = n - t; s = q + r; s -= int(s) + 0.5
       for (i = -1; i <= 1; i++) v += phi(s - i) * (s - i) ^ 2
       print (1 + t / h) / 2 * (0.5 + 2 * phi(s - 1) * phi(s + 1)) - v / h - r
     }'

@@ -1,7 +1,19 @@
 #!/usr/bin/env bash
-# Prints, in a run folder, the force on the body by the probes (load) or by the forcing, over the force that drives the
-# flow, dp times the box's section of 1 m2. usage: load.sh load|forcing
-awk -F, -v way="$1" '
-  !dp { for (i = 1; i <= NF; i++) { if ($i == way "_x") at = i; if ($i == "dp") dp = i } next }
+# Prints a number of the run in this folder. G is the driving gradient, which acts on the fluid and on the body; the box
+# has a volume of 1 m3.
+#   load     force on the body, over G
+#   forcing  the forcing's force, over G
+#   sum      load and forcing, over G: 0 if the load is what the forcing took from the fluid
+#   drag     G over the force on a sphere of the array, 6 pi mu a U K, with mu = 1, U = 1e-3 and K of Zick and Homsy
+# usage: load.sh load|forcing|sum|drag
+radius=$(sed -n 's/^ *radius: *\([^ ,}]*\).*/\1/p' scene.resolved.yaml | head -1)
+awk -F, -v way="$1" -v a="$radius" '
+  !at { for (i = 1; i <= NF; i++) k[$i] = i; at = 1; next }
   /^#/ { next }
-  { ratio = (way == "load" ? 1 : -1) * $at / $dp } END { printf "%.9g\n", ratio }' series.csv
+  { g = $k["dp"]; load = $k["load_x"]; forcing = -$k["forcing_x"] }
+  END {
+    value["load"] = load / g
+    value["forcing"] = forcing / g
+    value["sum"] = (load - forcing) / g
+    value["drag"] = g / (6 * atan2(0, -1) * a * 1e-3 * 4.29159)
+    printf "%.9g\n", value[way] }' series.csv

@@ -1,0 +1,188 @@
+/* Forcing with feedback: the slip's law, the step's length, the two ways through a stage, energy, momentum. */
+#include "ibm/feedback.h"
+#include "physics/retraction.h"
+#include "physics/rk3.h"
+#include "tests/check.h"
+#include "tests/ibm/flows.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+
+enum { CELLS = 16 };
+
+static struct body sphere(void) {
+    const struct array_case c = {.n = CELLS, .solid_fraction = 0.125, .even = 1, .retraction = PHYSICS_RETRACTION};
+    return array_body(&c);
+}
+
+static double limit(void) { return 1.65 / CELLS / CELLS / 12; }
+
+static struct fluid *box(double speed, double viscosity, int driven) {
+    struct fluid_input in = {.density = 1, .viscosity = viscosity, .immersed = 1};
+    for (int d = 0; d < 3; d++) in.n[d] = CELLS, in.length[d] = 1;
+    if (driven) in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, speed};
+    in.initial_velocity[0] = speed;
+    return fluid_new(&in);
+}
+
+/* The steady drag on an array of spheres, at a fraction of the viscous limit and with a slip time, both over the
+ * limit. */
+static double drag(double fraction, double slip_time) {
+    struct fluid *f = box(1e-3, 1, 1);
+    struct body body = sphere();
+    struct ibm *ibm = ibm_new(f, 1);
+    const double dt = fraction * limit();
+    double force[3];
+    ibm_feedback_set(ibm, slip_time * limit());
+    body_send(ibm, &body);
+    for (long step = 0; step < lrint(0.06 / dt); step++)
+        for (int r = 0; r < 3; r++) {
+            fluid_predict(f, r, dt);
+            ibm_feedback_begin(ibm, r, dt);
+            ibm_feedback_end(ibm, r, dt);
+            fluid_project(f, r, dt);
+        }
+    ibm_forcing_total(ibm, force);
+    body_free(&body);
+    ibm_free(ibm);
+    fluid_free(f);
+    return -force[0];
+}
+
+/* Whatever the step is, the wall is in the same place, as long as the slip time is shorter than a stage. */
+static void test_step(void **state) {
+    (void)state;
+    const double slip_time[] = {0.01, 0.03};
+    for (int i = 0; i < 2; i++) {
+        const double at[3] = {drag(1, slip_time[i]), drag(0.25, slip_time[i]), drag(0.0625, slip_time[i])};
+        print_message("slip time %g: drag %.6g, %.6g, %.6g at 1, 1/4, 1/16 of the limit\n", slip_time[i], at[0], at[1],
+                      at[2]);
+        for (int k = 1; k < 3; k++) check_relative(at[k], at[0], 1e-3);
+    }
+}
+
+/* In a steady flow along a sheet of markers, all with the same force F per mass, the mean slip of a step is s F. */
+static void test_slip(void **state) {
+    (void)state;
+    const double dt = 0.04, s = 4e-4, push = 0.7;
+    struct fluid_input in = {.n = {4, 8, 8}, .length = {4, 8, 8}, .density = 1, .viscosity = 1, .immersed = 1};
+    in.driving = (struct fluid_driving){FLUID_DRIVING_GRADIENT, 0, push};
+    struct fluid *f = fluid_new(&in);
+    struct ibm *ibm = ibm_new(f, 1);
+    struct body body = body_new(32);
+    double slip = 0, total[3];
+    double(*out)[IBM_FEEDBACK_SENT] = calloc(33, sizeof *out);
+    for (int k = 0; k < 32; k++) body_add(&body, (double[3]){k % 4 + 0.5, 4.5, k / 4 + 0.5}, (double[3]){0, 1, 0});
+    body_finish(&body, 32, 1);
+    ibm_feedback_set(ibm, s);
+    body_send(ibm, &body);
+    for (int step = 0; step < 2600; step++)
+        for (int r = 0; r < 3; r++) {
+            fluid_predict(f, r, dt);
+            ibm_feedback_begin(ibm, r, dt);
+            if (step == 2599) {
+                ibm_feedback_out(ibm, out);
+                slip -= physics_rk3_gamma[r] * out[0][IBM_FEEDBACK_U];
+            }
+            ibm_feedback_end(ibm, r, dt);
+            fluid_project(f, r, dt);
+        }
+    ibm_forcing_total(ibm, total);
+    check_relative(total[0], -push * 4 * 8 * 8, 1e-6);
+    if (body.n > 0) check_relative(slip, s * total[0] / 32, 1e-6);
+    free(out);
+    body_free(&body);
+    ibm_free(ibm);
+    fluid_free(f);
+}
+
+/* With the slips sent back by the caller a stage is the same, to the bit. */
+static void test_two_ways(void **state) {
+    (void)state;
+    struct fluid *f[2];
+    struct ibm *ibm[2];
+    struct body body = sphere();
+    double total[2][3];
+    double(*out)[IBM_FEEDBACK_SENT] = calloc((size_t)body.n + 1, sizeof *out);
+    double(*slip)[3] = calloc((size_t)body.n + 1, sizeof *slip);
+    for (int i = 0; i < body.n; i++) body.v[1][i] = 1e-3 * sin(7 * i);
+    for (int k = 0; k < 2; k++) {
+        f[k] = box(1e-3, 1, 0);
+        ibm[k] = ibm_new(f[k], 1);
+        ibm_feedback_set(ibm[k], 0.02 * limit());
+        body_send(ibm[k], &body);
+    }
+    for (int step = 0; step < 4; step++)
+        for (int r = 0; r < 3; r++) {
+            for (int k = 0; k < 2; k++) {
+                fluid_predict(f[k], r, limit());
+                ibm_feedback_begin(ibm[k], r, limit());
+            }
+            ibm_feedback_end(ibm[0], r, limit());
+            ibm_feedback_out(ibm[1], out);
+            for (int i = 0; i < body.n; i++)
+                for (int c = 0; c < 3; c++) {
+                    check_equal(out[i][IBM_FEEDBACK_REACHED], 1);
+                    slip[i][c] = body.v[c][i] - out[i][IBM_FEEDBACK_U + c];
+                }
+            ibm_feedback_in(ibm[1], r, limit(), (const double(*)[3])slip);
+            for (int k = 0; k < 2; k++) fluid_project(f[k], r, limit());
+        }
+    const size_t bytes = fluid_grid_of(f[0])->size * sizeof(double);
+    assert_memory_equal(fluid_state_of(f[0])->u, fluid_state_of(f[1])->u, bytes);
+    assert_memory_equal(fluid_state_of(f[0])->p, fluid_state_of(f[1])->p, bytes);
+    for (int k = 0; k < 2; k++) {
+        ibm_forcing_total(ibm[k], total[k]);
+        ibm_free(ibm[k]);
+        fluid_free(f[k]);
+    }
+    for (int c = 0; c < 3; c++) check_equal(total[0][c], total[1][c]);
+    free(out);
+    free(slip);
+    body_free(&body);
+}
+
+/* A sphere at rest in a moving fluid of hardly any viscosity: the energy falls, at steps up to thirty times the time in
+ * which the flow crosses a cell would ask for, and the momentum that the fluid loses is the forcing's impulse. */
+static void test_energy(void **state) {
+    (void)state;
+    const double speed = 1e-6, dt[] = {1e-3, 1, 100};
+    for (int k = 0; k < 3; k++) {
+        struct fluid *f = box(speed, 1e-12, 0);
+        struct ibm *ibm = ibm_new(f, 1);
+        struct body body = sphere();
+        double force[3], before[3], after[3];
+        ibm_feedback_set(ibm, 1e-3 * dt[k]);
+        body_send(ibm, &body);
+        const double start = fluid_measures_kinetic_energy(f);
+        for (int step = 0; step < 60; step++) {
+            fluid_measures_momentum(f, before);
+            for (int r = 0; r < 3; r++) {
+                fluid_predict(f, r, dt[k]);
+                ibm_feedback_begin(ibm, r, dt[k]);
+                ibm_feedback_end(ibm, r, dt[k]);
+                fluid_project(f, r, dt[k]);
+            }
+            fluid_measures_momentum(f, after);
+            ibm_forcing_total(ibm, force);
+            check_close(after[0] - before[0], force[0] * dt[k], 1e-13 * speed);
+            check_at_most(fluid_measures_kinetic_energy(f), start);
+        }
+        check_below(fluid_measures_kinetic_energy(f), 0.9 * start);
+        body_free(&body);
+        ibm_free(ibm);
+        fluid_free(f);
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_step), cmocka_unit_test(test_slip),
+                                       cmocka_unit_test(test_two_ways), cmocka_unit_test(test_energy)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
