@@ -8,9 +8,10 @@
  * T is the force of the outer fluid on the body, with that of a driving gradient, which the probes' pressure contains
  * and the solved pressure does not; f is the force of the forcing on the fluid. T minus the probes' sum is spread
  * evenly over the body's volume in the domain: it moves the body without straining free parts. A body is one of the
- * scene's bodies, whole or in pieces. dU/dt is that of the last step. The carried mass uses the last step's
- * acceleration as well, as the probes do: for each body a step gives back exactly the force that the step before has
- * taken, so that no momentum is lost if normals turn or particles break off. */
+ * scene's bodies, whole or in pieces. dU/dt is that of the last step; in the strong scheme it is the markers' mean in
+ * the present step. The carried mass uses the last step's acceleration as well, as the probes do: for each body a step
+ * gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or particles
+ * break off. */
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -19,7 +20,7 @@
 
 #include <string.h>
 
-enum { VOLUME = 0, LACK, COLUMNS = LACK + 3 };
+enum { VOLUME = 0, LACK, SHELL = LACK + 3, MEAN, COLUMNS = MEAN + 3 };
 
 static int is_inside(const struct run *r, int h) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
@@ -48,12 +49,20 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
     const struct solid *s = r->solid;
     sum[VOLUME] += s->volume[h];
     for (int c = 0; c < 3; c++) {
-        const int has_last = r->v_last[0] && r->dt > 0;
+        const int has_last = r->v_last[0] && r->dt > 0 && !r->strong;
         const double acceleration = has_last ? (s->v[c][h] - r->v_last[c][h]) / r->dt : 0;
         const double push = in->density * in->body_force[c];
         const double probed = s->load[c][h] - solid_given_of(s, h, c);
         sum[LACK + c] += (in->density * acceleration - push - probed) * s->volume[h];
     }
+}
+
+/* Adds a marker's acceleration in the present step, by its volume. v_last is the mean velocity of the last step, the
+ * marker's is that of the present one. */
+static void add_shell(const struct run *r, int i, double sum[COLUMNS]) {
+    const struct run_markers *m = &r->markers;
+    sum[SHELL] += m->volume[i];
+    for (int c = 0; c < 3; c++) sum[MEAN + c] += m->volume[i] * (m->v[c][i] - r->v_last[c][r->surface->h[i]]) / r->dt;
 }
 
 /* Adds the force that accelerates the carried mass of a probe's particle at a_n along the normal, N. */
@@ -71,6 +80,7 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
         const int h = r->surface->h[i];
         if (r->surface->two_sided[i] == SOLID_SET_FREE) continue;
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
+        if (r->strong) add_shell(r, i, sum[s->body[h]]);
     }
     for (int q = 0; q < m->probes && r->strong; q++) /* the acceleration of the present step */
         add_carried(r, q, m->acceleration_n[q], &sum[s->body[m->particle[q]]][LACK]);
@@ -92,6 +102,7 @@ void balance_keep(struct run *r) {
 
 void balance_loads(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
+    const double density = fluid_input_of(r->fluid)->density;
     double body[PHYSICS_BODIES_MAX][COLUMNS] = {{0}};
     ENSURE(s->in.bodies <= PHYSICS_BODIES_MAX, "%d bodies", s->in.bodies);
     ibm_forcing_by_marker(r->ibm, r->dt, r->markers.force);
@@ -101,7 +112,9 @@ void balance_loads(struct run *r, double sum[3]) {
         for (int c = 0; c < 3; c++) body[b][LACK + c] += r->carried[b][c];
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
         for (int c = 0; c < 3; c++) {
-            const double lack = body[s->body[h]][LACK + c] / body[s->body[h]][VOLUME];
+            const double *of = body[s->body[h]];
+            const double inner = of[SHELL] > 0 ? density * of[MEAN + c] / of[SHELL] : 0;
+            const double lack = of[LACK + c] / of[VOLUME] + inner;
             s->load[c][h] += lack;
             sum[c] += lack * s->volume[h];
         }

@@ -81,10 +81,14 @@ void interface_markers_free(struct run *r) {
 }
 
 /* The probe's dp/dn|_m = -rho_f dV/dt.n acts as an added mass, rho_f l/2 A_h, which the particle carries with its own
- * acceleration. The rest of the fluid's reaction to an acceleration comes with p|_e, one step late; if fluid and solid
- * have similar masses, this delay alone makes the coupling unstable. So half as much again is carried, and given back
- * as a load with the acceleration of the last step. The mean force is unchanged; short waves are damped. */
-static const double CARRIED = 1.5, GIVEN_BACK = 0.5;
+ * acceleration. The rest of the fluid's reaction to an acceleration comes with p|_e, in the explicit scheme one step
+ * late; if fluid and solid have similar masses, this delay alone makes the coupling unstable. So half as much again is
+ * carried there, and given back as a load with the acceleration of the last step. The mean force is unchanged; short
+ * waves are damped. The strong scheme has no such delay. It carries the added mass alone: what would be given back,
+ * with the change of the mean velocity over a step, would be half a step late, and feed slow waves. */
+static const double MORE = 0.5;
+
+static double more_carried(const struct run *r) { return r->strong ? 0 : MORE; }
 
 /* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe. The forcing is applied 3
  * N_s times a step. With this volume it exchanges between fluid and particle the Stokes drag 3 pi mu d (V - U) of a
@@ -133,7 +137,7 @@ void interface_markers_update(struct run *r) {
             const int q = m->probes++;
             m->owner[q] = i;
             m->particle[q] = h;
-            m->added[q] = CARRIED * layer * surface->area[i] / s->volume[h];
+            m->added[q] = (1 + more_carried(r)) * layer * surface->area[i] / s->volume[h];
             m->acceleration_n[q] = side * a_n;
             for (int c = 0; c < 3; c++) {
                 m->normal[c][q] = side * surface->normal[c][i];
@@ -156,10 +160,10 @@ static void load_by_probe(struct run *r, double sum[3]) {
             continue;
         }
         const double per_volume = r->surface->area[m->owner[q]] / s->volume[h];
-        const double last = m->added[q] * m->acceleration_n[q] / CARRIED;
+        const double last = m->added[q] * m->acceleration_n[q] / (1 + more_carried(r));
         for (int c = 0; c < 3; c++) {
             const double load = m->traction[c][q] * per_volume, n = m->normal[c][q];
-            s->load[c][h] += load + GIVEN_BACK * last * n;
+            s->load[c][h] += load + more_carried(r) * last * n;
             sum[c] += (load - last * n) * s->volume[h];
         }
     }

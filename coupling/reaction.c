@@ -11,10 +11,12 @@
  * energy, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
  *
  * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with the
- * acceleration I of the fluid at each particle in the step before; and so is the body force b on it. It is given to all
- * particles evenly, not to the faces on which the inner pressure acts: the sum is right, the strain of a body that is
- * accelerated is not quite. A driving gradient acts on the body as on the fluid, as with the probes: what of it acts on
- * the inner fluid is the body's. */
+ * acceleration I of the fluid at each particle, extrapolated from the two steps before; and so is the body force b on
+ * it. With that of the last step alone, a step late, the force has the part -rho V dt d2U/dt2, which feeds slow waves:
+ * a wall of 8 cells before a column of 4, rho_s/rho_f = 1, gains 0.04 % of energy a step (cases/stability/added_mass).
+ * It is given to all particles evenly, not to the faces on which the inner pressure acts: the sum is right, the strain
+ * of a body that is accelerated is not quite. A driving gradient acts on the body as on the fluid, as with the probes:
+ * what of it acts on the inner fluid is the body's. */
 #include "coupling/reaction.h"
 #include "base/clock.h"
 #include "base/memory.h"
@@ -68,7 +70,10 @@ struct reaction *reaction_new(struct run *r) {
     for (int c = 0; c < 3; c++) k->v[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->volume = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->acceleration = memory_new(MEMORY_COUPLING, n, sizeof *k->acceleration);
-    for (int c = 0; c < 3; c++) r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+    for (int c = 0; c < 3; c++) {
+        r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+        r->inner_acceleration[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+    }
     r->inner_time = -1;
     return k;
 }
@@ -122,7 +127,8 @@ static double push_of(const struct run *r, int c) {
     return in->density * in->body_force[c];
 }
 
-/* Reads the fluid within the body, and finds its acceleration since the last reading. */
+/* Reads the fluid within the body, and extrapolates its acceleration from the middles of the last two steps to the
+ * middle of the present one. */
 static void read_inner(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
@@ -130,6 +136,7 @@ static void read_inner(struct run *r) {
     double *const u[3] = {state->u, state->v, state->w};
     const double since = r->t - r->inner_time;
     const int has_last = r->inner_time >= 0 && since > 0;
+    const double ahead = has_last && r->inner_since > 0 ? (since + r->dt) / (since + r->inner_since) : 0;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
     ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)k->v, k->volume);
@@ -137,10 +144,13 @@ static void read_inner(struct run *r) {
     for (int h = 0; h < s->n; h++) {
         for (int c = 0; c < 3; c++) {
             const double now = k->acceleration[h][c];
-            k->acceleration[h][c] = has_last ? (now - r->inner_velocity[c][h]) / since : 0;
+            const double last = has_last ? (now - r->inner_velocity[c][h]) / since : 0;
+            k->acceleration[h][c] = last + ahead * (last - r->inner_acceleration[c][h]);
             r->inner_velocity[c][h] = now;
+            r->inner_acceleration[c][h] = last;
         }
     }
+    r->inner_since = has_last ? since : 0;
     r->inner_time = r->t;
     r->deposited = -1;
 }

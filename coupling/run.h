@@ -63,12 +63,15 @@ struct run {
     int substeps;         /* of the solid in a step */
     long moved;           /* step after which the solid last moved; 0: it has not moved */
     double load[3];       /* force of the fluid on the solid at the last probe, whole solid, N */
-    double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed */
+    double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; in the strong scheme its mean over the
+                           * last step; NULL unless elastic and immersed, or if the load is the reaction */
     double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
     double *inner_velocity[3]; /* [n] of the fluid at each particle at the last reading, m/s; NULL unless the load is
                                 * the reaction (coupling/reaction.c) */
     double inner_time;         /* s, of that reading; -1: none */
-    double (*demand)[3];       /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
+    double *inner_acceleration[3]; /* [n] of the fluid at each particle between the last two readings, m/s2 */
+    double inner_since;            /* s, between them; 0: there was one reading */
+    double (*demand)[3];           /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */

@@ -1,4 +1,8 @@
 /* Strongly coupled step: iterates fluid and solid until the interface's velocity has converged. */
+/* The load is constant over the step, so its work is F . (d^{n+1} - d^n). The fluid is therefore given the mean
+ * velocity of the step, V_m = (d^{n+1} - d^n)/dt: then the work that the fluid does on the solid is the work that it
+ * gives. With the velocity at t_{n+1} the two differ, and waves of the solid that the step does not resolve (omega dt >
+ * pi) may gain energy, however well the iteration converges. */
 #include "coupling/strong.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -25,8 +29,9 @@ struct strong {
     struct guard *start;   /* the state at t_n */
     int n, capacity;       /* particles of the interface */
     int *h;                /* [n] their indices in the solid */
-    double *guess, *image; /* [3n] their velocity at t_{n+1}, m/s: guess given to the fluid; result of the solid */
+    double *guess, *image; /* [3n] their mean velocity V_m, m/s: guess given to the fluid; result of the solid */
     double *end;           /* [3n] their displacement at t_{n+1}, extrapolated, m */
+    double *before[3];     /* [particles] displacement at t_n, m */
     int forget;
     struct strong_count count;
 };
@@ -48,6 +53,7 @@ struct strong *strong_new(struct run *r) {
     k->relaxation = quasi_newton_new(
         &(struct quasi_newton_input){.kind = kind_of(scene->relaxation), .relaxation = RELAXATION, .filter = FILTER});
     k->start = guard_new(r);
+    for (int c = 0; c < 3; c++) k->before[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
     return k;
 }
 
@@ -59,6 +65,7 @@ void strong_free(struct strong *k) {
     memory_free(k->guess);
     memory_free(k->image);
     memory_free(k->end);
+    for (int c = 0; c < 3; c++) memory_free(k->before[c]);
     memory_free(k);
 }
 
@@ -100,19 +107,21 @@ static void renew_interface(struct strong *k, const struct solid_surface *surfac
     k->forget = 0;
 }
 
-/* The first guess of the velocity and the displacement of the interface, extrapolated from the last two steps. After
- * this call v_last is the velocity at t_n, so that the markers' acceleration is that of the present step. */
+/* The first guess of the interface's mean velocity, extrapolated to the middle of the step from v at t_n and the mean
+ * of the last step, which is v_last; and of its displacement. */
 static void begin(struct run *r) {
     struct strong *k = r->strong;
     struct solid *s = r->solid;
     renew_interface(k, r->surface);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
+        memcpy(k->before[c], s->d[c], (size_t)s->n * sizeof(double));
         for (int i = 0; i < k->n; i++) {
-            const double v = s->v[c][k->h[i]], guess = 2 * v - r->v_last[c][k->h[i]];
+            const int h = k->h[i];
+            const double guess = 2 * s->v[c][h] - r->v_last[c][h];
             k->guess[c * k->n + i] = guess;
-            k->end[c * k->n + i] = s->d[c][k->h[i]] + 0.5 * r->dt * (v + guess);
+            k->end[c * k->n + i] = s->d[c][h] + r->dt * guess;
         }
-    for (int c = 0; c < 3; c++) memcpy(r->v_last[c], s->v[c], (size_t)s->n * sizeof(double));
+    }
     guard_keep(k->start, r);
 }
 
@@ -130,12 +139,16 @@ static void swap_interface(struct strong *k, struct solid *s) {
         }
 }
 
-/* Sets markers and probes from the guess of the interface at t_{n+1}. All stages use that velocity: the forcing lags
- * behind by some steps, and would lag more if the velocity changed from stage to stage. */
+/* Sets markers and probes from the guess of the interface. All stages use that velocity: the forcing lags behind by
+ * some steps, and would lag more if the velocity changed from stage to stage. */
 static void set_markers(struct run *r) {
     swap_interface(r->strong, r->solid);
     r->strong->markers(r);
     swap_interface(r->strong, r->solid);
+}
+
+static double mean_velocity(const struct run *r, int c, int h) {
+    return (r->solid->d[c][h] - r->strong->before[c][h]) / r->dt;
 }
 
 /* Advances the solid from t_n under the load of t_{n+1}. Under the mean of both loads, the part that depends on the
@@ -146,7 +159,7 @@ static void advance_solid(struct run *r) {
     s->t = r->t;
     solid_integrate(s, r->dt / r->substeps, r->substeps);
     for (int c = 0; c < 3; c++)
-        for (int i = 0; i < k->n; i++) k->image[c * k->n + i] = s->v[c][k->h[i]];
+        for (int i = 0; i < k->n; i++) k->image[c * k->n + i] = mean_velocity(r, c, k->h[i]);
 }
 
 /* 1: guess and result agree, relative to the change of velocity in the step; 0: they do not; -1: NaN. */
@@ -207,6 +220,8 @@ void strong_step(struct run *r) {
         quasi_newton_next(k->relaxation, k->guess, k->image);
         guard_restore(k->start, r);
     }
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < r->solid->n; h++) r->v_last[c][h] = mean_velocity(r, c, h);
     r->moved = r->step + 1;
     add_up(r, iterations);
 }

@@ -82,6 +82,37 @@ static void test_with_the_flow(void **state) {
     scene_free(scene);
 }
 
+/* The fluid is given the mean velocity of the step, so the work of a constant load is the one that both see. */
+static void test_mean_velocity(void **state) {
+    (void)state;
+    struct scene *scene = scene_of(text, "", 0, NULL);
+    struct run *r = run_new(scene);
+    const struct solid *s = r->solid;
+    step_begin_stage(r);
+    for (int n = 0; n < 3; n++) step_advance(r);
+    const size_t bytes = (size_t)s->n * sizeof(double);
+    double *before[3], off = 0, differs = 0, given = 0;
+    const int interface = r->surface->n;
+    int *const h_of = malloc((size_t)interface * sizeof *h_of + 1);
+    memcpy(h_of, r->surface->h, (size_t)interface * sizeof *h_of);
+    for (int c = 0; c < 3; c++) memcpy(before[c] = malloc(bytes + 1), s->d[c], bytes);
+    step_advance(r);
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) {
+            off = check_worst(off, r->v_last[c][h] - (s->d[c][h] - before[c][h]) / r->dt);
+            differs = check_worst(differs, r->v_last[c][h] - s->v[c][h]);
+        }
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < interface; i++) given = check_worst(given, r->markers.v[c][i] - r->v_last[c][h_of[i]]);
+    check_below(par_max(off), 1e-12);
+    check_below(par_max(given), 1e-6);   /* the tolerance is of the change of velocity in the step */
+    check_above(par_max(differs), 1e-4); /* the ball still speeds up, from 0 to some 0.05 m/s */
+    for (int c = 0; c < 3; c++) free(before[c]);
+    free(h_of);
+    run_free(r);
+    scene_free(scene);
+}
+
 static void test_too_few_iterations(void **state) {
     (void)state;
     static const char *const one[] = {"coupling.iterations=1"}, *const explicit[] = {"coupling={}"};
@@ -95,7 +126,8 @@ static void test_too_few_iterations(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_one_answer), cmocka_unit_test(test_one_answer_of_verlet),
-                                       cmocka_unit_test(test_with_the_flow), cmocka_unit_test(test_too_few_iterations)};
+                                       cmocka_unit_test(test_with_the_flow), cmocka_unit_test(test_mean_velocity),
+                                       cmocka_unit_test(test_too_few_iterations)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Whether an elastic wall in a channel (Re = 20, two particles thick) stays stable, over its density and stiffness, with
-# explicit and with strong coupling.
+# Whether an elastic wall in a channel (Re = 20, two particles thick) stays stable without damping, over its density and
+# stiffness: with explicit coupling under the load by reaction and under the probe's, and with strong coupling. Light,
+# soft walls also over 5000 steps.
 # usage: cases/stability/stiffness/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
@@ -14,24 +15,51 @@ judge() {
   [ "$(of_run "$1" e_kinetic_solid \
     "print max(n - 10, n) <= 4 * max(n - 39, n - 20) && max(1, n) <= 2 * $density * 96")" = 1 ]
 }
+of_scheme() { # of_scheme reaction|probe|strong: its settings
+  case $1 in
+    strong) echo coupling.scheme=strong ;;
+    *) echo "coupling.scheme=explicit coupling.load=$1" ;;
+  esac
+}
 point() { # point SCHEME E/(rho_f U2) RATIO: the step has at most about 500 substeps of a wall as dense as the fluid
   local step held=1
   step=$(calc "($2 > 1.0e7 ? 3.7e-3 * sqrt(1.0e10 / $2) : 0.1)")
-  holds "$runs/at/$1-$2-$3" scene coupling.scheme="$1" solid.materials.0.youngs_modulus="$2" \
+  # shellcheck disable=SC2046 # settings are words
+  holds "$runs/at/$1-$2-$3" scene $(of_scheme "$1") solid.materials.0.youngs_modulus="$2" \
     solid.materials.0.density="$3" \
     stages.bend.time_step="$step" || held=0
   echo "$1,$2,$3,$step,$held"
 }
 for e in 1e3 1e4 1e6 1e8 1e10; do
-  for scheme in explicit strong; do printf "$scheme $e %s\n" 100 10 3 1 0.3; done
+  for scheme in reaction probe strong; do printf "$scheme $e %s\n" 100 10 3 1 0.5 0.1 0.01; done
 done >"$runs/points"
 table grid 'scheme,stiffness,density_ratio,step,holds' <"$runs/points"
+count() { # count SCHEME LEAST: how many walls of at least this density hold
+  awk -F, -v s="$1" -v least="$2" '$1 == s && $3 >= least { n += $5 } END { print n + 0 }' "$out/grid.csv"
+}
+row "reaction: walls of rho_s/rho_f from 0.5 to 100 that hold" 1 "$(count reaction 0.5)" 25 "all" 25 25
+row "reaction: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count reaction 0)" 35 "all" 35 35
+shown "probe: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count probe 0)" 35 "all"
+row "strong: walls of rho_s/rho_f from 0.5 to 100 that hold" 1 "$(count strong 0.5)" 25 "all" 25 25
+shown "strong: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count strong 0)" 35 "all"
+# soft RATIO: the wall's largest kinetic energy in the last fifth of 5000 steps over that in the third fifth
+soft() {
+  made "$runs/at/soft-$1" scene coupling.scheme=explicit solid.materials.0.youngs_modulus=1e3 \
+    solid.materials.0.density="$1" stages.bend.steps=5000 || { echo 1e9; return; }
+  of_run "$runs/at/soft-$1" e_kinetic_solid 'printf "%.6g\n", max(n - int(n / 5), n) / max(int(n / 2.5), int(n / 1.67))'
+}
+for ratio in 1 0.5 0.1; do
+  row "reaction, E/(rho_f U2) = 1e3, rho_s/rho_f = $ratio: kinetic energy of steps 4000 to 5000 over 2000 to 3000" 1 \
+    "$(kept "soft $ratio" soft $ratio)" "" "does not grow" 0 1.01
+done
 plot grid <<'END'
-set logscale xy; set xlabel 'E/(rho_f U^2)'; set ylabel 'rho_s/rho_f'; set xrange [300:1e11]; set yrange [0.1:1000];
+set logscale xy; set xlabel 'E/(rho_f U^2)'; set ylabel 'rho_s/rho_f'; set xrange [300:1e11]; set yrange [0.003:3000];
 set format x '1e%T'; set key top right horizontal
 f = 'grid.csv'; of(s, h) = strcol(1) eq s && $5 == h ? $3 : NaN
-plot f using ($2 * 0.7):(of('explicit', 1)) with points pt 7 ps 2 lc 'web-green' title 'explicit: holds', \
-  '' using ($2 * 0.7):(of('explicit', 0)) with points pt 2 ps 2 lc 'red' title 'diverges', \
+plot f using ($2 * 0.7):(of('reaction', 1)) with points pt 7 ps 2 lc 'web-green' title 'reaction: holds', \
+  '' using ($2 * 0.7):(of('reaction', 0)) with points pt 2 ps 2 lc 'red' title 'diverges', \
+  '' using 2:(of('probe', 1)) with points pt 9 ps 2 lc 'orange' title 'probe: holds', \
+  '' using 2:(of('probe', 0)) with points pt 1 ps 2 lc 'red' title 'diverges', \
   '' using ($2 * 1.4):(of('strong', 1)) with points pt 5 ps 2 lc 'web-blue' title 'strong: holds', \
   '' using ($2 * 1.4):(of('strong', 0)) with points pt 3 ps 2 lc 'red' title 'diverges'
 END
