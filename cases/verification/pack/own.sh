@@ -9,7 +9,7 @@ set -euo pipefail
 all=$(awk -F, '!at { for (i = 1; i <= NF; i++) if ($i == "load_x") at = i; next } /^#/ { next }
   { last = $at } END { printf "%.9g\n", last / 0.1 }' series.csv)
 [ "$1" != 0 ] || { echo "$all"; exit; }
-fields=$(ls fields/solid_*.hdf | tail -n 1)
+fields=$(printf '%s\n' fields/solid_*.hdf | tail -n 1)
 cells=$(sed -n 's/^ *cells: *\[ *\([0-9]*\).*/\1/p' scene.resolved.yaml | head -n 1)
 paste -d ' ' <(h5_values "$fields" VTKHDF/PointData/body %d 1) <(h5_values "$fields" VTKHDF/PointData/load %.12g 3) |
   awk -v body=$(($1 - 1)) -v n="$cells" -v all="$all" '
