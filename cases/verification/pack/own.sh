@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # Prints, in a run folder, the load along x on one sphere of the pack over what the body force gives the fluid in the
-# box (0.1 N), and with 0 for a sphere the load on all, by the series. A particle's volume is a cell's.
+# box (0.1 N), and with 0 for a sphere the load on all, by the series. A particle's volume is a cell's. With the load
+# `reaction` the field holds the force that the forcing keeps, of which the share of the last slip is missing, in a steady
+# flow the same everywhere: what the markers give is scaled so that the spheres' sum is the series'.
 # usage: own.sh SPHERE
 set -euo pipefail
 . "$FRANA_STUDY/../../common.sh"
-if [ "$1" = 0 ]; then
-  awk -F, '!at { for (i = 1; i <= NF; i++) if ($i == "load_x") at = i; next } /^#/ { next }
-    { last = $at } END { printf "%.9g\n", last / 0.1 }' series.csv
-else
-  fields=$(ls fields/solid_*.hdf | tail -n 1)
-  cells=$(sed -n 's/^ *cells: *\[ *\([0-9]*\).*/\1/p' scene.resolved.yaml | head -n 1)
-  paste -d ' ' <(h5_values "$fields" VTKHDF/PointData/body %d 1) <(h5_values "$fields" VTKHDF/PointData/load %.12g 3) |
-    awk -v body=$(($1 - 1)) -v n="$cells" '$1 == body { sum += $2 } END { printf "%.9g\n", sum / n ^ 3 / 0.1 }'
-fi
+all=$(awk -F, '!at { for (i = 1; i <= NF; i++) if ($i == "load_x") at = i; next } /^#/ { next }
+  { last = $at } END { printf "%.9g\n", last / 0.1 }' series.csv)
+[ "$1" != 0 ] || { echo "$all"; exit; }
+fields=$(printf '%s\n' fields/solid_*.hdf | tail -n 1)
+cells=$(sed -n 's/^ *cells: *\[ *\([0-9]*\).*/\1/p' scene.resolved.yaml | head -n 1)
+paste -d ' ' <(h5_values "$fields" VTKHDF/PointData/body %d 1) <(h5_values "$fields" VTKHDF/PointData/load %.12g 3) |
+  awk -v body=$(($1 - 1)) -v n="$cells" -v all="$all" '
+    { volume = 1 / n ^ 3; given = $2 * volume / 0.1 + volume; sum += given; whole += volume } # without the body force
+    $1 == body { own += given; part += volume }
+    END { printf "%.9g\n", own * (all + whole) / sum - part }'
