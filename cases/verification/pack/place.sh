@@ -2,7 +2,7 @@
 # Prints the spheres of scene.yaml: random places in a periodic box of 1 m, radius 1/6 m, none nearer to another, or to
 # an image of it, than 1/24 m, none nearer to a side than 1/96 m. usage: place.sh [SEED [SPHERES]]
 awk -v seed="${1:-1}" -v most="${2:-10}" '
-  function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 } # Park and Miller 1988
+  function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 } # minimal standard generator
   BEGIN {
     n = 0; a = 1 / 6; gap = 1 / 24; low = a + 1 / 96
     for (try = 0; n < most && try < 1000000; try++) {
