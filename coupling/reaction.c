@@ -40,11 +40,12 @@ struct reaction {
     struct ibm *inner; /* all particles, to read the fluid within the body */
     struct solid_drag drag;
     int capacity;
-    int *h;            /* [markers] */
-    double *rate;      /* [markers] z, 1/s */
-    double (*u)[3];    /* [markers] U, m/s */
-    double (*path)[3]; /* [markers] integral of V - U, m */
-    double (*kept)[3]; /* [markers] force of the kept f on the solid in this stage, N/m3 */
+    int *h;               /* [markers] */
+    double *rate;         /* [markers] z, 1/s */
+    double (*u)[3];       /* [markers] U, m/s */
+    double (*path)[3];    /* [markers] integral of V - U, m */
+    double (*kept)[3];    /* [markers] force of the kept f on the solid in this stage, N/m3 */
+    double (*slipped)[3]; /* [markers] mean force of the drag on the solid in the step, N/m3 */
     double (*from)[IBM_FEEDBACK_SENT];
     double *v[3], *volume;     /* [n] of the inner markers; unused by reading */
     double (*acceleration)[3]; /* [n] of the inner fluid, m/s2 */
@@ -81,7 +82,7 @@ struct reaction *reaction_new(struct run *r) {
 void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
-    void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept,         k->from,
+    void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept,         k->from, k->slipped,
                            k->v[0], k->v[1], k->v[2], k->volume, k->acceleration, k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
@@ -89,13 +90,14 @@ void reaction_free(struct reaction *k) {
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->h) return;
     const size_t room = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->h, k->rate, k->u, k->path, k->kept, k->from};
+    void *const old[] = {k->h, k->rate, k->u, k->path, k->kept, k->slipped, k->from};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
     k->h = memory_new(MEMORY_COUPLING, room, sizeof *k->h);
     k->rate = memory_new(MEMORY_COUPLING, room, sizeof *k->rate);
     k->u = memory_new(MEMORY_COUPLING, room, sizeof *k->u);
     k->path = memory_new(MEMORY_COUPLING, room, sizeof *k->path);
     k->kept = memory_new(MEMORY_COUPLING, room, sizeof *k->kept);
+    k->slipped = memory_new(MEMORY_COUPLING, room, sizeof *k->slipped);
     k->from = memory_new(MEMORY_COUPLING, room, sizeof *k->from);
 }
 
@@ -209,7 +211,9 @@ static void give(struct run *r, int stage, double length, double impulse[3]) {
         const int h = k->h[i];
         const double mass = s->volume[h] * solid_density(s, h);
         for (int c = 0; c < 3; c++) {
-            impulse[c] += s->volume[h] * length * k->kept[i][c] - mass * k->rate[i] * k->path[i][c];
+            const double slipped = -mass * k->rate[i] * k->path[i][c];
+            impulse[c] += s->volume[h] * length * k->kept[i][c] + slipped;
+            k->slipped[i][c] = (stage == 0 ? 0 : k->slipped[i][c]) + slipped / (s->volume[h] * r->dt);
             k->path[i][c] *= (k->rate[i] > 0) / length;
         }
     }
@@ -240,6 +244,8 @@ void reaction_step(struct run *r) {
         fluid_project(r->fluid, stage, r->dt);
     }
     s->drag = NULL;
+    for (int i = 0; i < k->drag.n; i++) /* the load of the step, for whoever looks at it after the step */
+        for (int c = 0; c < 3; c++) s->load[c][k->h[i]] += k->slipped[i][c];
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt + back[c];
     par_sum_array(r->load, 3);
     r->moved = r->step + 1;

@@ -17,7 +17,8 @@ array() { # array STUDY CELLS TOLERANCE: the numbers of an array; without TOLERA
         wall) echo "the probes, carried to the wall" ;; esac) over driving" 1 \
       "$(cell "$study" value "$method" "$d" 'load over driving')" 1 "balance of forces" "${judge[@]:1}"
   done
-  [ "$d" = 32 ] || shown "array, $d cells a diameter: load by reaction, elastic and held, less the forcing, over driving" 1 \
+  [ "$d" = 32 ] ||
+    shown "array, $d cells a diameter: load by reaction, elastic and held, less the forcing, over driving" 1 \
     "$(cell "$study" value held "$d" 'load and forcing')" 0 "inertia of the inner fluid"
 }
 order() { # order STUDY STUDY COARSE FINE: of the drag of the array
