@@ -44,6 +44,8 @@ struct reaction {
     double (*from)[IBM_FEEDBACK_SENT];
     double *v[3], *volume; /* [n] of the inner markers; unused by reading */
     double (*acceleration)[3]; /* [n] of the inner fluid, m/s2 */
+    double (*back)[3];         /* [n] what it gives back, N/m3 */
+    double power;              /* of that on this rank's particles, mean over the last step, W */
 };
 
 double reaction_slip_time(const struct run *r) {
@@ -66,6 +68,7 @@ struct reaction *reaction_new(struct run *r) {
     for (int c = 0; c < 3; c++) k->v[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->volume = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->acceleration = memory_new(MEMORY_COUPLING, n, sizeof *k->acceleration);
+    k->back = memory_new(MEMORY_COUPLING, n, sizeof *k->back);
     for (int c = 0; c < 3; c++) r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
     r->inner_time = -1;
     return k;
@@ -75,7 +78,7 @@ void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
     void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept, k->from,
-                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration,  k};
+                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration, k->back, k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
@@ -153,14 +156,15 @@ static void load_inner(struct run *r, double sum[3]) {
     for (int c = 0; c < 3; c++) {
         const double push = push_of(r, c);
         for (int h = 0; h < s->n; h++) {
-            const double back = is_inside(r, h) ? density * k->acceleration[h][c] - push : 0;
-            s->load[c][h] = solid_given_of(s, h, c) + back;
-            sum[c] += back * s->volume[h];
+            k->back[h][c] = is_inside(r, h) ? density * k->acceleration[h][c] - push : 0;
+            s->load[c][h] = solid_given_of(s, h, c) + k->back[h][c];
+            sum[c] += k->back[h][c] * s->volume[h];
         }
         for (int i = 0; i < f->n && f->set_free > 0; i++) { /* single particles carry no fluid along */
             const int h = f->h[i];
             if (f->two_sided[i] != SOLID_SET_FREE || !is_inside(r, h)) continue;
             s->load[c][h] -= density * k->acceleration[h][c];
+            k->back[h][c] -= density * k->acceleration[h][c];
             sum[c] -= density * k->acceleration[h][c] * s->volume[h];
         }
     }
@@ -205,6 +209,18 @@ static void give(struct run *r, int stage, double length, double impulse[3]) {
     ibm_feedback_in(r->ibm, stage, r->dt, (const double(*)[3])k->path);
 }
 
+/* The work of what the inner fluid gives back, from the positions at which it was read. */
+static double work_of_inner(const struct run *r) {
+    const struct solid *s = r->solid;
+    double work = 0;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++)
+            work += s->volume[h] * r->reaction->back[h][c] * (s->x0[c][h] + s->d[c][h] - r->position[c][h]);
+    return work;
+}
+
+double reaction_inner_power(const struct run *r) { return par_sum(r->reaction ? r->reaction->power : 0); }
+
 void reaction_step(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
@@ -229,6 +245,7 @@ void reaction_step(struct run *r) {
         fluid_project(r->fluid, stage, r->dt);
     }
     s->drag = NULL;
+    k->power = work_of_inner(r) / r->dt;
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt + back[c];
     par_sum_array(r->load, 3);
     r->moved = r->step + 1;
@@ -238,6 +255,7 @@ void reaction_step(struct run *r) {
 void reaction_measure(struct run *r) {
     const struct solid *s = r->solid;
     double volume = 0;
+    r->reaction->power = 0;
     for (int h = 0; h < s->n; h++) volume += is_inside(r, h) ? s->volume[h] : 0;
     volume = par_sum(volume);
     ibm_forcing_total(r->ibm, r->load);
