@@ -31,6 +31,14 @@ for ratio in 10 3; do
     "$(cell study value explicit $ratio 'amplitude after a period')" 1 "does not grow" 0 1
 done
 [ "$quick" ] || {
+  study study_reaction
+  for ratio in 10 2 1 0.5; do
+    near "reaction, rho_s/rho_f = $ratio: frequency over the exact one" 1 \
+      "$(cell study_reaction value reaction $ratio 'frequency over the exact one')" 1 "exact solution" 0.02
+    what='later over earlier displacement'
+    row "reaction, rho_s/rho_f = $ratio, a hundred periods: $what" 1 "$(cell study_reaction value reaction $ratio "$what")" \
+      1 "does not grow" 0 1
+  done
   study study_edge
   for step in '40 us' '10 us' '2.5 us'; do
     what='later over earlier displacement'
