@@ -154,7 +154,7 @@ static void resumed_is_the_same(void **state) {
     struct run_state list;
     struct scene *scene;
     struct run *r = begin(&scene, "3000", "verlet"), *other = run_new(scene);
-    snprintf(folder, sizeof folder, "%s/tests/coupling/reaction_%d", FRANA_BINARY_DIR, par_size());
+    snprintf(folder, sizeof folder, "%s/tests/coupling/reaction_pieces_%d", FRANA_BINARY_DIR, par_size());
     folder_make(folder);
     folder_clear(folder);
     tear(r);
@@ -192,7 +192,7 @@ static void resumed_is_the_same(void **state) {
 /* One rank writes its results to a file, more ranks compare with it. */
 static void ranks_agree(void **state) {
     (void)state;
-    const char *const path = FRANA_BINARY_DIR "/coupling_test_reaction.data";
+    const char *const path = FRANA_BINARY_DIR "/coupling_test_reaction_pieces.data";
     struct scene *scene;
     struct run *r = begin(&scene, "3000", "verlet");
     tear(r);
