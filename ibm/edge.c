@@ -13,8 +13,8 @@ struct line {
 };
 
 /* Values beyond a side are read as the boundary condition continues them. Force is spread neither beyond a side nor to
- * the faces on the side. Where the side leaves a component free (its gradient is 0), force beyond is folded back, as of a
- * marker's mirror image: the fluid receives all of it. At a wall the rest is the wall's.
+ * the faces on the side. Where the side leaves a component free (its gradient is 0), force beyond is folded back, as of
+ * a marker's mirror image: the fluid receives all of it. At a wall the rest is the wall's.
  *
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own

@@ -38,7 +38,8 @@ done
     what='later over earlier displacement'
     row "reaction, rho_s/rho_f = $ratio: $what" 1 "$(cell study_reaction value reaction $ratio "$what")" 1 \
       "does not grow" 0 1
-    row "reaction, rho_s/rho_f = $ratio: $what across" 1 "$(cell study_reaction value reaction $ratio "$what across")" 1 \
+    row "reaction, rho_s/rho_f = $ratio: $what across" 1 \
+      "$(cell study_reaction value reaction $ratio "$what across")" 1 \
       "round-off may add up, not grow" 0 10
   done
   study study_edge
