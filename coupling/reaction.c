@@ -11,7 +11,8 @@
  * whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
  *
  * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with the
- * acceleration I of the fluid at each particle in the step before; and so are the body force b and the driving gradient G
+ * acceleration I of the fluid at each particle, extrapolated to this step from the two before (an inertia that is late
+ * by a step is a negative damping, and waves across a light body grow); and so are the body force b and the driving gradient G
  * on it. It is given to all particles evenly, not to the faces on which the inner pressure acts: the sum is right, the
  * strain of a body that is accelerated is not quite. */
 #include "coupling/reaction.h"
@@ -69,7 +70,10 @@ struct reaction *reaction_new(struct run *r) {
     k->volume = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->acceleration = memory_new(MEMORY_COUPLING, n, sizeof *k->acceleration);
     k->back = memory_new(MEMORY_COUPLING, n, sizeof *k->back);
-    for (int c = 0; c < 3; c++) r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+    for (int c = 0; c < 3; c++) {
+        r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+        r->inner_acceleration[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+    }
     r->inner_time = -1;
     return k;
 }
@@ -124,7 +128,7 @@ static double push_of(const struct run *r, int c) {
     return in->density * in->body_force[c] + (driven ? fluid_state_of(r->fluid)->driving : 0);
 }
 
-/* Reads the fluid within the body, and finds its acceleration since the last reading. */
+/* Reads the fluid within the body, and finds its acceleration in the coming step from the last two. */
 static void read_inner(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
@@ -139,7 +143,9 @@ static void read_inner(struct run *r) {
     for (int h = 0; h < s->n; h++) {
         for (int c = 0; c < 3; c++) {
             const double now = k->acceleration[h][c];
-            k->acceleration[h][c] = has_last ? (now - r->inner_velocity[c][h]) / since : 0;
+            const double rate = has_last ? (now - r->inner_velocity[c][h]) / since : 0;
+            k->acceleration[h][c] = 2 * rate - r->inner_acceleration[c][h];
+            r->inner_acceleration[c][h] = rate;
             r->inner_velocity[c][h] = now;
         }
     }

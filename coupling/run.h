@@ -67,6 +67,7 @@ struct run {
     double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
     double *inner_velocity[3]; /* [n] of the fluid at each particle at the last reading, m/s; NULL unless the load is
                                 * the reaction (coupling/reaction.c) */
+    double *inner_acceleration[3]; /* [n] mean between the last two readings, m/s2 */
     double inner_time;         /* s, of that reading; -1: none */
     double (*demand)[3];  /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct solid_rates solid_rates;

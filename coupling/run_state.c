@@ -98,6 +98,8 @@ const struct state_item run_state_table[] = {
     {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
     {"inner_velocity", STATE_DOUBLE, STATE_PARTICLE, OF(inner_velocity), .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_inner},
+    {"inner_acceleration", STATE_DOUBLE, STATE_PARTICLE, OF(inner_acceleration), .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_inner},
     {"inner_time", STATE_DOUBLE, STATE_ONE, OF(inner_time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
     {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
