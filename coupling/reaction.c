@@ -7,8 +7,9 @@
  *
  * so that a step takes the same impulse from the solid, f being the same in its three stages. The part with V is
  * implicit in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off, marker by marker, and
- * the work that is done on the solid is taken from the fluid but for the slip's loss: for w J S <= 1 no step creates
- * energy, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
+ * the work that is done on the solid is taken from the fluid but for the slip's loss. In the linear model without the
+ * inner fluid no step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale
+ * et al. 2017)
  *
  * The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with the
  * acceleration I of the fluid at each particle, extrapolated from the two steps before; and so is the body force b on
@@ -49,6 +50,8 @@ struct reaction {
     double (*from)[IBM_FEEDBACK_SENT];
     double *v[3], *volume;     /* [n] of the inner markers; unused by reading */
     double (*acceleration)[3]; /* [n] of the inner fluid, m/s2 */
+    double (*back)[3];         /* [n] what it gives back, N/m3 */
+    double power;              /* of that on this rank's particles, mean over the last step, W */
 };
 
 double reaction_slip_time(const struct run *r) {
@@ -71,6 +74,7 @@ struct reaction *reaction_new(struct run *r) {
     for (int c = 0; c < 3; c++) k->v[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->volume = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->acceleration = memory_new(MEMORY_COUPLING, n, sizeof *k->acceleration);
+    k->back = memory_new(MEMORY_COUPLING, n, sizeof *k->back);
     for (int c = 0; c < 3; c++) {
         r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         r->inner_acceleration[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
@@ -83,7 +87,7 @@ void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
     void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept,         k->from, k->slipped,
-                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration, k};
+                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration, k->back, k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
@@ -166,14 +170,15 @@ static void load_inner(struct run *r, double sum[3]) {
     for (int c = 0; c < 3; c++) {
         const double push = push_of(r, c);
         for (int h = 0; h < s->n; h++) {
-            const double back = is_inside(r, h) ? density * k->acceleration[h][c] - push : 0;
-            s->load[c][h] = solid_given_of(s, h, c) + back;
-            sum[c] += back * s->volume[h];
+            k->back[h][c] = is_inside(r, h) ? density * k->acceleration[h][c] - push : 0;
+            s->load[c][h] = solid_given_of(s, h, c) + k->back[h][c];
+            sum[c] += k->back[h][c] * s->volume[h];
         }
         for (int i = 0; i < f->n && f->set_free > 0; i++) { /* single particles carry no fluid along */
             const int h = f->h[i];
             if (f->two_sided[i] != SOLID_SET_FREE || !is_inside(r, h)) continue;
             s->load[c][h] -= density * k->acceleration[h][c];
+            k->back[h][c] -= density * k->acceleration[h][c];
             sum[c] -= density * k->acceleration[h][c] * s->volume[h];
         }
     }
@@ -220,6 +225,18 @@ static void give(struct run *r, int stage, double length, double impulse[3]) {
     ibm_feedback_in(r->ibm, stage, r->dt, (const double(*)[3])k->path);
 }
 
+/* The work of what the inner fluid gives back, from the positions at which it was read. */
+static double work_of_inner(const struct run *r) {
+    const struct solid *s = r->solid;
+    double work = 0;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++)
+            work += s->volume[h] * r->reaction->back[h][c] * (s->x0[c][h] + s->d[c][h] - r->position[c][h]);
+    return work;
+}
+
+double reaction_inner_power(const struct run *r) { return par_sum(r->reaction ? r->reaction->power : 0); }
+
 void reaction_step(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
@@ -246,6 +263,7 @@ void reaction_step(struct run *r) {
     s->drag = NULL;
     for (int i = 0; i < k->drag.n; i++) /* the load of the step, for whoever looks at it after the step */
         for (int c = 0; c < 3; c++) s->load[c][k->h[i]] += k->slipped[i][c];
+    k->power = work_of_inner(r) / r->dt;
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt + back[c];
     par_sum_array(r->load, 3);
     r->moved = r->step + 1;
@@ -255,6 +273,7 @@ void reaction_step(struct run *r) {
 void reaction_measure(struct run *r) {
     const struct solid *s = r->solid;
     double volume = 0;
+    r->reaction->power = 0;
     for (int h = 0; h < s->n; h++) volume += is_inside(r, h) ? s->volume[h] : 0;
     volume = par_sum(volume);
     ibm_forcing_total(r->ibm, r->load);

@@ -13,6 +13,8 @@ double reaction_slip_time(const struct run *r);
 void reaction_step(struct run *r);
 /* Sets r->load to the force on a solid at rest. Collective. */
 void reaction_measure(struct run *r);
+/* Power on the solid of what the inner fluid gives back, mean over the last step, W. Collective. */
+double reaction_inner_power(const struct run *r);
 /* Sum of the weights w_r of the stages. */
 double reaction_weights(const struct run *r);
 /* The substeps of each fluid stage out of `substeps` >= 3: in proportion to gamma_r, at least one each. */

@@ -13,7 +13,8 @@ struct line {
 };
 
 /* Values beyond a side are read as the boundary condition continues them. Force is spread neither beyond a side nor to
- * the faces on the side.
+ * the faces on the side. Where the side leaves a component free (its gradient is 0), force beyond is folded back, as of
+ * a marker's mirror image: the fluid receives all of it. At a wall the rest is the wall's.
  *
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
@@ -31,6 +32,7 @@ static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
         l->constant[c] += w[i] * m->constant;
         if (on_face) l->read[c][i + in] += w[i] * m->face;
         l->read[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
+        if (!on_face && m->inner > 0) l->write[c][i + in] += w[i] * m->inner;
     }
 }
 
@@ -127,6 +129,16 @@ void ibm_edge_sum(struct ibm *ibm, double *const u[3], int first_piece, int last
     const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
     for (int p = first_piece; p < last_piece; p++) {
         const struct ibm_block *block = &ibm->piece[p].read;
+        double *sum = ibm->sum[ibm->piece[p].edge];
+        for (int c = 0; c < 3; c++)
+            sum[c] += ibm_kernel_gather(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c]);
+    }
+}
+
+void ibm_edge_sum_spread(struct ibm *ibm, double *const u[3]) {
+    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
+    for (int p = 0; p < ibm->pieces; p++) {
+        const struct ibm_block *block = &ibm->piece[p].write;
         double *sum = ibm->sum[ibm->piece[p].edge];
         for (int c = 0; c < 3; c++)
             sum[c] += ibm_kernel_gather(u[c] + block->at[c], row, plane, block->x[c], block->y[c], block->z[c]);

@@ -16,6 +16,7 @@
 #include "ibm/feedback.h"
 #include "base/clock.h"
 #include "base/ensure.h"
+#include "base/par.h"
 #include "ibm/state.h"
 #include "physics/rk3.h"
 
@@ -38,6 +39,10 @@ double ibm_feedback_weight(const struct ibm *ibm, int r, double dt) { return wei
 
 static double volume_of(const struct ibm *ibm, int h) {
     return h < ibm->inner ? ibm->stencil[h].volume : ibm->edge[h - ibm->inner].volume;
+}
+
+static double *velocity_of(struct ibm *ibm, int h) {
+    return h < ibm->inner ? ibm->stencil[h].v : ibm->edge[h - ibm->inner].v;
 }
 
 static void write_slab(const struct ibm *ibm, double *const u[3], int slab) {
@@ -111,11 +116,30 @@ static void give(struct ibm *ibm, int r, double dt, const double (*e)[3]) {
 void ibm_feedback_end(struct ibm *ibm, int r, double dt) {
     clock_begin(CLOCK_FORCING);
     for (int h = 0; h < ibm->served; h++) {
-        const double *v = h < ibm->inner ? ibm->stencil[h].v : ibm->edge[h - ibm->inner].v;
+        const double *v = velocity_of(ibm, h);
         for (int c = 0; c < 3; c++) ibm->velocity[h][c] = v[c] - ibm->velocity[h][c];
     }
     give(ibm, r, dt, (const double(*)[3])ibm->velocity);
     clock_end(CLOCK_FORCING);
+}
+
+/* In a steady flow the work of the other terms and this one add up to zero for U after the step, not for the U of the
+ * stages. Edges are read with the weights that spread their force, as only these do work on the fluid. */
+double ibm_feedback_lost(struct ibm *ibm, double dt) {
+    const struct fluid_grid *g = ibm->grid;
+    const struct fluid_state *state = fluid_state_of(ibm->fluid);
+    double *const u[3] = {state->u, state->v, state->w};
+    double sum = 0;
+    ibm_sweep_read(ibm, u, 0, ibm->inner, ibm->velocity);
+    ibm_edge_sum_spread(ibm, u);
+    ibm_share_sums(ibm);
+    ibm_edge_velocity(ibm, 0, ibm->velocity + ibm->inner);
+    for (int h = 0; h < ibm->served; h++) {
+        const double *v = velocity_of(ibm, h);
+        if (h >= ibm->inner && !ibm->edge[h - ibm->inner].mine) continue;
+        for (int c = 0; c < 3; c++) sum += ibm->received[h][c] * (v[c] - ibm->velocity[h][c]);
+    }
+    return par_sum(sum) * fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
 }
 
 enum { SENT = IBM_FEEDBACK_SENT };
@@ -140,7 +164,13 @@ void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3])
     ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)ibm->served + 1);
     double(*served)[3] = (double(*)[3])ibm->by_marker;
     par_exchange_forward(ibm->route.plan, slip, served, sizeof *served);
-    for (int h = 0; h < ibm->served; h++) memcpy(ibm->velocity[h], served[ibm->arrival[h]], sizeof *ibm->velocity);
+    for (int h = 0; h < ibm->served; h++) {
+        double *v = velocity_of(ibm, h);
+        for (int c = 0; c < 3; c++) {
+            v[c] = ibm->velocity[h][c] + served[ibm->arrival[h]][c];
+            ibm->velocity[h][c] = served[ibm->arrival[h]][c];
+        }
+    }
     give(ibm, r, dt, (const double(*)[3])ibm->velocity);
     clock_end(CLOCK_FORCING);
 }

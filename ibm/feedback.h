@@ -23,3 +23,6 @@ enum { IBM_FEEDBACK_U = 0, IBM_FEEDBACK_FORCE = 3, IBM_FEEDBACK_REACHED = 6, IBM
 void ibm_feedback_out(struct ibm *ibm, double (*out)[IBM_FEEDBACK_SENT]);
 /* slip [n][3]: mean of V - U over the stage, m/s. */
 void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3]);
+/* Power that the slip dissipates: the sum over the markers of the last step's force times the slip after it, W. The
+ * work of the walls on the markers less this is the forcing's work on the fluid. dt: of that step. Collective. */
+double ibm_feedback_lost(struct ibm *ibm, double dt);

@@ -203,6 +203,7 @@ void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int
 /* The same for edges: sums over pieces (001: eq. 3.79); increments, once the sums are complete (eq. 3.80); spreading by
  * pieces (eqs 3.81, 3.82). */
 void ibm_edge_sum(struct ibm *ibm, double *const u[3], int first_piece, int last_piece);
+void ibm_edge_sum_spread(struct ibm *ibm, double *const u[3]); /* all, with the weights of spreading */
 void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
 void ibm_edge_velocity(struct ibm *ibm, int with_sides, double (*velocity)[3]);
 void ibm_edge_scatter(const struct ibm *ibm, double *const u[3], int first_piece, int last_piece);

@@ -7,6 +7,7 @@
 #include "coupling/reaction.h"
 #include "files/folder.h"
 #include "files/table.h"
+#include "ibm/feedback.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"
 #include "solid/measure/energy.h"
@@ -16,7 +17,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { NEED_FLUID = 1, NEED_IMMERSED = 2, NEED_BONDS = 4, NEED_ALONE = 8, NEED_REFINED = 16 };
+enum { NEED_FLUID = 1, NEED_IMMERSED = 2, NEED_BONDS = 4, NEED_ALONE = 8, NEED_REFINED = 16, NEED_REACTION = 32 };
 
 static const struct column {
     const char *name, *unit;
@@ -45,6 +46,8 @@ static const struct column {
     COLUMN("momentum_residual", "1", NEED_IMMERSED, momentum_residual),
     COLUMN("e_kinetic_fluid", "J", NEED_FLUID, e_kinetic_fluid),
     COLUMN("dissipation", "W", NEED_FLUID, dissipation),
+    COLUMN("slip_loss", "W", NEED_REACTION, slip_loss),
+    COLUMN("inner_power", "W", NEED_REACTION | NEED_BONDS, inner_power),
     COLUMN("e_kinetic_solid", "J", NEED_BONDS, e_kinetic_solid),
     COLUMN("e_strain", "J", NEED_BONDS, e_strain),
     COLUMN("e_damped", "J", NEED_BONDS, e_damped),
@@ -83,7 +86,7 @@ struct series *series_new(struct run *r, const char *folder, long resume_step) {
     struct series *s = calloc(1, sizeof *s);
     const int have = (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
                      (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
-                     (r->solid && r->solid->refine ? NEED_REFINED : 0);
+                     (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0);
     const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
     for (int k = 0; k < ALL_COLUMNS; k++) {
         if ((all_columns[k].needs & have) != all_columns[k].needs) continue;
@@ -160,6 +163,8 @@ static void sample_immersed(struct series *s, struct run *r) {
     s->now.tortuosity = v.tortuosity;
     for (int c = 0; c < 3; c++) s->now.load[c] = r->load[c];
     ibm_forcing_total(r->ibm, s->now.forcing);
+    if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? ibm_feedback_lost(r->ibm, r->dt) : 0;
+    if (r->reaction) s->now.inner_power = reaction_inner_power(r);
     s->now.momentum_residual = momentum_residual(s, r);
     s->now.interface_particles = (double)r->surface->total;
     s->now.particles_outside = particles_outside(r);
