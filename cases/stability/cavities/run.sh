@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The flow through a narrow slit over h^2/12 G/mu, with the forcings of the load by reaction and of the other loads, and the longest step over the one without an immersed body, for
-# widths from one cell on.
+# The flow through a narrow slit over h^2/12 G/mu, with the forcings of the load by reaction and of the other loads, and
+# the longest step over the one without an immersed body, for widths from one cell on.
 # usage: cases/stability/cavities/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
