@@ -39,8 +39,8 @@ table edges 'scheme,thickness,column,step_us,density_ratio,mass_ratio' <"$runs/p
 worst() { # worst SCHEME: the largest of its edges
   awk -F, -v s="$1" '$1 == s && ($5 > most || $5 == "nan") { most = $5 } END { print most }' "$out/edges.csv"
 }
-row "reaction: least rho_s/rho_f that holds, the largest of all walls" 1 "$(worst reaction)" "" "0.01: the least tried" \
-  0 0.02
+row "reaction: least rho_s/rho_f that holds, the largest of all walls" 1 "$(worst reaction)" "" \
+  "0.01: the least tried" 0 0.02
 shown "probe: least rho_s/rho_f that holds, the largest of all walls" 1 "$(worst probe)" 0.01 "0.01: the least tried"
 row "strong: least rho_s/rho_f that holds, the largest of all walls" 1 "$(worst strong)" "" "0.01: the least tried" \
   0 0.1
