@@ -57,7 +57,8 @@ for ratio in 10 1 0.3; do
     "$(kept "slow $ratio" slow $ratio)" "" "does not grow" 0 1
 done
 plot edges <<'END'
-set logscale xy; set xlabel 'thickness, particles'; set xrange [0.8:10]; set ylabel 'least rho_s/rho_f that holds';
+set logscale xy; set xlabel 'thickness, particles'; set xrange [0.8:10]; set yrange [0.0003:100];
+set ylabel 'least rho_s/rho_f that holds';
 set key bottom left
 f = 'edges.csv'; of(s, l, d) = strcol(1) eq s && $3 == l && $4 == d ? $5 : NaN
 plot f using 2:(of('probe', 40, 20)) with points pt 7 title 'probe, column of 40 cells, 20 us', \

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The flow through a narrow slit over h^2/12 G/mu, and the longest step over the one without an immersed body, for
-# widths from one cell on.
+# The flow through a narrow slit over h^2/12 G/mu, with the forcings of the load by reaction and of the other loads, and
+# the longest step over the one without an immersed body, for widths from one cell on.
 # usage: cases/stability/cavities/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
@@ -8,12 +8,14 @@
 . "$here/../edge.sh"
 # A run is bounded if the bulk velocity stays below 1, and grows by less than 10 % between the last two samples.
 judge() { [ "$(of_run "$1" u_bulk 'print max(1, n) < 1 && max(n, n) - x[n - 1] < 0.1 * max(n, n)')" = 1 ]; }
-point() { # point DIFFUSION WIDTH: the width in cells
-  local kind=$1 width=$2 dir=$runs/flow/$1-$2 walls cells step ratio
+point() { # point FORCING WIDTH: reaction or probe, with explicit diffusion, or implicit; the width in cells
+  local kind=$1 width=$2 dir=$runs/flow/$1-$2 walls cells step ratio diffusion=explicit load=$1
+  [ "$kind" != implicit ] || diffusion=implicit load=probe
   cells=$((width + 8))
-  walls=("fluid.diffusion=$kind" "domain.size=[4, $cells, 4]" "domain.cells=[4, $cells, 4]"
+  walls=("fluid.diffusion=$diffusion" "coupling.load=$load"
+    "domain.size=[4, $cells, 4]" "domain.cells=[4, $cells, 4]"
     "solid.bodies.0.high=[4, 4, 4]" "solid.bodies.1.low=[0, $((4 + width)), 0]" "solid.bodies.1.high=[4, $cells, 4]")
-  step=$([ "$kind" = explicit ] && echo 0.1375 || echo 1.375)
+  step=$([ "$diffusion" = explicit ] && echo 0.1375 || echo 1.375)
   made "$dir" scene "${walls[@]}" "stages.0.time_step=$step" \
     stages.0.steps="$(calc "int(2 * ($width + 2) ^ 2 / $step) + 20")" output.series_every=20 \
     output.fluid_probes.at="[$(seq -s, -f '[2, %.1f, 2]' 4.5 $((3 + width)).5 | sed 's/\],\[/], [/g')]" \
@@ -25,13 +27,25 @@ point() { # point DIFFUSION WIDTH: the width in cells
   echo "$kind,$width,$ratio,$(
     edge 0.07 2 0.02 scene "${walls[@]}" stages.0.time_step=@ stages.0.steps=600 output.series_every=20)"
 }
-for width in 1 2 3 4 8 16; do printf '%s\n' "explicit $width" "implicit $width"; done >"$runs/points"
-table slit 'diffusion,width,flow_over_exact,longest_step' <"$runs/points"
+for width in 1 2 3 4 8 16; do printf "%s $width\n" reaction probe implicit; done >"$runs/points"
+table slit 'forcing,width,flow_over_exact,longest_step' <"$runs/points"
+of_slit() { # of_slit FORCING WIDTH COLUMN
+  awk -F, -v k="$1" -v w="$2" -v c="$3" '$1 == k && $2 == w { print $c }' "$out/slit.csv"
+}
+for kind in reaction probe implicit; do
+  near "$kind: flow through 16 cells over the exact one" 1 "$(of_slit $kind 16 3)" 1 "Poiseuille's flow" 0.03
+  near "$kind: flow through 8 cells over the exact one" 1 "$(of_slit $kind 8 3)" 1 "Poiseuille's flow" 0.1
+done
+for width in 1 2 4 8; do
+  near "reaction: longest step at $width cells over that at 16" 1 \
+    "$(calc "$(of_slit reaction $width 4) / $(of_slit reaction 16 4)")" 1 "the fluid's own" 0.02
+done
 plot slit <<'END'
 set logscale xy; set xlabel 'width, cells'; set ylabel "flow over h^3/12 G/mu"; set xtics (1, 2, 3, 4, 8, 16);
 set key top right
 f = 'slit.csv'; of(k) = strcol(1) eq k ? $3 : NaN
-plot f using 2:(of('explicit')) with points pt 7 title 'explicit', \
+plot f using 2:(of('reaction')) with points pt 7 title 'reaction', \
+  '' using 2:(of('probe')) with points pt 4 title 'probe', \
   '' using 2:(of('implicit')) with points pt 6 title 'implicit, ten times the step', 1 with lines lc 'black' notitle
 END
 finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Whether an elastic wall in a channel (Re = 20, two particles thick) stays stable without damping, over its density and
-# stiffness: with explicit coupling under the load by reaction and under the probe's, and with strong coupling. Light,
-# soft walls also over 5000 steps.
+# stiffness: with explicit coupling under the load by reaction and under the probe's, and with strong coupling under
+# the load at the wall, its default, and under the probe's. Light, soft walls also over 5000 steps.
 # usage: cases/stability/stiffness/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../../verification/common.sh" "$@"
@@ -15,9 +15,10 @@ judge() {
   [ "$(of_run "$1" e_kinetic_solid \
     "print max(n - 10, n) <= 4 * max(n - 39, n - 20) && max(1, n) <= 2 * $density * 96")" = 1 ]
 }
-of_scheme() { # of_scheme reaction|probe|strong: its settings
+of_scheme() { # of_scheme reaction|probe|strong|strong_probe: its settings
   case $1 in
     strong) echo coupling.scheme=strong ;;
+    strong_probe) echo coupling.scheme=strong coupling.load=probe ;;
     *) echo "coupling.scheme=explicit coupling.load=$1" ;;
   esac
 }
@@ -31,7 +32,7 @@ point() { # point SCHEME E/(rho_f U2) RATIO: the step has at most about 500 subs
   echo "$1,$2,$3,$step,$held"
 }
 for e in 1e3 1e4 1e6 1e8 1e10; do
-  for scheme in reaction probe strong; do printf "$scheme $e %s\n" 100 10 3 1 0.5 0.1 0.01; done
+  for scheme in reaction probe strong strong_probe; do printf "$scheme $e %s\n" 100 10 3 1 0.5 0.1 0.01; done
 done >"$runs/points"
 table grid 'scheme,stiffness,density_ratio,step,holds' <"$runs/points"
 count() { # count SCHEME LEAST: how many walls of at least this density hold
@@ -42,6 +43,7 @@ row "reaction: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count react
 shown "probe: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count probe 0)" 35 "all"
 row "strong: walls of rho_s/rho_f from 0.5 to 100 that hold" 1 "$(count strong 0.5)" 25 "all" 25 25
 shown "strong: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count strong 0)" 35 "all"
+row "strong, probe: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count strong_probe 0)" 35 "all" 35 35
 # soft RATIO: the wall's largest kinetic energy in the last fifth of 5000 steps over that in the third fifth
 soft() {
   made "$runs/at/soft-$1" scene coupling.scheme=explicit solid.materials.0.youngs_modulus=1e3 \
@@ -61,6 +63,8 @@ plot f using ($2 * 0.7):(of('reaction', 1)) with points pt 7 ps 2 lc 'web-green'
   '' using 2:(of('probe', 1)) with points pt 9 ps 2 lc 'orange' title 'probe: holds', \
   '' using 2:(of('probe', 0)) with points pt 1 ps 2 lc 'red' title 'diverges', \
   '' using ($2 * 1.4):(of('strong', 1)) with points pt 5 ps 2 lc 'web-blue' title 'strong: holds', \
-  '' using ($2 * 1.4):(of('strong', 0)) with points pt 3 ps 2 lc 'red' title 'diverges'
+  '' using ($2 * 1.4):(of('strong', 0)) with points pt 3 ps 2 lc 'red' title 'diverges', \
+  '' using ($2 * 2):(of('strong_probe', 1)) with points pt 13 ps 2 lc 'web-blue' title 'strong, probe: holds', \
+  '' using ($2 * 2):(of('strong_probe', 0)) with points pt 3 ps 2 lc 'red' title 'diverges'
 END
 finish
