@@ -11,7 +11,7 @@ frana=$(realpath "${1:-build/frana}") runs=${2:-runs/porous_channel_study} case=
 settled=${3:-runs/porous_channel/s1/checkpoint/stage_settle.h5}
 . cases/common.sh
 mkdir -p "$runs" "$out"
-for study in iterations surface choices grid step; do
+for study in iterations surface choices grid step reaction; do
   "$frana" study "$case/study_$study.yaml" --out "$runs"
   cp "$runs/study_$study".csv "$runs/study_$study"_pressure-drop.png "$out"
   # only this one of the page's pictures is kept

@@ -30,7 +30,8 @@ ball='{name: ball, material: soft, shape: sphere, centre: [0.11, 0.04, 0.04], ra
 setting() { # CHOICE BASE: its settings, one a line
   case $1.$2 in
     implicit.*) echo fluid.diffusion=implicit ;;
-    strong.*) echo coupling.scheme=strong ;;
+    # to the end: quasi-Newton guesses amplify round-off up to the tolerance
+    strong.*) printf '%s\n' coupling.scheme=strong coupling.tolerance=1.0e-12 ;;
     balanced.*) echo coupling.load=balanced ;;
     shape.*) echo coupling.surface=shape ;;
     auto.*) printf '%s\n' stages.flow.time_step=auto stages.move.time_step=auto ;;
