@@ -6,12 +6,13 @@
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4")
-scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 200/; /name: settle/s/steps: [0-9]*/steps: 30/' \
+scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 400/; /name: settle/s/steps: [0-9]*/steps: 30/' \
   -e '/name: fracture/s/steps: [0-9]*/steps: 30/' \
-  -e 's/fields_every: .*/fields_every: 80/; s/checkpoint_every: .*/checkpoint_every: 40/' >scene.yaml
+  -e 's/fields_every: .*/fields_every: 200/; s/checkpoint_every: .*/checkpoint_every: 100/' >scene.yaml
 code 0 ranks 2 run scene.yaml --out whole
 
-# begin FOLDER [COMMAND...]: starts a run of two ranks in the background and stops it (SIGSTOP) at its first checkpoint.
+# begin FOLDER [COMMAND...]: starts a run of two ranks in the background and stops it (SIGSTOP) at its first checkpoint,
+# a hundred steps before all ranks write a file again.
 # The caller can then change the folder before the run ends, however busy the machine is.
 begin() {
   local folder=$1
