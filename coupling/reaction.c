@@ -133,8 +133,8 @@ static double push_of(const struct run *r, int c) {
     return in->density * in->body_force[c];
 }
 
-/* Reads the fluid within the body, and extrapolates its acceleration from the middles of the last two steps to the
- * middle of the present one. */
+/* Reads the fluid within the body, and finds its acceleration in the coming step: that of the last step, and the
+ * correction of the impulse that was given for the last step and was off. So in the end all of the inertia is given. */
 static void read_inner(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
@@ -142,7 +142,7 @@ static void read_inner(struct run *r) {
     double *const u[3] = {state->u, state->v, state->w};
     const double since = r->t - r->inner_time;
     const int has_last = r->inner_time >= 0 && since > 0;
-    const double ahead = has_last && r->inner_since > 0 ? (since + r->dt) / (since + r->inner_since) : 0;
+    const double correction = has_last ? since / r->dt : 0;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
     ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)k->v, k->volume);
@@ -151,12 +151,11 @@ static void read_inner(struct run *r) {
         for (int c = 0; c < 3; c++) {
             const double now = k->acceleration[h][c];
             const double last = has_last ? (now - r->inner_velocity[c][h]) / since : 0;
-            k->acceleration[h][c] = last + ahead * (last - r->inner_acceleration[c][h]);
+            k->acceleration[h][c] = last + correction * (last - r->inner_acceleration[c][h]);
             r->inner_velocity[c][h] = now;
             r->inner_acceleration[c][h] = last;
         }
     }
-    r->inner_since = has_last ? since : 0;
     r->inner_time = r->t;
     r->deposited = -1;
 }

@@ -70,7 +70,6 @@ struct run {
                                 * the reaction (coupling/reaction.c) */
     double inner_time;         /* s, of that reading; -1: none */
     double *inner_acceleration[3]; /* [n] of the fluid at each particle between the last two readings, m/s2 */
-    double inner_since;            /* s, between them; 0: there was one reading */
     double (*demand)[3];           /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct solid_rates solid_rates;
     struct run_refined refined;

@@ -32,7 +32,7 @@ static void load_is_what_the_forcing_took(void **state) {
             for (int c = 0; c < 3; c++) inner[c] += 1000 * r->solid->volume[h] * r->inner_velocity[c][h];
         for (int c = 0; c < 3; c++) {
             const double now = n > 0 ? inner[c] / (r->inner_time - last) : 0;
-            inner[c] = n > 1 ? 2 * now - before[c] : now;
+            inner[c] = 2 * now - before[c];
             before[c] = now;
             for (int h = 0; h < r->solid->n; h++) inner[c] -= 1000 * r->solid->volume[h] * push[c];
         }

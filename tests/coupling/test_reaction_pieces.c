@@ -51,15 +51,15 @@ static long broken(struct run *r) {
     return r->solid->bonds_broken;
 }
 
-/* Impulse of the inner fluid's inertia in the last step, extrapolated from its velocities at the last three readings,
- * or from the last two if there were no more (ahead 0). Particles that are set free carry no fluid. */
+/* Impulse of the inner fluid's inertia in the last step, extrapolated from its velocities at the last three readings;
+ * at rest before the first of them. Particles that are set free carry no fluid. */
 static void add_inner(const struct run *r, const double (*before)[3], double (*rate)[3], const char *is_free, double dt,
-                      double ahead, double sum[3]) {
+                      double sum[3]) {
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) {
             const double last = rate[h][c];
             rate[h][c] = (r->inner_velocity[c][h] - before[h][c]) / dt;
-            if (!is_free[h]) sum[c] += 1000 * r->solid->volume[h] * (rate[h][c] + ahead * (rate[h][c] - last)) * r->dt;
+            if (!is_free[h]) sum[c] += 1000 * r->solid->volume[h] * (2 * rate[h][c] - last) * r->dt;
         }
 }
 
@@ -76,7 +76,7 @@ static double momentum_lost(const char *density, const char *integrator) {
     tear(r);
     for (int n = 0; n <= 30; n++) {
         double sum[6] = {0}, fluid[3];
-        const double last = r->inner_time, ahead = r->inner_since > 0;
+        const double last = r->inner_time;
         for (int h = 0; h < r->solid->n; h++) {
             for (int c = 0; c < 3; c++) {
                 before[h][c] = r->inner_velocity[c][h];
@@ -95,7 +95,7 @@ static double momentum_lost(const char *density, const char *integrator) {
         }
         step_advance(r);
         for (int c = 0; c < 3; c++) gained += fabs(r->load[c]) * r->dt;
-        if (last >= 0) add_inner(r, (const double(*)[3])before, rate, is_free, r->inner_time - last, ahead, inner);
+        if (last >= 0) add_inner(r, (const double(*)[3])before, rate, is_free, r->inner_time - last, inner);
     }
     long set_free = 0;
     for (int i = 0; i < r->surface->n; i++) set_free += r->surface->two_sided[i] == SOLID_SET_FREE;
