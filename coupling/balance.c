@@ -15,21 +15,13 @@
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "coupling/place.h"
 #include "physics/limits.h"
 #include "solid/imposed/given.h"
 
 #include <string.h>
 
 enum { VOLUME = 0, LACK, SHELL = LACK + 3, MEAN, COLUMNS = MEAN + 3 };
-
-static int is_inside(const struct run *r, int h) {
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    double x[3];
-    solid_position(r->solid, h, x);
-    for (int c = 0; c < 3; c++)
-        if (!g->periodic[c] && (x[c] < 0 || x[c] > g->length[c])) return 0;
-    return 1;
-}
 
 /* The next particle with bonds in the domain from h on, or n. i: index into the surface's particles, which are in
  * ascending order. */
@@ -38,7 +30,7 @@ static int next_from(const struct run *r, int h, int *i) {
     for (; h < r->solid->n; h++) {
         while (*i < f->n && f->h[*i] < h) ++*i;
         const int is_set_free = *i < f->n && f->h[*i] == h && f->two_sided[*i] == SOLID_SET_FREE;
-        if (!is_set_free && is_inside(r, h)) break;
+        if (!is_set_free && place_is_inside(r, h)) break;
     }
     return h;
 }

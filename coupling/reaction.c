@@ -22,6 +22,7 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/place.h"
 #include "coupling/run.h"
 #include "ibm/feedback.h"
 #include "physics/rk3.h"
@@ -45,16 +46,16 @@ struct reaction {
     double *rate;         /* [markers] z, 1/s */
     double (*u)[3];       /* [markers] U, m/s */
     double (*path)[3];    /* [markers] integral of V - U, m */
-    double (*kept)[3];    /* [markers] force of the kept f on the solid in this stage, N/m3 */
+    double (*kept)[3];    /* [markers] force of the kept f on the solid in this step, N/m3 */
     double (*slipped)[3]; /* [markers] mean force of the drag on the solid in the step, N/m3 */
     double (*from)[IBM_FEEDBACK_SENT];
-    double *v[3], *volume;     /* [n] of the inner markers; unused by reading */
     double (*acceleration)[3]; /* [n] of the inner fluid, m/s2 */
     double (*back)[3];         /* [n] what it gives back, N/m3 */
     double power;              /* of that on this rank's particles, mean over the last step, W */
 };
 
-double reaction_slip_time(const struct run *r) {
+/* Of the forcing with feedback, s. It does not depend on the step. */
+static double slip_time(const struct run *r) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
     const struct solid_input *solid = &r->solid->in;
     const double dx = fluid_grid_of(r->fluid)->d[0];
@@ -67,12 +68,10 @@ double reaction_slip_time(const struct run *r) {
 struct reaction *reaction_new(struct run *r) {
     if (!r->needs.immersed || r->scene->coupling->load != SCENE_LOAD_REACTION) return NULL;
     struct reaction *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
-    ibm_feedback_set(r->ibm, reaction_slip_time(r));
+    ibm_feedback_set(r->ibm, slip_time(r));
     if (!r->needs.bonds) return k;
     const size_t n = (size_t)r->solid->n + 1;
     k->inner = ibm_new(r->fluid, 0);
-    for (int c = 0; c < 3; c++) k->v[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-    k->volume = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->acceleration = memory_new(MEMORY_COUPLING, n, sizeof *k->acceleration);
     k->back = memory_new(MEMORY_COUPLING, n, sizeof *k->back);
     for (int c = 0; c < 3; c++) {
@@ -86,8 +85,7 @@ struct reaction *reaction_new(struct run *r) {
 void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
-    void *const owned[] = {k->h,    k->rate, k->u,    k->path,   k->kept,         k->from, k->slipped,
-                           k->v[0], k->v[1], k->v[2], k->volume, k->acceleration, k->back, k};
+    void *const owned[] = {k->h, k->rate, k->u, k->path, k->kept, k->from, k->slipped, k->acceleration, k->back, k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
@@ -111,20 +109,11 @@ double reaction_weights(const struct run *r) {
     return sum;
 }
 
-void reaction_split(int substeps, int of_stage[3]) {
+/* The substeps of each fluid stage out of `substeps` >= 3: in proportion to gamma_r, at least one each. */
+static void split(int substeps, int of_stage[3]) {
     of_stage[1] = (int)fmax(1, floor(physics_rk3_gamma[1] * substeps + 0.5));
     of_stage[2] = (int)fmax(1, floor(physics_rk3_gamma[2] * substeps + 0.5));
     of_stage[0] = substeps - of_stage[1] - of_stage[2];
-}
-
-/* Whether the particle is in the domain at X0 + d. */
-static int is_inside(const struct run *r, int h) {
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    double x[3];
-    solid_position(r->solid, h, x);
-    for (int c = 0; c < 3; c++)
-        if (!g->periodic[c] && (x[c] < 0 || x[c] > g->length[c])) return 0;
-    return 1;
 }
 
 /* The body force on the fluid, N/m3. */
@@ -145,7 +134,7 @@ static void read_inner(struct run *r) {
     const double correction = has_last ? since / r->dt : 0;
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
-    ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)k->v, k->volume);
+    ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
     ibm_whole_sample(k->inner, u, k->acceleration);
     for (int h = 0; h < s->n; h++) {
         for (int c = 0; c < 3; c++) {
@@ -160,25 +149,21 @@ static void read_inner(struct run *r) {
     r->deposited = -1;
 }
 
-/* Sets the solid's load to the given loads and what the inner fluid gives back; sum: the latter's total. */
+/* Sets the solid's load to the given loads and what the inner fluid gives back; sum: the latter's total. Single
+ * particles carry no fluid along. */
 static void load_inner(struct run *r, double sum[3]) {
+    struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const double density = fluid_input_of(r->fluid)->density;
     const struct solid_surface *f = r->surface;
-    const struct reaction *k = r->reaction;
-    for (int c = 0; c < 3; c++) {
-        const double push = push_of(r, c);
-        for (int h = 0; h < s->n; h++) {
-            k->back[h][c] = is_inside(r, h) ? density * k->acceleration[h][c] - push : 0;
+    for (int i = 0; i < f->n && f->set_free > 0; i++)
+        for (int c = 0; c < 3 && f->two_sided[i] == SOLID_SET_FREE; c++) k->acceleration[f->h[i]][c] = 0;
+    for (int h = 0; h < s->n; h++) {
+        const int is_inside = place_is_inside(r, h);
+        for (int c = 0; c < 3; c++) {
+            k->back[h][c] = is_inside ? density * k->acceleration[h][c] - push_of(r, c) : 0;
             s->load[c][h] = solid_given_of(s, h, c) + k->back[h][c];
             sum[c] += k->back[h][c] * s->volume[h];
-        }
-        for (int i = 0; i < f->n && f->set_free > 0; i++) { /* single particles carry no fluid along */
-            const int h = f->h[i];
-            if (f->two_sided[i] != SOLID_SET_FREE || !is_inside(r, h)) continue;
-            s->load[c][h] -= density * k->acceleration[h][c];
-            k->back[h][c] -= density * k->acceleration[h][c];
-            sum[c] -= density * k->acceleration[h][c] * s->volume[h];
         }
     }
 }
@@ -243,7 +228,7 @@ void reaction_step(struct run *r) {
     double impulse[3] = {0}, back[3] = {0};
     int substeps[3];
     reserve(k, r->markers.n);
-    reaction_split(r->substeps, substeps);
+    split(r->substeps, substeps);
     clock_begin(CLOCK_PROBE);
     read_inner(r);
     load_inner(r, back);
@@ -273,7 +258,7 @@ void reaction_measure(struct run *r) {
     const struct solid *s = r->solid;
     double volume = 0;
     r->reaction->power = 0;
-    for (int h = 0; h < s->n; h++) volume += is_inside(r, h) ? s->volume[h] : 0;
+    for (int h = 0; h < s->n; h++) volume += place_is_inside(r, h) ? s->volume[h] : 0;
     volume = par_sum(volume);
     ibm_forcing_total(r->ibm, r->load);
     for (int c = 0; c < 3; c++) r->load[c] = -r->load[c] - push_of(r, c) * volume;
