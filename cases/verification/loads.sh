@@ -42,8 +42,8 @@ set style line 3 linecolor rgb '#56b4e9' linewidth 2 pointtype 6 pointsize 1.2 d
 set style line 4 linecolor rgb '#e69f00' linewidth 2 pointtype 4 pointsize 1.2 dashtype 2
 END
   panel 'Permeability of spheres, 16 to 48 cells a period' spheres/results/study_loads.csv permeability \
-    'reaction, lattice' 'reaction, lattice' 'probe, lattice' 'multidirect, lattice' \
-    'reaction, shape' 'reaction, shape' 'probe, shape' 'multidirect, shape'
+    'reaction lattice' 'reaction, lattice' 'probe lattice' 'multidirect, lattice' \
+    'reaction shape' 'reaction, shape' 'probe shape' 'multidirect, shape'
   panel 'Drag of a sphere by its load, 8 to 32 cells a diameter' sphere_drag/results/study_loads.csv drag \
     reaction reaction probe probe
   panel 'Speed of a settling sphere, 6 and 12 cells' ten_cate/results/study_loads.csv 'largest speed over u_inf' \
