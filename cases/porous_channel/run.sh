@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs the three scenes at full size, from the stages that they share, and writes results/.
+# Runs the three scenes at full size with the thesis's probe and with the default load, each from the stages that they
+# share, and writes results/. Runs that were stopped are resumed, finished ones are kept.
 # usage: cases/porous_channel/run.sh [RANKS] [RUNS]      (2, runs/porous_channel)
 #        cases/porous_channel/run.sh --summary     runs nothing: judges the series in results/ again
 set -euo pipefail
@@ -7,15 +8,21 @@ cd "$(dirname "$0")/../.."
 [ "${1-}" != --summary ] || exec cases/porous_channel/collect.sh --summary
 n=${1:-2} runs=${2:-runs/porous_channel} case=cases/porous_channel frana=build/frana
 . cases/common.sh
-mkdir -p "$runs"
-go() { # go NAME [--resume...]: resumes a run that was stopped; does nothing for a finished run
-  local name=$1; shift
-  is_done "$runs/$name" && return
-  if [ -f "$runs/$name/checkpoint/latest" ]; then set -- --resume; else rm -rf "${runs:?}/$name"; fi
-  mpiexec -n "$n" "$frana" run "$case/$name.yaml" --out "$runs/$name" "$@"
+# The load by reaction, frana's default, needs no damping of the bonds.
+undamped=(--set coupling.load=reaction --set stages.settle.damping_relative=0 --set stages.fracture.damping_relative=0)
+go() { # go LOAD SCENE [--resume=...]
+  local load=$1 scene=$2 folder=$runs/$1/$2
+  shift 2
+  is_done "$folder" && return
+  if [ -f "$folder/checkpoint/latest" ]; then set -- --resume; else rm -rf "${folder:?}"; fi
+  [ "$load" = probe ] || set -- "$@" "${undamped[@]}"
+  mpiexec -n "$n" "$frana" run "$case/$scene.yaml" --out "$folder" "$@"
 }
-go s1
-go s2 --resume="$runs/s1/checkpoint/stage_settle.h5"
-go s3 --resume="$runs/s1/checkpoint/stage_settle.h5"
-"$frana" post "$runs/s1" "$runs/s2" "$runs/s3" --out "$runs/compared"
+for load in probe reaction; do
+  mkdir -p "$runs/$load"
+  go $load s1
+  go $load s2 --resume="$runs/$load/s1/checkpoint/stage_settle.h5"
+  go $load s3 --resume="$runs/$load/s1/checkpoint/stage_settle.h5"
+  "$frana" post "$runs/$load"/s{1,2,3} --out "$runs/$load/compared"
+done
 "$case/collect.sh" "$runs"

@@ -4,7 +4,7 @@
 # usage: cases/porous_channel/substeps.sh SETTLED [RANKS] [RUNS]      SETTLED: a stage_settle.h5; RANKS: 2; RUNS:
 # runs/substeps
 set -euo pipefail
-settled=$(realpath "${1:?the checkpoint of a settled state: runs/porous_channel/s1/checkpoint/stage_settle.h5}")
+settled=$(realpath "${1:?the checkpoint of a settled state: runs/porous_channel/probe/s1/checkpoint/stage_settle.h5}")
 cd "$(dirname "$0")/../.."
 n=${2:-2} runs=${3:-runs/substeps} case=cases/porous_channel table=cases/porous_channel/results/substeps.csv
 . cases/common.sh

@@ -42,6 +42,14 @@ done
       "$(cell study_reaction value reaction $ratio "$what across")" 1 \
       "round-off may add up, not grow" 0 10
   done
+  study study_long
+  for ratio in 10 2 1 0.5; do
+    what='later over earlier displacement'
+    row "reaction, rho_s/rho_f = $ratio, a hundred periods: $what" 1 "$(cell study_long value reaction $ratio "$what")" 1 \
+      "does not grow" 0 1
+    row "reaction, rho_s/rho_f = $ratio, a hundred periods: $what across" 1 \
+      "$(cell study_long value reaction $ratio "$what across")" 1 "round-off may add up, not grow" 0 10
+  done
   study study_edge
   for step in '40 us' '10 us' '2.5 us'; do
     what='later over earlier displacement'

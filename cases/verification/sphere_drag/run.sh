@@ -38,6 +38,7 @@ if [ ! "$quick" ]; then
     "second order"
   row "array: order of the drag from 16 to 32 cells a diameter" 1 "$(order study_probe study_probe_fine 16 32)" 2 \
     "second order" 1.7
+  study study_loads
   study study_stream
   near "Re = 20, 10 cells a diameter: drag coefficient, 8 diameters across" 1 \
     "$(cell study_stream value '8 diameters across' 10 drag)" 2.610 "Schiller and Naumann" 0.06

@@ -42,6 +42,7 @@ if [ ! "$quick" ]; then
         "$(cell study_step value $surface 1 permeability)" "the longest step" 0.005
     done
   done
+  study study_loads
   study study_how
   study study_fine
   for c in $fractions; do

@@ -17,7 +17,7 @@ else
     near "$e, 12 cells: $what" 1 "$(cell study_fine value $e 12 "$what")" "$(measured $e)" "$source" 0.05
     shown "$e, 6 cells: $what" 1 "$(cell study value $e 6 "$what")" "$(measured $e)" "$source"
   done
-  for load in probe wall balanced; do
+  for load in reaction probe wall balanced; do
     near "E4, 12 cells, load $load: $what" 1 "$(cell study_loads value $load 12 "$what")" 0.955 "$source" 0.05
     shown "E4, 6 cells, load $load: $what" 1 "$(cell study_loads value $load 6 "$what")" 0.955 "$source"
   done
