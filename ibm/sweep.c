@@ -33,7 +33,7 @@ static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const 
                      part[2][0] + part[2][1] + part[2][2], 0};
 }
 
-enum { AHEAD = 6 }; /* number of markers that prefetching is ahead */
+enum { AHEAD = 24 }; /* number of markers that prefetching is ahead */
 
 void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
                       struct ibm_tally *t) {
@@ -70,6 +70,7 @@ void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int
     for (int h = first; h < last; h++) {
         const struct ibm_stencil *s = &ibm->stencil[h];
         double w[3][8];
+        ask_ahead(s + (h + AHEAD < ibm->inner ? AHEAD : 0), u, row, plane);
         ibm_kernel_expand(s, w);
         for (int c = 0; c < 3; c++) {
             const ibm_row along = along_x(w, c) * ibm_row_set(ibm->increment[h][c]);
