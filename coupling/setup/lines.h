@@ -3,8 +3,8 @@
 
 enum { SETUP_LINES_MOST = 8 }; /* numbers of a line */
 
-/* Takes the n numbers of line `at`; n is -1 where there is anything else, and SETUP_LINES_MOST + 1 where there are more.
- * Returns NULL, or why the line is wrong, malloc'ed. */
+/* Takes the n numbers of line `at`; n is -1 where there is anything else, and SETUP_LINES_MOST + 1 where there are
+ * more. Returns NULL, or why the line is wrong, malloc'ed. */
 typedef char *setup_lines_taker(void *with, long at, int n, const double *value);
 
 /* Gives every line that is not empty or a comment (#) to `take`, until one is wrong. Returns how many were taken. *why:

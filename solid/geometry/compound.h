@@ -13,8 +13,8 @@ struct solid_compound_member {
 };
 
 struct solid_compound {
-    double spacing; /* m */
-    int shapes;     /* without holes */
+    double spacing;         /* m */
+    int shapes;             /* without holes */
     double low[3], high[3]; /* bounds of the shapes as they are given, without images, m */
     int is_wrapped[3];      /* periodic, and the body extends beyond a side */
     long members;

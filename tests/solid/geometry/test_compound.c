@@ -66,7 +66,8 @@ static void list_and_pieces(void **state) {
         part[k] = (struct solid_body){.shape = SOLID_SPHERE, .radius = entry[k][3]};
         memcpy(part[k].centre, entry[k], sizeof part[k].centre);
     }
-    const struct solid_body list = {.name = "list", .shape = SOLID_SPHERES, .entries = N, .entry = (const double(*)[6])entry};
+    const struct solid_body list = {
+        .name = "list", .shape = SOLID_SPHERES, .entries = N, .entry = (const double(*)[6])entry};
     struct solid_body pieces = part[0];
     pieces.parts = N - 1;
     pieces.part = part + 1;
@@ -169,8 +170,8 @@ static void wrapped_shapes(void **state) {
     solid_sites_free(exact);
 }
 
-/* A block minus a ball, a rod and a list, in which a ball of the body's own stands, is minus all of them: holes are taken
- * from all pieces. */
+/* A block minus a ball, a rod and a list, in which a ball of the body's own stands, is minus all of them: holes are
+ * taken from all pieces. */
 static void holes(void **state) {
     (void)state;
     static const double pore[3][6] = {{4, 4, 4, 3, 3, 3}, {20, 20, 6, 5, 2, 3}, {23, 3, 20, 4, 4, 4}};
@@ -323,10 +324,10 @@ static void names(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(list_and_pieces), cmocka_unit_test(wrapped), cmocka_unit_test(wrapped_shapes),
-        cmocka_unit_test(holes),           cmocka_unit_test(arrays),  cmocka_unit_test(on_surfaces),
-        cmocka_unit_test(long_list),       cmocka_unit_test(names)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(list_and_pieces), cmocka_unit_test(wrapped),
+                                       cmocka_unit_test(wrapped_shapes),  cmocka_unit_test(holes),
+                                       cmocka_unit_test(arrays),          cmocka_unit_test(on_surfaces),
+                                       cmocka_unit_test(long_list),       cmocka_unit_test(names)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
