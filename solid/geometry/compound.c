@@ -1,5 +1,6 @@
 /* Unites shapes, holes, cavities and periodic images to one surface, and finds the depth of a place below it. */
 #include "solid/geometry/compound.h"
+#include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "solid/geometry/on_surface.h"
@@ -8,8 +9,9 @@
 #include <math.h>
 #include <string.h>
 
-static const double MARGIN = 2; /* spacings beyond its bounds within which a member is near */
-enum { CELLS_MAX = 4096 };      /* in one direction */
+static const double MARGIN = 2;      /* spacings beyond its bounds within which a member is near */
+enum { CELLS_MAX = 4096 };           /* in one direction */
+static const double SITES_MAX = 1e6; /* of a body, in one direction */
 
 /* Calls for each convex shape of a body and of its parts. */
 typedef void visitor(void *with, const struct solid_body *convex, int is_hole);
@@ -166,6 +168,10 @@ struct solid_compound *solid_compound_new(const struct solid_input *in, const st
     c->spacing = in->spacing;
     for (int d = 0; d < 3; d++) c->low[d] = INFINITY, c->high[d] = -INFINITY;
     visit_all(body, extend, &n);
+    for (int d = 0; d < 3; d++)
+        if (!(c->high[d] - c->low[d] < SITES_MAX * c->spacing && fabs(c->low[d]) < 1e3 * SITES_MAX * c->spacing))
+            die_all(EXIT_CODE_SCENE, "solid body %s reaches from %g to %g m along %c: too far for spacings of %g m",
+                    body->name, c->low[d], c->high[d], "xyz"[d], c -> spacing);
     for (int d = 0; d < 3; d++)
         c->is_wrapped[d] = in->periodic[d] && (c->low[d] < -tolerance || c->high[d] > in->length[d] + tolerance);
     visit_all(body, count, &n);

@@ -29,8 +29,8 @@ struct solid_compound {
     long tested; /* members whose depth was computed so far */
 };
 
-/* For a body that is not on the lattice NULL. in: spacing, periodic sides and their lengths. Not collective, as all
- * below. */
+/* For a body that is not on the lattice NULL. in: spacing, periodic sides and their lengths. Dies (exit 2) on a body
+ * that reaches too far. Collective (same input on all ranks); nothing below is. */
 struct solid_compound *solid_compound_new(const struct solid_input *in, const struct solid_body *body);
 void solid_compound_free(struct solid_compound *compound);
 
