@@ -53,25 +53,25 @@ static void extend(void *with, const struct solid_body *convex, int is_hole) {
     }
 }
 
-/* The images of a shape that are near the domain: from[d] to to[d] periods. */
+/* The images of a shape that are near the domain: from[d] to to[d] periods. Holes have images across all periodic
+ * sides. */
 static void images_of(const struct solid_compound *c, const struct solid_input *in, const struct solid_body *convex,
-                      int from[3], int to[3]) {
+                      int is_hole, int from[3], int to[3]) {
     double low[3], high[3];
     solid_shape_of(convex)->bounds(convex, low, high);
     for (int d = 0; d < 3; d++) {
         from[d] = to[d] = 0;
-        if (!c->is_wrapped[d]) continue;
+        if (is_hole ? !in->periodic[d] : !c->is_wrapped[d]) continue;
         from[d] = (int)ceil((-MARGIN * c->spacing - high[d]) / in->length[d]);
         to[d] = (int)floor((in->length[d] + MARGIN * c->spacing - low[d]) / in->length[d]);
     }
 }
 
 static void count(void *with, const struct solid_body *convex, int is_hole) {
-    (void)is_hole;
     struct counting *n = with;
     struct solid_piece piece[SOLID_PIECES_MAX];
     int from[3], to[3];
-    images_of(n->c, n->in, convex, from, to);
+    images_of(n->c, n->in, convex, is_hole, from, to);
     long images = 1;
     for (int d = 0; d < 3; d++) images *= to[d] < from[d] ? 0 : to[d] - from[d] + 1;
     n->members += images;
@@ -100,7 +100,7 @@ static void add_image(struct counting *n, const struct solid_body *convex, int i
 static void add(void *with, const struct solid_body *convex, int is_hole) {
     struct counting *n = with;
     int from[3], to[3], at[3];
-    images_of(n->c, n->in, convex, from, to);
+    images_of(n->c, n->in, convex, is_hole, from, to);
     for (at[2] = from[2]; at[2] <= to[2]; at[2]++)
         for (at[1] = from[1]; at[1] <= to[1]; at[1]++)
             for (at[0] = from[0]; at[0] <= to[0]; at[0]++) add_image(n, convex, is_hole, at);
@@ -172,8 +172,11 @@ struct solid_compound *solid_compound_new(const struct solid_input *in, const st
         if (!(c->high[d] - c->low[d] < SITES_MAX * c->spacing && fabs(c->low[d]) < 1e3 * SITES_MAX * c->spacing))
             die_all(EXIT_CODE_SCENE, "solid body %s reaches from %g to %g m along %c: too far for spacings of %g m",
                     body->name, c->low[d], c->high[d], "xyz"[d], c -> spacing);
-    for (int d = 0; d < 3; d++)
-        c->is_wrapped[d] = in->periodic[d] && (c->low[d] < -tolerance || c->high[d] > in->length[d] + tolerance);
+    for (int d = 0; d < 3; d++) {
+        const double below = -c->low[d], beyond = c->high[d] - in->length[d];
+        const int spans = body->parts > 0 && below >= -tolerance && beyond >= -tolerance;
+        c->is_wrapped[d] = in->periodic[d] && (below > tolerance || beyond > tolerance || spans);
+    }
     visit_all(body, count, &n);
     ENSURE(n.members < INT_MAX, "a body of %ld shapes and images", n.members);
     c->member = memory_new(MEMORY_SOLID, (size_t)n.members + 1, sizeof *c->member);

@@ -16,7 +16,8 @@ struct solid_compound {
     double spacing;         /* m */
     int shapes;             /* without holes */
     double low[3], high[3]; /* bounds of the shapes as they are given, without images, m */
-    int is_wrapped[3];      /* periodic, and the body extends beyond a side */
+    int is_wrapped[3]; /* periodic, and the body extends beyond a side or, of several shapes, from side to side: it has
+                        * images across the sides */
     long members;
     struct solid_compound_member *member; /* [members] */
     struct solid_piece *piece;            /* of a hole: turned, so that the material is outside the hole */

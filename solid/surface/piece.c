@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+static const double STEP = 0.01; /* spacings */
+
 /* Whether the piece is between x and all void sites next to it. */
 static int bounds_all(const struct solid_piece *piece, const double x[3], unsigned open, double spacing) {
     double e[3], beyond[3], normal[3];
@@ -17,14 +19,19 @@ static int bounds_all(const struct solid_piece *piece, const double x[3], unsign
     return open && !(open & ~bounded);
 }
 
-/* The depth of x below the piece; INFINITY if x is not below it, or if its nearest point is not on the body's surface.
- */
+/* The depth of x below the piece; INFINITY if x is not below it, or if its nearest point is not on the body's surface:
+ * in another shape or a hole, or where two shapes touch, so that a step beyond it ends in the other one. */
 static double shown_depth(struct solid_compound *compound, const struct solid_piece *piece, const double x[3]) {
-    double normal[3], foot[3];
+    double normal[3], foot[3], beyond[3];
     const double depth = piece->depth(piece, x, normal), spacing = compound->spacing;
     if (!solid_on_surface_is_inside(depth, spacing)) return INFINITY;
-    for (int c = 0; c < 3; c++) foot[c] = x[c] + depth * normal[c];
-    return solid_on_surface_is_on(solid_compound_depth(compound, foot), spacing) ? depth : INFINITY;
+    for (int c = 0; c < 3; c++) {
+        foot[c] = x[c] + depth * normal[c];
+        beyond[c] = foot[c] + STEP * spacing * normal[c];
+    }
+    const int is_shown = solid_on_surface_is_on(solid_compound_depth(compound, foot), spacing) &&
+                         !solid_on_surface_is_inside(solid_compound_depth(compound, beyond), spacing);
+    return is_shown ? depth : INFINITY;
 }
 
 int solid_piece_of(struct solid_compound *compound, const double x[3], unsigned open, struct solid_piece *piece) {

@@ -63,8 +63,8 @@ done
 [ "$(last broken-shape-1 bonds_broken)" -gt 0 ] || fail "no bonds are broken between shapes"
 
 spheres 0 0 >list.txt
-code 0 ranks 1 run scene.yaml --out file --set "solid.bodies=[{shape: spheres, contacts: broken, file: $PWD/list.txt}]" \
-  --set coupling.surface=shape
+code 0 ranks 1 run scene.yaml --out file --set coupling.surface=shape \
+  --set "solid.bodies=[{shape: spheres, contacts: broken, file: $PWD/list.txt}]"
 cmp broken-shape-1/series.csv file/series.csv || fail "a list in a file is another"
 code 0 ranks 1 run scene.yaml --out pieces --set coupling.surface=shape --set "solid.bodies=[{shape: sphere, \
   contacts: broken, centre: [0.001, 0.003, 0.002], radius: 0.0191, pieces: [{shape: sphere, centre: [0.028, 0.013, \

@@ -227,10 +227,40 @@ static void surface_of_union(void **state) {
     }
 }
 
+/* The wall of a hole across the corner of a block that fills the period is the ball's, also next to the domain's sides,
+ * which are no surface. */
+static void hole_across_sides(void **state) {
+    (void)state;
+    const double ball[4] = {1.2e-3, 2.1e-3, 23.3e-3, 5.3e-3};
+    const struct solid_body part = {
+        .shape = SOLID_SPHERE, .centre = {ball[0], ball[1], ball[2]}, .radius = ball[3], .is_hole = 1};
+    struct solid_body body = bodies_box(0, 0, 0, PERIOD, PERIOD, PERIOD);
+    body.parts = 1;
+    body.part = &part;
+    struct solid_input in = periodic_input(&body);
+    in.depth = SOLID_DEPTH_SHAPE;
+    struct solid *s = solid_new(&in);
+    struct solid_surface *f = solid_surface_new(s);
+    for (int i = 0; i < f->n; i++) {
+        double x[3], r2 = 0;
+        solid_position(s, f->h[i], x);
+        for (int c = 0; c < 3; c++) {
+            const double d = x[c] + f->depth[i] * f->normal[c][i] - ball[c];
+            r2 += pow(d - PERIOD * SPACING * rint(d / (PERIOD * SPACING)), 2);
+        }
+        check_close(sqrt(r2), ball[3], 1e-12 * SPACING);
+        check_relative(f->curvature[i], -1 / ball[3], 1e-12);
+    }
+    check_above(f->total, 300);
+    solid_surface_free(f);
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(bonds_and_contacts), cmocka_unit_test(contact_between_shapes),
-                                       cmocka_unit_test(surface_moves_along), cmocka_unit_test(surface_of_union)};
+                                       cmocka_unit_test(surface_moves_along), cmocka_unit_test(surface_of_union),
+                                       cmocka_unit_test(hole_across_sides)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

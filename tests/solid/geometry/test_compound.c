@@ -202,6 +202,29 @@ static void holes(void **state) {
     solid_sites_free(t);
 }
 
+/* A hole in a block that fills the period comes in at the other sides as well. */
+static void wrapped_hole(void **state) {
+    (void)state;
+    const struct solid_body part = {.shape = SOLID_SPHERE, .centre = {1.2, 2.1, 23.3}, .radius = 5.3, .is_hole = 1};
+    const struct solid_body body = {
+        .name = "block", .shape = SOLID_BOX, .high = {SITES, SITES, SITES}, .parts = 1, .part = &part};
+    const double ball[6] = {1.2, 2.1, 23.3, 5.3};
+    const struct solid_input in = input(&body, 1, 1);
+    struct solid_sites *t = solid_sites_new(&in, &body, 0, 2);
+    long inside = 0;
+    for (int q = 0; q < SITES * SITES * SITES; q++) {
+        const int site[3] = {q % SITES, q / SITES % SITES, q / SITES / SITES};
+        double x[3];
+        place(&in, site, x);
+        const int is_in = ball_depth(ball, x, SITES) <= 0;
+        inside += is_in;
+        check_equal(solid_sites_id(t, site) >= 0, is_in);
+    }
+    check_equal(t->count, inside);
+    check_below(inside, SITES * SITES * SITES - 500);
+    solid_sites_free(t);
+}
+
 /* What lies on a surface is inside, at every scale: a ball whose surface passes through sites, at a corner of the
  * period, a box whose face does, and a hole. */
 static void on_surfaces(void **state) {
@@ -324,10 +347,10 @@ static void names(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(list_and_pieces), cmocka_unit_test(wrapped),
-                                       cmocka_unit_test(wrapped_shapes),  cmocka_unit_test(holes),
-                                       cmocka_unit_test(arrays),          cmocka_unit_test(on_surfaces),
-                                       cmocka_unit_test(long_list),       cmocka_unit_test(names)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(list_and_pieces), cmocka_unit_test(wrapped), cmocka_unit_test(wrapped_shapes),
+        cmocka_unit_test(holes),           cmocka_unit_test(arrays),  cmocka_unit_test(on_surfaces),
+        cmocka_unit_test(long_list),       cmocka_unit_test(names),   cmocka_unit_test(wrapped_hole)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
