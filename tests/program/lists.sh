@@ -41,7 +41,7 @@ last() {
 for contacts in bonded broken; do
   for surface in lattice shape; do
     name=$contacts-$surface
-    with=(--set "$(body $contacts 0 0)" --set coupling.surface=$surface)
+    with=(--set "$(body $contacts 0 0)" --set "coupling.surface=$surface")
     code 0 ranks 1 run scene.yaml --out $name-1 "${with[@]}"
     for n in 2 3 4; do
       code 0 ranks $n run scene.yaml --out $name-$n "${with[@]}"

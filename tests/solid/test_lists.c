@@ -231,7 +231,7 @@ static void surface_of_union(void **state) {
  * which are no surface. */
 static void hole_across_sides(void **state) {
     (void)state;
-    const double ball[4] = {1.2e-3, 2.1e-3, 23.3e-3, 5.3e-3};
+    const double ball[4] = {5.5e-3, 2.1e-3, 23.3e-3, 5.3e-3}; /* some 0.2 spacings from a side */
     const struct solid_body part = {
         .shape = SOLID_SPHERE, .centre = {ball[0], ball[1], ball[2]}, .radius = ball[3], .is_hole = 1};
     struct solid_body body = bodies_box(0, 0, 0, PERIOD, PERIOD, PERIOD);
