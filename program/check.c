@@ -66,6 +66,13 @@ static void say_on_surface(const struct solid *s) {
         if (in->load[k].kind == SOLID_LOAD_REGION) say_border(s, "loads", k, in->load[k].low, in->load[k].high);
 }
 
+/* The first body whose shapes are not bonded to one another, or NULL. */
+static const char *broken_contacts(const struct solid_input *in) {
+    for (int b = 0; b < in->bodies; b++)
+        if (in->body[b].contacts_broken) return in->body[b].name;
+    return NULL;
+}
+
 static void say_holdings(struct run *r) {
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     say("%s\n\nholds\n", r->scene->title);
@@ -80,9 +87,14 @@ static void say_holdings(struct run *r) {
             directed / 2);
         if (r->solid->dim == 2)
             say("  plate      %s, %.6g m thick\n", model_name(r->solid->in.model), r->solid->in.thickness);
-        if (r->solid->in.cuts > 0 && r->needs.bonds) {
+        const char *contacts = broken_contacts(&r->solid->in);
+        if ((r->solid->in.cuts > 0 || contacts) && r->needs.bonds) {
             solid_family_count(r->solid);
-            say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
+            if (contacts)
+                say("  broken     %ld bonds, by %d cracks and between the shapes of %s\n", r->solid->bonds_broken,
+                    r->solid->in.cuts, contacts);
+            else
+                say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
         }
     }
     if (r->solid) say_on_surface(r->solid);

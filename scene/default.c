@@ -122,21 +122,30 @@ static void fill_retraction(struct scene *s, struct scene_node *root) {
     scene_node_insert(coupling, at + 1, number(coupling, "retraction", s->coupling->retraction));
 }
 
-/* Sets the box to the bounds of all bodies, within the domain. */
+/* Sets the box to the bounds of all bodies within the domain; in a periodic direction to the whole period where a body
+ * extends beyond the sides, and to the whole domain where all sides are periodic: there the bodies are an array. */
 static void fill_medium(struct scene *s, struct scene_node *root) {
     struct scene_coupling *c = s->coupling;
     struct scene_node *coupling = scene_node_find(root, "coupling");
     c->has_box = scene_node_child(coupling, "medium") != NULL;
-    if (c->has_box || !scene_node_is_clean(root, "domain.size") || !scene_node_is_clean(root, "solid.bodies")) return;
+    if (c->has_box || !s->fluid || !scene_node_is_clean(root, "domain.size") || !scene_node_is_clean(root, "fluid") ||
+        !scene_node_is_clean(root, "solid.bodies"))
+        return;
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    int periodic[3], known = 1;
+    for (int d = 0; d < 3; d++) periodic[d] = s->fluid->side[d][0].type == SCENE_PERIODIC;
+    const int is_array = periodic[0] && periodic[1] && periodic[2];
     for (int b = 0; b < s->solid->bodies; b++) {
-        double body_low[3], body_high[3];
-        if (!scene_check_body_bounds(&s->solid->body[b], body_low, body_high)) return;
+        double body_low[3] = {0}, body_high[3] = {0};
+        known &= scene_check_body_bounds(&s->solid->body[b], body_low, body_high);
         for (int d = 0; d < 3; d++) {
-            low[d] = fmin(low[d], fmax(body_low[d], 0));
-            high[d] = fmax(high[d], fmin(body_high[d], s->domain.size[d]));
+            const double size = s->domain.size[d], slack = 1e-9 * size;
+            const int is_beyond = periodic[d] && (body_low[d] < -slack || body_high[d] > size + slack);
+            low[d] = is_array || is_beyond ? 0 : fmin(low[d], fmax(body_low[d], 0));
+            high[d] = is_array || is_beyond ? size : fmax(high[d], fmin(body_high[d], size));
         }
     }
+    if (!known && !is_array) return;
     memcpy(c->box_low, low, sizeof low);
     memcpy(c->box_high, high, sizeof high);
     c->has_box = 1;

@@ -30,6 +30,7 @@ static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
     case SCENE_SPHERE:
     case SCENE_CYLINDER:
     case SCENE_ELLIPSOID:
+    case SCENE_SPHERES:
     case SCENE_POINTS:
         break;
     }
@@ -46,19 +47,33 @@ static int has_outline(enum scene_shape shape) {
     case SCENE_SPHERE:
     case SCENE_CYLINDER:
     case SCENE_ELLIPSOID:
+    case SCENE_SPHERES:
     case SCENE_POINTS:
         return 0;
     }
     ENSURE(0, "shape %d", (int)shape);
 }
 
-void scene_outline_make(struct scene_body *body) {
-    if (!has_outline(body->shape)) return;
-    struct scene_part own = {
-        .shape = body->shape, .radius = body->radius, .corners = body->corners, .corner = body->corner};
+struct scene_part scene_outline_own(const struct scene_body *body) {
+    struct scene_part own = {.shape = body->shape,
+                             .radius = body->radius,
+                             .length = body->length,
+                             .axis = body->axis,
+                             .corners = body->corners,
+                             .corner = body->corner,
+                             .spheres = body->spheres,
+                             .sphere = body->sphere};
     memcpy(own.low, body->low, sizeof own.low);
     memcpy(own.high, body->high, sizeof own.high);
     memcpy(own.centre, body->centre, sizeof own.centre);
+    memcpy(own.radii, body->radii, sizeof own.radii);
+    memcpy(own.file, body->file, sizeof own.file);
+    return own;
+}
+
+void scene_outline_make(struct scene_body *body) {
+    if (!has_outline(body->shape)) return;
+    const struct scene_part own = scene_outline_own(body);
     body->outline = calloc((size_t)(1 + body->pieces + body->holes), sizeof *body->outline);
     if (!body->outline) die(EXIT_CODE_FILE, "no memory left for the scene");
     body->outline[body->outlines++] = curve_of(&own, 0);

@@ -51,14 +51,25 @@ static void resolve_file(struct scene_node *root, struct scene_path path, const 
     }
 }
 
+/* The lists of a body, of its pieces and its holes. */
+static void resolve_body(struct scene_node *root, int b, const char *folder, struct scene_problems *problems) {
+    static const char *const list[] = {"pieces", "holes"};
+    resolve_file(root, scene_check_parts_path("solid.bodies[%d].file", b), folder, problems);
+    for (int k = 0; k < 2; k++) {
+        const struct scene_node *parts =
+            scene_node_find(root, scene_check_parts_path("solid.bodies[%d].%s", b, list[k]).text);
+        for (int i = 0; parts && i < parts->n; i++)
+            resolve_file(root, scene_check_parts_path("solid.bodies[%d].%s[%d].file", b, list[k], i), folder, problems);
+    }
+}
+
 static void resolve_files(struct scene_node *root, const char *path, struct scene_problems *problems) {
     char *folder = folder_of(path);
     const struct scene_node *bodies = scene_node_find(root, "solid.bodies");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
             resolve_file(root, scene_check_parts_path("fluid.sides.%s.file", side_name[d][end]), folder, problems);
-    for (int b = 0; bodies && b < bodies->n; b++)
-        resolve_file(root, scene_check_parts_path("solid.bodies[%d].file", b), folder, problems);
+    for (int b = 0; bodies && b < bodies->n; b++) resolve_body(root, b, folder, problems);
     free(folder);
 }
 

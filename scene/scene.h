@@ -110,17 +110,23 @@ enum scene_shape {
     SCENE_SPHERE,
     SCENE_CYLINDER,
     SCENE_ELLIPSOID,
+    SCENE_SPHERES,
     SCENE_POINTS,
     SCENE_RECTANGLE,
     SCENE_DISC,
     SCENE_POLYGON
 };
-struct scene_part {           /* a further piece of a plate's body, or a hole in it */
-    enum scene_shape shape;   /* rectangle, disc, polygon */
-    double low[3], high[3];   /* rectangle */
-    double centre[3], radius; /* disc */
+struct scene_part {         /* a further piece of a body, or a hole in it */
+    enum scene_shape shape; /* plate: rectangle, disc, polygon; 3D: box, sphere, cylinder, ellipsoid, spheres */
+    double low[3], high[3]; /* rectangle, box */
+    double centre[3], radius, length; /* disc, sphere, cylinder */
+    double radii[3];                  /* ellipsoid */
+    int axis;                         /* cylinder */
     int corners;
     struct scene_corner *corner; /* polygon: outline */
+    char file[SCENE_PATH];       /* spheres */
+    int spheres;
+    double (*sphere)[4]; /* spheres */
 };
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
@@ -130,12 +136,16 @@ struct scene_body {
     double centre[3], radius, length; /* sphere, cylinder */
     double radii[3];                  /* ellipsoid, along x, y, z */
     int axis;                         /* cylinder: x, y or z */
-    char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon] */
-    int has_cavities;                 /* cavities: {period, radius, centre} */
+    char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon].
+                                       * spheres: text, x y z radius or x y z and three radii a line */
+    int spheres;
+    double (*sphere)[4]; /* spheres: [[x, y, z, radius], ...], if no file is given */
+    int contacts_broken; /* contacts: bonded (0, default), broken (1: no bond between the body's shapes) */
+    int has_cavities;    /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
     int corners, pieces, holes;
     struct scene_corner *corner;     /* polygon: outline */
-    struct scene_part *piece, *hole; /* rectangle, disc, polygon: further pieces, holes */
+    struct scene_part *piece, *hole; /* further pieces, holes */
     /* of a rectangle, disc or polygon all curves: its own, its pieces', its holes' */
     int outlines;
     struct scene_outline *outline;
@@ -234,7 +244,8 @@ struct scene_coupling {
     double tolerance;
     int iterations;
     /* medium: {low, high}: the box in which porosity and permeability are measured; default: all bodies' bounds within
-     * the domain */
+     * the domain, the whole period in directions in which a body extends beyond a periodic side, and the whole domain
+     * if all its sides are periodic */
     double box_low[3], box_high[3];
     int has_box; /* 0: not given; a body of points has bounds that only its particles know */
 };

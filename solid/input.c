@@ -8,6 +8,25 @@
 #include <math.h>
 #include <stdint.h>
 
+/* Of a body or a part. */
+static void copy_entries(struct solid_body *body) {
+    body->entry = memory_copy(MEMORY_SOLID, body->entry, (size_t)body->entries, sizeof *body->entry);
+}
+
+/* The lists of a body on the lattice, which its surface is made of later. */
+static void copy_shapes(struct solid_body *body) {
+    struct solid_body *part = memory_copy(MEMORY_SOLID, body->part, (size_t)body->parts, sizeof *part);
+    copy_entries(body);
+    for (int p = 0; p < body->parts; p++) copy_entries(&part[p]);
+    body->part = part;
+}
+
+static void free_shapes(const struct solid_body *body) {
+    for (int p = 0; p < body->parts; p++) memory_free((void *)(uintptr_t)body->part[p].entry);
+    memory_free((void *)(uintptr_t)body->part);
+    memory_free((void *)(uintptr_t)body->entry);
+}
+
 void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
     *to = *from;
     to->body = memory_copy(MEMORY_SOLID, from->body, (size_t)from->bodies, sizeof *from->body);
@@ -17,6 +36,7 @@ void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
         memory_copy(MEMORY_SOLID, from->unbreakable, (size_t)from->unbreakables, sizeof *from->unbreakable);
     for (int b = 0; b < to->bodies; b++) {
         struct solid_body *body = (struct solid_body *)(uintptr_t)&to->body[b];
+        copy_shapes(body);
         body->least_horizon = to->material[body->material].horizon_ratio * to->spacing;
         for (long p = 0; body->point_horizon && p < body->points; p++)
             body->least_horizon = fmin(body->least_horizon, body->point_horizon[p]);
@@ -29,6 +49,7 @@ void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
 void solid_input_free(struct solid_input *in) {
     for (int k = 0; k < in->constraints; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->constraint[k].time);
     for (int k = 0; k < in->loads; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->load[k].time);
+    for (int b = 0; b < in->bodies; b++) free_shapes(&in->body[b]);
     const void *const own[] = {in->body, in->material, in->constraint, in->unbreakable, in->load};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free((void *)(uintptr_t)own[i]);
 }

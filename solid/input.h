@@ -64,12 +64,14 @@ enum solid_shape {
     SOLID_SPHERE,
     SOLID_CYLINDER,
     SOLID_ELLIPSOID,
+    SOLID_SPHERES,
     SOLID_POINTS,
     SOLID_POLYGON,
     SOLID_SHAPES
 };
 
-/* A body cut from a cubic lattice whose points are at origin + (i + 1/2) spacing. */
+/* A body cut from a cubic lattice whose points are at origin + (i + 1/2) spacing. What extends beyond a periodic side
+ * comes in at the opposite one. */
 struct solid_body {
     char name[64];
     enum solid_shape shape;
@@ -78,6 +80,14 @@ struct solid_body {
     int axis;                 /* cylinder */
     double length;            /* cylinder */
     double radii[3];          /* ellipsoid, along x, y, z */
+    /* SOLID_SPHERES: spheres and ellipsoids in any number, overlapping or not; borrowed */
+    long entries;
+    const double (*entry)[6]; /* [entries] centre, and half the lengths along x, y and z, m */
+    /* further shapes on the lattice that belong to the body, and holes in it; borrowed. Of a part only the numbers of
+     * its shape and is_hole count. */
+    int parts, is_hole;
+    const struct solid_body *part;
+    int contacts_broken; /* 1: no bond joins particles of different shapes of the body */
     /* spherical cavities on a cubic array, removed from any shape; period 0: none */
     double cavity_period, cavity_radius, cavity_centre[3];
     /* SOLID_POINTS: given particles, on no lattice; borrowed, [points] */

@@ -9,6 +9,7 @@
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
 #include "solid/bonds/cut_bonds.h"
+#include "solid/bonds/cut_shapes.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -180,6 +181,7 @@ struct solid *solid_new(const struct solid_input *in) {
     solid_build_places(s, sites, cloud);
     points_check(s, sites, cloud);
     solid_cut_bonds(s, cloud);
+    solid_cut_shapes(s);
     solid_build_edges(s);
     solid_given_new(s, sites, NULL);
     for (int b = 0; b < in->bodies; b++) {

@@ -3,6 +3,7 @@
 #include "base/par.h"
 #include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
+#include "scene/outline.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,17 +38,37 @@ void setup_body_outlines(const struct scene_body *from, struct solid_body *to) {
     snprintf(to->name, sizeof to->name, "%s", from->name);
 }
 
-void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
-    *to = (struct solid_body){.shape = setup_kinds_shape(from->shape),
-                              .radius = from->radius,
-                              .axis = from->axis,
-                              .length = from->length,
-                              .material = from->material_index};
-    setup_body_outlines(from, to);
+/* The numbers of a shape, of a body in 3D or a part of it. */
+static void setup_shape(const struct scene_part *from, const char *name, struct solid_body *to) {
+    to->shape = setup_kinds_shape(from->shape);
+    to->radius = from->radius;
+    to->axis = from->axis;
+    to->length = from->length;
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
     memcpy(to->centre, from->centre, sizeof to->centre);
     memcpy(to->radii, from->radii, sizeof to->radii);
+    if (to->shape == SOLID_SPHERES) setup_spheres(from, name, to);
+}
+
+/* Further pieces and holes of a body in 3D. */
+static void setup_parts(const struct scene_body *from, struct solid_body *to) {
+    struct solid_body *part = calloc((size_t)(from->pieces + from->holes) + 1, sizeof *part);
+    ENSURE(part, "no memory for %d parts", from->pieces + from->holes);
+    for (int i = 0; i < from->pieces; i++) setup_shape(&from->piece[i], from->name, &part[to->parts++]);
+    for (int i = 0; i < from->holes; i++) {
+        part[to->parts].is_hole = 1;
+        setup_shape(&from->hole[i], from->name, &part[to->parts++]);
+    }
+    to->part = part;
+}
+
+void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
+    const struct scene_part own = scene_outline_own(from);
+    *to = (struct solid_body){.material = from->material_index, .contacts_broken = from->contacts_broken};
+    setup_body_outlines(from, to);
+    setup_shape(&own, from->name, to);
+    if (dim == 3) setup_parts(from, to);
     if (from->has_cavities) {
         to->cavity_period = from->cavity_period;
         to->cavity_radius = from->cavity_radius;
@@ -62,6 +83,9 @@ void setup_body_free(struct solid_body *body) {
         give_back(body->outline[i].centre);
         give_back(body->outline[i].turn);
     }
+    for (int i = 0; i < body->parts; i++) give_back(body->part[i].entry);
+    give_back(body->part);
+    give_back(body->entry);
     give_back(body->outline);
     give_back(body->point[0]);
 }

@@ -11,3 +11,5 @@ void setup_body_cut(const struct scene_crack *from, struct solid_cut *to);
 void setup_body_cut_free(struct solid_cut *cut);
 /* Reads the particles of a point file. Collective. */
 void setup_points(const struct scene_body *from, int dim, struct solid_body *to);
+/* Reads the spheres and ellipsoids of a list, from the scene or its file; name: of the body. Collective. */
+void setup_spheres(const struct scene_part *from, const char *name, struct solid_body *to);

@@ -140,10 +140,10 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
                                .damping_absolute = from->damping_absolute};
 }
 
-/* Whether particles that share no bond may meet from the start: those of several bodies, on both sides of a crack, or
- * of points with gaps. */
+/* Whether particles that share no bond may meet from the start: those of several bodies, on both sides of a crack, of
+ * points with gaps, or of shapes that are not bonded. */
 static int is_in_pieces(const struct scene_solid *s) {
-    return s->bodies > 1 || s->cracks > 0 || s->body[0].shape == SCENE_POINTS;
+    return s->bodies > 1 || s->cracks > 0 || s->body[0].shape == SCENE_POINTS || s->body[0].contacts_broken;
 }
 
 struct setup_needs setup_needs_of(const struct scene *scene) {

@@ -28,23 +28,62 @@ static void bounds_about(const double centre[3], const double half[3], double lo
     }
 }
 
-int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
-    double half[3] = {body->radius, body->radius, body->radius};
-    switch (body->shape) {
+static void add_bounds(const double its_low[3], const double its_high[3], double low[3], double high[3]) {
+    for (int d = 0; d < 3; d++) {
+        low[d] = fmin(low[d], its_low[d]);
+        high[d] = fmax(high[d], its_high[d]);
+    }
+}
+
+/* Adds the bounds of a shape in 3D. Returns 0 for a list that is in a file. */
+static int add_shape(const struct scene_part *p, double low[3], double high[3]) {
+    double half[3] = {p->radius, p->radius, p->radius}, its_low[3], its_high[3];
+    switch (p->shape) {
     case SCENE_BOX:
-        memcpy(low, body->low, sizeof body->low);
-        memcpy(high, body->high, sizeof body->high);
-        return 1;
-    case SCENE_SPHERE:
-        bounds_about(body->centre, half, low, high);
+        add_bounds(p->low, p->high, low, high);
         return 1;
     case SCENE_CYLINDER:
-        half[body->axis] = body->length / 2;
-        bounds_about(body->centre, half, low, high);
+        half[p->axis] = p->length / 2;
+        bounds_about(p->centre, half, its_low, its_high);
+        add_bounds(its_low, its_high, low, high);
+        return 1;
+    case SCENE_SPHERE:
+        bounds_about(p->centre, half, its_low, its_high);
+        add_bounds(its_low, its_high, low, high);
         return 1;
     case SCENE_ELLIPSOID:
-        bounds_about(body->centre, body->radii, low, high);
+        bounds_about(p->centre, p->radii, its_low, its_high);
+        add_bounds(its_low, its_high, low, high);
         return 1;
+    case SCENE_SPHERES:
+        for (int k = 0; k < p->spheres; k++) {
+            for (int d = 0; d < 3; d++) half[d] = p->sphere[k][3];
+            bounds_about(p->sphere[k], half, its_low, its_high);
+            add_bounds(its_low, its_high, low, high);
+        }
+        return p->spheres > 0;
+    case SCENE_RECTANGLE:
+    case SCENE_DISC:
+    case SCENE_POLYGON:
+    case SCENE_POINTS:
+        break;
+    }
+    ENSURE(0, "shape %d in 3D", (int)p->shape);
+}
+
+int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
+    const struct scene_part own = scene_outline_own(body);
+    int known = 1;
+    switch (body->shape) {
+    case SCENE_BOX:
+    case SCENE_SPHERE:
+    case SCENE_CYLINDER:
+    case SCENE_ELLIPSOID:
+    case SCENE_SPHERES:
+        for (int d = 0; d < 3; d++) low[d] = INFINITY, high[d] = -INFINITY;
+        known = add_shape(&own, low, high);
+        for (int i = 0; i < body->pieces; i++) known &= add_shape(&body->piece[i], low, high);
+        return known;
     case SCENE_RECTANGLE:
     case SCENE_DISC:
     case SCENE_POLYGON:
@@ -82,8 +121,8 @@ static void check_body_material(const struct scene_check *c, int b) {
                      nearest ? "; did you mean " : "", nearest ? nearest : "", nearest ? "?" : "");
 }
 
-/* Checks that a body is at least partly in the domain; in periodic directions it must lie in it wholly, or its
- * particles would exist twice. */
+/* Checks that a body is at least partly in the domain; a plate must lie in it wholly in periodic directions, because
+ * outlines are not continued at the other side. */
 static void check_body_place(const struct scene_check *c, int b, const double low[3], const double high[3]) {
     const struct scene_domain *domain = &c->scene->domain;
     for (int d = 0; d < c->scene->dimension; d++) {
@@ -94,7 +133,7 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
                              "xyz"[d], domain -> size[d]);
             return;
         }
-        if (domain->periodic[d] && (low[d] < -slack || high[d] > domain->size[d] + slack)) {
+        if (domain->periodic[d] && c->scene->dimension == 2 && (low[d] < -slack || high[d] > domain->size[d] + slack)) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
                              "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g",
                              "xyz"[d], low[d], high[d], domain -> size[d]);
@@ -131,15 +170,26 @@ static int check_corners(const struct scene_check *c, struct scene_path outline,
     return 1;
 }
 
+static int check_spheres(const struct scene_check *c, struct scene_path path, const struct scene_part *part) {
+    for (int k = 0; k < part->spheres; k++)
+        if (!(part->sphere[k][3] > 0)) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.spheres[%d]", path.text, k).text,
+                             "the radius, its fourth number, must be greater than 0");
+            return 0;
+        }
+    return 1;
+}
+
 /* Whether the numbers of a shape, of a body or a part of it, bound anything. */
-static int check_own(const struct scene_check *c, struct scene_path path, enum scene_shape shape, const double low[3],
-                     const double high[3], int corners, const struct scene_corner *corner) {
-    switch (shape) {
+static int check_own(const struct scene_check *c, struct scene_path path, const struct scene_part *part) {
+    switch (part->shape) {
     case SCENE_BOX:
     case SCENE_RECTANGLE:
-        return scene_check_body_box(c, path, low, high);
+        return scene_check_body_box(c, path, part->low, part->high);
     case SCENE_POLYGON:
-        return check_corners(c, scene_check_parts_path("%s.outline", path.text), corners, corner);
+        return check_corners(c, scene_check_parts_path("%s.outline", path.text), part->corners, part->corner);
+    case SCENE_SPHERES:
+        return check_spheres(c, path, part);
     case SCENE_SPHERE: /* their rules say that radius, radii and length are above 0 */
     case SCENE_CYLINDER:
     case SCENE_ELLIPSOID:
@@ -147,19 +197,19 @@ static int check_own(const struct scene_check *c, struct scene_path path, enum s
     case SCENE_POINTS:
         return 1;
     }
-    ENSURE(0, "shape %d", (int)shape);
+    ENSURE(0, "shape %d", (int)part->shape);
 }
 
 static int check_part(const struct scene_check *c, const char *list, int b, int i, const struct scene_part *part) {
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d].%s[%d]", b, list, i);
-    return check_own(c, path, part->shape, part->low, part->high, part->corners, part->corner);
+    return check_own(c, path, part);
 }
 
 /* Whether a body's shape, its pieces and its holes bound anything. */
 static int check_shape(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
-    int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), body->shape, body->low, body->high,
-                         body->corners, body->corner);
+    const struct scene_part own = scene_outline_own(body);
+    int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), &own);
     for (int i = 0; i < body->pieces; i++) good &= check_part(c, "pieces", b, i, &body->piece[i]);
     for (int i = 0; i < body->holes; i++) good &= check_part(c, "holes", b, i, &body->hole[i]);
     return good;

@@ -33,5 +33,6 @@ int scene_check_parts_clean(const struct scene_check *c, struct scene_path path)
 /* Whether low is below high; if not, that is reported at path.low. */
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
                          const double high[3]);
-/* The bounds of a body. Returns 0 for a body of points, whose bounds only its particles know. */
+/* The bounds of a body with its pieces. Returns 0 for points and lists in files, whose bounds the scene does not know.
+ */
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]);

@@ -6,6 +6,17 @@
 #include <math.h>
 #include <string.h>
 
+/* The bounds of a body's particles: the whole period in a direction in which it extends beyond a side, as it comes in
+ * at the other. */
+static void wrap(const struct scene_domain *domain, double low[3], double high[3]) {
+    for (int d = 0; d < 3; d++) {
+        const double slack = 1e-9 * domain->size[d];
+        if (!domain->periodic[d] || (low[d] >= -slack && high[d] <= domain->size[d] + slack)) continue;
+        low[d] = 0;
+        high[d] = domain->size[d];
+    }
+}
+
 /* Whether some body, as far as its bounds are known, overlaps the box, or (touching) touches it. */
 static int holds_body(const struct scene_check *c, const double low[3], const double high[3], int touching) {
     const struct scene_solid *s = c->scene->solid;
@@ -16,6 +27,7 @@ static int holds_body(const struct scene_check *c, const double low[3], const do
         int d = 0;
         for (int e = 0; e < dim; e++)
             if (body_low[e] >= body_high[e]) return 1; /* reported with the body */
+        wrap(&c->scene->domain, body_low, body_high);
         while (d < dim && (touching ? low[d] <= body_high[d] && high[d] >= body_low[d]
                                     : low[d] < body_high[d] && high[d] > body_low[d]))
             d++;

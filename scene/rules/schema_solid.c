@@ -7,16 +7,16 @@ static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp
 static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL}, {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
 static const cyaml_strval_t micromoduli[] = {
     {"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}, {"exponential", SCENE_EXPONENTIAL}};
-static const cyaml_strval_t shapes[] = {{"box", SCENE_BOX},
-                                        {"sphere", SCENE_SPHERE},
-                                        {"cylinder", SCENE_CYLINDER},
-                                        {"ellipsoid", SCENE_ELLIPSOID},
-                                        {"rectangle", SCENE_RECTANGLE},
-                                        {"disc", SCENE_DISC},
-                                        {"polygon", SCENE_POLYGON},
+static const cyaml_strval_t shapes[] = {{"box", SCENE_BOX},           {"sphere", SCENE_SPHERE},
+                                        {"cylinder", SCENE_CYLINDER}, {"ellipsoid", SCENE_ELLIPSOID},
+                                        {"spheres", SCENE_SPHERES},   {"rectangle", SCENE_RECTANGLE},
+                                        {"disc", SCENE_DISC},         {"polygon", SCENE_POLYGON},
                                         {"points", SCENE_POINTS}};
-static const cyaml_strval_t part_shapes[] = {
-    {"rectangle", SCENE_RECTANGLE}, {"disc", SCENE_DISC}, {"polygon", SCENE_POLYGON}};
+static const cyaml_strval_t part_shapes[] = {{"rectangle", SCENE_RECTANGLE}, {"disc", SCENE_DISC},
+                                             {"polygon", SCENE_POLYGON},     {"box", SCENE_BOX},
+                                             {"sphere", SCENE_SPHERE},       {"cylinder", SCENE_CYLINDER},
+                                             {"ellipsoid", SCENE_ELLIPSOID}, {"spheres", SCENE_SPHERES}};
+static const cyaml_strval_t contacts[] = {{"bonded", 0}, {"broken", 1}};
 static const cyaml_strval_t turns[] = {{"straight", 0}, {"left", 1}, {"right", -1}};
 static const cyaml_strval_t depths[] = {{"layer", 0}, {"horizon", 1}};
 static const cyaml_strval_t initial_shapes[] = {{"gaussian", SCENE_GAUSSIAN}, {"sine", SCENE_SINE}};
@@ -44,13 +44,20 @@ static const cyaml_schema_field_t corner_fields[] = {PAIR("at", NEEDED, scene_co
                                                      PAIR("centre", OPTIONAL, scene_corner, centre), CYAML_FIELD_END};
 static const cyaml_schema_value_t corner = {CYAML_VALUE_MAPPING(NEEDED, struct scene_corner, corner_fields)};
 
+static const cyaml_schema_value_t sphere = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 4)};
+
 static const cyaml_schema_field_t part_fields[] = {
     CHOICE("shape", NEEDED, scene_part, shape, part_shapes),
     VECTOR("low", OPTIONAL, scene_part, low),
     VECTOR("high", OPTIONAL, scene_part, high),
     VECTOR("centre", OPTIONAL, scene_part, centre),
     NUMBER("radius", OPTIONAL, scene_part, radius),
+    VECTOR("radii", OPTIONAL, scene_part, radii),
+    NUMBER("length", OPTIONAL, scene_part, length),
+    CHOICE("axis", OPTIONAL, scene_part, axis, scene_schema_parts_axes),
     ENTRIES("outline", LIST, scene_part, corner, corners, &corner, 1, LIST_MAX),
+    TEXT("file", OPTIONAL, scene_part, file),
+    ENTRIES("spheres", LIST, scene_part, sphere, spheres, &sphere, 1, LIST_MAX),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t part = {CYAML_VALUE_MAPPING(NEEDED, struct scene_part, part_fields)};
 
@@ -69,6 +76,8 @@ static const cyaml_schema_field_t body_fields[] = {
     ENTRIES("pieces", LIST, scene_body, piece, pieces, &part, 1, LIST_MAX),
     ENTRIES("holes", LIST, scene_body, hole, holes, &part, 1, LIST_MAX),
     TEXT("file", OPTIONAL, scene_body, file),
+    ENTRIES("spheres", LIST, scene_body, sphere, spheres, &sphere, 1, LIST_MAX),
+    CHOICE("contacts", OPTIONAL, scene_body, contacts_broken, contacts),
     PART("cavities", OPTIONAL, scene_body, cavity_fields),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};

@@ -108,7 +108,7 @@ const char *scene_walk_place_entry_name(const cyaml_schema_value_t *entry) {
 
 int scene_walk_place_entries(const struct scene_walk *w, const cyaml_schema_value_t *v, const char *path) {
     const int most = (int)v->sequence.max, is_size = !strcmp(path, "domain.size");
-    if (most < 3 || (is_size && w->parts & SCENE_WITH_FLUID)) return most;
+    if (most != 3 || (is_size && w->parts & SCENE_WITH_FLUID)) return most;
     return w->dimension;
 }
 

@@ -2,6 +2,7 @@
 #include "solid/body/sites.h"
 #include "base/die.h"
 #include "base/memory.h"
+#include "solid/geometry/compound.h"
 #include "solid/geometry/curve.h"
 #include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
@@ -11,8 +12,11 @@
 #include <stdlib.h>
 
 int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing) {
-    const struct solid_shape_surface surface = solid_shape_surface(body);
-    return solid_on_surface_is_inside(solid_shape_depth(&surface, x, spacing), spacing);
+    const struct solid_input in = {.spacing = spacing};
+    struct solid_compound *compound = solid_compound_new(&in, body);
+    const double depth = solid_compound_depth(compound, x);
+    solid_compound_free(compound);
+    return solid_on_surface_is_inside(depth, spacing);
 }
 
 struct keyed {
@@ -36,17 +40,16 @@ static void note(struct solid_sites *sites, double depth, double spacing) {
 
 /* One byte for each site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and
  * extent, and who lies on its surface. */
-static uint8_t *sites_inside(const struct solid_input *in, const struct solid_body *body, const int low[3],
+static uint8_t *sites_inside(const struct solid_input *in, struct solid_compound *compound, const int low[3],
                              const int n[3], struct solid_sites *sites, int top[3]) {
     uint8_t *inside = memory_new(MEMORY_SOLID, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1), *at = inside;
-    const struct solid_shape_surface surface = solid_shape_surface(body);
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
             for (int i = 0; i < n[0]; i++, at++) {
                 const int site[3] = {low[0] + i, low[1] + j, low[2] + k};
                 double x[3];
                 for (int c = 0; c < 3; c++) x[c] = in->origin[c] + (site[c] + 0.5) * in->spacing;
-                const double depth = solid_shape_depth(&surface, x, in->spacing);
+                const double depth = solid_compound_depth(compound, x);
                 note(sites, depth, in->spacing);
                 if (!solid_on_surface_is_inside(depth, in->spacing)) continue;
                 *at = 1;
@@ -125,15 +128,20 @@ static void period_set(const struct solid_input *in, const struct solid_body *b,
 
 static void cut_from_lattice(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
                              int reach) {
-    double low[3], high[3];
+    struct solid_compound *compound = solid_compound_new(in, body);
     int top[3] = {0}, n[3];
-    solid_shape_of(body)->bounds(body, low, high);
     for (int c = 0; c < 3; c++) {
-        sites->low[c] = (int)floor((low[c] - in->origin[c]) / in->spacing - 1);
-        n[c] = (int)ceil((high[c] - in->origin[c]) / in->spacing + 1) - sites->low[c] + 1;
+        sites->low[c] = (int)floor((compound->low[c] - in->origin[c]) / in->spacing - 1);
+        n[c] = (int)ceil((compound->high[c] - in->origin[c]) / in->spacing + 1) - sites->low[c] + 1;
+        if (compound->is_wrapped[c]) {
+            sites->low[c] = (int)ceil(-in->origin[c] / in->spacing - 0.5 - SOLID_ON_SURFACE);
+            n[c] = (int)lrint(in->length[c] / in->spacing);
+        }
         sites->rows[c] = n[c];
     }
-    uint8_t *inside = sites_inside(in, body, sites->low, n, sites, top);
+    uint8_t *inside = sites_inside(in, compound, sites->low, n, sites, top);
+    sites->tested = compound->tested;
+    solid_compound_free(compound);
     const int shift = best_shift(inside, n);
     sites->low[0] -= shift;
     sites->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;

@@ -10,7 +10,8 @@ struct solid_sites {
     long first, count; /* global ids first .. first+count-1 */
     long on_surface;   /* lattice points on the body's surface; they count as inside (solid/geometry/on_surface.h) */
     double gap;        /* no other lattice point is nearer to the surface than this, m; INFINITY: points */
-    /* lattice: rows of eight sites along x */
+    /* lattice: rows of eight sites along x. Of a body that extends beyond a periodic side all sites of the domain in
+     * that direction. */
     int low[3];    /* lattice index of the corner */
     int rows[3];   /* rows along x (eight sites each), sites along y and z */
     int base[3];   /* the body's lowest lattice index */
@@ -18,6 +19,7 @@ struct solid_sites {
     uint8_t *bits; /* [rows] bits of the row's sites that belong to the body */
     long *start;   /* [rows] global id of the row's first particle */
     int filled;    /* number of rows with a particle */
+    long tested;   /* depths below a shape that were computed to cut the body */
     int *order;    /* [filled] rows in the order of their numbers */
     /* points, and the cells of a polygon */
     long *point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */

@@ -18,6 +18,8 @@ const struct solid_shape_kind *solid_shape_of(const struct solid_body *body) {
         return &solid_shape_cylinder;
     case SOLID_ELLIPSOID:
         return &solid_shape_ellipsoid;
+    case SOLID_SPHERES:
+        return &solid_shape_spheres;
     case SOLID_POINTS:
         return &points;
     case SOLID_POLYGON:
@@ -30,12 +32,17 @@ const struct solid_shape_kind *solid_shape_of(const struct solid_body *body) {
 
 int solid_shape_is_on_lattice(const struct solid_body *b) { return solid_shape_of(b)->places == SOLID_PLACES_LATTICE; }
 
-struct solid_shape_surface solid_shape_surface(const struct solid_body *body) {
+struct solid_shape_surface solid_shape_cavities(const struct solid_body *body) {
     struct solid_shape_surface surface = {.period = body->cavity_period};
-    surface.n = solid_shape_of(body)->pieces(body, surface.piece);
-    ENSURE(surface.n <= SOLID_PIECES_MAX, "a surface of %d pieces", surface.n);
     if (surface.period > 0)
         surface.cavity = solid_piece_round(SOLID_PIECE_ALL, -1, body->cavity_centre, body->cavity_radius);
+    return surface;
+}
+
+struct solid_shape_surface solid_shape_surface(const struct solid_body *body) {
+    struct solid_shape_surface surface = solid_shape_cavities(body);
+    surface.n = solid_shape_of(body)->pieces(body, surface.piece);
+    ENSURE(surface.n <= SOLID_PIECES_MAX, "a surface of %d pieces", surface.n);
     return surface;
 }
 
@@ -45,7 +52,7 @@ struct solid_piece solid_shape_cavity(const struct solid_shape_surface *surface,
     return cavity;
 }
 
-static double depth_of(const struct solid_piece *piece, const double x[3], double spacing) {
+double solid_shape_piece_depth(const struct solid_piece *piece, const double x[3], double spacing) {
     double normal[3];
     if (piece->least) {
         const double least = piece->least(piece, x);
@@ -56,10 +63,10 @@ static double depth_of(const struct solid_piece *piece, const double x[3], doubl
 
 double solid_shape_depth(const struct solid_shape_surface *surface, const double x[3], double spacing) {
     double depth = INFINITY;
-    for (int k = 0; k < surface->n; k++) depth = fmin(depth, depth_of(&surface->piece[k], x, spacing));
+    for (int k = 0; k < surface->n; k++) depth = fmin(depth, solid_shape_piece_depth(&surface->piece[k], x, spacing));
     if (surface->period > 0) {
         const struct solid_piece cavity = solid_shape_cavity(surface, x);
-        depth = fmin(depth, depth_of(&cavity, x, spacing));
+        depth = fmin(depth, solid_shape_piece_depth(&cavity, x, spacing));
     }
     return depth;
 }

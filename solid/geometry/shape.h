@@ -14,18 +14,22 @@ struct solid_shape_kind {
     enum solid_places places;
     /* of a shape on the lattice */
     void (*bounds)(const struct solid_body *body, double low[3], double high[3]); /* m */
-    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. */
+    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. NULL: a list of shapes */
     int (*pieces)(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]);
+    /* the k-th shape of a list, 0 <= k < body->entries, as a body: its shape and sizes alone; NULL: no list */
+    void (*entry)(const struct solid_body *body, long k, struct solid_body *entry);
 };
 
-extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder, solid_shape_ellipsoid;
+extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder, solid_shape_ellipsoid,
+    solid_shape_spheres;
 
 const struct solid_shape_kind *solid_shape_of(const struct solid_body *body); /* Not collective. */
 /* The same, of a body whose particles stand on the lattice: shapes that have bounds, a surface, and may have cavities.
  */
 int solid_shape_is_on_lattice(const struct solid_body *body);
 
-/* The surface of a body on the lattice: the pieces of its shape, and the array of its cavities. */
+/* The surface of one shape: its pieces, and the array of its body's cavities. Bodies of several shapes, with holes or
+ * across periodic sides: solid/geometry/compound.h. */
 struct solid_shape_surface {
     int n;
     struct solid_piece piece[SOLID_PIECES_MAX];
@@ -34,9 +38,13 @@ struct solid_shape_surface {
 };
 
 /* Nothing below is collective. */
+/* The cavities alone, without pieces. */
+struct solid_shape_surface solid_shape_cavities(const struct solid_body *body);
 struct solid_shape_surface solid_shape_surface(const struct solid_body *body);
 /* The cavity nearest to x; needs cavities. */
 struct solid_piece solid_shape_cavity(const struct solid_shape_surface *surface, const double x[3]);
 /* Depth of x below the pieces and the cavity next to it, the least of them, m. More than the tolerance of
  * solid/geometry/on_surface.h away from the surface it may be a number of the same sign that is nearer to 0. */
 double solid_shape_depth(const struct solid_shape_surface *surface, const double x[3], double spacing);
+/* The same below one piece. */
+double solid_shape_piece_depth(const struct solid_piece *piece, const double x[3], double spacing);

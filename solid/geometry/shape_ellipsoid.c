@@ -62,8 +62,8 @@ static double depth(const struct solid_piece *p, const double x[3], double norma
         steep += normal[c] * normal[c];
     }
     steep = sqrt(steep);
-    for (int c = 0; c < 3; c++) normal[c] *= (x[c] < p->centre[c] ? -1 : 1) / steep;
-    return (1 - u) * e[m] * e[m] * steep;
+    for (int c = 0; c < 3; c++) normal[c] *= p->inside * (x[c] < p->centre[c] ? -1 : 1) / steep;
+    return p->inside * (1 - u) * e[m] * e[m] * steep;
 }
 
 /* The level |(x - centre)/e| falls or rises by at most 1 in the shortest radius. */
@@ -73,7 +73,7 @@ static double least(const struct solid_piece *p, const double x[3]) {
         const double q = (x[c] - p->centre[c]) / p->radii[c];
         level2 += q * q;
     }
-    return (1 - sqrt(level2)) * fmin(fmin(p->radii[0], p->radii[1]), p->radii[2]);
+    return p->inside * (1 - sqrt(level2)) * fmin(fmin(p->radii[0], p->radii[1]), p->radii[2]);
 }
 
 /* Of the level set q = sum (y/e)^2 = 1, with the gradient 2 n/w, w = |(e n)|, and the Hessian 2/e^2: half the
@@ -84,7 +84,7 @@ static double curvature(const struct solid_piece *p, const double n[3]) {
         w2 += n[c] * n[c] * p->radii[c] * p->radii[c];
         sum += (1 - n[c] * n[c]) / (p->radii[c] * p->radii[c]);
     }
-    return 0.5 * sqrt(w2) * sum;
+    return p->inside * 0.5 * sqrt(w2) * sum;
 }
 
 static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]) {

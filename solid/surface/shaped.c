@@ -4,14 +4,14 @@
 #include "solid/surface/normal.h"
 #include "solid/surface/piece.h"
 
-static void find(struct solid_shaped *shaped, const struct solid *s, const struct solid_surface *f, int h) {
-    const struct solid_body *body = &s->in.body[s->body[h]];
+static void find(struct solid_shaped *shaped, const struct solid *s, const struct solid_surface *f,
+                 struct solid_compound *compound, int h) {
     const double x[3] = {s->x0[0][h], s->x0[1][h], s->x0[2][h]};
     struct solid_family_view view;
     struct solid_facing start;
     struct solid_piece piece;
     double normal[3];
-    if (!solid_piece_of(body, x, f->bare[h], s->in.spacing, &piece)) return;
+    if (!compound || !solid_piece_of(compound, x, f->bare[h], &piece)) return;
     solid_family_view(s, h, &view);
     solid_normal_look_start(s, h, &view, f->bare[h], &start);
     if (start.two_sided != SOLID_ONE_FACE) return;
@@ -34,8 +34,12 @@ struct solid_shaped *solid_shaped_new(const struct solid *s, const struct solid_
         shaped->normal[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
         shaped->lattice[c] = memory_new(MEMORY_SOLID, n, sizeof(double));
     }
+    struct solid_compound **compound = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof(struct solid_compound *));
+    for (int b = 0; b < s->in.bodies; b++) compound[b] = solid_compound_new(&s->in, &s->in.body[b]);
     for (int h = 0; h < s->n; h++)
-        if (s->flag[h] & SOLID_FIRST) find(shaped, s, surface, h);
+        if (s->flag[h] & SOLID_FIRST) find(shaped, s, surface, compound[s->body[h]], h);
+    for (int b = 0; b < s->in.bodies; b++) solid_compound_free(compound[b]);
+    memory_free(compound);
     return shaped;
 }
 

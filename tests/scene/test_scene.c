@@ -175,6 +175,49 @@ static void test_medium_is_the_bodies_within_the_domain(void **state) {
     free(sample);
 }
 
+/* The whole period where a body extends beyond a periodic side, and reaches a region at the other, and the whole domain
+ * where all sides are periodic. */
+static void test_medium_of_an_array(void **state) {
+    (void)state;
+    char *sample = sample_text(SCENES "coupled.yaml");
+    char *text = sample_with(sample, "  medium: {low: [0.01, 0, 0], high: [0.02, 0.01, 0.02]}\n", "");
+    const char *const only =
+        "solid={materials: [{name: glass, youngs_modulus: 1, density: 1}], bodies: [{name: ball, shape: sphere, "
+        "centre: "
+        "[0.03, 0.01, 0.018], radius: 0.004}], unbreakable: [{low: [0, 0, 0], high: [0.04, 0.02, 0.001]}]}";
+    struct scene_problems problems;
+    struct scene *s = sample_read(text, 1, &only, &problems);
+    assert_non_null(s);
+    assert_vector(s->coupling->box_low, 0.03 - 0.004, 0.01 - 0.004, 0);
+    assert_vector(s->coupling->box_high, 0.03 + 0.004, 0.01 + 0.004, 0.02);
+    scene_free(s);
+    const char *const array[] = {only,
+                                 "fluid.sides.x_low={type: periodic}",
+                                 "fluid.sides.x_high={type: periodic}",
+                                 "fluid.sides.y_low={type: periodic}",
+                                 "fluid.sides.y_high={type: periodic}",
+                                 "fluid.initial={velocity: [0.1, 0, 0]}"};
+    s = sample_read(text, 6, array, &problems);
+    assert_non_null(s);
+    assert_vector(s->coupling->box_low, 0, 0, 0);
+    assert_vector(s->coupling->box_high, 0.04, 0.02, 0.02);
+    scene_free(s);
+    const char *const list[] = {"solid={materials: [{name: glass, youngs_modulus: 1, density: 1}], bodies: [{shape: "
+                                "spheres, file: points.txt}]}",
+                                array[1],
+                                array[2],
+                                array[3],
+                                array[4],
+                                array[5]};
+    s = sample_read(text, 6, list, &problems);
+    assert_non_null(s);
+    assert_true(s->coupling->has_box); /* whatever is in the list */
+    assert_vector(s->coupling->box_high, 0.04, 0.02, 0.02);
+    scene_free(s);
+    free(text);
+    free(sample);
+}
+
 static void test_settings_override(void **state) {
     (void)state;
     const char *const set[] = {"stages[0].steps=7",
@@ -505,6 +548,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(test_retraction_of_shapes),
                                        cmocka_unit_test(test_parts_that_are_left_out_are_null),
                                        cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),
+                                       cmocka_unit_test(test_medium_of_an_array),
                                        cmocka_unit_test(test_settings_override),
                                        cmocka_unit_test(test_settings_make_missing_sections),
                                        cmocka_unit_test(test_wrong_settings_are_refused),

@@ -201,9 +201,8 @@ static const struct sample_broken table[] = {
      "it.yaml:29: solid.bodies[1].material: missing: solid.materials has 2 to choose from"},
     {"coupled", "centre: [0.03, 0.01, 0.01]", "centre: [0.05, 0.01, 0.01]",
      "it.yaml:29: solid.bodies[1]: lies outside the domain: 0.046 to 0.054 m in x, the domain has 0 to 0.04"},
-    {"coupled", "centre: [0.03, 0.01, 0.01]", "centre: [0.03, 0.01, 0.017]",
-     "it.yaml:29: solid.bodies[1]: leaves the domain in the periodic direction z: 0.013 to 0.021 m, the domain has "
-     "0 to 0.02"},
+    {"coupled", "centre: [0.03, 0.01, 0.01]", "centre: [0.03, 0.01, 0.025]",
+     "it.yaml:29: solid.bodies[1]: lies outside the domain: 0.021 to 0.029 m in z, the domain has 0 to 0.02"},
     {"coupled", "low: [0.01, -0.003, 0]", "low: [0.01, 0.01, 0]",
      "it.yaml:26: solid.bodies[0].low = [0.01, 0.01, 0]: must be below high in every direction, y is not"},
     {"coupled", "period: 0.005, radius: 0.002", "period: 0.005, radius: 0.0045",
@@ -233,7 +232,7 @@ static const struct sample_broken table[] = {
     {"solid", "file: points.txt", "file: nowhere/points.txt",
      "it.yaml:9: solid.bodies[0].file = nowhere/points.txt: there is no such file (looked for @/nowhere/points.txt)"},
     {"solid", "file: points.txt", "file: points.txt, cavities: {period: 1, radius: 0.1, centre: [0, 0, 0]}",
-     "it.yaml:9: solid.bodies[0].cavities: only with shape box, sphere, cylinder or ellipsoid, here it is points"},
+     "it.yaml:9: solid.bodies[0].cavities: only with shape box, sphere, cylinder, ellipsoid or spheres, here it is points"},
     /* a plate: what it has and what not */
     {"plate", "size: [0.1, 0.04]", "size: [0.1]",
      "it.yaml:3: domain.size = [0.1]: must be a list of 3 numbers (m), or of 2 for a plate"},
@@ -265,7 +264,7 @@ static const struct sample_broken table[] = {
     {"solid", "spacing: 0.001", "spacing: 0.001\n  model: plane_stress", "it.yaml:6: solid.model = plane_stress: only in a plate, where domain.size has two numbers"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  partial_volume: ramp", "it.yaml:6: solid.partial_volume = ramp: must be exact in 3D"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  refinement: {levels: 2}", "it.yaml:6: solid.refinement: only in a plate, where domain.size has two numbers"},
-    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, ellipsoid, points in 3D"},
+    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, ellipsoid, spheres, points in 3D"},
     {"solid", "low: [0.002, 0.002, 0]", "low: [0.002, 0.002]", "it.yaml:10: solid.bodies[1].low = [0.002, 0.002]: must be a list of 3 numbers (m)"},
     /* a plate: bodies */
     {"plate", "name: pad, material: steel, shape: rectangle", "name: pad, material: steel, shape: box",
@@ -282,7 +281,7 @@ static const struct sample_broken table[] = {
      "it.yaml:29: solid.bodies[0].holes[0].radius: missing; shape disc needs it (m)"},
     {"plate", "{shape: disc, centre: [0.02, 0.03], radius: 0.004}",
      "{shape: sphere, centre: [0.02, 0.03], radius: 0.004}",
-     "it.yaml:29: solid.bodies[0].holes[0].shape = sphere: must be one of rectangle, disc, polygon"},
+     "it.yaml:29: solid.bodies[0].holes[0].shape = sphere: must be one of rectangle, disc, polygon in a plate"},
     {"plate", "shape: disc, centre: [0.09, 0.03], radius: 0.008", "shape: disc, centre: [0.19, 0.03], radius: 0.008",
      "it.yaml:31: solid.bodies[1]: lies outside the domain: 0.182 to 0.198 m in x, the domain has 0 to 0.1"},
     {"plate", "        - [0, 0]\n", "        - [0, 0, 0]\n",
@@ -306,7 +305,7 @@ static const struct sample_broken table[] = {
      "it.yaml:30: solid.bodies[0].holes[1].outline: is empty: needs at least one entry"},
     {"plate", "shape: points, file: areas.txt",
      "shape: points, file: areas.txt, holes: [{shape: disc, centre: [0, 0], radius: 1}]",
-     "it.yaml:33: solid.bodies[3].holes: only with shape rectangle, disc or polygon, here it is points"},
+     "it.yaml:33: solid.bodies[3].holes: only with shape rectangle, disc, polygon, box, sphere, cylinder, ellipsoid or spheres, here it is points"},
     {"plate", "shape: points, file: areas.txt", "shape: rectangle, low: [0, 0], high: [1, 1], outline: [[0, 0]]",
      "it.yaml:33: solid.bodies[3].outline: only with shape polygon, here it is rectangle"},
     /* a plate: imposed data; without the points, whose bounds are unknown, regions can be outside all bodies */
@@ -437,7 +436,7 @@ static void test_all_mistakes_at_once(void **state) {
         ("it.yaml:16: fluid.driving.direction = z: must be a periodic direction: z_low is periodic, "
          "z_high is wall"),
         "it.yaml:21: solid.materials[1].youngs_modulus = -7: must be greater than 0",
-        "it.yaml:29: solid.bodies[1].shape = ball: must be one of box, sphere, cylinder, ellipsoid, points",
+        "it.yaml:29: solid.bodies[1].shape = ball: must be one of box, sphere, cylinder, ellipsoid, spheres, points",
         "it.yaml:32: solid.constraints[0].directions = xyzz: is too long: 4 characters, at most 3",
         "it.yaml:39: coupling.retraction = 7: must be between -1 and 1",
         "it.yaml:44: stages[2].name = fracture: is the name of stages[1] too"};

@@ -1,4 +1,4 @@
-/* Translation of a scene into the solid's input; plates and point files that are refused. */
+/* Translation of a scene into the solid's input; plates, point files and lists of spheres that are refused. */
 #include "base/die.h"
 #include "base/par.h"
 #include "coupling/setup/kinds.h"
@@ -148,16 +148,60 @@ static void test_bounds(void **state) {
     (void)state;
     const char *const set[] = {
         "solid.bodies.ball={name: egg, material: glass, shape: ellipsoid, centre: [0.03, 0.01, 0.01], radii: [0.004, "
-        "0.003, 0.005]}"};
-    struct scene *s = scene_new(SCENES "coupled.yaml", 1, set);
+        "0.003, 0.005]}",
+        "solid.bodies.rod={name: rods, material: glass, shape: spheres, spheres: [[0.005, 0.01, 0.01, 0.002], [0.006, "
+        "0.012, 0.001, 0.003]]}"};
+    struct scene *s = scene_new(SCENES "coupled.yaml", 2, set);
     struct solid_input *in = setup_solid(s);
     assert_true(in->body[1].shape == SOLID_ELLIPSOID && in->body[1].radii[1] == 0.003);
+    assert_true(in->body[2].shape == SOLID_SPHERES && in->body[2].entries == 2);
     for (int b = 0; b < in->bodies; b++) {
         double low[3], high[3], low2[3], high2[3];
         assert_true(scene_check_body_bounds(&s->solid->body[b], low, high));
         solid_shape_of(&in->body[b])->bounds(&in->body[b], low2, high2);
         for (int c = 0; c < 3; c++) assert_true(low[c] == low2[c] && high[c] == high2[c]);
     }
+    setup_solid_free(in);
+    scene_free(s);
+}
+
+/* Pieces and holes of a body in 3D, and lists from files; the bounds are those of the body with its pieces. */
+static void test_parts(void **state) {
+    (void)state;
+    char path[] = "/tmp/spheres_XXXXXX", set[1024];
+    FILE *out = fdopen(mkstemp(path), "w");
+    fputs("# a list\n0.001 0.002 0.003 0.0004\n\n0.005,0.006,0.007, 0.001 0.002 0.003 # an ellipsoid\n", out);
+    fclose(out);
+    snprintf(
+        set, sizeof set,
+        "solid.bodies.ball={name: ball, material: glass, shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.004, "
+        "pieces: [{shape: box, low: [0.02, 0, 0.001], high: [0.03, 0.01, 0.01]}], holes: [{shape: spheres, file: "
+        "%s}, {shape: cylinder, centre: [0.03, 0.01, 0.01], radius: 0.001, length: 0.03, axis: y}, {shape: "
+        "ellipsoid, centre: [0, 0, 0], radii: [1, 2, 3]}], contacts: broken}",
+        path);
+    struct scene *s = scene_new(SCENES "coupled.yaml", 1, (const char *const[]){set});
+    struct solid_input *in = setup_solid(s);
+    unlink(path);
+    const struct solid_body *body = &in->body[1];
+    check_equal(body->contacts_broken, 1);
+    check_equal(in->body[0].contacts_broken, 0);
+    check_equal(body->parts, 4);
+    check_equal(body->part[0].shape, SOLID_BOX);
+    check_equal(body->part[0].high[2], 0.01);
+    check_equal(body->part[0].is_hole, 0);
+    for (int p = 1; p < 4; p++) check_equal(body->part[p].is_hole, 1);
+    check_equal(body->part[1].entries, 2);
+    check_equal(body->part[1].entry[0][4], 0.0004);
+    check_equal(body->part[1].entry[1][0], 0.005);
+    check_equal(body->part[1].entry[1][5], 0.003);
+    check_equal(body->part[2].axis, 1);
+    check_equal(body->part[2].length, 0.03);
+    check_equal(body->part[3].radii[1], 2);
+    double low[3], high[3];
+    assert_true(scene_check_body_bounds(&s->solid->body[1], low, high));
+    check_equal(low[0], 0.02);
+    check_equal(low[1], 0);
+    check_equal(high[0], 0.03 + 0.004);
     setup_solid_free(in);
     scene_free(s);
 }
@@ -235,18 +279,53 @@ static void test_broken_point_files(void **state) {
     unlink(path);
 }
 
+static void test_broken_lists(void **state) {
+    (void)state;
+    static const char *const file[][2] = {
+        {"", "holds no line x y z radius, or x y z and three radii"},
+        {"# nothing\n\n", "holds no line x y z radius, or x y z and three radii"},
+        {"0.03 0.01 0.01 0.001\n0.03 0.01 0.001\n", "line 2 is not the numbers x y z radius, or x y z and three radii"},
+        {"0.03 0.01 0.01 0.001 0.001\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
+        {"0.03 0.01 0.01 1 2 3 4\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
+        {"1 2 3 4 5 6 7 8 9 10\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
+        {"x y z r\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
+        {"\n0.03 0.01 0.01 -0.001\n", "line 2: radii must be greater than 0 and everything finite"},
+        {"0.03 0.01 0.01 0.001 0 0.001\n", "line 1: radii must be greater than 0 and everything finite"},
+        {"0.03 nan 0.01 0.001\n", "line 1: radii must be greater than 0 and everything finite"},
+        {"0.03 0.01 0.01 inf\n", "line 1: radii must be greater than 0 and everything finite"}};
+    char path[] = "/tmp/spheres_XXXXXX", set[128], sentence[256], said[4096];
+    close(mkstemp(path));
+    snprintf(set, sizeof set, "solid.bodies.ball={name: ball, material: glass, shape: spheres, file: %s}", path);
+    for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
+        FILE *out = fopen(path, "w");
+        fputs(file[i][0], out);
+        fclose(out);
+        const int code = leaves_with(SCENES "coupled.yaml", 1, (const char *const[]){set}, 1, said, sizeof said);
+        snprintf(sentence, sizeof sentence, "%s: %s\n", path, file[i][1]);
+        if (code != EXIT_CODE_FILE || !strstr(said, sentence) || strchr(said, '\n') != strrchr(said, '\n')) {
+            unlink(path);
+            fail_msg("%s: exit %d, \"%s\"", file[i][0], code, said);
+        }
+    }
+    unlink(path);
+    const int code = leaves_with(SCENES "coupled.yaml", 1, (const char *const[]){set}, 1, said, sizeof said);
+    if (code != EXIT_CODE_SCENE || !strstr(said, "there is no such file")) fail_msg("exit %d, \"%s\"", code, said);
+}
+
 int main(int argc, char **argv) {
     /* forks: before MPI has begun, and on one rank */
     const char *ranks = getenv("OMPI_COMM_WORLD_SIZE");
     int failed = 0;
     if (!ranks || atoi(ranks) == 1) {
         const struct CMUnitTest leaving[] = {cmocka_unit_test(test_plates_that_bound_no_body),
-                                             cmocka_unit_test(test_broken_point_files)};
+                                             cmocka_unit_test(test_broken_point_files),
+                                             cmocka_unit_test(test_broken_lists)};
         failed = cmocka_run_group_tests(leaving, NULL, NULL);
     }
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_plate), cmocka_unit_test(test_a_block),
-                                       cmocka_unit_test(test_words), cmocka_unit_test(test_bounds)};
+                                       cmocka_unit_test(test_words), cmocka_unit_test(test_bounds),
+                                       cmocka_unit_test(test_parts)};
     failed += cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -58,9 +58,10 @@ block='{name: block, shape: box, low: [0.04, 0.04, 0.04], high: [0.06, 0.05, 0.0
 go 2 2 "$solid" --set "solid.bodies=[{name: grain, shape: points, file: $PWD/once.txt}, $block]" \
   --set stages.run.time_step=1e-5
 row "a point in the place of another body's particle" "is refused"
-go 1 2 "$solid" --set 'domain.periodic=[true, false, false]' \
+go 1 0 "$solid" --set 'domain.periodic=[true, false, false]' \
   --set 'solid.bodies=[{shape: box, low: [-0.1, 0.05, 0.05], high: [0.3, 0.06, 0.06]}]'
-row "a body wider than the domain across a periodic side" "is refused"
+near "bonds, three to each side of 20 particles" 60 0 "$(last bonds_intact)"
+row "a body wider than the domain across a periodic side" "fills the period once"
 go 1 0 "$solid" --set 'domain.periodic=[true, false, false]' \
   --set 'solid.bodies=[{shape: box, low: [0, 0.05, 0.05], high: [0.2, 0.06, 0.06]}]'
 near "bonds, three to each side of 20 particles" 60 0 "$(last bonds_intact)"

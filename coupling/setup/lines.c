@@ -1,0 +1,48 @@
+/* Reads text files of numbers, line by line. */
+#include "coupling/setup/lines.h"
+#include "base/die.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int numbers_of(const char *line, double value[SETUP_LINES_MOST]) {
+    int n = 0;
+    for (char *end;; line = end) {
+        line += strspn(line, " \t\r\n,");
+        if (!*line || *line == '#') return n;
+        const double v = strtod(line, &end);
+        if (end == line) return -1;
+        if (n == SETUP_LINES_MOST) return SETUP_LINES_MOST + 1;
+        value[n++] = v;
+    }
+}
+
+long setup_lines_read(const char *path, const char *what, setup_lines_taker *take, void *with, char **why) {
+    FILE *file = fopen(path, "r");
+    if (!file) die(EXIT_CODE_FILE, "%s: the %s can't be opened", path, what);
+    double value[SETUP_LINES_MOST];
+    char *line = NULL;
+    size_t size = 0;
+    ssize_t bytes;
+    long taken = 0;
+    *why = NULL;
+    for (long at = 1; !*why && (bytes = getline(&line, &size, file)) > 0; at++) {
+        const int n = strlen(line) == (size_t)bytes ? numbers_of(line, value) : -1; /* a zero byte does not end a
+                                                                                     * line */
+        if (n == 0) continue;
+        *why = take(with, at, n, value);
+        taken += !*why;
+    }
+    free(line);
+    fclose(file);
+    return taken;
+}
+
+void setup_lines_die(const char *path, char *why) {
+    if (!why) return;
+    char text[256];
+    snprintf(text, sizeof text, "%s", why);
+    free(why);
+    die(EXIT_CODE_FILE, "%s: %s", path, text);
+}
