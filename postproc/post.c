@@ -76,6 +76,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"Where the time went", postproc_sections_wall},
         {NULL, postproc_sections_profile},
         {NULL, postproc_sections_pictures},
+        {NULL, postproc_sections_flow},
         {NULL, postproc_sections_plate},
     };
     enum { SECTIONS = sizeof section / sizeof *section };

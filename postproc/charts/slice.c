@@ -1,0 +1,132 @@
+/* Writes the gnuplot script of a plane of the fluid and runs it. */
+#include "postproc/charts/slice.h"
+#include "base/memory.h"
+#include "files/folder.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { LONG = 1200, COLOURS = 32 };
+
+/* A unit in which the larger side has one to three digits before the point. */
+static double unit_of(double size, const char **name) {
+    static const struct {
+        double size;
+        const char *name;
+    } unit[] = {{1, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}};
+    int k = 0;
+    while (k < 3 && size < 0.9999 * unit[k].size) k++;
+    *name = unit[k].name;
+    return unit[k].size;
+}
+
+static int values_write(const struct postproc_slice_plot *p, const char *path) {
+    FILE *f = fopen(path, "wb");
+    if (!f) return -1;
+    const size_t all = (size_t)p->slice->n[0] * (size_t)p->slice->n[1];
+    float *value = memory_new(MEMORY_OUTPUT, all, sizeof *value);
+    for (size_t i = 0; i < all; i++) value[i] = (float)p->value[i];
+    fwrite(value, sizeof *value, all, f);
+    memory_free(value);
+    const int bad = ferror(f);
+    return fclose(f) || bad ? -1 : 0;
+}
+
+/* Lines, and an arrowhead in the middle of each: the point before it and the way to it. */
+static void put_lines(FILE *f, const struct postproc_stream *s, double unit) {
+    fputs("$lines << EOD\n", f);
+    for (int k = 0; k < s->lines; k++) {
+        for (long i = s->first[k]; i < s->first[k + 1]; i++)
+            fprintf(f, "%.6g %.6g\n", s->x[i][0] / unit, s->x[i][1] / unit);
+        fputc('\n', f);
+    }
+    fputs("EOD\n$heads << EOD\n", f);
+    for (int k = 0; k < s->lines; k++) {
+        const long i = (s->first[k] + s->first[k + 1]) / 2;
+        if (i < s->first[k] + 1) continue;
+        fprintf(f, "%.6g %.6g %.6g %.6g\n", s->x[i - 1][0] / unit, s->x[i - 1][1] / unit,
+                (s->x[i][0] - s->x[i - 1][0]) / unit, (s->x[i][1] - s->x[i - 1][1]) / unit);
+    }
+    fputs("EOD\n", f);
+}
+
+static void put_palette(FILE *f, enum postproc_map map) {
+    fputs("set palette defined (", f);
+    for (int k = 0; k <= COLOURS; k++) {
+        double srgb[3];
+        postproc_colour_map(map, (double)k / COLOURS, srgb);
+        fprintf(f, "%s%d '#%02x%02x%02x'", k ? ", " : "", k, (unsigned)lround(255 * srgb[0]),
+                (unsigned)lround(255 * srgb[1]), (unsigned)lround(255 * srgb[2]));
+    }
+    fputs(")\n", f);
+}
+
+static void put_style(FILE *f, const struct postproc_slice_plot *p, const char *unit, const double size[2]) {
+    static const char *const name[3] = {"x", "y", "z"};
+    const int power = postproc_gnuplot_power(fmax(fabs(p->low), fabs(p->high)));
+    fputs("set encoding utf8\nset border 15 lw 1 lc rgb '#5a6068'\nset tics nomirror out scale 0.6 textcolor rgb "
+          "'#23282e'\nunset key\n"
+          "set size ratio -1\nset object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb '#b9bdc2' fs solid "
+          "noborder\n",
+          f);
+    fputs("set label 1 ", f);
+    postproc_gnuplot_text(f, p->title);
+    fputs(" at screen 0.03, screen 0.965 left noenhanced tc rgb '#23282e'\n", f);
+    fprintf(f, "set xlabel '%s  [%s]'\nset ylabel '%s  [%s]'\n", name[p->slice->across[0]], unit,
+            name[p->slice->across[1]], unit);
+    fputs("set label 2 ", f);
+    postproc_gnuplot_text(f, p->label);
+    fputs(" at graph 1, graph 1 left offset 1,1 noenhanced tc rgb '#23282e'\n", f);
+    if (power) fprintf(f, "set label 3 '× 10^{%d}' at graph 1, graph 0 left offset 1,-1 tc rgb '#23282e'\n", power);
+    put_palette(f, p->map);
+    fprintf(f, "set xrange [0:%.10g]\nset yrange [0:%.10g]\nset cbrange [%.10g:%.10g]\n", size[0], size[1],
+            p->low / pow(10, power), p->high / pow(10, power));
+    fprintf(f, "plot '%s.bin' binary array=(%d,%d) format='%%float' dx=%.10g dy=%.10g origin=(%.10g,%.10g) using "
+               "($1*1e%d) with image",
+            p->name, p->slice->n[0], p->slice->n[1], size[0] / p->slice->n[0], size[1] / p->slice->n[1],
+            0.5 * size[0] / p->slice->n[0], 0.5 * size[1] / p->slice->n[1], -power);
+    if (p->lines && p->lines->lines > 0)
+        for (int k = 0; k < 2; k++) { /* white on a dark rim, to be seen on all colours */
+            const char *colour = k ? "#20ffffff" : "#80000000";
+            const double width = k ? 1.1 : 2.6;
+            fprintf(f,
+                    ", \\\n     $lines using 1:2 with lines lw %g lc rgb '%s', \\\n     $heads using 1:2:3:4 with vectors "
+                    "head filled size screen 0.009,22 fixed lw %g lc rgb '%s'",
+                    width, colour, width, colour);
+        }
+    fputc('\n', f);
+}
+
+static int script_write(const struct postproc_slice_plot *p, const char *path) {
+    FILE *f = fopen(path, "w");
+    if (!f) return -1;
+    const struct postproc_slice *s = p->slice;
+    const char *unit;
+    const double length = unit_of(fmax(s->n[0] * s->d[0], s->n[1] * s->d[1]), &unit);
+    const double size[2] = {s->n[0] * s->d[0] / length, s->n[1] * s->d[1] / length};
+    /* the plane has the longer side of the picture, less the room for axes and bar */
+    const double shape = size[1] / size[0];
+    const int wide = shape < 0.8 ? LONG : (int)fmax(0.8 / shape * 0.78 * LONG + 0.22 * LONG, 0.5 * LONG);
+    const int high = shape < 0.8 ? (int)(0.76 * LONG * shape) + 190 : (int)(0.8 * 0.76 * LONG) + 190;
+    fprintf(f, "# gnuplot %s.gp\n", p->name);
+    if (p->lines) put_lines(f, p->lines, length);
+    for (int k = 0; k < (p->all ? POSTPROC_FORMATS : 1); k++) {
+        postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, wide, high);
+        if (k == 0)
+            put_style(f, p, unit, size);
+        else
+            fputs("replot\n", f);
+    }
+    fputs("set output\n", f);
+    const int bad = ferror(f);
+    return fclose(f) || bad ? -1 : 0;
+}
+
+enum postproc_plot_status postproc_slice_draw(const struct postproc_slice_plot *p) {
+    char path[FOLDER_PATH], file[256];
+    snprintf(file, sizeof file, "%s.bin", p->name);
+    if (values_write(p, folder_path(path, p->folder, file))) return POSTPROC_PLOT_NO_FILE;
+    snprintf(file, sizeof file, "%s.gp", p->name);
+    if (script_write(p, folder_path(path, p->folder, file))) return POSTPROC_PLOT_NO_FILE;
+    return postproc_gnuplot_run(p->folder, file);
+}
