@@ -35,6 +35,22 @@ static void report_section(struct postproc_report *r, const struct postproc_outp
     postproc_report_facts(r, &out->facts, first, last);
 }
 
+/* At most FRAMES pictures of the film, evenly spread, for the page would grow without bound. */
+static void report_film(struct postproc_report *r, const struct postproc_output *out) {
+    enum { FRAMES = 40 };
+    char path[FRAMES][128];
+    const char *all[FRAMES];
+    const int n = out->frames < FRAMES ? out->frames : FRAMES;
+    if (n == 0) return;
+    for (int k = 0; k < n; k++) {
+        const int frame = n < 2 ? 1 : 1 + (int)((long)k * (out->frames - 1) / (n - 1));
+        snprintf(path[k], sizeof *path, "film/%s_%04d.png", out->film, frame);
+        all[k] = path[k];
+    }
+    postproc_report_heading(r, "Film");
+    postproc_report_film(r, n, all, out->film_title);
+}
+
 static void report_images(struct postproc_report *r, const struct postproc_output *out) {
     char path[128];
     if (out->pictures) postproc_report_heading(r, "Pictures");
@@ -42,6 +58,7 @@ static void report_images(struct postproc_report *r, const struct postproc_outpu
         snprintf(path, sizeof path, "pictures/%s.png", out->picture[k].name);
         postproc_report_image(r, path, out->picture[k].title);
     }
+    report_film(r, out);
     if (out->charts.n) postproc_report_heading(r, "Plots");
     for (int k = 0; k < out->charts.n; k++) {
         snprintf(path, sizeof path, "plots/%s.png", out->charts.name[k]);

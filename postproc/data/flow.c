@@ -48,7 +48,7 @@ void postproc_flow_measure(struct postproc_flow *f) {
         if (fluid++ % stride == 0) speed[m++] = size;
     }
     sort_ascending(speed, m);
-    if (m > 0) f->bound = speed[(size_t)(0.99 * (double)(m - 1))];
+    if (m > 0) f->bound = speed[(size_t)(0.999 * (double)(m - 1))];
     for (int c = 0; c < 3; c++) f->mean[c] = fluid ? sum[c] / (double)fluid : 0;
     memory_free(speed);
 }

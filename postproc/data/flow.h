@@ -19,7 +19,7 @@ struct postproc_flow {
     long step;
     /* Over the cells whose solid fraction is below one half: */
     double mean[3], fastest; /* velocity, and the largest speed, m/s */
-    double bound;            /* 99 % quantile of the speed, m/s */
+    double bound;            /* 99.9 % quantile of the speed, m/s */
 };
 
 /* From fluid file k; NULL if it cannot be read or has no velocity. Sixteen bytes a cell. */

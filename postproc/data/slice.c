@@ -108,9 +108,13 @@ struct postproc_slice *postproc_slice_new(const struct postproc_history *h, int 
         if (c == axis) continue;
         s->n[a] = source->n[c];
         s->d[a] = source->spacing[c];
-        s->wrap[a] = flow.beyond[c][0] == POSTPROC_BEYOND_WRAP;
         s->across[a++] = c;
     }
+    for (int a = 0; a < 2; a++)
+        for (int side = 0; side < 2; side++) {
+            s->beyond[a][side] = flow.beyond[s->across[a]][side];
+            for (int c = 0; c < 2; c++) s->wall[a][side][c] = flow.wall[s->across[a]][side][s->across[c]];
+        }
     struct slab b = {.flow = &flow, .axis = axis};
     int whole = 1;
     for (int p = -1; p <= 1; p++) {
@@ -154,10 +158,27 @@ double postproc_slice_quantile(const struct postproc_slice *s, const double *val
     return found;
 }
 
+/* The row that stands for row i of direction c; *side: the wall that it is mirrored at, -1 for none. */
+static int row_of(const struct postproc_slice *s, int c, int i, int *side) {
+    const int n = s->n[c], high = i >= n;
+    *side = -1;
+    if (i >= 0 && i < n) return i;
+    switch (s->beyond[c][high]) {
+    case POSTPROC_BEYOND_WRAP:
+        return high ? 0 : n - 1;
+    case POSTPROC_BEYOND_MIRROR:
+        *side = high;
+        break;
+    case POSTPROC_BEYOND_COPY:
+        break;
+    }
+    return high ? n - 1 : 0;
+}
+
 /* Bilinear between the cells' centres; without a value outside the plane and in cells of solid. */
 static int in_plane(const void *field, const double x[3], double u[3]) {
     const struct postproc_slice *s = field;
-    int i[2][2], here[2];
+    int i[2][2], side[2][2], here[2];
     double part[2];
     for (int c = 0; c < 2; c++) {
         const double q = x[c] / s->d[c];
@@ -165,19 +186,20 @@ static int in_plane(const void *field, const double x[3], double u[3]) {
         const double low = floor(q - 0.5);
         part[c] = q - 0.5 - low;
         here[c] = (int)fmin(floor(q), s->n[c] - 1);
-        for (int k = 0; k < 2; k++) {
-            i[c][k] = (int)low + k;
-            if (s->wrap[c]) i[c][k] = (i[c][k] + s->n[c]) % s->n[c];
-            if (i[c][k] < 0) i[c][k] = 0;
-            if (i[c][k] >= s->n[c]) i[c][k] = s->n[c] - 1;
-        }
+        for (int k = 0; k < 2; k++) i[c][k] = row_of(s, c, (int)low + k, &side[c][k]);
     }
     if (s->solid[(size_t)here[1] * (size_t)s->n[0] + (size_t)here[0]]) return 0;
     u[0] = u[1] = u[2] = 0;
     for (int k = 0; k < 4; k++) {
-        const double weight = (k & 1 ? part[0] : 1 - part[0]) * (k & 2 ? part[1] : 1 - part[1]);
-        const size_t at = (size_t)i[1][k >> 1] * (size_t)s->n[0] + (size_t)i[0][k & 1];
-        for (int c = 0; c < 2; c++) u[c] += weight * s->u[at][c];
+        const int at[2] = {k & 1, k >> 1};
+        const double weight = (at[0] ? part[0] : 1 - part[0]) * (at[1] ? part[1] : 1 - part[1]);
+        const size_t cell = (size_t)i[1][at[1]] * (size_t)s->n[0] + (size_t)i[0][at[0]];
+        for (int a = 0; a < 2; a++) {
+            double value = s->u[cell][a];
+            for (int c = 0; c < 2; c++)
+                if (side[c][at[c]] >= 0) value = 2 * s->wall[c][side[c][at[c]]][a] - value;
+            u[a] += weight * value;
+        }
     }
     return 1;
 }

@@ -8,13 +8,14 @@
 struct postproc_slice {
     int axis, across[2], index; /* index of the plane of cells along axis */
     int n[2];
-    double d[2], place;   /* m; place: of the cells' centres along axis */
-    double (*u)[2];       /* velocity in the plane, m/s; also in the solid; owned, as all below */
-    double *speed;        /* |u| of all three components, m/s */
-    double *pressure;     /* Pa; NULL if the file has none */
-    double *vorticity;    /* |curl u|, 1/s */
-    unsigned char *solid; /* 1 in the solid */
-    int wrap[2];          /* 1: periodic */
+    double d[2], place;                /* m; place: of the cells' centres along axis */
+    double (*u)[2];                    /* velocity in the plane, m/s; also in the solid; owned, as all below */
+    double *speed;                     /* |u| of all three components, m/s */
+    double *pressure;                  /* Pa; NULL if the file has none */
+    double *vorticity;                 /* |curl u|, 1/s */
+    unsigned char *solid;              /* 1 in the solid */
+    enum postproc_beyond beyond[2][2]; /* of the low and the high side of both directions */
+    double wall[2][2][2];              /* velocity of a wall in the plane, m/s */
     double time;
     long step;
 };

@@ -16,9 +16,9 @@ struct postproc_stream {
 struct postproc_stream_input {
     postproc_velocity at;
     const void *field;
-    double step;    /* of the arc, m */
-    double slowest; /* a line ends where the speed is not above this, m/s */
-    double longest; /* of one direction of a line, m */
+    double step;               /* of the arc, m */
+    double slowest;            /* a line ends where the speed is not above this, m/s */
+    double longest;            /* of one direction of a line, m */
     void (*begin)(void *with); /* called at the seed, before each direction; NULL: nothing is */
     /* Asked for every new point of a line; a line ends where it is nonzero. NULL: nothing ends it. */
     int (*enough)(void *with, const double x[3]);

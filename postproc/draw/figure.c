@@ -36,7 +36,8 @@ static void raised(int power, char text[32]) {
     char plain[16];
     size_t at = (size_t)snprintf(text, 32, "×10");
     snprintf(plain, sizeof plain, "%d", power);
-    for (const char *c = plain; *c; c++) at += (size_t)snprintf(text + at, 32 - at, "%s", *c == '-' ? "⁻" : digit[*c - '0']);
+    for (const char *c = plain; *c; c++)
+        at += (size_t)snprintf(text + at, 32 - at, "%s", *c == '-' ? "⁻" : digit[*c - '0']);
 }
 
 void postproc_figure_bar(struct postproc_figure *f, const struct postproc_bar *bar) {
@@ -86,8 +87,8 @@ static int script_write(const struct postproc_figure *f, const char *path, const
     const int w = f->canvas->width, h = f->canvas->height;
     fprintf(s,
             "set encoding utf8\nset lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\n"
-            "set tmargin at screen 1\nunset border\nunset tics\nunset key\nset xrange [0:%d]\nset yrange [0:%d]\n",
-            w, h);
+            "set tmargin at screen 1\nunset border\nunset tics\nunset key\nset xrange [0.5:%g]\nset yrange [0.5:%g]\n",
+            w - 0.5, h - 0.5);
     for (int k = 0; k < (all ? POSTPROC_FORMATS : 1); k++) {
         const enum postproc_format format = (enum postproc_format)k;
         /* points a pixel of the raster: 0.75 of the PNG, 1 of the SVG, and of the PDF by its size */

@@ -33,8 +33,8 @@ static void project(const struct postproc_camera *camera, const double e[3], dou
 
 void postproc_legend_axes(struct postproc_figure *f, const struct postproc_camera *camera, const double flow[3]) {
     static const char *const name[3] = {"x", "y", "z"};
-    const double w = f->canvas->width, h = f->canvas->height, arm = 0.055 * h, text = 0.0165 * h;
-    const double origin[2] = {0.075 * w, 0.93 * h};
+    const double w = f->canvas->width, h = f->canvas->height, arm = 0.035 * w, text = 0.0106 * w;
+    const double origin[2] = {0.075 * w, h - 0.045 * w};
     for (int c = 0; c < 3; c++) {
         double e[3] = {0, 0, 0}, p[2];
         e[c] = 1;
@@ -50,7 +50,8 @@ void postproc_legend_axes(struct postproc_figure *f, const struct postproc_camer
     double e[3], p[2];
     for (int c = 0; c < 3; c++) e[c] = flow[c] / size;
     project(camera, e, p);
-    const double middle[2] = {0.185 * w, 0.915 * h}, from[2] = {middle[0] - arm * p[0] * 0.7, middle[1] - arm * p[1] * 0.7};
+    const double middle[2] = {0.185 * w, h - 0.055 * w},
+                 from[2] = {middle[0] - arm * p[0] * 0.7, middle[1] - arm * p[1] * 0.7};
     arrow(f->canvas, from, 1.4 * arm * p[0], 1.4 * arm * p[1], faint);
     postproc_figure_text(f, middle[0], middle[1] + 0.7 * arm * fabs(p[1]) + 1.9 * text, text, faint, POSTPROC_CENTRE,
                          "flow");
@@ -72,7 +73,7 @@ void postproc_legend_length(double metres, char text[32]) {
 }
 
 void postproc_legend_scale(struct postproc_figure *f, double x, double y, double scale, double most) {
-    const double text = 0.0165 * f->canvas->height, length = postproc_legend_round(most / scale);
+    const double text = 0.0106 * f->canvas->width, length = postproc_legend_round(most / scale);
     const struct postproc_pen pen = {.colour = ink, .alpha = 1, .width = 2.2, .hidden = 1};
     const double a[3] = {x, y, 1e30}, b[3] = {x + scale * length, y, 1e30};
     postproc_canvas_line(f->canvas, a, b, pen);
@@ -82,5 +83,5 @@ void postproc_legend_scale(struct postproc_figure *f, double x, double y, double
     }
     char label[32];
     postproc_legend_length(length, label);
-    postproc_figure_text(f, 0.5 * (a[0] + b[0]), y - 0.9 * text, text, ink, POSTPROC_CENTRE, label);
+    postproc_figure_text(f, 0.5 * (a[0] + b[0]), y - 0.8 * text, text, ink, POSTPROC_CENTRE, label);
 }

@@ -93,7 +93,7 @@ int postproc_picture_draw(const struct postproc_picture *p) {
     struct postproc_camera half = camera;
     half.scale /= FINE;
     postproc_legend_axes(f, &half, p->flow);
-    postproc_legend_scale(f, 0.27 * w, 0.95 * h, half.scale, 0.16 * w);
+    postproc_legend_scale(f, 0.27 * w, h - 0.035 * w, half.scale, 0.16 * w);
     bars_draw(f, p);
     postproc_figure_text(f, 0.03 * w, 0.062 * h, 0.023 * h, ink, POSTPROC_LEFT, p->title);
     postproc_figure_text(f, 0.03 * w, 0.102 * h, 0.0175 * h, faint, POSTPROC_LEFT, p->subtitle);

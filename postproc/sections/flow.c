@@ -1,6 +1,7 @@
 /* Section of the report with planes of the fluid: speed, pressure and vorticity. */
 #include "files/folder.h"
 #include "postproc/charts/slice.h"
+#include "postproc/draw/legend.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>
@@ -9,16 +10,17 @@
 enum { SPEED, PRESSURE, VORTICITY, KINDS };
 static const struct {
     const char *name, *title, *label;
-} kinds[KINDS] = {{"speed", "Speed |u| and lines along the velocity in the plane", "|u|  [m/s]"},
+} kinds[KINDS] = {{"speed", "Speed |u|, lines along the velocity in the plane", "|u|  [m/s]"},
                   {"pressure", "Pressure p", "p  [Pa]"},
                   {"vorticity", "Vorticity |ω|", "|ω|  [1/s]"}};
-enum { CELLS_MIN = 4, SQUARES = 26 }; /* a plane of fewer cells across is not drawn */
+enum { CELLS_MIN = 4, SQUARES = 30 }; /* a plane of fewer cells across is not drawn */
 
 static const double *values_of(const struct postproc_slice *s, int kind) {
     return kind == SPEED ? s->speed : kind == PRESSURE ? s->pressure : s->vorticity;
 }
 
-/* Common colours of the planes: up to the 99 % quantile, pressure from the 1 % quantile. Returns 0 if the values are
+/* Common colours of the planes: pressure from the 1 % to the 99 % quantile; speed and vorticity from 0, speed
+ * up to the 99.9 % one. Returns 0 if the values are
  * all equal. */
 static int limits_of(struct postproc_slice *const slice[3], int kind, double limit[2]) {
     limit[0] = INFINITY;
@@ -27,7 +29,7 @@ static int limits_of(struct postproc_slice *const slice[3], int kind, double lim
         const double *value = slice[a] ? values_of(slice[a], kind) : NULL;
         if (!value) continue;
         limit[0] = fmin(limit[0], postproc_slice_quantile(slice[a], value, 0.01));
-        limit[1] = fmax(limit[1], postproc_slice_quantile(slice[a], value, 0.99));
+        limit[1] = fmax(limit[1], postproc_slice_quantile(slice[a], value, kind == SPEED ? 0.999 : 0.99));
     }
     if (kind != PRESSURE) limit[0] = 0;
     return limit[1] > limit[0] + 1e-9 * fabs(limit[1]);
@@ -36,12 +38,13 @@ static int limits_of(struct postproc_slice *const slice[3], int kind, double lim
 static void slice_draw(struct postproc_output *out, const struct postproc_history *h, const struct postproc_slice *s,
                        int kind, double limit[2]) {
     static const char *const axis[3] = {"x", "y", "z"};
-    char folder[FOLDER_PATH], name[64], title[160], when[64];
+    char folder[FOLDER_PATH], name[64], title[160], when[64], place[32];
     struct postproc_stream lines = {0};
     if (kind == SPEED) lines = postproc_slice_lines(s, SQUARES);
     snprintf(name, sizeof name, "slice_%s_%s", axis[s->axis], kinds[kind].name);
     postproc_sections_when(h, s->time, when);
-    snprintf(title, sizeof title, "%s: %s = %.4g m, %s", kinds[kind].title, axis[s->axis], s->place, when);
+    postproc_legend_length(s->place, place);
+    snprintf(title, sizeof title, "%s, at %s = %s, %s", kinds[kind].title, axis[s->axis], place, when);
     const enum postproc_plot_status status =
         postproc_slice_draw(&(struct postproc_slice_plot){.folder = folder_path(folder, out->folder, "pictures"),
                                                           .name = name,

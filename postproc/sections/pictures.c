@@ -12,7 +12,7 @@
 
 enum solid_value { PLAIN, DAMAGE, DISPLACEMENT };
 enum flow_value { NO_FLOW, LINES, SPEED, PRESSURE };
-enum { SEEDS = 220 };
+enum { SEEDS = 160 };
 
 static const struct view {
     const char *name, *title, *said;
@@ -46,7 +46,8 @@ struct moment {
     struct postproc_flow *flow;
     struct postproc_stream lines;
     struct postproc_slice *slice[3];
-    double speed[2], pressure[2], displacement; /* bounds of the colours; displacement: upper one, m */
+    /* bounds of the colours; of the planes only: pressure and planar; displacement: the upper one, m */
+    double speed[2], planar[2], pressure[2], displacement;
 };
 
 /* The 98 % quantile over the particles that have bonds, so that a few ejected particles do not set the colours. 0
@@ -82,7 +83,9 @@ static void bounds_of(struct moment *m) {
     m->pressure[1] = -INFINITY;
     for (int a = 0; a < 3; a++) {
         const struct postproc_slice *s = m->slice[a];
-        if (!s || !s->pressure) continue;
+        if (!s) continue;
+        m->planar[1] = fmax(m->planar[1], postproc_slice_quantile(s, s->speed, 0.999));
+        if (!s->pressure) continue;
         m->pressure[0] = fmin(m->pressure[0], postproc_slice_quantile(s, s->pressure, 0.01));
         m->pressure[1] = fmax(m->pressure[1], postproc_slice_quantile(s, s->pressure, 0.99));
     }
@@ -125,7 +128,7 @@ static int is_there(const struct view *v, const struct moment *m) {
     case LINES:
         return m->lines.lines > 0;
     case SPEED:
-        return m->slice[2] && m->speed[1] > 0;
+        return m->slice[2] && m->planar[1] > 0;
     case PRESSURE:
         return m->slice[2] && m->pressure[1] > m->pressure[0] + 1e-9 * fabs(m->pressure[1]);
     }
@@ -172,7 +175,8 @@ static void flow_of(struct postproc_picture *p, struct postproc_plane plane[3], 
                     const struct moment *m, const struct moment *colours) {
     const int pressure = v->flow == PRESSURE;
     double limit[2];
-    for (int k = 0; k < 2; k++) limit[k] = pressure ? colours->pressure[k] : colours->speed[k];
+    for (int k = 0; k < 2; k++)
+        limit[k] = pressure ? colours->pressure[k] : v->flow == LINES ? colours->speed[k] : colours->planar[k];
     p->flow_map = postproc_sections_map(limit);
     p->flow_low = limit[0];
     p->flow_high = limit[1];
@@ -258,7 +262,9 @@ static void film(struct postproc_output *out, const struct postproc_history *h, 
         snprintf(name, sizeof name, "%s_%04d", v->name, frame);
         if ((v->flow == NO_FLOW ? m.body != NULL : m.flow != NULL) && is_there(v, last)) {
             view_draw(out, h, v, &m, last, "film", name);
-            frame++;
+            out->frames = frame++;
+            snprintf(out->film, sizeof out->film, "%s", v->name);
+            snprintf(out->film_title, sizeof out->film_title, "%s", v->title);
         }
         moment_free(&m);
     }

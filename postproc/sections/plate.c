@@ -121,12 +121,15 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
 static void film(struct postproc_output *out, const struct postproc_history *h, const double range[2], double magnify) {
     char name[96];
     const enum postproc_quantity q = out->options.film_quantity;
-    for (int k = 0; k < h->solid.n; k++) {
+    for (int k = 0, frame = 1; k < h->solid.n; k++) {
         struct scene_of_plate s = prepare(out, h, k);
         int stride;
         if (s.plate && values_of(s.plate, q, &stride)) {
-            snprintf(name, sizeof name, "%s_%04d", postproc_options_name(q), k + 1);
+            snprintf(name, sizeof name, "%s_%04d", postproc_options_name(q), frame);
             draw(out, h, &s, q, range, magnify, "film", name, 0);
+            out->frames = frame++;
+            snprintf(out->film, sizeof out->film, "%s", postproc_options_name(q));
+            snprintf(out->film_title, sizeof out->film_title, "%s", looks[q].title);
         }
         release(&s);
     }

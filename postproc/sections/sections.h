@@ -17,6 +17,8 @@ struct postproc_output {
     struct {
         char name[64], title[160]; /* pictures/NAME.png */
     } picture[POSTPROC_PICTURES];
+    int frames; /* of the film: film/NAME_0001.png ... */
+    char film[64], film_title[160];
     int failed; /* errno of the first file that could not be written, 0 */
     char failed_path[256];
 };
