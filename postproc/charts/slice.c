@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { COLOURS = 32, SHARP = 400 };
+enum { COLOURS = 32, SHARP = 400, THIN = 3 };
 
 /* A unit in which the larger side has one to three digits before the point. */
 static double unit_of(double size, const char **name) {
@@ -57,7 +57,8 @@ static int values_write(const struct postproc_slice_plot *p, const char *path) {
 static void put_lines(FILE *f, const struct postproc_stream *s, double unit) {
     fputs("$lines << EOD\n", f);
     for (int k = 0; k < s->lines; k++) {
-        for (long i = s->first[k]; i < s->first[k + 1]; i++)
+        const long last = s->first[k + 1] - 1;
+        for (long i = s->first[k]; i <= last; i = i < last && i + THIN > last ? last : i + THIN)
             fprintf(f, "%.6g %.6g\n", s->x[i][0] / unit, s->x[i][1] / unit);
         fputc('\n', f);
     }

@@ -33,7 +33,7 @@ struct postproc_stream postproc_flow_lines_new(const struct postproc_flow *f, in
     struct between b = {axis, size[axis]};
     const struct postproc_stream_input in = {.at = velocity_at,
                                              .field = f,
-                                             .step = least / 3,
+                                             .step = least / 4,
                                              .slowest = 1e-4 * f->fastest,
                                              .longest = 4 * (size[0] + size[1] + size[2]),
                                              .enough = through ? has_left : NULL,

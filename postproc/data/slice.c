@@ -239,7 +239,7 @@ struct postproc_stream postproc_slice_lines(const struct postproc_slice *s, int 
     q.owner = memory_new(MEMORY_OUTPUT, (size_t)q.n[0] * (size_t)q.n[1], sizeof *q.owner);
     const struct postproc_stream_input in = {.at = in_plane,
                                              .field = s,
-                                             .step = 0.25 * fmin(fmin(s->d[0], s->d[1]), q.side),
+                                             .step = 0.1 * fmin(fmin(s->d[0], s->d[1]), q.side),
                                              .slowest = 1e-3 * fastest,
                                              .longest = 3 * (size[0] + size[1]),
                                              .begin = at_seed,

@@ -27,5 +27,5 @@ void postproc_slice_free(struct postproc_slice *s);
 /* A quantile, 0 ... 1, of the finite ones of the slice's values; NAN if there is none. */
 double postproc_slice_quantile(const struct postproc_slice *s, const double *value, double q);
 /* Lines along the velocity in the plane, spread evenly: no two are nearer to each other than about the side of a
- * square, of which `squares` fill the longer side. Points are (x, y, 0) in the plane, m. */
+ * square, of which `squares` fill the longer side. Points are (x, y, 0) in the plane, m, a tenth of a cell apart. */
 struct postproc_stream postproc_slice_lines(const struct postproc_slice *s, int squares);

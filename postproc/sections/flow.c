@@ -10,7 +10,7 @@
 enum { SPEED, PRESSURE, VORTICITY, KINDS };
 static const struct {
     const char *name, *title, *label;
-} kinds[KINDS] = {{"speed", "Speed |u|, lines along the velocity in the plane", "|u|  [m/s]"},
+} kinds[KINDS] = {{"speed", "Speed |u|", "|u|  [m/s]"},
                   {"pressure", "Pressure p", "p  [Pa]"},
                   {"vorticity", "Vorticity |ω|", "|ω|  [1/s]"}};
 enum { CELLS_MIN = 4, SQUARES = 30 }; /* a plane of fewer cells across is not drawn */
@@ -44,7 +44,8 @@ static void slice_draw(struct postproc_output *out, const struct postproc_histor
     snprintf(name, sizeof name, "slice_%s_%s", axis[s->axis], kinds[kind].name);
     postproc_sections_when(h, s->time, when);
     postproc_legend_length(s->place, place);
-    snprintf(title, sizeof title, "%s, at %s = %s, %s", kinds[kind].title, axis[s->axis], place, when);
+    snprintf(title, sizeof title, "%s%s, at %s = %s, %s", kinds[kind].title,
+             lines.lines ? ", lines along the velocity in the plane" : "", axis[s->axis], place, when);
     const enum postproc_plot_status status =
         postproc_slice_draw(&(struct postproc_slice_plot){.folder = folder_path(folder, out->folder, "pictures"),
                                                           .name = name,
