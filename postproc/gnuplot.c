@@ -29,28 +29,22 @@ enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *s
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? POSTPROC_PLOT_DONE : POSTPROC_PLOT_FAILED;
 }
 
-/* Sizes are chosen so that letters have the same part of the width in all three: a point is 4/3 pixels of the PNG. */
+/* The typeface and the sizes of letters and lines are the same in all three: a point is 4/3 pixels of the PNG. Letters
+ * of a PDF would be 4/3 larger without the scale, as measured with gnuplot 5.4. */
 void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char *name, int width, int height) {
-    static const double inches = 7;
-    const double points = 13;
+    static const char look[] = "enhanced font 'DejaVu Sans,13' background '#ffffff'";
     switch (format) {
     case POSTPROC_PNG:
-        fprintf(f,
-                "set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,%g' linewidth 1.4 background '#ffffff'\n"
-                "set output '%s.png'\n",
-                width, height, points, name);
+        fprintf(f, "set terminal pngcairo size %d,%d %s linewidth 1.4\nset output '%s.png'\n", width, height, look,
+                name);
         return;
-    case POSTPROC_SVG: /* its points are pixels */
-        fprintf(f,
-                "set terminal svg size %d,%d enhanced font 'DejaVu Sans,%g' linewidth 1.4 background '#ffffff'\n"
-                "set output '%s.svg'\n",
-                width, height, points * 4 / 3, name);
+    case POSTPROC_SVG: /* its unit is the point */
+        fprintf(f, "set terminal svg size %g,%g %s linewidth 1.05\nset output '%s.svg'\n", 0.75 * width, 0.75 * height,
+                look, name);
         return;
     case POSTPROC_PDF:
-        fprintf(f,
-                "set terminal pdfcairo size %gin,%gin enhanced font 'DejaVu Sans,%.4g' linewidth 1 background "
-                "'#ffffff'\nset output '%s.pdf'\n",
-                inches, inches * height / width, points * 4 / 3 * 72 * inches / width, name);
+        fprintf(f, "set terminal pdfcairo size %.6gin,%.6gin %s fontscale 0.75 linewidth 2\nset output '%s.pdf'\n",
+                width / 96.0, height / 96.0, look, name);
         return;
     case POSTPROC_FORMATS:
         break;

@@ -12,7 +12,8 @@ enum postproc_format { POSTPROC_PNG, POSTPROC_SVG, POSTPROC_PDF, POSTPROC_FORMAT
 
 /* Runs gnuplot in the folder, without a shell and without output. */
 enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script);
-/* set terminal and set output NAME.png, .svg or .pdf. width, height: pixels of the PNG; the PDF is 7 inches wide. */
+/* set terminal and set output NAME.png, .svg or .pdf. width, height: pixels of the PNG. The page of the PDF is as
+ * large as the PNG at 96 pixels an inch. */
 void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char *name, int width, int height);
 /* A text between gnuplot's single quotes, on one line. */
 void postproc_gnuplot_text(FILE *f, const char *text);

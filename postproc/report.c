@@ -110,7 +110,7 @@ void postproc_report_facts(struct postproc_report *r, const struct postproc_fact
     postproc_report_table(r, rows, 3, cell);
 }
 
-/* The bytes of a file in base 64 (RFC 4648). Returns 0, or -1 if it cannot be read. */
+/* The bytes of a file in base 64. Returns 0, or -1 if it cannot be read. */
 static int put_base64(FILE *f, const char *path) {
     static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     FILE *from = fopen(path, "rb");

@@ -69,14 +69,14 @@ static int write_plain(const struct postproc_figure *f, const char *path) {
     return postproc_canvas_write(f->canvas, path);
 }
 
-static void put_texts(FILE *s, const struct postproc_figure *f, double points) {
+static void put_texts(FILE *s, const struct postproc_figure *f) {
     static const char *const align[] = {"left", "center", "right"};
-    for (int k = 0; k < f->texts; k++) { /* gnuplot centres a text on its point in height */
+    for (int k = 0; k < f->texts; k++) { /* gnuplot centres a text on its point in height; 0.75 points a pixel */
         fprintf(s, "set label %d ", k + 1);
         postproc_gnuplot_text(s, f->text[k].text);
         fprintf(s, " at first %.6g, first %.6g %s noenhanced front font ',%.4g' tc rgb '#%06x'\n", f->text[k].x,
                 f->canvas->height - f->text[k].y + 0.5 * f->text[k].height, align[f->text[k].align],
-                points * f->text[k].height / capital, f->text[k].colour);
+                0.75 * f->text[k].height / capital, f->text[k].colour);
     }
 }
 
@@ -91,10 +91,8 @@ static int script_write(const struct postproc_figure *f, const char *path, const
             w - 0.5, h - 0.5);
     for (int k = 0; k < (all ? POSTPROC_FORMATS : 1); k++) {
         const enum postproc_format format = (enum postproc_format)k;
-        /* points a pixel of the raster: 0.75 of the PNG, 1 of the SVG, and of the PDF by its size */
-        const double points = format == POSTPROC_PNG ? 0.75 : format == POSTPROC_SVG ? 1 : 72 * 7.0 / w;
         postproc_gnuplot_terminal(s, format, name, w, h);
-        put_texts(s, f, points);
+        put_texts(s, f);
         fprintf(s, "plot '%s.rgb' binary array=(%d,%d) format='%%uchar' origin=(0.5,0.5) flipy with rgbimage\n", name,
                 w, h);
     }

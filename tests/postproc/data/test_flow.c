@@ -148,7 +148,8 @@ static void circles_in_a_plane(void **state) {
             inside = inside && lines.x[i][0] > cell && lines.x[i][0] < 0.2 - cell;
             least = fmin(least, r);
             most = fmax(most, r);
-            if (i > lines.first[k]) length += hypot(lines.x[i][0] - lines.x[i - 1][0], lines.x[i][1] - lines.x[i - 1][1]);
+            if (i > lines.first[k])
+                length += hypot(lines.x[i][0] - lines.x[i - 1][0], lines.x[i][1] - lines.x[i - 1][1]);
             check_close(lines.speed[i], inside ? 5 * r : lines.speed[i], 1e-9);
         }
         if (!inside) continue;
