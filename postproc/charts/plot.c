@@ -123,10 +123,11 @@ static void put_powers(FILE *f, const struct axes *a) {
     if (a->power[1])
         fprintf(f, "set label 90 '× 10^{%d}' at graph 0, graph 1 left offset 0,0.8 tc rgb '#23282e'\n", a->power[1]);
     if (a->power[0])
-        fprintf(f, "set label 91 '× 10^{%d}' at graph 1, graph 0 right offset 0,-2.2 tc rgb '#23282e'\n", a->power[0]);
+        fprintf(f, "set label 91 '× 10^{%d}' at graph 1, graph 0 right offset 0,-2.5 tc rgb '#23282e'\n", a->power[0]);
     if (!isnan(a->peak))
         fprintf(f,
-                "set label 92 'extreme at the start, beyond the axis: %.3g' at graph 0.99, graph 0.96 right noenhanced "
+                "set label 92 'extreme at the start, beyond the axis: %.3g' at graph 1, graph 1 right offset 0,0.8 "
+                "noenhanced "
                 "front tc rgb '#5a6068'\n",
                 a->peak);
 }
