@@ -69,11 +69,13 @@ static void report_images(struct postproc_report *r, const struct postproc_outpu
 static const char *plots_missing(enum postproc_plot_status status) {
     switch (status) {
     case POSTPROC_PLOT_NO_GNUPLOT:
-        return "No plots: gnuplot was not found. Their scripts are in post/plots (*.gp).";
+        return "No plots and no slices of the fluid: gnuplot was not found. Their scripts are in post/plots and "
+               "post/pictures (*.gp).";
     case POSTPROC_PLOT_NO_FILE:
         return "No plots: their scripts could not be written.";
     case POSTPROC_PLOT_FAILED:
-        return "Some plots are missing: gnuplot did not accept their scripts in post/plots (*.gp).";
+        return "Some plots are missing: gnuplot did not accept their scripts in post/plots or "
+               "post/pictures (*.gp).";
     case POSTPROC_PLOT_DONE:
         return NULL;
     }

@@ -21,7 +21,7 @@ static double unit_of(double size, const char **name) {
 }
 
 /* Pixels of the picture and of the room around the plane. */
-enum { LEFT = 95, RIGHT = 175, TOP = 90, BOTTOM = 92, LONG = 930, TALL = 760, SHORT = 150 };
+enum { LEFT = 95, RIGHT = 175, TOP = 115, BOTTOM = 92, LONG = 930, TALL = 760, SHORT = 150 };
 struct layout {
     int wide, high;
 };
@@ -94,7 +94,10 @@ static void put_style(FILE *f, const struct postproc_slice_plot *p, const char *
           f);
     fputs("set label 1 ", f);
     postproc_gnuplot_text(f, p->title);
-    fprintf(f, " at screen 0.02, screen %.6g left noenhanced tc rgb '#23282e'\n", 1 - 22.0 / at->high);
+    fprintf(f, " at screen %.6g, screen %.6g left noenhanced font ',15' tc rgb '#23282e'\nset label 4 ",
+            20.0 / at->wide, 1 - 26.0 / at->high);
+    postproc_gnuplot_text(f, p->subtitle);
+    fprintf(f, " at screen %.6g, screen %.6g left noenhanced tc rgb '#5a6068'\n", 20.0 / at->wide, 1 - 54.0 / at->high);
     fprintf(f,
             "set lmargin at screen %.6g\nset rmargin at screen %.6g\nset tmargin at screen %.6g\nset bmargin at screen "
             "%.6g\n",

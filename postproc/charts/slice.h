@@ -7,9 +7,9 @@
 #include "postproc/gnuplot.h"
 
 struct postproc_slice_plot {
-    const char *folder, *name; /* folder/name.gp, .bin, .png, .svg, .pdf */
-    int all;                   /* 0: only the PNG */
-    const char *title, *label; /* label: of the colour bar */
+    const char *folder, *name;            /* folder/name.gp, .bin, .png, .svg, .pdf */
+    int all;                              /* 0: only the PNG */
+    const char *title, *subtitle, *label; /* label: of the colour bar */
     const struct postproc_slice *slice;
     const double *value;                 /* one of the slice's */
     const struct postproc_stream *lines; /* NULL: none */

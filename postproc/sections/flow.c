@@ -38,19 +38,22 @@ static int limits_of(struct postproc_slice *const slice[3], int kind, double lim
 static void slice_draw(struct postproc_output *out, const struct postproc_history *h, const struct postproc_slice *s,
                        int kind, double limit[2]) {
     static const char *const axis[3] = {"x", "y", "z"};
-    char folder[FOLDER_PATH], name[64], title[160], when[64], place[32];
+    char folder[FOLDER_PATH], name[64], title[96], where[160], caption[160], when[64], place[32];
     struct postproc_stream lines = {0};
     if (kind == SPEED) lines = postproc_slice_lines(s, SQUARES);
     snprintf(name, sizeof name, "slice_%s_%s", axis[s->axis], kinds[kind].name);
     postproc_sections_when(h, s->time, when);
     postproc_legend_length(s->place, place);
-    snprintf(title, sizeof title, "%s%s, at %s = %s, %s", kinds[kind].title,
-             lines.lines ? ", lines along the velocity in the plane" : "", axis[s->axis], place, when);
+    snprintf(title, sizeof title, "%s%s", kinds[kind].title,
+             lines.lines ? ", lines along the velocity in the plane" : "");
+    snprintf(where, sizeof where, "%s = %s, %s, step %ld", axis[s->axis], place, when, s->step);
+    snprintf(caption, sizeof caption, "%s, at %s = %s", title, axis[s->axis], place);
     const enum postproc_plot_status status =
         postproc_slice_draw(&(struct postproc_slice_plot){.folder = folder_path(folder, out->folder, "pictures"),
                                                           .name = name,
                                                           .all = 1,
                                                           .title = title,
+                                                          .subtitle = where,
                                                           .label = kinds[kind].label,
                                                           .slice = s,
                                                           .value = values_of(s, kind),
@@ -62,7 +65,7 @@ static void slice_draw(struct postproc_output *out, const struct postproc_histor
     if (status != POSTPROC_PLOT_DONE)
         out->charts.worst = status;
     else
-        postproc_sections_picture(out, name, title);
+        postproc_sections_picture(out, name, caption);
 }
 
 void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h) {

@@ -200,8 +200,8 @@ static void view_draw(struct postproc_output *out, const struct postproc_history
     char folder[FOLDER_PATH], subtitle[256], when[64];
     struct postproc_plane plane[3];
     postproc_sections_when(h, m->time, when);
-    snprintf(subtitle, sizeof subtitle, "%s%s%s, step %ld, %s", when, h->stage[0] ? " of stage " : "", h->stage,
-             m->step, v->said);
+    snprintf(subtitle, sizeof subtitle, "%s%s%s, step %ld, %s", when, h->stage[0] ? " from the start of stage " : "",
+             h->stage, m->step, v->said);
     struct postproc_picture p = {.folder = folder_path(folder, out->folder, inside),
                                  .name = name,
                                  .all = m == colours,
