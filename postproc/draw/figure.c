@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 static const unsigned ink = 0x23282e;
@@ -57,14 +58,22 @@ void postproc_figure_bar(struct postproc_figure *f, const struct postproc_bar *b
                          bar->label);
 }
 
+/* The stroke font has no raised letters: a power of ten gets a caret. */
+static void plain_of(const char *text, char plain[300]) {
+    const char *ten = strstr(text, "×10");
+    snprintf(plain, 300, "%.*s%s%s", ten ? (int)(ten - text) : 0, text, ten ? "×10^" : "",
+             ten ? ten + strlen("×10") : text);
+}
+
 static int write_plain(const struct postproc_figure *f, const char *path) {
     for (int k = 0; k < f->texts; k++) {
-        const double wide = postproc_font_width(f->text[k].height, f->text[k].text);
+        char plain[300];
+        plain_of(f->text[k].text, plain);
+        const double wide = postproc_font_width(f->text[k].height, plain);
         const double left = f->text[k].align == POSTPROC_LEFT     ? 0
                             : f->text[k].align == POSTPROC_CENTRE ? 0.5 * wide
                                                                   : wide;
-        postproc_font_draw(f->canvas, f->text[k].x - left, f->text[k].y, f->text[k].height, f->text[k].colour,
-                           f->text[k].text);
+        postproc_font_draw(f->canvas, f->text[k].x - left, f->text[k].y, f->text[k].height, f->text[k].colour, plain);
     }
     return postproc_canvas_write(f->canvas, path);
 }
