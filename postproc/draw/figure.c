@@ -98,12 +98,14 @@ static int script_write(const struct postproc_figure *f, const char *path, const
             "set encoding utf8\nset lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\n"
             "set tmargin at screen 1\nunset border\nunset tics\nunset key\nset xrange [0.5:%g]\nset yrange [0.5:%g]\n",
             w - 0.5, h - 0.5);
+    put_texts(s, f);
     for (int k = 0; k < (all ? POSTPROC_FORMATS : 1); k++) {
-        const enum postproc_format format = (enum postproc_format)k;
-        postproc_gnuplot_terminal(s, format, name, w, h);
-        put_texts(s, f);
-        fprintf(s, "plot '%s.rgb' binary array=(%d,%d) format='%%uchar' origin=(0.5,0.5) flipy with rgbimage\n", name,
-                w, h);
+        postproc_gnuplot_terminal(s, (enum postproc_format)k, name, w, h);
+        if (k == 0)
+            fprintf(s, "plot '%s.rgb' binary array=(%d,%d) format='%%uchar' origin=(0.5,0.5) flipy with rgbimage\n",
+                    name, w, h);
+        else
+            fputs("refresh\n", s); /* without reading the raster again */
     }
     fputs("set output\n", s);
     const int bad = ferror(s);

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-static const unsigned ink = 0x23282e, faint = 0x5a6068, line = 0x0a7d78, paper_top = 0xffffff, paper_bottom = 0xeef0f2;
+static const unsigned line = 0x0a7d78, paper_top = 0xffffff, paper_bottom = 0xeef0f2;
 enum { FINE = 2 };
 
 /* Transform from the plane to the pixels of a canvas. */
@@ -16,7 +16,7 @@ struct window {
 };
 
 static struct window window_of(const struct postproc_flat *p, double fine) {
-    const double box[4] = {0.04 * p->width, 0.07 * p->width, 0.86 * p->width, p->height - 0.09 * p->width};
+    const double box[4] = {0.04 * p->width, 0.08 * p->width, 0.86 * p->width, p->height - 0.09 * p->width};
     const struct postproc_plate *plate = p->plate;
     double size[2], middle[2];
     for (int c = 0; c < 2; c++) { /* a margin for moving parts */
@@ -85,8 +85,7 @@ int postproc_flat_draw(const struct postproc_flat *p) {
     const struct postproc_camera camera = postproc_camera_new(front, zero, one, (double[4]){0, 0, 1, 1});
     postproc_legend_axes(f, &camera, zero);
     postproc_legend_scale(f, 0.17 * w, h - 0.035 * w, out.scale, 0.16 * w);
-    postproc_figure_text(f, 0.03 * w, 0.03 * w, 0.0148 * w, ink, POSTPROC_LEFT, p->title);
-    postproc_figure_text(f, 0.03 * w, 0.054 * w, 0.0112 * w, faint, POSTPROC_LEFT, p->subtitle);
+    postproc_legend_title(f, p->title, p->subtitle);
     return postproc_figure_write(f, p->folder, p->name, p->all);
 }
 

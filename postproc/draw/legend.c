@@ -1,5 +1,6 @@
 /* Draws the axes, the arrow of the flow and the scale bar. */
 #include "postproc/draw/legend.h"
+#include "postproc/draw/font.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -55,6 +56,17 @@ void postproc_legend_axes(struct postproc_figure *f, const struct postproc_camer
     arrow(f->canvas, from, 1.4 * arm * p[0], 1.4 * arm * p[1], faint);
     postproc_figure_text(f, middle[0], middle[1] + 0.7 * arm * fabs(p[1]) + 1.9 * text, text, faint, POSTPROC_CENTRE,
                          "flow");
+}
+
+void postproc_legend_title(struct postproc_figure *f, const char *title, const char *subtitle) {
+    static const double typeface = 1.12; /* width of DejaVu Sans over the stroke font's, at most */
+    const double w = f->canvas->width, height[2] = {0.0148 * w, 0.0112 * w}, below[2] = {0.04 * w, 0.0656 * w};
+    for (int k = 0; k < 2; k++) {
+        const char *text = k ? subtitle : title;
+        const double wide = typeface * postproc_font_width(height[k], text), room = 0.94 * w;
+        postproc_figure_text(f, 0.03 * w, below[k], height[k] * (wide > room ? room / wide : 1), k ? faint : ink,
+                             POSTPROC_LEFT, text);
+    }
 }
 
 double postproc_legend_round(double bound) {

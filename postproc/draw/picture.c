@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-static const unsigned ink = 0x23282e, faint = 0x5a6068, paper_top = 0xffffff, paper_bottom = 0xe3e7eb;
+static const unsigned ink = 0x23282e, paper_top = 0xffffff, paper_bottom = 0xe3e7eb;
 static const double stone[3] = {0.80, 0.79, 0.77}; /* sRGB of a solid without values */
 enum { FINE = 2 };
 
@@ -95,7 +95,6 @@ int postproc_picture_draw(const struct postproc_picture *p) {
     postproc_legend_axes(f, &half, p->flow);
     postproc_legend_scale(f, 0.27 * w, h - 0.035 * w, half.scale, 0.16 * w);
     bars_draw(f, p);
-    postproc_figure_text(f, 0.03 * w, 0.062 * h, 0.023 * h, ink, POSTPROC_LEFT, p->title);
-    postproc_figure_text(f, 0.03 * w, 0.102 * h, 0.0175 * h, faint, POSTPROC_LEFT, p->subtitle);
+    postproc_legend_title(f, p->title, p->subtitle);
     return postproc_figure_write(f, p->folder, p->name, p->all);
 }
