@@ -70,7 +70,12 @@ struct vtkhdf_source {
 /* NULL when it cannot be read as a VTKHDF file of ours; *error (may be NULL) then says why. Not collective. */
 struct vtkhdf_source *vtkhdf_read_open(const char *path, const char **error);
 void vtkhdf_read_close(struct vtkhdf_source *s);
+/* Values a point of a field; 0 if there is no such field. */
+int vtkhdf_read_comps(const struct vtkhdf_source *s, const char *name);
 /* Values [points][comps], malloc'ed; NULL if there is no such field. Not collective. */
 double *vtkhdf_read_double(struct vtkhdf_source *s, const char *name);
+/* Of an image, the block of points lo ... lo + m - 1 only: [m_z][m_y][m_x][comps], malloc'ed; NULL if there is no such
+ * field. Not collective. */
+double *vtkhdf_read_block(struct vtkhdf_source *s, const char *name, const int lo[3], const int m[3]);
 int64_t *vtkhdf_read_long(struct vtkhdf_source *s, const char *name);
 double (*vtkhdf_read_points(struct vtkhdf_source *s))[3]; /* of points, or of an image's */

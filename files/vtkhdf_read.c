@@ -104,28 +104,56 @@ void vtkhdf_read_close(struct vtkhdf_source *s) {
     free(s);
 }
 
+static const struct vtkhdf_field *find(const struct vtkhdf_source *s, const char *name) {
+    for (int k = 0; k < s->fields; k++)
+        if (strcmp(s->field[k].name, name) == 0) return &s->field[k];
+    return NULL;
+}
+
+int vtkhdf_read_comps(const struct vtkhdf_source *s, const char *name) {
+    const struct vtkhdf_field *a = find(s, name);
+    return a ? a->comps : 0;
+}
+
+double *vtkhdf_read_block(struct vtkhdf_source *s, const char *name, const int lo[3], const int m[3]) {
+    char path[256];
+    const struct vtkhdf_field *a = find(s, name);
+    if (!a || !s->image || a->integer) return NULL;
+    struct h5_block b = {.dims = a->comps > 1 ? 4 : 3};
+    size_t n = (size_t)a->comps;
+    for (int k = 0; k < 3; k++) { /* HDF5 counts the slowest index first */
+        b.n[k] = (hsize_t)s->n[2 - k];
+        b.lo[k] = (hsize_t)lo[2 - k];
+        b.m[k] = (hsize_t)m[2 - k];
+        n *= (size_t)m[k];
+    }
+    b.n[3] = b.m[3] = (hsize_t)a->comps;
+    double *value = malloc((n + 1) * sizeof *value);
+    snprintf(path, sizeof path, "VTKHDF/PointData/%s", name);
+    if (value && !h5_read(s->file, path, H5T_NATIVE_DOUBLE, &b, value)) return value;
+    free(value);
+    return NULL;
+}
+
 static void *read_field(struct vtkhdf_source *s, const char *name, int integer) {
     char path[256];
     struct h5 *f = s->file;
-    for (int k = 0; k < s->fields; k++) {
-        const struct vtkhdf_field *a = &s->field[k];
-        if (strcmp(a->name, name) != 0) continue;
-        const size_t n = (size_t)s->points * (size_t)a->comps;
-        int64_t *value = malloc((n + 1) * sizeof *value); /* integers of eight bytes, converted to doubles */
-        snprintf(path, sizeof path, "VTKHDF/PointData/%s", name);
-        const hid_t type = a->integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE;
-        if (!value || (integer && !a->integer) || read_all(f, path, type, value)) {
-            free(value);
-            return NULL;
-        }
-        if (a->integer && !integer)
-            for (size_t i = 0; i < n; i++) {
-                const double x = (double)value[i];
-                memcpy(&value[i], &x, sizeof x);
-            }
-        return value;
+    const struct vtkhdf_field *a = find(s, name);
+    if (!a) return NULL;
+    const size_t n = (size_t)s->points * (size_t)a->comps;
+    int64_t *value = malloc((n + 1) * sizeof *value); /* integers of eight bytes, converted to doubles */
+    snprintf(path, sizeof path, "VTKHDF/PointData/%s", name);
+    const hid_t type = a->integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE;
+    if (!value || (integer && !a->integer) || read_all(f, path, type, value)) {
+        free(value);
+        return NULL;
     }
-    return NULL;
+    if (a->integer && !integer)
+        for (size_t i = 0; i < n; i++) {
+            const double x = (double)value[i];
+            memcpy(&value[i], &x, sizeof x);
+        }
+    return value;
 }
 
 double *vtkhdf_read_double(struct vtkhdf_source *s, const char *name) { return read_field(s, name, 0); }

@@ -7,16 +7,22 @@ enum postproc_quantity {
     POSTPROC_ENERGY,
     POSTPROC_DISPLACEMENT_X,
     POSTPROC_DISPLACEMENT_Y,
+    POSTPROC_FLOW, /* from here on of space only */
+    POSTPROC_SPEED,
+    POSTPROC_PRESSURE,
     POSTPROC_QUANTITIES
 };
+enum { POSTPROC_PLATE_QUANTITIES = POSTPROC_FLOW };
 
 struct postproc_options {
-    int film;                             /* 1: a picture of each field file of a plate */
+    int film;                             /* 1: a picture of each field file */
     enum postproc_quantity film_quantity; /* the quantity of these pictures */
+    int film_named;                       /* 0: damage of a plate; of space the flow, or damage where nothing flows */
     double level;                         /* of the damage contour; 0: automatic */
     double magnify;                       /* factor of the displacements; 0: automatic */
 };
 
-/* The quantity of a name: damage, stretch, energy, displacement_x, displacement_y; -1: unknown name. */
+/* The quantity of a name: damage, stretch, energy, displacement_x, displacement_y, flow, speed,
+ * pressure; -1: unknown name. */
 int postproc_options_quantity(const char *word);
 const char *postproc_options_name(enum postproc_quantity quantity);

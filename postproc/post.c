@@ -35,6 +35,22 @@ static void report_section(struct postproc_report *r, const struct postproc_outp
     postproc_report_facts(r, &out->facts, first, last);
 }
 
+/* At most FRAMES pictures of the film, evenly spread, for the page would grow without bound. */
+static void report_film(struct postproc_report *r, const struct postproc_output *out) {
+    enum { FRAMES = 40 };
+    char path[FRAMES][128];
+    const char *all[FRAMES];
+    const int n = out->frames < FRAMES ? out->frames : FRAMES;
+    if (n == 0) return;
+    for (int k = 0; k < n; k++) {
+        const int frame = n < 2 ? 1 : 1 + (int)((long)k * (out->frames - 1) / (n - 1));
+        snprintf(path[k], sizeof *path, "film/%s_%04d.png", out->film, frame);
+        all[k] = path[k];
+    }
+    postproc_report_heading(r, "Film");
+    postproc_report_film(r, n, all, out->film_title);
+}
+
 static void report_images(struct postproc_report *r, const struct postproc_output *out) {
     char path[128];
     if (out->pictures) postproc_report_heading(r, "Pictures");
@@ -42,6 +58,7 @@ static void report_images(struct postproc_report *r, const struct postproc_outpu
         snprintf(path, sizeof path, "pictures/%s.png", out->picture[k].name);
         postproc_report_image(r, path, out->picture[k].title);
     }
+    report_film(r, out);
     if (out->charts.n) postproc_report_heading(r, "Plots");
     for (int k = 0; k < out->charts.n; k++) {
         snprintf(path, sizeof path, "plots/%s.png", out->charts.name[k]);
@@ -52,11 +69,13 @@ static void report_images(struct postproc_report *r, const struct postproc_outpu
 static const char *plots_missing(enum postproc_plot_status status) {
     switch (status) {
     case POSTPROC_PLOT_NO_GNUPLOT:
-        return "No plots: gnuplot was not found. Their scripts are in post/plots (*.gp).";
+        return "No plots and no slices of the fluid: gnuplot was not found. Their scripts are in post/plots and "
+               "post/pictures (*.gp).";
     case POSTPROC_PLOT_NO_FILE:
         return "No plots: their scripts could not be written.";
     case POSTPROC_PLOT_FAILED:
-        return "Some plots are missing: gnuplot did not accept their scripts in post/plots (*.gp).";
+        return "Some plots are missing: gnuplot did not accept their scripts in post/plots or "
+               "post/pictures (*.gp).";
     case POSTPROC_PLOT_DONE:
         return NULL;
     }
@@ -76,6 +95,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"Where the time went", postproc_sections_wall},
         {NULL, postproc_sections_profile},
         {NULL, postproc_sections_pictures},
+        {NULL, postproc_sections_flow},
         {NULL, postproc_sections_plate},
     };
     enum { SECTIONS = sizeof section / sizeof *section };

@@ -7,6 +7,8 @@
 
 struct postproc_report {
     FILE *md, *html;
+    char folder[FOLDER_PATH];
+    int missing; /* 1: an image could not be read */
 };
 
 /* Escapes a bar, which would end a table's cell, and an angle bracket, which would begin HTML. */
@@ -51,7 +53,8 @@ struct postproc_report *postproc_report_begin(const char *folder, const char *ti
         return NULL;
     }
     struct postproc_report *r = calloc(1, sizeof *r);
-    *r = (struct postproc_report){md, html};
+    *r = (struct postproc_report){.md = md, .html = html};
+    snprintf(r->folder, sizeof r->folder, "%s", folder);
     fputs("# ", md);
     put_md(md, title);
     fputc('\n', md);
@@ -61,7 +64,8 @@ struct postproc_report *postproc_report_begin(const char *folder, const char *ti
           "auto;padding:0 1em}"
           "table{border-collapse:collapse}th,td{text-align:left;padding:.15em 1.2em .15em "
           "0;border-bottom:1px solid #e4e7ea}"
-          "img{max-width:100%}h2{margin-top:2em}</style></head><body>\n",
+          "figure{margin:2em "
+          "0}figcaption{color:#5a6068}img{max-width:100%}input{width:100%}h2{margin-top:2em}</style></head><body>\n",
           html);
     put_element(html, "h1", title);
     return r;
@@ -106,16 +110,58 @@ void postproc_report_facts(struct postproc_report *r, const struct postproc_fact
     postproc_report_table(r, rows, 3, cell);
 }
 
+/* The bytes of a file in base 64. Returns 0, or -1 if it cannot be read. */
+static int put_base64(FILE *f, const char *path) {
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    FILE *from = fopen(path, "rb");
+    if (!from) return -1;
+    unsigned char in[3];
+    for (size_t n; (n = fread(in, 1, 3, from)) > 0;) {
+        for (size_t i = n; i < 3; i++) in[i] = 0;
+        const char out[4] = {digit[in[0] >> 2], digit[(in[0] & 3) << 4 | in[1] >> 4],
+                             n > 1 ? digit[(in[1] & 15) << 2 | in[2] >> 6] : '=', n > 2 ? digit[in[2] & 63] : '='};
+        fwrite(out, 1, 4, f);
+    }
+    const int bad = ferror(from);
+    fclose(from);
+    return bad ? -1 : 0;
+}
+
+/* An image with its bytes, so that the page needs no other file. */
+static void put_image(struct postproc_report *r, const char *path, const char *title, const char *more) {
+    char file[FOLDER_PATH];
+    fprintf(r->html, "<img %s alt=\"", more);
+    put_html(r->html, title);
+    fputs("\" src=\"data:image/png;base64,", r->html);
+    if (put_base64(r->html, folder_path(file, r->folder, path))) r->missing = 1;
+    fputs("\">", r->html);
+}
+
 void postproc_report_image(struct postproc_report *r, const char *path, const char *title) {
     fprintf(r->md, "\n![%s](%s)\n", title, path);
-    fprintf(r->html, "<p><img src=\"%s\" alt=\"", path);
+    fputs("<figure>", r->html);
+    put_image(r, path, title, "");
+    fputs("<figcaption>", r->html);
     put_html(r->html, title);
-    fputs("\"></p>\n", r->html);
+    fputs("</figcaption></figure>\n", r->html);
+}
+
+void postproc_report_film(struct postproc_report *r, int n, const char *const *path, const char *title) {
+    if (n < 1) return;
+    fprintf(r->md, "\nFilm: %s to %s\n", path[0], path[n - 1]);
+    fputs("<figure class=\"film\">", r->html);
+    for (int k = 0; k < n; k++) put_image(r, path[k], title, k ? "hidden" : "");
+    fprintf(r->html,
+            "<input type=\"range\" min=\"0\" max=\"%d\" value=\"0\" aria-label=\"picture\" "
+            "oninput=\"this.parentNode.querySelectorAll('img').forEach((i,k)=>i.hidden=k!=this.value)\"><figcaption>",
+            n - 1);
+    put_html(r->html, title);
+    fputs("</figcaption></figure>\n", r->html);
 }
 
 int postproc_report_end(struct postproc_report *r) {
     fputs("</body></html>\n", r->html);
-    int bad = ferror(r->md) || ferror(r->html);
+    int bad = ferror(r->md) || ferror(r->html) || r->missing;
     if (fclose(r->md)) bad = 1;
     if (fclose(r->html)) bad = 1;
     free(r);

@@ -18,10 +18,16 @@ static int post(const struct command *c) {
     if (par_rank() != 0) return EXIT_CODE_DONE;
     const int quantity = c->film_quantity ? postproc_options_quantity(c->film_quantity) : POSTPROC_DAMAGE;
     if (quantity < 0)
-        die(EXIT_CODE_SCENE, "--film=%s: must be damage, stretch, energy, displacement_x or displacement_y",
+        die(EXIT_CODE_SCENE,
+            "--film=%s: must be damage, stretch, energy, displacement_x or displacement_y of a plate; damage, flow, "
+            "speed or "
+            "pressure in space",
             c->film_quantity);
-    const struct postproc_options options = {
-        .film = c->film, .film_quantity = (enum postproc_quantity)quantity, .level = c->level, .magnify = c->magnify};
+    const struct postproc_options options = {.film = c->film,
+                                             .film_quantity = (enum postproc_quantity)quantity,
+                                             .film_named = c->film_quantity != NULL,
+                                             .level = c->level,
+                                             .magnify = c->magnify};
     int code = EXIT_CODE_DONE;
     for (int k = 0; k < c->files && code == EXIT_CODE_DONE; k++) code = postproc_post(c->file[k], &options);
     if (c->files > 1 && code == EXIT_CODE_DONE)

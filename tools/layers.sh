@@ -51,7 +51,7 @@ ibm
 coupling
     medium setup
 postproc
-    tree.h tree.c options.h facts.h
+    tree.h tree.c options.h facts.h gnuplot.h gnuplot.c
     data
     draw
     charts

@@ -1,32 +1,18 @@
 /* Writes a gnuplot script and runs it. */
 #include "postproc/charts/plot.h"
+#include "base/memory.h"
+#include "base/sort.h"
 #include "files/folder.h"
 
-#include <errno.h>
 #include <math.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-extern char **environ;
 
 enum { ROWS_MAX = 4000 };
 
 /* Colours that colour-blind readers can distinguish.  (Okabe and Ito 2008) */
 static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 enum { PALETTE = 7 };
-
-/* A text between gnuplot's single quotes, on one line. */
-static void put_text(FILE *f, const char *text) {
-    fputc('\'', f);
-    for (; *text; text++) {
-        if (*text == '\'') fputc('\'', f);
-        fputc(*text == '\n' ? ' ' : *text, f);
-    }
-    fputc('\'', f);
-}
 
 static void put_point(FILE *f, const struct postproc_plot *p, const struct postproc_curve *c, long i) {
     if (isfinite(c->y[i]) && isfinite(c->x[i]) && !(p->log_y && c->y[i] <= 0) && !(p->log_x && c->x[i] <= 0)) {
@@ -50,20 +36,100 @@ static void put_data(FILE *f, const struct postproc_plot *p) {
     }
 }
 
+/* What the axes of a plot show. */
+struct axes {
+    int power[2];         /* 10^power is written once beside the axis; x, y */
+    double unit[2];       /* 10^power */
+    double y_low, y_high; /* NAN: from the data */
+    double peak;          /* the value farthest beyond the range, NAN: none */
+};
+
+static int is_drawn(const struct postproc_plot *p, const struct postproc_curve *c, long i) {
+    const int limited = isfinite(p->x_low) && isfinite(p->x_high) && p->x_high > p->x_low;
+    if (!isfinite(c->x[i]) || !isfinite(c->y[i]) || (p->log_y && c->y[i] <= 0)) return 0;
+    return !limited || (c->x[i] >= p->x_low && c->x[i] <= p->x_high);
+}
+
 /* A range around values that are all equal; gnuplot would warn about an empty one. */
-static void put_flat_range(FILE *f, const struct postproc_plot *p) {
-    double low = INFINITY, high = -INFINITY;
+static void flat_range(struct axes *a, const struct postproc_plot *p, double low, double high) {
+    if (p->log_y) {
+        a->y_low = 0.1 * high;
+        a->y_high = 10 * high;
+    } else {
+        a->y_low = low > 0 ? 0 : 2 * low;
+        a->y_high = low < 0 ? 0 : low > 0 ? 2 * low : 1;
+    }
+}
+
+/* Where a spike at the start would set the range: from the 1 % to the 99 % quantile of the drawn values, if those
+ * beyond are more than three times farther away, and all stand in the first fifth of the plot. */
+static void spike_range(struct axes *a, const struct postproc_plot *p, long n, const double low[2],
+                        const double high[2]) {
+    double *sorted = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *sorted);
+    long m = 0;
+    for (int k = 0; k < p->curves; k++)
+        for (long i = 0; i < p->curve[k].n; i++)
+            if (is_drawn(p, &p->curve[k], i)) sorted[m++] = p->curve[k].y[i];
+    sort_ascending(sorted, (size_t)m);
+    const double first = sorted[(long)(0.01 * (double)(m - 1))], last = sorted[(long)(0.99 * (double)(m - 1))];
+    const double span = last - first;
+    memory_free(sorted);
+    if (!(span > 0) || (high[1] - last <= 3 * span && first - low[1] <= 3 * span)) return;
     for (int k = 0; k < p->curves; k++)
         for (long i = 0; i < p->curve[k].n; i++) {
-            if (!isfinite(p->curve[k].y[i]) || (p->log_y && p->curve[k].y[i] <= 0)) continue;
-            low = fmin(low, p->curve[k].y[i]);
-            high = fmax(high, p->curve[k].y[i]);
+            const double y = p->curve[k].y[i];
+            if (!is_drawn(p, &p->curve[k], i) || (y >= first - 0.08 * span && y <= last + 0.08 * span)) continue;
+            if (p->curve[k].x[i] > low[0] + 0.2 * (high[0] - low[0])) return;
         }
-    if (!(high - low <= 1e-9 * fabs(high))) return;
-    if (p->log_y)
-        fprintf(f, "set yrange [%.10g:%.10g]\n", 0.1 * high, 10 * high);
-    else
-        fprintf(f, "set yrange [%.10g:%.10g]\n", low > 0 ? 0 : 2 * low, low < 0 ? 0 : low > 0 ? 2 * low : 1);
+    a->y_low = fmin(first - 0.08 * span, 0 <= first && first < span ? 0 : INFINITY);
+    a->y_high = last + 0.08 * span;
+    a->peak = high[1] - last > first - low[1] ? high[1] : low[1];
+}
+
+static struct axes axes_of(const struct postproc_plot *p) {
+    struct axes a = {.unit = {1, 1}, .y_low = NAN, .y_high = NAN, .peak = NAN};
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    long n = 0;
+    int bars = 0;
+    for (int k = 0; k < p->curves; k++) {
+        bars = bars || p->curve[k].bars;
+        for (long i = 0; i < p->curve[k].n; i++) {
+            if (!is_drawn(p, &p->curve[k], i)) continue;
+            const double at[2] = {p->curve[k].x[i], p->curve[k].y[i]};
+            for (int d = 0; d < 2; d++) {
+                low[d] = fmin(low[d], at[d]);
+                high[d] = fmax(high[d], at[d]);
+            }
+            n++;
+        }
+    }
+    if (n == 0) return a;
+    if (high[1] - low[1] <= 1e-9 * fabs(high[1]))
+        flat_range(&a, p, low[1], high[1]);
+    else if (!p->log_y && !bars)
+        spike_range(&a, p, n, low, high);
+    const int is_log[2] = {p->log_x, p->log_y};
+    const double most[2] = {fmax(fabs(low[0]), fabs(high[0])),
+                            isnan(a.peak) ? fmax(fabs(low[1]), fabs(high[1])) : fmax(fabs(a.y_low), fabs(a.y_high))};
+    for (int d = 0; d < 2; d++) {
+        a.power[d] = is_log[d] ? 0 : postproc_gnuplot_power(most[d]);
+        a.unit[d] = pow(10, a.power[d]);
+    }
+    return a;
+}
+
+/* The axes' powers of ten, and a note where a value is beyond the range. */
+static void put_powers(FILE *f, const struct axes *a) {
+    if (a->power[1])
+        fprintf(f, "set label 90 '× 10^{%d}' at graph 0, graph 1 left offset 0,0.8 tc rgb '#23282e'\n", a->power[1]);
+    if (a->power[0])
+        fprintf(f, "set label 91 '× 10^{%d}' at graph 1, graph 0 right offset 0,-2.5 tc rgb '#23282e'\n", a->power[0]);
+    if (!isnan(a->peak))
+        fprintf(f,
+                "set label 92 'extreme at the start, beyond the axis: %.3g' at graph 1, graph 1 right offset 0,0.8 "
+                "noenhanced "
+                "front tc rgb '#5a6068'\n",
+                a->peak);
 }
 
 /* Ranges of a plot with two logarithmic axes: of the data and of the levels, with space for labels on the right. */
@@ -93,76 +159,89 @@ static void put_log_ranges(FILE *f, const struct postproc_plot *p) {
     put_log_range(f, 'y', low[1], high[1], 1);
 }
 
-static void put_style(FILE *f, const struct postproc_plot *p) {
-    fputs("set border 3 lw 1 lc rgb '#5a6068'\n"
+static void put_style(FILE *f, const struct postproc_plot *p, const struct axes *a) {
+    fputs("set encoding utf8\nset border 3 lw 1 lc rgb '#5a6068'\n"
           "set tics nomirror out scale 0.6 textcolor rgb '#23282e'\n"
           "set grid back lt 1 lw 0.6 lc rgb '#e4e7ea'\n"
-          "set key at screen 0.975, screen 0.975 right top horizontal samplen 2 textcolor rgb '#23282e'\n"
-          "set lmargin 13\nset rmargin 4\nset tmargin 4\n"
+          "set key outside right top vertical Left reverse samplen 2 textcolor rgb '#23282e'\n"
+          "set lmargin 11\nset tmargin 5\n"
           "set datafile missing 'nan'\n",
           f);
     fputs("set label 1 ", f);
-    put_text(f, p->title);
+    postproc_gnuplot_text(f, p->title);
     fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
+    if (p->curves < 2) fputs("set rmargin 5\n", f); /* else gnuplot leaves the legend its room */
     fputs("set xlabel ", f);
-    put_text(f, p->xlabel);
+    postproc_gnuplot_text(f, p->xlabel);
     fputs("\nset ylabel ", f);
-    put_text(f, p->ylabel);
+    postproc_gnuplot_text(f, p->ylabel);
     fputs(" offset -1,0\n", f);
     if (p->log_y) fputs("set logscale y\nset format y '10^{%T}'\n", f);
-    if (p->log_x)
-        fputs("set logscale x\nset format x '10^{%T}'\nset mxtics 10\nset mytics 10\n"
-              "set key inside left bottom vertical Left reverse\n",
-              f);
+    if (p->log_x) fputs("set logscale x\nset format x '10^{%T}'\nset mxtics 10\nset mytics 10\n", f);
     if (p->log_x && p->log_y)
         put_log_ranges(f, p);
     else
-        put_flat_range(f, p);
+        put_powers(f, a);
+    if (!(p->log_x && p->log_y) && !isnan(a->y_low))
+        fprintf(f, "set yrange [%.10g:%.10g]\n", a->y_low / a->unit[1], a->y_high / a->unit[1]);
     if (isfinite(p->x_low) && isfinite(p->x_high) && p->x_high > p->x_low)
-        fprintf(f, "set xrange [%.10g:%.10g]\n", p->x_low, p->x_high);
+        fprintf(f, "set xrange [%.10g:%.10g]\n", p->x_low / a->unit[0], p->x_high / a->unit[0]);
     for (int k = 0; k < p->marks; k++) {
         fprintf(f,
                 "set arrow %d from first %.10g, graph 0 to first %.10g, graph 1 nohead back dt 2 lw 1.2 lc "
                 "rgb '#8a9199'\n",
-                k + 1, p->mark[k].x, p->mark[k].x);
+                k + 1, p->mark[k].x / a->unit[0], p->mark[k].x / a->unit[0]);
         fprintf(f, "set label %d ", k + 2);
-        put_text(f, p->mark[k].label);
-        fprintf(f, " at first %.10g, graph 0.97 left offset 0.6,0 front tc rgb '#5a6068'\n", p->mark[k].x);
+        postproc_gnuplot_text(f, p->mark[k].label);
+        fprintf(f, " at first %.10g, graph 0.97 left offset 0.6,0 front tc rgb '#5a6068'\n", p->mark[k].x / a->unit[0]);
     }
 }
 
 /* Horizontal lines, and the positions of their labels. */
-static void put_levels(FILE *f, const struct postproc_plot *p) {
+static void put_levels(FILE *f, const struct postproc_plot *p, const struct axes *a) {
+    const double unit = a->unit[1];
     for (int k = 0; k < p->levels; k++) {
         fprintf(f,
                 "set arrow %d from graph 0, first %.10g to graph 1, first %.10g nohead back dt 2 lw 1.2 lc rgb "
                 "'#8a9199'\nset label %d ",
-                100 + k, p->level[k].y, p->level[k].y, 100 + k);
-        put_text(f, p->level[k].label);
-        fprintf(f, " at graph 0.99, first %.10g right offset 0,0.5 front tc rgb '#5a6068'\n", p->level[k].y);
+                100 + k, p->level[k].y / unit, p->level[k].y / unit, 100 + k);
+        postproc_gnuplot_text(f, p->level[k].label);
+        fprintf(f, " at graph 0.99, first %.10g right offset 0,0.5 front tc rgb '#5a6068'\n", p->level[k].y / unit);
     }
 }
 
-static void put_curves(FILE *f, const struct postproc_plot *p) {
+/* The columns of a curve, divided by the axes' powers of ten. */
+static void put_using(FILE *f, const struct axes *a) {
+    fputs("using ", f);
+    for (int d = 0; d < 2; d++)
+        if (a->power[d])
+            fprintf(f, "%s($%d*1e%d)", d ? ":" : "", d + 1, -a->power[d]);
+        else
+            fprintf(f, "%s%d", d ? ":" : "", d + 1);
+}
+
+static void put_curves(FILE *f, const struct postproc_plot *p, const struct axes *a) {
     fputs("plot ", f);
     for (int k = 0; k < p->curves; k++) {
-        fprintf(f, "%s$curve%d using 1:2 with %s lw 2 lc rgb '%s' ", k ? ", \\\n     " : "", k,
+        fprintf(f, "%s$curve%d ", k ? ", \\\n     " : "", k);
+        put_using(f, a);
+        fprintf(f, " with %s lw 2 lc rgb '%s' ",
                 p->curve[k].bars    ? "histeps"
                 : p->curve[k].label ? "linespoints pt 7 ps 1.1"
                                     : "lines",
                 palette[k % PALETTE]);
         if (p->curves > 1) {
             fputs("title ", f);
-            put_text(f, p->curve[k].title);
+            postproc_gnuplot_text(f, p->curve[k].title);
             fputs(" noenhanced", f);
         } else
             fputs("notitle", f);
-        if (p->curve[k].label)
-            fprintf(f,
-                    ", \\\n     $curve%d using 1:2:3 with labels left offset 0.8,0.5 noenhanced font ',11' "
-                    "tc rgb "
-                    "'%s' notitle",
-                    k, palette[k % PALETTE]);
+        if (p->curve[k].label) {
+            fprintf(f, ", \\\n     $curve%d ", k);
+            put_using(f, a);
+            fprintf(f, ":3 with labels left offset 0.8,0.5 noenhanced font ',11' tc rgb '%s' notitle",
+                    palette[k % PALETTE]);
+        }
     }
     fputc('\n', f);
 }
@@ -172,41 +251,24 @@ static int script_write(const struct postproc_plot *p, const char *path) {
     if (!f) return -1;
     fprintf(f, "# gnuplot %s.gp\n", p->name);
     put_data(f, p);
-    put_style(f, p);
-    put_levels(f, p);
-    fputs("set terminal pngcairo size 1200,760 enhanced font 'DejaVu Sans,13' linewidth 1.4 background "
-          "'#ffffff'\n",
-          f);
-    fprintf(f, "set output '%s.png'\n", p->name);
-    put_curves(f, p);
-    fputs("set terminal svg size 900,570 enhanced font 'DejaVu Sans,12' linewidth 1.2 background '#ffffff'\n", f);
-    fprintf(f, "set output '%s.svg'\nreplot\nset output\n", p->name);
+    const struct axes axes = axes_of(p);
+    put_style(f, p, &axes);
+    put_levels(f, p, &axes);
+    for (int k = 0; k < POSTPROC_FORMATS; k++) {
+        postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, 1200, 760);
+        if (k == 0)
+            put_curves(f, p, &axes);
+        else
+            fputs("replot\n", f);
+    }
+    fputs("set output\n", f);
     const int bad = ferror(f);
     return fclose(f) || bad ? -1 : 0;
-}
-
-/* Runs gnuplot in the folder, without a shell and without output. */
-static enum postproc_plot_status gnuplot_run(const char *folder, const char *script) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, folder);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", 0, 0);
-    char program[] = "gnuplot", name[FOLDER_PATH];
-    snprintf(name, sizeof name, "%s", script);
-    char *argv[] = {program, name, NULL};
-    pid_t pid;
-    int status;
-    const int fault = posix_spawnp(&pid, program, &actions, NULL, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (fault) return POSTPROC_PLOT_NO_GNUPLOT;
-    while (waitpid(pid, &status, 0) < 0)
-        if (errno != EINTR) return POSTPROC_PLOT_FAILED;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? POSTPROC_PLOT_DONE : POSTPROC_PLOT_FAILED;
 }
 
 enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p) {
     char path[FOLDER_PATH], script[256];
     snprintf(script, sizeof script, "%s.gp", p->name);
     if (script_write(p, folder_path(path, p->folder, script))) return POSTPROC_PLOT_NO_FILE;
-    return gnuplot_run(p->folder, script);
+    return postproc_gnuplot_run(p->folder, script);
 }

@@ -1,6 +1,7 @@
-/* Plots by gnuplot, as PNG and SVG. The script NAME.gp is written beside them, contains its data, and can be run
+/* Plots by gnuplot, as PNG, SVG and PDF. The script NAME.gp is written beside them, contains its data, and can be run
  * again. */
 #pragma once
+#include "postproc/gnuplot.h"
 
 struct postproc_curve {
     const char *title;
@@ -18,7 +19,7 @@ struct postproc_level { /* a horizontal line */
     const char *label;
 };
 struct postproc_plot {
-    const char *folder, *name;   /* folder/name.gp, .png, .svg */
+    const char *folder, *name;   /* folder/name.gp, .png, .svg, .pdf */
     const char *title;           /* used unchanged */
     const char *xlabel, *ylabel; /* gnuplot's enhanced text */
     int curves;
@@ -31,10 +32,4 @@ struct postproc_plot {
     double x_low, x_high; /* NAN: from the data */
 };
 
-enum postproc_plot_status {
-    POSTPROC_PLOT_DONE,
-    POSTPROC_PLOT_NO_FILE,    /* the script could not be written; errno */
-    POSTPROC_PLOT_NO_GNUPLOT, /* the script is written, gnuplot was not found */
-    POSTPROC_PLOT_FAILED      /* gnuplot returned an error */
-};
 enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p);

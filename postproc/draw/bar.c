@@ -1,9 +1,7 @@
-/* Draws a colour bar with its ticks and labels. */
+/* Draws a colour bar with the marks of its ticks. */
 #include "postproc/draw/bar.h"
-#include "postproc/draw/font.h"
 
 #include <math.h>
-#include <stdio.h>
 
 static const unsigned ink = 0x23282e;
 
@@ -11,6 +9,18 @@ static const unsigned ink = 0x23282e;
 static double tick_step(double low, double high) {
     const double raw = (high - low) / 4, power = pow(10, floor(log10(raw))), m = raw / power;
     return power * (m < 1.5 ? 1 : m < 3.5 ? 2 : m < 7.5 ? 5 : 10);
+}
+
+struct postproc_bar_ticks postproc_bar_scale(const struct postproc_bar *bar) {
+    struct postproc_bar_ticks ticks = {0};
+    if (!(bar->high > bar->low)) return ticks;
+    const double step = tick_step(bar->low, bar->high);
+    const long first = (long)ceil(bar->low / step - 1e-6), last = (long)floor(bar->high / step + 1e-6);
+    for (long i = first; i <= last && ticks.n < POSTPROC_BAR_TICKS; i++, ticks.n++) {
+        ticks.value[ticks.n] = (double)i * step;
+        ticks.y[ticks.n] = bar->y1 + (ticks.value[ticks.n] - bar->low) / (bar->high - bar->low) * (bar->y0 - bar->y1);
+    }
+    return ticks;
 }
 
 void postproc_bar_draw(struct postproc_canvas *c, const struct postproc_bar *bar) {
@@ -23,16 +33,9 @@ void postproc_bar_draw(struct postproc_canvas *c, const struct postproc_bar *bar
     const struct postproc_pen pen = {.colour = ink, .alpha = 0.7, .width = 1.2, .hidden = 1};
     const double corner[5][3] = {{x, y0, 0}, {x + wide, y0, 0}, {x + wide, y1, 0}, {x, y1, 0}, {x, y0, 0}};
     for (int k = 0; k < 4; k++) postproc_canvas_line(c, corner[k], corner[k + 1], pen);
-    const double step = tick_step(bar->low, bar->high);
-    const long first = (long)ceil(bar->low / step - 1e-6), last = (long)floor(bar->high / step + 1e-6);
-    for (long i = first; i <= last; i++) {
-        const double v = (double)i * step, y = y1 + (v - bar->low) / (bar->high - bar->low) * (y0 - y1);
-        const double a[3] = {x + wide, y, 0}, b[3] = {x + wide + 6, y, 0};
-        char number[32];
-        snprintf(number, sizeof number, "%.6g", v);
+    const struct postproc_bar_ticks ticks = postproc_bar_scale(bar);
+    for (int i = 0; i < ticks.n; i++) {
+        const double a[3] = {x + wide, ticks.y[i], 0}, b[3] = {x + wide + 6, ticks.y[i], 0};
         postproc_canvas_line(c, a, b, pen);
-        postproc_font_draw(c, x + wide + 12, y + 0.5 * bar->text, bar->text, ink, number);
     }
-    const double over = x + wide - postproc_font_width(bar->text, bar->label);
-    postproc_font_draw(c, fmax(over, bar->left), y0 - 1.4 * bar->text, bar->text, ink, bar->label);
 }

@@ -6,9 +6,16 @@
 struct postproc_bar {
     enum postproc_map map;
     double low, high;     /* values of its ends */
-    const char *label;    /* above it, flush right */
+    const char *label;    /* above it */
     int x, y0, y1, width; /* pixels; y0 is its top */
     double text;          /* height of capitals, pixels */
-    double left;          /* the label begins here at the earliest, pixels */
 };
+enum { POSTPROC_BAR_TICKS = 12 };
+struct postproc_bar_ticks {
+    int n;
+    double value[POSTPROC_BAR_TICKS], y[POSTPROC_BAR_TICKS]; /* y: pixels */
+};
+/* Round values between the ends: three to six. */
+struct postproc_bar_ticks postproc_bar_scale(const struct postproc_bar *bar);
+/* The colours, their frame and the marks of the ticks, without numbers. */
 void postproc_bar_draw(struct postproc_canvas *c, const struct postproc_bar *bar);

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 
 static void unpack(unsigned colour, double linear[3]) {
     for (int c = 0; c < 3; c++) linear[c] = postproc_colour_linear((colour >> (16 - 8 * c) & 255) / 255.0);
@@ -78,6 +79,17 @@ void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const do
         }
 }
 
+void postproc_canvas_lay(struct postproc_canvas *c, const struct postproc_canvas *over, double through) {
+    const size_t all = (size_t)c->width * (size_t)c->height;
+    for (size_t i = 0; i < all; i++) {
+        if (over->depth[i] == -INFINITY) continue;
+        const int nearer = over->depth[i] >= c->depth[i];
+        const float f = nearer ? 1 : (float)through;
+        for (size_t k = 0; k < 3; k++) c->rgb[3 * i + k] += f * (over->rgb[3 * i + k] - c->rgb[3 * i + k]);
+        if (nearer) c->depth[i] = over->depth[i];
+    }
+}
+
 void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int y1, const double srgb[3]) {
     float colour[3];
     for (int k = 0; k < 3; k++) colour[k] = (float)postproc_colour_linear(srgb[k]);
@@ -86,14 +98,30 @@ void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int
             for (int k = 0; k < 3; k++) c->rgb[3 * ((size_t)j * (size_t)c->width + (size_t)i) + (size_t)k] = colour[k];
 }
 
-int postproc_canvas_write(const struct postproc_canvas *c, const char *path) {
+/* [height][width][3] sRGB, by memory_new. */
+static unsigned char *bytes_of(const struct postproc_canvas *c) {
     enum { STEPS = 4096 };
     unsigned char table[STEPS + 1];
     for (int i = 0; i <= STEPS; i++) table[i] = (unsigned char)lround(255 * postproc_colour_srgb((double)i / STEPS));
     const size_t n = 3 * (size_t)c->width * (size_t)c->height;
     unsigned char *rgb = memory_new(MEMORY_OUTPUT, n, 1);
     for (size_t i = 0; i < n; i++) rgb[i] = table[(int)(fminf(fmaxf(c->rgb[i], 0), 1) * STEPS + 0.5f)];
+    return rgb;
+}
+
+int postproc_canvas_write(const struct postproc_canvas *c, const char *path) {
+    unsigned char *rgb = bytes_of(c);
     const int status = postproc_png_write(path, c->width, c->height, rgb);
     memory_free(rgb);
     return status;
+}
+
+int postproc_canvas_write_raw(const struct postproc_canvas *c, const char *path) {
+    FILE *file = fopen(path, "wb");
+    if (!file) return -1;
+    unsigned char *rgb = bytes_of(c);
+    fwrite(rgb, 3 * (size_t)c->width, (size_t)c->height, file);
+    memory_free(rgb);
+    const int bad = ferror(file);
+    return fclose(file) || bad ? -1 : 0;
 }

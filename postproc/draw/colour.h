@@ -3,7 +3,8 @@
 
 enum postproc_map {
     POSTPROC_MAGMA_REVERSED, /* 0 near-white, 1 black: intact parts stay light, so that their shading is visible */
-    POSTPROC_VIRIDIS
+    POSTPROC_VIRIDIS,
+    POSTPROC_DIVERGING /* 0 blue, 1/2 near-white, 1 red: for values of both signs, 0 in the middle */
 };
 
 /* sRGB, each 0 ... 1, of the map at t; t is clamped to [0, 1], NaN is grey. */

@@ -2,13 +2,12 @@
 #include "postproc/draw/flat.h"
 #include "base/memory.h"
 #include "base/sort.h"
-#include "postproc/draw/bar.h"
-#include "postproc/draw/canvas.h"
-#include "postproc/draw/font.h"
+#include "postproc/draw/figure.h"
+#include "postproc/draw/legend.h"
 
 #include <math.h>
 
-static const unsigned ink = 0x23282e, faint = 0x7c858f, line = 0x0a7d78, paper_top = 0xffffff, paper_bottom = 0xeef0f2;
+static const unsigned line = 0x0a7d78, paper_top = 0xffffff, paper_bottom = 0xeef0f2;
 enum { FINE = 2 };
 
 /* Transform from the plane to the pixels of a canvas. */
@@ -17,7 +16,7 @@ struct window {
 };
 
 static struct window window_of(const struct postproc_flat *p, double fine) {
-    const double box[4] = {0.04 * p->width, 0.055 * p->width, 0.87 * p->width, 0.96 * p->height};
+    const double box[4] = {0.04 * p->width, 0.08 * p->width, 0.86 * p->width, p->height - 0.09 * p->width};
     const struct postproc_plate *plate = p->plate;
     double size[2], middle[2];
     for (int c = 0; c < 2; c++) { /* a margin for moving parts */
@@ -71,21 +70,23 @@ int postproc_flat_draw(const struct postproc_flat *p) {
     struct postproc_canvas *c = postproc_canvas_halve(fine);
     postproc_canvas_free(fine);
     contour_draw(c, p, &out);
-    postproc_bar_draw(c, &(struct postproc_bar){.map = p->map,
-                                                .low = p->value_low / p->unit,
-                                                .high = p->value_high / p->unit,
-                                                .label = p->label,
-                                                .x = (int)(0.9 * w),
-                                                .y0 = (int)(0.22 * h),
-                                                .y1 = (int)(0.86 * h),
-                                                .width = (int)(0.018 * w),
-                                                .text = 0.008 * w,
-                                                .left = 0.5 * w});
-    postproc_font_draw(c, 0.03 * w, 0.025 * w, 0.011 * w, ink, p->title);
-    postproc_font_draw(c, 0.03 * w, 0.043 * w, 0.008 * w, faint, p->subtitle);
-    const int status = postproc_canvas_write(c, p->path);
-    postproc_canvas_free(c);
-    return status;
+    struct postproc_figure *f = postproc_figure_new(c);
+    const double text = 0.0106 * w;
+    postproc_figure_bar(f, &(struct postproc_bar){.map = p->map,
+                                                  .low = p->value_low,
+                                                  .high = p->value_high,
+                                                  .label = p->label,
+                                                  .x = (int)(0.89 * w),
+                                                  .y0 = (int)(0.26 * h),
+                                                  .y1 = (int)(0.84 * h),
+                                                  .width = (int)(0.018 * w),
+                                                  .text = text});
+    const double zero[3] = {0, 0, 0}, one[3] = {1, 1, 1}, front[3] = {0, 0, 1};
+    const struct postproc_camera camera = postproc_camera_new(front, zero, one, (double[4]){0, 0, 1, 1});
+    postproc_legend_axes(f, &camera, zero);
+    postproc_legend_scale(f, 0.17 * w, h - 0.035 * w, out.scale, 0.16 * w);
+    postproc_legend_title(f, p->title, p->subtitle);
+    return postproc_figure_write(f, p->folder, p->name, p->all);
 }
 
 double postproc_flat_magnify(const struct postproc_plate *plate) {

@@ -6,13 +6,13 @@
 #include "postproc/draw/colour.h"
 
 struct postproc_flat {
-    const char *path;
+    const char *folder, *name; /* folder/NAME.png */
+    int all;                   /* 1: also .svg and .pdf */
     const char *title, *subtitle;
     const char *label; /* of the colour bar */
     const struct postproc_plate *plate;
     const double *value; /* value[i * stride] is particle i's */
     int stride;
-    double unit;                  /* values and bounds are divided by this */
     double value_low, value_high; /* of the colours */
     enum postproc_map map;
     double magnify; /* factor of the displacements in the picture */

@@ -104,6 +104,30 @@ enum { STROKE_MAX = 32, SMOOTH = 6 };
 
 static const char *glyph_of(unsigned char c) { return c < 128 && glyph[c] ? glyph[c] : unknown; }
 
+/* The letters drawn for characters of UTF-8; others are drawn as a box. */
+static const struct {
+    const char *character, *drawn; /* one letter */
+} replaced[] = {{"µ", "u"}, {"×", "x"}, {"Δ", "D"}, {"ω", "w"}, {"⁻", "-"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"},
+                {"³", "3"}, {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}};
+
+/* The next letter of a text, which is moved on. */
+static unsigned char letter(const char **text) {
+    const unsigned char c = (unsigned char)**text;
+    if (c < 128) {
+        (*text)++;
+        return c;
+    }
+    for (size_t k = 0; k < sizeof replaced / sizeof *replaced; k++) {
+        const size_t bytes = strlen(replaced[k].character);
+        if (strncmp(*text, replaced[k].character, bytes) != 0) continue;
+        *text += bytes;
+        return (unsigned char)replaced[k].drawn[0];
+    }
+    do (*text)++;
+    while (((unsigned char)**text & 0xc0) == 0x80);
+    return 128;
+}
+
 static double advance(const char *strokes) { /* in units: its width and a gap */
     int wide = *strokes ? 0 : 2;
     for (const char *s = strokes; *s; s++)
@@ -139,9 +163,8 @@ void postproc_font_draw(struct postproc_canvas *c, double x, double y, double he
                         const char *text) {
     const double unit = height / 10;
     const struct postproc_pen pen = {.colour = colour, .alpha = 0.8, .width = fmax(1, 0.13 * height), .hidden = 1};
-    for (const char *t = text; *t; t++) {
-        if (((unsigned char)*t & 0xc0) == 0x80) continue; /* a continuation byte of a UTF-8 character */
-        const char *s = glyph_of((unsigned char)*t);
+    for (const char *t = text; *t;) {
+        const char *s = glyph_of(letter(&t));
         const double wide = advance(s) * unit;
         while (*s) {
             double p[STROKE_MAX][3];
@@ -162,7 +185,6 @@ void postproc_font_draw(struct postproc_canvas *c, double x, double y, double he
 
 double postproc_font_width(double height, const char *text) {
     double wide = 0;
-    for (const char *t = text; *t; t++)
-        if (((unsigned char)*t & 0xc0) != 0x80) wide += advance(glyph_of((unsigned char)*t));
+    for (const char *t = text; *t;) wide += advance(glyph_of(letter(&t)));
     return wide * height / 10;
 }

@@ -1,4 +1,5 @@
-/* A small built-in stroke font, so that pictures need no installed font. Printable ASCII. */
+/* A small built-in stroke font, so that pictures need no installed font. Printable ASCII; a few other
+ * letters are replaced by ASCII ones. */
 #pragma once
 #include "postproc/draw/canvas.h"
 

@@ -131,3 +131,56 @@ void postproc_render_box(struct postproc_canvas *canvas, const struct postproc_c
             postproc_canvas_line(canvas, p[0], p[1], pen);
         }
 }
+
+long postproc_render_plane(struct postproc_canvas *canvas, const struct postproc_camera *camera,
+                           const struct postproc_plane *plane, enum postproc_map map, double low, double high) {
+    const int axis = plane->axis, across[2] = {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
+    if (fabs(camera->toward[axis]) < 1e-9) return 0;
+    long painted = 0;
+    for (int j = 0; j < canvas->height; j++)
+        for (int i = 0; i < canvas->width; i++) {
+            const double right = (i + 0.5 - camera->cx) / camera->scale, up = (camera->cy - j - 0.5) / camera->scale;
+            double x[3];
+            for (int c = 0; c < 3; c++) x[c] = camera->centre[c] + right * camera->right[c] + up * camera->up[c];
+            const double z = (plane->place - x[axis]) / camera->toward[axis]; /* along the line of sight */
+            int cell[2], inside = 1;
+            for (int c = 0; c < 2; c++) {
+                const double q = (x[across[c]] + z * camera->toward[across[c]]) / plane->d[c];
+                inside = inside && q >= 0 && q < plane->n[c];
+                cell[c] = inside ? (int)q : 0;
+            }
+            const size_t at = (size_t)j * (size_t)canvas->width + (size_t)i;
+            if (!inside || (float)z <= canvas->depth[at]) continue;
+            const double value = plane->value[(size_t)cell[1] * (size_t)plane->n[0] + (size_t)cell[0]];
+            if (isnan(value)) continue;
+            double srgb[3];
+            postproc_colour_map(map, (value - low) / (high - low), srgb);
+            for (size_t k = 0; k < 3; k++) canvas->rgb[3 * at + k] = (float)postproc_colour_linear(srgb[k]);
+            canvas->depth[at] = (float)z;
+            painted++;
+        }
+    return painted;
+}
+
+void postproc_render_tube(struct postproc_canvas *canvas, const double a[3], const double b[3], double radius,
+                          double metres, const double srgb[3]) {
+    const int i0 = (int)fmax(0, floor(fmin(a[0], b[0]) - radius)), j0 = (int)fmax(0, floor(fmin(a[1], b[1]) - radius));
+    const int i1 = (int)fmin(canvas->width - 1, ceil(fmax(a[0], b[0]) + radius));
+    const int j1 = (int)fmin(canvas->height - 1, ceil(fmax(a[1], b[1]) + radius));
+    const double ex = b[0] - a[0], ey = b[1] - a[1], ee = ex * ex + ey * ey;
+    float colour[3];
+    for (int k = 0; k < 3; k++) colour[k] = (float)postproc_colour_linear(srgb[k]);
+    for (int j = j0; j <= j1; j++)
+        for (int i = i0; i <= i1; i++) {
+            const double x = i + 0.5 - a[0], y = j + 0.5 - a[1];
+            const double t = ee > 0 ? fmin(fmax((x * ex + y * ey) / ee, 0), 1) : 0;
+            const double off = hypot(x - t * ex, y - t * ey) / radius;
+            if (!(off <= 1)) continue;
+            const double bulge = sqrt(1 - off * off);
+            const float z = (float)(a[2] + t * (b[2] - a[2]) + bulge * radius * metres);
+            const size_t at = (size_t)j * (size_t)canvas->width + (size_t)i;
+            if (z <= canvas->depth[at]) continue;
+            canvas->depth[at] = z;
+            for (size_t k = 0; k < 3; k++) canvas->rgb[3 * at + k] = (float)(0.45 + 0.55 * bulge) * colour[k];
+        }
+}

@@ -11,16 +11,15 @@
 
 /* How a quantity is drawn. spread: the fraction of the values within the colour range. */
 static const struct look {
-    const char *title, *symbol;
-    enum postproc_map map;
+    const char *title, *label;
+    enum postproc_map map; /* of values of one sign */
     double spread;
-    const char *unit; /* NULL: no unit */
-} looks[POSTPROC_QUANTITIES] = {
-    [POSTPROC_DAMAGE] = {"Damage", "damage", POSTPROC_MAGMA_REVERSED, 0, NULL},
-    [POSTPROC_STRETCH] = {"Largest stretch of a bond", "stretch", POSTPROC_MAGMA_REVERSED, 0.995, NULL},
-    [POSTPROC_ENERGY] = {"Energy density", "W", POSTPROC_MAGMA_REVERSED, 0.995, "J/m3"},
-    [POSTPROC_DISPLACEMENT_X] = {"Displacement along x", "u_x", POSTPROC_VIRIDIS, 0.98, "m"},
-    [POSTPROC_DISPLACEMENT_Y] = {"Displacement along y", "u_y", POSTPROC_VIRIDIS, 0.98, "m"},
+} looks[POSTPROC_PLATE_QUANTITIES] = {
+    [POSTPROC_DAMAGE] = {"Damage", "damage", POSTPROC_MAGMA_REVERSED, 0},
+    [POSTPROC_STRETCH] = {"Largest stretch of a bond", "stretch", POSTPROC_MAGMA_REVERSED, 0.995},
+    [POSTPROC_ENERGY] = {"Energy density", "W  [J/m³]", POSTPROC_MAGMA_REVERSED, 0.995},
+    [POSTPROC_DISPLACEMENT_X] = {"Displacement along x", "u_x  [m]", POSTPROC_VIRIDIS, 0.98},
+    [POSTPROC_DISPLACEMENT_Y] = {"Displacement along y", "u_y  [m]", POSTPROC_VIRIDIS, 0.98},
 };
 
 /* The values of a quantity, *stride apart; NULL if the file has none. */
@@ -37,6 +36,9 @@ static const double *values_of(const struct postproc_plate *p, enum postproc_qua
         return &p->u[0][0];
     case POSTPROC_DISPLACEMENT_Y:
         return &p->u[0][1];
+    case POSTPROC_FLOW:
+    case POSTPROC_SPEED:
+    case POSTPROC_PRESSURE:
     case POSTPROC_QUANTITIES:
         break;
     }
@@ -60,23 +62,6 @@ static void range_of(const struct postproc_plate *p, enum postproc_quantity q, d
     range[0] = q >= POSTPROC_DISPLACEMENT_X ? fmin(low, 0) : 0;
     range[1] = fmax(high, 0);
     if (!(range[1] > range[0])) range[1] = range[0] + 1;
-}
-
-/* Unit and label for values of this size: "u_y  [um]". */
-static double label_of(enum postproc_quantity q, const double range[2], char *label, size_t size) {
-    static const struct {
-        double value;
-        const char *prefix;
-    } unit[] = {{1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
-    const double most = fmax(fabs(range[0]), fabs(range[1]));
-    int k = 2;
-    if (!looks[q].unit) {
-        snprintf(label, size, "%s", looks[q].symbol);
-        return 1;
-    }
-    for (k = 0; k < 5 && most < 2 * unit[k].value; k++) continue;
-    snprintf(label, size, "%s  [%s%s]", looks[q].symbol, unit[k].prefix, looks[q].unit);
-    return unit[k].value;
 }
 
 /* A plate with its damage contour, common to all its pictures. */
@@ -104,37 +89,47 @@ static void release(struct scene_of_plate *s) {
 
 /* Draws a picture 1400 pixels wide; the height follows from the plate. */
 static void draw(struct postproc_output *out, const struct postproc_history *h, const struct scene_of_plate *s,
-                 enum postproc_quantity q, const double range[2], double magnify, const char *path) {
-    char subtitle[256], label[64];
+                 enum postproc_quantity q, const double range[2], double magnify, const char *inside, const char *name,
+                 int all) {
+    char subtitle[256], folder[FOLDER_PATH];
     const struct postproc_plate *p = s->plate;
-    struct postproc_flat f = {.path = path, .title = h->scene->title, .subtitle = subtitle, .label = label, .plate = p};
+    struct postproc_flat f = {.folder = folder_path(folder, out->folder, inside),
+                              .name = name,
+                              .all = all,
+                              .title = h->scene->title,
+                              .subtitle = subtitle,
+                              .label = looks[q].label,
+                              .plate = p};
+    double limit[2] = {range[0], range[1]};
     f.value = values_of(p, q, &f.stride);
-    f.unit = label_of(q, range, label, sizeof label);
-    f.value_low = range[0];
-    f.value_high = range[1];
-    f.map = looks[q].map;
+    f.map = looks[q].map == POSTPROC_VIRIDIS ? postproc_sections_map(limit) : looks[q].map;
+    f.value_low = limit[0];
+    f.value_high = limit[1];
     f.magnify = magnify;
     f.contour = s->contour;
     for (int c = 0; c < 2; c++) f.displacement[c] = s->u[c];
     f.width = 1400;
     const double shape = (p->high[1] - p->low[1]) / (p->high[0] - p->low[0]);
     f.height = (int)(fmin(fmax(shape * 0.83 / 0.82, 0.4), 1) * f.width) / 2 * 2;
-    snprintf(subtitle, sizeof subtitle, "t = %.4g us, step %ld; %s; displacements times %.4g; line: damage %.3f",
+    snprintf(subtitle, sizeof subtitle, "t = %.4g µs, step %ld; %s; displacements times %.4g; line: damage %.3f",
              1e6 * p->time, p->step, looks[q].title, magnify, out->level);
-    if (postproc_flat_draw(&f)) postproc_sections_fail(out, path);
+    if (postproc_flat_draw(&f)) postproc_sections_fail(out, folder);
 }
 
 /* Draws one picture for each field file: film/NAME_0001.png, 0002 ... with the colours and the magnification of the
  * last file. */
 static void film(struct postproc_output *out, const struct postproc_history *h, const double range[2], double magnify) {
-    char path[FOLDER_PATH], inside[96];
+    char name[96];
     const enum postproc_quantity q = out->options.film_quantity;
-    for (int k = 0; k < h->solid.n; k++) {
+    for (int k = 0, frame = 1; k < h->solid.n; k++) {
         struct scene_of_plate s = prepare(out, h, k);
         int stride;
         if (s.plate && values_of(s.plate, q, &stride)) {
-            snprintf(inside, sizeof inside, "film/%s_%04d.png", postproc_options_name(q), k + 1);
-            draw(out, h, &s, q, range, magnify, folder_path(path, out->folder, inside));
+            snprintf(name, sizeof name, "%s_%04d", postproc_options_name(q), frame);
+            draw(out, h, &s, q, range, magnify, "film", name, 0);
+            out->frames = frame++;
+            snprintf(out->film, sizeof out->film, "%s", postproc_options_name(q));
+            snprintf(out->film_title, sizeof out->film_title, "%s", looks[q].title);
         }
         release(&s);
     }
@@ -145,14 +140,12 @@ void postproc_sections_plate(struct postproc_output *out, const struct postproc_
     struct scene_of_plate s = prepare(out, h, h->solid.n - 1);
     if (!s.plate) return;
     const double magnify = out->options.magnify > 0 ? out->options.magnify : postproc_flat_magnify(s.plate);
-    for (int q = 0; q < POSTPROC_QUANTITIES; q++) {
-        char path[FOLDER_PATH], inside[96];
+    for (int q = 0; q < POSTPROC_PLATE_QUANTITIES; q++) {
         double range[2];
         int stride;
         if (!values_of(s.plate, q, &stride)) continue;
         range_of(s.plate, q, range);
-        snprintf(inside, sizeof inside, "pictures/%s.png", postproc_options_name(q));
-        draw(out, h, &s, q, range, magnify, folder_path(path, out->folder, inside));
+        draw(out, h, &s, q, range, magnify, "pictures", postproc_options_name(q), 1);
         postproc_sections_picture(out, postproc_options_name(q), looks[q].title);
         if (out->options.film && out->options.film_quantity == (enum postproc_quantity)q) film(out, h, range, magnify);
     }

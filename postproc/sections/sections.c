@@ -19,6 +19,19 @@ void postproc_sections_picture(struct postproc_output *out, const char *name, co
     snprintf(out->picture[out->pictures++].title, sizeof out->picture->title, "%s", title);
 }
 
+void postproc_sections_when(const struct postproc_history *h, double t, char text[64]) {
+    const double when = postproc_history_when(h, t);
+    snprintf(text, 64, h->t0 > 0 ? "t/t0 = %.4g" : "t = %.4g s", fabs(when) < 1e-9 * fabs(h->end) ? 0 : when);
+}
+
+enum postproc_map postproc_sections_map(double limit[2]) {
+    const double most = fmax(fabs(limit[0]), fabs(limit[1]));
+    if (!(limit[0] < 0 && limit[1] > 0 && fmin(-limit[0], limit[1]) > 0.2 * most)) return POSTPROC_VIRIDIS;
+    limit[0] = -most;
+    limit[1] = most;
+    return POSTPROC_DIVERGING;
+}
+
 void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_facts *f = &out->facts;
     postproc_facts_text(f, "title", h->scene->title);

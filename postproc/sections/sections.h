@@ -2,10 +2,11 @@
 #pragma once
 #include "postproc/charts/charts.h"
 #include "postproc/data/body.h"
+#include "postproc/draw/colour.h"
 #include "postproc/facts.h"
 #include "postproc/options.h"
 
-enum { POSTPROC_PICTURES = 16 };
+enum { POSTPROC_PICTURES = 48 };
 struct postproc_output {
     const char *folder; /* RUNDIR/post */
     struct postproc_options options;
@@ -14,8 +15,10 @@ struct postproc_output {
     struct postproc_charts charts;
     int pictures;
     struct {
-        char name[64], title[64]; /* pictures/NAME.png */
+        char name[64], title[160]; /* pictures/NAME.png */
     } picture[POSTPROC_PICTURES];
+    int frames; /* of the film: film/NAME_0001.png ... */
+    char film[64], film_title[160];
     int failed; /* errno of the first file that could not be written, 0 */
     char failed_path[256];
 };
@@ -27,6 +30,8 @@ void postproc_sections_fracture(struct postproc_output *out,
 void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);    /* seconds by part */
 void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h);     /* strain and stress */
 void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h); /* pressure along x */
+void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h);    /* planes of the fluid */
+/* Pictures and film of space: solid and flow. */
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_crack(struct postproc_output *out,
                              const struct postproc_history *h); /* tips, branches, contour of a plate */
@@ -38,6 +43,11 @@ double postproc_sections_crack_level(struct postproc_output *out, const struct p
 void postproc_sections_plate(struct postproc_output *out,
                              const struct postproc_history *h); /* pictures and film of a plate */
 
+/* "t/t0 = 1.5" or "t = 2e-06 s": a time after the start of the stage. */
+void postproc_sections_when(const struct postproc_history *h, double t, char text[64]);
+/* The colours for values between two limits: diverging, with limits made symmetric, if both signs are there to more
+ * than a fifth; otherwise viridis. */
+enum postproc_map postproc_sections_map(double limit[2]);
 /* Adds a picture that has been written to the list: pictures/NAME.png. */
 void postproc_sections_picture(struct postproc_output *out, const char *name, const char *title);
 

@@ -17,9 +17,9 @@ static const double make_dt[3] = {3.4e-4, 3.4e-5, 3.4e-5};
 
 struct make_run {
     const char *folder;
-    int cells; /* over the height: 64 is the main case */
-    long stop; /* the last step written */
-    int no_solid, no_fields;
+    int cells;                        /* over the height: 64 is the main case */
+    long stop;                        /* the last step written */
+    int no_solid, no_fields, at_rest; /* at_rest: the fluid has neither velocity nor pressure */
 };
 
 /* The stretch's scale in the fields: a made-up mean of a known law, at a place. */
@@ -162,18 +162,22 @@ static void make_solid(const struct make_run *in, long step) {
     memory_free(held);
 }
 
-/* Pressure falls by 1900 Pa over the medium; half of its sections is solid. */
+/* Pressure falls by 1900 Pa over the medium; half of its sections is solid. The velocity is 0.1 m/s along x in the
+ * fluid. */
 static void make_fluid(const struct make_run *in, long step) {
     const int n[3] = {2 * in->cells, in->cells, in->cells};
     const size_t all = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];
     const double d = 0.1 / in->cells;
     double *pressure = memory_new(MEMORY_OUTPUT, all, sizeof *pressure),
            *solid = memory_new(MEMORY_OUTPUT, all, sizeof *solid);
+    double(*velocity)[3] = memory_new(MEMORY_OUTPUT, all, sizeof *velocity);
     for (size_t at = 0; at < all; at++) {
         const int i = (int)(at % (size_t)n[0]), j = (int)(at / (size_t)n[0] % (size_t)n[1]);
         const double x = (i + 0.5) * d;
         solid[at] = x > 0.025 && x < 0.1 && j % 2 == 0 ? 1 : 0;
         pressure[at] = 1900 * fmin(fmax((0.1 - x) / 0.075, 0), 1) + (solid[at] > 0 ? 1000 : 0);
+        if (in->at_rest) pressure[at] = 0;
+        if (!in->at_rest && !(solid[at] > 0 && !in->no_solid)) velocity[at][0] = 0.1;
     }
     char name[64], path[FOLDER_PATH], file[96];
     snprintf(name, sizeof name, "fluid_%08ld.hdf", step);
@@ -185,10 +189,12 @@ static void make_fluid(const struct make_run *in, long step) {
                                                                        .origin = {0.5 * d, 0.5 * d, 0.5 * d},
                                                                        .spacing = {d, d, d},
                                                                        .m = {n[0], n[1], n[2]}});
+    vtkhdf_add(f, "velocity", 3, &velocity[0][0]);
     vtkhdf_add(f, "pressure", 1, pressure);
     if (!in->no_solid) vtkhdf_add(f, "solid_fraction", 1, solid);
     vtkhdf_end(f);
     vtkhdf_series_add(folder_path(path, in->folder, "fields/fluid.hdf.series"), name, make_time(step));
+    memory_free(velocity);
     memory_free(pressure);
     memory_free(solid);
 }

@@ -28,11 +28,13 @@ static long size_of(const char *run, const char *file) {
 
 /* Whether a text file holds the words. */
 static int holds(const char *run, const char *file, const char *words) {
-    char path[FOLDER_PATH], line[1024];
+    char path[FOLDER_PATH], *line = NULL;
+    size_t bytes = 0;
     FILE *f = fopen(folder_path(path, run, file), "r");
     int found = 0;
-    while (f && fgets(line, sizeof line, f)) found |= strstr(line, words) != NULL;
+    while (f && getline(&line, &bytes, f) > 0) found |= strstr(line, words) != NULL;
     if (f) fclose(f);
+    free(line);
     return found;
 }
 
@@ -70,7 +72,16 @@ static const char *const files_of_whole_run[] = {"post/report.md",
                                                  "post/pictures/damage_back.png",
                                                  "post/pictures/damage_front.png",
                                                  "post/pictures/damage_section.png",
-                                                 "post/pictures/displacement_back.png"};
+                                                 "post/pictures/displacement_back.png",
+                                                 "post/plots/pressure_drop.pdf",
+                                                 "post/pictures/damage_back.svg",
+                                                 "post/pictures/damage_back.pdf",
+                                                 "post/pictures/flow_lines.png",
+                                                 "post/pictures/flow_speed.png",
+                                                 "post/pictures/flow_pressure.png",
+                                                 "post/pictures/slice_x_speed.png",
+                                                 "post/pictures/slice_y_pressure.svg",
+                                                 "post/pictures/slice_z_vorticity.pdf"};
 enum { FILES = sizeof files_of_whole_run / sizeof *files_of_whole_run };
 
 static void whole_run(void **state) {
@@ -98,7 +109,14 @@ static void whole_run(void **state) {
     check_between(make_onset_x, 0.08, 0.095);
     assert_true(holds(folder, "post/report.md", "back (x/L"));
     assert_true(holds(folder, "post/report.md", "pictures/damage_back.png"));
-    assert_true(holds(folder, "post/report.html", "plots/pdf_strain.png"));
+    /* the page needs no other file */
+    assert_true(holds(folder, "post/report.html", "data:image/png;base64,iVBORw0KGgo"));
+    assert_false(holds(folder, "post/report.html", "plots/pdf_strain.png"));
+    check_above(size_of(folder, "post/report.html"), 4. / 3 * size_of(folder, "post/pictures/flow_lines.png"));
+    /* nothing is left of what the pictures are made from */
+    assert_int_equal(size_of(folder, "post/pictures/damage_back.rgb"), -1);
+    assert_int_equal(size_of(folder, "post/pictures/damage_back.gp"), -1);
+    assert_int_equal(size_of(folder, "post/pictures/solid_back.png"), -1); /* there is damage to be shown */
     assert_true(holds(folder, "post/plots/pdf_strain.gp", "s_0"));
 }
 
@@ -149,6 +167,41 @@ static void fluid_alone(void **state) {
     assert_int_equal(size_of(folder, "post/plots/porosity.png"), -1);
     assert_int_equal(size_of(folder, "post/pdf_strain.csv"), -1);
     assert_int_equal(size_of(folder, "post/pictures/damage_back.png"), -1);
+    assert_int_equal(size_of(folder, "post/pictures/solid_back.png"), -1);
+    check_above(size_of(folder, "post/pictures/flow_lines.png"), 1000);
+    check_above(size_of(folder, "post/pictures/slice_z_speed.png"), 1000);
+}
+
+/* Nothing flows and nothing presses: no picture of the flow, and no arrow. */
+static void fluid_at_rest(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("rest"), .cells = 16, .stop = 300, .at_rest = 1});
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.film = 1}), EXIT_CODE_DONE);
+    check_above(size_of(folder, "post/film/damage_back_0004.png"), 1000); /* the film's other default */
+    assert_int_equal(size_of(folder, "post/film/flow_lines_0001.png"), -1);
+    check_above(size_of(folder, "post/pictures/damage_back.png"), 1000);
+    assert_false(holds(folder, "post/pictures/damage_back.svg", ">flow<"));
+    static const char *const none[] = {"flow_lines",    "flow_speed",       "flow_pressure",
+                                       "slice_z_speed", "slice_z_pressure", "slice_z_vorticity"};
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+        char file[128];
+        snprintf(file, sizeof file, "post/pictures/%s.png", none[k]);
+        if (size_of(folder, file) >= 0) fail_msg("%s is there, but nothing flows", file);
+    }
+}
+
+/* A picture of each field, of the flow. */
+static void film_of_a_block(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("film"), .cells = 16, .stop = 300});
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.film = 1}), EXIT_CODE_DONE);
+    char file[128];
+    for (int k = 1; k <= 4; k++) { /* fields of steps 150, 200, 250, 300 */
+        snprintf(file, sizeof file, "post/film/flow_lines_%04d.png", k);
+        check_above(size_of(folder, file), 1000);
+    }
+    assert_int_equal(size_of(folder, "post/film/flow_lines_0005.png"), -1);
+    assert_true(holds(folder, "post/report.html", "type=\"range\" min=\"0\" max=\"3\""));
 }
 
 static void profile_by_sections(void **state) {
@@ -245,6 +298,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test(scales_are_the_scenes),
         cmocka_unit_test(run_on_its_way),
         cmocka_unit_test(fluid_alone),
+        cmocka_unit_test(fluid_at_rest),
+        cmocka_unit_test(film_of_a_block),
         cmocka_unit_test(profile_by_sections),
         cmocka_unit_test(no_gnuplot),
         cmocka_unit_test(compared),

@@ -31,6 +31,17 @@ static void colours_at_the_ends(void **state) {
             last = l;
         }
     }
+    /* the diverging map is lightest in the middle, and equally dark at both ends within a tenth of the whole range */
+    double light[3];
+    for (int i = 0; i <= 2; i++) {
+        postproc_colour_map(POSTPROC_DIVERGING, 0.5 * i, a);
+        const double y = 0.2126 * postproc_colour_linear(a[0]) + 0.7152 * postproc_colour_linear(a[1]) +
+                         0.0722 * postproc_colour_linear(a[2]);
+        light[i] = 116 * cbrt(y) - 16;
+    }
+    check_above(light[1], 96);
+    check_close(light[0], light[2], 10);
+    check_between(light[0], 10, 25);
     for (int i = 0; i <= 10; i++) check_close(postproc_colour_srgb(postproc_colour_linear(i / 10.0)), i / 10.0, 1e-6);
 }
 

@@ -2,6 +2,7 @@
 #include "base/par.h"
 #include "postproc/draw/colour.h"
 #include "postproc/draw/font.h"
+#include "postproc/draw/legend.h"
 #include "postproc/draw/picture.h"
 #include "postproc/draw/ray.h"
 #include "postproc/draw/render.h"
@@ -209,7 +210,8 @@ static void picture_is_a_png(void **state) {
     (void)state;
     static const char path[] = FRANA_BINARY_DIR "/tests/postproc/picture.png";
     const double x[2][3] = {{0.05, 0.05, 0.05}, {0.15, 0.05, 0.05}}, value[2] = {0, 1};
-    const struct postproc_picture p = {.path = path,
+    const struct postproc_picture p = {.folder = FRANA_BINARY_DIR "/tests/postproc",
+                                       .name = "picture",
                                        .title = "Two cubes",
                                        .subtitle = "damage 0 and 1",
                                        .label = "damage",
@@ -235,7 +237,7 @@ static void picture_is_a_png(void **state) {
     assert_true(png_image_finish_read(&image, NULL, rgb, 0, NULL));
     /* seen along z, x = 0.05 and 0.15 are at a quarter and three quarters of the window */
     const double window[2] = {0.04 * 700, 0.86 * 700};
-    const int row = (int)(0.5 * (0.13 + 0.93) * 450), left = (int)(0.75 * window[0] + 0.25 * window[1]),
+    const int row = (int)(0.5 * (0.13 + 0.86) * 450), left = (int)(0.75 * window[0] + 0.25 * window[1]),
               right = (int)(0.25 * window[0] + 0.75 * window[1]);
     const unsigned char *light = rgb + 3 * (row * 700 + left), *dark = rgb + 3 * (row * 700 + right);
     check_above(light[0], 180);
@@ -246,7 +248,8 @@ static void picture_is_a_png(void **state) {
     check_below(dark[1], 54);
     check_below(dark[2], 58);
     free(rgb);
-    const struct postproc_picture nowhere = {.path = "/nowhere/x.png",
+    const struct postproc_picture nowhere = {.folder = "/nowhere",
+                                             .name = "x",
                                              .title = "",
                                              .subtitle = "",
                                              .label = "",
@@ -261,12 +264,95 @@ static void picture_is_a_png(void **state) {
     assert_int_equal(postproc_picture_draw(&nowhere), -1);
 }
 
+/* A plane across z, half of it left out: as many pixels as its cells cover; nearer things hide it. */
+static void plane_is_painted(void **state) {
+    (void)state;
+    const double toward[3] = {0.3, 0.4, 1.2}, window[4] = {0, 0, WIDTH, HEIGHT}, value[4] = {0, NAN, 1, NAN};
+    const struct postproc_camera camera = postproc_camera_new(toward, low, high, window);
+    const struct postproc_plane plane = {.axis = 2, .place = 0.2, .n = {2, 2}, .d = {0.3, 0.2}, .value = value};
+    struct postproc_canvas *c = postproc_canvas_new(WIDTH, HEIGHT);
+    const long painted = postproc_render_plane(c, &camera, &plane, POSTPROC_VIRIDIS, 0, 1);
+    const double area = 0.3 * 0.4 * camera.toward[2] * camera.scale * camera.scale;
+    check_close(painted, area, 2 * 0.7 * camera.scale); /* its rim, to a pixel */
+    const double middle[2][3] = {{0.15, 0.1, 0.2}, {0.15, 0.3, 0.2}}, empty[3] = {0.45, 0.1, 0.2};
+    double p[3], srgb[3];
+    for (int k = 0; k < 2; k++) {
+        postproc_camera_see(&camera, middle[k], p);
+        postproc_colour_map(POSTPROC_VIRIDIS, k, srgb);
+        check_close(pixel(c, (int)p[0], (int)p[1])[0], postproc_colour_linear(srgb[0]), 1e-6);
+        check_close(c->depth[(int)p[1] * WIDTH + (int)p[0]], p[2], 0.01);
+    }
+    postproc_camera_see(&camera, empty, p);
+    assert_true(isinf(c->depth[(int)p[1] * WIDTH + (int)p[0]]));
+    const struct postproc_plane behind = {.axis = 2, .place = 0.1, .n = {2, 2}, .d = {0.3, 0.2}, .value = value};
+    check_below(postproc_render_plane(c, &camera, &behind, POSTPROC_VIRIDIS, 0, 1), painted);
+    const struct postproc_camera aside = postproc_camera_new((double[3]){1, 0, 0}, low, high, window);
+    assert_int_equal(postproc_render_plane(c, &aside, &plane, POSTPROC_VIRIDIS, 0, 1), 0);
+    postproc_canvas_free(c);
+}
+
+/* A rod is 2 r wide and lit in its middle; laid over something nearer it shines through by the share asked for. */
+static void tube_shines_through(void **state) {
+    (void)state;
+    struct postproc_canvas *c = postproc_canvas_new(WIDTH, HEIGHT), *over = postproc_canvas_new(WIDTH, HEIGHT);
+    const double a[3] = {50, 100, 1}, b[3] = {250, 100, 1}, white[3] = {1, 1, 1};
+    postproc_render_tube(over, a, b, 10, 1e-3, white);
+    long covered = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) covered += over->depth[i] > 0;
+    check_close(covered, 200 * 20 + M_PI * 100, 60);
+    check_above(pixel(over, 150, 100)[0], 0.98f);
+    check_below(pixel(over, 150, 91)[0], 0.8f);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) c->depth[i] = i % WIDTH < 150 ? 2 : 0; /* black; nearer on the left */
+    postproc_canvas_lay(c, over, 0.25);
+    check_close(pixel(c, 100, 100)[0], 0.25 * (double)pixel(over, 100, 100)[0], 1e-6);
+    check_close(pixel(c, 200, 100)[0], pixel(over, 200, 100)[0], 0);
+    check_close(pixel(c, 200, 150)[0], 0, 0);
+    check_equal(c->depth[100 * WIDTH + 100], 2);
+    check_above(c->depth[100 * WIDTH + 200], 1);
+    postproc_canvas_free(c);
+    postproc_canvas_free(over);
+}
+
+/* Round numbers: of a bar's ticks, of a scale bar, of an axis's power of ten. */
+static void round_numbers(void **state) {
+    (void)state;
+    const struct postproc_bar bar = {.low = -0.03, .high = 0.82, .y0 = 100, .y1 = 270};
+    const struct postproc_bar_ticks ticks = postproc_bar_scale(&bar);
+    assert_int_equal(ticks.n, 5);
+    for (int i = 0; i < 5; i++) {
+        check_close(ticks.value[i], 0.2 * i, 1e-12);
+        check_close(ticks.y[i], 270 - (0.2 * i + 0.03) * 200, 1e-9);
+    }
+    assert_int_equal(postproc_bar_scale(&(struct postproc_bar){.low = 1, .high = 1}).n, 0);
+    check_close(postproc_legend_round(4.99), 2, 1e-12);
+    check_close(postproc_legend_round(5), 5, 1e-12);
+    check_close(postproc_legend_round(0.00999), 0.005, 1e-12);
+    static const struct {
+        double metres;
+        const char *text;
+    } length[] = {{2000, "2 km"}, {1, "1 m"}, {0.05, "50 mm"}, {2e-5, "20 µm"}, {1e-6, "1 µm"}, {5e-9, "5 nm"}};
+    for (size_t k = 0; k < sizeof length / sizeof *length; k++) {
+        char text[32];
+        postproc_legend_length(length[k].metres, text);
+        assert_string_equal(text, length[k].text);
+    }
+    static const struct {
+        double most;
+        int power;
+    } power[] = {{0, 0}, {1, 0}, {9999, 0}, {0.05, 0}, {1e5, 3}, {-3e6, 6}, {1e-3, -3}, {9.9e-4, -6}, {3.9e-6, -6}};
+    for (size_t k = 0; k < sizeof power / sizeof *power; k++)
+        assert_int_equal(postproc_gnuplot_power(power[k].most), power[k].power);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(silhouette),      cmocka_unit_test(front_hides_back), cmocka_unit_test(inner_faces_left_out),
-        cmocka_unit_test(strays_left_out), cmocka_unit_test(ray_meets_cells),  cmocka_unit_test(shade_in_a_shaft),
-        cmocka_unit_test(text_leaves_ink), cmocka_unit_test(picture_is_a_png),
+        cmocka_unit_test(silhouette),           cmocka_unit_test(front_hides_back),
+        cmocka_unit_test(inner_faces_left_out), cmocka_unit_test(strays_left_out),
+        cmocka_unit_test(ray_meets_cells),      cmocka_unit_test(shade_in_a_shaft),
+        cmocka_unit_test(text_leaves_ink),      cmocka_unit_test(picture_is_a_png),
+        cmocka_unit_test(plane_is_painted),     cmocka_unit_test(tube_shines_through),
+        cmocka_unit_test(round_numbers),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -1,0 +1,19 @@
+/* A plane of the fluid as a plot: colours of a quantity, the solid in grey, streamlines in the plane, axes in units of
+ * length. Drawn by gnuplot from NAME.gp and the values in NAME.bin (float32, row by row; a cell
+ * of a small plane is several values). */
+#pragma once
+#include "postproc/data/slice.h"
+#include "postproc/draw/colour.h"
+#include "postproc/gnuplot.h"
+
+struct postproc_slice_plot {
+    const char *folder, *name;            /* folder/name.gp, .bin, .png, .svg, .pdf */
+    int all;                              /* 0: only the PNG */
+    const char *title, *subtitle, *label; /* label: of the colour bar */
+    const struct postproc_slice *slice;
+    const double *value;                 /* one of the slice's */
+    const struct postproc_stream *lines; /* NULL: none */
+    double low, high;                    /* of the colours */
+    enum postproc_map map;
+};
+enum postproc_plot_status postproc_slice_draw(const struct postproc_slice_plot *p);

@@ -1,0 +1,99 @@
+/* Integrates streamlines. */
+#include "postproc/data/stream.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { POINTS_MAX = 200000 };
+
+/* The direction of the flow, of length 1 and the sign `way`; returns the speed, or -1 where a line ends. */
+static double direction(const struct postproc_stream_input *in, const double x[3], int way, double e[3]) {
+    double u[3];
+    if (!in->at(in->field, x, u)) return -1;
+    const double size = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    if (!(size > in->slowest)) return -1;
+    for (int c = 0; c < 3; c++) e[c] = way * u[c] / size;
+    return size;
+}
+
+/* One step of fourth order. Returns 0 where a stage meets no flow. */
+static int advance(const struct postproc_stream_input *in, int way, double x[3]) {
+    double e[4][3], y[3] = {x[0], x[1], x[2]};
+    static const double part[4] = {0.5, 0.5, 1, 0};
+    for (int stage = 0; stage < 4; stage++) {
+        if (direction(in, y, way, e[stage]) < 0) return 0;
+        for (int c = 0; c < 3; c++) y[c] = x[c] + part[stage] * in->step * e[stage][c];
+    }
+    for (int c = 0; c < 3; c++) x[c] += in->step / 6 * (e[0][c] + 2 * e[1][c] + 2 * e[2][c] + e[3][c]);
+    return 1;
+}
+
+static void put(struct postproc_stream *s, long at, const double x[3], double speed) {
+    if (at >= s->room) {
+        const long room = 2 * s->room + 1024;
+        s->x = memory_grown(MEMORY_OUTPUT, s->x, (size_t)s->room, (size_t)room, sizeof *s->x);
+        s->speed = memory_grown(MEMORY_OUTPUT, s->speed, (size_t)s->room, (size_t)room, sizeof *s->speed);
+        s->room = room;
+    }
+    memcpy(s->x[at], x, sizeof s->x[at]);
+    s->speed[at] = speed;
+}
+
+/* Points from the seed on, without it, from index `at` on; returns the index after the last. */
+static long follow(struct postproc_stream *s, const struct postproc_stream_input *in, const double seed[3], int way,
+                   long at) {
+    double x[3] = {seed[0], seed[1], seed[2]}, e[3];
+    if (in->begin) in->begin(in->with);
+    const double steps = fmin(in->longest / in->step, POINTS_MAX);
+    for (long k = 0; (double)k < steps && advance(in, way, x); k++) {
+        const double speed = direction(in, x, way, e);
+        if (speed < 0) break;
+        put(s, at++, x, speed);
+        if (in->enough && in->enough(in->with, x)) break;
+    }
+    return at;
+}
+
+static void reverse(struct postproc_stream *s, long from, long to) {
+    for (to--; from < to; from++, to--) {
+        double x[3];
+        const double speed = s->speed[from];
+        memcpy(x, s->x[from], sizeof x);
+        memcpy(s->x[from], s->x[to], sizeof x);
+        memcpy(s->x[to], x, sizeof x);
+        s->speed[from] = s->speed[to];
+        s->speed[to] = speed;
+    }
+}
+
+long postproc_stream_add(struct postproc_stream *s, const struct postproc_stream_input *in, const double seed[3],
+                         int both) {
+    double e[3];
+    const double speed = direction(in, seed, 1, e);
+    if (speed < 0) return 0;
+    if (s->lines + 2 > s->room_lines) {
+        const int room = 2 * s->room_lines + 64;
+        s->first = memory_grown(MEMORY_OUTPUT, s->first, (size_t)s->room_lines, (size_t)room, sizeof *s->first);
+        s->room_lines = room;
+    }
+    const long begin = s->first[s->lines];
+    long at = begin;
+    if (both) at = follow(s, in, seed, -1, at);
+    reverse(s, begin, at);
+    put(s, at++, seed, speed);
+    at = follow(s, in, seed, 1, at);
+    s->first[++s->lines] = at;
+    return at - begin;
+}
+
+void postproc_stream_drop(struct postproc_stream *s) {
+    if (s->lines > 0) s->lines--;
+}
+
+void postproc_stream_free(struct postproc_stream *s) {
+    memory_free(s->first);
+    memory_free(s->x);
+    memory_free(s->speed);
+    *s = (struct postproc_stream){0};
+}

@@ -1,0 +1,22 @@
+/* What all of gnuplot's scripts share: typeface, formats, powers of ten on axes, and how gnuplot is called. */
+#pragma once
+#include <stdio.h>
+
+enum postproc_plot_status {
+    POSTPROC_PLOT_DONE,
+    POSTPROC_PLOT_NO_FILE,    /* the script could not be written; errno */
+    POSTPROC_PLOT_NO_GNUPLOT, /* the script is written, gnuplot was not found */
+    POSTPROC_PLOT_FAILED      /* gnuplot returned an error */
+};
+enum postproc_format { POSTPROC_PNG, POSTPROC_SVG, POSTPROC_PDF, POSTPROC_FORMATS };
+
+/* Runs gnuplot in the folder, without a shell and without output. */
+enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script);
+/* set terminal and set output NAME.png, .svg or .pdf. width, height: pixels of the PNG. The page of the PDF is as
+ * large as the PNG at 96 pixels an inch. */
+void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char *name, int width, int height);
+/* A text between gnuplot's single quotes, on one line. */
+void postproc_gnuplot_text(FILE *f, const char *text);
+/* n of the factor 10^n that is written once beside an axis whose values reach `most`: a multiple of 3, and 0 where the
+ * numbers are short without it. */
+int postproc_gnuplot_power(double most);

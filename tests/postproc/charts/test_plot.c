@@ -1,0 +1,119 @@
+/* Scripts of plots: powers of ten beside the axes, a start-up spike cut off, the legend outside, all formats. */
+#include "base/par.h"
+#include "files/folder.h"
+#include "postproc/charts/plot.h"
+#include "tests/check.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+
+static const char folder[] = FRANA_BINARY_DIR "/tests/postproc/plots";
+enum { N = 500 };
+
+/* Whether the script NAME.gp has the words. */
+static int says(const char *name, const char *words) {
+    char path[FOLDER_PATH], file[64], *line = NULL;
+    size_t bytes = 0;
+    snprintf(file, sizeof file, "%s.gp", name);
+    FILE *f = fopen(folder_path(path, folder, file), "r");
+    int found = 0;
+    while (f && getline(&line, &bytes, f) > 0) found |= strstr(line, words) != NULL;
+    if (f) fclose(f);
+    free(line);
+    return found;
+}
+
+/* The range that a script sets for an axis; NaN without one. */
+static void range_of(const char *name, char axis, double range[2]) {
+    char path[FOLDER_PATH], file[64], line[1024], form[64];
+    snprintf(file, sizeof file, "%s.gp", name);
+    snprintf(form, sizeof form, "set %crange [%%lf:%%lf]", axis);
+    FILE *f = fopen(folder_path(path, folder, file), "r");
+    range[0] = range[1] = NAN;
+    while (f && fgets(line, sizeof line, f)) sscanf(line, form, &range[0], &range[1]);
+    if (f) fclose(f);
+}
+
+static void draw(const char *name, int curves, const struct postproc_curve *curve) {
+    folder_make(folder);
+    assert_int_equal(postproc_plot_draw(&(struct postproc_plot){.folder = folder,
+                                                                .name = name,
+                                                                .title = "A plot",
+                                                                .xlabel = "t  [s]",
+                                                                .ylabel = "p  [Pa]",
+                                                                .curves = curves,
+                                                                .curve = curve,
+                                                                .x_low = NAN,
+                                                                .x_high = NAN}),
+                     POSTPROC_PLOT_DONE);
+    static const char *const ends[] = {"png", "svg", "pdf"};
+    for (int k = 0; k < 3; k++) {
+        char path[FOLDER_PATH], file[64];
+        struct stat is;
+        snprintf(file, sizeof file, "%s.%s", name, ends[k]);
+        assert_int_equal(stat(folder_path(path, folder, file), &is), 0);
+        check_above(is.st_size, 1000);
+    }
+}
+
+/* A wave between 2.9e5 and 3.1e5, with `high` added to the points first ... last - 1. */
+static struct postproc_curve wave(double *x, double *y, int first, int last, double high) {
+    for (int i = 0; i < N; i++) {
+        x[i] = i * 1e-5;
+        y[i] = 3e5 + 1e4 * sin(0.05 * i) + (i >= first && i < last ? high : 0);
+    }
+    return (struct postproc_curve){.title = "a wave", .n = N, .x = x, .y = y};
+}
+
+static void powers_of_ten(void **state) {
+    (void)state;
+    double x[N], y[N];
+    const struct postproc_curve one = wave(x, y, 0, 0, 0), two[2] = {one, one};
+    draw("powers", 1, &one);
+    assert_true(says("powers", "10^{3}' at graph 0, graph 1"));
+    assert_true(says("powers", "10^{-3}' at graph 1, graph 0"));
+    assert_true(says("powers", "using ($1*1e3):($2*1e-3)"));
+    assert_false(says("powers", "set yrange"));
+    assert_false(says("powers", "title 'a wave'")); /* one curve needs no legend */
+    draw("legend", 2, two);
+    assert_true(says("legend", "set key outside"));
+    assert_true(says("legend", "title 'a wave'"));
+    for (int i = 0; i < N; i++) {
+        x[i] *= 1e5;
+        y[i] *= 1e-5;
+    }
+    draw("plain", 1, &one);
+    assert_true(says("plain", "using 1:2"));
+    assert_false(says("plain", "10^{"));
+}
+
+/* A spike at the start does not set the range, and is told of; one in the middle is part of the result. */
+static void spikes(void **state) {
+    (void)state;
+    double x[N], y[N], range[2];
+    struct postproc_curve c = wave(x, y, 0, 4, 4e7);
+    draw("spike", 1, &c);
+    range_of("spike", 'y', range);
+    check_between(range[0], 285, 290);
+    check_between(range[1], 310, 315);
+    assert_true(says("spike", "beyond the axis: 4.03e+07"));
+    c = wave(x, y, 0, 4, -4e7);
+    draw("spike_down", 1, &c);
+    range_of("spike_down", 'y', range);
+    check_between(range[0], 285, 290);
+    c = wave(x, y, 250, 254, 4e7);
+    draw("event", 1, &c);
+    range_of("event", 'y', range);
+    assert_true(isnan(range[0]));
+    assert_true(says("event", "10^{6}'"));
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(powers_of_ten), cmocka_unit_test(spikes)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
