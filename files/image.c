@@ -31,6 +31,7 @@ static const char *const format_word[FILES_IMAGE_FORMATS] = {
 const char *files_image_format_word(enum files_image_format format) { return format_word[format]; }
 const char *files_image_type_word(enum files_image_type type) { return image_number_word(type); }
 const long *files_image_size(const struct files_image *image) { return image->size; }
+int files_image_slowest(const struct files_image *image) { return image->source.axis[2]; }
 const double *files_image_voxel(const struct files_image *image) { return image->voxel; }
 const char *files_image_unit(const struct files_image *image) { return image->source.unit; }
 enum files_image_format files_image_format_of(const struct files_image *image) { return image->source.format; }
@@ -108,7 +109,7 @@ static int read_axes(struct image_source *s, const char axes[4]) {
     int seen = 0;
     for (int f = 0; f < 3; f++) {
         const int c = order[f] - 'x';
-        if (c < 0 || c > 2 || (seen & 1 << c))
+        if (c < 0 || c > 2 || (seen & 1 << c) || order[3])
             return image_source_refuse(s, "axes = %.4s: each of x, y and z is needed once, as in xyz or zyx", order);
         s->axis[f] = c;
         seen |= 1 << c;
@@ -116,10 +117,17 @@ static int read_axes(struct image_source *s, const char axes[4]) {
     return 0;
 }
 
-/* What the user says must agree with the header. */
+/* What the user says must agree with the header, and go with the format. */
 static int compare(struct image_source *s, const struct files_image_input *input) {
     char size[IMAGE_SIZE_TEXT];
     const long *n = input->size;
+    if (input->header_bytes && s->format != FILES_IMAGE_RAW)
+        return image_source_refuse(s, "bytes of a header are given, and it is no raw file (%s)",
+                                   format_word[s->format]);
+    if (input->dataset && input->dataset[0] && s->format != FILES_IMAGE_HDF5)
+        return image_source_refuse(s, "a dataset is given, and it is no HDF5 file (%s)", format_word[s->format]);
+    if (input->byte_order && (s->format == FILES_IMAGE_TIFF || s->format == FILES_IMAGE_HDF5))
+        return image_source_refuse(s, "a byte order is given, and %s files say it themselves", format_word[s->format]);
     for (int f = 0; f < 3; f++)
         if (n[s->axis[f]] != 0 && n[s->axis[f]] != s->n[f])
             return image_source_refuse(s, "it has %s, and its size is given as %ld x %ld x %ld",

@@ -235,6 +235,11 @@ static void odd_tiffs_are_refused(void **state) {
         const struct files_image_input input = {.file = written("odd.tif", odd[k].how)};
         check_refused(&input, odd[k].why);
     }
+    const struct files_image_input ordered = {.file = written("odd.tif", (struct how){0}),
+                                              .byte_order = FILES_IMAGE_BIG};
+    check_refused(&ordered, "a byte order is given, and tiff files say it themselves");
+    const struct files_image_input behind = {.file = ordered.file, .header_bytes = 8};
+    check_refused(&behind, "bytes of a header are given, and it is no raw file (tiff)");
     const struct files_image_input text = {.file = image_path(folder, "text.tif"), .format = FILES_IMAGE_TIFF};
     image_write(text.file, "no image", 8, "", 0);
     check_refused(&text, "it is no TIFF that can be read: Not a TIFF or MDI file, bad magic number 28526 (0x6f6e)");
