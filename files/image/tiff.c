@@ -1,6 +1,7 @@
 /* Reads stacks of grey pages by libtiff, the rows or tiles that a box needs. */
 #include "files/image/tiff.h"
 #include "files/image/number.h"
+#include "files/image/raw.h"
 #include "files/image/tiff_pages.h"
 
 #include <stdlib.h>
@@ -135,6 +136,19 @@ static int choose_block(struct image_source *s, struct tiff *t) {
     return 0;
 }
 
+/* ImageJ's slices are read as a raw file. */
+static int open_slices(struct image_source *s, const char *path, long long bytes) {
+    const struct tiff *t = s->file;
+    const int is_big = TIFFIsBigEndian(t->file);
+    uint64_t *at = NULL;
+    if (!TIFFGetField(t->file, TIFFTAG_STRIPOFFSETS, &at) || !at || at[0] > (uint64_t)bytes)
+        return refuse_page(s, t, 0);
+    const long long first = (long long)at[0];
+    close_file(s);
+    s->close = NULL;
+    return image_raw_open(s, path, first, is_big ? FILES_IMAGE_BIG : FILES_IMAGE_LITTLE);
+}
+
 static TIFF *open_tiff(struct tiff *t, int fd, const char *path, long long bytes) {
     TIFFOpenOptions *options = TIFFOpenOptionsAlloc();
     if (!options) return NULL;
@@ -161,5 +175,6 @@ int image_tiff_open(struct image_source *s, const struct files_image_input *inpu
     s->file = t;
     s->read = read_box;
     s->close = close_file;
-    return image_tiff_pages_find(s, t, bytes) || choose_block(s, t);
+    if (image_tiff_pages_find(s, t, bytes)) return 1;
+    return t->slices ? open_slices(s, input->file, bytes) : choose_block(s, t);
 }

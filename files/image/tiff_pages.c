@@ -124,18 +124,21 @@ static const char *imagej_value(const char *text, const char *key, char value[32
     return NULL;
 }
 
-/* ImageJ gives pixels a unit in the resolution, and the distance of slices in its description. Other programs write
- * resolutions of printers. */
+/* ImageJ writes stacks of more than 4 GB as one page, and the other slices behind it. It gives pixels a unit in the
+ * resolution, and the distance of slices in its description. Other programs write resolutions of printers. */
 static int read_imagej(struct image_source *s, struct tiff *t) {
     char *text = NULL, value[32];
+    uint16_t scheme = 0;
     float resolution[2] = {0, 0};
     TIFFSetDirectory(t->file, 0);
     if (!TIFFGetField(t->file, TIFFTAG_IMAGEDESCRIPTION, &text) || !text || strncmp(text, "ImageJ=", 7) != 0) return 0;
-    if (t->pages == 1 && imagej_value(text, "images=", value) && strtol(value, NULL, 10) > 1)
-        return image_source_refuse(s,
-                                   "it holds %s slices in one page, as ImageJ writes more than 4 GB: save it as raw "
-                                   "or NRRD",
-                                   value);
+    if (t->pages == 1 && imagej_value(text, "images=", value)) t->slices = strtol(value, NULL, 10);
+    TIFFGetFieldDefaulted(t->file, TIFFTAG_COMPRESSION, &scheme);
+    const int is_plain =
+        scheme == COMPRESSION_NONE && !TIFFIsTiled(t->file) && TIFFNumberOfStrips(t->file) == 1 && t->first.bits >= 8;
+    if (t->slices < 2) t->slices = 0;
+    if (t->slices && !is_plain)
+        return image_source_refuse(s, "it holds %ld slices in one page, and not as ImageJ writes them", t->slices);
     const double metres = imagej_value(text, "unit=", value) ? image_header_metres(value) : 0;
     TIFFGetField(t->file, TIFFTAG_XRESOLUTION, &resolution[0]);
     TIFFGetField(t->file, TIFFTAG_YRESOLUTION, &resolution[1]);
@@ -150,6 +153,6 @@ int image_tiff_pages_find(struct image_source *s, struct tiff *t, long long byte
     if (count_pages(s, t) || check_last_link(s, t, bytes) || find_type(s, &t->first) || read_imagej(s, t)) return 1;
     s->n[0] = t->first.width;
     s->n[1] = t->first.height;
-    s->n[2] = t->pages;
+    s->n[2] = t->slices ? t->slices : t->pages;
     return image_source_bytes(s, &bytes);
 }

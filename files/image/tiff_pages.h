@@ -15,6 +15,7 @@ struct tiff {
     struct page first;
     uint64_t *at; /* [pages] bytes of the pages' directories */
     long pages;
+    long slices; /* of ImageJ's, one behind the other in the only page; else 0 */
     /* of the page that is open, -1: none */
     long open;
     uint32_t next_row; /* that libtiff decodes without beginning again */
