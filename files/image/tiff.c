@@ -17,9 +17,10 @@ static int keep_error(TIFF *file, void *user, const char *module, const char *fo
     return 1;
 }
 
-static int keep_quiet(TIFF *file, void *user, const char *module, const char *format, va_list args) {
-    (void)file, (void)user, (void)module, (void)format, (void)args;
-    return 1;
+/* Of unknown tags nobody needs to hear. While pixels are decoded a warning means that some of them are missing. */
+static int keep_warning(TIFF *file, void *user, const char *module, const char *format, va_list args) {
+    const struct tiff *t = user;
+    return t->open < 0 ? 1 : keep_error(file, user, module, format, args);
 }
 
 static int refuse_page(struct image_source *s, const struct tiff *t, long k) {
@@ -55,6 +56,8 @@ static int open_page(struct image_source *s, struct tiff *t, long k) {
         t->room = bytes;
     }
     t->open = k;
+    t->bytes = bytes;
+    t->said[0] = '\0';
     t->next_row = p.height; /* nothing is decoded yet */
     return 0;
 }
@@ -69,16 +72,21 @@ static void convert(const struct image_source *s, const char *row, long from, lo
     for (long i = 0; i < n; i++) value[i] = row[(from + i) / 8] >> (7 - (from + i) % 8) & 1;
 }
 
+/* It is opened anew if it is asked for again. */
+static int drop_page(struct image_source *s, struct tiff *t) {
+    const long page = t->open;
+    t->open = -1;
+    return refuse_page(s, t, page);
+}
+
 /* Rows of a strip can only be decoded one after the other. */
 static int read_row(struct image_source *s, struct tiff *t, uint32_t j) {
     const uint32_t first = j - j % t->rows;
     uint32_t row = t->next_row >= first && t->next_row <= j ? t->next_row : first;
-    for (; row <= j; row++)
-        if (TIFFReadScanline(t->file, t->piece, row, 0) != 1) {
-            const long page = t->open;
-            t->open = -1;
-            return refuse_page(s, t, page);
-        }
+    for (; row <= j; row++) {
+        memset(t->piece, 0, t->bytes); /* a damaged page may leave some as it was */
+        if (TIFFReadScanline(t->file, t->piece, row, 0) != 1 || t->said[0]) return drop_page(s, t);
+    }
     t->next_row = j + 1;
     return 0;
 }
@@ -100,7 +108,9 @@ static int read_tiles(struct image_source *s, struct tiff *t, const long low[3],
     const tmsize_t stride = TIFFTileRowSize(t->file);
     for (long y = low[1] - low[1] % ty; y < high[1]; y += ty)
         for (long x = low[0] - low[0] % tx; x < high[0]; x += tx) {
-            if (TIFFReadTile(t->file, t->piece, (uint32_t)x, (uint32_t)y, 0, 0) < 0) return refuse_page(s, t, t->open);
+            memset(t->piece, 0, t->bytes);
+            if (TIFFReadTile(t->file, t->piece, (uint32_t)x, (uint32_t)y, 0, 0) < 0 || t->said[0])
+                return drop_page(s, t);
             const long i = larger(x, low[0]), to = smaller(x + tx, high[0]);
             for (long j = larger(y, low[1]); j < smaller(y + ty, high[1]); j++)
                 convert(s, t->piece + (j - y) * stride, i - x, to - i, value + (j - low[1]) * n + (i - low[0]));
@@ -153,7 +163,7 @@ static TIFF *open_tiff(struct tiff *t, int fd, const char *path, long long bytes
     TIFFOpenOptions *options = TIFFOpenOptionsAlloc();
     if (!options) return NULL;
     TIFFOpenOptionsSetErrorHandlerExtR(options, keep_error, t);
-    TIFFOpenOptionsSetWarningHandlerExtR(options, keep_quiet, NULL);
+    TIFFOpenOptionsSetWarningHandlerExtR(options, keep_warning, t);
     TIFFOpenOptionsSetMaxSingleMemAlloc(options, (tmsize_t)(4 * bytes + PIECE_MOST)); /* whatever a header says */
     TIFF *file = TIFFFdOpenExt(fd, path, "rm", options); /* no mapping: a file cut off meanwhile would be a signal */
     TIFFOpenOptionsFree(options);
@@ -165,13 +175,13 @@ int image_tiff_open(struct image_source *s, const struct files_image_input *inpu
     const int fd = image_source_file(s, input->file, &bytes);
     if (fd < 0) return 1;
     struct tiff *t = calloc(1, sizeof *t);
+    if (t) t->open = -1;
     if (!t || !(t->file = open_tiff(t, fd, input->file, bytes))) {
         image_source_refuse(s, "it is no TIFF that can be read: %s", t && t->said[0] ? t->said : "no memory left");
         close(fd);
         free(t);
         return 1;
     }
-    t->open = -1;
     s->file = t;
     s->read = read_box;
     s->close = close_file;
