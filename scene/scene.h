@@ -56,6 +56,7 @@ struct scene_fluid {
     struct scene_side side[3][2];      /* YAML keys sides.x_low, sides.x_high, ... */
     enum scene_driving driving;        /* driving.type: none, pressure_gradient, bulk_velocity */
     int driving_direction;             /* driving.direction: x, y or z */
+    double driving_along[3];           /* driving.along: of any length; 0: left out, along driving_direction */
     double driving_value;              /* driving.value */
     double driving_frequency; /* driving.frequency, Hz: the gradient is value cos(2 pi frequency t); default 0 */
     double body_force[3];     /* m/s2 */

@@ -65,6 +65,7 @@ static const cyaml_schema_field_t sides_fields[] = {SIDE("x_low", 0, 0),  SIDE("
 static const cyaml_schema_field_t driving_fields[] = {
     CHOICE("type", NEEDED, scene_fluid, driving, drivings),
     CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, scene_schema_parts_axes),
+    VECTOR("along", OPTIONAL, scene_fluid, driving_along),
     NUMBER("value", OPTIONAL, scene_fluid, driving_value),
     NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency), CYAML_FIELD_END};
 
