@@ -34,6 +34,7 @@ struct program {
     struct fluid_probes *fluid_probes; /* NULL: none */
     struct march *march;
     enum signals_reason reason; /* to stop after the present step */
+    struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
     long checked;               /* last step with a checkpoint, -1: none */
     double slowest_step, checkpoint_seconds;
 };
@@ -110,20 +111,42 @@ static void largest(void *program, double *number, int n) {
     p->reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, n);
 }
 
+/* Looks whether the stage ends with the step just taken: it is full, or steady. */
+static int look(struct program *p, int full) {
+    struct run *r = p->run;
+    const struct scene_stage *stage = &p->scene->stage[r->stage];
+    struct steady_found *found = &p->found;
+    const int steady = steady_is_due(r, r->stage_step) && steady_look(r, found);
+    if (steady)
+        log_line("stage %s: steady after %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it over %d steps, "
+                 "%.2g left",
+                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
+    else if (full && stage->has_until)
+        log_line("stage %s: not steady after all its %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it "
+                 "over %d steps, %.2g left",
+                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
+    return full || steady;
+}
+
 /* Takes one step and writes the output that is due after it. A state that is kept or written was tested as a whole.
  * Returns an exit code to end with, or -1. */
 static int step(struct program *p) {
     struct run *r = p->run;
     const struct scene_output *out = &p->scene->output;
     const long now = r->step + 1;
-    const int last = r->stage_step + 1 == p->scene->stage[r->stage].steps;
-    const int sampled = due(out->series_every, now) || (last && out->series_every > 0);
-    const int drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
+    const int full = r->stage_step + 1 == p->scene->stage[r->stage].steps;
+    const int may_end = full || steady_may_end(r, r->stage_step + 1);
     const int saved = due(out->checkpoint_every, now);
+    int sampled = due(out->series_every, now) || (may_end && out->series_every > 0);
+    int drawn = due(out->fields_every, now) || (may_end && out->fields_every > 0);
     const struct march_caller caller = {.with = p, .before = sampled ? prepare_sample : NULL, .largest = largest};
     const double start = par_seconds();
     struct step_status status;
-    if (!march_step(p->march, sampled || drawn || saved || last, &caller, &status)) return unstable(p, &status);
+    if (!march_step(p->march, sampled || drawn || saved || may_end, &caller, &status)) return unstable(p, &status);
+    const int last = look(p, full);
+    sampled = due(out->series_every, now) || (last && out->series_every > 0);
+    drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
+    if (!sampled) series_leave(p->series, r);
     if (sampled) series_sample(p->series, r);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
@@ -132,7 +155,7 @@ static int step(struct program *p) {
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     progress(p);
     if (drawn) fields_write(r, p->command->out);
-    if (r->stage_step == p->scene->stage[r->stage].steps)
+    if (last)
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
                                                      * continues */
     if (saved) checkpoint(p);
@@ -145,14 +168,15 @@ static int stages(struct program *p) {
         const struct scene_stage *stage = &p->scene->stage[r->stage];
         step_begin_stage(r);
         if (r->setup_seconds == 0) r->setup_seconds = par_seconds() - r->wall_start;
-        if (r->stage_step < stage->steps)
+        p->found = (struct steady_found){NAN, NAN, NAN};
+        if (r->stage_step < stage->steps && !steady_has_ended(r))
             log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
                      r->fluid && stage->time_step <= 0 ? " (automatic)" : "");
         if (r->substeps > 0)
             log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                      r->dt / r->substeps, r->solid_stable);
         march_begin(p->march);
-        while (r->stage_step < stage->steps) {
+        while (r->stage_step < stage->steps && !steady_has_ended(r)) {
             const int code = step(p);
             if (code >= 0) return code;
         }

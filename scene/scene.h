@@ -216,6 +216,8 @@ struct scene_solid {
     double contact_stiffness, contact_exponent, contact_radius; /* k_c/c0 = 15, n_c = 1, r_c/spacing = 1 */
 };
 
+/* auto: the axis along which the scene drives the fluid, or else slanted as `driving` (scene/medium.h) */
+enum scene_medium_direction { SCENE_MEDIUM_AUTO, SCENE_MEDIUM_X, SCENE_MEDIUM_Y, SCENE_MEDIUM_Z, SCENE_MEDIUM_DRIVING };
 enum scene_surface { SCENE_SURFACE_LATTICE, SCENE_SURFACE_SHAPE };
 enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
 enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
@@ -238,10 +240,12 @@ struct scene_coupling {
      * the domain */
     double box_low[3], box_high[3];
     int has_box; /* 0: not given; a body of points has bounds that only its particles know */
+    enum scene_medium_direction medium_direction; /* medium.direction: auto (default), x, y, z, driving */
 };
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
 enum scene_integrator { SCENE_RK3, SCENE_VERLET };
+enum scene_until_quantity { SCENE_UNTIL_PERMEABILITY };
 struct scene_stage {
     char name[SCENE_NAME];
     long steps;
@@ -254,6 +258,10 @@ struct scene_stage {
     double safety;                    /* auto: fraction of the stable step, default 0.95 */
     int breakage;                     /* default true; false: no bond breaks in this stage */
     double damping_relative, damping_absolute;
+    int has_until; /* until: {...}: the stage ends once the quantity is steady */
+    enum scene_until_quantity until_quantity;
+    double until_change; /* relative, over a window and in all that is left */
+    int until_window;    /* steps */
 };
 
 struct scene_crack_output {

@@ -19,10 +19,8 @@ static struct medium_sums sums_of(const struct medium *m, struct fluid *f) {
     s.solid = medium_kernels_sum_solid(g->m, g->row, g->plane, weight, m->fraction + origin);
     double all[8] = {s.solid, s.u[0], s.u[1], s.u[2], s.pore_u[0], s.pore_u[1], s.pore_u[2], s.pore_speed};
     par_sum_array(all, 8);
-    return (struct medium_sums){.solid = all[0],
-                                .u = {all[1], all[2], all[3]},
-                                .pore_u = {all[4], all[5], all[6]},
-                                .pore_speed = all[7]};
+    return (struct medium_sums){
+        .solid = all[0], .u = {all[1], all[2], all[3]}, .pore_u = {all[4], all[5], all[6]}, .pore_speed = all[7]};
 }
 
 static double porosity_from(const struct medium *m, const struct medium_sums *s) { return 1 - s->solid / m->total; }

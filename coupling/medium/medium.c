@@ -70,6 +70,8 @@ void medium_along(struct medium *m, const double along[3]) {
     memset(m->cell, MEDIUM_WALL, (size_t)(m->g->m[0] + 2) * (size_t)(m->g->m[1] + 2) * (size_t)(m->g->m[2] + 2));
 }
 
+int medium_axis(const struct medium *m) { return m->axis; }
+
 int medium_is_whole_period(const struct medium *m, int c) { return m->whole_period[c]; }
 
 void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }

@@ -26,6 +26,7 @@ void medium_free(struct medium *m);
  * it has a component (medium_is_whole_period). Connected pores are those along its largest component. Not
  * collective. */
 void medium_along(struct medium *m, const double along[3]);
+int medium_axis(const struct medium *m); /* of its largest component. Not collective. */
 /* 1: direction c is periodic, and the box is the whole domain along it. Not collective. */
 int medium_is_whole_period(const struct medium *m, int c);
 /* How far the force on the fluid may reach beyond the box's front and back faces, in cells; 1 until it is said. Not
@@ -56,11 +57,11 @@ double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2]
 /* Mean pressure at the front face minus that at the back face, from means over whole sections of the domain. Each
  * face's pressure is the line through the two nearest places outside the box where it is known, continued to the face.
  * These are the sections that the force on the fluid does not reach (medium_reach), across a periodic end as well, and
- * after the last of them a side of given pressure. One place: its pressure, with the driving. None, and the axis is periodic:
- * the whole period's driving is the drop. None, and the side gives no pressure: the domain's outermost section if it is
- * outside the box; otherwise the line through the outermost two, which is only an estimate, because they are in the
- * medium. The driving along the axis that p does not contain, a gradient and a body force, is added over the box's
- * length. If the axis is periodic and the box is the whole domain along it, only this driving counts. */
+ * after the last of them a side of given pressure. One place: its pressure, with the driving. None, and the axis is
+ * periodic: the whole period's driving is the drop. None, and the side gives no pressure: the domain's outermost
+ * section if it is outside the box; otherwise the line through the outermost two, which is only an estimate, because
+ * they are in the medium. The driving along the axis that p does not contain, a gradient and a body force, is added
+ * over the box's length. If the axis is periodic and the box is the whole domain along it, only this driving counts. */
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f);
 /* k = (Q L/S) mu/dp, Q/S = mean of u.e over the box, L its extent along e  (001: eq. 2.4). */
 double medium_measure_permeability(struct medium *m, struct fluid *f);
