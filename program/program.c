@@ -1,7 +1,9 @@
 /* frana run: steps through the stages, writes samples, fields and checkpoints, and handles every end of a run. */
 #include "program/program.h"
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/par.h"
+#include "base/par_count.h"
 #include "base/signals.h"
 #include "base/step_status.h"
 #include "coupling/blocked.h"
@@ -23,6 +25,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+/* Reynolds number with the root of the permeability from which inertia is said to count. */
+#define INERTIA 0.1
 
 struct program {
     const struct command *command;
@@ -111,6 +116,34 @@ static void largest(void *program, double *number, int n) {
     p->reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, n);
 }
 
+/* Says what the direction of the medium is, or why no permeability is measured. */
+static void say_direction(const struct run *r) {
+    const double *e = r->measured.along;
+    if (!r->medium) return;
+    if (r->measured.why[0])
+        log_line("permeability is not measured: %s", r->measured.why);
+    else if (e[0] == 0 || e[1] == 0 || e[2] == 0 ? (e[0] != 0) + (e[1] != 0) + (e[2] != 0) > 1 : 1)
+        log_line("permeability is measured along (%g, %g, %g)", e[0], e[1], e[2]);
+    else
+        log_line("permeability is measured along %c", "xyz"[medium_axis(r->medium)]);
+}
+
+/* At a stage's end: what the last sample's permeability is worth. */
+static void say_flow(const struct program *p) {
+    const struct run *r = p->run;
+    const struct series_sample *s = series_last(p->series);
+    const char *name = p->scene->stage[r->stage].name;
+    if (!r->needs.immersed || r->measured.why[0] || p->scene->output.series_every == 0) return;
+    if (s->porosity_effective == 0)
+        log_line("stage %s: no permeability: no way through the medium along %c that cells resolve", name,
+                 "xyz"[medium_axis(r->medium)]);
+    else if (s->reynolds_k > INERTIA)
+        log_line(
+            "stage %s: the Reynolds number with the root of the permeability is %.3g, above %g: inertia counts, and "
+            "the permeability is an apparent one",
+            name, s->reynolds_k, INERTIA);
+}
+
 /* Looks whether the stage ends with the step just taken: it is full, or steady. */
 static int look(struct program *p, int full) {
     struct run *r = p->run;
@@ -155,6 +188,7 @@ static int step(struct program *p) {
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     progress(p);
     if (drawn) fields_write(r, p->command->out);
+    if (last) say_flow(p);
     if (last)
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
                                                      * continues */
@@ -207,6 +241,8 @@ static void begin(struct program *p) {
     if (here) folder_hold(c->out);
     refuse_to_overwrite(c, here);
     signals_begin(c->max_wall);
+    clock_clear();
+    par_count_clear();
     p->run = run_new(p->scene); /* all mistakes of the scene are found here at the latest, before any file is written */
     p->crack = crack_series_new(p->run);
     p->probes = probes_new(p->run);
@@ -234,6 +270,7 @@ static void begin(struct program *p) {
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
     char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
+    say_direction(p->run);
     for (int k = 0; k < steps_too_long; k++) log_line("warning: %s", too_long[k]);
     free(too_long);
 }
@@ -254,5 +291,6 @@ int program_run(const struct command *c, const struct scene *scene) {
     fluid_probes_free(p.fluid_probes);
     run_free(p.run);
     log_end();
+    folder_hold_release();
     return code;
 }
