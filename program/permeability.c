@@ -37,8 +37,7 @@ static struct drive drive_of(const struct scene *s) {
     const struct scene_fluid *f = s->fluid;
     struct drive drive = {.axis = -1};
     struct scene_medium m;
-    if (!s->coupling || !f)
-        die_all(EXIT_CODE_SCENE, "frana permeability: needs a scene with a fluid and a solid");
+    if (!s->coupling || !f) die_all(EXIT_CODE_SCENE, "frana permeability: needs a scene with a fluid and a solid");
     for (int d = 0; d < 3; d++)
         for (int e = 0; e < 2; e++) {
             const struct scene_side *side = &f->side[d][e];
@@ -55,7 +54,8 @@ static struct drive drive_of(const struct scene *s) {
     double push[3];
     scene_medium_of(s, &m);
     for (int d = 0; d < 3; d++) {
-        const double length = sqrt(pow(f->driving_along[0], 2) + pow(f->driving_along[1], 2) + pow(f->driving_along[2], 2));
+        const double length =
+            sqrt(pow(f->driving_along[0], 2) + pow(f->driving_along[1], 2) + pow(f->driving_along[2], 2));
         const double part = length > 0 ? f->driving_along[d] / length : d == f->driving_direction;
         push[d] = f->density * f->body_force[d] + (f->driving == SCENE_DRIVING_GRADIENT ? part * f->driving_value : 0);
         drive.value += push[d] * push[d];
@@ -63,15 +63,19 @@ static struct drive drive_of(const struct scene *s) {
     drive.value = sqrt(drive.value);
     if (f->driving == SCENE_DRIVING_BULK) drive.bulk = 1, drive.value = fabs(f->driving_value);
     if (drive.axis >= 0 && drive.value != 0)
-        die_all(EXIT_CODE_SCENE, "frana permeability: sides of given pressure and a driving or a body force: leave one out");
+        die_all(EXIT_CODE_SCENE,
+                "frana permeability: sides of given pressure and a driving or a body force: leave one out");
     if (drive.axis >= 0 && f->side[drive.axis][0].pressure == f->side[drive.axis][1].pressure)
-        die_all(EXIT_CODE_SCENE, "frana permeability: nothing drives the fluid along %c: its sides have the same pressure",
+        die_all(EXIT_CODE_SCENE,
+                "frana permeability: nothing drives the fluid along %c: its sides have the same pressure",
                 "xyz"[drive.axis]);
     if (drive.axis < 0 && !periodic)
-        die_all(EXIT_CODE_SCENE, "frana permeability: all sides must be periodic, or two opposite ones of given pressure");
+        die_all(EXIT_CODE_SCENE,
+                "frana permeability: all sides must be periodic, or two opposite ones of given pressure");
     if (drive.axis < 0 && drive.value == 0)
-        die_all(EXIT_CODE_SCENE, "frana permeability: nothing drives the fluid: give a gradient (fluid.driving), a body "
-                                 "force or two sides of given pressure");
+        die_all(EXIT_CODE_SCENE,
+                "frana permeability: nothing drives the fluid: give a gradient (fluid.driving), a body "
+                "force or two sides of given pressure");
     if (f->driving_frequency > 0)
         die_all(EXIT_CODE_SCENE, "frana permeability: fluid.driving.frequency must be 0: the flow must become steady");
     return drive;
@@ -102,7 +106,7 @@ static int sets_of(const struct scene *s, const struct drive *drive, int d, char
     set[n++] = text_new("coupling.medium.direction=%c", "xyz"[d]);
     if (drive->axis < 0)
         set[n++] = text_new("fluid.driving={type: %s, direction: %c, value: %.17g}",
-                            drive->bulk ? "bulk_velocity" : "pressure_gradient", "xyz"[d], drive->value);
+                            drive->bulk ? "bulk_velocity" : "pressure_gradient", "xyz"[d], drive -> value);
     for (int c = 0; c < 3 && drive->axis >= 0; c++)
         for (int e = 0; e < 2; e++) set[n++] = side_text(c, e, &s->fluid->side[sides_from(drive, d, c)][e]);
     if (!last->has_until)
@@ -182,7 +186,7 @@ static void write_csv(const char *out, const double K[3][3], const struct physic
     for (int q = 0; q < 3; q++) {
         fprintf(a.file, "principal_%d,%.15g,m2\n", q + 1, p->value[q]);
         fprintf(a.file, "principal_%d_md,%.15g,mD\n", q + 1, 1e3 * p->value[q] / PHYSICS_DARCY);
-        for (int i = 0; i < 3; i++) fprintf(a.file, "principal_%d_%c,%.15g,1\n", q + 1, "xyz"[i], p->along[q][i]);
+        for (int i = 0; i < 3; i++) fprintf(a.file, "principal_%d_%c,%.15g,1\n", q + 1, "xyz"[i], p -> along[q][i]);
     }
     fprintf(a.file, "asymmetry,%.15g,1\n", p->asymmetry);
     for (int j = 0; j < 3; j++) {
@@ -221,8 +225,9 @@ static void write_page(FILE *to, const struct scene *s, const struct drive *driv
                 m[j].steady < 0 ? "left before its last stage" : steady[m[j].steady], m[j].steps, m[j].tortuosity,
                 m[j].reynolds);
     if (drive->axis >= 0)
-        fprintf(to, "The sides of given pressure along %c stood at the ends of each direction in turn; the sides of that "
-                    "direction\nstood along %c meanwhile.\n",
+        fprintf(to,
+                "The sides of given pressure along %c stood at the ends of each direction in turn; the sides of that "
+                "direction\nstood along %c meanwhile.\n",
                 "xyz"[drive->axis], "xyz"[drive->axis]);
 }
 
@@ -257,7 +262,8 @@ static void check_ways(const struct scene *along_x) {
         const double along[3] = {0, d == 1, d == 2};
         medium_along(r->medium, along);
         if (medium_connect_porosity(r->medium) == 0)
-            die_all(EXIT_CODE_SCENE, "coupling.medium: no way through the medium along %c that cells resolve", "xyz"[d]);
+            die_all(EXIT_CODE_SCENE, "coupling.medium: no way through the medium along %c that cells resolve",
+                    "xyz"[d]);
     }
     run_free(r);
 }
@@ -282,8 +288,8 @@ int permeability_run(const struct command *c, const struct scene *scene) {
         free(set);
         made[d] = made_in(folder[d], turned[d]);
         if (made[d] == MADE_OTHER && !c->fresh)
-            die_all(EXIT_CODE_FILE, "%s holds a run of another scene: --fresh makes it again, --out DIR writes elsewhere",
-                    folder[d]);
+            die_all(EXIT_CODE_FILE,
+                    "%s holds a run of another scene: --fresh makes it again, --out DIR writes elsewhere", folder[d]);
         missing |= c->fresh || made[d] != MADE_ALL;
     }
     if (missing) check_ways(turned[0]);

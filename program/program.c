@@ -21,6 +21,7 @@
 #include "program/probes.h"
 #include "program/record.h"
 #include "program/series.h"
+#include "program/texture.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -35,6 +36,7 @@ struct program {
     struct run *run;
     struct series *series;
     struct crack *crack;               /* NULL: no crack is tracked */
+    struct texture *texture;           /* NULL: nothing is immersed */
     struct probes *probes;             /* NULL: none */
     struct fluid_probes *fluid_probes; /* NULL: none */
     struct march *march;
@@ -189,6 +191,7 @@ static int step(struct program *p) {
     progress(p);
     if (drawn) fields_write(r, p->command->out);
     if (last) say_flow(p);
+    if (last) texture_sample(p->texture, r);
     if (last)
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
                                                      * continues */
@@ -262,6 +265,7 @@ static void begin(struct program *p) {
     }
     write_resolved(p);
     p->series = series_new(p->run, c->out, here ? p->run->step : -1);
+    p->texture = texture_new(p->run, c->out, here ? p->run->step : -1);
     if (p->crack) crack_series_open(p->crack, p->run, c->out, here ? p->run->step : -1);
     if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
@@ -286,6 +290,7 @@ int program_run(const struct command *c, const struct scene *scene) {
     }
     march_free(p.march);
     series_free(p.series);
+    texture_free(p.texture);
     crack_series_free(p.crack);
     probes_free(p.probes);
     fluid_probes_free(p.fluid_probes);

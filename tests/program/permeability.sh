@@ -93,6 +93,15 @@ code 0 ranks 3 run until.yaml --out middle --resume=once/checkpoint/stage_flow.h
 grep -q "steady after $ended steps" middle/run.log || fail "resumed in the middle, it ends elsewhere"
 same <(sed -n '1,2p' whole/series.csv && awk -F, 'NR > 2 && $1 > 110' whole/series.csv) middle/series.csv
 
+# slices and sub-volumes at the end of each stage; the largest sub-volume is the box
+grep -c . whole/slices.csv | grep -qx $((2 + 2 * 36)) || fail "$(grep -c . whole/slices.csv) lines of slices.csv"
+column() { awk -F, -v q="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == q) c = i } END { print $c }' "$1"; }
+close "$(column whole/rev.csv porosity_mean)" "$(column whole/series.csv porosity)" 1e-12
+close "$(column whole/rev.csv specific_surface_mean)" "$(column whole/series.csv specific_surface)" 1e-12
+close "$(column whole/series.csv permeability_md)" "$(column whole/series.csv permeability |
+  awk '{ printf "%.15g", $1 / 9.869233e-16 }')" 1e-12
+awk -F, 'NR > 2 && $6 + 0 > 0 && $6 + 0 < 1 { n++ } END { exit !n }' whole/slices.csv || fail "porosities of slices"
+
 # sides of given pressure: half a sphere at either end of x
 sed -e '/driving/d' -e 's/x_low: .*/x_low: {type: pressure, pressure: 1.0e-6}/' -e 's/x_high: .*/x_high: {type: pressure}/' \
   scene.yaml >sides.yaml
