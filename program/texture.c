@@ -15,7 +15,7 @@ enum { SLICE_COLUMNS = sizeof slice_name / sizeof *slice_name };
 
 #define SPREAD(name) name "_mean", name "_deviation", name "_least", name "_largest"
 static const char *const rev_name[] = {
-    "step",    "t", "edge", "parts_x", "parts_y", "parts_z", SPREAD("porosity"), SPREAD("specific_surface"),
+    "step",          "t", "edge", "parts_x", "parts_y", "parts_z", SPREAD("porosity"), SPREAD("specific_surface"),
     SPREAD("carman")};
 static const char *const rev_unit[] = {"1", "s",   "m",   "1",   "1",   "1",  "1",  "1",  "1",
                                        "1", "1/m", "1/m", "1/m", "1/m", "m2", "m2", "m2", "m2"};
@@ -68,7 +68,7 @@ static void sample_rev(struct texture *t, const struct run *r) {
     for (int k = 0; k < s->n; k++) area[k] = s->area[k] * (s->two_sided[k] == SOLID_TWO_FACES ? 2 : 1);
     const int n = medium_texture_sizes(r->medium, s->n, (const double *const *)x, area, size);
     for (int q = 0; q < n; q++) {
-        double row[REV_COLUMNS] = {(double)r->step,  r->t, size[q].edge, size[q].parts[0], size[q].parts[1],
+        double row[REV_COLUMNS] = {(double)r->step, r->t, size[q].edge, size[q].parts[0], size[q].parts[1],
                                    size[q].parts[2]};
         for (int k = 0; k < 4; k++) {
             row[6 + k] = size[q].porosity[k];

@@ -5,8 +5,8 @@
 
 struct texture; /* opaque */
 
-/* NULL if nothing is immersed, or if the scene writes no series. Begins the files (resume_step < 0), or cuts them back to
- * that step. Collective. */
+/* NULL if nothing is immersed, or if the scene writes no series. Begins the files (resume_step < 0), or cuts them back
+ * to that step. Collective. */
 struct texture *texture_new(struct run *r, const char *folder, long resume_step);
 void texture_sample(struct texture *t, struct run *r); /* Appends the present state. Collective. */
 void texture_free(struct texture *t);

@@ -71,8 +71,7 @@ static void fill(const struct medium *m, const int parts[3], int n, const double
             const double L = g->length[c], wrapped = g->periodic[c] ? x[c][h] - L * floor(x[c][h] / L) : x[c][h];
             p[c] = part_of(m, c, parts[c], wrapped);
         }
-        if (p[0] >= 0 && p[1] >= 0 && p[2] >= 0)
-            sum[2 * all + (p[2] * parts[1] + p[1]) * parts[0] + p[0]] += area[h];
+        if (p[0] >= 0 && p[1] >= 0 && p[2] >= 0) sum[2 * all + (p[2] * parts[1] + p[1]) * parts[0] + p[0]] += area[h];
     }
     par_sum_array(sum, 3 * all);
 }
@@ -131,7 +130,8 @@ int medium_texture_sizes(const struct medium *m, int n, const double *const x[3]
                 parts[c] *= 2, finer = 1;
     }
     const size_t all = (size_t)parts[0] * (size_t)parts[1] * (size_t)parts[2];
-    double *sum = memory_new(MEMORY_COUPLING, 3 * all, sizeof *sum), *work = memory_new(MEMORY_COUPLING, 3 * all, sizeof *work);
+    double *sum = memory_new(MEMORY_COUPLING, 3 * all, sizeof *sum),
+           *work = memory_new(MEMORY_COUPLING, 3 * all, sizeof *work);
     fill(m, parts, n, x, area, sum);
     for (int q = 0; q < sizes; q++) {
         int next[3], most = 0;

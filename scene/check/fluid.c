@@ -139,6 +139,7 @@ static void check_driving(const struct scene_check *c) {
     const int slanted = scene_node_find(c->root, "fluid.driving.along") != NULL;
     const char *key = slanted ? "fluid.driving.along" : "fluid.driving.direction";
     if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving")) return;
+    if (!scene_node_find(c->root, key)) return; /* a misplaced key has been reported */
     if (slanted && f->driving_along[0] == 0 && f->driving_along[1] == 0 && f->driving_along[2] == 0)
         scene_problem_at(c->problems, c->root, key, "must not be 0 in every direction");
     for (int d = 0; d < 3; d++)

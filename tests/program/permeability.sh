@@ -45,8 +45,8 @@ close "$(value one k_xx_md)" "$(awk -v k="$(value one k_xx)" 'BEGIN { printf "%.
 # the trace is that of the principal values, the first of which is the largest
 close "$(awk -v a="$(value one principal_1)" -v b="$(value one principal_2)" -v c="$(value one principal_3)" \
   'BEGIN { if (a < b || b < c) print 0; else printf "%.15g", a + b + c }')" \
-  "$(awk -v a="$(value one k_xx)" -v b="$(value one k_yy)" -v c="$(value one k_zz)" 'BEGIN { printf "%.15g", a + b + c }')" \
-  1e-12
+  "$(awk -v a="$(value one k_xx)" -v b="$(value one k_yy)" -v c="$(value one k_zz)" \
+    'BEGIN { printf "%.15g", a + b + c }')" 1e-12
 grep -q 'Principal values' one/permeability.txt || fail "no principal values in the text"
 touch -d '2001-01-01' one/x/series.csv
 code 0 ranks 1 permeability scene.yaml --out one
@@ -103,8 +103,8 @@ close "$(column whole/series.csv permeability_md)" "$(column whole/series.csv pe
 awk -F, 'NR > 2 && $6 + 0 > 0 && $6 + 0 < 1 { n++ } END { exit !n }' whole/slices.csv || fail "porosities of slices"
 
 # sides of given pressure: half a sphere at either end of x
-sed -e '/driving/d' -e 's/x_low: .*/x_low: {type: pressure, pressure: 1.0e-6}/' -e 's/x_high: .*/x_high: {type: pressure}/' \
-  scene.yaml >sides.yaml
+sed -e '/driving/d' -e 's/x_low: .*/x_low: {type: pressure, pressure: 1.0e-6}/' \
+  -e 's/x_high: .*/x_high: {type: pressure}/' scene.yaml >sides.yaml
 code 0 ranks 2 permeability sides.yaml --out sides
 close "$(value sides k_zz)" "$(value three k_zz)" 0.2
 grep -q 'stood at the ends of each direction in turn' sides/permeability.txt || fail "the sides are not explained"
@@ -125,7 +125,8 @@ refused "nothing drives the fluid along x: no gradient and no body force points 
   --set coupling.medium.direction=x
 refused "nothing drives the fluid along x: no gradient and no body force points along it" run scene.yaml \
   --set 'fluid.driving={type: none}' --set 'stages.flow.until={}'
-refused "nothing drives the fluid along y: its sides let nothing through" run walls.yaml --set coupling.medium.direction=y
+refused "nothing drives the fluid along y: its sides let nothing through" run walls.yaml \
+  --set coupling.medium.direction=y
 refused "nothing drives the fluid along x: its sides have the same pressure" run sides.yaml \
   --set fluid.sides.x_low.pressure=0 --set coupling.medium.direction=x
 refused "the fluid is driven along x too: a permeability along y alone cannot be measured" run scene.yaml \

@@ -255,7 +255,7 @@ static const struct sample_broken table[] = {
      "it.yaml:42: stages[0].until.change = 0: must be greater than 0 and at most 1"},
     {"coupled", "cfl: 0.5", "cfl: 0.5, until: {window: 1}", "it.yaml:42: stages[0].until.window = 1: must be at least 2"},
     {"coupled", "cfl: 0.5", "cfl: 0.5, until: {quantity: porosity}",
-     "it.yaml:42: stages[0].until.quantity = porosity: must be one of permeability"},
+     "it.yaml:42: stages[0].until.quantity = porosity: must be permeability"},
     {"coupled", "force: [0, -100, 0]", "force: [0, -100]",
      "it.yaml:36: solid.loads[0].force = [0, -100]: must be a list of 3 numbers (N/m3)"},
     {"coupled", "force: [0, -100, 0]", "force: [0, -100, 0], time: [[1, 0], [0.5, 1]]",

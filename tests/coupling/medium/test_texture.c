@@ -78,8 +78,7 @@ static void slices(void **state) {
             mean += width * porosity[q], volume += width;
         }
         check_relative(mean / volume, medium_measure_porosity(m), 1e-12);
-        if (c == 2)
-            check_relative(porosity[3], 1 - solid_in((int[]){4, 0, 5}, (int[]){20, 16, 6}), 1e-12);
+        if (c == 2) check_relative(porosity[3], 1 - solid_in((int[]){4, 0, 5}, (int[]){20, 16, 6}), 1e-12);
     }
     medium_free(m);
     fluid_free(f);
