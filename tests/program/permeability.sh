@@ -86,7 +86,7 @@ for n in 1 2; do
   grep -q 'stage after: 30 steps' "again$n/run.log" || fail "the stage after is not begun"
 done
 ended=$(sed -n 's/.*steady after \([0-9]*\) steps.*/\1/p' whole/run.log)
-[ "$((ended % 40))" = 0 ] && [ "$ended" -lt 2000 ] || fail "steady after $ended steps"
+if [ "$((ended % 40))" != 0 ] || [ "$ended" -ge 2000 ]; then fail "steady after $ended steps"; fi
 code 0 ranks 1 run until.yaml --out once --set stages.flow.steps=110 --set stages.after.steps=0
 grep -q 'stage flow: not steady after all its 110 steps' once/run.log || fail "the upper bound is not said"
 code 0 ranks 3 run until.yaml --out middle --resume=once/checkpoint/stage_flow.h5
