@@ -26,6 +26,11 @@ void clock_end(enum clock_part part) {
     since = now;
 }
 
+void clock_clear(void) {
+    ENSURE(depth == 0, "the %s clock runs", clock_name(stack[depth - 1]));
+    for (int p = 0; p < CLOCK_ALL; p++) seconds[p] = 0;
+}
+
 double clock_seconds(enum clock_part part) {
     double sum = seconds[part];
     for (int detail = CLOCK_PARTS; detail < CLOCK_ALL && part == CLOCK_POISSON; detail++) sum += seconds[detail];

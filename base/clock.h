@@ -21,5 +21,6 @@ enum clock_part {
 
 void clock_begin(enum clock_part part); /* Not collective. */
 void clock_end(enum clock_part part);   /* Not collective. */
+void clock_clear(void);                 /* A new run begins: all seconds are 0. Not collective. */
 double clock_seconds(enum clock_part part);
 const char *clock_name(enum clock_part part);

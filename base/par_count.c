@@ -13,6 +13,10 @@ void par_count_collective(enum par_count_kind kind, size_t bytes) {
     count[kind].bytes += (long)bytes;
 }
 
+void par_count_clear(void) {
+    for (int k = 0; k < PAR_COUNT_KINDS; k++) count[k] = (struct par_count){0};
+}
+
 struct par_count par_count_of(enum par_count_kind kind) {
     return count[kind];
 }

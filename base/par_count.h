@@ -21,5 +21,6 @@ struct par_count {
 /* Not collective, all of these. */
 void par_count_message(enum par_count_kind kind, size_t bytes);
 void par_count_collective(enum par_count_kind kind, size_t bytes);
-struct par_count par_count_of(enum par_count_kind kind); /* since the start of the program */
+void par_count_clear(void);                              /* a new run begins: all counts are 0 */
+struct par_count par_count_of(enum par_count_kind kind); /* since then, or since the start of the program */
 const char *par_count_name(enum par_count_kind kind);

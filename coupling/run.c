@@ -9,6 +9,7 @@
 #include "solid/solid.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* The box in which porosity and permeability are measured: given, or the particles' bounds within the domain. */
@@ -30,7 +31,29 @@ static struct medium *medium_of(struct run *r) {
     }
     struct medium *m = medium_new(fluid_grid_of(r->fluid), low, high);
     medium_reach(m, IBM_KERNEL_REACH - scene->coupling->retraction);
+    scene_medium_of(scene, &r->measured);
+    medium_along(m, r->measured.along);
     return m;
+}
+
+/* Looks at what the scene alone does not tell: the box of bodies of points, and the pores. A scene that asks for a
+ * permeability which cannot be measured is refused. */
+static void check_medium(struct run *r) {
+    struct scene_medium *m = &r->measured;
+    const int axes = (m->along[0] != 0) + (m->along[1] != 0) + (m->along[2] != 0);
+    for (int c = 0; c < 3 && axes > 1 && !m->why[0]; c++)
+        if (m->along[c] != 0 && !medium_is_whole_period(r->medium, c))
+            snprintf(m->why, sizeof m->why,
+                     "the fluid is driven along (%g, %g, %g): the medium's box must be the whole period along %c",
+                     m->along[0], m->along[1], m->along[2], "xyz"[c]);
+    if (!scene_medium_is_wanted(r->scene)) return;
+    run_deposit(r);
+    if (!m->why[0] && !(medium_measure_porosity(r->medium) > 0))
+        snprintf(m->why, sizeof m->why, "the medium's box holds no fluid");
+    if (!m->why[0] && medium_connect_porosity(r->medium) == 0)
+        snprintf(m->why, sizeof m->why, "no way through the medium along %c that cells resolve",
+                 "xyz"[medium_axis(r->medium)]);
+    if (m->why[0]) die_all(EXIT_CODE_SCENE, "coupling.medium: %s", m->why);
 }
 
 /* A stage without bonds needs a given step and number of substeps: only bonds would limit them. */
@@ -70,6 +93,7 @@ struct run *run_new(const struct scene *scene) {
         r->medium = medium_of(r);
         for (int c = 0; c < 3; c++)
             r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
+        check_medium(r);
         r->reaction = reaction_new(r);
         if (r->needs.bonds && !r->reaction)
             for (int c = 0; c < 3; c++)
@@ -88,6 +112,13 @@ void run_deposit(struct run *r) {
         for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
     medium_deposit(r->medium, s->n, (const double *const *)r->position, s->volume);
     r->deposited = r->step;
+}
+
+struct medium_values run_measure(struct run *r) {
+    run_deposit(r);
+    struct medium_values v = medium_measure(r->medium, r->fluid, r->surface->immersed_area);
+    if (r->measured.why[0] || v.porosity_effective == 0) v.permeability = v.reynolds = NAN;
+    return v;
 }
 
 void run_free(struct run *r) {

@@ -3,9 +3,11 @@
 #include "coupling/adapt.h"
 #include "coupling/medium/medium.h"
 #include "coupling/setup/setup.h"
+#include "coupling/steady.h"
 #include "coupling/strong.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
+#include "scene/medium.h"
 #include "scene/scene.h"
 #include "solid/force/added_mass.h"
 #include "solid/state.h"
@@ -50,6 +52,7 @@ struct run {
     struct solid_surface *surface; /* NULL unless immersed */
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
+    struct scene_medium measured;  /* the medium's direction, and why a permeability would mean nothing */
     struct reaction *reaction;     /* NULL unless the load is the forcing's reaction (coupling/reaction.h) */
     struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 
@@ -71,6 +74,7 @@ struct run {
     double inner_time;         /* s, of that reading; -1: none */
     double *inner_acceleration[3]; /* [n] of the fluid at each particle between the last two readings, m/s2 */
     double (*demand)[3];           /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
+    struct steady steady;          /* of the present stage (coupling/steady.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */
@@ -99,3 +103,6 @@ void run_free(struct run *r);
 
 /* Deposits the particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);
+/* What the medium measures now. NaN instead of a permeability that would mean nothing: nothing drives the fluid along
+ * the direction alone (r->measured.why), or no way through the medium is left. Collective. */
+struct medium_values run_measure(struct run *r);

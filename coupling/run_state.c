@@ -49,6 +49,13 @@ static int is_refined(const void *owner) {
     return r->needs.bonds && r->solid->refine;
 }
 
+static int waits(const void *owner) {
+    const struct run *r = owner;
+    int any = 0;
+    for (int k = 0; k < r->scene->stages; k++) any |= r->scene->stage[k].has_until;
+    return any;
+}
+
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner_velocity[0] != NULL; }
 static int has_guess(const void *owner) { return forcing_guess_is_part_of(owner); }
 static void save_guess(void *owner, void *value) { forcing_guess_take(owner, value); }
@@ -59,6 +66,7 @@ static int load_guess(void *owner, const void *value, char *why, size_t room) {
 }
 
 static const char of_stage[] = "it is found anew when a stage begins";
+static const char of_samples[] = "steps that are made again from a kept state have been sampled before";
 static const char of_rates[] = "rates change at a stage's begin and with a refinement, which no kept state outlives";
 
 #define OF(member) STATE_MEMBER(struct run, member)
@@ -79,6 +87,21 @@ const struct state_item run_state_table[] = {
     {"force", STATE_DOUBLE, STATE_ONE, OF(load), .in = STATE_KEPT, .why = "the next step's probe finds it anew"},
     {"moved", STATE_LONG, STATE_ONE, OF(moved), .in = STATE_KEPT,
      .why = "a run that is resumed deposits its particles anew, whether or not they have moved"},
+    /* what is known of a stage that waits until a quantity is steady */
+    {"steady_first", STATE_DOUBLE, STATE_ONE, OF(steady.first), .in = STATE_STORED, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"steady_low", STATE_DOUBLE, STATE_ONE, OF(steady.low), .in = STATE_STORED, .missing = STATE_ZERO, .is_part = waits,
+     .why = of_samples},
+    {"steady_high", STATE_DOUBLE, STATE_ONE, OF(steady.high), .in = STATE_STORED, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"steady_spread", STATE_DOUBLE, STATE_ONE, OF(steady.spread), .in = STATE_STORED, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"steady_samples", STATE_LONG, STATE_ONE, OF(steady.samples), .in = STATE_STORED, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"steady_windows", STATE_LONG, STATE_ONE, OF(steady.windows), .in = STATE_STORED, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"steady_ended", STATE_LONG, STATE_ONE, OF(steady.ended), .in = STATE_STORED, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
     /* the rates of a refined plate */
     {"rate_level", STATE_LONG, STATE_ONE, OF(refined.level), .in = STATE_STORED, .missing = STATE_LEFT,
      .after = "place", .is_part = is_refined, .why = of_rates},

@@ -38,6 +38,7 @@ static void begin_numbers(struct run *r, int elastic) {
     if (stage->time_step > 0 || !r->fluid || starts) r->dt = stage->time_step;
     if (!elastic || starts) r->substeps = 0;
     if (starts) r->refined.level = -1;
+    if (starts) steady_begin(r);
 }
 
 static void find_stable_step(struct run *r) {

@@ -49,6 +49,7 @@ struct fluid_input {
     double viscosity;             /* kinematic, m2/s */
     struct fluid_side side[3][2]; /* [direction][low, high] */
     struct fluid_driving driving;
+    double driving_along[3];        /* of a gradient: the unit vector that it points along; 0: along its direction */
     double driving_frequency;       /* Hz, of a gradient: the gradient is value cos(2 pi frequency t) */
     double body_force[3];           /* per unit mass, m/s2 */
     double initial_velocity[3];     /* m/s */
@@ -58,6 +59,12 @@ struct fluid_input {
     double speed;                   /* of waves in immersed solids, m/s; 0: no solid moves by itself */
     int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
 };
+
+/* Component c of the unit vector along which the driving points. Not collective. */
+static inline double fluid_driving_along(const struct fluid_input *in, int c) {
+    const double *e = in->driving_along;
+    return e[0] != 0 || e[1] != 0 || e[2] != 0 ? e[c] : c == in->driving.direction;
+}
 
 /* Arrays as fluid/grid/grid.h; ghosts are rebuilt. From u to driving it is the state: exactly what the table in
  * fluid/state_table.c lists, as tests/coupling/test_state.c looks. */

@@ -40,8 +40,8 @@ void fluid_predict(struct fluid *f, int r, double dt) {
     clock_begin(CLOCK_MOMENTUM);
     count_faces(g, s.faces);
     driving_of_stage(f, r, dt);
-    for (int d = 0; d < 3; d++) s.source[d] = f->in.body_force[d];
-    s.source[f->in.driving.direction] += f->state.driving / f->in.density;
+    for (int d = 0; d < 3; d++)
+        s.source[d] = f->in.body_force[d] + fluid_driving_along(&f->in, d) * f->state.driving / f->in.density;
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
     fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* before u* overwrites u, if they are one array */
     const double *const read[3] = {q[0], q[1], q[2]};

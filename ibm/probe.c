@@ -103,7 +103,7 @@ void ibm_probe(struct ibm *ibm, const struct ibm_probe_input *in, double *const 
     const double dl = length[0];
     /* forces per volume that the solved pressure balances in a fluid at rest */
     if (fluid->driving.type != FLUID_DRIVING_NONE)
-        gradient[fluid->driving.direction] = fluid_state_of(ibm->fluid)->driven;
+        for (int c = 0; c < 3; c++) gradient[c] = fluid_driving_along(fluid, c) * fluid_state_of(ibm->fluid)->driven;
     for (int d = 0; d < 3; d++) push[d] = fluid->density * fluid->body_force[d] + gradient[d];
     const double *back = exchange(ibm, in, length);
     for (int h = 0; h < in->n; h++) {

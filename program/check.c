@@ -103,8 +103,14 @@ static void say_holdings(struct run *r) {
             r->surface->immersed_area, r->surface->initial_area);
     if (r->medium) {
         run_deposit(r);
-        say("  medium     porosity %.5f, connected %.5f\n", medium_measure_porosity(r->medium),
-            medium_connect_porosity(r->medium));
+        say("  medium     porosity %.5f, connected along %c %.5f, surface %.5g 1/m\n",
+            medium_measure_porosity(r->medium), "xyz"[medium_axis(r->medium)], medium_connect_porosity(r->medium),
+            medium_measure_specific_surface(r->medium, r->surface->immersed_area));
+        if (r->measured.why[0])
+            say("  no permeability: %s\n", r->measured.why);
+        else
+            say("  permeability along (%g, %g, %g)\n", r->measured.along[0], r->measured.along[1],
+                r->measured.along[2]);
     }
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) say("  warning: %s\n", blocked[k]);
     say("\nleaves out\n");
@@ -171,7 +177,8 @@ static void say_limits(struct run *r) {
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
         const struct scene_stage *stage = &r->scene->stage[r->stage];
         step_begin_stage(r);
-        say("  %-10s %ld steps", stage->name, stage->steps);
+        say("  %-10s %ld steps%s", stage->name, stage->steps,
+            stage->has_until ? " at most, until the permeability is steady" : "");
         if (r->dt > 0)
             say(" of %.6g s", r->dt);
         else

@@ -65,7 +65,8 @@ void checkpoint_read(struct run *r, const char *folder, const char *file) {
     store_read_close(s);
     if (!bad) log_line("resumed from %s", path);
     if (bad) refuse(damaged ? EXIT_CODE_FILE : EXIT_CODE_CHECKPOINT, path, why);
-    if (r->stage_step >= r->scene->stage[r->stage].steps && r->stage + 1 < r->scene->stages) {
+    const int ended = r->stage_step >= r->scene->stage[r->stage].steps || steady_has_ended(r);
+    if (ended && r->stage + 1 < r->scene->stages) {
         r->stage++;
         r->stage_step = 0;
     }

@@ -13,12 +13,14 @@ const char *command_usage(void) {
            "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE]] [--max-wall "
            "HH:MM:SS] [--quiet]\n"
            "  frana check SCENE.yaml [--set key.path=value]...\n"
+           "  frana permeability SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
+           "[--fresh]\n"
            "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--level DAMAGE] [--magnify FACTOR]\n"
            "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
            "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
            "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
            "  frana --version\n"
-           "run, check and bench under mpiexec -n N where they should run in parallel.\n";
+           "run, check, permeability and bench under mpiexec -n N where they should run in parallel.\n";
 }
 
 /* Seconds from HH:MM:SS, MM:SS or seconds. */
@@ -41,13 +43,20 @@ static enum command_verb verb_of(const char *word) {
     static const struct {
         const char *word;
         enum command_verb verb;
-    } verb[] = {{"run", COMMAND_RUN},     {"check", COMMAND_CHECK}, {"post", COMMAND_POST},
-                {"bench", COMMAND_BENCH}, {"study", COMMAND_STUDY}, {"--version", COMMAND_VERSION},
-                {"--help", COMMAND_HELP}, {"-h", COMMAND_HELP},     {"help", COMMAND_HELP}};
+    } verb[] = {{"run", COMMAND_RUN},
+                {"check", COMMAND_CHECK},
+                {"post", COMMAND_POST},
+                {"bench", COMMAND_BENCH},
+                {"study", COMMAND_STUDY},
+                {"--version", COMMAND_VERSION},
+                {"permeability", COMMAND_PERMEABILITY},
+                {"--help", COMMAND_HELP},
+                {"-h", COMMAND_HELP},
+                {"help", COMMAND_HELP}};
     for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
         if (!strcmp(word, verb[k].word)) return verb[k].verb;
-    die_all(EXIT_CODE_SCENE, "%s: unknown command; there are run, check, post, bench, study, --version and --help",
-            word);
+    die_all(EXIT_CODE_SCENE,
+            "%s: unknown command; there are run, check, post, bench, study, permeability, --version and --help", word);
 }
 
 /* runs/NAME, where NAME is the scene's file name without its ending. */
@@ -81,11 +90,14 @@ static double number(const char *text, const char *name, double below) {
 
 /* Checks that the option belongs to the command. */
 static void check_option(int o, const char *word, enum command_verb verb) {
-    if (strchr("rwq", o) && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
-    if (o == 's' && verb != COMMAND_RUN && verb != COMMAND_CHECK)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana run and check only", word);
+    const int runs = verb == COMMAND_RUN || verb == COMMAND_PERMEABILITY;
+    if (o == 'r' && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
+    if (strchr("wq", o) && !runs) die_all(EXIT_CODE_SCENE, "%s: goes with frana run and permeability only", word);
+    if (o == 's' && !runs && verb != COMMAND_CHECK)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check and permeability only", word);
     if (strchr("ilm", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
-    if (o == 'f' && verb != COMMAND_STUDY) die_all(EXIT_CODE_SCENE, "%s: goes with frana study only", word);
+    if (o == 'f' && verb != COMMAND_STUDY && verb != COMMAND_PERMEABILITY)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana study and permeability only", word);
     if (strchr("knzpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
@@ -165,6 +177,7 @@ static const char *file_of(enum command_verb verb) {
     switch (verb) {
     case COMMAND_RUN:
     case COMMAND_CHECK:
+    case COMMAND_PERMEABILITY:
         return "scene";
     case COMMAND_POST:
         return "run folder";
@@ -206,7 +219,7 @@ struct command *command_new(int argc, char **argv) {
     c->file = (const char *const *)(argv + 1 + optind);
     c->files = argc - 1 - optind;
     check_files(c, argv[1]);
-    if (c->verb == COMMAND_RUN && !c->out[0]) default_out(c);
+    if ((c->verb == COMMAND_RUN || c->verb == COMMAND_PERMEABILITY) && !c->out[0]) default_out(c);
     return c;
 }
 

@@ -8,6 +8,7 @@ enum command_verb {
     COMMAND_POST,
     COMMAND_BENCH,
     COMMAND_STUDY,
+    COMMAND_PERMEABILITY,
     COMMAND_VERSION,
     COMMAND_HELP
 };
@@ -24,7 +25,7 @@ struct command {
     const char *resume_file; /* --resume=FILE, or NULL: the run folder's latest */
     double max_wall;         /* s; 0: no limit */
     int quiet;
-    int fresh; /* study: --fresh */
+    int fresh; /* study, permeability: --fresh */
     /* post, for plates */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */

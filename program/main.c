@@ -59,6 +59,13 @@ static int run(const struct command *c) {
     return code;
 }
 
+static int permeability(const struct command *c) {
+    struct scene *scene = scene_of(c);
+    const int code = permeability_run(c, scene);
+    scene_free(scene);
+    return code;
+}
+
 static int check(const struct command *c) {
     struct scene *scene = scene_of(c);
     const int code = check_scene(scene);
@@ -91,6 +98,8 @@ static int obey(const struct command *c) {
         return bench(c);
     case COMMAND_STUDY:
         return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
+    case COMMAND_PERMEABILITY:
+        return permeability(c);
     case COMMAND_VERSION:
         return version();
     case COMMAND_HELP:

@@ -1,7 +1,9 @@
 /* frana run: steps through the stages, writes samples, fields and checkpoints, and handles every end of a run. */
 #include "program/program.h"
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/par.h"
+#include "base/par_count.h"
 #include "base/signals.h"
 #include "base/step_status.h"
 #include "coupling/blocked.h"
@@ -19,10 +21,14 @@
 #include "program/probes.h"
 #include "program/record.h"
 #include "program/series.h"
+#include "program/texture.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+/* Reynolds number with the root of the permeability from which inertia is said to count. */
+#define INERTIA 0.1
 
 struct program {
     const struct command *command;
@@ -30,10 +36,12 @@ struct program {
     struct run *run;
     struct series *series;
     struct crack *crack;               /* NULL: no crack is tracked */
+    struct texture *texture;           /* NULL: nothing is immersed */
     struct probes *probes;             /* NULL: none */
     struct fluid_probes *fluid_probes; /* NULL: none */
     struct march *march;
     enum signals_reason reason; /* to stop after the present step */
+    struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
     long checked;               /* last step with a checkpoint, -1: none */
     double slowest_step, checkpoint_seconds;
 };
@@ -110,20 +118,70 @@ static void largest(void *program, double *number, int n) {
     p->reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, n);
 }
 
+/* Says what the direction of the medium is, or why no permeability is measured. */
+static void say_direction(const struct run *r) {
+    const double *e = r->measured.along;
+    if (!r->medium) return;
+    if (r->measured.why[0])
+        log_line("permeability is not measured: %s", r->measured.why);
+    else if (e[0] == 0 || e[1] == 0 || e[2] == 0 ? (e[0] != 0) + (e[1] != 0) + (e[2] != 0) > 1 : 1)
+        log_line("permeability is measured along (%g, %g, %g)", e[0], e[1], e[2]);
+    else
+        log_line("permeability is measured along %c", "xyz"[medium_axis(r->medium)]);
+}
+
+/* At a stage's end: what the last sample's permeability is worth. */
+static void say_flow(const struct program *p) {
+    const struct run *r = p->run;
+    const struct series_sample *s = series_last(p->series);
+    const char *name = p->scene->stage[r->stage].name;
+    if (!r->needs.immersed || r->measured.why[0] || p->scene->output.series_every == 0) return;
+    if (s->porosity_effective == 0)
+        log_line("stage %s: no permeability: no way through the medium along %c that cells resolve", name,
+                 "xyz"[medium_axis(r->medium)]);
+    else if (s->reynolds_k > INERTIA)
+        log_line(
+            "stage %s: the Reynolds number with the root of the permeability is %.3g, above %g: inertia counts, and "
+            "the permeability is an apparent one",
+            name, s->reynolds_k, INERTIA);
+}
+
+/* Looks whether the stage ends with the step just taken: it is full, or steady. */
+static int look(struct program *p, int full) {
+    struct run *r = p->run;
+    const struct scene_stage *stage = &p->scene->stage[r->stage];
+    struct steady_found *found = &p->found;
+    const int steady = steady_is_due(r, r->stage_step) && steady_look(r, found);
+    if (steady)
+        log_line("stage %s: steady after %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it over %d steps, "
+                 "%.2g left",
+                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
+    else if (full && stage->has_until)
+        log_line("stage %s: not steady after all its %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it "
+                 "over %d steps, %.2g left",
+                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
+    return full || steady;
+}
+
 /* Takes one step and writes the output that is due after it. A state that is kept or written was tested as a whole.
  * Returns an exit code to end with, or -1. */
 static int step(struct program *p) {
     struct run *r = p->run;
     const struct scene_output *out = &p->scene->output;
     const long now = r->step + 1;
-    const int last = r->stage_step + 1 == p->scene->stage[r->stage].steps;
-    const int sampled = due(out->series_every, now) || (last && out->series_every > 0);
-    const int drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
+    const int full = r->stage_step + 1 == p->scene->stage[r->stage].steps;
+    const int may_end = full || steady_may_end(r, r->stage_step + 1);
     const int saved = due(out->checkpoint_every, now);
+    int sampled = due(out->series_every, now) || (may_end && out->series_every > 0);
+    int drawn = due(out->fields_every, now) || (may_end && out->fields_every > 0);
     const struct march_caller caller = {.with = p, .before = sampled ? prepare_sample : NULL, .largest = largest};
     const double start = par_seconds();
     struct step_status status;
-    if (!march_step(p->march, sampled || drawn || saved || last, &caller, &status)) return unstable(p, &status);
+    if (!march_step(p->march, sampled || drawn || saved || may_end, &caller, &status)) return unstable(p, &status);
+    const int last = look(p, full);
+    sampled = due(out->series_every, now) || (last && out->series_every > 0);
+    drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
+    if (!sampled) series_leave(p->series, r);
     if (sampled) series_sample(p->series, r);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
@@ -132,7 +190,9 @@ static int step(struct program *p) {
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     progress(p);
     if (drawn) fields_write(r, p->command->out);
-    if (r->stage_step == p->scene->stage[r->stage].steps)
+    if (last) say_flow(p);
+    if (last) texture_sample(p->texture, r);
+    if (last)
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
                                                      * continues */
     if (saved) checkpoint(p);
@@ -145,14 +205,15 @@ static int stages(struct program *p) {
         const struct scene_stage *stage = &p->scene->stage[r->stage];
         step_begin_stage(r);
         if (r->setup_seconds == 0) r->setup_seconds = par_seconds() - r->wall_start;
-        if (r->stage_step < stage->steps)
+        p->found = (struct steady_found){NAN, NAN, NAN};
+        if (r->stage_step < stage->steps && !steady_has_ended(r))
             log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
                      r->fluid && stage->time_step <= 0 ? " (automatic)" : "");
         if (r->substeps > 0)
             log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                      r->dt / r->substeps, r->solid_stable);
         march_begin(p->march);
-        while (r->stage_step < stage->steps) {
+        while (r->stage_step < stage->steps && !steady_has_ended(r)) {
             const int code = step(p);
             if (code >= 0) return code;
         }
@@ -183,6 +244,8 @@ static void begin(struct program *p) {
     if (here) folder_hold(c->out);
     refuse_to_overwrite(c, here);
     signals_begin(c->max_wall);
+    clock_clear();
+    par_count_clear();
     p->run = run_new(p->scene); /* all mistakes of the scene are found here at the latest, before any file is written */
     p->crack = crack_series_new(p->run);
     p->probes = probes_new(p->run);
@@ -202,6 +265,7 @@ static void begin(struct program *p) {
     }
     write_resolved(p);
     p->series = series_new(p->run, c->out, here ? p->run->step : -1);
+    p->texture = texture_new(p->run, c->out, here ? p->run->step : -1);
     if (p->crack) crack_series_open(p->crack, p->run, c->out, here ? p->run->step : -1);
     if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
@@ -210,6 +274,7 @@ static void begin(struct program *p) {
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
     char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
+    say_direction(p->run);
     for (int k = 0; k < steps_too_long; k++) log_line("warning: %s", too_long[k]);
     free(too_long);
 }
@@ -225,10 +290,12 @@ int program_run(const struct command *c, const struct scene *scene) {
     }
     march_free(p.march);
     series_free(p.series);
+    texture_free(p.texture);
     crack_series_free(p.crack);
     probes_free(p.probes);
     fluid_probes_free(p.fluid_probes);
     run_free(p.run);
     log_end();
+    folder_hold_release();
     return code;
 }

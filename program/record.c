@@ -131,6 +131,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_number(j, "t", r->t);
         json_number(j, "dt", r->dt);
         json_long(j, "substeps", r->substeps);
+        if (r->scene->stage[r->stage].has_until) json_bool(j, "steady", steady_has_ended(r));
         if (r->strong) write_iterations(j, strong_count_of(r->strong));
         write_bounds(j, &r->adapt);
         json_long(j, "ranks", size);

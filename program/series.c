@@ -8,6 +8,7 @@
 #include "files/folder.h"
 #include "files/table.h"
 #include "ibm/feedback.h"
+#include "physics/darcy.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"
 #include "solid/measure/energy.h"
@@ -36,7 +37,13 @@ static const struct column {
     COLUMN("porosity", "1", NEED_IMMERSED, porosity),
     COLUMN("porosity_effective", "1", NEED_IMMERSED, porosity_effective),
     COLUMN("permeability", "m2", NEED_IMMERSED, permeability),
+    COLUMN("permeability_md", "mD", NEED_IMMERSED, permeability_md),
+    COLUMN("reynolds_k", "1", NEED_IMMERSED, reynolds_k),
     COLUMN("tortuosity", "1", NEED_IMMERSED, tortuosity),
+    COLUMN("specific_surface", "1/m", NEED_IMMERSED, specific_surface),
+    COLUMN("velocity_x", "m/s", NEED_IMMERSED, velocity[0]),
+    COLUMN("velocity_y", "m/s", NEED_IMMERSED, velocity[1]),
+    COLUMN("velocity_z", "m/s", NEED_IMMERSED, velocity[2]),
     COLUMN("load_x", "N", NEED_IMMERSED, load[0]),
     COLUMN("load_y", "N", NEED_IMMERSED, load[1]),
     COLUMN("load_z", "N", NEED_IMMERSED, load[2]),
@@ -116,6 +123,12 @@ void series_prepare(struct series *s, struct run *r) {
     s->prepared = 1;
 }
 
+void series_leave(struct series *s, struct run *r) {
+    double box[3];
+    if (s->prepared) fluid_box_force_end(r->fluid, box);
+    s->prepared = 0;
+}
+
 /* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
 static double momentum_residual(struct series *s, struct run *r) {
     double momentum[3], box[3], residual = 0, scale = 0;
@@ -154,13 +167,16 @@ static double particles_outside(const struct run *r) {
 
 static void sample_immersed(struct series *s, struct run *r) {
     if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) (r->reaction ? reaction_measure : interface_probe)(r);
-    run_deposit(r);
-    const struct medium_values v = medium_measure(r->medium, r->fluid, r->surface->immersed_area);
+    const struct medium_values v = run_measure(r);
     s->now.dp = v.pressure_drop;
     s->now.porosity = v.porosity;
     s->now.porosity_effective = v.porosity_effective;
     s->now.permeability = v.permeability;
+    s->now.permeability_md = 1e3 * v.permeability / PHYSICS_DARCY;
+    s->now.reynolds_k = v.reynolds;
     s->now.tortuosity = v.tortuosity;
+    s->now.specific_surface = v.specific_surface;
+    for (int c = 0; c < 3; c++) s->now.velocity[c] = v.mean_velocity[c];
     for (int c = 0; c < 3; c++) s->now.load[c] = r->load[c];
     ibm_forcing_total(r->ibm, s->now.forcing);
     if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? ibm_feedback_lost(r->ibm, r->dt) : 0;

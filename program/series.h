@@ -10,12 +10,15 @@ void series_free(struct series *s);
 /* To be called before the step after which a sample is taken: stores the values from which rates are computed.
  * Collective. */
 void series_prepare(struct series *s, struct run *r);
+/* Drops what series_prepare stored, if no sample was taken after that step. Collective. */
+void series_leave(struct series *s, struct run *r);
 /* Measures and appends a row. Collective. */
 void series_sample(struct series *s, struct run *r);
 
 /* The last sample, for lines in the log. NaN: a quantity that the scene does not have. */
 struct series_sample {
     double step, t, dt, div_max, cfl, u_bulk, dp, porosity, porosity_effective, permeability, tortuosity;
+    double permeability_md, reynolds_k, specific_surface, velocity[3];
     double load[3], forcing[3], momentum_residual;
     double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, work_fluid, work_load,
         e_constraint, slip_loss, inner_power;

@@ -127,8 +127,10 @@ static void fill_retraction(struct scene *s, struct scene_node *root) {
 static void fill_medium(struct scene *s, struct scene_node *root) {
     struct scene_coupling *c = s->coupling;
     struct scene_node *coupling = scene_node_find(root, "coupling");
-    c->has_box = scene_node_child(coupling, "medium") != NULL;
-    if (c->has_box || !s->fluid || !scene_node_is_clean(root, "domain.size") || !scene_node_is_clean(root, "fluid") ||
+    struct scene_node *medium = scene_node_find(root, "coupling.medium");
+    c->has_box = medium && scene_node_child(medium, "low") && scene_node_child(medium, "high");
+    if (medium && (scene_node_child(medium, "low") || scene_node_child(medium, "high"))) return;
+    if (!s->fluid || !scene_node_is_clean(root, "domain.size") || !scene_node_is_clean(root, "fluid") ||
         !scene_node_is_clean(root, "solid.bodies"))
         return;
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -149,11 +151,14 @@ static void fill_medium(struct scene *s, struct scene_node *root) {
     memcpy(c->box_low, low, sizeof low);
     memcpy(c->box_high, high, sizeof high);
     c->has_box = 1;
-    struct scene_node *medium = scene_node_new(SCENE_NODE_MAPPING, "medium", NULL);
-    medium->line = coupling->line;
-    scene_node_append(medium, vector(medium, "low", low));
-    scene_node_append(medium, vector(medium, "high", high));
-    scene_node_append(coupling, medium);
+    if (!medium) {
+        medium = scene_node_new(SCENE_NODE_MAPPING, "medium", NULL);
+        medium->line = coupling->line;
+        scene_node_append(medium, scalar(medium, "direction", "auto"));
+        scene_node_append(coupling, medium);
+    }
+    scene_node_insert(medium, 0, vector(medium, "low", low));
+    scene_node_insert(medium, 1, vector(medium, "high", high));
 }
 
 void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems) {

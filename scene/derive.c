@@ -72,6 +72,8 @@ void scene_derive(struct scene *s, const struct scene_node *root) {
     for (int d = 0; d < 3 && s->fluid; d++) s->domain.periodic[d] = s->fluid->side[d][0].type == SCENE_PERIODIC;
     if (s->fluid) s->fluid->has_taylor_green = is_given(root, scene_check_parts_path("fluid.initial.taylor_green"));
     if (s->solid) derive_solid(s->solid, root);
+    for (int i = 0; i < s->stages; i++)
+        s->stage[i].has_until = is_given(root, scene_check_parts_path("stages[%d].until", i));
 }
 
 void scene_derive_free(struct scene *s) {

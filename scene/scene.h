@@ -56,6 +56,7 @@ struct scene_fluid {
     struct scene_side side[3][2];      /* YAML keys sides.x_low, sides.x_high, ... */
     enum scene_driving driving;        /* driving.type: none, pressure_gradient, bulk_velocity */
     int driving_direction;             /* driving.direction: x, y or z */
+    double driving_along[3];           /* driving.along: of any length; 0: left out, along driving_direction */
     double driving_value;              /* driving.value */
     double driving_frequency; /* driving.frequency, Hz: the gradient is value cos(2 pi frequency t); default 0 */
     double body_force[3];     /* m/s2 */
@@ -225,6 +226,8 @@ struct scene_solid {
     double contact_stiffness, contact_exponent, contact_radius; /* k_c/c0 = 15, n_c = 1, r_c/spacing = 1 */
 };
 
+/* auto: the axis along which the scene drives the fluid, or else slanted as `driving` (scene/medium.h) */
+enum scene_medium_direction { SCENE_MEDIUM_AUTO, SCENE_MEDIUM_X, SCENE_MEDIUM_Y, SCENE_MEDIUM_Z, SCENE_MEDIUM_DRIVING };
 enum scene_surface { SCENE_SURFACE_LATTICE, SCENE_SURFACE_SHAPE };
 enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
 enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
@@ -248,10 +251,12 @@ struct scene_coupling {
      * if all its sides are periodic */
     double box_low[3], box_high[3];
     int has_box; /* 0: not given; a body of points has bounds that only its particles know */
+    enum scene_medium_direction medium_direction; /* medium.direction: auto (default), x, y, z, driving */
 };
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
 enum scene_integrator { SCENE_RK3, SCENE_VERLET };
+enum scene_until_quantity { SCENE_UNTIL_PERMEABILITY };
 struct scene_stage {
     char name[SCENE_NAME];
     long steps;
@@ -264,6 +269,10 @@ struct scene_stage {
     double safety;                    /* auto: fraction of the stable step, default 0.95 */
     int breakage;                     /* default true; false: no bond breaks in this stage */
     double damping_relative, damping_absolute;
+    int has_until; /* until: {...}: the stage ends once the quantity is steady */
+    enum scene_until_quantity until_quantity;
+    double until_change; /* relative, over a window and in all that is left */
+    int until_window;    /* steps */
 };
 
 struct scene_crack_output {

@@ -22,7 +22,7 @@ rooms
 scene
     scene.h
     text
-    outline.h outline.c
+    outline.h outline.c medium.h medium.c
     rules
     check
 fluid

@@ -25,18 +25,22 @@ static int compare_cells(struct medium *m, int mend) {
     return differ;
 }
 
-/* Starts the flood in section i, from the cells that the level may enter. Returns their number; they are on the
- * stack. */
-static int start_at_section(struct medium *m, int i, uint8_t level) {
+/* Starts the flood in a section of the domain across the axis, from the cells that the level may enter. Returns the
+ * number of this rank's; they are on the stack. */
+static int start_at_section(struct medium *m, int section, uint8_t level) {
     const struct fluid_grid *g = m->g;
-    int n = 0;
-    for (int k = 0; k < g->m[2]; k++)
-        for (int j = 0; j < g->m[1]; j++) {
-            const int at = medium_rimmed(g, i, j, k);
-            if (m->cell[at] != level - 1) continue;
-            m->cell[at] = level;
-            m->stack[n++] = at;
-        }
+    int from[3] = {0, 0, 0}, to[3] = {g->m[0], g->m[1], g->m[2]}, n = 0;
+    const int own = section - g->lo[m->axis];
+    if (own < 0 || own >= g->m[m->axis]) return 0;
+    from[m->axis] = own, to[m->axis] = own + 1;
+    for (int k = from[2]; k < to[2]; k++)
+        for (int j = from[1]; j < to[1]; j++)
+            for (int i = from[0]; i < to[0]; i++) {
+                const int at = medium_rimmed(g, i, j, k);
+                if (m->cell[at] != level - 1) continue;
+                m->cell[at] = level;
+                m->stack[n++] = at;
+            }
     return n;
 }
 
@@ -94,22 +98,19 @@ void medium_connect_flood(struct medium *m, uint8_t level, int n, const int over
 double medium_connect_porosity(struct medium *m) {
     const struct fluid_grid *g = m->g;
     if (m->effective >= 0) return m->effective;
-    const int over[3] = {0, g->periodic[1], g->periodic[2]};
-    int front = 0, back = g->m[0] - 1; /* a rank holds all of x */
-    while (m->weight[0][front] == 0) front++;
-    while (m->weight[0][back] == 0) back--;
-
+    int over[3];
+    for (int c = 0; c < 3; c++) over[c] = g->periodic[c] && c != m->axis;
     if (par_sum_long(compare_cells(m, 0)) > 0) { /* otherwise the last flood is still valid */
         compare_cells(m, 1);
-        medium_connect_flood(m, MEDIUM_FRONT, start_at_section(m, front, MEDIUM_FRONT), over);
-        medium_connect_flood(m, MEDIUM_BOTH, start_at_section(m, back, MEDIUM_BOTH), over);
+        medium_connect_flood(m, MEDIUM_FRONT, start_at_section(m, m->first[m->axis], MEDIUM_FRONT), over);
+        medium_connect_flood(m, MEDIUM_BOTH, start_at_section(m, m->last[m->axis], MEDIUM_BOTH), over);
     }
 
     double open = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
             const double zy = m->weight[2][k] * m->weight[1][j];
-            for (int i = front; i <= back; i++)
+            for (int i = 0; i < g->m[0]; i++)
                 if (m->cell[medium_rimmed(g, i, j, k)] == MEDIUM_BOTH)
                     open += zy * m->weight[0][i] * (1 - m->fraction[fluid_grid_at(g, i, j, k)]);
         }

@@ -63,8 +63,8 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
                 const double vc = 0.5 * (v[a - row] + v[a]);
                 const double wc = 0.5 * (w[a - plane] + w[a]);
                 const double pore = fraction[a] < 0.5 ? W : 0;
-                s.u += W * uc;
-                s.pore_u += pore * uc;
+                s.u[0] += W * uc, s.u[1] += W * vc, s.u[2] += W * wc;
+                s.pore_u[0] += pore * uc, s.pore_u[1] += pore * vc, s.pore_u[2] += pore * wc;
                 s.pore_speed += pore * sqrt(uc * uc + vc * vc + wc * wc);
             }
         }

@@ -12,9 +12,9 @@ void medium_kernels_deposit(const double low[3], const double high[3], const int
 /* Sums over cells with their weight W = wz wy wx, the part of the cell inside the box.
  * fraction, u, v, w  as fluid/grid/grid.h, pointing to (0,0,0); u, v, w read their low faces (-1) */
 struct medium_sums {
-    double solid;              /* sum W f */
-    double u;                  /* sum W u at centres */
-    double pore_u, pore_speed; /* sum W u, sum W |u| over f < 1/2 */
+    double solid;                 /* sum W f */
+    double u[3];                  /* sum W u, W v, W w at centres */
+    double pore_u[3], pore_speed; /* the same, and sum W |u|, over f < 1/2 */
 };
 double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, const double *const weight[3],
                                 const double *fraction);

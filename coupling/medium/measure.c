@@ -17,20 +17,37 @@ static struct medium_sums sums_of(const struct medium *m, struct fluid *f) {
                                     q->w + origin);
     }
     s.solid = medium_kernels_sum_solid(g->m, g->row, g->plane, weight, m->fraction + origin);
-    double all[4] = {s.solid, s.u, s.pore_u, s.pore_speed};
-    par_sum_array(all, 4);
-    return (struct medium_sums){.solid = all[0], .u = all[1], .pore_u = all[2], .pore_speed = all[3]};
+    double all[8] = {s.solid, s.u[0], s.u[1], s.u[2], s.pore_u[0], s.pore_u[1], s.pore_u[2], s.pore_speed};
+    par_sum_array(all, 8);
+    return (struct medium_sums){
+        .solid = all[0], .u = {all[1], all[2], all[3]}, .pore_u = {all[4], all[5], all[6]}, .pore_speed = all[7]};
 }
 
 static double porosity_from(const struct medium *m, const struct medium_sums *s) { return 1 - s->solid / m->total; }
 
-static double tortuosity_from(const struct medium_sums *s) { return s->pore_u == 0 ? NAN : s->pore_speed / s->pore_u; }
+static double along(const struct medium *m, const double v[3]) {
+    return m->along[0] * v[0] + m->along[1] * v[1] + m->along[2] * v[2];
+}
+
+/* The box's extent along the direction of the flow, m. */
+static double extent(const struct medium *m) {
+    double sum = 0;
+    for (int c = 0; c < 3; c++) sum += fabs(m->along[c]) * (m->high[c] - m->low[c]);
+    return sum;
+}
+
+/* A mean flow of less than NONE of the mean speed is round-off. */
+#define NONE 1e-9
+static double tortuosity_from(const struct medium *m, const struct medium_sums *s) {
+    const double mean = fabs(along(m, s->pore_u));
+    return mean <= NONE * s->pore_speed ? NAN : s->pore_speed / mean;
+}
 
 /* (001: eq. 2.4) with Q/S the mean velocity over the box. */
 static double permeability_from(const struct medium *m, struct fluid *f, const struct medium_sums *s, double drop) {
     const struct fluid_input *in = fluid_input_of(f);
     if (drop == 0) return NAN;
-    return s->u / m->total * (m->high[0] - m->low[0]) * in->density * in->viscosity / drop;
+    return along(m, s->u) / m->total * extent(m) * in->density * in->viscosity / drop;
 }
 
 double medium_measure_porosity(const struct medium *m) {
@@ -40,7 +57,7 @@ double medium_measure_porosity(const struct medium *m) {
 
 double medium_measure_tortuosity(const struct medium *m, struct fluid *f) {
     const struct medium_sums s = sums_of(m, f);
-    return tortuosity_from(&s);
+    return tortuosity_from(m, &s);
 }
 
 double medium_measure_permeability(struct medium *m, struct fluid *f) {
@@ -48,20 +65,23 @@ double medium_measure_permeability(struct medium *m, struct fluid *f) {
     return permeability_from(m, f, &s, medium_measure_pressure_drop(m, f));
 }
 
-/* The part of the driving along x that p does not contain, Pa/m. */
-static double driving_along_x(struct fluid *f) {
+/* The part of the driving along the flow's direction that p does not contain, Pa/m. */
+static double driving_along(const struct medium *m, struct fluid *f) {
     const struct fluid_input *in = fluid_input_of(f);
-    const int driven = in->driving.type != FLUID_DRIVING_NONE && in->driving.direction == 0;
-    return (driven ? fluid_state_of(f)->driven : 0) + in->density * in->body_force[0];
+    const double driven = in->driving.type != FLUID_DRIVING_NONE ? fluid_state_of(f)->driven : 0;
+    double sum = 0;
+    for (int c = 0; c < 3; c++)
+        sum += m->along[c] * (fluid_driving_along(in, c) * driven + in->density * in->body_force[c]);
+    return sum;
 }
 
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f) {
     const struct fluid_grid *g = m->g;
     const struct fluid_input *in = fluid_input_of(f);
-    const double driving = driving_along_x(f), driven = driving * (m->high[0] - m->low[0]);
-    if (m->whole_period || g->n[0] < 2) return driven;
-    if (g->periodic[0] && !medium_face_is_clear(m, 0)) return driving * g->length[0];
-    fluid_measures_mean_pressure(f, 0, m->section);
+    const double driving = driving_along(m, f), driven = driving * extent(m);
+    if (m->slanted || m->whole_period[m->axis] || g->n[m->axis] < 2) return driven;
+    if (g->periodic[m->axis] && !medium_face_is_clear(m, 0)) return driving * g->length[m->axis];
+    fluid_measures_mean_pressure(f, m->axis, m->section);
     return medium_face_pressure(m, in, driving, 0) - medium_face_pressure(m, in, driving, 1) + driven;
 }
 
@@ -73,13 +93,16 @@ struct medium_values medium_measure(struct medium *m, struct fluid *f, double im
     clock_begin(CLOCK_OUTPUT);
     const struct medium_sums s = sums_of(m, f);
     const double drop = medium_measure_pressure_drop(m, f);
+    const double k = permeability_from(m, f, &s, drop), velocity = along(m, s.u) / m->total;
     const struct medium_values value = {
         .porosity = porosity_from(m, &s),
         .porosity_effective = medium_connect_porosity(m),
         .pressure_drop = drop,
-        .velocity = s.u / m->total,
-        .permeability = permeability_from(m, f, &s, drop),
-        .tortuosity = tortuosity_from(&s),
+        .mean_velocity = {s.u[0] / m->total, s.u[1] / m->total, s.u[2] / m->total},
+        .velocity = velocity,
+        .permeability = k,
+        .reynolds = k >= 0 ? fabs(velocity) * sqrt(k) / fluid_input_of(f)->viscosity : NAN,
+        .tortuosity = tortuosity_from(m, &s),
         .specific_surface = medium_measure_specific_surface(m, immersed_area),
     };
     clock_end(CLOCK_OUTPUT);

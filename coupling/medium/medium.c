@@ -29,13 +29,19 @@ struct medium *medium_new(const struct fluid_grid *g, const double low[3], const
         m->weight[c] = memory_new(MEMORY_COUPLING, (size_t)g->m[c], sizeof(double));
         for (int i = 0; i < g->m[c]; i++) m->weight[c][i] = part_inside(g->lo[c] + i, g->d[c], m->low[c], m->high[c]);
         double along = 0;
-        for (int i = 0; i < g->n[c]; i++) along += part_inside(i, g->d[c], m->low[c], m->high[c]);
+        m->first[c] = -1;
+        for (int i = 0; i < g->n[c]; i++) {
+            const double part = part_inside(i, g->d[c], m->low[c], m->high[c]);
+            along += part;
+            if (part > 0) m->last[c] = i;
+            if (part > 0 && m->first[c] < 0) m->first[c] = i;
+        }
         if (!(along > 0))
             die_all(EXIT_CODE_SCENE,
                     "coupling.medium: the box from %g to %g m along %c has nothing in the domain, 0 to %g m", low[c],
                     high[c], "xyz"[c], L);
         m->total *= along;
-        if (c == 0) m->whole_period = g->periodic[0] && along == g->n[0];
+        m->whole_period[c] = g->periodic[c] && along == g->n[c];
     }
     const size_t cells = (size_t)g->m[0] * (size_t)g->m[1] * (size_t)g->m[2];
     const size_t rimmed = (size_t)(g->m[0] + 2) * (size_t)(g->m[1] + 2) * (size_t)(g->m[2] + 2);
@@ -45,9 +51,28 @@ struct medium *medium_new(const struct fluid_grid *g, const double low[3], const
     memset(m->cell, MEDIUM_WALL, rimmed);
     m->effective = -1;
     m->stack = memory_new(MEMORY_COUPLING, cells, sizeof(int));
-    m->section = memory_new(MEMORY_COUPLING, (size_t)g->n[0], sizeof(double));
+    const int most = g->n[0] > g->n[1] ? g->n[0] : g->n[1];
+    m->section = memory_new(MEMORY_COUPLING, (size_t)(g->n[2] > most ? g->n[2] : most), sizeof(double));
+    medium_along(m, (const double[3]){1, 0, 0});
     return m;
 }
+
+void medium_along(struct medium *m, const double along[3]) {
+    const double length = sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    m->axis = 0;
+    for (int c = 0; c < 3; c++) {
+        m->along[c] = along[c] / length;
+        if (fabs(along[c]) > fabs(along[m->axis])) m->axis = c;
+    }
+    m->slanted = 0;
+    for (int c = 0; c < 3; c++) m->slanted |= c != m->axis && along[c] != 0;
+    m->effective = -1;
+    memset(m->cell, MEDIUM_WALL, (size_t)(m->g->m[0] + 2) * (size_t)(m->g->m[1] + 2) * (size_t)(m->g->m[2] + 2));
+}
+
+int medium_axis(const struct medium *m) { return m->axis; }
+
+int medium_is_whole_period(const struct medium *m, int c) { return m->whole_period[c]; }
 
 void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }
 

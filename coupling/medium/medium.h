@@ -1,5 +1,6 @@
 /* Measurements on a porous medium: a box of the domain, the solid fraction of every cell, and the flow through the box.
- * The mean flow is along x; the front face is the box's x_low, the back face its x_high.  (001: sec. 2.1) */
+ * It is measured along a direction, x until another is given (medium_along). Along an axis the front face is the box's
+ * low face across it, the back face its high one.  (001: sec. 2.1) */
 #pragma once
 #include "fluid/fluid.h"
 
@@ -9,8 +10,10 @@ struct medium_values {
     double porosity;           /* 1: void / total volume of the box */
     double porosity_effective; /* 1: void that connects the front and the back / total volume */
     double pressure_drop;      /* Pa, front minus back */
-    double velocity;           /* m/s, mean of u over the whole box, solid included: Q/S */
+    double mean_velocity[3];   /* m/s, mean over the whole box, solid included */
+    double velocity;           /* m/s, its component along the direction: Q/S */
     double permeability;       /* m2, NaN while there is no pressure drop */
+    double reynolds;           /* 1: |velocity| sqrt(permeability)/nu */
     double tortuosity;         /* 1, NaN while nothing flows */
     double specific_surface;   /* 1/m: immersed area / volume of the box */
 };
@@ -18,6 +21,14 @@ struct medium_values {
 /* The box is clipped to the domain; g is borrowed. There is no solid until the first deposit. Collective. */
 struct medium *medium_new(const struct fluid_grid *g, const double low[3], const double high[3]);
 void medium_free(struct medium *m);
+/* The direction along which the flow is measured, a vector of any length. Of a slanted one, p has no part in the drop,
+ * which is the driving's over the box's extent along it: so the box must be a whole period in all directions in which
+ * it has a component (medium_is_whole_period). Connected pores are those along its largest component. Not
+ * collective. */
+void medium_along(struct medium *m, const double along[3]);
+int medium_axis(const struct medium *m); /* of its largest component. Not collective. */
+/* 1: direction c is periodic, and the box is the whole domain along it. Not collective. */
+int medium_is_whole_period(const struct medium *m, int c);
 /* How far the force on the fluid may reach beyond the box's front and back faces, in cells; 1 until it is said. Not
  * collective. */
 void medium_reach(struct medium *m, double cells);
@@ -38,7 +49,7 @@ const double *medium_fraction(const struct medium *m);
 /* 1 - sum(fraction)/sum(1) over the box. */
 double medium_measure_porosity(const struct medium *m);
 /* Connected porosity: the pore cells connected to both the front and the back face through faces of pore cells within
- * the box (also across periodic sides in y and z). Each counts with its void, 1 - fraction, as in the porosity. */
+ * the box (also across periodic sides across the axis). Each counts with its void, 1 - fraction, as in the porosity. */
 double medium_connect_porosity(struct medium *m);
 /* Fraction of the cells along side d, high that have no path through faces of pore cells to any of the outlets. Paths
  * use the whole domain and its periodic sides; across: those of direction d as well. */
@@ -46,15 +57,16 @@ double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2]
 /* Mean pressure at the front face minus that at the back face, from means over whole sections of the domain. Each
  * face's pressure is the line through the two nearest places outside the box where it is known, continued to the face.
  * These are the sections that the force on the fluid does not reach (medium_reach), across a periodic end as well, and
- * after the last of them a side of given pressure. One place: its pressure, with the driving. None, and x is periodic:
- * the whole period's driving is the drop. None, and the side gives no pressure: the domain's outermost section if it is
- * outside the box; otherwise the line through the outermost two, which is only an estimate, because they are in the
- * medium. The driving along x that p does not contain, a gradient and a body force, is added over the box's length. If
- * x is periodic and the box is the whole domain along x, only this driving counts. */
+ * after the last of them a side of given pressure. One place: its pressure, with the driving. None, and the axis is
+ * periodic: the whole period's driving is the drop. None, and the side gives no pressure: the domain's outermost
+ * section if it is outside the box; otherwise the line through the outermost two, which is only an estimate, because
+ * they are in the medium. The driving along the axis that p does not contain, a gradient and a body force, is added
+ * over the box's length. If the axis is periodic and the box is the whole domain along it, only this driving counts. */
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f);
-/* k = (Q L/S) mu/dp, Q/S = mean of u over the box  (001: eq. 2.4). */
+/* k = (Q L/S) mu/dp, Q/S = mean of u.e over the box, L its extent along e  (001: eq. 2.4). */
 double medium_measure_permeability(struct medium *m, struct fluid *f);
-/* <|u|>/<u_x> over the box's pore cells, velocities at centres  (001: eq. 2.7). */
+/* <|u|>/|<u.e>| over the box's pore cells, e the direction, velocities at centres  (001: eq. 2.7). NaN if there is no
+ * mean flow along e beyond round-off. */
 double medium_measure_tortuosity(const struct medium *m, struct fluid *f);
 double medium_measure_specific_surface(const struct medium *m, double immersed_area);
 

@@ -14,7 +14,10 @@ struct medium {
     double low[3], high[3];     /* the box within the domain, m */
     double total;               /* sum of the weights over all ranks: its volume in cells */
     double reach;               /* of the force on the fluid beyond the box's faces, cells; at least 1 */
-    int whole_period;           /* x is periodic and the box is the whole domain along x */
+    double along[3];            /* unit vector along which the flow is measured */
+    int axis, slanted;          /* its largest component; 1: it has others */
+    int first[3], last[3];      /* sections of the domain that the box holds, or has a part of, along each direction */
+    int whole_period[3];        /* the direction is periodic and the box is the whole domain along it */
     double *weight[3];          /* [m[c]] fraction of this rank's cell inside the box, along c */
     double *fraction;           /* [g->size] */
     double effective;           /* connected porosity of this solid fraction, -1: not known */
@@ -22,7 +25,7 @@ struct medium {
     double *carry;   /* [g->size] states of cells, exchanged between ranks */
     uint8_t *cell;   /* [mz+2][my+2][mx+2] values after the last flood */
     int *stack;      /* [mx my mz] */
-    double *section; /* [n[0]] mean pressures */
+    double *section; /* [largest of n] mean pressures along the axis */
     /* exchange of particles with the ranks that hold their cells; planned anew only if a particle goes to another
      * rank */
     struct par_exchange *exchange;
@@ -45,7 +48,7 @@ static inline int medium_at_end(const struct fluid_grid *g, int c, int high) {
 void medium_connect_flood(struct medium *m, uint8_t level, int n, const int over[3]);
 
 /* Mean pressure at the box's front (high = 0) or back face. section is up to date; driving: the part of the gradient
- * along x that p does not contain, Pa/m. Not collective. */
+ * along the axis that p does not contain, Pa/m. Not collective. */
 double medium_face_pressure(const struct medium *m, const struct fluid_input *in, double driving, int high);
 /* 1: some section of the domain is clear of the force beyond that face. Not collective. */
 int medium_face_is_clear(const struct medium *m, int high);

@@ -42,6 +42,9 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
                                .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT};
     memcpy(in->n, scene->domain.cells, sizeof in->n);
     copy3(in->length, scene->domain.size);
+    const double *along = f->driving_along,
+                 length = sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    for (int d = 0; d < 3 && length > 0; d++) in->driving_along[d] = along[d] / length;
     copy3(in->body_force, f->body_force);
     copy3(in->initial_velocity, f->initial_velocity);
     if (f->has_taylor_green) {

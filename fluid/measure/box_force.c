@@ -79,7 +79,7 @@ static double source_force(const struct fluid *f, int c, double driving) {
     int low[3], high[3];
     fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
     const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-    const double source = f->in.body_force[c] + (c == f->in.driving.direction ? driving / f->in.density : 0);
+    const double source = f->in.body_force[c] + fluid_driving_along(&f->in, c) * driving / f->in.density;
     return f->in.density * cell_volume(f->grid) * faces * source;
 }
 

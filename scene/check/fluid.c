@@ -127,15 +127,23 @@ static void check_flux(const struct scene_check *c) {
                                  "an outflow needs a side where something comes in (inflow, pressure or general)");
 }
 
+static void check_driven(const struct scene_check *c, int d, const char *key) {
+    const struct scene_side *side = c->scene->fluid->side[d];
+    if (!sides_clean(c, d) || (side[0].type == SCENE_PERIODIC && side[1].type == SCENE_PERIODIC)) return;
+    scene_problem_at(c->problems, c->root, key, "must be a periodic direction: %s is %s, %s is %s", side_name[d][0],
+                     type_name(side[0].type), side_name[d][1], type_name(side[1].type));
+}
+
 static void check_driving(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
-    const int d = f->driving_direction;
-    if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving") || !sides_clean(c, d))
-        return;
-    if (f->side[d][0].type != SCENE_PERIODIC || f->side[d][1].type != SCENE_PERIODIC)
-        scene_problem_at(c->problems, c->root, "fluid.driving.direction",
-                         "must be a periodic direction: %s is %s, %s is %s", side_name[d][0],
-                         type_name(f->side[d][0].type), side_name[d][1], type_name(f->side[d][1].type));
+    const int slanted = scene_node_find(c->root, "fluid.driving.along") != NULL;
+    const char *key = slanted ? "fluid.driving.along" : "fluid.driving.direction";
+    if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving")) return;
+    if (!scene_node_find(c->root, key)) return; /* a misplaced key has been reported */
+    if (slanted && f->driving_along[0] == 0 && f->driving_along[1] == 0 && f->driving_along[2] == 0)
+        scene_problem_at(c->problems, c->root, key, "must not be 0 in every direction");
+    for (int d = 0; d < 3; d++)
+        if (slanted ? f->driving_along[d] != 0 : d == f->driving_direction) check_driven(c, d, key);
 }
 
 /* In each direction in which the vortices vary there is one wave, sin or cos, which must fit the direction's sides. */

@@ -1,5 +1,6 @@
 /* Checks which parts a scene has, its output requests, and that fluid and solid fit together. */
 #include "scene/check/check.h"
+#include "scene/medium.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -45,9 +46,30 @@ static void check_load(const struct scene_check *c) {
     }
 }
 
+/* What cannot be measured is refused where it is asked for: by a direction, or by a stage that waits for it. */
+static void check_measured(const struct scene_check *c) {
+    const struct scene *s = c->scene;
+    struct scene_medium m;
+    if (!s->coupling || !s->fluid || !scene_node_is_clean(c->root, "fluid") ||
+        !scene_node_is_clean(c->root, "coupling.medium") || !scene_node_is_clean(c->root, "domain.size"))
+        return;
+    scene_medium_of(s, &m);
+    if (!m.why[0]) return;
+    if (s->coupling->medium_direction != SCENE_MEDIUM_AUTO)
+        scene_problem_at(c->problems, c->root, "coupling.medium.direction", "%s", m.why);
+    for (int i = 0; i < s->stages && s->coupling->medium_direction == SCENE_MEDIUM_AUTO; i++)
+        if (s->stage[i].has_until)
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].until.quantity", i).text, "%s",
+                             m.why);
+}
+
 static void check_medium(const struct scene_check *c) {
     const struct scene_coupling *k = c->scene->coupling;
     const struct scene_domain *d = &c->scene->domain;
+    const int low = scene_node_find(c->root, "coupling.medium.low") != NULL,
+              high = scene_node_find(c->root, "coupling.medium.high") != NULL;
+    if (k && low != high)
+        scene_problem_at(c->problems, c->root, low ? "coupling.medium.high" : "coupling.medium.low", "missing (m)");
     if (!k || !k->has_box || !scene_node_is_clean(c->root, "coupling.medium") ||
         !scene_node_is_clean(c->root, "domain.size"))
         return;
@@ -107,4 +129,5 @@ void scene_check_parts(const struct scene_check *c) {
     check_cells(c);
     check_load(c);
     check_medium(c);
+    check_measured(c);
 }

@@ -30,6 +30,12 @@ static const cyaml_strval_t diffusions[] = {{"explicit", SCENE_DIFFUSION_EXPLICI
                                             {"implicit", SCENE_DIFFUSION_IMPLICIT}};
 static const cyaml_strval_t modes[] = {{"rigid", SCENE_SOLID_RIGID}, {"elastic", SCENE_SOLID_ELASTIC}};
 static const cyaml_strval_t surfaces[] = {{"lattice", SCENE_SURFACE_LATTICE}, {"shape", SCENE_SURFACE_SHAPE}};
+static const cyaml_strval_t medium_directions[] = {{"auto", SCENE_MEDIUM_AUTO},
+                                                   {"x", SCENE_MEDIUM_X},
+                                                   {"y", SCENE_MEDIUM_Y},
+                                                   {"z", SCENE_MEDIUM_Z},
+                                                   {"driving", SCENE_MEDIUM_DRIVING}};
+static const cyaml_strval_t until_quantities[] = {{"permeability", SCENE_UNTIL_PERMEABILITY}};
 static const cyaml_strval_t integrators[] = {{"rk3", SCENE_RK3}, {"verlet", SCENE_VERLET}};
 
 static const cyaml_schema_field_t domain_fields[] = {
@@ -65,8 +71,10 @@ static const cyaml_schema_field_t sides_fields[] = {SIDE("x_low", 0, 0),  SIDE("
 static const cyaml_schema_field_t driving_fields[] = {
     CHOICE("type", NEEDED, scene_fluid, driving, drivings),
     CHOICE("direction", OPTIONAL, scene_fluid, driving_direction, scene_schema_parts_axes),
+    VECTOR("along", OPTIONAL, scene_fluid, driving_along),
     NUMBER("value", OPTIONAL, scene_fluid, driving_value),
-    NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency), CYAML_FIELD_END};
+    NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency),
+    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
                                                     NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
@@ -77,8 +85,9 @@ static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, sc
                                                     VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
                                                     CYAML_FIELD_END};
 
-static const cyaml_schema_field_t medium_fields[] = {VECTOR("low", NEEDED, scene_coupling, box_low),
-                                                     VECTOR("high", NEEDED, scene_coupling, box_high), CYAML_FIELD_END};
+static const cyaml_schema_field_t medium_fields[] = {
+    VECTOR("low", OPTIONAL, scene_coupling, box_low), VECTOR("high", OPTIONAL, scene_coupling, box_high),
+    CHOICE("direction", OPTIONAL, scene_coupling, medium_direction, medium_directions), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t coupling_fields[] = {
     WHOLE("forcing_iterations", OPTIONAL, scene_coupling, forcing_iterations),
@@ -93,9 +102,15 @@ static const cyaml_schema_field_t coupling_fields[] = {
     PART("medium", OPTIONAL, scene_coupling, medium_fields),
     CYAML_FIELD_END};
 
+static const cyaml_schema_field_t until_fields[] = {
+    CHOICE("quantity", OPTIONAL, scene_stage, until_quantity, until_quantities),
+    NUMBER("change", OPTIONAL, scene_stage, until_change), WHOLE("window", OPTIONAL, scene_stage, until_window),
+    CYAML_FIELD_END};
+
 static const cyaml_schema_field_t stage_fields[] = {
     TEXT("name", NEEDED, scene_stage, name),
     WHOLE("steps", NEEDED, scene_stage, steps),
+    PART("until", OPTIONAL, scene_stage, until_fields),
     NUMBER("time_step", OPTIONAL, scene_stage, time_step),
     NUMBER("cfl", OPTIONAL, scene_stage, cfl),
     CHOICE("solid", OPTIONAL, scene_stage, solid, modes),

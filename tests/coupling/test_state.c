@@ -36,9 +36,10 @@ static const char *const flow =
     "    - {name: soft, youngs_modulus: 1.0e6, density: 3000, fracture_energy: 1.0}\n"
     "  bodies:\n"
     "    - {name: block, material: soft, shape: box, low: [0.06, 0.02, 0.02], high: [0.09, 0.055, 0.06]}\n"
+    "coupling: {medium: {low: [0, 0, 0], high: [0.16, 0.08, 0.08]}}\n"
     "stages:\n"
     "  - {name: first, steps: 100, time_step: 1.0e-3, integrator: verlet}\n"
-    "  - {name: second, steps: 100, time_step: 1.0e-3, integrator: verlet}\n";
+    "  - {name: second, steps: 100, time_step: 1.0e-3, integrator: verlet, until: {}}\n";
 
 /* Two blocks in contact, under a load. */
 static const char *const blocks =

@@ -41,11 +41,17 @@ static void each_command_by_its_word(void **state) {
     static const struct {
         const char *line;
         enum command_verb verb;
-    } of[] = {{"run a.yaml", COMMAND_RUN},     {"check a.yaml", COMMAND_CHECK},
-              {"post runs/a", COMMAND_POST},   {"bench", COMMAND_BENCH},
-              {"study a.yaml", COMMAND_STUDY}, {"--version", COMMAND_VERSION},
-              {"--help", COMMAND_HELP},        {"-h", COMMAND_HELP},
-              {"help", COMMAND_HELP},          {"", COMMAND_HELP}};
+    } of[] = {{"run a.yaml", COMMAND_RUN},
+              {"check a.yaml", COMMAND_CHECK},
+              {"post runs/a", COMMAND_POST},
+              {"bench", COMMAND_BENCH},
+              {"study a.yaml", COMMAND_STUDY},
+              {"permeability a.yaml", COMMAND_PERMEABILITY},
+              {"--version", COMMAND_VERSION},
+              {"--help", COMMAND_HELP},
+              {"-h", COMMAND_HELP},
+              {"help", COMMAND_HELP},
+              {"", COMMAND_HELP}};
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
         struct command *c = command_of(of[k].line);
         assert_int_equal(c->verb, of[k].verb);
@@ -112,6 +118,10 @@ static void options_of_the_others(void **state) {
     c = command_of("study s.yaml --fresh");
     assert_int_equal(c->fresh, 1);
     command_free(c);
+    c = command_of("permeability folder/rock.yaml --set a=1 --max-wall 7 --quiet --fresh");
+    assert_string_equal(c->out, "runs/rock");
+    assert_true(c->sets == 1 && c->quiet && c->fresh && c->max_wall == 7);
+    command_free(c);
     c = command_of("check s.yaml --set a=1");
     assert_int_equal(c->sets, 1);
     assert_string_equal(c->out, ""); /* check writes no folder */
@@ -125,6 +135,9 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"runs a.yaml", "runs: unknown command; there are run, check, post, bench, study"},
         {"run", "frana run: which scene?"},
         {"post", "frana post: which run folder?"},
+        {"permeability", "frana permeability: which scene?"},
+        {"permeability a b", "frana permeability a b: takes one scene"},
+        {"permeability a --resume", "--resume: goes with frana run only"},
         {"study", "frana study: which study?"},
         {"run a b", "frana run a b: takes one scene"},
         {"study a b", "frana study a b: takes one study"},
@@ -139,11 +152,11 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"run a --max-wall 1:2:3:4", "--max-wall 1:2:3:4: must be HH:MM:SS"},
         {"run a --max-wall -5", "--max-wall -5: must be HH:MM:SS"},
         {"run a --max-wall 5s", "--max-wall 5s: must be HH:MM:SS"},
-        {"check a --quiet", "--quiet: goes with frana run only"},
+        {"check a --quiet", "--quiet: goes with frana run and permeability only"},
         {"check a --resume", "--resume: goes with frana run only"},
-        {"post a --set b=1", "b=1: goes with frana run and check only"},
+        {"post a --set b=1", "b=1: goes with frana run, check and permeability only"},
         {"run a --film", "--film: goes with frana post only"},
-        {"run a --fresh", "--fresh: goes with frana study only"},
+        {"run a --fresh", "--fresh: goes with frana study and permeability only"},
         {"run a --quick", "--quick: goes with frana bench only"},
         {"post a --level 1", "--level 1: must be a number above 0 and below 1"},
         {"post a --level nan", "--level nan: must be a number above 0"},

@@ -77,8 +77,8 @@ static void test_sums(void **state) {
     const double *const weight[3] = {wx, one, one};
     check_equal(medium_kernels_sum_solid(m, row, plane, weight, f + o), 0.75);
     const struct medium_sums s = medium_kernels_sum_flow(m, row, plane, weight, f + o, u + o, v + o, w + o);
-    check_equal(s.u, 0.5 * 3 + 5);
-    check_equal(s.pore_u, 0.5 * 3);
+    check_equal(s.u[0], 0.5 * 3 + 5);
+    check_equal(s.pore_u[0], 0.5 * 3);
     check_equal(s.pore_speed, 0.5 * 5);
 }
 

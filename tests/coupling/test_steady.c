@@ -1,0 +1,92 @@
+/* A stage that waits for a steady permeability ends when it is steady, whatever the window, and not before. */
+#include "coupling/run.h"
+#include "coupling/step.h"
+#include "tests/check.h"
+#include "tests/coupling/scene_of.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const char *const array = "title: test\n"
+                                 "domain: {size: [1, 1, 1], cells: [12, 12, 12]}\n"
+                                 "fluid:\n"
+                                 "  density: 1\n"
+                                 "  viscosity: 1\n"
+                                 "  driving: {type: pressure_gradient, direction: y, value: 1.0e-3}\n"
+                                 "  sides:\n"
+                                 "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"
+                                 "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
+                                 "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
+                                 "solid:\n"
+                                 "  materials:\n    - {name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 2}\n"
+                                 "  bodies:\n    - {name: a, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.3}\n"
+                                 "coupling:\n  surface: shape\n  medium: {low: [0, 0, 0], high: [1, 1, 1]}\n";
+
+struct end {
+    long step;
+    double k, settled; /* at the end of the stage, and much later */
+    struct steady_found found;
+};
+
+static struct end run_until(double change, int window, const char *diffusion) {
+    char stages[256];
+    const char *const set[] = {diffusion};
+    snprintf(stages, sizeof stages,
+             "stages: [{name: flow, steps: 4000, cfl: 1, solid: rigid, until: {change: %g, window: %d}}]\n", change,
+             window);
+    struct scene *scene = scene_of(array, stages, 1, set);
+    struct run *r = run_new(scene);
+    struct end end = {0};
+    step_begin_stage(r);
+    while (!steady_has_ended(r) && r->stage_step < 4000) {
+        step_advance(r);
+        if (steady_is_due(r, r->stage_step)) steady_look(r, &end.found);
+    }
+    end.step = r->stage_step;
+    end.k = run_measure(r).permeability;
+    for (int k = 0; k < 400; k++) step_advance(r);
+    end.settled = run_measure(r).permeability;
+    assert_int_equal(steady_has_ended(r), 1);
+    step_begin_stage(r); /* in the middle of the stage it is kept */
+    assert_int_equal(steady_has_ended(r), 1);
+    r->stage_step = 0;
+    step_begin_stage(r);
+    assert_int_equal(steady_has_ended(r), 0);
+    run_free(r);
+    scene_free(scene);
+    return end;
+}
+
+static void steady_within_the_change(void **state) {
+    (void)state;
+    const int window[] = {2, 10, 20, 50};
+    const double change[] = {1e-2, 1e-4, 1e-6};
+    for (int c = 0; c < 3; c++)
+        for (int w = 0; w < 4; w++) {
+            const struct end e = run_until(change[c], window[w], "fluid.diffusion=explicit");
+            check_below(e.step, 1000);
+            assert_int_equal(e.step % window[w], 0);
+            check_below(e.found.spread, change[c]);
+            check_below(e.found.left, change[c]);
+            check_below(fabs(e.k / e.settled - 1), 1.5 * change[c]); /* what is left is an estimate */
+        }
+    /* the last values can be had no better than to round-off, and that is found steady too */
+    const struct end e = run_until(1e-11, 20, "fluid.diffusion=explicit");
+    check_below(e.step, 2000);
+    check_relative(e.k, e.settled, 1e-10);
+}
+
+static void implicit_steps(void **state) {
+    (void)state;
+    const struct end e = run_until(5e-4, 10, "fluid.diffusion=implicit"); /* k varies by 2e-4 */
+    check_below(e.step, 80);
+    check_relative(e.k, e.settled, 1e-3);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(steady_within_the_change), cmocka_unit_test(implicit_steps)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
