@@ -13,7 +13,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEP, T, FRAGMENT, DETACHED, FROM, ID, PARTICLES, HELD, MASS, VOLUME, EXTENT, SPEED, PLACE, COLUMNS_MAX = PLACE + 6 };
+enum {
+    STEP,
+    T,
+    FRAGMENT,
+    DETACHED,
+    FROM,
+    ID,
+    PARTICLES,
+    HELD,
+    MASS,
+    VOLUME,
+    EXTENT,
+    SPEED,
+    PLACE,
+    COLUMNS_MAX = PLACE + 6
+};
 
 struct fragments {
     struct table *table;

@@ -1,8 +1,9 @@
 /* Reactions of constraints and total forces of loads, as means over a step. For solid/ and for the coupling.
  *
- * The reaction is the force of the support on its held particles: the opposite of what bonds, contact, loads, body force
- * and damping give them. It is summed up by the integrator's own quadrature, so that over a step the momentum of the
- * other particles changes by exactly its impulse and that of the loads. The inertia of driven particles is not in it. */
+ * The reaction is the force of the support on its held particles: the opposite of what bonds, contact, loads, body
+ * force and damping give them. It is summed up by the integrator's own quadrature, so that over a step the momentum of
+ * the other particles changes by exactly its impulse and that of the loads. The inertia of driven particles is not in
+ * it. */
 #pragma once
 #include "solid/state.h"
 
@@ -20,7 +21,8 @@ void solid_reactions_begin(struct solid *s);
 void solid_reactions_find(struct solid *s);
 /* Adds `now` times the forces of the last sweep and `then` times those of the sweep before, s. */
 void solid_reactions_add(struct solid *s, double now, double then);
-/* Adds the reaction to an impulse on particle h that is not in the sweeps' forces, N s; s->reactions must not be NULL. */
+/* Adds the reaction to an impulse on particle h that is not in the sweeps' forces, N s; s->reactions must not be NULL.
+ */
 void solid_reactions_give(struct solid *s, int h, const double impulse[3]);
 
 /* Of a constraint or a load. */

@@ -100,8 +100,8 @@ int solid_detachment_look(struct solid *s, double t, long *id, struct solid_frag
 
 /* The directions along which extents are measured; of a plate those in its plane. */
 enum { DIRECTIONS = 13, CHUNK = 4096 };
-static const int direction[DIRECTIONS][3] = {{1, 0, 0}, {0, 1, 0},  {1, 1, 0}, {1, -1, 0}, {0, 0, 1},
-                                             {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
+static const int direction[DIRECTIONS][3] = {{1, 0, 0},  {0, 1, 0},  {1, 1, 0}, {1, -1, 0}, {0, 0, 1},
+                                             {1, 0, 1},  {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
                                              {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
 
 /* A fragment's places are taken relative to its particle with the smallest id: as they are, or to the nearest periodic
@@ -205,6 +205,5 @@ static void sizes_of_chunk(const struct solid *s, const long *id, const struct s
 
 void solid_detachment_sizes(const struct solid *s, const long *id, const struct solid_fragment *list, int n,
                             const int *which, struct solid_detachment_size *size) {
-    for (int k = 0; k < n; k += CHUNK)
-        sizes_of_chunk(s, id, list, n - k < CHUNK ? n - k : CHUNK, which + k, size + k);
+    for (int k = 0; k < n; k += CHUNK) sizes_of_chunk(s, id, list, n - k < CHUNK ? n - k : CHUNK, which + k, size + k);
 }

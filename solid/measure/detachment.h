@@ -9,10 +9,10 @@
 void solid_detachment_begin(struct solid *s);
 
 struct solid_detachment {
-    long number; /* from 0, without gaps */
-    long from;   /* number of the piece that it came off from; -1: it was there at the first look, or is not new */
+    long number;  /* from 0, without gaps */
+    long from;    /* number of the piece that it came off from; -1: it was there at the first look, or is not new */
     double since; /* time of the look that found it, s */
-    int is_new;  /* 1: this look found it */
+    int is_new;   /* 1: this look found it */
 };
 /* Measures the fragments and numbers them: list and of, each [n] malloc'ed and in the order of
  * solid_fragments_measure; id [s->n], may be NULL, as there. Returns n. Collective. */
