@@ -49,6 +49,59 @@ static int *index_new(const struct solid *s, const long *id, int n, const struct
     return at;
 }
 
+/* The particle of a fragment that comes first: the first in x, then in y. */
+struct corner {
+    double x[2];
+    int at; /* of the fragment in the list */
+};
+
+static int by_fragment(const void *a, const void *b) {
+    const struct corner *p = a, *q = b;
+    if (p->at != q->at) return p->at < q->at ? -1 : 1;
+    for (int c = 0; c < 2; c++)
+        if (p->x[c] != q->x[c]) return p->x[c] < q->x[c] ? -1 : 1;
+    return 0;
+}
+
+struct ordered {
+    struct solid_fragment fragment;
+    double x[2];
+};
+
+static int by_size_and_place(const void *a, const void *b) {
+    const struct ordered *p = a, *q = b;
+    if (p->fragment.particles != q->fragment.particles) return p->fragment.particles < q->fragment.particles ? 1 : -1;
+    for (int c = 0; c < 2; c++)
+        if (p->x[c] != q->x[c]) return p->x[c] < q->x[c] ? -1 : 1;
+    return 0;
+}
+
+/* Orders equally large fragments by place. Ids of a refined plate depend on the number of ranks, which numbers must
+ * not. Collective. */
+static void order_by_place(const struct solid *s, const int *at, int n, struct solid_fragment *list) {
+    struct corner *mine = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *mine);
+    for (int h = 0; h < s->n; h++) mine[h] = (struct corner){{s->x0[0][h], s->x0[1][h]}, at[h]};
+    qsort(mine, (size_t)s->n, sizeof *mine, by_fragment);
+    int found = 0;
+    for (int h = 0; h < s->n; h++)
+        if (h == 0 || mine[h].at != mine[h - 1].at) mine[found++] = mine[h];
+    size_t bytes = 0;
+    struct corner *all = par_all_gather_any(mine, (size_t)found * sizeof *mine, &bytes);
+    const int m = (int)(bytes / sizeof *all);
+    int k = 0;
+    qsort(all, (size_t)m, sizeof *all, by_fragment);
+    for (int i = 0; i < m; i++)
+        if (i == 0 || all[i].at != all[i - 1].at) all[k++] = all[i];
+    ENSURE(k == n, "%d of %d fragments have a particle", k, n);
+    struct ordered *sorted = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *sorted);
+    for (int i = 0; i < n; i++) sorted[i] = (struct ordered){list[i], {all[i].x[0], all[i].x[1]}};
+    qsort(sorted, (size_t)n, sizeof *sorted, by_size_and_place);
+    for (int i = 0; i < n; i++) list[i] = sorted[i].fragment;
+    memory_free(sorted);
+    free(all);
+    memory_free(mine);
+}
+
 /* Numbers the fragments by the numbers that their particles had before: was[n][2], number and time, or less than 0. */
 static void number(int n, double (*was)[2], double t, struct solid_detachment *of) {
     long next = 0;
@@ -76,6 +129,11 @@ int solid_detachment_look(struct solid *s, double t, long *id, struct solid_frag
     struct solid_fragment *list = NULL;
     const int n = solid_fragments_measure(s, label, &list);
     int *at = index_new(s, label, n, list, NULL);
+    if (s->refine) {
+        order_by_place(s, at, n, list);
+        memory_free(at);
+        at = index_new(s, label, n, list, NULL);
+    }
     double(*was)[2] = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *was);
     for (int i = 0; i < n; i++) was[i][0] = was[i][1] = -INFINITY;
     for (int h = 0; h < s->n; h++) { /* all particles of a fragment have the same, but for those born since */

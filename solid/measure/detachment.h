@@ -1,7 +1,8 @@
 /* Fragments followed in time: each has a number, the piece it came off from, and the time at which it came off.
  *
- * When a piece breaks, its part with the most particles (of equally large ones that with the smallest id) keeps the
- * piece's number and time; every other part gets the next free number and the time of the look that finds it. */
+ * When a piece breaks, its part with the most particles (of equally large ones that with the smallest id; in a refined
+ * plate, where ids depend on the ranks, that with the particle that is first in x, then in y) keeps the piece's number
+ * and time; every other part gets the next free number and the time of the look that finds it. */
 #pragma once
 #include "solid/measure/fragments.h"
 
@@ -14,8 +15,8 @@ struct solid_detachment {
     double since; /* time of the look that found it, s */
     int is_new;   /* 1: this look found it */
 };
-/* Measures the fragments and numbers them: list and of, each [n] malloc'ed and in the order of
- * solid_fragments_measure; id [s->n], may be NULL, as there. Returns n. Collective. */
+/* Measures the fragments and numbers them: list and of, each [n] malloc'ed, the largest first; id [s->n], may be NULL,
+ * as there. Returns n. Collective. */
 int solid_detachment_look(struct solid *s, double t, long *id, struct solid_fragment **list,
                           struct solid_detachment **of);
 

@@ -29,10 +29,10 @@ static const struct solid_constraint *ends(double speed, double displacement) {
     return k;
 }
 
-static struct solid *bar(int general, const struct solid_constraint *k, int constraints, const struct solid_load *load) {
-    const struct solid_body body = {.name = "bar",
-                                    .shape = SOLID_BOX,
-                                    .high = {LENGTH * SPACING, WIDTH * SPACING, WIDTH * SPACING}};
+static struct solid *bar(int general, const struct solid_constraint *k, int constraints,
+                         const struct solid_load *load) {
+    const struct solid_body body = {
+        .name = "bar", .shape = SOLID_BOX, .high = {LENGTH * SPACING, WIDTH * SPACING, WIDTH * SPACING}};
     const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, SOLID_CONSTANT};
     struct solid *s = solid_new(&(struct solid_input){.spacing = SPACING,
                                                       .bodies = 1,
@@ -92,7 +92,7 @@ static void balance_of_momentum(void **state) {
             for (int c = 0; c < 3; c++) check_relative(r[CONSTRAINTS].force[c], mean * load.force[c] * volume, 1e-12);
             check_equal((double)r[CONSTRAINTS].particles, 2 * WIDTH * WIDTH);
         }
-        check_above(pushed, 1e-6); /* the wave has come to the other end */
+        check_above(pushed, 1e-6);     /* the wave has come to the other end */
         check_above(r[1].force[0], 0); /* the end that is pulled to the right is held back */
         check_equal(r[1].force[2], 0); /* free there, but for the very last layer, which is the third's */
         check_equal((double)r[0].particles, 2 * WIDTH * WIDTH);
@@ -108,10 +108,8 @@ static void balance_of_momentum(void **state) {
 static void equilibrium(void **state) {
     (void)state;
     const double tolerance = 1e-7, wide = 30 * tolerance;
-    const struct solid_load load = {.kind = SOLID_LOAD_REGION,
-                                    .low = {(LENGTH - 2) * SPACING, -1, -1},
-                                    .high = {1, 1, 1},
-                                    .force = {3e7, 1e7, 0}};
+    const struct solid_load load = {
+        .kind = SOLID_LOAD_REGION, .low = {(LENGTH - 2) * SPACING, -1, -1}, .high = {1, 1, 1}, .force = {3e7, 1e7, 0}};
     for (int general = 0; general < 2; general++) {
         struct solid_reaction r[CONSTRAINTS + 1];
         struct solid *s = bar(general, ends(0, 0), 1, &load);
