@@ -152,7 +152,8 @@ void postproc_charts_reactions_draw(struct postproc_charts *charts, const struct
     const int ways = opening ? 1 : moving;
     for (int k = 0; k < ways; k++) {
         title_of(title[k], driven[k]);
-        curve[k] = (struct postproc_curve){.title = title[k], .n = driven[k]->n, .x = driven[k]->way, .y = driven[k]->force};
+        curve[k] =
+            (struct postproc_curve){.title = title[k], .n = driven[k]->n, .x = driven[k]->way, .y = driven[k]->force};
     }
     plot.name = "load_displacement";
     plot.title = opening ? "Load against opening" : "Load against displacement";
