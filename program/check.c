@@ -66,6 +66,24 @@ static void say_on_surface(const struct solid *s) {
         if (in->load[k].kind == SOLID_LOAD_REGION) say_border(s, "loads", k, in->load[k].low, in->load[k].high);
 }
 
+/* Number of dumps of fields, and their size: 4 bytes a number, 8 an id, 17 a vertex (program/fields.c). */
+static void say_fields(const struct run *r) {
+    const struct scene_output *out = &r->scene->output;
+    const int *n = r->scene->domain.cells;
+    const double cells = r->fluid ? (double)n[0] * n[1] * n[2] : 0;
+    const double particles = r->solid ? (double)r->solid->n_global : 0;
+    long steps = 0, dumps = 0;
+    if (out->fields_every == 0) return;
+    for (int k = 0; k < r->scene->stages; k++) { /* and one at the end of each stage */
+        const long before = steps / out->fields_every;
+        steps += r->scene->stage[k].steps;
+        dumps += steps / out->fields_every - before + (r->scene->stage[k].steps > 0 && steps % out->fields_every != 0);
+    }
+    const int each = (!r->needs.bonds ? 40 : out->stress ? 172 : 100) + (r->fluid ? 0 : 12);
+    say("  fields     every %ld steps, %ld times, about %.3g MB each\n", out->fields_every, dumps,
+        1e-6 * (cells * 4 * (r->medium ? 5 : 4) + particles * each));
+}
+
 static void say_holdings(struct run *r) {
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     say("%s\n\nholds\n", r->scene->title);
@@ -94,6 +112,7 @@ static void say_holdings(struct run *r) {
         say("  medium     porosity %.5f, connected %.5f\n", medium_measure_porosity(r->medium),
             medium_connect_porosity(r->medium));
     }
+    say_fields(r);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) say("  warning: %s\n", blocked[k]);
     say("\nleaves out\n");
     const int n = record_left_out(r->scene, sentence);

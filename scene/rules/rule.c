@@ -205,7 +205,7 @@ const struct scene_rule scene_rule_table[] = {
 
     RULE("output", "section", "{}"),
     RULE("output.series_every", "steps", "10", FROM(0)),
-    RULE("output.fields_every", "steps", "0", FROM(0), .word = "auto", .load = "-1"),
+    RULE("output.fields_every", "steps", "auto", FROM(0), .word = "auto", .load = "-1"),
     RULE("output.checkpoint_every", "steps", "1000", FROM(0)),
     RULE("output.log_every", "steps", "100", FROM(0)),
     RULE("output.stress", "bool", "true"),

@@ -60,7 +60,8 @@ holds "$(of whole/fragments.csv detached '$at["fragment"] == 1 && $1 == 320') > 
 [ "$(find whole/fields -name 'solid_*.hdf' | wc -l)" = 21 ] || fail "$(find whole/fields -name '*.hdf' | wc -l) dumps"
 # every complete list holds the whole mass, 720 particles of 3000 kg/m3
 awk -F, 'NR > 2 { if ($3 == 0) { step = $1; lists++ } if ($1 == step) { mass[step] += $9; particles[step] += $7 } }
-  END { for (s in mass) if ((mass[s] / (720 * 3e-6) - 1) ^ 2 > 1e-28 || particles[s] != 720) { print s, mass[s]; exit 1 }
+  END { for (s in mass)
+      if ((mass[s] / (720 * 3e-6) - 1) ^ 2 > 1e-28 || particles[s] != 720) { print s, mass[s]; exit 1 }
     exit lists != 22 }' whole/fragments.csv || fail "complete lists of fragments do not hold the whole mass"
 # the file and the series count the same pieces at the end
 [ "$(of whole/fragments.csv id '$1 == 320' | wc -w)" = "$(of whole/series.csv fragments '$1 == 320')" ] ||
