@@ -26,7 +26,7 @@ static void label_of(const char *folder, char label[64]) {
 
 static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_history *const *run,
                       const char *const *label, const char *plots, enum postproc_measure kind) {
-    const struct postproc_measure_kind *k = &postproc_measure_kind[kind];
+    const struct postproc_body_kind *k = &postproc_body_kind[kind];
     struct postproc_pdf pdf[RUNS_MAX] = {{0}};
     struct postproc_curve curve[RUNS_MAX];
     struct postproc_mark mark[RUNS_MAX];
@@ -47,7 +47,7 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
         for (int i = 0; i < pdf[r].bins; i++) middle[r][i] = pdf[r].low + (i + 0.5) * pdf[r].width;
         curve[curves++] = (struct postproc_curve){
             .title = label[r], .n = pdf[r].bins, .x = middle[r], .y = pdf[r].density, .bars = 1};
-        const double threshold = postproc_measure_threshold(kind, run[r]);
+        const double threshold = postproc_body_threshold(kind, run[r]);
         if (threshold > 0) mark[marks++] = (struct postproc_mark){threshold, label[r]};
     }
     postproc_charts_add(charts, &(struct postproc_plot){

@@ -9,7 +9,7 @@
 #define STRESS(its_name, its_title, its_label)                                                                         \
     .name = its_name, .unit = "Pa", .title = its_title, .at_end = its_title " at the end", .xlabel = its_label "  [Pa]"
 
-const struct postproc_measure_kind postproc_measure_kind[POSTPROC_MEASURES] = {
+const struct postproc_body_kind postproc_body_kind[POSTPROC_MEASURES] = {
     [POSTPROC_STRAIN] = {"pdf_strain", "1", "Largest principal strain", "Largest principal strain at the end",
                          "largest principal strain", "s0", "s_0", .is_strain = 1},
     [POSTPROC_STRESS] = {STRESS("pdf_stress", "Largest principal stress", "largest principal stress"), .mark = "sigma0",
@@ -25,8 +25,8 @@ const struct postproc_measure_kind postproc_measure_kind[POSTPROC_MEASURES] = {
 
 #undef STRESS
 
-double postproc_measure_threshold(enum postproc_measure kind, const struct postproc_history *h) {
-    const struct postproc_measure_kind *k = &postproc_measure_kind[kind];
+double postproc_body_threshold(enum postproc_measure kind, const struct postproc_history *h) {
+    const struct postproc_body_kind *k = &postproc_body_kind[kind];
     return !k->mark ? NAN : k->is_strain ? h->s0 : h->sigma0;
 }
 

@@ -14,15 +14,15 @@ enum postproc_measure {
     POSTPROC_GRIFFITH
 };
 enum { POSTPROC_MEASURES = POSTPROC_GRIFFITH + 1 };
-struct postproc_measure_kind {
+struct postproc_body_kind {
     const char *name, *unit, *title, *at_end,
         *xlabel;              /* name: of the plot and of NAME.csv; title at the end of a run */
     const char *mark, *label; /* name of the threshold, in the report and in a plot; NULL: it has none */
     int is_strain, is_least;  /* is_least: its extreme is the smallest value */
 };
-extern const struct postproc_measure_kind postproc_measure_kind[POSTPROC_MEASURES];
+extern const struct postproc_body_kind postproc_body_kind[POSTPROC_MEASURES];
 /* Threshold in a run: s0 or sigma0 = E s0; NAN without one. */
-double postproc_measure_threshold(enum postproc_measure kind, const struct postproc_history *h);
+double postproc_body_threshold(enum postproc_measure kind, const struct postproc_history *h);
 
 struct postproc_body {
     long n;

@@ -17,13 +17,13 @@ static void pdf_table(FILE *file, const char *when, double time, const struct po
 /* body[2]: at the end of settling, and at the end; the same file twice is drawn once. */
 static void pdf_draw(struct postproc_output *out, const struct postproc_history *h, enum postproc_measure kind,
                      struct postproc_body *const body[2]) {
-    const struct postproc_measure_kind *is = &postproc_measure_kind[kind];
+    const struct postproc_body_kind *is = &postproc_body_kind[kind];
     struct postproc_pdf pdf[2] = {{0}};
     struct postproc_curve curve[2];
     double *middle[2] = {NULL, NULL};
     char path[FOLDER_PATH], file_name[64], quantity[96], title[2][64];
     int curves = 0, filled = 0;
-    const double threshold = postproc_measure_threshold(kind, h);
+    const double threshold = postproc_body_threshold(kind, h);
     static const char *const when[2] = {"before", "after"};
     snprintf(file_name, sizeof file_name, "%s.csv", is->name);
     FILE *file = fopen(folder_path(path, out->folder, file_name), "w");
