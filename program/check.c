@@ -9,6 +9,7 @@
 #include "coupling/step.h"
 #include "physics/waves.h"
 #include "program/program.h"
+#include "program/fragments.h"
 #include "program/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
@@ -245,10 +246,12 @@ static void say_groups(const struct run *r) {
 
 int check_scene(const struct scene *scene) {
     struct run *r = run_new(scene);
+    struct fragments *fragments = fragments_new(r); /* they take memory by particle */
     say_holdings(r);
     say_limits(r);
     say_memory();
     say_groups(r);
+    fragments_free(fragments);
     run_free(r);
     return EXIT_CODE_DONE;
 }
