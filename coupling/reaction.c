@@ -28,6 +28,7 @@
 #include "physics/rk3.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/given.h"
+#include "solid/imposed/reactions.h"
 #include "solid/step/integrate.h"
 
 #include <math.h>
@@ -235,6 +236,7 @@ void reaction_step(struct run *r) {
     clock_end(CLOCK_PROBE);
     fluid_state_of(r->fluid)->t = s->t = r->t;
     s->drag = &k->drag;
+    solid_reactions_begin(s);
     for (int stage = 0; stage < 3; stage++) {
         const double length = substeps[stage] * h;
         fluid_predict(r->fluid, stage, r->dt);

@@ -13,6 +13,7 @@
 #include "coupling/step.h"
 #include "files/log.h"
 #include "solid/contact/contact.h"
+#include "solid/imposed/reactions.h"
 #include "solid/refine/refine.h"
 #include "solid/step/integrate.h"
 #include "solid/step/relax.h"
@@ -68,6 +69,7 @@ static void part_solid(struct run *r) {
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h];
     s->t = r->t;
+    solid_reactions_begin(s);
     solid_integrate(s, r->dt / r->substeps, r->substeps);
     balance_keep(r);
     r->moved = r->step + 1;

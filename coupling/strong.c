@@ -12,6 +12,7 @@
 #include "coupling/quasi_newton.h"
 #include "coupling/run.h"
 #include "files/log.h"
+#include "solid/imposed/reactions.h"
 #include "solid/step/integrate.h"
 
 #include <math.h>
@@ -157,6 +158,7 @@ static void advance_solid(struct run *r) {
     const struct strong *k = r->strong;
     struct solid *s = r->solid;
     s->t = r->t;
+    solid_reactions_begin(s);
     solid_integrate(s, r->dt / r->substeps, r->substeps);
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < k->n; i++) k->image[c * k->n + i] = mean_velocity(r, c, k->h[i]);

@@ -25,7 +25,8 @@ static void label_of(const char *folder, char label[64]) {
 }
 
 static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_history *const *run,
-                      const char *const *label, const char *plots, int stress) {
+                      const char *const *label, const char *plots, enum postproc_measure kind) {
+    const struct postproc_body_kind *k = &postproc_body_kind[kind];
     struct postproc_pdf pdf[RUNS_MAX] = {{0}};
     struct postproc_curve curve[RUNS_MAX];
     struct postproc_mark mark[RUNS_MAX];
@@ -33,7 +34,7 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
     int curves = 0, marks = 0;
     for (int r = 0; r < n; r++) {
         struct postproc_body *b = postproc_body_new(run[r], run[r]->end);
-        const double *value = !b ? NULL : stress ? b->stress : b->strain;
+        const double *value = !b ? NULL : b->measure[kind];
         if (value) {
             long m;
             double *sample = postproc_body_sample(b, value, &m);
@@ -46,24 +47,23 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
         for (int i = 0; i < pdf[r].bins; i++) middle[r][i] = pdf[r].low + (i + 0.5) * pdf[r].width;
         curve[curves++] = (struct postproc_curve){
             .title = label[r], .n = pdf[r].bins, .x = middle[r], .y = pdf[r].density, .bars = 1};
-        const double threshold = stress ? run[r]->sigma0 : run[r]->s0;
+        const double threshold = postproc_body_threshold(kind, run[r]);
         if (threshold > 0) mark[marks++] = (struct postproc_mark){threshold, label[r]};
     }
-    postproc_charts_add(
-        charts, &(struct postproc_plot){
-                    .folder = plots,
-                    .name = stress ? "pdf_stress" : "pdf_strain",
-                    .title = stress ? "Largest principal stress at the end" : "Largest principal strain at the end",
-                    .xlabel = stress ? "largest principal stress  [Pa]" : "largest principal strain",
-                    .ylabel = "probability density",
-                    .curves = curves,
-                    .curve = curve,
-                    .marks = marks,
-                    .mark = mark,
-                    .log_y = 1,
-                    .x_low = NAN,
-                    .x_high = NAN,
-                });
+    postproc_charts_add(charts, &(struct postproc_plot){
+                                    .folder = plots,
+                                    .name = k->name,
+                                    .title = k->at_end,
+                                    .xlabel = k->xlabel,
+                                    .ylabel = "probability density",
+                                    .curves = curves,
+                                    .curve = curve,
+                                    .marks = marks,
+                                    .mark = mark,
+                                    .log_y = 1,
+                                    .x_low = NAN,
+                                    .x_high = NAN,
+                                });
     for (int r = 0; r < n; r++) {
         postproc_pdf_free(&pdf[r]);
         free(middle[r]);
@@ -121,7 +121,8 @@ static int compare(int n, struct postproc_history *const *run, const char *const
     if (!report) return fault ? fault : errno;
     postproc_charts_draw(&charts, n, run, label, plots);
     postproc_charts_crack_draw(&charts, n, run, label, plots);
-    for (int stress = 0; stress < 2; stress++) pdfs_draw(&charts, n, run, label, plots, stress);
+    for (int kind = 0; kind < POSTPROC_MEASURES; kind++)
+        pdfs_draw(&charts, n, run, label, plots, (enum postproc_measure)kind);
     for (int r = 0; r < n; r++) {
         output[r] = calloc(1, sizeof *output[r]);
         postproc_sections_run(output[r], run[r]);

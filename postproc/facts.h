@@ -1,7 +1,7 @@
 /* The numbers of a report: quantity, unit, value, in the order in which they were added. */
 #pragma once
 
-enum { POSTPROC_FACTS = 128 };
+enum { POSTPROC_FACTS = 256 };
 struct postproc_fact {
     char quantity[96], unit[16], text[160]; /* text: as printed in the report; a word if value is NAN */
     double value;

@@ -90,6 +90,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"The run", postproc_sections_run},
         {"The medium", postproc_sections_medium},
         {"Fracture", postproc_sections_fracture},
+        {"Fragments", postproc_sections_fragments},
         {"The crack", postproc_sections_crack},
         {"Strain and stress", postproc_sections_pdf},
         {"Where the time went", postproc_sections_wall},
@@ -119,6 +120,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
     folder_path(plots, post, "plots");
     postproc_charts_draw(&out->charts, 1, &h, &rundir, plots);
     postproc_charts_crack_draw(&out->charts, 1, &h, &rundir, plots);
+    postproc_charts_reactions_draw(&out->charts, h, plots);
     for (int k = 0; k < SECTIONS; k++) {
         section[k].add(out, h);
         last[k] = out->facts.n;

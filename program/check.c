@@ -9,6 +9,7 @@
 #include "coupling/step.h"
 #include "physics/waves.h"
 #include "program/program.h"
+#include "program/fragments.h"
 #include "program/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
@@ -73,6 +74,24 @@ static const char *broken_contacts(const struct solid_input *in) {
     return NULL;
 }
 
+/* Number of dumps of fields, and their size: 4 bytes a number, 8 an id, 17 a vertex (program/fields.c). */
+static void say_fields(const struct run *r) {
+    const struct scene_output *out = &r->scene->output;
+    const int *n = r->scene->domain.cells;
+    const double cells = r->fluid ? (double)n[0] * n[1] * n[2] : 0;
+    const double particles = r->solid ? (double)r->solid->n_global : 0;
+    long steps = 0, dumps = 0;
+    if (out->fields_every == 0) return;
+    for (int k = 0; k < r->scene->stages; k++) { /* and one at the end of each stage */
+        const long before = steps / out->fields_every;
+        steps += r->scene->stage[k].steps;
+        dumps += steps / out->fields_every - before + (r->scene->stage[k].steps > 0 && steps % out->fields_every != 0);
+    }
+    const int each = (!r->needs.bonds ? 40 : out->stress ? 172 : 100) + (r->fluid ? 0 : 12);
+    say("  fields     every %ld steps, %ld times, about %.3g MB each\n", out->fields_every, dumps,
+        1e-6 * (cells * 4 * (r->medium ? 5 : 4) + particles * each));
+}
+
 static void say_holdings(struct run *r) {
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     say("%s\n\nholds\n", r->scene->title);
@@ -112,6 +131,7 @@ static void say_holdings(struct run *r) {
             say("  permeability along (%g, %g, %g)\n", r->measured.along[0], r->measured.along[1],
                 r->measured.along[2]);
     }
+    say_fields(r);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) say("  warning: %s\n", blocked[k]);
     say("\nleaves out\n");
     const int n = record_left_out(r->scene, sentence);
@@ -245,10 +265,12 @@ static void say_groups(const struct run *r) {
 
 int check_scene(const struct scene *scene) {
     struct run *r = run_new(scene);
+    struct fragments *fragments = fragments_new(r); /* they take memory by particle */
     say_holdings(r);
     say_limits(r);
     say_memory();
     say_groups(r);
+    fragments_free(fragments);
     run_free(r);
     return EXIT_CODE_DONE;
 }

@@ -18,7 +18,9 @@
 #include "program/crack_series.h"
 #include "program/fields.h"
 #include "program/fluid_probes.h"
+#include "program/fragments.h"
 #include "program/probes.h"
+#include "program/reactions.h"
 #include "program/record.h"
 #include "program/series.h"
 #include "program/texture.h"
@@ -39,6 +41,8 @@ struct program {
     struct texture *texture;           /* NULL: nothing is immersed */
     struct probes *probes;             /* NULL: none */
     struct fluid_probes *fluid_probes; /* NULL: none */
+    struct fragments *fragments;       /* NULL: nothing can break */
+    struct reactions *reactions;       /* NULL: no constraint, no load */
     struct march *march;
     enum signals_reason reason; /* to stop after the present step */
     struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
@@ -183,6 +187,8 @@ static int step(struct program *p) {
     drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
     if (!sampled) series_leave(p->series, r);
     if (sampled) series_sample(p->series, r);
+    if (sampled) reactions_sample(p->reactions, r);
+    if (sampled || drawn) fragments_sample(p->fragments, r, drawn || last);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
     if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
@@ -250,6 +256,8 @@ static void begin(struct program *p) {
     p->crack = crack_series_new(p->run);
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
+    p->fragments = fragments_new(p->run);
+    p->reactions = reactions_new(p->run);
     char(*too_long)[OVERSTEP_SENTENCE] = calloc((size_t)p->scene->stages * OVERSTEP_MAX, sizeof *too_long);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
     folder_make(c->out);
@@ -269,6 +277,8 @@ static void begin(struct program *p) {
     if (p->crack) crack_series_open(p->crack, p->run, c->out, here ? p->run->step : -1);
     if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
+    if (p->fragments) fragments_open(p->fragments, p->run, c->out, here ? p->run->step : -1);
+    if (p->reactions) reactions_open(p->reactions, p->run, c->out, here ? p->run->step : -1);
     p->march = march_new(p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
@@ -294,6 +304,8 @@ int program_run(const struct command *c, const struct scene *scene) {
     crack_series_free(p.crack);
     probes_free(p.probes);
     fluid_probes_free(p.fluid_probes);
+    fragments_free(p.fragments);
+    reactions_free(p.reactions);
     run_free(p.run);
     log_end();
     folder_hold_release();

@@ -63,6 +63,15 @@ static void derive_solid(struct scene_solid *s, const struct scene_node *root) {
     derive_refinement(s->refinement, root);
 }
 
+/* auto: about 20 dumps over all stages, besides those at the stages' ends. */
+static void derive_output(struct scene *s) {
+    enum { DUMPS = 20 };
+    long steps = 0;
+    if (s->output.fields_every >= 0) return;
+    for (int k = 0; k < s->stages; k++) steps += s->stage[k].steps;
+    s->output.fields_every = (steps + DUMPS - 1) / DUMPS;
+}
+
 void scene_derive_domain(struct scene *s, const struct scene_node *root) {
     const struct scene_node *size = scene_node_find(root, "domain.size");
     s->dimension = size && size->n == 3 && !size->bad ? 3 : 2;
@@ -74,6 +83,7 @@ void scene_derive(struct scene *s, const struct scene_node *root) {
     if (s->solid) derive_solid(s->solid, root);
     for (int i = 0; i < s->stages; i++)
         s->stage[i].has_until = is_given(root, scene_check_parts_path("stages[%d].until", i));
+    derive_output(s);
 }
 
 void scene_derive_free(struct scene *s) {

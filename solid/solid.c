@@ -18,6 +18,7 @@
 #include "solid/geometry/shape.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/imposed/reactions.h"
 #include "solid/input.h"
 #include "solid/law/material.h"
 #include "solid/law/stencil.h"
@@ -238,11 +239,12 @@ void solid_free(struct solid *s) {
         void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
         for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
     }
-    void *const own[] = {s->volume, s->body, s->flag, s->first};
+    void *const own[] = {s->volume, s->body, s->flag, s->first, s->piece, s->piece_since};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);
     solid_given_free(s->given);
+    solid_reactions_free(s->reactions);
     par_ghost_free(s->ghost);
     memory_free(s);
 }

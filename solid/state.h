@@ -12,8 +12,9 @@ struct solid_family; /* opaque: the bonds, solid/bonds/family.h */
 struct solid_contact;
 struct solid_added_mass;
 struct solid_drag;
-struct solid_given;  /* opaque: the loads of the input, solid/imposed/given.h */
-struct solid_refine; /* opaque: the state of refinement, solid/refine/refine.h */
+struct solid_given;     /* opaque: the loads of the input, solid/imposed/given.h */
+struct solid_reactions; /* opaque: sums of reactions, solid/imposed/reactions.h */
+struct solid_refine;    /* opaque: the state of refinement, solid/refine/refine.h */
 
 enum solid_integrator { SOLID_RK3, SOLID_VERLET };
 
@@ -64,6 +65,9 @@ struct solid {
     struct solid_contact *contact; /* NULL until something can touch */
     struct solid_given *given;     /* the factors of the loads now in `load`; NULL: none */
     struct solid_refine *refine;   /* the particles' levels; NULL: nothing is refined */
+    long *piece;                   /* [n] number of the fragment at the last look at them, -1: none yet; NULL: they
+                                    * are not followed (solid/measure/detachment.h) */
+    double *piece_since;           /* [n] when that fragment came off, s */
     double t;                      /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */
     double e_damped;       /* energy dissipated by damping so far, J */
@@ -83,7 +87,8 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    double power_added; /* the part of power_load due to the added mass */
+    double power_added;                /* the part of power_load due to the added mass */
+    struct solid_reactions *reactions; /* of the last step; NULL: nobody asks for them */
 
     /* Counters: they only rise, and no step depends on their values. */
     long sweeps;        /* force sweeps so far */

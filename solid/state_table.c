@@ -85,6 +85,9 @@ const struct state_item solid_state_table[] = {
     {"bonds", STATE_BYTE, STATE_PARTICLE, OF(family), .in = STATE_BOTH, .comps_of = bond_bytes, .save = save_bonds,
      .load = load_bonds, .kept = &solid_kept_bonds},
     {"flag", STATE_BYTE, STATE_PARTICLE, OF(flag), .ghosts = 1, .in = STATE_BOTH},
+    /* what fragments.csv goes on from */
+    {"piece", STATE_LONG, STATE_PARTICLE, OF(piece), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
+    {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(piece_since), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
     /* energies */
     {"e_damped", STATE_DOUBLE, STATE_SHARE, OF(e_damped), .in = STATE_BOTH},
     {"e_fracture", STATE_DOUBLE, STATE_SHARE, OF(e_fracture), .in = STATE_BOTH},

@@ -4,7 +4,7 @@
 #include "postproc/data/history.h"
 
 /* Names of the plots that have been drawn ("pressure_drop"), for the report. */
-enum { POSTPROC_CHARTS = 24 };
+enum { POSTPROC_CHARTS = 48 };
 struct postproc_charts {
     int n;
     const char *name[POSTPROC_CHARTS], *title[POSTPROC_CHARTS];
@@ -17,5 +17,9 @@ void postproc_charts_draw(struct postproc_charts *charts, int runs, struct postp
 /* The same for the columns of crack.csv: position, speed, length and energy of the crack. */
 void postproc_charts_crack_draw(struct postproc_charts *charts, int runs, struct postproc_history *const *run,
                                 const char *const *label, const char *folder);
+/* Of one run's reactions.csv: forces of constraints and loads over time, and of those that move over the way that they
+ * have moved. */
+void postproc_charts_reactions_draw(struct postproc_charts *charts, const struct postproc_history *h,
+                                    const char *folder);
 /* Draws the plot and adds its name, unless the plot has no curve. */
 void postproc_charts_add(struct postproc_charts *charts, const struct postproc_plot *plot);

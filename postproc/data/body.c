@@ -1,9 +1,47 @@
 /* Reads the particles of a block at one time, and finds where its damage begins. */
 #include "postproc/data/body.h"
 #include "base/memory.h"
+#include "physics/griffith.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+#define STRESS(its_name, its_title, its_label)                                                                         \
+    .name = its_name, .unit = "Pa", .title = its_title, .at_end = its_title " at the end", .xlabel = its_label "  [Pa]"
+
+const struct postproc_body_kind postproc_body_kind[POSTPROC_MEASURES] = {
+    [POSTPROC_STRAIN] = {"pdf_strain", "1", "Largest principal strain", "Largest principal strain at the end",
+                         "largest principal strain", "s0", "s_0", .is_strain = 1},
+    [POSTPROC_STRESS] = {STRESS("pdf_stress", "Largest principal stress", "largest principal stress"), .mark = "sigma0",
+                         .label = "{/Symbol s}_0"},
+    [POSTPROC_STRESS_MIDDLE] = {STRESS("pdf_stress_middle", "Middle principal stress", "middle principal stress")},
+    [POSTPROC_STRESS_LEAST] = {STRESS("pdf_stress_least", "Least principal stress", "least principal stress"),
+                               .is_least = 1},
+    [POSTPROC_VON_MISES] = {STRESS("pdf_von_mises", "Von Mises stress", "von Mises stress"), .mark = "sigma0",
+                            .label = "{/Symbol s}_0"},
+    [POSTPROC_GRIFFITH] = {STRESS("pdf_griffith", "Equivalent tension by Griffith", "equivalent tension by Griffith"),
+                           .mark = "sigma0", .label = "{/Symbol s}_0"},
+};
+
+#undef STRESS
+
+double postproc_body_threshold(enum postproc_measure kind, const struct postproc_history *h) {
+    const struct postproc_body_kind *k = &postproc_body_kind[kind];
+    return !k->mark ? NAN : k->is_strain ? h->s0 : h->sigma0;
+}
+
+/* Middle and least principal stress, and Griffith's tension. Fields of an earlier frana lack them. */
+static void read_principal(struct postproc_body *b, struct vtkhdf_source *source) {
+    double *all = vtkhdf_read_double(source, "stress_principal");
+    if (!all) return;
+    for (int k = 0; k < 3; k++) {
+        static const enum postproc_measure of[3] = {POSTPROC_STRESS_MIDDLE, POSTPROC_STRESS_LEAST, POSTPROC_GRIFFITH};
+        double *value = b->measure[of[k]] = calloc((size_t)b->n + 1, sizeof *value);
+        for (long i = 0; i < b->n; i++)
+            value[i] = of[k] == POSTPROC_GRIFFITH ? physics_griffith_tension(all + 3 * i) : all[3 * i + 1 + k];
+    }
+    free(all);
+}
 
 struct postproc_body *postproc_body_new(const struct postproc_history *h, double t) {
     struct vtkhdf_source *source = postproc_history_open(h, &h->solid, t);
@@ -16,8 +54,10 @@ struct postproc_body *postproc_body_new(const struct postproc_history *h, double
     b->displacement = vtkhdf_read_double(source, "displacement");
     b->damage = vtkhdf_read_double(source, "damage");
     b->held = vtkhdf_read_double(source, "held");
-    b->strain = vtkhdf_read_double(source, "strain_max");
-    b->stress = vtkhdf_read_double(source, "stress_max");
+    b->measure[POSTPROC_STRAIN] = vtkhdf_read_double(source, "strain_max");
+    b->measure[POSTPROC_STRESS] = vtkhdf_read_double(source, "stress_max");
+    b->measure[POSTPROC_VON_MISES] = vtkhdf_read_double(source, "von_mises");
+    read_principal(b, source);
     vtkhdf_read_close(source);
     return b;
 }
@@ -28,8 +68,7 @@ void postproc_body_free(struct postproc_body *b) {
     free(b->displacement);
     free(b->damage);
     free(b->held);
-    free(b->strain);
-    free(b->stress);
+    for (int k = 0; k < POSTPROC_MEASURES; k++) free(b->measure[k]);
     free(b);
 }
 

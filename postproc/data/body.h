@@ -3,14 +3,35 @@
 #include "postproc/data/history.h"
 #include <stdint.h>
 
+/* Numbers of the particles whose distributions are drawn: the largest principal strain; the principal stresses; von
+ * Mises' stress; the tension that is as near to fracture by Griffith's criterion (physics/griffith.h). */
+enum postproc_measure {
+    POSTPROC_STRAIN,
+    POSTPROC_STRESS,
+    POSTPROC_STRESS_MIDDLE,
+    POSTPROC_STRESS_LEAST,
+    POSTPROC_VON_MISES,
+    POSTPROC_GRIFFITH
+};
+enum { POSTPROC_MEASURES = POSTPROC_GRIFFITH + 1 };
+struct postproc_body_kind {
+    const char *name, *unit, *title, *at_end,
+        *xlabel;              /* name: of the plot and of NAME.csv; title at the end of a run */
+    const char *mark, *label; /* name of the threshold, in the report and in a plot; NULL: it has none */
+    int is_strain, is_least;  /* is_least: its extreme is the smallest value */
+};
+extern const struct postproc_body_kind postproc_body_kind[POSTPROC_MEASURES];
+/* Threshold in a run: s0 or sigma0 = E s0; NAN without one. */
+double postproc_body_threshold(enum postproc_measure kind, const struct postproc_history *h);
+
 struct postproc_body {
     long n;
     double time;
     long step;
-    double (*x)[3];          /* [n] current positions, m; owned, as all below */
-    double *displacement;    /* [n][3] m; NULL for a quantity that is not in the file */
-    double *damage, *held;   /* [n] */
-    double *strain, *stress; /* [n] largest principal values, 1 and Pa */
+    double (*x)[3];                     /* [n] current positions, m; owned, as all below */
+    double *displacement;               /* [n][3] m; NULL for a quantity that is not in the file */
+    double *damage, *held;              /* [n] */
+    double *measure[POSTPROC_MEASURES]; /* [n] */
 };
 
 /* The last file not later than t, or the first; NULL if there is none. */

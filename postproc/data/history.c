@@ -142,6 +142,8 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
         return NULL;
     }
     h->crack = table_read(folder_path(path, folder, "crack.csv"), NULL);
+    h->fragments = table_read(folder_path(path, folder, "fragments.csv"), NULL);
+    h->reactions = table_read(folder_path(path, folder, "reactions.csv"), NULL);
     h->record = postproc_tree_new(folder_path(path, folder, "run.json"));
     h->scene = scene_new(folder_path(path, folder, "scene.resolved.yaml"), 0, NULL);
     scales(h);
@@ -155,6 +157,8 @@ void postproc_history_free(struct postproc_history *h) {
     postproc_tree_free(h->record);
     table_read_free(h->series);
     table_read_free(h->crack);
+    table_read_free(h->fragments);
+    table_read_free(h->reactions);
     free(h->solid.entry);
     free(h->fluid.entry);
     free(h);

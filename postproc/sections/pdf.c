@@ -1,4 +1,4 @@
-/* Section of the report with distributions of principal stress and strain. */
+/* Section of the report with distributions of strain and of stresses, and the shares beyond the critical ones. */
 #include "base/memory.h"
 #include "files/folder.h"
 #include "postproc/data/pdf.h"
@@ -14,33 +14,26 @@ static void pdf_table(FILE *file, const char *when, double time, const struct po
                 p->density[i]);
 }
 
-static const struct {
-    const char *name, *field, *unit, *title, *xlabel, *mark;
-} pdf_kind[2] = {
-    {"pdf_strain", "strain_max", "1", "Largest principal strain", "largest principal strain", "s0"},
-    {"pdf_stress", "stress_max", "Pa", "Largest principal stress", "largest principal stress  [Pa]", "sigma0"},
-};
-
 /* body[2]: at the end of settling, and at the end; the same file twice is drawn once. */
-static void pdf_draw(struct postproc_output *out, const struct postproc_history *h, int kind,
+static void pdf_draw(struct postproc_output *out, const struct postproc_history *h, enum postproc_measure kind,
                      struct postproc_body *const body[2]) {
+    const struct postproc_body_kind *is = &postproc_body_kind[kind];
     struct postproc_pdf pdf[2] = {{0}};
     struct postproc_curve curve[2];
     double *middle[2] = {NULL, NULL};
     char path[FOLDER_PATH], file_name[64], quantity[96], title[2][64];
     int curves = 0, filled = 0;
-    const double threshold = kind == 0 ? h->s0 : h->sigma0;
+    const double threshold = postproc_body_threshold(kind, h);
     static const char *const when[2] = {"before", "after"};
-    snprintf(file_name, sizeof file_name, "%s.csv", pdf_kind[kind].name);
+    snprintf(file_name, sizeof file_name, "%s.csv", is->name);
     FILE *file = fopen(folder_path(path, out->folder, file_name), "w");
     if (!file) {
         postproc_sections_fail(out, path);
         return;
     }
-    fprintf(file, "field,t,low,high,density\n#,s,%s,%s,1/(%s)\n", pdf_kind[kind].unit, pdf_kind[kind].unit,
-            pdf_kind[kind].unit);
+    fprintf(file, "field,t,low,high,density\n#,s,%s,%s,1/(%s)\n", is->unit, is->unit, is->unit);
     for (int b = 0; b < 2; b++) {
-        const double *value = !body[b] ? NULL : kind == 0 ? body[b]->strain : body[b]->stress;
+        const double *value = !body[b] ? NULL : body[b]->measure[kind];
         if (!value) continue;
         long m;
         double *sample = postproc_body_sample(body[b], value, &m);
@@ -56,26 +49,27 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
                 curve[curves++] = (struct postproc_curve){
                     .title = title[b], .n = pdf[b].bins, .x = middle[b], .y = pdf[b].density, .bars = 1};
             }
-            snprintf(quantity, sizeof quantity, "%s, mean, %s", pdf_kind[kind].title, when[b]);
-            postproc_facts_number(&out->facts, quantity, pdf_kind[kind].unit, pdf[b].mean);
-            snprintf(quantity, sizeof quantity, "%s, largest, %s", pdf_kind[kind].title, when[b]);
-            postproc_facts_number(&out->facts, quantity, pdf_kind[kind].unit, pdf[b].largest);
-            snprintf(quantity, sizeof quantity, "%s, share above %s, %s", pdf_kind[kind].title, pdf_kind[kind].mark,
+            snprintf(quantity, sizeof quantity, "%s, mean, %s", is->title, when[b]);
+            postproc_facts_number(&out->facts, quantity, is->unit, pdf[b].mean);
+            snprintf(quantity, sizeof quantity, "%s, %s, %s", is->title, is->is_least ? "smallest" : "largest",
                      when[b]);
-            if (threshold > 0)
+            postproc_facts_number(&out->facts, quantity, is->unit, is->is_least ? pdf[b].smallest : pdf[b].largest);
+            if (threshold > 0) {
+                snprintf(quantity, sizeof quantity, "%s, share above %s, %s", is->title, is->mark, when[b]);
                 postproc_facts_number(&out->facts, quantity, "1", postproc_pdf_above(m, sample, threshold));
+            }
         }
         memory_free(sample);
     }
     const int bad = ferror(file);
     if (fclose(file) || bad) postproc_sections_fail(out, path);
     char folder[FOLDER_PATH];
-    const struct postproc_mark mark = {threshold, kind == 0 ? "s_0" : "{/Symbol s}_0"};
+    const struct postproc_mark mark = {threshold, is->label};
     postproc_charts_add(&out->charts, &(struct postproc_plot){
                                           .folder = folder_path(folder, out->folder, "plots"),
-                                          .name = pdf_kind[kind].name,
-                                          .title = pdf_kind[kind].title,
-                                          .xlabel = pdf_kind[kind].xlabel,
+                                          .name = is->name,
+                                          .title = is->title,
+                                          .xlabel = is->xlabel,
                                           .ylabel = "probability density",
                                           .curves = curves,
                                           .curve = curve,
@@ -98,7 +92,7 @@ void postproc_sections_pdf(struct postproc_output *out, const struct postproc_hi
         postproc_body_free(body[0]);
         body[0] = NULL;
     }
-    for (int kind = 0; kind < 2; kind++) pdf_draw(out, h, kind, body);
+    for (int kind = 0; kind < POSTPROC_MEASURES; kind++) pdf_draw(out, h, (enum postproc_measure)kind, body);
     postproc_body_free(body[0]);
     postproc_body_free(body[1]);
 }

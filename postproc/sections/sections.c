@@ -93,6 +93,19 @@ static double first_time_above(const struct postproc_history *h, const char *col
     return first;
 }
 
+/* The area of crack whose energy by Griffith's balance is what the bonds have released, e_fracture/G0; NAN if several
+ * materials have different G0, or none breaks. */
+static double griffith_area(const struct postproc_history *h, double released) {
+    double g0 = NAN;
+    for (int m = 0; h->scene->solid && m < h->scene->solid->materials; m++) {
+        const double of = h->scene->solid->material[m].fracture_energy;
+        if (!isfinite(of) || of == g0) continue;
+        if (!isnan(g0)) return NAN;
+        g0 = of;
+    }
+    return released / g0;
+}
+
 void postproc_sections_fracture(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_facts *f = &out->facts;
     const double broken = postproc_history_value(h, "bonds_broken", h->end);
@@ -104,6 +117,8 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     postproc_facts_number(f, "damage, mean", "1", postproc_history_value(h, "damage_mean", h->end));
     postproc_facts_number(f, "damage, largest", "1", postproc_history_value(h, "damage_max", h->end));
     postproc_facts_number(f, "energy released by bonds", "J", postproc_history_value(h, "e_fracture", h->end));
+    postproc_facts_number(f, "area of crack by Griffith's balance, energy released over G0", "m2",
+                          griffith_area(h, postproc_history_value(h, "e_fracture", h->end)));
     const int cut = h->scene->solid && h->scene->solid->cracks > 0; /* bonds broken from the start */
     const double at_start = cut ? first_of(h, "bonds_broken") : 0;
     const double first = first_time_above(h, "bonds_broken", at_start);

@@ -27,10 +27,11 @@ void postproc_sections_run(struct postproc_output *out, const struct postproc_hi
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h); /* dp, porosity, k */
 void postproc_sections_fracture(struct postproc_output *out,
                                 const struct postproc_history *h); /* bonds, fragments, onset */
-void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);    /* seconds by part */
-void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h);     /* strain and stress */
-void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h); /* pressure along x */
-void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h);    /* planes of the fluid */
+void postproc_sections_fragments(struct postproc_output *out, const struct postproc_history *h); /* what came off */
+void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);      /* seconds by part */
+void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h);       /* strain and stress */
+void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h);   /* pressure along x */
+void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h); /* planes of the fluid */
 /* Pictures and film of space: solid and flow. */
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_crack(struct postproc_output *out,

@@ -223,10 +223,12 @@ const struct scene_rule scene_rule_table[] = {
 
     RULE("output", "section", "{}"),
     RULE("output.series_every", "steps", "10", FROM(0)),
-    RULE("output.fields_every", "steps", "0", FROM(0)),
+    RULE("output.fields_every", "steps", "auto", FROM(0), .word = "auto", .load = "-1"),
     RULE("output.checkpoint_every", "steps", "1000", FROM(0)),
     RULE("output.log_every", "steps", "100", FROM(0)),
     RULE("output.stress", "bool", "true"),
+    RULE("output.fragments", "bool", "true", .only = SOLID),
+    RULE("output.reactions", "bool", "true", .only = SOLID),
     RULE("output.crack", "section", .only = SOLID),
     RULE("output.crack.damage", "1", "0.35", WITHIN(0, 1), .open = 3),
     RULE("output.crack.direction", "1", "[1, 0, 0]"),

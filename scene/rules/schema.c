@@ -150,6 +150,8 @@ static const cyaml_schema_field_t output_fields[] = {
     WHOLE("checkpoint_every", OPTIONAL, scene_output, checkpoint_every),
     WHOLE("log_every", OPTIONAL, scene_output, log_every),
     BOOLEAN("stress", OPTIONAL, scene_output, stress),
+    BOOLEAN("fragments", OPTIONAL, scene_output, fragments),
+    BOOLEAN("reactions", OPTIONAL, scene_output, reactions),
     CYAML_FIELD_MAPPING_PTR("crack", OPTIONAL, struct scene_output, crack, crack_fields),
     CYAML_FIELD_MAPPING_PTR("probes", OPTIONAL, struct scene_output, probes, probes_fields),
     CYAML_FIELD_MAPPING_PTR("fluid_probes", OPTIONAL, struct scene_output, fluid_probes, fluid_probes_fields),

@@ -1,5 +1,6 @@
 /* Drag of listed particles towards given velocities, implicit in the particle's velocity. */
 #include "solid/force/drag.h"
+#include "solid/imposed/reactions.h"
 #include "solid/state.h"
 
 static int is_imposed(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
@@ -51,4 +52,14 @@ void solid_drag_stage(struct solid *s, double gamma_dt) {
             }
             drag->path[i][c] += gamma_dt * (s->v[c][h] - u);
         }
+}
+
+void solid_drag_react(struct solid *s) {
+    for (int i = 0; i < s->drag->n; i++) {
+        const int h = s->drag->h[i];
+        double impulse[3] = {0};
+        for (int c = 0; c < s->dim; c++)
+            impulse[c] = -solid_density(s, h) * s->volume[h] * s->drag->rate[i] * s->drag->path[i][c];
+        solid_reactions_give(s, h, impulse);
+    }
 }

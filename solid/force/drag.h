@@ -21,3 +21,5 @@ void solid_drag_end(struct solid *s, double dt, double *const a_old[3]);
 /* In stage r of RK3, gamma_dt = gamma_r dt, once v has all its other changes: v <- (v + gamma_dt z U)/(1 + gamma_dt z).
  * Adds the drag's work to work_load. */
 void solid_drag_stage(struct solid *s, double gamma_dt);
+/* After the substeps: the reactions of held particles to the drag, by their paths. s->reactions must not be NULL. */
+void solid_drag_react(struct solid *s);

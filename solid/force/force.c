@@ -9,6 +9,7 @@
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/reactions.h"
 
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative) {
     const struct solid_sweep sweep = {.may_break = may_break, .damping = damping_relative};
@@ -70,6 +71,7 @@ void solid_force_loads(struct solid *s, double *const bonds[3], double damping_a
 void solid_force_rest(struct solid *s, double *const pairs[3]) {
     solid_force_loads(s, pairs, s->stage.damping_absolute);
     const double of_load = s->power_load;
+    solid_reactions_find(s);
     if (s->added) solid_added_mass_apply(s);
     s->power_added = s->power_load - of_load;
     solid_constraint_apply(s);

@@ -111,6 +111,24 @@ void solid_given_mark(const struct solid *s, uint8_t *mark) {
 
 double solid_given_of(const struct solid *s, int h, int c) { return s->given ? s->given->sum[c][h] : 0; }
 
+double solid_given_factor(const struct solid *s, int k) { return s->given ? s->given->share[k].factor : 0; }
+
+struct solid_given_sum solid_given_sum_of(const struct solid *s, int k) {
+    struct solid_given_sum sum = {0};
+    if (!s->given) return sum;
+    const struct share *p = &s->given->share[k];
+    sum.particles = p->n;
+    for (int i = 0; i < p->n; i++) {
+        const double volume = s->volume[p->h[i]];
+        sum.volume += volume;
+        for (int c = 0; c < s->dim; c++) {
+            sum.force[c] += volume * p->force[c][i];
+            sum.moved[c] += volume * s->d[c][p->h[i]];
+        }
+    }
+    return sum;
+}
+
 /* Sums up component c of the loads at the present factors, into sum, which is 0. */
 static void sum_up(struct solid_given *g, int c) {
     for (int k = 0; k < g->loads; k++) {

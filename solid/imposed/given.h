@@ -26,5 +26,14 @@ void solid_given_keep(const struct solid *s, double *factor);
 void solid_given_restore(struct solid *s, const double *factor);
 /* Sets mark [n] to 1 for particles with a load. Not collective. */
 void solid_given_mark(const struct solid *s, uint8_t *mark);
+/* The factor of load k in s->load. */
+double solid_given_factor(const struct solid *s, int k);
+/* This rank's share of load k: its force at a factor of 1, N, and its particles with the sum of volume times
+ * displacement, m4. Not collective. */
+struct solid_given_sum {
+    int particles;
+    double volume, force[3], moved[3];
+};
+struct solid_given_sum solid_given_sum_of(const struct solid *s, int k);
 /* The loads' part of s->load for particle h in direction c, N/m3. */
 double solid_given_of(const struct solid *s, int h, int c);

@@ -90,14 +90,32 @@ void solid_tensors_principal(const double t[6], double value[3]) {
     solid_tensors_eigen(t, value, vector);
 }
 
+/* The principal values, in no order, of `lanes` tensors. */
+static void turn_some(int lanes, double (*t)[6], vec value[3]) {
+    vec all[6], vector[3][3];
+    for (int k = 0; k < 6; k++) all[k] = vec_set(0);
+    for (int i = 0; i < lanes; i++)
+        for (int k = 0; k < 6; k++) all[k][i] = t[i][k];
+    solid_tensors_turn(all, value, vector);
+}
+
+void solid_tensors_sorted(int n, double (*t)[6], double (*sorted)[3]) {
+    for (int h = 0; h < n; h += VEC_LANES) {
+        const int lanes = n - h < VEC_LANES ? n - h : VEC_LANES;
+        vec value[3];
+        turn_some(lanes, t + h, value);
+        const vec high = vec_max(value[0], value[1]), low = vec_min(value[0], value[1]);
+        const vec of[3] = {vec_max(high, value[2]), vec_max(low, vec_min(high, value[2])), vec_min(low, value[2])};
+        for (int i = 0; i < lanes; i++)
+            for (int k = 0; k < 3; k++) sorted[h + i][k] = of[k][i];
+    }
+}
+
 void solid_tensors_largest(int n, double (*t)[6], double *largest) {
     for (int h = 0; h < n; h += VEC_LANES) {
         const int lanes = n - h < VEC_LANES ? n - h : VEC_LANES;
-        vec all[6], value[3], vector[3][3];
-        for (int k = 0; k < 6; k++) all[k] = vec_set(0);
-        for (int i = 0; i < lanes; i++)
-            for (int k = 0; k < 6; k++) all[k][i] = t[h + i][k];
-        solid_tensors_turn(all, value, vector);
+        vec value[3];
+        turn_some(lanes, t + h, value);
         const vec most = vec_max(value[0], vec_max(value[1], value[2]));
         for (int i = 0; i < lanes; i++) largest[h + i] = most[i];
     }

@@ -12,4 +12,6 @@ void solid_tensors_inverse(const vec t[6], double small, vec inverse[6]);
 void solid_tensors_principal(const double t[6], double value[3]);
 void solid_tensors_largest(int n, double (*t)[6], double *largest); /* the largest principal value of each of n tensors.
                                                                      * Not collective. */
+/* All principal values of each of n tensors, largest first. Not collective. */
+void solid_tensors_sorted(int n, double (*t)[6], double (*value)[3]);
 double solid_tensors_von_mises(const double t[6]);

@@ -75,7 +75,16 @@ static void born_values(const struct solid *s, struct change *k) {
     memory_free(value);
 }
 
+/* The numbers of fragments, which may be followed from any time on. */
+static void pieces_room(struct solid *s, int n) {
+    const size_t used = (size_t)(n < s->n ? n : s->n), room = (size_t)n + 1;
+    if (!s->piece) return;
+    s->piece = memory_grown(MEMORY_SOLID, s->piece, used, room, sizeof *s->piece);
+    s->piece_since = memory_grown(MEMORY_SOLID, s->piece_since, used, room, sizeof *s->piece_since);
+}
+
 void solid_refine_apply_room(struct solid *s, int n) {
+    pieces_room(s, n);
     if (n + 1 < s->refine->room) return;
     const size_t room = (size_t)(s->refine->room = n + n / 8 + 256), owned = (size_t)s->n;
     for (int c = 0; c < s->dim; c++) {
@@ -105,6 +114,10 @@ static void carry(struct solid *s, const struct change *change, const int *old_f
         }
         memmove(s->flag + first[b], s->flag + old_first[b], (size_t)stay);
         memset(s->flag + first[b] + stay, 0, (size_t)(n - stay));
+        if (!s->piece) continue;
+        memmove(s->piece + first[b], s->piece + old_first[b], (size_t)stay * sizeof *s->piece);
+        memmove(s->piece_since + first[b], s->piece_since + old_first[b], (size_t)stay * sizeof *s->piece_since);
+        for (int i = stay; i < n; i++) s->piece[first[b] + i] = -1;
     }
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) s->a[c][h] = s->v_old[c][h] = s->a_old[c][h] = 0;

@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
+#include "solid/force/drag.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/step/rk3.h"
@@ -55,6 +56,7 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
         s->t = start + (i + 1) * dt;
     }
     kind->end(s);
+    if (s->drag && s->reactions) solid_drag_react(s);
     clock_end(CLOCK_SOLID);
 }
 

@@ -6,6 +6,7 @@
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/imposed/reactions.h"
 #include "solid/step/rates.h"
 #include "solid/step/relax.h"
 
@@ -40,6 +41,7 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
         }
     }
     solid_force_loads(s, s->a, 0);
+    solid_reactions_find(s);
     sum[2] = solid_constraint_apply(s);
     for (int h = 0; h < s->n; h++) {
         const double mass = solid_density(s, h) * s->volume[h];
@@ -77,6 +79,8 @@ int solid_relax(struct solid *s, double tolerance, int max_steps) {
     solid_constraint_displacement(s, s->t);
     solid_given_set(s, s->t, 0);
     const int steps = relax(s, tolerance, max_steps, s->v_old);
+    solid_reactions_begin(s);
+    solid_reactions_add(s, 1, 0); /* of the last sweep; the length of the step does not matter */
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) s->v[c][h] = 0;
     solid_constraint_velocity(s, s->t, 0);

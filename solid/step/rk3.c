@@ -4,6 +4,7 @@
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/reactions.h"
 #include "solid/step/rk3.h"
 
 /* d += dt (alpha v + beta v_old), v += dt (alpha a + beta a_old); the rates of this stage become the old ones. [n] */
@@ -27,6 +28,7 @@ void solid_rk3_step(struct solid *s, double dt) {
         s->e_damped += dt * (physics_rk3_alpha[r] * s->power_damped + physics_rk3_beta[r] * damped);
         s->work_load += dt * (physics_rk3_alpha[r] * s->power_load + physics_rk3_beta[r] * load);
         s->e_constraint += dt * (physics_rk3_alpha[r] * s->power_constraint + physics_rk3_beta[r] * constraint);
+        solid_reactions_add(s, physics_rk3_alpha[r] * dt, physics_rk3_beta[r] * dt);
         damped = s->power_damped;
         load = s->power_load;
         constraint = s->power_constraint;

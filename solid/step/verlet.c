@@ -6,6 +6,7 @@
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/reactions.h"
 #include "solid/step/verlet.h"
 
 #include <string.h>
@@ -96,6 +97,7 @@ void solid_verlet_step(struct solid *s, double dt) {
     s->e_damped += 0.5 * dt * (damped + s->power_damped);
     s->work_load += 0.5 * dt * (added + s->power_added);
     s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
+    solid_reactions_add(s, 0.5 * dt, 0.5 * dt);
 }
 
 void solid_verlet_end(struct solid *s) {

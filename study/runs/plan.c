@@ -9,6 +9,7 @@
 #include "study/text.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,6 +29,15 @@ static char *resolve(const struct study *s, const struct study_case *c, const ch
     return resolved;
 }
 
+/* Runs of a study write no fields unless its file or the scene says how many. */
+static void fields_off(struct study_sets *sets, const char *scene) {
+    const char *const no = "output.fields_every=0";
+    int said = strstr(scene, "fields_every") != NULL;
+    for (int i = 0; i < sets->n; i++) said |= strstr(sets->text[i], "fields_every") != NULL;
+    char *text = (char *)(uintptr_t)no;
+    if (!said) study_sets_join(sets, &(struct study_sets){1, &text});
+}
+
 static void case_begin(struct study_case *c, const struct study *s, int level, int method, const char *text) {
     const struct study_variant *m = &s->methods.variant[method], *l = &s->levels.variant[level];
     c->method = method;
@@ -36,6 +46,7 @@ static void case_begin(struct study_case *c, const struct study *s, int level, i
     study_sets_join(&c->sets, &s->sets);
     study_sets_join(&c->sets, &m->sets);
     study_sets_join(&c->sets, &l->sets);
+    fields_off(&c->sets, text);
     c->resolved = resolve(s, c, text);
     if (!c->resolved) exit(EXIT_CODE_SCENE);
 }

@@ -14,6 +14,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/contact/list.h"
 #include "solid/imposed/given.h"
+#include "solid/measure/detachment.h"
 #include "solid/refine/refine.h"
 
 #include <stdio.h>
@@ -77,6 +78,13 @@ static const char *const plate =
     "  - {name: first, steps: 1000, time_step: 5.0e-8, integrator: verlet}\n"
     "  - {name: second, steps: 1000, time_step: 5.0e-8, integrator: verlet}\n";
 
+/* A run whose fragments are followed. */
+static struct run *run_followed(const struct scene *scene) {
+    struct run *r = run_new(scene);
+    if (r->solid) solid_detachment_begin(r->solid);
+    return r;
+}
+
 /* Items without a plain member, and what fills them and reads them. seed: 1, 2: other values. */
 typedef void filler(struct run *r, const struct state_item *item, const struct state_part *part, int seed);
 typedef size_t reader(struct run *r, void *bytes); /* into bytes, room for 1 MB; returns how many */
@@ -114,6 +122,11 @@ static void fill_flag(struct run *r, const struct state_item *item, const struct
     (void)item, (void)part;
     for (int h = 0; h < r->solid->n + r->solid->n_ghost; h++)
         if (h % 5 == seed) r->solid->flag[h] ^= SOLID_UNBREAKABLE;
+}
+
+static void fill_piece(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    for (int h = 0; h < r->solid->n; h++) r->solid->piece[h] = 1000 * seed + r->solid->first[par_rank()] + h;
 }
 
 /* Normals and feelers of the interface. */
@@ -203,7 +216,8 @@ static const struct special special[] = {
     {"stage", fill_stage, NULL},       {"spacing", fill_nothing, NULL},   {"body", fill_nothing, NULL},
     {"level", fill_nothing, NULL},     {"place", fill_nothing, NULL},     {"bonds", fill_bonds, NULL},
     {"flag", fill_flag, NULL},         {"surface", fill_surface, NULL},   {"demand", fill_demand, NULL},
-    {"given", fill_given, read_given}, {"paths", fill_paths, read_paths}, {"contact", fill_contact, read_contact}};
+    {"given", fill_given, read_given}, {"paths", fill_paths, read_paths}, {"contact", fill_contact, read_contact},
+    {"piece", fill_piece, NULL}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)
@@ -377,7 +391,7 @@ static void check_checkpoint(struct run *r, const struct scene *scene) {
     char folder[FOLDER_PATH], why[256];
     int head;
     struct run_state state, other_state;
-    struct run *other = run_new(scene);
+    struct run *other = run_followed(scene);
     snprintf(folder, sizeof folder, "%s/tests/coupling/state_%d", FRANA_BINARY_DIR, par_size());
     folder_make(folder);
     folder_clear(folder);
@@ -403,7 +417,7 @@ static void check_without_predictor(struct run *r, const struct scene *scene) {
     char folder[FOLDER_PATH], why[256];
     int head, n = 0;
     struct run_state state, other_state;
-    struct run *other = run_new(scene);
+    struct run *other = run_followed(scene);
     const struct fluid_state *from = fluid_state_of(r->fluid), *to = fluid_state_of(other->fluid);
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     snprintf(folder, sizeof folder, "%s/tests/coupling/state_without_%d", FRANA_BINARY_DIR, par_size());
@@ -448,7 +462,7 @@ static void check_kept(struct run *r) {
 }
 
 static struct run *run_of(struct scene *scene, int steps) {
-    struct run *r = run_new(scene);
+    struct run *r = run_followed(scene);
     step_begin_stage(r);
     for (int k = 0; k < steps; k++) step_advance(r);
     return r;
@@ -516,7 +530,7 @@ static const char *behind(const struct group *g, size_t at) {
 static void test_covered(void **state) {
     (void)state;
     struct scene *scene = scene_of(flow, "", 0, NULL);
-    struct run *r = run_new(scene);
+    struct run *r = run_followed(scene);
     struct solid_state_owner owner = {r->solid, r->surface};
     const struct state_part run = run_state_part(r);
     const size_t adapt = offsetof(struct run, adapt);
@@ -550,7 +564,7 @@ static void test_covered(void **state) {
 static void test_lines(void **state) {
     (void)state;
     struct scene *scene = scene_of(flow, "", 0, NULL);
-    struct run *r = run_new(scene);
+    struct run *r = run_followed(scene);
     struct run_state all;
     int bad = 0;
     run_state_of(r, &all);

@@ -54,7 +54,8 @@ static void make_scene(const struct make_run *in) {
                 "  bodies:\n    - {name: block, material: ceramic, shape: box, low: [0.025, %g, 0], high: "
                 "[0.1, %g, 0.1],"
                 " cavities: {period: 0.025, radius: 0.014375, centre: [0.025, 0, 0]}}\n"
-                "  constraints:\n    - {low: [0, -0.02, 0], high: [0.2, 0, 0.1], directions: xyz}\n"
+                "  constraints:\n    - {low: [0, -0.02, 0], high: [0.2, 0, 0.1], velocity: [0, -0.01, 0]}\n"
+                "    - {low: [0, 0.1, 0], high: [0.2, 0.12, 0.1], velocity: [0, 0.01, 0]}\n"
                 "coupling:\n  medium: {low: [0.025, 0, 0], high: [0.1, 0.1, 0.1]}\n",
                 -3 * d, 0.1 + 3 * d);
     fprintf(f, "stages:\n");
@@ -99,6 +100,28 @@ static void make_series(const struct make_run *in) {
                                 0.1 * p};
         table_row(t, row);
     }
+    table_free(t);
+}
+
+/* Two layers are pulled apart; a piece of a tenth of the block, with the speed 3 m/s, comes off at step 260. */
+static void make_breaking(const struct make_run *in) {
+    static const char *const fragment[] = {"step", "t", "fragment", "detached", "mass", "speed", "extent"};
+    static const char *const of[] = {"1", "s", "1", "s", "kg", "m/s", "m"};
+    static const char *const reaction[] = {"step",    "t",       "load",           "index",
+                                           "force_x", "force_y", "displacement_x", "displacement_y"};
+    static const char *const unit[] = {"1", "s", "1", "1", "N", "N", "m", "m"};
+    char path[FOLDER_PATH];
+    struct table *t = table_new(folder_path(path, in->folder, "fragments.csv"), 7, fragment, of, -1);
+    table_row(t, (double[]){0, 0, 0, 0, 2, 0, 0.1});
+    if (in->stop >= 260) table_row(t, (double[]){260, make_time(260), 1, make_time(260), 0.2, 1, 0.02});
+    for (int k = 0; k < 2 && in->stop >= 300; k++)
+        table_row(t, (double[]){300, make_time(300), k, k ? make_time(260) : 0, k ? 0.2 : 1.8, 3 * k, k ? 0.02 : 0.1});
+    table_free(t);
+    t = table_new(folder_path(path, in->folder, "reactions.csv"), 8, reaction, unit, -1);
+    for (long step = MAKE_EVERY; step <= in->stop; step += MAKE_EVERY)
+        for (int k = 0; k < 2; k++)
+            table_row(t, (double[]){(double)step, make_time(step), 0, k, 0, (k ? 1 : -1) * 5. * (double)step, 0,
+                                    (k ? 1 : -1) * 1e-6 * (double)step});
     table_free(t);
 }
 
@@ -154,6 +177,11 @@ static void make_solid(const struct make_run *in, long step) {
     vtkhdf_add(f, "damage", 1, damage);
     vtkhdf_add(f, "strain_max", 1, strain);
     vtkhdf_add(f, "stress_max", 1, stress);
+    for (long i = 0; i < m; i++) /* a tension, and across it a pressure: Griffith's criterion takes the tension */
+        for (int c = 0; c < 3; c++) u[i][c] = stress[i] * (c == 0 ? 1 : c == 1 ? 0.5 : -2);
+    vtkhdf_add(f, "stress_principal", 3, &u[0][0]);
+    for (long i = 0; i < m; i++) strain[i] = sqrt(0.5 * (0.25 + 6.25 + 9)) * stress[i];
+    vtkhdf_add(f, "von_mises", 1, strain);
     vtkhdf_end(f);
     vtkhdf_series_add(folder_path(path, in->folder, "fields/solid.hdf.series"), name, make_time(step));
     memory_free(x);
@@ -220,6 +248,7 @@ static void make_run(const struct make_run *in) {
     folder_clear(in->folder);
     make_scene(in);
     make_series(in);
+    if (!in->no_solid) make_breaking(in);
     make_record(in);
     for (long step = 2 * MAKE_STEPS - MAKE_FIELDS; step <= in->stop && !in->no_fields; step += MAKE_FIELDS) {
         if (!in->no_solid) make_solid(in, step);

@@ -58,6 +58,14 @@ static const char *const files_of_whole_run[] = {"post/report.md",
                                                  "post/summary.csv",
                                                  "post/pdf_strain.csv",
                                                  "post/pdf_stress.csv",
+                                                 "post/pdf_stress_middle.csv",
+                                                 "post/pdf_stress_least.csv",
+                                                 "post/pdf_von_mises.csv",
+                                                 "post/pdf_griffith.csv",
+                                                 "post/plots/pdf_von_mises.png",
+                                                 "post/plots/reactions.svg",
+                                                 "post/plots/load_displacement.png",
+                                                 "post/plots/detached_mass.png",
                                                  "post/pressure.csv",
                                                  "post/plots/pressure_drop.png",
                                                  "post/plots/pressure_drop.svg",
@@ -83,6 +91,18 @@ static const char *const files_of_whole_run[] = {"post/report.md",
                                                  "post/pictures/slice_y_pressure.svg",
                                                  "post/pictures/slice_z_vorticity.pdf"};
 enum { FILES = sizeof files_of_whole_run / sizeof *files_of_whole_run };
+
+/* The integral of a density in post/, of the field before or after. */
+static double integral(const char *run, const char *file, const char *field) {
+    char path[FOLDER_PATH], line[256], word[16];
+    double t, low, high, density, sum = 0;
+    FILE *f = fopen(folder_path(path, run, file), "r");
+    while (f && fgets(line, sizeof line, f))
+        if (sscanf(line, "%15[^,],%lf,%lf,%lf,%lf", word, &t, &low, &high, &density) == 5 && !strcmp(word, field))
+            sum += density * (high - low);
+    if (f) fclose(f);
+    return sum;
+}
 
 static void whole_run(void **state) {
     (void)state;
@@ -118,6 +138,41 @@ static void whole_run(void **state) {
     assert_int_equal(size_of(folder, "post/pictures/damage_back.gp"), -1);
     assert_int_equal(size_of(folder, "post/pictures/solid_back.png"), -1); /* there is damage to be shown */
     assert_true(holds(folder, "post/plots/pdf_strain.gp", "s_0"));
+}
+
+/* What has broken in the made-up run: distributions that are multiples of each other, pieces, load against opening. */
+static void broken_run(void **state) {
+    (void)state;
+    static const char *const pdf[] = {"post/pdf_strain.csv",        "post/pdf_stress.csv",
+                                      "post/pdf_stress_middle.csv", "post/pdf_stress_least.csv",
+                                      "post/pdf_von_mises.csv",     "post/pdf_griffith.csv"};
+    make_run(&(struct make_run){.folder = named("breaking"), .cells = 32, .stop = 3 * MAKE_STEPS});
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    for (size_t k = 0; k < sizeof pdf / sizeof *pdf; k++) {
+        check_close(integral(folder, pdf[k], "before"), 1, 1e-6); /* ten digits of each number */
+        check_close(integral(folder, pdf[k], "after"), 1, 1e-6);
+    }
+    const double mean = summary(folder, "Largest principal stress, mean, after"),
+                 most = summary(folder, "Largest principal stress, largest, after");
+    check_relative(summary(folder, "Middle principal stress, mean, after"), 0.5 * mean, 1e-5);
+    check_relative(summary(folder, "Least principal stress, mean, after"), -2 * mean, 1e-5);
+    check_relative(summary(folder, "Least principal stress, smallest, after"), -2 * most, 1e-5);
+    check_relative(summary(folder, "Von Mises stress, mean, after"), sqrt(7.75) * mean, 1e-5);
+    check_relative(summary(folder, "Equivalent tension by Griffith, mean, after"), mean, 1e-5);
+    check_relative(summary(folder, "Equivalent tension by Griffith, share above sigma0, before"),
+                   summary(folder, "Largest principal stress, share above sigma0, before"), 1e-12);
+    check_above(summary(folder, "Von Mises stress, share above sigma0, before"),
+                summary(folder, "Largest principal stress, share above sigma0, before"));
+    check_close(summary(folder, "area of crack by Griffith's balance, energy released over G0"), 1e-6 / 0.02, 1e-12);
+    check_equal(summary(folder, "pieces that came off"), 1);
+    check_close(summary(folder, "first piece came off, t"), make_time(260), 1e-9);
+    check_close(summary(folder, "mass of the solid"), 2, 1e-12);
+    check_close(summary(folder, "mass of the pieces that came off, share"), 0.1, 1e-12);
+    check_close(summary(folder, "largest piece that came off, speed"), 3, 1e-12);
+    /* the two ends move apart: 2e-6 m a step; the force is the upper one's */
+    assert_true(holds(folder, "post/plots/load_displacement.gp", "Load against opening"));
+    assert_true(holds(folder, "post/plots/load_displacement.gp", "0.6 1500"));
+    assert_true(holds(folder, "post/plots/load_displacement.gp", "opening  [mm]"));
 }
 
 /* s0 = sqrt(5 G0/(6 E delta)) of the scene with the period of 64 cells: 1.8856e-4 for S3 (001: table of chapter 6). */
@@ -295,6 +350,7 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_run),
+        cmocka_unit_test(broken_run),
         cmocka_unit_test(scales_are_the_scenes),
         cmocka_unit_test(run_on_its_way),
         cmocka_unit_test(fluid_alone),

@@ -59,3 +59,14 @@ same() {
         if (!(d <= 1e-10 * scale)) { print name[i], "row", FNR, v[FNR, i], $i > "/dev/stderr"; bad = 1 } } }
     END { exit bad || rows != other }' "$1" "$2" || fail "$1 and $2 differ"
 }
+# forces A B: two files of reactions agree, to 1e-9 of the largest force, N, and of the largest displacement, m.
+forces() {
+  paste -d, "$1" "$2" | awk -F, 'NR == 1 { n = NF / 2 } NR > 2 {
+    for (i = 1; i <= n; i++) {
+      kind = i <= 5 ? i : i <= 5 + (n - 5) / 2 ? "force" : "way"
+      d = $i - $(i + n); if (d < 0) d = -d; v = $i < 0 ? -$i : $i
+      if (v > big[kind]) big[kind] = v
+      if (d > off[kind]) off[kind] = d } }
+    END { for (k in off) if (!(off[k] <= 1e-9 * big[k])) { print k, off[k], big[k] > "/dev/stderr"; exit 1 }
+      exit NR < 10 }' || fail "$1 and $2 differ"
+}

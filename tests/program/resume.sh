@@ -16,6 +16,7 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i }
 for n in 1 3 4; do
   code 0 ranks $n run scene.yaml --out ranks$n
   same whole/series.csv ranks$n/series.csv
+  forces whole/reactions.csv ranks$n/reactions.csv
 done
 
 # stopped at a random step by a signal, resumed on other ranks until done
@@ -50,6 +51,8 @@ while :; do
 done
 echo "stopped $stops times"
 same whole/series.csv stopped/series.csv
+forces whole/reactions.csv stopped/reactions.csv
+cut -d, -f1-8 whole/fragments.csv | diff - <(cut -d, -f1-8 stopped/fragments.csv) || fail "other fragments after resuming"
 
 # another run starts from a stage's checkpoint
 code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5

@@ -124,7 +124,7 @@ static void test_defaults_are_filled_in(void **state) {
     check_equal(s->stage[1].substeps, 0);
     check_equal(s->stage[1].safety, 0.95);
     check_equal(s->output.checkpoint_every, 1000);
-    check_equal(s->output.fields_every, 0);
+    check_equal(s->output.fields_every, 15); /* auto: a twentieth of 300 steps */
     check_equal(s->output.log_every, 100);
     check_equal(s->output.stress, 1);
     scene_free(s);

@@ -21,20 +21,28 @@ static void stress_of_uniform_strain(void **state) {
     for (int general = 0; general < 2; general++) {
         struct solid *s = cube_new(8, general, 0);
         double(*stress)[6] = malloc(((size_t)s->n + 1) * sizeof *stress);
+        double(*sorted)[3] = malloc(((size_t)s->n + 1) * sizeof *sorted);
         for (int k = 0; k < 6; k++) {
             double g[3][3] = {{0}};
             const double size = 1e-7, weight = k < 3 ? 1 : 0.5;
             g[k % 3][k < 3 ? k : (k + 1) % 3] = size;
             strain_affine(s, g);
+            /* principal values of a uniaxial strain, and of a shear strain of size/2 */
+            const double principal[3] = {k < 3 ? c11 : c44, k < 3 ? c44 : 0, k < 3 ? c44 : -c44};
+            const double mises = k < 3 ? c11 - c44 : sqrt(3) * c44;
             solid_stress_measure(s, stress);
+            solid_tensors_sorted(s->n, stress, sorted);
             for (int h = 0; h < s->n; h++) {
                 if (!is_within(s, h, 3, 4)) continue;
+                check_close(solid_tensors_von_mises(stress[h]), mises * size, 2e-3 * c44 * size);
+                for (int j = 0; j < 3; j++) check_close(sorted[h][j], principal[j] * size, 1e-3 * c44 * size);
                 for (int j = 0; j < 6; j++) {
                     const double c = k < 3 ? (j == k ? c11 : j < 3 ? c44 : 0) : j == k ? 2 * c44 : 0;
                     check_close(stress[h][j], c * weight * size, 1e-3 * c44 * size);
                 }
             }
         }
+        free(sorted);
         free(stress);
         solid_free(s);
     }

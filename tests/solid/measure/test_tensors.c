@@ -101,6 +101,22 @@ static void inverse_of_what_counts(void **state) {
 }
 
 /* sigma in one direction; shear tau: sqrt(3) tau; a pressure on top changes nothing. */
+/* All values of many tensors, whatever the last row's length, are those of each. */
+static void sorted_values(void **state) {
+    (void)state;
+    enum { N = 2 * KINDS + 3 };
+    double t[N][6], sorted[N][3], value[3], e[3][3];
+    for (int n = 0; n < N; n++) {
+        axes_of(0.7 * n, 0.2 * n * n, -0.3 * n, e);
+        compose(eigenvalues[n % KINDS], e, t[n]);
+    }
+    solid_tensors_sorted(N, t, sorted);
+    for (int n = 0; n < N; n++) {
+        solid_tensors_principal(t[n], value);
+        for (int k = 0; k < 3; k++) check_equal(sorted[n][k], value[k]);
+    }
+}
+
 static void von_mises(void **state) {
     (void)state;
     for (int pressure = 0; pressure < 2; pressure++) {
@@ -160,8 +176,8 @@ static void invariants(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(eigenvalues_and_vectors), cmocka_unit_test(lanes_do_not_mix),
-                                       cmocka_unit_test(inverse_of_what_counts), cmocka_unit_test(von_mises),
-                                       cmocka_unit_test(invariants)};
+                                       cmocka_unit_test(inverse_of_what_counts),  cmocka_unit_test(von_mises),
+                                       cmocka_unit_test(sorted_values),           cmocka_unit_test(invariants)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

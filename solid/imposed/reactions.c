@@ -1,0 +1,155 @@
+/* Sums up the reactions of constraints over a step, and measures where constraints and loads have moved. */
+#include "solid/imposed/reactions.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/imposed/constraint.h"
+#include "solid/imposed/given.h"
+
+#include <math.h>
+#include <string.h>
+
+struct solid_reactions {
+    long particles; /* of all ranks, when the list was made; -1: not yet */
+    int held;
+    int *h;           /* [held] owned particles that are held in a direction, ascending */
+    int (*of)[3];     /* [held] constraint that holds it in each direction, -1: none */
+    double (*now)[3]; /* [constraints] forces of the last sweep, this rank's share, N */
+    double (*then)[3];
+    double (*impulse)[3]; /* [constraints] so far in the step, N s */
+    double *factor;       /* [loads] integral of the load's factor so far in the step, s */
+    double time;          /* length of the step so far, s */
+};
+
+void solid_reactions_new(struct solid *s) {
+    struct solid_reactions *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
+    const size_t n = (size_t)s->in.constraints + 1;
+    r->particles = -1;
+    r->now = memory_new(MEMORY_SOLID, n, sizeof *r->now);
+    r->then = memory_new(MEMORY_SOLID, n, sizeof *r->then);
+    r->impulse = memory_new(MEMORY_SOLID, n, sizeof *r->impulse);
+    r->factor = memory_new(MEMORY_SOLID, (size_t)s->in.loads + 1, sizeof *r->factor);
+    s->reactions = r;
+}
+
+void solid_reactions_free(struct solid_reactions *r) {
+    if (!r) return;
+    void *const own[] = {r->h, r->of, r->now, r->then, r->impulse, r->factor, r};
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+}
+
+static int is_held(const struct solid *s, int h) {
+    return (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) != 0;
+}
+
+/* The list of held particles; made anew after a refinement. */
+static void list_make(struct solid *s) {
+    struct solid_reactions *r = s->reactions;
+    if (r->particles == s->n_global) return;
+    memory_free(r->h);
+    memory_free(r->of);
+    r->held = 0;
+    for (int h = 0; h < s->n; h++) r->held += is_held(s, h);
+    r->h = memory_new(MEMORY_SOLID, (size_t)r->held + 1, sizeof *r->h);
+    r->of = memory_new(MEMORY_SOLID, (size_t)r->held + 1, sizeof *r->of);
+    for (int h = 0, i = 0; h < s->n; h++) {
+        if (!is_held(s, h)) continue;
+        r->h[i] = h;
+        for (int c = 0; c < 3; c++) r->of[i][c] = -1;
+        for (int q = 0; q < s->in.constraints; q++) {
+            const struct solid_constraint *k = &s->in.constraint[q];
+            if (!solid_constraint_inside(s, h, k->low, k->high)) continue;
+            for (int c = 0; c < s->dim; c++)
+                if (k->direction[c]) r->of[i][c] = q;
+        }
+        i++;
+    }
+    r->particles = s->n_global;
+}
+
+void solid_reactions_begin(struct solid *s) {
+    struct solid_reactions *r = s->reactions;
+    if (!r) return;
+    list_make(s);
+    memset(r->impulse, 0, (size_t)s->in.constraints * sizeof *r->impulse);
+    memset(r->factor, 0, (size_t)s->in.loads * sizeof *r->factor);
+    r->time = 0;
+}
+
+void solid_reactions_find(struct solid *s) {
+    struct solid_reactions *r = s->reactions;
+    if (!r) return;
+    double(*const before)[3] = r->then;
+    list_make(s);
+    r->then = r->now;
+    r->now = before;
+    memset(r->now, 0, (size_t)s->in.constraints * sizeof *r->now);
+    for (int i = 0; i < r->held; i++) {
+        const int h = r->h[i];
+        const double mass = solid_density(s, h) * s->volume[h];
+        for (int c = 0; c < s->dim; c++)
+            if (r->of[i][c] >= 0) r->now[r->of[i][c]][c] -= mass * s->a[c][h];
+    }
+}
+
+void solid_reactions_add(struct solid *s, double now, double then) {
+    struct solid_reactions *r = s->reactions;
+    if (!r) return;
+    for (int q = 0; q < s->in.constraints; q++)
+        for (int c = 0; c < s->dim; c++) r->impulse[q][c] += now * r->now[q][c] + then * r->then[q][c];
+    for (int k = 0; k < s->in.loads; k++) r->factor[k] += (now + then) * solid_given_factor(s, k);
+    r->time += now + then;
+}
+
+void solid_reactions_give(struct solid *s, int h, const double impulse[3]) {
+    struct solid_reactions *r = s->reactions;
+    if (!is_held(s, h)) return;
+    int low = 0, high = r->held - 1;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (r->h[middle] < h)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (int c = 0; c < s->dim; c++)
+        if (r->of[low][c] >= 0) r->impulse[r->of[low][c]][c] -= impulse[c];
+}
+
+enum { PARTICLES, VOLUME, FORCE, DISPLACEMENT = FORCE + 3, SUMS = DISPLACEMENT + 3 };
+
+void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction) {
+    struct solid_reactions *r = s->reactions;
+    const int n = s->in.constraints + s->in.loads;
+    if (!r || n == 0) return;
+    list_make(s);
+    double(*sum)[SUMS] = memory_new(MEMORY_SOLID, (size_t)n, sizeof *sum);
+    for (int q = 0; q < s->in.constraints; q++) {
+        for (int c = 0; c < s->dim; c++) sum[q][FORCE + c] = r->impulse[q][c];
+        for (int i = 0; i < r->held; i++) {
+            const int h = r->h[i];
+            if (!solid_constraint_inside(s, h, s->in.constraint[q].low, s->in.constraint[q].high)) continue;
+            sum[q][PARTICLES]++;
+            sum[q][VOLUME] += s->volume[h];
+            for (int c = 0; c < s->dim; c++) sum[q][DISPLACEMENT + c] += s->volume[h] * s->d[c][h];
+        }
+    }
+    for (int k = 0; k < s->in.loads; k++) {
+        double *to = sum[s->in.constraints + k];
+        const struct solid_given_sum given = solid_given_sum_of(s, k);
+        to[PARTICLES] = given.particles;
+        to[VOLUME] = given.volume;
+        for (int c = 0; c < s->dim; c++) {
+            to[FORCE + c] = r->factor[k] * given.force[c];
+            to[DISPLACEMENT + c] = given.moved[c];
+        }
+    }
+    par_sum_array(&sum[0][0], n * SUMS);
+    for (int q = 0; q < n; q++) {
+        reaction[q].particles = lrint(sum[q][PARTICLES]);
+        for (int c = 0; c < 3; c++) {
+            reaction[q].force[c] = r->time > 0 ? sum[q][FORCE + c] / r->time : NAN;
+            reaction[q].displacement[c] = sum[q][DISPLACEMENT + c] / sum[q][VOLUME];
+        }
+    }
+    memory_free(sum);
+}
