@@ -196,6 +196,7 @@ struct solid *solid_new(const struct solid_input *in) {
     initial_set(s);
     solid_constraint_check(s);
     solid_constraint_mark(s);
+    for (int b = 0; b < in->bodies; b++) ((struct solid_body *)(uintptr_t)&s->in.body[b])->voxels = NULL;
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     par_ghost_update(s->ghost, s->dim, s->v, s->n);

@@ -1,6 +1,7 @@
 /* Translates bodies, outlines and cracks of the scene into the solid's input. */
 #include "base/ensure.h"
 #include "base/par.h"
+#include "coupling/setup/image.h"
 #include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
 
@@ -37,7 +38,19 @@ void setup_body_outlines(const struct scene_body *from, struct solid_body *to) {
     snprintf(to->name, sizeof to->name, "%s", from->name);
 }
 
-void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
+/* The voxels of an image, and their bounds. */
+static void setup_voxels(const struct scene *scene, int b, struct solid_body *to) {
+    struct setup_image *image = setup_image_read(scene, b);
+    setup_image_loose(scene, image);
+    to->voxels = image->voxels;
+    for (int c = 0; c < 3; c++)
+        to->high[c] = to->low[c] + image->voxels->n[c] * image->voxels->sites * scene->solid->spacing;
+    image->voxels = NULL;
+    setup_image_free(image);
+}
+
+void setup_body(const struct scene *scene, int b, struct solid_body *to) {
+    const struct scene_body *from = &scene->solid->body[b];
     *to = (struct solid_body){.shape = setup_kinds_shape(from->shape),
                               .radius = from->radius,
                               .axis = from->axis,
@@ -53,7 +66,8 @@ void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
         to->cavity_radius = from->cavity_radius;
         memcpy(to->cavity_centre, from->cavity_centre, sizeof to->cavity_centre);
     }
-    if (to->shape == SOLID_POINTS) setup_points(from, dim, to);
+    if (to->shape == SOLID_POINTS) setup_points(from, scene->dimension, to);
+    if (to->shape == SOLID_IMAGE) setup_voxels(scene, b, to);
 }
 
 void setup_body_free(struct solid_body *body) {
@@ -63,6 +77,7 @@ void setup_body_free(struct solid_body *body) {
         give_back(body->outline[i].turn);
     }
     give_back(body->outline);
+    solid_voxels_free((struct solid_voxels *)(uintptr_t)body->voxels);
     give_back(body->point[0]);
 }
 

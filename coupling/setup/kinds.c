@@ -120,6 +120,8 @@ enum solid_shape setup_kinds_shape(enum scene_shape kind) {
         return SOLID_CYLINDER;
     case SCENE_ELLIPSOID:
         return SOLID_ELLIPSOID;
+    case SCENE_IMAGE:
+        return SOLID_IMAGE;
     case SCENE_POINTS:
         return SOLID_POINTS;
     case SCENE_RECTANGLE:

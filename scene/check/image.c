@@ -41,7 +41,7 @@ static void add_size(struct scene_node *body, const int size[3]) {
 
 static void open_one(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
     static const char *const key[] = {"file", "format", "dataset", "size", "type", "byte_order", "axes", "header_bytes"};
-    static const char *const axes[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
+    static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
     struct scene_image *image = &s->solid->body[b].image;
     struct scene_node *node = scene_node_find(root, path.text);

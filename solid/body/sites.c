@@ -6,6 +6,7 @@
 #include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/shape.h"
+#include "solid/body/sites_image.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -89,6 +90,7 @@ static void fill_rows(struct solid_sites *sites, const uint8_t *inside, const in
 static void number_rows(struct solid_sites *sites) {
     const int rows = sites->rows[0] * sites->rows[1] * sites->rows[2];
     struct keyed *row = memory_new(MEMORY_SOLID, (size_t)rows, sizeof *row);
+    sites->start = memory_new(MEMORY_SOLID, (size_t)rows, sizeof *sites->start);
     for (int r = 0; r < rows; r++) {
         if (!sites->bits[r]) continue;
         const int i = r % sites->rows[0], j = r / sites->rows[0] % sites->rows[1],
@@ -139,12 +141,18 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     sites->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;
     const size_t rows = (size_t)sites->rows[0] * (size_t)sites->rows[1] * (size_t)sites->rows[2];
     sites->bits = memory_new(MEMORY_SOLID, rows, sizeof *sites->bits);
-    sites->start = memory_new(MEMORY_SOLID, rows, sizeof *sites->start);
     fill_rows(sites, inside, n, shift);
     memory_free(inside);
-    if (sites->count == 0) return;
-    for (int c = 0; c < 3; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
-    number_rows(sites);
+    for (int c = 0; c < 3 && sites->count > 0; c++)
+        period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
+}
+
+static void cut_from_image(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
+                           int reach) {
+    int top[3] = {0};
+    solid_sites_image(body->voxels, sites, top);
+    for (int c = 0; c < 3 && sites->count > 0; c++)
+        period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
 }
 
 /* Numbers points or cells in the order of their keys. */
@@ -207,7 +215,11 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
     sites->gap = INFINITY;
     switch (solid_shape_of(b)->places) {
     case SOLID_PLACES_LATTICE:
-        cut_from_lattice(in, b, sites, reach);
+        if (b->voxels)
+            cut_from_image(in, b, sites, reach);
+        else
+            cut_from_lattice(in, b, sites, reach);
+        if (sites->count > 0) number_rows(sites);
         break;
     case SOLID_PLACES_CELLS:
         cut_from_plane(in, b, sites, reach);

@@ -14,11 +14,13 @@ struct solid_shape_kind {
     enum solid_places places;
     /* of a shape on the lattice */
     void (*bounds)(const struct solid_body *body, double low[3], double high[3]); /* m */
-    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. */
+    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. An image has none: its
+     * voxels say what is inside. */
     int (*pieces)(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]);
 };
 
-extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder, solid_shape_ellipsoid;
+extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder, solid_shape_ellipsoid,
+    solid_shape_image;
 
 const struct solid_shape_kind *solid_shape_of(const struct solid_body *body); /* Not collective. */
 /* The same, of a body whose particles stand on the lattice: shapes that have bounds, a surface, and may have cavities.
