@@ -13,7 +13,9 @@
 #include <string.h>
 
 /* Values from LEAST on, VALUES of them, are counted one by one: all of 8 and 16 bits. */
-enum { LEAST = -32768, VALUES = 32768 + 65536, SLAB = 1 << 22 /* voxels read at once, if it is a slice or more */ };
+enum { LEAST = -32768, VALUES = 32768 + 65536, SLAB = 1 << 23 /* voxels read at once, if a slice has no more */ };
+
+static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"}; /* by enum scene_image_axes */
 
 struct counts {
     long of[VALUES + 1]; /* the last one: all other values */
@@ -28,7 +30,8 @@ struct reader {
     struct counts *counts;
     int *value;         /* [slab], or */
     double *real;       /* for a threshold */
-    uint32_t *in_cell;  /* [cells of a slice] voxels of the solid in each cell of the present slice */
+    int first[3], cells[3]; /* the slab's first voxel, once turned, and its cells */
+    uint32_t *in_cell; /* [cells] voxels of the solid in each cell of the slab, if it takes several */
     double least, most, sum;
     long solid;
 };
@@ -40,7 +43,6 @@ static const char *path_of(const struct setup_image *image, const char *key) {
 }
 
 static struct files_image *file_open(const struct scene_body *body) {
-    static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
     const struct scene_image *image = &body->image;
     struct files_image_input in = {.file = body->file,
                                    .format = image->format,
@@ -87,66 +89,79 @@ static inline int take_real(struct reader *r, double value) {
     return value >= r->scene->threshold;
 }
 
-/* Adds the voxels of a slice of the file to their cells. at: their first index in the slab. */
-static void add_slice(struct reader *r, long at) {
-    const int *n = r->image->used, m = r->image->per_cell;
-    const int along = n[0] / m;
-    for (int j = 0; j < n[1]; j++) {
-        const int to = r->scene->flips[1] ? n[1] - 1 - j : j;
-        uint32_t *cell = r->in_cell + (long)(to / m) * along;
-        for (int i = 0; i < n[0]; i++, at++) {
-            const int turned = r->scene->flips[0] ? n[0] - 1 - i : i;
-            const int is = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]);
-            cell[m == 1 ? turned : turned / m] += (unsigned)is;
-            r->solid += is;
-        }
-    }
-}
+/* Where a voxel of the file stands along direction d, once the image is turned. */
+static int turned(const struct reader *r, int d, int i) { return r->scene->flips[d] ? r->image->used[d] - 1 - i : i; }
 
-/* Sets the bits of the cells of slice k that are solid for more than a half. */
-static void set_slice(struct reader *r, int k) {
-    const int m = r->image->per_cell, along = r->image->used[0] / m, across = r->image->used[1] / m;
-    const uint32_t half = (uint32_t)m * (uint32_t)m * (uint32_t)m / 2;
+/* Takes the voxels of a slab, low <= i < high of those used. */
+static void take_slab(struct reader *r, const int low[3], const int high[3]) {
     struct solid_voxels *v = r->image->voxels;
-    for (int j = 0; j < across; j++)
-        for (int i = 0; i < along; i++)
-            if (r->in_cell[(long)j * along + i] > half) solid_voxels_set(v, v->bits, i, j, k);
-    memset(r->in_cell, 0, (size_t)along * (size_t)across * sizeof *r->in_cell);
+    const int m = r->image->per_cell;
+    long at = 0;
+    for (int k = low[2]; k < high[2]; k++)
+        for (int j = low[1]; j < high[1]; j++) {
+            const int tj = turned(r, 1, j), tk = turned(r, 2, k);
+            uint64_t *line = v->bits + (m == 1 ? solid_voxels_line(v, tj, tk) : 0);
+            for (int i = low[0]; i < high[0]; i++, at++) {
+                const int is = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]);
+                const int ti = turned(r, 0, i);
+                r->solid += is;
+                if (m == 1)
+                    line[ti / 64] |= (uint64_t)is << ti % 64;
+                else
+                    r->in_cell[((long)((tk - r->first[2]) / m) * r->cells[1] + (tj - r->first[1]) / m) * r->cells[0] +
+                               (ti - r->first[0]) / m] += (unsigned)is;
+            }
+        }
 }
 
-/* Reads the slices of cells from <= k < to. */
-static void read_slices(struct reader *r, int from, int to) {
+/* Sets the bits of the slab's cells that are solid for more than a half. */
+static void set_cells(struct reader *r) {
+    struct solid_voxels *v = r->image->voxels;
+    const int m = r->image->per_cell;
+    const uint32_t half = (uint32_t)m * (uint32_t)m * (uint32_t)m / 2, *cell = r->in_cell;
+    for (int k = 0; k < r->cells[2]; k++)
+        for (int j = 0; j < r->cells[1]; j++)
+            for (int i = 0; i < r->cells[0]; i++)
+                if (*cell++ > half)
+                    solid_voxels_set(v, v->bits, r->first[0] / m + i, r->first[1] / m + j, r->first[2] / m + k);
+    memset(r->in_cell, 0, (size_t)(cell - r->in_cell) * sizeof *cell);
+}
+
+/* Reads the slabs of cells from <= q < to along the direction that varies last in the file. */
+static void read_slabs(struct reader *r, int slow, int from, int to) {
     const struct scene_image *s = r->scene;
     const int *n = r->image->used, m = r->image->per_cell;
-    const long slice = (long)n[0] * n[1], fits = SLAB / (slice * m) > 0 ? SLAB / (slice * m) : 1;
-    const size_t room = (size_t)(fits * m * slice);
+    long slice = m;
+    for (int d = 0; d < 3; d++) slice *= d == slow ? 1 : n[d];
+    const long fits = SLAB / slice > 0 ? SLAB / slice : 1;
+    const size_t room = (size_t)(fits * slice);
     char problem[512];
     if (s->has_threshold)
         r->real = memory_new(MEMORY_COUPLING, room, sizeof *r->real);
     else
         r->value = memory_new(MEMORY_COUPLING, room, sizeof *r->value);
-    for (int k = from; k < to;) {
-        const int end = k + fits < to ? k + (int)fits : to;
-        /* slices k .. end of cells, in the file's order */
-        const int first = s->flips[2] ? n[2] - end * m : k * m, last = s->flips[2] ? n[2] - k * m : end * m;
-        long low[3], high[3];
+    if (m > 1) r->in_cell = memory_new(MEMORY_COUPLING, room, sizeof *r->in_cell);
+    for (int q = from; q < to; q += (int)fits) {
+        const int end = q + fits < to ? q + (int)fits : to;
+        int low[3] = {0}, high[3] = {n[0], n[1], n[2]};
+        long file_low[3], file_high[3];
+        low[slow] = q * m;
+        high[slow] = end * m;
         for (int d = 0; d < 3; d++) {
-            low[d] = (s->has_crop ? s->crop_low[d] : 0) + (d == 2 ? first : 0);
-            high[d] = (s->has_crop ? s->crop_low[d] : 0) + (d == 2 ? last : n[d]);
+            file_low[d] = low[d] + (s->has_crop ? s->crop_low[d] : 0);
+            file_high[d] = high[d] + (s->has_crop ? s->crop_low[d] : 0);
+            r->first[d] = s->flips[d] ? n[d] - high[d] : low[d];
+            r->cells[d] = (high[d] - low[d]) / m;
         }
-        if (r->real ? files_image_read_real(r->file, low, high, r->real, problem, sizeof problem)
-                    : files_image_read(r->file, low, high, r->value, problem, sizeof problem))
+        if (r->real ? files_image_read_real(r->file, file_low, file_high, r->real, problem, sizeof problem)
+                    : files_image_read(r->file, file_low, file_high, r->value, problem, sizeof problem))
             die(EXIT_CODE_SCENE, "%s", problem);
-        for (; k < end; k++) {
-            for (int q = 0; q < m; q++) {
-                const int z = s->flips[2] ? n[2] - 1 - (k * m + q) : k * m + q;
-                add_slice(r, (z - first) * slice);
-            }
-            set_slice(r, k);
-        }
+        take_slab(r, low, high);
+        if (m > 1) set_cells(r);
     }
     memory_free(r->real);
     memory_free(r->value);
+    memory_free(r->in_cell);
 }
 
 /* Repeats the first `cells` voxels along c in reverse behind themselves. */
@@ -162,15 +177,13 @@ static void mirror(struct solid_voxels *v, const int cells[3], int c) {
             }
 }
 
-/* Gives every rank the slices of all, and adds mirror images. */
-static void share(struct setup_image *image, const struct scene_image *s, const int cells[3], int from, int to) {
+/* Gives every rank the bits of all, and adds mirror images. Bits that one rank sets no other one does, so their sum is
+ * their union. */
+static void share(struct setup_image *image, const struct scene_image *s, const int cells[3]) {
     struct solid_voxels *v = image->voxels;
-    const size_t slice = (size_t)v->n[1] * (size_t)v->words * sizeof *v->bits;
-    size_t total;
-    char *all = par_all_gather_any((char *)v->bits + (size_t)from * slice, (size_t)(to - from) * slice, &total);
-    ENSURE(total == (size_t)cells[2] * slice, "%zu bytes of slices", total);
-    memcpy(v->bits, all, total);
-    free(all);
+    const long words = (long)v->n[2] * v->n[1] * v->words;
+    for (long w = 0; par_size() > 1 && w < words; w += SLAB)
+        par_sum_long_array((long *)v->bits + w, (int)(words - w < SLAB ? words - w : SLAB));
     for (int c = 0; c < 3; c++)
         if (s->mirrors[c]) mirror(v, cells, c);
 }
@@ -269,22 +282,20 @@ static struct setup_image *image_new(const struct scene *scene, int b, struct fi
 struct setup_image *setup_image_read(const struct scene *scene, int b) {
     const struct scene_body *body = &scene->solid->body[b];
     struct files_image *file = file_open(body);
+    const int slow = axes[body->image.axes][2] - 'x';
     int cells[3];
     struct setup_image *image = image_new(scene, b, file, cells);
     struct reader r = {.scene = &body->image,
                        .image = image,
                        .file = file,
                        .counts = counts_new(&body->image),
-                       .in_cell = memory_new(MEMORY_COUPLING, (size_t)cells[0] * (size_t)cells[1], sizeof *r.in_cell),
                        .least = INFINITY,
                        .most = -INFINITY};
-    const int from = par_piece_low(cells[2], par_size(), par_rank()),
-              to = par_piece_low(cells[2], par_size(), par_rank() + 1);
-    read_slices(&r, from, to);
-    share(image, &body->image, cells, from, to);
+    read_slabs(&r, slow, par_piece_low(cells[slow], par_size(), par_rank()),
+               par_piece_low(cells[slow], par_size(), par_rank() + 1));
+    share(image, &body->image, cells);
     count_all(&r);
     files_image_close(file);
-    memory_free(r.in_cell);
     memory_free(r.counts->found);
     memory_free(r.counts);
     check_all(image);

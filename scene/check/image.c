@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* A place on the lattice and a ratio of lengths are whole to this part of a spacing. */
 static const double WHOLE = 1e-6;
@@ -52,6 +53,7 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
                                    .byte_order = image->byte_order,
                                    .header_bytes = image->header_bytes};
     char problem[512];
+    if (access(in.file, R_OK) != 0) return; /* reported where names are resolved */
     for (size_t k = 0; k < sizeof key / sizeof *key; k++)
         if (scene_node_child(node, key[k]) &&
             !scene_check_parts_clean(&(struct scene_check){s, root, problems},
@@ -69,7 +71,13 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
         return;
     }
     const long *n = files_image_size(file);
-    if (n[0] > 1000000 || n[1] > 1000000 || n[2] > 1000000) {
+    const double *edge = files_image_voxel(file);
+    if (fabs(edge[1] - edge[0]) > 1e-3 * fabs(edge[0]) || fabs(edge[2] - edge[0]) > 1e-3 * fabs(edge[0])) {
+        scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,
+                         "has voxels of %g x %g x %g %s; they must be cubes", edge[0], edge[1], edge[2],
+                         files_image_unit(file));
+        node->bad = 1;
+    } else if (n[0] > 1000000 || n[1] > 1000000 || n[2] > 1000000) {
         scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,
                          "has %ld x %ld x %ld voxels, at most 1000000 are possible in a direction", n[0], n[1], n[2]);
         node->bad = 1;
