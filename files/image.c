@@ -1,21 +1,27 @@
 /* Opens images of voxels of any format; reads boxes of them with x fastest. */
 #include "files/image.h"
+#include "base/ensure.h"
+#include "files/image/hdf5.h"
+#include "files/image/mhd.h"
+#include "files/image/nrrd.h"
 #include "files/image/number.h"
 #include "files/image/raw.h"
-#include "files/image/source.h"
+#include "files/image/tiff.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+#include <unistd.h>
 
 struct files_image {
     struct image_source source; /* axes in the file's order */
     char *name;
     long size[3]; /* along x, y, z */
     double voxel[3];
-    double *block; /* [IMAGE_MOST], of the file's order */
+    double *block; /* of the source's order and size of blocks */
 };
 
 static const char *const format_word[FILES_IMAGE_FORMATS] = {
@@ -41,10 +47,59 @@ static int open_raw(struct image_source *s, const struct files_image_input *inpu
     return image_raw_open(s, input->file, input->header_bytes, input->byte_order);
 }
 
+static int ends(const char *name, const char *with) {
+    const size_t n = strlen(name), m = strlen(with);
+    return n >= m && strcasecmp(name + n - m, with) == 0;
+}
+
+/* By the first bytes, then by the name. */
+static int find_format(struct image_source *s, const struct files_image_input *input) {
+    static const struct {
+        const char *word;
+        size_t bytes;
+        enum files_image_format format;
+    } first[] = {{"NRRD", 4, FILES_IMAGE_NRRD},       {"II*\0", 4, FILES_IMAGE_TIFF},
+                 {"MM\0*", 4, FILES_IMAGE_TIFF},      {"II+\0", 4, FILES_IMAGE_TIFF},
+                 {"MM\0+", 4, FILES_IMAGE_TIFF},      {"\211HDF\r\n\032\n", 8, FILES_IMAGE_HDF5},
+                 {"ObjectType", 10, FILES_IMAGE_MHD}, {"NDims", 5, FILES_IMAGE_MHD}};
+    char bytes[16] = "";
+    long long all;
+    const int fd = image_source_file(s, input->file, &all);
+    if (fd < 0) return 1;
+    const int fault = image_source_take(s, fd, 0, bytes, all < 16 ? (size_t)all : 16);
+    close(fd);
+    if (fault) return 1;
+    for (size_t k = 0; k < sizeof first / sizeof *first && !s->format; k++)
+        if (memcmp(bytes, first[k].word, first[k].bytes) == 0) s->format = first[k].format;
+    if (s->format) return 0;
+    if (ends(input->file, ".mhd") || ends(input->file, ".mha")) s->format = FILES_IMAGE_MHD;
+    if (ends(input->file, ".h5") || ends(input->file, ".hdf5")) s->format = FILES_IMAGE_HDF5;
+    if (!s->format && (input->size[0] || ends(input->file, ".raw"))) s->format = FILES_IMAGE_RAW;
+    if (s->format) return 0;
+    return image_source_refuse(s,
+                               "its format is not known: it is no MetaImage, NRRD, TIFF or HDF5 file, and a raw file "
+                               "needs its size and the type of its voxels");
+}
+
 static int open_format(struct image_source *s, const struct files_image_input *input) {
-    s->format = input->format == FILES_IMAGE_AUTO ? FILES_IMAGE_RAW : input->format;
-    if (s->format == FILES_IMAGE_RAW) return open_raw(s, input);
-    return image_source_refuse(s, "format %s cannot be read yet", format_word[s->format]);
+    s->format = input->format;
+    if (s->format == FILES_IMAGE_AUTO && find_format(s, input)) return 1;
+    switch (s->format) {
+    case FILES_IMAGE_RAW:
+        return open_raw(s, input);
+    case FILES_IMAGE_MHD:
+        return image_mhd_open(s, input);
+    case FILES_IMAGE_NRRD:
+        return image_nrrd_open(s, input);
+    case FILES_IMAGE_TIFF:
+        return image_tiff_open(s, input);
+    case FILES_IMAGE_HDF5:
+        return image_hdf5_open(s, input);
+    case FILES_IMAGE_AUTO:
+    case FILES_IMAGE_FORMATS:
+        break;
+    }
+    ENSURE(0, "format %d", (int)s->format);
 }
 
 /* "zyx": the file's first axis is z. */
@@ -78,9 +133,12 @@ static int compare(struct image_source *s, const struct files_image_input *input
 static int begin(struct files_image *image, const struct files_image_input *input) {
     struct image_source *s = &image->source;
     s->unit = "";
-    if (!(image->name = strdup(input->file)) || !(image->block = malloc(IMAGE_MOST * sizeof *image->block)))
-        return image_source_refuse(s, "no memory left to read it");
+    snprintf(s->subject, sizeof s->subject, "it");
+    image->name = strdup(input->file);
     if (read_axes(s, input->axes) || open_format(s, input) || compare(s, input)) return 1;
+    const size_t block = (size_t)s->block[0] * (size_t)s->block[1] * (size_t)s->block[2];
+    if (!image->name || !(image->block = malloc(block * sizeof *image->block)))
+        return image_source_refuse(s, "no memory left to read it");
     for (int f = 0; f < 3; f++) {
         const double voxel = s->voxel[f];
         image->size[s->axis[f]] = s->n[f];

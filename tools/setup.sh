@@ -9,11 +9,12 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit
 
 packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libfftw3-dev
-    liblapacke-dev libopenblas-serial-dev libcyaml-dev libyaml-dev libcmocka-dev libpng-dev gnuplot-nox"
+    liblapacke-dev libopenblas-serial-dev libcyaml-dev libyaml-dev libcmocka-dev libpng-dev libtiff-dev
+    zlib1g-dev gnuplot-nox"
 # shellcheck disable=SC2034 # for whoever sources this
 packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
 commands="cmake gcc pkg-config mpicc mpiexec gnuplot"
-libraries="hdf5-openmpi fftw3 lapacke libcyaml yaml-0.1 cmocka libpng"
+libraries="hdf5-openmpi fftw3 lapacke libcyaml yaml-0.1 cmocka libpng libtiff-4 zlib"
 
 say() { printf '%s\n' "-- $*"; }
 # setup_quietly WHAT LOG COMMAND...: the output goes to LOG. On a terminal the log's last line is shown while the

@@ -44,10 +44,12 @@ static int check_bytes(struct image_source *s, long long has, long long *skip) {
     if (!__builtin_add_overflow(wants, *skip, &whole) && has == whole) return 0;
     const long long voxels = wants / image_number_bytes(s->type), rest = has - *skip;
     if (*skip) snprintf(before, sizeof before, " after %lld of a header", *skip);
-    if (rest > 0 && rest % voxels == 0 && rest / voxels <= 8)
+    if (rest == voxels)
+        snprintf(hint, sizeof hint, "; there is 1 byte a voxel");
+    else if (rest > 0 && rest % voxels == 0 && rest / voxels <= 8)
         snprintf(hint, sizeof hint, "; there are %lld bytes a voxel", rest / voxels);
-    return image_source_refuse(s, "it has %lld bytes, but %s of %s take %lld%s%s", has, image_source_size(s, size),
-                               image_number_word(s->type), wants, before, hint);
+    return image_source_refuse(s, "%s has %lld bytes, but %s of %s take %lld%s%s", s->subject, has,
+                               image_source_size(s, size), image_number_word(s->type), wants, before, hint);
 }
 
 int image_raw_open(struct image_source *s, const char *path, long long skip, enum files_image_order order) {
@@ -55,7 +57,7 @@ int image_raw_open(struct image_source *s, const char *path, long long skip, enu
     const int fd = image_source_file(s, path, &has);
     if (fd < 0) return 1;
     struct raw *raw = calloc(1, sizeof *raw);
-    char *row = malloc((size_t)(IMAGE_MOST / 16 * 8));
+    char *row = malloc((size_t)(1 << 16) * 8);
     if (check_bytes(s, has, &skip) || ((!raw || !row) && image_source_refuse(s, "no memory left to read it"))) {
         close(fd);
         free(raw);

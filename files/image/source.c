@@ -41,10 +41,17 @@ int image_source_bytes(struct image_source *s, long long *bytes) {
 static long least(long a, long b) { return a < b ? a : b; }
 
 void image_source_block(struct image_source *s) {
-    const long plane = IMAGE_MOST / 16;
+    const long plane = 1 << 16;
     s->block[0] = least(s->n[0], plane);
     s->block[1] = least(s->n[1], plane / s->block[0]);
-    s->block[2] = least(s->n[2], IMAGE_MOST / (s->block[0] * s->block[1]));
+    s->block[2] = least(s->n[2], 16 * plane / (s->block[0] * s->block[1]));
+}
+
+void image_source_block_in_turn(struct image_source *s) {
+    const long most = 1 << 20;
+    s->block[0] = least(s->n[0], most);
+    s->block[1] = least(s->n[1], most / s->block[0]);
+    s->block[2] = s->block[1] < s->n[1] ? 1 : least(s->n[2], most / (s->block[0] * s->block[1]));
 }
 
 int image_source_file(struct image_source *s, const char *path, long long *bytes) {
@@ -52,14 +59,14 @@ int image_source_file(struct image_source *s, const char *path, long long *bytes
     /* a FIFO without a writer would be waited for */
     const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0) {
-        image_source_refuse(s, "it cannot be read: %s", strerror(errno));
+        image_source_refuse(s, "%s cannot be read: %s", s->subject, strerror(errno));
         return -1;
     }
     if (fstat(fd, &is) == 0 && S_ISREG(is.st_mode)) {
         *bytes = is.st_size;
         return fd;
     }
-    image_source_refuse(s, "it is no file");
+    image_source_refuse(s, "%s is no file", s->subject);
     close(fd);
     return -1;
 }
@@ -69,8 +76,9 @@ int image_source_take(struct image_source *s, int fd, long long at, void *to, si
     while (bytes > 0) {
         const ssize_t got = pread(fd, next, bytes, at);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return image_source_refuse(s, "it cannot be read at byte %lld: %s", at, strerror(errno));
-        if (got == 0) return image_source_refuse(s, "it ends at byte %lld, before its voxels do", at);
+        if (got < 0)
+            return image_source_refuse(s, "%s cannot be read at byte %lld: %s", s->subject, at, strerror(errno));
+        if (got == 0) return image_source_refuse(s, "%s ends at byte %lld, before its voxels do", s->subject, at);
         next += got;
         at += got;
         bytes -= (size_t)got;

@@ -109,7 +109,7 @@ static void what_is_wrong_is_refused(void **state) {
     REFUSED(size[0], NX + 1, "it has 140 bytes, but 8 x 5 x 4 voxels of uint8 take 160");
     REFUSED(size[0], NX - 1, "it has 140 bytes, but 6 x 5 x 4 voxels of uint8 take 120");
     REFUSED(type, FILES_IMAGE_UINT16,
-            "it has 140 bytes, but 7 x 5 x 4 voxels of uint16 take 280; there are 1 bytes a voxel");
+            "it has 140 bytes, but 7 x 5 x 4 voxels of uint16 take 280; there is 1 byte a voxel");
     REFUSED(header_bytes, 10, "it has 140 bytes, but 7 x 5 x 4 voxels of uint8 take 140 after 10 of a header");
     REFUSED(header_bytes, -1, "a header has no negative number of bytes");
     REFUSED(size[1], 0, "it has 7 x 0 x 4 voxels: at least 1 is needed along each axis");
