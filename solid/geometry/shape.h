@@ -1,4 +1,4 @@
-/* The shapes that bodies are cut from: one file a shape, one line in the table. */
+/* The shapes that bodies are cut from: one file a shape (an image is a box), one line in the table. */
 #pragma once
 #include "solid/geometry/piece.h"
 
@@ -14,8 +14,8 @@ struct solid_shape_kind {
     enum solid_places places;
     /* of a shape on the lattice */
     void (*bounds)(const struct solid_body *body, double low[3], double high[3]); /* m */
-    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. An image has none: its
-     * voxels say what is inside. */
+    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. Of an image they are
+     * its bounds: its voxels say what is inside. */
     int (*pieces)(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]);
 };
 
