@@ -386,15 +386,13 @@ static void refused(void **state) {
          "solid.bodies[0].solid: label 1 does not occur in " FOLDER "/pore.raw, whose values are 0 to 0 (0)"},
         {"shape: image, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: sample.raw", 1,
          "solid.bodies[0].file = " FOLDER "/sample.raw: "},
-        {"shape: image, voxel: 1.0e-3, low: [0, 0, 0.036], solid: [1], file: sample.nrrd, materials: {1: quartz}", 1,
-         "solid.bodies[0].materials: unknown key; did you mean material?"},
         {"shape: box, low: [0, 0, 0], high: [0.01, 0.01, 0.01], flip: x", 1,
          "solid.bodies[0].flip = x: only with shape image, here it is box"}};
     char said[4096];
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         assert_int_equal(leaves_with(table[i].keys, table[i].spacing, said, sizeof said), EXIT_CODE_SCENE);
         if (!strstr(said, table[i].sentence)) fail_msg("%s\nshould say: %s\nand says: %s", table[i].keys, table[i].sentence, said);
-        check_equal(strchr(said, '\n') - said, strlen(said) - 1); /* one sentence */
+        if (strchr(said, '\n') != said + strlen(said) - 1) fail_msg("%s\nis not one sentence: %s", table[i].keys, said);
     }
 }
 
