@@ -1,9 +1,9 @@
 /* The particles of a body and the order of their numbers. Every rank holds this for the whole body during the set-up:
- * one bit per lattice site and one number per row of eight sites. */
+ * one bit per lattice site, and one number per brick of 8 x 8 x 8 sites. */
 #pragma once
 #include "solid/state.h"
 
-enum { SOLID_ROW = 8 }; /* sites of a row */
+enum { SOLID_ROW = 8, SOLID_BRICK = 64 }; /* sites of a row; rows of a brick */
 
 struct solid_sites {
     int is_lattice;
@@ -13,12 +13,13 @@ struct solid_sites {
     /* lattice: rows of eight sites along x */
     int low[3];    /* lattice index of the corner */
     int rows[3];   /* rows along x (eight sites each), sites along y and z */
+    int bricks[3]; /* bricks along x (as many as rows), y and z (eight sites each) */
     int base[3];   /* the body's lowest lattice index */
     int wrap[3];   /* sites in a period, 0: not periodic; also for the cells of a polygon */
-    uint8_t *bits; /* [rows] bits of the row's sites that belong to the body */
-    long *start;   /* [rows] global id of the row's first particle */
-    int filled;    /* number of rows with a particle */
-    int *order;    /* [filled] rows in the order of their numbers */
+    uint8_t *bits; /* [bricks][8 in z][8 in y] rows: bits of the row's sites that belong to the body */
+    long *start;   /* [bricks] global id of the brick's first particle */
+    int ordered;   /* number of bricks with a particle */
+    int *order;    /* [ordered] bricks in the order of their numbers; the rows of a brick are numbered in turn */
     /* points, and the cells of a polygon */
     long *point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
     int (*cell)[2]; /* polygon: [count] lattice indices, by number */
@@ -26,6 +27,28 @@ struct solid_sites {
                      * cells */
 };
 
+/* Index in bits of row i along x at the lines j and k of the box. */
+static inline size_t solid_sites_row(const struct solid_sites *sites, int i, int j, int k) {
+    const size_t brick = ((size_t)(k / SOLID_ROW) * (size_t)sites->bricks[1] + (size_t)(j / SOLID_ROW)) *
+                             (size_t)sites->bricks[0] +
+                         (size_t)i;
+    return brick * SOLID_BRICK + (size_t)(k % SOLID_ROW * SOLID_ROW + j % SOLID_ROW);
+}
+
+/* A walk over the rows that hold a particle, in the order of their numbers. */
+struct solid_sites_walk {
+    int brick, row; /* the next one to look at; 0 at first */
+    /* the row found */
+    int site[3]; /* lattice index of its first site */
+    unsigned bits;
+    long id; /* of its first particle */
+    long next;
+};
+/* Finds the next row. Returns 0 when there is none. Not collective. */
+int solid_sites_next(const struct solid_sites *sites, struct solid_sites_walk *walk);
+
+/* Makes the bricks of the box, all empty; its rows are known. For solid/body/ only. */
+void solid_sites_bricks(struct solid_sites *sites);
 /* first: id of the body's first particle. Dies (exit 2) on an empty body. Collective (same input on all ranks). */
 struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *body, long first, int reach);
 void solid_sites_free(struct solid_sites *sites);

@@ -88,18 +88,17 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
     }
     sites->low[0] -= shift;
     sites->rows[0] = rows_of(along, shift);
-    sites->bits =
-        memory_new(MEMORY_SOLID, (size_t)sites->rows[0] * (size_t)sites->rows[1] * (size_t)sites->rows[2], 1);
+    solid_sites_bricks(sites);
     for (int k = 0; k < v->n[2]; k++)
         for (int j = 0; j < v->n[1]; j++) {
             if (!sites_of(v, j, k, line, bytes)) continue;
             note_line(v, j, k, sites, top);
             for (int e = 0; e < v->sites * v->sites; e++) {
-                const long at[2] = {BEFORE + j * v->sites + e % v->sites, BEFORE + k * v->sites + e / v->sites};
-                uint8_t *to = sites->bits + (at[1] * sites->rows[1] + at[0]) * sites->rows[0];
+                const int at[2] = {BEFORE + j * v->sites + e % v->sites, BEFORE + k * v->sites + e / v->sites};
                 for (int r = 0; r < sites->rows[0]; r++) {
-                    to[r] = row_of(line, r, shift);
-                    sites->count += __builtin_popcount(to[r]);
+                    const uint8_t bits = row_of(line, r, shift);
+                    sites->bits[solid_sites_row(sites, r, at[0], at[1])] = bits;
+                    sites->count += __builtin_popcount(bits);
                 }
             }
         }
