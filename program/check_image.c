@@ -137,7 +137,8 @@ static void say_phases(const struct setup_image *image, const struct phase of[2]
     say("  porosity   %.5f; connected from face to face along x %.5f, y %.5f, z %.5f\n",
         (double)pore->voxels / (double)all, (double)pore->through[0] / (double)all,
         (double)pore->through[1] / (double)all, (double)pore->through[2] / (double)all);
-    say("  pores      %ld pieces, the largest %.4f %% of the pores\n", pore->pieces, share(pore->largest, pore->voxels));
+    say("  pores      %ld pieces, the largest %.4f %% of the pores\n", pore->pieces,
+        share(pore->largest, pore->voxels));
     say("  solid      %ld pieces, the largest %.4f %% of the solid\n", solid->pieces,
         share(solid->largest, solid->voxels));
     if (solid->loose_pieces > 0)
@@ -156,7 +157,8 @@ static void say_phases(const struct setup_image *image, const struct phase of[2]
 
 /* Slice d through the middle: columns along the first other direction, rows along the second, from below. */
 static int draw(const char *path, const struct solid_voxels *v, const uint64_t *loose, int d) {
-    static const unsigned char colour[3][3] = {{255, 255, 255}, {90, 90, 90}, {230, 120, 0}}; /* pore, solid, floating */
+    static const unsigned char colour[3][3] = {
+        {255, 255, 255}, {90, 90, 90}, {230, 120, 0}}; /* pore, solid, floating */
     const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2, n = v->n[a] > v->n[b] ? v->n[a] : v->n[b];
     const int zoom = n < PICTURE ? (PICTURE + n - 1) / n : 1, skip = (n + 4 * PICTURE - 1) / (4 * PICTURE);
     const int width = v->n[a] / skip * zoom, height = v->n[b] / skip * zoom;
@@ -167,9 +169,9 @@ static int draw(const char *path, const struct solid_voxels *v, const uint64_t *
             at[a] = x / zoom * skip;
             at[b] = (height - 1 - y) / zoom * skip;
             at[d] = v->n[d] / 2;
-            const int what = !solid_voxels_is(v, v->bits, at[0], at[1], at[2])     ? 0
-                             : solid_voxels_is(v, loose, at[0], at[1], at[2]) ? 2
-                                                                              : 1;
+            const int what = !solid_voxels_is(v, v->bits, at[0], at[1], at[2]) ? 0
+                             : solid_voxels_is(v, loose, at[0], at[1], at[2])  ? 2
+                                                                               : 1;
             memcpy(to, colour[what], 3);
         }
     const int failed = postproc_png_write(path, width, height, rgb);

@@ -124,7 +124,14 @@ struct scene_part {           /* a further piece of a plate's body, or a hole in
     int corners;
     struct scene_corner *corner; /* polygon: outline */
 };
-enum scene_image_axes { SCENE_IMAGE_XYZ, SCENE_IMAGE_XZY, SCENE_IMAGE_YXZ, SCENE_IMAGE_YZX, SCENE_IMAGE_ZXY, SCENE_IMAGE_ZYX };
+enum scene_image_axes {
+    SCENE_IMAGE_XYZ,
+    SCENE_IMAGE_XZY,
+    SCENE_IMAGE_YXZ,
+    SCENE_IMAGE_YZX,
+    SCENE_IMAGE_ZXY,
+    SCENE_IMAGE_ZYX
+};
 enum scene_floating { SCENE_FLOATING_KEEP, SCENE_FLOATING_REMOVE, SCENE_FLOATING_HOLD };
 /* The voxels of a body of shape image (docs/images.md). Directions are those of the scene. */
 struct scene_image {
@@ -141,9 +148,9 @@ struct scene_image {
     int labels;
     int *label; /* solid: [...]: values of the solid's voxels */
     int has_threshold;
-    double threshold;  /* instead of labels: solid where the value is not below */
-    char flip[4];      /* directions in which the image is turned round; default none */
-    char mirror[4];    /* directions in which its mirror image follows it; default none */
+    double threshold; /* instead of labels: solid where the value is not below */
+    char flip[4];     /* directions in which the image is turned round; default none */
+    char mirror[4];   /* directions in which its mirror image follows it; default none */
     int flips[3], mirrors[3];
     enum scene_floating floating; /* pieces of solid that nothing connects to the largest one; default keep */
 };
@@ -155,9 +162,9 @@ struct scene_body {
     double centre[3], radius, length; /* sphere, cylinder */
     double radii[3];                  /* ellipsoid, along x, y, z */
     int axis;                         /* cylinder: x, y or z */
-    char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon]; image */
-    struct scene_image image;         /* image; its low corner is low */
-    int has_cavities;                 /* cavities: {period, radius, centre} */
+    char file[SCENE_PATH];    /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon]; image */
+    struct scene_image image; /* image; its low corner is low */
+    int has_cavities;         /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
     int corners, pieces, holes;
     struct scene_corner *corner;     /* polygon: outline */

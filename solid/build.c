@@ -1,4 +1,5 @@
 /* Steps of solid_new that are repeated after a refinement: ghosts, positions, counts. */
+#include "solid/body/bricks.h"
 #include "solid/build.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -45,7 +46,7 @@ static void cloud_place(struct solid *s, const struct solid_cloud *cloud, int fi
 static void lattice_place(struct solid *s, const struct solid_sites *sites) {
     const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
     const double spacing = s->in.spacing;
-    for (struct solid_sites_walk row = {0}; solid_sites_next(sites, &row);) {
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(sites, &row);) {
         if (row.id < from || row.id >= to) continue;
         int h = (int)(row.id - from);
         for (int k = 0; k < 8; k++) {

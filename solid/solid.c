@@ -1,4 +1,5 @@
 /* Builds and frees the solid: particles, ghosts, bonds, weights, initial state; exchange of ghost values. */
+#include "solid/body/bricks.h"
 #include "solid/solid.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -28,8 +29,8 @@
 static void overlap_check(const struct solid_input *in, struct solid_sites *const *sites) {
     for (int a = 0; a < in->bodies; a++)
         for (int b = a + 1; b < in->bodies; b++) {
-            struct solid_sites_walk row = {0};
-            while (sites[a]->is_lattice && solid_sites_next(sites[b], &row)) {
+            struct solid_bricks_walk row = {0};
+            while (sites[a]->is_lattice && solid_bricks_next(sites[b], &row)) {
                 for (int k = 0; k < 8; k++) {
                     const int site[3] = {row.site[0] + k, row.site[1], row.site[2]};
                     if ((row.bits >> k & 1) && solid_sites_id(sites[a], site) >= 0)

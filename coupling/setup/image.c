@@ -28,10 +28,10 @@ struct reader {
     struct setup_image *image;
     struct files_image *file;
     struct counts *counts;
-    int *value;         /* [slab], or */
-    double *real;       /* for a threshold */
+    int *value;             /* [slab], or */
+    double *real;           /* for a threshold */
     int first[3], cells[3]; /* the slab's first voxel, once turned, and its cells */
-    uint32_t *in_cell; /* [cells] voxels of the solid in each cell of the slab, if it takes several */
+    uint32_t *in_cell;      /* [cells] voxels of the solid in each cell of the slab, if it takes several */
     double least, most, sum;
     long solid;
 };
@@ -336,8 +336,7 @@ struct solid_components *setup_image_solid(const struct scene *scene, const stru
     for (int k = 0; k < s->constraints; k++)
         box_of(scene, image->voxels, s->constraint[k].low, s->constraint[k].high, box[k]);
     setup_image_wraps(scene, image, wraps);
-    struct solid_components *c =
-        solid_components_new(image->voxels, 1, wraps, s->constraints, (const int(*)[2][3])box);
+    struct solid_components *c = solid_components_new(image->voxels, 1, wraps, s->constraints, (const int(*)[2][3])box);
     free(box);
     return c;
 }

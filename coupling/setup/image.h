@@ -24,8 +24,8 @@ struct setup_image {
     struct solid_voxels *voxels; /* as the body is made of them: cropped, turned, coarsened, mirrored; owned */
 };
 
-/* Reads the image of body b. Dies (exit 2) where the file cannot be read, a label does not occur, or everything is solid
- * or pore. Collective. */
+/* Reads the image of body b. Dies (exit 2) where the file cannot be read, a label does not occur, or everything is
+ * solid or pore. Collective. */
 struct setup_image *setup_image_read(const struct scene *scene, int b);
 void setup_image_free(struct setup_image *image); /* may be NULL */
 

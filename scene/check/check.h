@@ -24,7 +24,8 @@ void scene_check_body(const struct scene_check *c, int b); /* parts of scene_che
 int scene_check_image(const struct scene_check *c, int b); /* part of scene_check_body: whether all is well */
 void scene_check_region(const struct scene_check *c);
 
-/* Opens the images of the scene's bodies and fills in their sizes, in the tree too. On the rank that reads the files. */
+/* Opens the images of the scene's bodies and fills in their sizes, in the tree too. On the rank that reads the files.
+ */
 void scene_check_image_open(struct scene *s, struct scene_node *root, struct scene_problems *problems);
 
 /* A path made by a printf format, for the calls below: scene_check_parts_path("solid.bodies[%d].low", b).text */

@@ -41,7 +41,8 @@ static void add_size(struct scene_node *body, const int size[3]) {
 }
 
 static void open_one(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
-    static const char *const key[] = {"file", "format", "dataset", "size", "type", "byte_order", "axes", "header_bytes"};
+    static const char *const key[] = {"file", "format",     "dataset", "size",
+                                      "type", "byte_order", "axes",    "header_bytes"};
     static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
     struct scene_image *image = &s->solid->body[b].image;
@@ -90,7 +91,8 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
 
 void scene_check_image_open(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
     for (int b = 0; s->solid && b < s->solid->bodies; b++)
-        if (s->solid->body[b].shape == SCENE_IMAGE && scene_node_find(root, "solid.bodies")) open_one(s, root, problems, b);
+        if (s->solid->body[b].shape == SCENE_IMAGE && scene_node_find(root, "solid.bodies"))
+            open_one(s, root, problems, b);
 }
 
 /* Whether the word consists of different letters x, y, z. */
@@ -120,16 +122,18 @@ static int check_crop(const struct scene_check *c, struct scene_path body, const
     return 1;
 }
 
-/* A voxel must be a whole number of spacings, or a spacing a whole number of voxels, of which the image has a multiple. */
+/* A voxel must be a whole number of spacings, or a spacing a whole number of voxels, of which the image has a multiple.
+ */
 static int check_voxel(const struct scene_check *c, struct scene_path body, const struct scene_image *image) {
     const double spacing = c->scene->solid->spacing, ratio = image->voxel / spacing;
     const double whole = rint(ratio >= 1 ? ratio : 1 / ratio);
     if (!(spacing > 0)) return 1; /* reported elsewhere */
     if (fabs((ratio >= 1 ? ratio : 1 / ratio) - whole) > WHOLE || whole > 64) {
-        scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.voxel", body.text).text,
-                         "must be solid.spacing (%.10g m) times 1, 2, 3 ... 64 (refinement), or divided by one of these "
-                         "(several voxels a cell)",
-                         spacing);
+        scene_problem_at(
+            c->problems, c->root, scene_check_parts_path("%s.voxel", body.text).text,
+            "must be solid.spacing (%.10g m) times 1, 2, 3 ... 64 (refinement), or divided by one of these "
+            "(several voxels a cell)",
+            spacing);
         return 0;
     }
     for (int d = 0; ratio < 1 && d < 3; d++) {
@@ -143,7 +147,8 @@ static int check_voxel(const struct scene_check *c, struct scene_path body, cons
     return 1;
 }
 
-/* A site's centre must not lie on the border of two voxels: the low corner stands on a corner of the lattice's cells. */
+/* A site's centre must not lie on the border of two voxels: the low corner stands on a corner of the lattice's cells.
+ */
 static int check_place(const struct scene_check *c, struct scene_path body, const double low[3]) {
     const struct scene_solid *s = c->scene->solid;
     for (int d = 0; s->spacing > 0 && d < 3; d++) {
@@ -151,8 +156,8 @@ static int check_place(const struct scene_check *c, struct scene_path body, cons
         if (fabs(at - rint(at)) <= WHOLE) continue;
         scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.low", body.text).text,
                          "must be on a corner of the lattice's cells; along %c the nearest are at %.10g and %.10g m",
-                         "xyz"[d], (floor(at) + s->lattice_offset[d]) * s->spacing,
-                         (floor(at) + 1 + s->lattice_offset[d]) * s->spacing);
+                         "xyz"[d], (floor(at) + s->lattice_offset[d]) * s -> spacing,
+                         (floor(at) + 1 + s->lattice_offset[d]) * s -> spacing);
         return 0;
     }
     return 1;

@@ -22,9 +22,9 @@ static const cyaml_strval_t image_formats[] = {{"auto", FILES_IMAGE_AUTO}, {"raw
                                                {"mhd", FILES_IMAGE_MHD},   {"nrrd", FILES_IMAGE_NRRD},
                                                {"tiff", FILES_IMAGE_TIFF}, {"hdf5", FILES_IMAGE_HDF5}};
 static const cyaml_strval_t image_types[] = {
-    {"header", FILES_IMAGE_HEADER}, {"int8", FILES_IMAGE_INT8},       {"uint8", FILES_IMAGE_UINT8},
-    {"int16", FILES_IMAGE_INT16},   {"uint16", FILES_IMAGE_UINT16},   {"int32", FILES_IMAGE_INT32},
-    {"uint32", FILES_IMAGE_UINT32}, {"int64", FILES_IMAGE_INT64},     {"uint64", FILES_IMAGE_UINT64},
+    {"header", FILES_IMAGE_HEADER},   {"int8", FILES_IMAGE_INT8},      {"uint8", FILES_IMAGE_UINT8},
+    {"int16", FILES_IMAGE_INT16},     {"uint16", FILES_IMAGE_UINT16},  {"int32", FILES_IMAGE_INT32},
+    {"uint32", FILES_IMAGE_UINT32},   {"int64", FILES_IMAGE_INT64},    {"uint64", FILES_IMAGE_UINT64},
     {"float32", FILES_IMAGE_FLOAT32}, {"float64", FILES_IMAGE_FLOAT64}};
 static const cyaml_strval_t image_orders[] = {
     {"header", FILES_IMAGE_ORDER_AUTO}, {"little", FILES_IMAGE_LITTLE}, {"big", FILES_IMAGE_BIG}};

@@ -1,4 +1,5 @@
 /* Particles of a body outside the lattice store: positions, sizes, volumes, horizons, and a cell grid. */
+#include "solid/body/bricks.h"
 #include "solid/body/cloud.h"
 #include "base/die.h"
 #include "base/memory.h"
@@ -148,7 +149,7 @@ struct solid_cloud *solid_cloud_lattice(const struct solid_input *in, const stru
     struct draft d;
     draft_begin(&d, in, body, sites);
     long i = 0;
-    for (struct solid_sites_walk row = {0}; solid_sites_next(sites, &row);)
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(sites, &row);)
         for (int k = 0; k < SOLID_ROW; k++) {
             if (!(row.bits >> k & 1)) continue;
             for (int c = 0; c < 3; c++) d.place[c][i] = row.site[c] + (c == 0 ? k : 0) + 0.5;

@@ -1,4 +1,5 @@
 /* Divides the global particle ids over the ranks by work, and finds a particle's local index. */
+#include "solid/body/bricks.h"
 #include "solid/body/number.h"
 #include "base/par.h"
 
@@ -10,7 +11,7 @@ enum { LIST_COST = 4 };
 /* Ids and cost of the indivisible units (rows, points) in turn. */
 struct units {
     const struct solid_sites *sites;
-    struct solid_sites_walk walk;
+    struct solid_bricks_walk walk;
     long point, id, cost;
 };
 
@@ -21,7 +22,7 @@ static int next_unit(struct units *u, int general_bonds) {
         u->cost = LIST_COST;
         return u->point++ < sites->count;
     }
-    if (!solid_sites_next(sites, &u->walk)) return 0;
+    if (!solid_bricks_next(sites, &u->walk)) return 0;
     u->id = u->walk.id;
     u->cost = general_bonds ? LIST_COST * __builtin_popcount(u->walk.bits) : SOLID_ROW;
     return 1;

@@ -1,5 +1,6 @@
 /* Finds the lattice sites, cells or points that belong to a body and numbers them along a space-filling curve. */
 #include "solid/body/sites.h"
+#include "solid/body/bricks.h"
 #include "base/die.h"
 #include "base/memory.h"
 #include "solid/geometry/curve.h"
@@ -10,7 +11,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing) {
     const struct solid_shape_surface surface = solid_shape_surface(body);
@@ -85,69 +85,8 @@ static void fill_rows(struct solid_sites *sites, const uint8_t *inside, const in
     for (long line = 0; line < (long)n[1] * n[2]; line++)
         for (int i = 0; i < n[0]; i++)
             if (inside[line * n[0] + i])
-                sites->bits[solid_sites_row(sites, (i + shift) / SOLID_ROW, (int)(line % n[1]), (int)(line / n[1]))] |=
+                sites->bits[solid_bricks_row(sites, (i + shift) / SOLID_ROW, (int)(line % n[1]), (int)(line / n[1]))] |=
                     (uint8_t)(1 << (i + shift) % SOLID_ROW);
-}
-
-void solid_sites_bricks(struct solid_sites *sites) {
-    for (int c = 0; c < 3; c++)
-        sites->bricks[c] = c == 0 ? sites->rows[c] : (sites->rows[c] + SOLID_ROW - 1) / SOLID_ROW;
-    sites->bits = memory_new(
-        MEMORY_SOLID, (size_t)sites->bricks[0] * (size_t)sites->bricks[1] * (size_t)sites->bricks[2], SOLID_BRICK);
-}
-
-/* Particles in the first rows of a brick. */
-static long count_rows(const struct solid_sites *sites, size_t brick, int rows) {
-    const uint8_t *bits = sites->bits + brick * SOLID_BRICK;
-    long n = 0;
-    int r = 0;
-    for (uint64_t eight; r + 8 <= rows; r += 8) {
-        memcpy(&eight, bits + r, sizeof eight);
-        n += __builtin_popcountll(eight);
-    }
-    for (; r < rows; r++) n += __builtin_popcount(bits[r]);
-    return n;
-}
-
-static void number_bricks(struct solid_sites *sites) {
-    const int bricks = sites->bricks[0] * sites->bricks[1] * sites->bricks[2];
-    struct keyed *key = memory_new(MEMORY_SOLID, (size_t)bricks, sizeof *key);
-    for (int b = 0; b < bricks; b++) {
-        const uint32_t at[3] = {(uint32_t)(b % sites->bricks[0]), (uint32_t)(b / sites->bricks[0] % sites->bricks[1]),
-                                (uint32_t)(b / sites->bricks[0] / sites->bricks[1])};
-        if (count_rows(sites, (size_t)b, SOLID_BRICK) > 0)
-            key[sites->ordered++] = (struct keyed){solid_curve_key(at, 3), b};
-    }
-    qsort(key, (size_t)sites->ordered, sizeof *key, by_key);
-    sites->order = memory_new(MEMORY_SOLID, (size_t)sites->ordered + 1, sizeof *sites->order);
-    sites->start = memory_new(MEMORY_SOLID, (size_t)bricks, sizeof *sites->start);
-    long id = sites->first;
-    for (int q = 0; q < sites->ordered; q++) {
-        const int b = (int)key[q].item;
-        sites->order[q] = b;
-        sites->start[b] = id;
-        id += count_rows(sites, (size_t)b, SOLID_BRICK);
-    }
-    memory_free(key);
-}
-
-int solid_sites_next(const struct solid_sites *sites, struct solid_sites_walk *w) {
-    for (; w->brick < sites->ordered; w->brick++, w->row = 0) {
-        const int b = sites->order[w->brick];
-        if (w->row == 0) w->next = sites->start[b];
-        for (; w->row < SOLID_BRICK; w->row++) {
-            w->bits = sites->bits[(size_t)b * SOLID_BRICK + (size_t)w->row];
-            if (!w->bits) continue;
-            w->site[0] = sites->low[0] + SOLID_ROW * (b % sites->bricks[0]);
-            w->site[1] = sites->low[1] + SOLID_ROW * (b / sites->bricks[0] % sites->bricks[1]) + w->row % SOLID_ROW;
-            w->site[2] = sites->low[2] + SOLID_ROW * (b / sites->bricks[0] / sites->bricks[1]) + w->row / SOLID_ROW;
-            w->id = w->next;
-            w->next += __builtin_popcount(w->bits);
-            w->row++;
-            return 1;
-        }
-    }
-    return 0;
 }
 
 /* Checks that a body with so many sites along c fits the periodic side, and sets the period. */
@@ -179,19 +118,17 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     const int shift = best_shift(inside, n);
     sites->low[0] -= shift;
     sites->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;
-    solid_sites_bricks(sites);
+    solid_bricks_new(sites);
     fill_rows(sites, inside, n, shift);
     memory_free(inside);
-    for (int c = 0; c < 3 && sites->count > 0; c++)
-        period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
+    for (int c = 0; c < 3 && sites->count > 0; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
 }
 
 static void cut_from_image(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
                            int reach) {
     int top[3] = {0};
     solid_sites_image(body->voxels, sites, top);
-    for (int c = 0; c < 3 && sites->count > 0; c++)
-        period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
+    for (int c = 0; c < 3 && sites->count > 0; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
 }
 
 /* Numbers points or cells in the order of their keys. */
@@ -258,7 +195,7 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
             cut_from_image(in, b, sites, reach);
         else
             cut_from_lattice(in, b, sites, reach);
-        if (sites->count > 0) number_bricks(sites);
+        if (sites->count > 0) solid_bricks_number(sites);
         break;
     case SOLID_PLACES_CELLS:
         cut_from_plane(in, b, sites, reach);
@@ -294,9 +231,5 @@ long solid_sites_id(const struct solid_sites *sites, const int site[3]) {
         at[c] -= sites->low[c];
         if (at[c] < 0 || at[c] >= (c == 0 ? SOLID_ROW : 1) * sites->rows[c]) return -1;
     }
-    const size_t row = solid_sites_row(sites, at[0] / SOLID_ROW, at[1], at[2]), brick = row / SOLID_BRICK;
-    const unsigned bit = 1u << at[0] % SOLID_ROW;
-    if (!(sites->bits[row] & bit)) return -1;
-    return sites->start[brick] + count_rows(sites, brick, (int)(row % SOLID_BRICK)) +
-           __builtin_popcount(sites->bits[row] & (bit - 1));
+    return solid_bricks_id(sites, at);
 }

@@ -3,7 +3,7 @@
 #pragma once
 #include "solid/state.h"
 
-enum { SOLID_ROW = 8, SOLID_BRICK = 64 }; /* sites of a row; rows of a brick */
+enum { SOLID_ROW = 8, SOLID_BRICK = 64 }; /* sites of a row; rows of a brick (solid/body/bricks.h) */
 
 struct solid_sites {
     int is_lattice;
@@ -27,28 +27,6 @@ struct solid_sites {
                      * cells */
 };
 
-/* Index in bits of row i along x at the lines j and k of the box. */
-static inline size_t solid_sites_row(const struct solid_sites *sites, int i, int j, int k) {
-    const size_t brick = ((size_t)(k / SOLID_ROW) * (size_t)sites->bricks[1] + (size_t)(j / SOLID_ROW)) *
-                             (size_t)sites->bricks[0] +
-                         (size_t)i;
-    return brick * SOLID_BRICK + (size_t)(k % SOLID_ROW * SOLID_ROW + j % SOLID_ROW);
-}
-
-/* A walk over the rows that hold a particle, in the order of their numbers. */
-struct solid_sites_walk {
-    int brick, row; /* the next one to look at; 0 at first */
-    /* the row found */
-    int site[3]; /* lattice index of its first site */
-    unsigned bits;
-    long id; /* of its first particle */
-    long next;
-};
-/* Finds the next row. Returns 0 when there is none. Not collective. */
-int solid_sites_next(const struct solid_sites *sites, struct solid_sites_walk *walk);
-
-/* Makes the bricks of the box, all empty; its rows are known. For solid/body/ only. */
-void solid_sites_bricks(struct solid_sites *sites);
 /* first: id of the body's first particle. Dies (exit 2) on an empty body. Collective (same input on all ranks). */
 struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *body, long first, int reach);
 void solid_sites_free(struct solid_sites *sites);

@@ -1,5 +1,6 @@
 /* Finds the lattice sites in the voxels of an image. All indices are whole numbers: a site's voxel is
  * (site - corner)/sites, rounded down. */
+#include "solid/body/bricks.h"
 #include "solid/body/sites_image.h"
 #include "base/memory.h"
 #include "solid/voxels/voxels.h"
@@ -88,7 +89,7 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
     }
     sites->low[0] -= shift;
     sites->rows[0] = rows_of(along, shift);
-    solid_sites_bricks(sites);
+    solid_bricks_new(sites);
     for (int k = 0; k < v->n[2]; k++)
         for (int j = 0; j < v->n[1]; j++) {
             if (!sites_of(v, j, k, line, bytes)) continue;
@@ -97,7 +98,7 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
                 const int at[2] = {BEFORE + j * v->sites + e % v->sites, BEFORE + k * v->sites + e / v->sites};
                 for (int r = 0; r < sites->rows[0]; r++) {
                     const uint8_t bits = row_of(line, r, shift);
-                    sites->bits[solid_sites_row(sites, r, at[0], at[1])] = bits;
+                    sites->bits[solid_bricks_row(sites, r, at[0], at[1])] = bits;
                     sites->count += __builtin_popcount(bits);
                 }
             }

@@ -1,4 +1,5 @@
 /* Lattice store of bonds: the box of lattice sites around a rank's particles, its rows, bond bits and weights. */
+#include "solid/body/bricks.h"
 #include "solid/bonds/lattice.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -33,7 +34,7 @@ static void offsets_new(struct solid_lattice *lattice) {
 /* The box of sites around the owned rows: one row wider along x, and wider by the family's reach along y and z. */
 static void box_new(struct solid_lattice *lattice, const struct solid_sites *t, long from, long to) {
     int high[3] = {0};
-    for (struct solid_sites_walk row = {0}; solid_sites_next(t, &row);) {
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(t, &row);) {
         if (row.id < from || row.id >= to) continue;
         for (int c = 0; c < 3; c++) {
             if (lattice->rows == 0 || row.site[c] < lattice->low[c]) lattice->low[c] = row.site[c];
@@ -67,11 +68,11 @@ static unsigned neighbours(const int *local, long cell) {
 
 static void rows_new(struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to) {
     int r = 0, h = lattice->first;
-    for (struct solid_sites_walk row = {0}; solid_sites_next(sites, &row);) {
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(sites, &row);) {
         if (row.id < from || row.id >= to) continue;
-        const int cell = ((row.site[2] - lattice->low[2]) * lattice->size[1] + row.site[1] - lattice->low[1]) *
-                             lattice->size[0] +
-                         row.site[0] - lattice->low[0];
+        const int cell =
+            ((row.site[2] - lattice->low[2]) * lattice->size[1] + row.site[1] - lattice->low[1]) * lattice->size[0] +
+            row.site[0] - lattice->low[0];
         lattice->row_cell[r] = cell;
         lattice->row_first[r] = h;
         lattice->row_owned[r] = (uint8_t)row.bits;

@@ -1,4 +1,4 @@
-/* The shapes that bodies are cut from: one file a shape (an image is a box), one line in the table. */
+/* The shapes that bodies are cut from: one file a shape, one line in the table. */
 #pragma once
 #include "solid/geometry/piece.h"
 

@@ -20,7 +20,3 @@ static int pieces(const struct solid_body *body, struct solid_piece piece[SOLID_
 
 const struct solid_shape_kind solid_shape_box = {
     .name = "box", .places = SOLID_PLACES_LATTICE, .bounds = bounds, .pieces = pieces};
-
-/* An image: the box of its voxels, which say what is inside (solid/body/sites_image.h). */
-const struct solid_shape_kind solid_shape_image = {
-    .name = "image", .places = SOLID_PLACES_LATTICE, .bounds = bounds, .pieces = pieces};

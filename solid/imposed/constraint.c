@@ -107,8 +107,7 @@ static void hold_voxels(struct solid *s) {
         if (!v || !v->held) continue;
         int site[3];
         for (int c = 0; c < 3; c++) site[c] = (int)floor((s->x0[c][h] - s->in.origin[c]) / s->in.spacing);
-        if (solid_sites_image_is(v, v->held, site))
-            s->flag[h] |= SOLID_HELD_X | SOLID_HELD_X << 1 | SOLID_HELD_X << 2;
+        if (solid_sites_image_is(v, v->held, site)) s->flag[h] |= SOLID_HELD_X | SOLID_HELD_X << 1 | SOLID_HELD_X << 2;
     }
 }
 

@@ -4,7 +4,7 @@
 #include "solid/voxels/voxels.h"
 
 struct solid_components {
-    int of; /* 1: of the solid, 0: of the pores */
+    int of;                       /* 1: of the solid, 0: of the pores */
     long voxels, pieces, largest; /* voxels of all pieces; how many pieces; voxels of the largest */
     long through[3];              /* voxels of pieces that reach both ends of the image along x, y, z */
     /* pieces other than the largest, and without a voxel in the boxes */

@@ -4,9 +4,7 @@
 
 #include <string.h>
 
-static size_t words_of(const struct solid_voxels *v) {
-    return (size_t)v->n[2] * (size_t)v->n[1] * (size_t)v->words;
-}
+static size_t words_of(const struct solid_voxels *v) { return (size_t)v->n[2] * (size_t)v->n[1] * (size_t)v->words; }
 
 uint64_t *solid_voxels_array(const struct solid_voxels *v) {
     return memory_new(MEMORY_SOLID, words_of(v), sizeof(uint64_t));

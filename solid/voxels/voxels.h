@@ -13,7 +13,7 @@ struct solid_voxels {
 
 /* All pore. Not collective, as all functions here. */
 struct solid_voxels *solid_voxels_new(const int n[3], int sites, const int corner[3]);
-void solid_voxels_free(struct solid_voxels *v); /* may be NULL */
+void solid_voxels_free(struct solid_voxels *v);             /* may be NULL */
 uint64_t *solid_voxels_array(const struct solid_voxels *v); /* of as many bits, all 0 */
 
 static inline long solid_voxels_line(const struct solid_voxels *v, int j, int k) {

@@ -52,7 +52,8 @@ static void write_tiff(const unsigned char *voxel) {
         TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
         TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, NY);
         for (int y = 0; y < NY; y++)
-            assert_int_equal(TIFFWriteScanline(file, (void *)(uintptr_t)(voxel + (z * NY + y) * NX), (uint32_t)y, 0), 1);
+            assert_int_equal(TIFFWriteScanline(file, (void *)(uintptr_t)(voxel + (z * NY + y) * NX), (uint32_t)y, 0),
+                             1);
         assert_int_equal(TIFFWriteDirectory(file), 1);
     }
     TIFFClose(file);
@@ -98,10 +99,12 @@ static int write_all(void **state) {
         mkdir(FOLDER, 0777);
         write_file("sample.raw", "", 0, voxel, VOXELS);
         write_file("turned.raw", "", 0, turned, VOXELS);
-        write_text("sample.mha",
-                   "ObjectType = Image\nNDims = 3\nDimSize = 13 9 7\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
-                   voxel, VOXELS);
-        write_text("sample.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 13 9 7\nencoding: raw\n\n", voxel, VOXELS);
+        write_text(
+            "sample.mha",
+            "ObjectType = Image\nNDims = 3\nDimSize = 13 9 7\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
+            voxel, VOXELS);
+        write_text("sample.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 13 9 7\nencoding: raw\n\n", voxel,
+                   VOXELS);
         write_tiff(voxel);
         write_hdf5(voxel);
         write_others();
@@ -145,7 +148,8 @@ static struct particles particles_of(const char *keys, double spacing, int with_
     uint64_t sum = 0;
     for (int h = 0; h < s->n; h++) {
         uint64_t z = with_ids ? (uint64_t)(s->first[par_rank()] + h) : 0;
-        for (int c = 0; c < 3; c++) z = mixed(z + (uint64_t)llrint(s->x0[c][h] / (spacing * 1e-3) * 4 + 1000) + 17u * (unsigned)c);
+        for (int c = 0; c < 3; c++)
+            z = mixed(z + (uint64_t)llrint(s->x0[c][h] / (spacing * 1e-3) * 4 + 1000) + 17u * (unsigned)c);
         sum += z;
     }
     p.sum = (uint64_t)par_sum_long((long)sum);
@@ -248,8 +252,8 @@ static void formats(void **state) {
     const struct particles raw = particles_of(RAW "file: sample.raw, solid: [1, 2]", 1, 1);
     for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
         char text[256];
-        snprintf(text, sizeof text,
-                 "shape: image, voxel: 1.0e-3, low: [0.003, 0.002, 0.001], solid: [1, 2], file: %s", file[i]);
+        snprintf(text, sizeof text, "shape: image, voxel: 1.0e-3, low: [0.003, 0.002, 0.001], solid: [1, 2], file: %s",
+                 file[i]);
         check_same(particles_of(text, 1, 1), raw);
     }
 }
@@ -257,10 +261,11 @@ static void formats(void **state) {
 /* An image of a ball, and the ball; a block of voxels, and the box. Sites stand in the voxels' centres. */
 static void shapes(void **state) {
     (void)state;
-    check_same(particles_of("shape: image, file: ball.raw, size: [16, 16, 16], type: uint8, voxel: 1.0e-3, low: [0.002, "
-                            "0.003, 0.004], solid: [1]",
-                            1, 0),
-               particles_of("shape: sphere, centre: [0.01, 0.011, 0.012], radius: 0.0063", 1, 0));
+    check_same(
+        particles_of("shape: image, file: ball.raw, size: [16, 16, 16], type: uint8, voxel: 1.0e-3, low: [0.002, "
+                     "0.003, 0.004], solid: [1]",
+                     1, 0),
+        particles_of("shape: sphere, centre: [0.01, 0.011, 0.012], radius: 0.0063", 1, 0));
     check_same(particles_of("shape: image, file: pieces.raw, size: [8, 8, 8], type: uint8, voxel: 2.0e-3, low: [0.002, "
                             "0.003, 0.004], solid: [1], floating: remove",
                             1, 0),
@@ -268,7 +273,8 @@ static void shapes(void **state) {
 }
 
 #define PIECES                                                                                                         \
-    "shape: image, file: pieces.raw, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0.002, 0.003, 0.004], solid: [1]"
+    "shape: image, file: pieces.raw, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0.002, 0.003, 0.004], solid: " \
+    "[1]"
 
 static void floating(void **state) {
     (void)state;
@@ -358,15 +364,17 @@ static void refused(void **state) {
         double spacing;
         const char *sentence;
     } table[] = {
-        {RAW "file: sample.raw, solid: [1, 7]", 1, "solid.bodies[0].solid: label 7 does not occur in " FOLDER
-                                                   "/sample.raw, whose values are 0 to 2 (0, 1, 2)"},
+        {RAW "file: sample.raw, solid: [1, 7]", 1,
+         "solid.bodies[0].solid: label 7 does not occur in " FOLDER "/sample.raw, whose values are 0 to 2 (0, 1, 2)"},
         {RAW "file: sample.raw, solid: [0, 1, 2]", 1, "solid.bodies[0].solid: leaves no pore in"},
         {RAW "file: sample.raw, threshold: 2.5", 1, "solid.bodies[0].threshold: leaves no solid in"},
         {RAW "file: sample.raw, threshold: 0", 1, "solid.bodies[0].threshold: leaves no pore in"},
         {RAW "file: sample.raw", 1, "scene.yaml:5: solid.bodies[0].solid: missing; shape image needs it"},
-        {RAW "file: sample.raw, solid: [1], threshold: 1", 1, "solid.bodies[0].solid = [1]: not together with threshold"},
+        {RAW "file: sample.raw, solid: [1], threshold: 1", 1,
+         "solid.bodies[0].solid = [1]: not together with threshold"},
         {RAW "file: sample.raw, solid: [1]", 0.7, "solid.bodies[0].voxel = 1.0e-3: must be solid.spacing (0.0007 m)"},
-        {RAW "file: sample.raw, solid: [1]", 2, "13 voxels along x do not make whole cells of 2 voxels; crop the image to 12"},
+        {RAW "file: sample.raw, solid: [1]", 2,
+         "13 voxels along x do not make whole cells of 2 voxels; crop the image to 12"},
         {RAW "file: sample.raw, solid: [1], crop: {low: [0, 0, 0], high: [13, 10, 7]}", 1,
          "solid.bodies[0].crop.high = [13, 10, 7]: must be at most 9 in y: the image has no more voxels"},
         {RAW "file: sample.raw, solid: [1], crop: {low: [0, 5, 0], high: [13, 5, 7]}", 1,
@@ -376,8 +384,10 @@ static void refused(void **state) {
         {RAW "file: sample.raw, solid: [1], mirror: a", 1, "solid.bodies[0].mirror = a: must be a word of the letters"},
         {"shape: image, size: [13, 9, 7], type: uint8, voxel: 1.0e-3, low: [0.0033, 0.002, 0.001], solid: [1], file: "
          "sample.raw",
-         1, "solid.bodies[0].low = [0.0033, 0.002, 0.001]: must be on a corner of the lattice's cells; along x the nearest "
-            "are at 0.003 and 0.004 m"},
+         1,
+         "solid.bodies[0].low = [0.0033, 0.002, 0.001]: must be on a corner of the lattice's cells; along x the "
+         "nearest "
+         "are at 0.003 and 0.004 m"},
         {"shape: image, size: [13, 9, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: sample.raw", 1,
          "solid.bodies[0].file = " FOLDER "/sample.raw: "},
         {"shape: image, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: short.raw", 1,
@@ -391,7 +401,8 @@ static void refused(void **state) {
     char said[4096];
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         assert_int_equal(leaves_with(table[i].keys, table[i].spacing, said, sizeof said), EXIT_CODE_SCENE);
-        if (!strstr(said, table[i].sentence)) fail_msg("%s\nshould say: %s\nand says: %s", table[i].keys, table[i].sentence, said);
+        if (!strstr(said, table[i].sentence))
+            fail_msg("%s\nshould say: %s\nand says: %s", table[i].keys, table[i].sentence, said);
         if (strchr(said, '\n') != said + strlen(said) - 1) fail_msg("%s\nis not one sentence: %s", table[i].keys, said);
     }
 }
@@ -416,7 +427,8 @@ static void surface(void **state) {
     }
     close(pipes[1]);
     size_t got = 0;
-    for (ssize_t k; got < sizeof said - 1 && (k = read(pipes[0], said + got, sizeof said - 1 - got)) > 0;) got += (size_t)k;
+    for (ssize_t k; got < sizeof said - 1 && (k = read(pipes[0], said + got, sizeof said - 1 - got)) > 0;)
+        got += (size_t)k;
     close(pipes[0]);
     waitpid(child, &status, 0);
     assert_int_equal(WEXITSTATUS(status), EXIT_CODE_SCENE);
@@ -424,9 +436,9 @@ static void surface(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest all[] = {cmocka_unit_test(keys),     cmocka_unit_test(formats),     cmocka_unit_test(shapes),
-                                     cmocka_unit_test(floating), cmocka_unit_test(constrained), cmocka_unit_test(refused),
-                                     cmocka_unit_test(surface)};
+    const struct CMUnitTest all[] = {
+        cmocka_unit_test(keys),        cmocka_unit_test(formats), cmocka_unit_test(shapes), cmocka_unit_test(floating),
+        cmocka_unit_test(constrained), cmocka_unit_test(refused), cmocka_unit_test(surface)};
     par_begin(&argc, &argv);
     /* the refusals end a process and are tried on one rank */
     const int failed = par_size() == 1 ? cmocka_run_group_tests(all, write_all, NULL)

@@ -1,4 +1,5 @@
-/* Connected pieces of random images against a search voxel by voxel: sizes, faces, periodic ends, boxes, loose pieces. */
+/* Connected pieces of random images against a search voxel by voxel: sizes, faces, periodic ends, boxes, loose pieces.
+ */
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/voxels/components.h"
@@ -117,7 +118,8 @@ static void compare(const int n[3], int percent, int of, const int wraps[3], int
 /* Lines of less than a word, a word and more; near the threshold at which pieces become one. */
 static void random_images(void **state) {
     (void)state;
-    static const int size[][3] = {{9, 8, 7}, {64, 5, 6}, {65, 6, 4}, {130, 3, 5}, {1, 9, 9}, {9, 1, 9}, {9, 9, 1}, {1, 1, 1}};
+    static const int size[][3] = {{9, 8, 7}, {64, 5, 6}, {65, 6, 4}, {130, 3, 5},
+                                  {1, 9, 9}, {9, 1, 9},  {9, 9, 1},  {1, 1, 1}};
     static const int box[2][2][3] = {{{0, 0, 0}, {2, 3, 2}}, {{5, 1, 2}, {9, 2, 3}}};
     srand(7);
     for (size_t s = 0; s < sizeof size / sizeof *size; s++)

@@ -22,7 +22,8 @@ static long thin_of(const struct solid_voxels *v, int of, int edge) {
             for (int i = 0; i + edge <= n[0]; i++) {
                 if (!is_of(v, of, (const int[3]){i, j, k}, edge)) continue;
                 for (int q = 0; q < edge * edge * edge; q++)
-                    thick[((size_t)(k + q / edge / edge) * (size_t)n[1] + (size_t)(j + q / edge % edge)) * (size_t)n[0] +
+                    thick[((size_t)(k + q / edge / edge) * (size_t)n[1] + (size_t)(j + q / edge % edge)) *
+                              (size_t)n[0] +
                           (size_t)(i + q % edge)] = 1;
             }
     for (int k = 0; k < n[2]; k++)
@@ -36,7 +37,8 @@ static long thin_of(const struct solid_voxels *v, int of, int edge) {
 
 static void random_images(void **state) {
     (void)state;
-    static const int size[][3] = {{9, 8, 7}, {64, 5, 6}, {66, 6, 5}, {130, 4, 4}, {2, 9, 9}, {9, 2, 9}, {9, 9, 2}, {1, 1, 1}};
+    static const int size[][3] = {{9, 8, 7}, {64, 5, 6}, {66, 6, 5}, {130, 4, 4},
+                                  {2, 9, 9}, {9, 2, 9},  {9, 9, 2},  {1, 1, 1}};
     srand(3);
     for (size_t s = 0; s < sizeof size / sizeof *size; s++)
         for (int percent = 5; percent <= 95; percent += 15)
@@ -57,7 +59,8 @@ static void slabs(void **state) {
     for (int from = 0; from < 90; from += 7)
         for (int thick = 1; thick <= 4; thick++) {
             struct solid_voxels *v = solid_voxels_new((const int[3]){100, 4, 5}, 1, (const int[3]){0, 0, 0});
-            for (int q = 0; q < 20 * thick; q++) solid_voxels_set(v, v->bits, from + q % thick, q / thick % 4, q / thick / 4);
+            for (int q = 0; q < 20 * thick; q++)
+                solid_voxels_set(v, v->bits, from + q % thick, q / thick % 4, q / thick / 4);
             check_equal(solid_opening_thin(v, 1, 3), thick < 3 ? 20 * thick : 0);
             solid_voxels_free(v);
         }
