@@ -137,13 +137,13 @@ static void say_phases(const struct setup_image *image, const struct phase of[2]
     say("  porosity   %.5f; connected from face to face along x %.5f, y %.5f, z %.5f\n",
         (double)pore->voxels / (double)all, (double)pore->through[0] / (double)all,
         (double)pore->through[1] / (double)all, (double)pore->through[2] / (double)all);
-    say("  pores      %ld pieces, the largest %.4f %% of the pores\n", pore->pieces,
+    say("  pores      %ld piece%s, the largest %.4f %% of the pores\n", pore->pieces, pore->pieces == 1 ? "" : "s",
         share(pore->largest, pore->voxels));
-    say("  solid      %ld pieces, the largest %.4f %% of the solid\n", solid->pieces,
+    say("  solid      %ld piece%s, the largest %.4f %% of the solid\n", solid->pieces, solid->pieces == 1 ? "" : "s",
         share(solid->largest, solid->voxels));
     if (solid->loose_pieces > 0)
-        say("  floating   %ld pieces of solid, %.4f %% of it, the largest of %ld voxels; they are %s\n",
-            solid->loose_pieces, share(solid->loose_voxels, solid->voxels), solid->loose_largest,
+        say("  floating   %ld piece%s of solid, %.4f %% of it, the largest of %ld voxels: %s\n", solid->loose_pieces,
+            solid->loose_pieces == 1 ? "" : "s", share(solid->loose_voxels, solid->voxels), solid->loose_largest,
             done[image->body->image.floating]);
     else
         say("  floating   no piece of solid\n");

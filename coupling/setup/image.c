@@ -361,8 +361,8 @@ void setup_image_loose(const struct scene *scene, struct setup_image *image) {
     }
     par_bcast(found, sizeof found, 0);
     if (found[0] == 0) return;
-    log_line("%s: %ld floating pieces of solid in %ld of %ld voxels, the largest of %ld voxels: %s", image->body->name,
-             found[0], found[1], solid_voxels_count(v, v->bits), found[2], done[floating]);
+    log_line("%s: %ld floating piece%s of solid in %ld of %ld voxels, the largest of %ld voxels: %s", image->body->name,
+             found[0], found[0] == 1 ? "" : "s", found[1], solid_voxels_count(v, v->bits), found[2], done[floating]);
     if (floating == SCENE_FLOATING_KEEP) return;
     if (!loose) loose = solid_voxels_array(v);
     par_bcast(loose, bytes, 0);
