@@ -15,7 +15,8 @@ solid:
   spacing: 1.0e-3
   materials: [{name: quartz, youngs_modulus: 70.0e9, density: 2650}]
   bodies:
-    - {name: rock, shape: image, file: sample.raw, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, solid: [1], low: [0, 0, 0]}
+    - {name: rock, shape: image, file: sample.raw, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, solid: [1],
+       low: [0, 0, 0]}
 stages: [{name: rest, steps: 1}]
 YAML
 said() { # said TEXT: the output holds it
