@@ -1,5 +1,6 @@
 /* HDF5 files written and read by all ranks together: contiguous datasets, each rank a block of them, every rank in
- * every transfer (with nothing selected where it has nothing). Used by store and vtkhdf only.
+ * every transfer (with nothing selected where it has nothing). Used by store and vtkhdf only; images are opened by
+ * h5_open_alone.
  *
  * After a fault of the disk all ranks agree on it, and all calls do nothing until h5_end reports it. */
 #pragma once

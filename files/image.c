@@ -2,6 +2,7 @@
 #include "files/image.h"
 #include "base/ensure.h"
 #include "files/image/hdf5.h"
+#include "files/image/kind.h"
 #include "files/image/mhd.h"
 #include "files/image/nrrd.h"
 #include "files/image/number.h"
@@ -13,8 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <unistd.h>
 
 struct files_image {
     struct image_source source; /* axes in the file's order */
@@ -24,13 +23,10 @@ struct files_image {
     double *block; /* of the source's order and size of blocks */
 };
 
-static const char *const format_word[FILES_IMAGE_FORMATS] = {
-    [FILES_IMAGE_AUTO] = "auto", [FILES_IMAGE_RAW] = "raw",   [FILES_IMAGE_MHD] = "mhd",
-    [FILES_IMAGE_NRRD] = "nrrd", [FILES_IMAGE_TIFF] = "tiff", [FILES_IMAGE_HDF5] = "hdf5"};
-
-const char *files_image_format_word(enum files_image_format format) { return format_word[format]; }
+const char *files_image_format_word(enum files_image_format format) { return image_kind_word(format); }
 const char *files_image_type_word(enum files_image_type type) { return image_number_word(type); }
 const long *files_image_size(const struct files_image *image) { return image->size; }
+int files_image_slowest(const struct files_image *image) { return image->source.axis[2]; }
 const double *files_image_voxel(const struct files_image *image) { return image->voxel; }
 const char *files_image_unit(const struct files_image *image) { return image->source.unit; }
 enum files_image_format files_image_format_of(const struct files_image *image) { return image->source.format; }
@@ -47,43 +43,9 @@ static int open_raw(struct image_source *s, const struct files_image_input *inpu
     return image_raw_open(s, input->file, input->header_bytes, input->byte_order);
 }
 
-static int ends(const char *name, const char *with) {
-    const size_t n = strlen(name), m = strlen(with);
-    return n >= m && strcasecmp(name + n - m, with) == 0;
-}
-
-/* By the first bytes, then by the name. */
-static int find_format(struct image_source *s, const struct files_image_input *input) {
-    static const struct {
-        const char *word;
-        size_t bytes;
-        enum files_image_format format;
-    } first[] = {{"NRRD", 4, FILES_IMAGE_NRRD},       {"II*\0", 4, FILES_IMAGE_TIFF},
-                 {"MM\0*", 4, FILES_IMAGE_TIFF},      {"II+\0", 4, FILES_IMAGE_TIFF},
-                 {"MM\0+", 4, FILES_IMAGE_TIFF},      {"\211HDF\r\n\032\n", 8, FILES_IMAGE_HDF5},
-                 {"ObjectType", 10, FILES_IMAGE_MHD}, {"NDims", 5, FILES_IMAGE_MHD}};
-    char bytes[16] = "";
-    long long all;
-    const int fd = image_source_file(s, input->file, &all);
-    if (fd < 0) return 1;
-    const int fault = image_source_take(s, fd, 0, bytes, all < 16 ? (size_t)all : 16);
-    close(fd);
-    if (fault) return 1;
-    for (size_t k = 0; k < sizeof first / sizeof *first && !s->format; k++)
-        if (memcmp(bytes, first[k].word, first[k].bytes) == 0) s->format = first[k].format;
-    if (s->format) return 0;
-    if (ends(input->file, ".mhd") || ends(input->file, ".mha")) s->format = FILES_IMAGE_MHD;
-    if (ends(input->file, ".h5") || ends(input->file, ".hdf5")) s->format = FILES_IMAGE_HDF5;
-    if (!s->format && (input->size[0] || ends(input->file, ".raw"))) s->format = FILES_IMAGE_RAW;
-    if (s->format) return 0;
-    return image_source_refuse(s,
-                               "its format is not known: it is no MetaImage, NRRD, TIFF or HDF5 file, and a raw file "
-                               "needs its size and the type of its voxels");
-}
-
 static int open_format(struct image_source *s, const struct files_image_input *input) {
     s->format = input->format;
-    if (s->format == FILES_IMAGE_AUTO && find_format(s, input)) return 1;
+    if (s->format == FILES_IMAGE_AUTO && image_kind_find(s, input)) return 1;
     switch (s->format) {
     case FILES_IMAGE_RAW:
         return open_raw(s, input);
@@ -108,7 +70,7 @@ static int read_axes(struct image_source *s, const char axes[4]) {
     int seen = 0;
     for (int f = 0; f < 3; f++) {
         const int c = order[f] - 'x';
-        if (c < 0 || c > 2 || (seen & 1 << c))
+        if (c < 0 || c > 2 || (seen & 1 << c) || order[3])
             return image_source_refuse(s, "axes = %.4s: each of x, y and z is needed once, as in xyz or zyx", order);
         s->axis[f] = c;
         seen |= 1 << c;
@@ -116,10 +78,18 @@ static int read_axes(struct image_source *s, const char axes[4]) {
     return 0;
 }
 
-/* What the user says must agree with the header. */
+/* What the user says must agree with the header, and go with the format. */
 static int compare(struct image_source *s, const struct files_image_input *input) {
     char size[IMAGE_SIZE_TEXT];
     const long *n = input->size;
+    if (input->header_bytes && s->format != FILES_IMAGE_RAW)
+        return image_source_refuse(s, "bytes of a header are given, and it is no raw file (%s)",
+                                   image_kind_word(s->format));
+    if (input->dataset && input->dataset[0] && s->format != FILES_IMAGE_HDF5)
+        return image_source_refuse(s, "a dataset is given, and it is no HDF5 file (%s)", image_kind_word(s->format));
+    if (input->byte_order && (s->format == FILES_IMAGE_TIFF || s->format == FILES_IMAGE_HDF5))
+        return image_source_refuse(s, "a byte order is given, and %s files say it themselves",
+                                   image_kind_word(s->format));
     for (int f = 0; f < 3; f++)
         if (n[s->axis[f]] != 0 && n[s->axis[f]] != s->n[f])
             return image_source_refuse(s, "it has %s, and its size is given as %ld x %ld x %ld",

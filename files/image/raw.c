@@ -12,20 +12,27 @@ struct raw {
     char *row;    /* rows of a block, as in the file */
 };
 
-static int take(struct image_source *s, const long low[3], long j, long k, long rows, long n, double *value) {
+enum { SHORT = 4096 }; /* bytes: parts of such rows are read with what is between them, by fewer calls */
+
+/* n voxels of each of some rows, of which the first begins at the voxel `first`. */
+static int take(struct image_source *s, long long first, long rows, long n, double *value) {
     const struct raw *raw = s->file;
-    const int bytes = image_number_bytes(s->type);
-    const long long first = ((long long)k * s->n[1] + j) * s->n[0] + low[0];
-    if (image_source_take(s, raw->fd, raw->at + first * bytes, raw->row, (size_t)(rows * n * bytes))) return 1;
-    image_number_convert(s->type, raw->swapped, raw->row, rows * n, value);
+    const long bytes = image_number_bytes(s->type), span = (rows - 1) * s->n[0] + n;
+    if (image_source_take(s, raw->fd, raw->at + first * bytes, raw->row, (size_t)(span * bytes))) return 1;
+    if (n == s->n[0])
+        image_number_convert(s->type, raw->swapped, raw->row, span, value);
+    else
+        for (long j = 0; j < rows; j++)
+            image_number_convert(s->type, raw->swapped, raw->row + j * s->n[0] * bytes, n, value + j * n);
     return 0;
 }
 
 static int read_box(struct image_source *s, const long low[3], const long high[3], double *value) {
-    const long n = high[0] - low[0], rows = n == s->n[0] ? high[1] - low[1] : 1; /* at once */
+    const long n = high[0] - low[0], is_short = s->n[0] * image_number_bytes(s->type) <= SHORT;
+    const long rows = is_short || n == s->n[0] ? high[1] - low[1] : 1; /* at once */
     for (long k = low[2]; k < high[2]; k++)
         for (long j = low[1]; j < high[1]; j += rows, value += rows * n)
-            if (take(s, low, j, k, rows, n, value)) return 1;
+            if (take(s, ((long long)k * s->n[1] + j) * s->n[0] + low[0], rows, n, value)) return 1;
     return 0;
 }
 

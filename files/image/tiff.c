@@ -1,34 +1,14 @@
 /* Reads stacks of grey pages by libtiff, the rows or tiles that a box needs. */
 #include "files/image/tiff.h"
-#include "files/image/header.h"
 #include "files/image/number.h"
+#include "files/image/raw.h"
+#include "files/image/tiff_pages.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <tiffio.h>
 #include <unistd.h>
 
 enum { PIECE_MOST = 1 << 28 }; /* bytes of a row or a tile */
-
-/* What all pages must share. */
-struct page {
-    uint32_t width, height;
-    uint16_t bits, number; /* SAMPLEFORMAT_... */
-};
-
-struct tiff {
-    TIFF *file;
-    struct page first;
-    uint64_t *at; /* [pages] bytes of the pages' directories */
-    long pages;
-    /* of the page that is open, -1: none */
-    long open;
-    uint32_t next_row; /* that libtiff decodes without beginning again */
-    uint32_t rows, tile[2];
-    char *piece; /* a row or a tile */
-    size_t room;
-    char said[200]; /* by libtiff */
-};
 
 static int keep_error(TIFF *file, void *user, const char *module, const char *format, va_list args) {
     (void)file, (void)module;
@@ -37,151 +17,10 @@ static int keep_error(TIFF *file, void *user, const char *module, const char *fo
     return 1;
 }
 
-static int keep_quiet(TIFF *file, void *user, const char *module, const char *format, va_list args) {
-    (void)file, (void)user, (void)module, (void)format, (void)args;
-    return 1;
-}
-
-/* Schemes that keep every value, and those of two colours. */
-static int is_read(uint16_t scheme, uint16_t bits) {
-    switch (scheme) {
-    case COMPRESSION_NONE:
-    case COMPRESSION_LZW:
-    case COMPRESSION_ADOBE_DEFLATE:
-    case COMPRESSION_DEFLATE:
-    case COMPRESSION_PACKBITS:
-    case COMPRESSION_ZSTD:
-    case COMPRESSION_LZMA:
-        return TIFFIsCODECConfigured(scheme);
-    case COMPRESSION_CCITTRLE:
-    case COMPRESSION_CCITTFAX3:
-    case COMPRESSION_CCITTFAX4:
-        return bits == 1 && TIFFIsCODECConfigured(scheme);
-    default:
-        return 0;
-    }
-}
-
-static int find_type(struct image_source *s, const struct page *p) {
-    const int bits = p->bits, is_signed = p->number == SAMPLEFORMAT_INT;
-    if (p->number == SAMPLEFORMAT_IEEEFP)
-        s->type = bits == 32 ? FILES_IMAGE_FLOAT32 : bits == 64 ? FILES_IMAGE_FLOAT64 : FILES_IMAGE_HEADER;
-    else if (bits == 1 || bits == 8)
-        s->type = is_signed && bits == 8 ? FILES_IMAGE_INT8 : FILES_IMAGE_UINT8;
-    else if (bits == 16)
-        s->type = is_signed ? FILES_IMAGE_INT16 : FILES_IMAGE_UINT16;
-    else if (bits == 32)
-        s->type = is_signed ? FILES_IMAGE_INT32 : FILES_IMAGE_UINT32;
-    if (p->number <= SAMPLEFORMAT_IEEEFP && s->type != FILES_IMAGE_HEADER) return 0;
-    return image_source_refuse(s,
-                               "its voxels have %d bits of sample format %d: integers of 1, 8, 16 or 32 bits and "
-                               "floating point of 32 or 64 are read",
-                               bits, p->number);
-}
-
-/* Checks the page whose directory is loaded. */
-static int check_page(struct image_source *s, struct tiff *t, long k, struct page *p) {
-    uint16_t samples, scheme, meaning = PHOTOMETRIC_MINISBLACK;
-    const TIFFCodec *codec;
-    TIFFGetFieldDefaulted(t->file, TIFFTAG_SAMPLESPERPIXEL, &samples);
-    TIFFGetFieldDefaulted(t->file, TIFFTAG_COMPRESSION, &scheme);
-    TIFFGetFieldDefaulted(t->file, TIFFTAG_BITSPERSAMPLE, &p->bits);
-    TIFFGetFieldDefaulted(t->file, TIFFTAG_SAMPLEFORMAT, &p->number);
-    TIFFGetField(t->file, TIFFTAG_PHOTOMETRIC, &meaning);
-    if (!TIFFGetField(t->file, TIFFTAG_IMAGEWIDTH, &p->width) ||
-        !TIFFGetField(t->file, TIFFTAG_IMAGELENGTH, &p->height))
-        return image_source_refuse(s, "page %ld has no size", k + 1);
-    if (samples != 1)
-        return image_source_refuse(s, "it has %d samples a pixel, as colours have: one is needed, grey or a label",
-                                   samples);
-    if (meaning > PHOTOMETRIC_MASK || meaning == PHOTOMETRIC_RGB)
-        return image_source_refuse(s, "its pixels mean colours (photometric %d): grey values or labels are needed",
-                                   meaning);
-    if (is_read(scheme, p->bits)) return 0;
-    codec = TIFFFindCODEC(scheme);
-    return image_source_refuse(s, "it is compressed by %s (scheme %d): LZW, Deflate, PackBits, ZSTD and LZMA are read",
-                               codec ? codec->name : "an unknown scheme", scheme);
-}
-
-static int count_pages(struct image_source *s, struct tiff *t) {
-    long room = 0;
-    do {
-        struct page p = {0};
-        if (t->pages == room) {
-            room = 2 * room + 64;
-            uint64_t *more = realloc(t->at, (size_t)room * sizeof *more);
-            if (!more) return image_source_refuse(s, "no memory left to read it");
-            t->at = more;
-        }
-        if (check_page(s, t, t->pages, &p)) return 1;
-        if (t->pages == 0) t->first = p;
-        if (p.width != t->first.width || p.height != t->first.height)
-            return image_source_refuse(s, "page %ld has %u x %u pixels, and page 1 has %u x %u", t->pages + 1, p.width,
-                                       p.height, t->first.width, t->first.height);
-        if (p.bits != t->first.bits || p.number != t->first.number)
-            return image_source_refuse(s, "page %ld has another type of pixel than page 1", t->pages + 1);
-        t->at[t->pages++] = TIFFCurrentDirOffset(t->file);
-        t->said[0] = '\0';
-    } while (TIFFReadDirectory(t->file));
-    if (t->said[0]) return image_source_refuse(s, "page %ld cannot be read: %s", t->pages + 1, t->said);
-    return 0;
-}
-
-/* libtiff takes a link to the next page that is cut off for none. The link is behind a number of entries and these. */
-static int check_last_link(struct image_source *s, struct tiff *t, long long bytes) {
-    const int is_big = TIFFIsBigTIFF(t->file);
-    const long long at = (long long)t->at[t->pages - 1];
-    union {
-        uint16_t small;
-        uint64_t big;
-    } entries;
-    if (image_source_take(s, TIFFFileno(t->file), at, &entries, is_big ? 8 : 2)) return 1;
-    if (TIFFIsByteSwapped(t->file)) {
-        if (is_big)
-            entries.big = __builtin_bswap64(entries.big);
-        else
-            entries.small = __builtin_bswap16(entries.small);
-    }
-    const uint64_t n = is_big ? entries.big : entries.small;
-    if (n < 1 << 16 && at + (is_big ? 16 + 20 * (long long)n : 6 + 12 * (long long)n) <= bytes) return 0;
-    return image_source_refuse(s, "it is cut off behind page %ld", t->pages);
-}
-
-/* The value of a line `key=value` of ImageJ's description, or NULL. */
-static const char *imagej_value(const char *text, const char *key, char value[32]) {
-    for (; text; text = strchr(text, '\n')) {
-        text += *text == '\n';
-        if (strncmp(text, key, strlen(key)) != 0) continue;
-        text += strlen(key);
-        const size_t n = strcspn(text, "\r\n");
-        if (n > 31) return NULL;
-        memcpy(value, text, n);
-        value[n] = '\0';
-        return value;
-    }
-    return NULL;
-}
-
-/* ImageJ gives pixels a unit in the resolution, and the distance of slices in its description. Other programs write
- * resolutions of printers. */
-static int read_imagej(struct image_source *s, struct tiff *t) {
-    char *text = NULL, value[32];
-    float resolution[2] = {0, 0};
-    TIFFSetDirectory(t->file, 0);
-    if (!TIFFGetField(t->file, TIFFTAG_IMAGEDESCRIPTION, &text) || !text || strncmp(text, "ImageJ=", 7) != 0) return 0;
-    if (t->pages == 1 && imagej_value(text, "images=", value) && strtol(value, NULL, 10) > 1)
-        return image_source_refuse(s,
-                                   "it holds %s slices in one page, as ImageJ writes more than 4 GB: save it as raw "
-                                   "or NRRD",
-                                   value);
-    const double metres = imagej_value(text, "unit=", value) ? image_header_metres(value) : 0;
-    TIFFGetField(t->file, TIFFTAG_XRESOLUTION, &resolution[0]);
-    TIFFGetField(t->file, TIFFTAG_YRESOLUTION, &resolution[1]);
-    if (metres == 0) return 0;
-    for (int f = 0; f < 2; f++) s->voxel[f] = resolution[f] > 0 ? metres / (double)resolution[f] : 0;
-    s->voxel[2] = imagej_value(text, "spacing=", value) ? metres * strtod(value, NULL) : 0;
-    s->unit = "m";
-    return 0;
+/* Of unknown tags nobody needs to hear. While pixels are decoded a warning means that some of them are missing. */
+static int keep_warning(TIFF *file, void *user, const char *module, const char *format, va_list args) {
+    const struct tiff *t = user;
+    return t->open < 0 ? 1 : keep_error(file, user, module, format, args);
 }
 
 static int refuse_page(struct image_source *s, const struct tiff *t, long k) {
@@ -193,7 +32,7 @@ static int open_page(struct image_source *s, struct tiff *t, long k) {
     if (t->open == k) return 0;
     t->open = -1;
     t->said[0] = '\0';
-    if (!TIFFSetSubDirectory(t->file, t->at[k]) || check_page(s, t, k, &p) ||
+    if (!TIFFSetSubDirectory(t->file, t->at[k]) || image_tiff_pages_check(s, t, k, &p) ||
         memcmp(&p, &t->first, sizeof p) != 0) /* the file has changed since */
         return refuse_page(s, t, k);
     uint64_t bytes;
@@ -217,6 +56,8 @@ static int open_page(struct image_source *s, struct tiff *t, long k) {
         t->room = bytes;
     }
     t->open = k;
+    t->bytes = bytes;
+    t->said[0] = '\0';
     t->next_row = p.height; /* nothing is decoded yet */
     return 0;
 }
@@ -231,16 +72,21 @@ static void convert(const struct image_source *s, const char *row, long from, lo
     for (long i = 0; i < n; i++) value[i] = row[(from + i) / 8] >> (7 - (from + i) % 8) & 1;
 }
 
+/* It is opened anew if it is asked for again. */
+static int drop_page(struct image_source *s, struct tiff *t) {
+    const long page = t->open;
+    t->open = -1;
+    return refuse_page(s, t, page);
+}
+
 /* Rows of a strip can only be decoded one after the other. */
 static int read_row(struct image_source *s, struct tiff *t, uint32_t j) {
     const uint32_t first = j - j % t->rows;
     uint32_t row = t->next_row >= first && t->next_row <= j ? t->next_row : first;
-    for (; row <= j; row++)
-        if (TIFFReadScanline(t->file, t->piece, row, 0) != 1) {
-            const long page = t->open;
-            t->open = -1;
-            return refuse_page(s, t, page);
-        }
+    for (; row <= j; row++) {
+        memset(t->piece, 0, t->bytes); /* a damaged page may leave some as it was */
+        if (TIFFReadScanline(t->file, t->piece, row, 0) != 1 || t->said[0]) return drop_page(s, t);
+    }
     t->next_row = j + 1;
     return 0;
 }
@@ -262,7 +108,9 @@ static int read_tiles(struct image_source *s, struct tiff *t, const long low[3],
     const tmsize_t stride = TIFFTileRowSize(t->file);
     for (long y = low[1] - low[1] % ty; y < high[1]; y += ty)
         for (long x = low[0] - low[0] % tx; x < high[0]; x += tx) {
-            if (TIFFReadTile(t->file, t->piece, (uint32_t)x, (uint32_t)y, 0, 0) < 0) return refuse_page(s, t, t->open);
+            memset(t->piece, 0, t->bytes);
+            if (TIFFReadTile(t->file, t->piece, (uint32_t)x, (uint32_t)y, 0, 0) < 0 || t->said[0])
+                return drop_page(s, t);
             const long i = larger(x, low[0]), to = smaller(x + tx, high[0]);
             for (long j = larger(y, low[1]); j < smaller(y + ty, high[1]); j++)
                 convert(s, t->piece + (j - y) * stride, i - x, to - i, value + (j - low[1]) * n + (i - low[0]));
@@ -298,11 +146,24 @@ static int choose_block(struct image_source *s, struct tiff *t) {
     return 0;
 }
 
+/* ImageJ's slices are read as a raw file. */
+static int open_slices(struct image_source *s, const char *path, long long bytes) {
+    const struct tiff *t = s->file;
+    const int is_big = TIFFIsBigEndian(t->file);
+    uint64_t *at = NULL;
+    if (!TIFFGetField(t->file, TIFFTAG_STRIPOFFSETS, &at) || !at || at[0] > (uint64_t)bytes)
+        return refuse_page(s, t, 0);
+    const long long first = (long long)at[0];
+    close_file(s);
+    s->close = NULL;
+    return image_raw_open(s, path, first, is_big ? FILES_IMAGE_BIG : FILES_IMAGE_LITTLE);
+}
+
 static TIFF *open_tiff(struct tiff *t, int fd, const char *path, long long bytes) {
     TIFFOpenOptions *options = TIFFOpenOptionsAlloc();
     if (!options) return NULL;
     TIFFOpenOptionsSetErrorHandlerExtR(options, keep_error, t);
-    TIFFOpenOptionsSetWarningHandlerExtR(options, keep_quiet, NULL);
+    TIFFOpenOptionsSetWarningHandlerExtR(options, keep_warning, t);
     TIFFOpenOptionsSetMaxSingleMemAlloc(options, (tmsize_t)(4 * bytes + PIECE_MOST)); /* whatever a header says */
     TIFF *file = TIFFFdOpenExt(fd, path, "rm", options); /* no mapping: a file cut off meanwhile would be a signal */
     TIFFOpenOptionsFree(options);
@@ -314,19 +175,16 @@ int image_tiff_open(struct image_source *s, const struct files_image_input *inpu
     const int fd = image_source_file(s, input->file, &bytes);
     if (fd < 0) return 1;
     struct tiff *t = calloc(1, sizeof *t);
+    if (t) t->open = -1;
     if (!t || !(t->file = open_tiff(t, fd, input->file, bytes))) {
         image_source_refuse(s, "it is no TIFF that can be read: %s", t && t->said[0] ? t->said : "no memory left");
         close(fd);
         free(t);
         return 1;
     }
-    t->open = -1;
     s->file = t;
     s->read = read_box;
     s->close = close_file;
-    if (count_pages(s, t) || check_last_link(s, t, bytes) || find_type(s, &t->first) || read_imagej(s, t)) return 1;
-    s->n[0] = t->first.width;
-    s->n[1] = t->first.height;
-    s->n[2] = t->pages;
-    return image_source_bytes(s, &bytes) || choose_block(s, t);
+    if (image_tiff_pages_find(s, t, bytes)) return 1;
+    return t->slices ? open_slices(s, input->file, bytes) : choose_block(s, t);
 }

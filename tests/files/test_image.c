@@ -19,6 +19,9 @@ static void every_order_of_axes_gives_the_same(void **state) {
         image_write(input.file, "head", 4, data, sample_bytes(axes[k], 1, 0, data));
         input.header_bytes = 4;
         check_file(&input);
+        struct files_image *image = image_opened(&input);
+        check_equal(files_image_slowest(image), axes[k][2] - 'x');
+        files_image_close(image);
     }
 }
 
@@ -94,6 +97,32 @@ static void large_images_are_read_in_blocks(void **state) {
     }
 }
 
+/* Rows longer than those that are read with what is between their parts. */
+static void long_rows_are_read_in_parts(void **state) {
+    (void)state;
+    enum { X = 70001, Y = 3, Z = 2 };
+    static uint16_t data[X * Y * Z];
+    static int value[X * Y * Z];
+    static const long box[][2][3] = {
+        {{0, 0, 0}, {X, Y, Z}}, {{65530, 1, 0}, {65540, 3, 2}}, {{5, 0, 1}, {70000, 2, 2}}};
+    char problem[400];
+    for (long i = 0; i < X * Y * Z; i++) data[i] = (uint16_t)(i * 7);
+    const struct files_image_input input = {
+        .file = image_path(folder, "long"), .size = {X, Y, Z}, .type = FILES_IMAGE_UINT16};
+    image_write(input.file, "", 0, data, sizeof data);
+    struct files_image *image = image_opened(&input);
+    for (size_t k = 0; k < sizeof box / sizeof *box; k++) {
+        long i = 0;
+        check_equal(files_image_read(image, box[k][0], box[k][1], value, problem, sizeof problem), 0);
+        for (long z = box[k][0][2]; z < box[k][1][2]; z++)
+            for (long y = box[k][0][1]; y < box[k][1][1]; y++)
+                for (long x = box[k][0][0]; x < box[k][1][0]; x++, i++)
+                    if (value[i] != data[(z * Y + y) * X + x])
+                        fail_msg("voxel [%ld, %ld, %ld] is %d", x, y, z, value[i]);
+    }
+    files_image_close(image);
+}
+
 static void what_is_wrong_is_refused(void **state) {
     (void)state;
     unsigned char data[VOXELS * 2] = {0};
@@ -117,12 +146,16 @@ static void what_is_wrong_is_refused(void **state) {
     REFUSED(size[2], 1L << 62, "it has 7 x 5 x 4611686018427387904 voxels: more than a file can hold");
     REFUSED(type, FILES_IMAGE_HEADER, "a raw file has no header: the type of its voxels is needed");
     REFUSED(axes[0], 'x', "axes = x: each of x, y and z is needed once, as in xyz or zyx");
+    REFUSED(dataset, "rock", "a dataset is given, and it is no HDF5 file (raw)");
     struct files_image_input odd = input;
     memset(odd.size, 0, sizeof odd.size);
     check_refused(&odd, "a raw file has no header: its size is needed");
     odd = input;
     memcpy(odd.axes, "xyx", 4);
     check_refused(&odd, "axes = xyx: each of x, y and z is needed once, as in xyz or zyx");
+    odd = input;
+    memcpy(odd.axes, "xyzx", 4);
+    check_refused(&odd, "axes = xyzx: each of x, y and z is needed once, as in xyz or zyx");
     odd = input;
     odd.file = folder;
     check_refused(&odd, "it is no file");
@@ -187,6 +220,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(every_type_and_byte_order),
                                        cmocka_unit_test(extreme_numbers),
                                        cmocka_unit_test(large_images_are_read_in_blocks),
+                                       cmocka_unit_test(long_rows_are_read_in_parts),
                                        cmocka_unit_test(what_is_wrong_is_refused),
                                        cmocka_unit_test(a_box_outside_is_refused),
                                        cmocka_unit_test(what_is_no_label_is_refused),

@@ -214,6 +214,36 @@ static void imagej_says_its_voxel(void **state) {
     }
 }
 
+static void put_number(unsigned char *to, int bytes, unsigned value) {
+    for (int k = 0; k < bytes; k++) to[k] = (unsigned char)(value >> 8 * (bytes - 1 - k));
+}
+
+/* As ImageJ writes more than 4 GB: the directory of one page, and all slices behind it, big-endian. */
+static void slices_behind_the_only_page(void **state) {
+    (void)state;
+    static const char text[] = "ImageJ=1.53t\nimages=4\nslices=4\nunit=um\nspacing=2\n";
+    enum { ENTRIES = 9, TEXT = 8 + 2 + 12 * ENTRIES + 4, DATA = TEXT + sizeof text };
+    /* tag, type (2: text, 3: 2 bytes, 4: 4 bytes), number, value */
+    static const unsigned entry[ENTRIES][4] = {{256, 3, 1, NX},   {257, 3, 1, NY}, {258, 3, 1, 16},
+                                               {259, 3, 1, 1},    {262, 3, 1, 1},  {270, 2, sizeof text, TEXT},
+                                               {273, 4, 1, DATA}, {278, 3, 1, NY}, {279, 4, 1, NX * NY * 2}};
+    unsigned char head[DATA] = {'M', 'M', 0, 42, 0, 0, 0, 8, 0, ENTRIES}, data[VOXELS * 2];
+    for (int k = 0; k < ENTRIES; k++) {
+        unsigned char *to = head + 10 + 12 * k;
+        put_number(to, 2, entry[k][0]);
+        put_number(to + 2, 2, entry[k][1]);
+        put_number(to + 4, 4, entry[k][2]);
+        put_number(to + 8, entry[k][1] == 3 ? 2 : 4, entry[k][3]);
+    }
+    memcpy(head + TEXT, text, sizeof text);
+    const char *path = image_path(folder, "slices.tif");
+    image_write(path, head, sizeof head, data, sample_bytes("xyz", 2, 1, data));
+    check_at(path, FILES_IMAGE_UINT16);
+    image_write(path, head, sizeof head, data, VOXELS * 2 - 1);
+    const struct files_image_input input = {.file = path};
+    check_refused(&input, "it has 451 bytes, but 7 x 5 x 4 voxels of uint16 take 280 after 172 of a header");
+}
+
 static void odd_tiffs_are_refused(void **state) {
     (void)state;
     static const struct {
@@ -229,12 +259,19 @@ static void odd_tiffs_are_refused(void **state) {
         {{.scheme = COMPRESSION_JPEG},
          "it is compressed by JPEG (scheme 7): LZW, Deflate, PackBits, ZSTD and LZMA are read"},
         {{.odd_page = 2}, "page 3 has 7 x 4 pixels, and page 1 has 7 x 5"},
-        {{.description = "ImageJ=1.53t\nimages=900\nunit=micron\n", .pages = 1},
-         "it holds 900 slices in one page, as ImageJ writes more than 4 GB: save it as raw or NRRD"}};
+        {{.description = "ImageJ=1.53t\nimages=900\n", .pages = 1, .scheme = COMPRESSION_LZW},
+         "it holds 900 slices in one page, and not as ImageJ writes them"},
+        {{.description = "ImageJ=1.53t\nimages=900\n", .pages = 1, .rows = 1},
+         "it holds 900 slices in one page, and not as ImageJ writes them"}};
     for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
         const struct files_image_input input = {.file = written("odd.tif", odd[k].how)};
         check_refused(&input, odd[k].why);
     }
+    const struct files_image_input ordered = {.file = written("odd.tif", (struct how){0}),
+                                              .byte_order = FILES_IMAGE_BIG};
+    check_refused(&ordered, "a byte order is given, and tiff files say it themselves");
+    const struct files_image_input behind = {.file = ordered.file, .header_bytes = 8};
+    check_refused(&behind, "bytes of a header are given, and it is no raw file (tiff)");
     const struct files_image_input text = {.file = image_path(folder, "text.tif"), .format = FILES_IMAGE_TIFF};
     image_write(text.file, "no image", 8, "", 0);
     check_refused(&text, "it is no TIFF that can be read: Not a TIFF or MDI file, bad magic number 28526 (0x6f6e)");
@@ -266,13 +303,11 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     TIFFSetWarningHandler(NULL); /* it advises against an old number for Deflate */
     folder = files_folder("image_tiff");
-    const struct CMUnitTest tests[] = {cmocka_unit_test(types_and_byte_orders),
-                                       cmocka_unit_test(strips_tiles_and_compressions),
-                                       cmocka_unit_test(large_pages),
-                                       cmocka_unit_test(labels_of_a_palette_and_of_one_bit),
-                                       cmocka_unit_test(imagej_says_its_voxel),
-                                       cmocka_unit_test(odd_tiffs_are_refused),
-                                       cmocka_unit_test(a_tiff_cut_off_is_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(types_and_byte_orders), cmocka_unit_test(strips_tiles_and_compressions),
+        cmocka_unit_test(large_pages),           cmocka_unit_test(labels_of_a_palette_and_of_one_bit),
+        cmocka_unit_test(imagej_says_its_voxel), cmocka_unit_test(slices_behind_the_only_page),
+        cmocka_unit_test(odd_tiffs_are_refused), cmocka_unit_test(a_tiff_cut_off_is_refused)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
