@@ -23,3 +23,5 @@ void machine_processor(char *to, size_t size) {
 }
 
 int machine_cores(void) { return (int)sysconf(_SC_NPROCESSORS_ONLN); }
+
+size_t machine_memory(void) { return (size_t)sysconf(_SC_PHYS_PAGES) * (size_t)sysconf(_SC_PAGESIZE); }

@@ -1,6 +1,7 @@
 /* frana check: prints parts of the run, stable steps and their limits, memory, dimensionless groups. Takes no step. */
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/machine.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/blocked.h"
@@ -263,7 +264,28 @@ static void say_groups(const struct run *r) {
     }
 }
 
-int check_scene(const struct scene *scene) {
+/* Memory of a run by its size, GB: measured in the cases with all parts, 464 bytes a particle with its bonds, 260 a
+ * cell of the fluid. */
+static double gigabytes_of(const struct scene *scene, double particles) {
+    double cells = scene->fluid ? 1 : 0;
+    for (int c = 0; c < 3; c++) cells *= scene->domain.cells[c];
+    return 1e-9 * (464 * particles + 260 * cells);
+}
+
+/* Whether a body of an image makes the run larger than this machine's memory for so many ranks; if so, says it. */
+static int is_too_large(const struct scene *scene, double particles) {
+    const double share = (double)machine_memory() * 1e-9 / fmin(par_size(), machine_cores());
+    const double needed = gigabytes_of(scene, particles) / par_size();
+    if (particles == 0 || par_min(share) >= needed) return 0;
+    say("\nThe run needs some %.3g GB a rank on %d ranks; this machine has %.3g GB a rank. Stable steps and what else "
+        "needs the particles is left out: check the scene on more ranks, or a crop of the image.\n",
+        needed, par_size(), share);
+    return 1;
+}
+
+int check_scene(const struct command *c, const struct scene *scene) {
+    const double particles = check_image(c, scene);
+    if (is_too_large(scene, particles)) return EXIT_CODE_DONE;
     struct run *r = run_new(scene);
     struct fragments *fragments = fragments_new(r); /* they take memory by particle */
     say_holdings(r);

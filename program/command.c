@@ -12,7 +12,7 @@ const char *command_usage(void) {
     return "usage:\n"
            "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE]] [--max-wall "
            "HH:MM:SS] [--quiet]\n"
-           "  frana check SCENE.yaml [--set key.path=value]...\n"
+           "  frana check SCENE.yaml [--out DIR] [--set key.path=value]...\n"
            "  frana permeability SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
            "[--fresh]\n"
            "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--level DAMAGE] [--magnify FACTOR]\n"
@@ -59,11 +59,11 @@ static enum command_verb verb_of(const char *word) {
             "%s: unknown command; there are run, check, post, bench, study, permeability, --version and --help", word);
 }
 
-/* runs/NAME, where NAME is the scene's file name without its ending. */
-static void default_out(struct command *c) {
+/* above/NAME, where NAME is the scene's file name without its ending. */
+static void default_out(struct command *c, const char *above) {
     const char *slash = strrchr(c->file[0], '/'), *name = slash ? slash + 1 : c->file[0], *dot = strrchr(name, '.');
     const int length = dot ? (int)(dot - name) : (int)strlen(name);
-    snprintf(c->out, sizeof c->out, "runs/%.*s", length, name);
+    snprintf(c->out, sizeof c->out, "%s/%.*s", above, length, name);
 }
 
 static int whole(const char *text, const char *name, int least) {
@@ -219,7 +219,8 @@ struct command *command_new(int argc, char **argv) {
     c->file = (const char *const *)(argv + 1 + optind);
     c->files = argc - 1 - optind;
     check_files(c, argv[1]);
-    if ((c->verb == COMMAND_RUN || c->verb == COMMAND_PERMEABILITY) && !c->out[0]) default_out(c);
+    if ((c->verb == COMMAND_RUN || c->verb == COMMAND_PERMEABILITY) && !c->out[0]) default_out(c, "runs");
+    if (c->verb == COMMAND_CHECK && !c->out[0]) default_out(c, "checks");
     return c;
 }
 

@@ -68,7 +68,7 @@ static int permeability(const struct command *c) {
 
 static int check(const struct command *c) {
     struct scene *scene = scene_of(c);
-    const int code = check_scene(scene);
+    const int code = check_scene(c, scene);
     scene_free(scene);
     return code;
 }

@@ -15,6 +15,12 @@ static int is_given(const struct scene_node *root, struct scene_path path) {
 static void derive_body(const struct scene_solid *s, const struct scene_node *root, int b) {
     struct scene_body *body = &s->body[b];
     body->has_cavities = is_given(root, scene_check_parts_path("solid.bodies[%d].cavities", b));
+    body->image.has_crop = is_given(root, scene_check_parts_path("solid.bodies[%d].crop", b));
+    body->image.has_threshold = is_given(root, scene_check_parts_path("solid.bodies[%d].threshold", b));
+    for (int d = 0; d < 3; d++) {
+        body->image.flips[d] = strchr(body->image.flip, "xyz"[d]) != NULL;
+        body->image.mirrors[d] = strchr(body->image.mirror, "xyz"[d]) != NULL;
+    }
     for (int m = s->materials - 1; m >= 0; m--)
         if (!strcmp(body->material, s->material[m].name)) body->material_index = m;
     scene_outline_make(body);

@@ -32,6 +32,7 @@ static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
     case SCENE_ELLIPSOID:
     case SCENE_SPHERES:
     case SCENE_POINTS:
+    case SCENE_IMAGE:
         break;
     }
     ENSURE(0, "shape %d has no outline", (int)p->shape);
@@ -49,6 +50,7 @@ static int has_outline(enum scene_shape shape) {
     case SCENE_ELLIPSOID:
     case SCENE_SPHERES:
     case SCENE_POINTS:
+    case SCENE_IMAGE:
         return 0;
     }
     ENSURE(0, "shape %d", (int)shape);

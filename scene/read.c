@@ -74,7 +74,8 @@ static void resolve_files(struct scene_node *root, const char *path, struct scen
 }
 
 /* Loads a tree whose keys have been checked into the struct. */
-static struct scene *load(const char *path, struct scene_node *root, struct scene_problems *problems) {
+static struct scene *load(const char *path, struct scene_node *root, int look_for_files,
+                          struct scene_problems *problems) {
     char *text = scene_yaml_emit(root, 1), *why;
     struct scene *s = scene_schema_load(text, &why);
     free(text);
@@ -85,6 +86,7 @@ static struct scene *load(const char *path, struct scene_node *root, struct scen
     }
     snprintf(s->path, sizeof s->path, "%s", path);
     scene_derive_domain(s, root);
+    if (look_for_files) scene_check_image_open(s, root, problems);
     scene_default_fill(s, root, problems);
     scene_derive(s, root);
     const struct scene_check c = {s, root, problems};
@@ -116,7 +118,7 @@ struct scene *scene_read(const char *path, const char *text, size_t bytes, int n
     scene_set(root, n, set, problems);
     scene_check_keys(root, problems);
     if (look_for_files) resolve_files(root, path, problems);
-    struct scene *s = load(path, root, problems);
+    struct scene *s = load(path, root, look_for_files, problems);
     scene_node_free(root);
     if (problems->n > 0) {
         scene_problem_sort(problems);

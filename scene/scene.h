@@ -1,6 +1,7 @@
 /* The scene: the user's input, checked, with every default filled in. Each section of the YAML file is a struct; the
  * members' names are the file's keys. A missing section is NULL: that part is left out of the run. (docs/scene.md) */
 #pragma once
+#include "files/image.h"
 #include "physics/bond.h"
 #include <stddef.h>
 
@@ -113,6 +114,7 @@ enum scene_shape {
     SCENE_ELLIPSOID,
     SCENE_SPHERES,
     SCENE_POINTS,
+    SCENE_IMAGE,
     SCENE_RECTANGLE,
     SCENE_DISC,
     SCENE_POLYGON
@@ -129,6 +131,36 @@ struct scene_part {         /* a further piece of a body, or a hole in it */
     int spheres;
     double (*sphere)[4]; /* spheres */
 };
+enum scene_image_axes {
+    SCENE_IMAGE_XYZ,
+    SCENE_IMAGE_XZY,
+    SCENE_IMAGE_YXZ,
+    SCENE_IMAGE_YZX,
+    SCENE_IMAGE_ZXY,
+    SCENE_IMAGE_ZYX
+};
+enum scene_floating { SCENE_FLOATING_KEEP, SCENE_FLOATING_REMOVE, SCENE_FLOATING_HOLD };
+/* The voxels of a body of shape image (docs/images.md). Directions are those of the scene. */
+struct scene_image {
+    enum files_image_format format;    /* default auto */
+    char dataset[SCENE_PATH];          /* hdf5 */
+    int size[3];                       /* voxels; the default is what the file's header says */
+    enum files_image_type type;        /* default header */
+    enum files_image_order byte_order; /* default header */
+    enum scene_image_axes axes;        /* direction that varies first, second, third in the file; default xyz */
+    int header_bytes;                  /* raw: bytes before the first voxel, default 0 */
+    double voxel;                      /* m */
+    int has_crop;                      /* crop: {low, high}: voxels low <= i < high; default all */
+    int crop_low[3], crop_high[3];
+    int labels;
+    int *label; /* solid: [...]: values of the solid's voxels */
+    int has_threshold;
+    double threshold; /* instead of labels: solid where the value is not below */
+    char flip[4];     /* directions in which the image is turned round; default none */
+    char mirror[4];   /* directions in which its mirror image follows it; default none */
+    int flips[3], mirrors[3];
+    enum scene_floating floating; /* pieces of solid that nothing connects to the largest one; default keep */
+};
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
     int material_index;
@@ -138,7 +170,8 @@ struct scene_body {
     double radii[3];                  /* ellipsoid, along x, y, z */
     int axis;                         /* cylinder: x, y or z */
     char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon].
-                                       * spheres: text, x y z radius or x y z and three radii a line */
+                                       * spheres: text, x y z radius or x y z and three radii a line; image */
+    struct scene_image image;         /* image; its low corner is low */
     int spheres;
     double (*sphere)[4]; /* spheres: [[x, y, z, radius], ...], if no file is given */
     int contacts_broken; /* contacts: bonded (0, default), broken (1: no bond between the body's shapes) */

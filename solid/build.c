@@ -1,4 +1,5 @@
 /* Steps of solid_new that are repeated after a refinement: ghosts, positions, counts. */
+#include "solid/body/bricks.h"
 #include "solid/build.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -45,16 +46,13 @@ static void cloud_place(struct solid *s, const struct solid_cloud *cloud, int fi
 static void lattice_place(struct solid *s, const struct solid_sites *sites) {
     const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
     const double spacing = s->in.spacing;
-    for (int q = 0; q < sites->filled; q++) {
-        const int row = sites->order[q];
-        if (sites->start[row] < from || sites->start[row] >= to) continue;
-        const int site[3] = {sites->low[0] + 8 * (row % sites->rows[0]),
-                             sites->low[1] + row / sites->rows[0] % sites->rows[1],
-                             sites->low[2] + row / sites->rows[0] / sites->rows[1]};
-        int h = (int)(sites->start[row] - from);
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(sites, &row);) {
+        if (row.id < from || row.id >= to) continue;
+        int h = (int)(row.id - from);
         for (int k = 0; k < 8; k++) {
-            if (!(sites->bits[row] >> k & 1)) continue;
-            for (int c = 0; c < 3; c++) s->x0[c][h] = s->in.origin[c] + (site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
+            if (!(row.bits >> k & 1)) continue;
+            for (int c = 0; c < 3; c++)
+                s->x0[c][h] = s->in.origin[c] + (row.site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
             s->volume[h++] = spacing * spacing * spacing;
         }
     }

@@ -65,6 +65,7 @@ enum solid_shape {
     SOLID_CYLINDER,
     SOLID_ELLIPSOID,
     SOLID_SPHERES,
+    SOLID_IMAGE,
     SOLID_POINTS,
     SOLID_POLYGON,
     SOLID_SHAPES
@@ -75,7 +76,7 @@ enum solid_shape {
 struct solid_body {
     char name[64];
     enum solid_shape shape;
-    double low[3], high[3];   /* box, m */
+    double low[3], high[3];   /* box, bounds of an image, m */
     double centre[3], radius; /* sphere, cylinder */
     int axis;                 /* cylinder */
     double length;            /* cylinder */
@@ -90,6 +91,7 @@ struct solid_body {
     int contacts_broken; /* 1: no bond joins particles of different shapes of the body */
     /* spherical cavities on a cubic array, removed from any shape; period 0: none */
     double cavity_period, cavity_radius, cavity_centre[3];
+    const struct solid_voxels *voxels; /* SOLID_IMAGE; borrowed (solid/voxels/voxels.h) */
     /* SOLID_POINTS: given particles, on no lattice; borrowed, [points] */
     long points;
     const double *point[3];      /* of a plate: x, y, NULL */

@@ -1,4 +1,5 @@
 /* Builds and frees the solid: particles, ghosts, bonds, weights, initial state; exchange of ghost values. */
+#include "solid/body/bricks.h"
 #include "solid/solid.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -30,14 +31,11 @@
 static void overlap_check(const struct solid_input *in, struct solid_sites *const *sites) {
     for (int a = 0; a < in->bodies; a++)
         for (int b = a + 1; b < in->bodies; b++) {
-            const struct solid_sites *t = sites[b];
-            for (int q = 0; sites[a]->is_lattice && q < t->filled; q++) {
-                const int row = t->order[q];
+            struct solid_bricks_walk row = {0};
+            while (sites[a]->is_lattice && solid_bricks_next(sites[b], &row)) {
                 for (int k = 0; k < 8; k++) {
-                    const int site[3] = {t->low[0] + 8 * (row % t->rows[0]) + k,
-                                         t->low[1] + row / t->rows[0] % t->rows[1],
-                                         t->low[2] + row / t->rows[0] / t->rows[1]};
-                    if ((t->bits[row] >> k & 1) && solid_sites_id(sites[a], site) >= 0)
+                    const int site[3] = {row.site[0] + k, row.site[1], row.site[2]};
+                    if ((row.bits >> k & 1) && solid_sites_id(sites[a], site) >= 0)
                         die_all(EXIT_CODE_SCENE, "solid bodies %s and %s overlap", in->body[a].name, in->body[b].name);
                 }
             }
@@ -199,6 +197,7 @@ struct solid *solid_new(const struct solid_input *in) {
     initial_set(s);
     solid_constraint_check(s);
     solid_constraint_mark(s);
+    for (int b = 0; b < in->bodies; b++) ((struct solid_body *)(uintptr_t)&s->in.body[b])->voxels = NULL;
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     par_ghost_update(s->ghost, s->dim, s->v, s->n);

@@ -33,7 +33,7 @@ fluid
     measure
 solid
     input.h state.h
-    geometry
+    geometry voxels
     law
     body
     bonds

@@ -1,6 +1,7 @@
 /* Translates bodies, outlines and cracks of the scene into the solid's input. */
 #include "base/ensure.h"
 #include "base/par.h"
+#include "coupling/setup/image.h"
 #include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
 #include "scene/outline.h"
@@ -38,6 +39,17 @@ void setup_body_outlines(const struct scene_body *from, struct solid_body *to) {
     snprintf(to->name, sizeof to->name, "%s", from->name);
 }
 
+/* The voxels of an image, and their bounds. */
+static void setup_voxels(const struct scene *scene, int b, struct solid_body *to) {
+    struct setup_image *image = setup_image_read(scene, b);
+    setup_image_loose(scene, image);
+    to->voxels = image->voxels;
+    for (int c = 0; c < 3; c++)
+        to->high[c] = to->low[c] + image->voxels->n[c] * image->voxels->sites * scene->solid->spacing;
+    image->voxels = NULL;
+    setup_image_free(image);
+}
+
 /* The numbers of a shape, of a body in 3D or a part of it. */
 static void setup_shape(const struct scene_part *from, const char *name, struct solid_body *to) {
     to->shape = setup_kinds_shape(from->shape);
@@ -63,18 +75,20 @@ static void setup_parts(const struct scene_body *from, struct solid_body *to) {
     to->part = part;
 }
 
-void setup_body(const struct scene_body *from, int dim, struct solid_body *to) {
+void setup_body(const struct scene *scene, int b, struct solid_body *to) {
+    const struct scene_body *from = &scene->solid->body[b];
     const struct scene_part own = scene_outline_own(from);
     *to = (struct solid_body){.material = from->material_index, .contacts_broken = from->contacts_broken};
     setup_body_outlines(from, to);
     setup_shape(&own, from->name, to);
-    if (dim == 3) setup_parts(from, to);
+    if (scene->dimension == 3) setup_parts(from, to);
     if (from->has_cavities) {
         to->cavity_period = from->cavity_period;
         to->cavity_radius = from->cavity_radius;
         memcpy(to->cavity_centre, from->cavity_centre, sizeof to->cavity_centre);
     }
-    if (to->shape == SOLID_POINTS) setup_points(from, dim, to);
+    if (to->shape == SOLID_POINTS) setup_points(from, scene->dimension, to);
+    if (to->shape == SOLID_IMAGE) setup_voxels(scene, b, to);
 }
 
 void setup_body_free(struct solid_body *body) {
@@ -87,6 +101,7 @@ void setup_body_free(struct solid_body *body) {
     give_back(body->part);
     give_back(body->entry);
     give_back(body->outline);
+    solid_voxels_free((struct solid_voxels *)(uintptr_t)body->voxels);
     give_back(body->point[0]);
 }
 

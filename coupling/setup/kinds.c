@@ -122,6 +122,8 @@ enum solid_shape setup_kinds_shape(enum scene_shape kind) {
         return SOLID_ELLIPSOID;
     case SCENE_SPHERES:
         return SOLID_SPHERES;
+    case SCENE_IMAGE:
+        return SOLID_IMAGE;
     case SCENE_POINTS:
         return SOLID_POINTS;
     case SCENE_RECTANGLE:

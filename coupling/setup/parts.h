@@ -2,8 +2,8 @@
 #pragma once
 #include "coupling/setup/setup.h"
 
-/* One body; dim: number of coordinates. Collective: rank 0 reads a point file. */
-void setup_body(const struct scene_body *from, int dim, struct solid_body *to);
+/* Body b. Collective: rank 0 reads a point file, all ranks read an image. */
+void setup_body(const struct scene *scene, int b, struct solid_body *to);
 /* The name and the outlines only. */
 void setup_body_outlines(const struct scene_body *from, struct solid_body *to);
 void setup_body_free(struct solid_body *body);

@@ -86,7 +86,7 @@ struct solid_input *setup_solid(const struct scene *scene) {
     struct solid_cut *cut = array_of(s->cracks, sizeof *cut);
     struct solid_constraint *constraint = array_of(s->constraints, sizeof *constraint);
     struct solid_region *unbreakable = array_of(s->unbreakables, sizeof *unbreakable);
-    for (int b = 0; b < s->bodies; b++) setup_body(&s->body[b], scene->dimension, &body[b]);
+    for (int b = 0; b < s->bodies; b++) setup_body(scene, b, &body[b]);
     for (int m = 0; m < s->materials; m++) setup_material(&s->material[m], &material[m]);
     for (int k = 0; k < s->cracks; k++) setup_body_cut(&s->crack[k], &cut[k]);
     for (int k = 0; k < s->constraints; k++) setup_constraint(&s->constraint[k], &constraint[k]);
@@ -144,9 +144,11 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
 }
 
 /* Whether particles that share no bond may meet from the start: those of several bodies, on both sides of a crack, of
- * points with gaps, or of shapes that are not bonded. */
+ * points with gaps, of an image, or of shapes that are not bonded. */
 static int is_in_pieces(const struct scene_solid *s) {
-    return s->bodies > 1 || s->cracks > 0 || s->body[0].shape == SCENE_POINTS || s->body[0].contacts_broken;
+    const enum scene_shape shape = s->body[0].shape;
+    return s->bodies > 1 || s->cracks > 0 || shape == SCENE_POINTS || shape == SCENE_IMAGE ||
+           s->body[0].contacts_broken;
 }
 
 struct setup_needs setup_needs_of(const struct scene *scene) {

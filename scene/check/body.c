@@ -66,6 +66,7 @@ static int add_shape(const struct scene_part *p, double low[3], double high[3]) 
     case SCENE_DISC:
     case SCENE_POLYGON:
     case SCENE_POINTS:
+    case SCENE_IMAGE:
         break;
     }
     ENSURE(0, "shape %d in 3D", (int)p->shape);
@@ -89,6 +90,8 @@ int scene_check_body_bounds(const struct scene_body *body, double low[3], double
     case SCENE_POLYGON:
         bounds_of_outlines(body, low, high);
         return 1;
+    case SCENE_IMAGE:
+        return scene_check_image_bounds(body, low, high);
     case SCENE_POINTS:
         return 0;
     }
@@ -195,6 +198,7 @@ static int check_own(const struct scene_check *c, struct scene_path path, const 
     case SCENE_ELLIPSOID:
     case SCENE_DISC:
     case SCENE_POINTS:
+    case SCENE_IMAGE: /* of a body: scene_check_image */
         return 1;
     }
     ENSURE(0, "shape %d", (int)part->shape);
@@ -210,6 +214,7 @@ static int check_shape(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     const struct scene_part own = scene_outline_own(body);
     int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), &own);
+    if (body->shape == SCENE_IMAGE) good &= scene_check_image(c, b);
     for (int i = 0; i < body->pieces; i++) good &= check_part(c, "pieces", b, i, &body->piece[i]);
     for (int i = 0; i < body->holes; i++) good &= check_part(c, "holes", b, i, &body->hole[i]);
     return good;

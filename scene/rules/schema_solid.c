@@ -11,12 +11,27 @@ static const cyaml_strval_t shapes[] = {{"box", SCENE_BOX},           {"sphere",
                                         {"cylinder", SCENE_CYLINDER}, {"ellipsoid", SCENE_ELLIPSOID},
                                         {"spheres", SCENE_SPHERES},   {"rectangle", SCENE_RECTANGLE},
                                         {"disc", SCENE_DISC},         {"polygon", SCENE_POLYGON},
-                                        {"points", SCENE_POINTS}};
+                                        {"points", SCENE_POINTS},     {"image", SCENE_IMAGE}};
 static const cyaml_strval_t part_shapes[] = {{"rectangle", SCENE_RECTANGLE}, {"disc", SCENE_DISC},
                                              {"polygon", SCENE_POLYGON},     {"box", SCENE_BOX},
                                              {"sphere", SCENE_SPHERE},       {"cylinder", SCENE_CYLINDER},
                                              {"ellipsoid", SCENE_ELLIPSOID}, {"spheres", SCENE_SPHERES}};
 static const cyaml_strval_t contacts[] = {{"bonded", 0}, {"broken", 1}};
+static const cyaml_strval_t image_formats[] = {{"auto", FILES_IMAGE_AUTO}, {"raw", FILES_IMAGE_RAW},
+                                               {"mhd", FILES_IMAGE_MHD},   {"nrrd", FILES_IMAGE_NRRD},
+                                               {"tiff", FILES_IMAGE_TIFF}, {"hdf5", FILES_IMAGE_HDF5}};
+static const cyaml_strval_t image_types[] = {
+    {"header", FILES_IMAGE_HEADER},   {"int8", FILES_IMAGE_INT8},      {"uint8", FILES_IMAGE_UINT8},
+    {"int16", FILES_IMAGE_INT16},     {"uint16", FILES_IMAGE_UINT16},  {"int32", FILES_IMAGE_INT32},
+    {"uint32", FILES_IMAGE_UINT32},   {"int64", FILES_IMAGE_INT64},    {"uint64", FILES_IMAGE_UINT64},
+    {"float32", FILES_IMAGE_FLOAT32}, {"float64", FILES_IMAGE_FLOAT64}};
+static const cyaml_strval_t image_orders[] = {
+    {"header", FILES_IMAGE_ORDER_AUTO}, {"little", FILES_IMAGE_LITTLE}, {"big", FILES_IMAGE_BIG}};
+static const cyaml_strval_t image_axes[] = {{"xyz", SCENE_IMAGE_XYZ}, {"xzy", SCENE_IMAGE_XZY},
+                                            {"yxz", SCENE_IMAGE_YXZ}, {"yzx", SCENE_IMAGE_YZX},
+                                            {"zxy", SCENE_IMAGE_ZXY}, {"zyx", SCENE_IMAGE_ZYX}};
+static const cyaml_strval_t floatings[] = {
+    {"keep", SCENE_FLOATING_KEEP}, {"remove", SCENE_FLOATING_REMOVE}, {"hold", SCENE_FLOATING_HOLD}};
 static const cyaml_strval_t turns[] = {{"straight", 0}, {"left", 1}, {"right", -1}};
 static const cyaml_strval_t depths[] = {{"layer", 0}, {"horizon", 1}};
 static const cyaml_strval_t initial_shapes[] = {{"gaussian", SCENE_GAUSSIAN}, {"sine", SCENE_SINE}};
@@ -61,6 +76,12 @@ static const cyaml_schema_field_t part_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t part = {CYAML_VALUE_MAPPING(NEEDED, struct scene_part, part_fields)};
 
+static const cyaml_schema_value_t whole = {CYAML_VALUE_INT(NEEDED, int)};
+#define VOXELS(key, flags, type, member) CYAML_FIELD_SEQUENCE_FIXED(key, flags, struct type, member, &whole, 3)
+static const cyaml_schema_field_t crop_fields[] = {VOXELS("low", NEEDED, scene_body, image.crop_low),
+                                                   VOXELS("high", NEEDED, scene_body, image.crop_high),
+                                                   CYAML_FIELD_END};
+
 static const cyaml_schema_field_t body_fields[] = {
     TEXT("name", OPTIONAL, scene_body, name),
     TEXT("material", OPTIONAL, scene_body, material),
@@ -79,6 +100,20 @@ static const cyaml_schema_field_t body_fields[] = {
     ENTRIES("spheres", LIST, scene_body, sphere, spheres, &sphere, 1, LIST_MAX),
     CHOICE("contacts", OPTIONAL, scene_body, contacts_broken, contacts),
     PART("cavities", OPTIONAL, scene_body, cavity_fields),
+    CHOICE("format", OPTIONAL, scene_body, image.format, image_formats),
+    TEXT("dataset", OPTIONAL, scene_body, image.dataset),
+    VOXELS("size", OPTIONAL, scene_body, image.size),
+    CHOICE("type", OPTIONAL, scene_body, image.type, image_types),
+    CHOICE("byte_order", OPTIONAL, scene_body, image.byte_order, image_orders),
+    CHOICE("axes", OPTIONAL, scene_body, image.axes, image_axes),
+    WHOLE("header_bytes", OPTIONAL, scene_body, image.header_bytes),
+    NUMBER("voxel", OPTIONAL, scene_body, image.voxel),
+    PART("crop", OPTIONAL, scene_body, crop_fields),
+    ENTRIES("solid", LIST, scene_body, image.label, image.labels, &whole, 1, LIST_MAX),
+    NUMBER("threshold", OPTIONAL, scene_body, image.threshold),
+    TEXT("flip", OPTIONAL, scene_body, image.flip),
+    TEXT("mirror", OPTIONAL, scene_body, image.mirror),
+    CHOICE("floating", OPTIONAL, scene_body, image.floating, floatings),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
 

@@ -4,7 +4,7 @@
 #include "scene/rules/schema.h"
 #include "scene/text/problem.h"
 
-enum { SCENE_WALK_KEYS = 32 }; /* the largest number of keys of a mapping, or of words of a choice */
+enum { SCENE_WALK_KEYS = 64 }; /* the largest number of keys of a mapping, or of words of a choice */
 
 struct scene_walk {
     struct scene_problems *problems;

@@ -1,4 +1,5 @@
 /* Particles of a body outside the lattice store: positions, sizes, volumes, horizons, and a cell grid. */
+#include "solid/body/bricks.h"
 #include "solid/body/cloud.h"
 #include "base/die.h"
 #include "base/memory.h"
@@ -148,17 +149,12 @@ struct solid_cloud *solid_cloud_lattice(const struct solid_input *in, const stru
     struct draft d;
     draft_begin(&d, in, body, sites);
     long i = 0;
-    for (int q = 0; q < sites->filled; q++) {
-        const int row = sites->order[q];
-        const int site[3] = {sites->low[0] + SOLID_ROW * (row % sites->rows[0]),
-                             sites->low[1] + row / sites->rows[0] % sites->rows[1],
-                             sites->low[2] + row / sites->rows[0] / sites->rows[1]};
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(sites, &row);)
         for (int k = 0; k < SOLID_ROW; k++) {
-            if (!(sites->bits[row] >> k & 1)) continue;
-            for (int c = 0; c < 3; c++) d.place[c][i] = site[c] + (c == 0 ? k : 0) + 0.5;
+            if (!(row.bits >> k & 1)) continue;
+            for (int c = 0; c < 3; c++) d.place[c][i] = row.site[c] + (c == 0 ? k : 0) + 0.5;
             d.volume[i++] = 1;
         }
-    }
     for (int c = 0; c < 3; c++) d.in.origin[c] = in->origin[c];
     d.in.law.columns = LATTICE_COLUMNS;
     return draft_end(&d);

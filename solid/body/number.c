@@ -1,4 +1,5 @@
 /* Divides the global particle ids over the ranks by work, and finds a particle's local index. */
+#include "solid/body/bricks.h"
 #include "solid/body/number.h"
 #include "base/par.h"
 
@@ -7,30 +8,38 @@
 /* cost of a particle of the list store in a sweep, in units of a particle of a full row */
 enum { LIST_COST = 4 };
 
-/* Walks over the indivisible units (rows, points) in the order of the ids. */
-static long cost_of(const struct solid_sites *sites, long unit, int general_bonds) {
-    if (!sites->is_lattice) return LIST_COST;
-    return general_bonds ? LIST_COST * __builtin_popcount(sites->bits[sites->order[unit]]) : SOLID_ROW;
-}
+/* Ids and cost of the indivisible units (rows, points) in turn. */
+struct units {
+    const struct solid_sites *sites;
+    struct solid_bricks_walk walk;
+    long point, id, cost;
+};
 
-static long id_of(const struct solid_sites *sites, long unit) {
-    return sites->is_lattice ? sites->start[sites->order[unit]] : sites->first + unit;
+static int next_unit(struct units *u, int general_bonds) {
+    const struct solid_sites *sites = u->sites;
+    if (!sites->is_lattice) {
+        u->id = sites->first + u->point;
+        u->cost = LIST_COST;
+        return u->point++ < sites->count;
+    }
+    if (!solid_bricks_next(sites, &u->walk)) return 0;
+    u->id = u->walk.id;
+    u->cost = general_bonds ? LIST_COST * __builtin_popcount(u->walk.bits) : SOLID_ROW;
+    return 1;
 }
-
-static long units(const struct solid_sites *t) { return t->is_lattice ? t->filled : t->count; }
 
 void solid_number_divide(struct solid_sites *const *sites, int bodies, int general_bonds, long *first) {
     const int size = par_size();
     long total = 0, sum = 0, n = 0;
     for (int b = 0; b < bodies; b++) {
-        for (long u = 0; u < units(sites[b]); u++) total += cost_of(sites[b], u, general_bonds);
+        for (struct units u = {.sites = sites[b]}; next_unit(&u, general_bonds);) total += u.cost;
         n += sites[b]->count;
     }
     int rank = 0;
     for (int b = 0; b < bodies; b++)
-        for (long u = 0; u < units(sites[b]); u++) {
-            while (rank < size && (double)sum * size >= (double)total * rank) first[rank++] = id_of(sites[b], u);
-            sum += cost_of(sites[b], u, general_bonds);
+        for (struct units u = {.sites = sites[b]}; next_unit(&u, general_bonds);) {
+            while (rank < size && (double)sum * size >= (double)total * rank) first[rank++] = u.id;
+            sum += u.cost;
         }
     while (rank <= size) first[rank++] = n;
 }

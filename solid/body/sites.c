@@ -1,5 +1,6 @@
 /* Finds the lattice sites, cells or points that belong to a body and numbers them along a space-filling curve. */
 #include "solid/body/sites.h"
+#include "solid/body/bricks.h"
 #include "base/die.h"
 #include "base/memory.h"
 #include "solid/geometry/compound.h"
@@ -7,6 +8,7 @@
 #include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/shape.h"
+#include "solid/body/sites_image.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -86,29 +88,8 @@ static void fill_rows(struct solid_sites *sites, const uint8_t *inside, const in
     for (long line = 0; line < (long)n[1] * n[2]; line++)
         for (int i = 0; i < n[0]; i++)
             if (inside[line * n[0] + i])
-                sites->bits[line * sites->rows[0] + (i + shift) / SOLID_ROW] |= (uint8_t)(1 << (i + shift) % SOLID_ROW);
-}
-
-static void number_rows(struct solid_sites *sites) {
-    const int rows = sites->rows[0] * sites->rows[1] * sites->rows[2];
-    struct keyed *row = memory_new(MEMORY_SOLID, (size_t)rows, sizeof *row);
-    for (int r = 0; r < rows; r++) {
-        if (!sites->bits[r]) continue;
-        const int i = r % sites->rows[0], j = r / sites->rows[0] % sites->rows[1],
-                  k = r / sites->rows[0] / sites->rows[1];
-        const uint32_t brick[3] = {(uint32_t)i, (uint32_t)j / SOLID_ROW, (uint32_t)k / SOLID_ROW};
-        row[sites->filled++] = (struct keyed){solid_curve_key(brick, 3), r};
-    }
-    qsort(row, (size_t)sites->filled, sizeof *row, by_key);
-    sites->order = memory_new(MEMORY_SOLID, (size_t)sites->filled + 1, sizeof *sites->order);
-    long id = sites->first;
-    for (int q = 0; q < sites->filled; q++) {
-        const int r = (int)row[q].item;
-        sites->order[q] = r;
-        sites->start[r] = id;
-        id += __builtin_popcount(sites->bits[r]);
-    }
-    memory_free(row);
+                sites->bits[solid_bricks_row(sites, (i + shift) / SOLID_ROW, (int)(line % n[1]), (int)(line / n[1]))] |=
+                    (uint8_t)(1 << (i + shift) % SOLID_ROW);
 }
 
 /* Checks that a body with so many sites along c fits the periodic side, and sets the period. */
@@ -145,14 +126,17 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     const int shift = best_shift(inside, n);
     sites->low[0] -= shift;
     sites->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;
-    const size_t rows = (size_t)sites->rows[0] * (size_t)sites->rows[1] * (size_t)sites->rows[2];
-    sites->bits = memory_new(MEMORY_SOLID, rows, sizeof *sites->bits);
-    sites->start = memory_new(MEMORY_SOLID, rows, sizeof *sites->start);
+    solid_bricks_new(sites);
     fill_rows(sites, inside, n, shift);
     memory_free(inside);
-    if (sites->count == 0) return;
-    for (int c = 0; c < 3; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
-    number_rows(sites);
+    for (int c = 0; c < 3 && sites->count > 0; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
+}
+
+static void cut_from_image(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
+                           int reach) {
+    int top[3] = {0};
+    solid_sites_image(body->voxels, sites, top);
+    for (int c = 0; c < 3 && sites->count > 0; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
 }
 
 /* Numbers points or cells in the order of their keys. */
@@ -215,7 +199,11 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
     sites->gap = INFINITY;
     switch (solid_shape_of(b)->places) {
     case SOLID_PLACES_LATTICE:
-        cut_from_lattice(in, b, sites, reach);
+        if (b->voxels)
+            cut_from_image(in, b, sites, reach);
+        else
+            cut_from_lattice(in, b, sites, reach);
+        if (sites->count > 0) solid_bricks_number(sites);
         break;
     case SOLID_PLACES_CELLS:
         cut_from_plane(in, b, sites, reach);
@@ -251,8 +239,5 @@ long solid_sites_id(const struct solid_sites *sites, const int site[3]) {
         at[c] -= sites->low[c];
         if (at[c] < 0 || at[c] >= (c == 0 ? SOLID_ROW : 1) * sites->rows[c]) return -1;
     }
-    const long row = ((long)at[2] * sites->rows[1] + at[1]) * sites->rows[0] + at[0] / SOLID_ROW;
-    const unsigned bit = 1u << at[0] % SOLID_ROW;
-    if (!(sites->bits[row] & bit)) return -1;
-    return sites->start[row] + __builtin_popcount(sites->bits[row] & (bit - 1));
+    return solid_bricks_id(sites, at);
 }

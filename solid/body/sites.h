@@ -1,9 +1,9 @@
 /* The particles of a body and the order of their numbers. Every rank holds this for the whole body during the set-up:
- * one bit per lattice site and one number per row of eight sites. */
+ * one bit per lattice site, and one number per brick of 8 x 8 x 8 sites. */
 #pragma once
 #include "solid/state.h"
 
-enum { SOLID_ROW = 8 }; /* sites of a row */
+enum { SOLID_ROW = 8, SOLID_BRICK = 64 }; /* sites of a row; rows of a brick (solid/body/bricks.h) */
 
 struct solid_sites {
     int is_lattice;
@@ -14,13 +14,14 @@ struct solid_sites {
      * that direction. */
     int low[3];    /* lattice index of the corner */
     int rows[3];   /* rows along x (eight sites each), sites along y and z */
+    int bricks[3]; /* bricks along x (as many as rows), y and z (eight sites each) */
     int base[3];   /* the body's lowest lattice index */
     int wrap[3];   /* sites in a period, 0: not periodic; also for the cells of a polygon */
-    uint8_t *bits; /* [rows] bits of the row's sites that belong to the body */
-    long *start;   /* [rows] global id of the row's first particle */
-    int filled;    /* number of rows with a particle */
+    uint8_t *bits; /* [bricks][8 in z][8 in y] rows: bits of the row's sites that belong to the body */
+    long *start;   /* [bricks] global id of the brick's first particle */
+    int ordered;   /* number of bricks with a particle */
+    int *order;    /* [ordered] bricks in the order of their numbers; the rows of a brick are numbered in turn */
     long tested;   /* depths below a shape that were computed to cut the body */
-    int *order;    /* [filled] rows in the order of their numbers */
     /* points, and the cells of a polygon */
     long *point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
     int (*cell)[2]; /* polygon: [count] lattice indices, by number */

@@ -1,4 +1,5 @@
 /* Lattice store of bonds: the box of lattice sites around a rank's particles, its rows, bond bits and weights. */
+#include "solid/body/bricks.h"
 #include "solid/bonds/lattice.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -12,16 +13,6 @@ static void site_of_cell(const struct solid_lattice *lattice, long cell, int sit
     site[0] = lattice->low[0] + (int)(cell % lattice->size[0]);
     site[1] = lattice->low[1] + (int)(cell / lattice->size[0] % lattice->size[1]);
     site[2] = lattice->low[2] + (int)(cell / lattice->size[0] / lattice->size[1]);
-}
-
-static void site_of_row(const struct solid_sites *sites, int row, int site[3]) {
-    site[0] = sites->low[0] + SOLID_ROW * (row % sites->rows[0]);
-    site[1] = sites->low[1] + row / sites->rows[0] % sites->rows[1];
-    site[2] = sites->low[2] + row / sites->rows[0] / sites->rows[1];
-}
-
-static int owned_row(const struct solid_sites *sites, int row, long from, long to) {
-    return sites->start[row] >= from && sites->start[row] < to;
 }
 
 static void offsets_new(struct solid_lattice *lattice) {
@@ -43,13 +34,11 @@ static void offsets_new(struct solid_lattice *lattice) {
 /* The box of sites around the owned rows: one row wider along x, and wider by the family's reach along y and z. */
 static void box_new(struct solid_lattice *lattice, const struct solid_sites *t, long from, long to) {
     int high[3] = {0};
-    for (int q = 0; q < t->filled; q++) {
-        if (!owned_row(t, t->order[q], from, to)) continue;
-        int site[3];
-        site_of_row(t, t->order[q], site);
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(t, &row);) {
+        if (row.id < from || row.id >= to) continue;
         for (int c = 0; c < 3; c++) {
-            if (lattice->rows == 0 || site[c] < lattice->low[c]) lattice->low[c] = site[c];
-            if (lattice->rows == 0 || site[c] > high[c]) high[c] = site[c];
+            if (lattice->rows == 0 || row.site[c] < lattice->low[c]) lattice->low[c] = row.site[c];
+            if (lattice->rows == 0 || row.site[c] > high[c]) high[c] = row.site[c];
         }
         lattice->rows++;
     }
@@ -79,19 +68,16 @@ static unsigned neighbours(const int *local, long cell) {
 
 static void rows_new(struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to) {
     int r = 0, h = lattice->first;
-    for (int q = 0; q < sites->filled; q++) {
-        const int row = sites->order[q];
-        if (!owned_row(sites, row, from, to)) continue;
-        int site[3];
-        site_of_row(sites, row, site);
+    for (struct solid_bricks_walk row = {0}; solid_bricks_next(sites, &row);) {
+        if (row.id < from || row.id >= to) continue;
         const int cell =
-            ((site[2] - lattice->low[2]) * lattice->size[1] + site[1] - lattice->low[1]) * lattice->size[0] + site[0] -
-            lattice->low[0];
+            ((row.site[2] - lattice->low[2]) * lattice->size[1] + row.site[1] - lattice->low[1]) * lattice->size[0] +
+            row.site[0] - lattice->low[0];
         lattice->row_cell[r] = cell;
         lattice->row_first[r] = h;
-        lattice->row_owned[r] = sites->bits[row];
+        lattice->row_owned[r] = (uint8_t)row.bits;
         lattice->row_of[cell / SOLID_ROW] = r;
-        h += __builtin_popcount(sites->bits[row]);
+        h += __builtin_popcount(row.bits);
         r++;
     }
     lattice->n = h - lattice->first;

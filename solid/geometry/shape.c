@@ -20,6 +20,8 @@ const struct solid_shape_kind *solid_shape_of(const struct solid_body *body) {
         return &solid_shape_ellipsoid;
     case SOLID_SPHERES:
         return &solid_shape_spheres;
+    case SOLID_IMAGE:
+        return &solid_shape_image;
     case SOLID_POINTS:
         return &points;
     case SOLID_POLYGON:

@@ -14,14 +14,15 @@ struct solid_shape_kind {
     enum solid_places places;
     /* of a shape on the lattice */
     void (*bounds)(const struct solid_body *body, double low[3], double high[3]); /* m */
-    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. NULL: a list of shapes */
+    /* its surface as smooth pieces; returns how many. The shape is what is below all of them. Of an image they are
+     * its bounds: its voxels say what is inside. NULL: a list of shapes */
     int (*pieces)(const struct solid_body *body, struct solid_piece piece[SOLID_PIECES_MAX]);
     /* the k-th shape of a list, 0 <= k < body->entries, as a body: its shape and sizes alone; NULL: no list */
     void (*entry)(const struct solid_body *body, long k, struct solid_body *entry);
 };
 
 extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder, solid_shape_ellipsoid,
-    solid_shape_spheres;
+    solid_shape_spheres, solid_shape_image;
 
 const struct solid_shape_kind *solid_shape_of(const struct solid_body *body); /* Not collective. */
 /* The same, of a body whose particles stand on the lattice: shapes that have bounds, a surface, and may have cavities.

@@ -2,8 +2,12 @@
 #include "solid/imposed/constraint.h"
 #include "base/die.h"
 #include "base/par.h"
+#include "solid/body/sites_image.h"
 #include "solid/geometry/on_surface.h"
 #include "solid/imposed/time.h"
+#include "solid/voxels/voxels.h"
+
+#include <math.h>
 
 static double depth_of(const struct solid *s, int h, const double low[3], const double high[3]) {
     double x[3];
@@ -96,8 +100,20 @@ void solid_constraint_check(const struct solid *s) {
         if (s->in.load[k].kind == SOLID_LOAD_REGION) region_check(s, "loads", k, s->in.load[k].low, s->in.load[k].high);
 }
 
+/* Holds the particles in voxels that an image holds. */
+static void hold_voxels(struct solid *s) {
+    for (int h = 0; h < s->n; h++) {
+        const struct solid_voxels *v = s->in.body[s->body[h]].voxels;
+        if (!v || !v->held) continue;
+        int site[3];
+        for (int c = 0; c < 3; c++) site[c] = (int)floor((s->x0[c][h] - s->in.origin[c]) / s->in.spacing);
+        if (solid_sites_image_is(v, v->held, site)) s->flag[h] |= SOLID_HELD_X | SOLID_HELD_X << 1 | SOLID_HELD_X << 2;
+    }
+}
+
 void solid_constraint_mark(struct solid *s) {
     solid_constraint_flags(s);
+    hold_voxels(s);
     solid_constraint_displacement(s, s->t);
     solid_constraint_velocity(s, s->t, 0);
     s->e_constraint = 0; /* the velocity at the start is no work of the constraints */

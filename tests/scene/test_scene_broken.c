@@ -264,7 +264,7 @@ static const struct sample_broken table[] = {
     {"solid", "spacing: 0.001", "spacing: 0.001\n  model: plane_stress", "it.yaml:6: solid.model = plane_stress: only in a plate, where domain.size has two numbers"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  partial_volume: ramp", "it.yaml:6: solid.partial_volume = ramp: must be exact in 3D"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  refinement: {levels: 2}", "it.yaml:6: solid.refinement: only in a plate, where domain.size has two numbers"},
-    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, ellipsoid, spheres, points in 3D"},
+    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, ellipsoid, spheres, points, image in 3D"},
     {"solid", "low: [0.002, 0.002, 0]", "low: [0.002, 0.002]", "it.yaml:10: solid.bodies[1].low = [0.002, 0.002]: must be a list of 3 numbers (m)"},
     /* a plate: bodies */
     {"plate", "name: pad, material: steel, shape: rectangle", "name: pad, material: steel, shape: box",
@@ -436,7 +436,8 @@ static void test_all_mistakes_at_once(void **state) {
         ("it.yaml:16: fluid.driving.direction = z: must be a periodic direction: z_low is periodic, "
          "z_high is wall"),
         "it.yaml:21: solid.materials[1].youngs_modulus = -7: must be greater than 0",
-        "it.yaml:29: solid.bodies[1].shape = ball: must be one of box, sphere, cylinder, ellipsoid, spheres, points",
+        "it.yaml:29: solid.bodies[1].shape = ball: must be one of box, sphere, cylinder, ellipsoid, spheres, points, "
+        "image",
         "it.yaml:32: solid.constraints[0].directions = xyzz: is too long: 4 characters, at most 3",
         "it.yaml:39: coupling.retraction = 7: must be between -1 and 1",
         "it.yaml:44: stages[2].name = fracture: is the name of stages[1] too"};

@@ -23,10 +23,12 @@ static void equal_shares(void **state) {
  */
 static void rows_are_whole(void **state) {
     (void)state;
-    uint8_t bits[8] = {255, 1, 1, 1, 1, 1, 1, 1};
-    long start[8] = {0, 8, 9, 10, 11, 12, 13, 14}, first[65];
-    int order[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-    struct solid_sites t = {.is_lattice = 1, .filled = 8, .count = 15, .bits = bits, .start = start, .order = order};
+    uint8_t bits[2 * SOLID_BRICK] = {1, 1, 1, 1, 1, 1, [SOLID_BRICK] = 255, [2 * SOLID_BRICK - 1] = 1};
+    long brick[2] = {9, 0}, first[65]; /* the second brick is numbered first */
+    const long start[8] = {0, 8, 9, 10, 11, 12, 13, 14};
+    int order[2] = {1, 0};
+    struct solid_sites t = {
+        .is_lattice = 1, .bricks = {2, 1, 1}, .ordered = 2, .count = 15, .bits = bits, .start = brick, .order = order};
     const int size = par_size();
     solid_number_divide((struct solid_sites *const[]){&t}, 1, 0, first);
     for (int r = 0; r <= size; r++) assert_int_equal(first[r], r == size ? 15 : start[(8 * r + size - 1) / size]);

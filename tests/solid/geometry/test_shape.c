@@ -25,6 +25,7 @@ static struct solid_body body_of(int shape) {
 static double volume_of(const struct solid_body *body) {
     switch (body->shape) {
     case SOLID_BOX:
+    case SOLID_IMAGE:
         return 0.8 * 1.2 * 0.9;
     case SOLID_SPHERE:
         return 4 * M_PI / 3 * 0.8 * 0.8 * 0.8;

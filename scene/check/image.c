@@ -1,0 +1,179 @@
+/* Checks the bodies that are cut from images: the file's header, the crop, voxels and cells that fit each other. */
+#include "base/text.h"
+#include "files/image.h"
+#include "scene/check/check.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* A place on the lattice and a ratio of lengths are whole to this part of a spacing. */
+static const double WHOLE = 1e-6;
+
+/* Voxels along d that are used, before mirroring; 0: not known. */
+static int voxels_of(const struct scene_image *image, int d) {
+    return image->has_crop ? image->crop_high[d] - image->crop_low[d] : image->size[d];
+}
+
+int scene_check_image_bounds(const struct scene_body *body, double low[3], double high[3]) {
+    for (int d = 0; d < 3; d++) {
+        const int n = voxels_of(&body->image, d);
+        if (n <= 0) return 0;
+        low[d] = body->low[d];
+        high[d] = low[d] + n * (1 + body->image.mirrors[d]) * body->image.voxel;
+    }
+    return 1;
+}
+
+/* Adds size: [x, y, z] as the file's header gives it. */
+static void add_size(struct scene_node *body, const int size[3]) {
+    struct scene_node *list = scene_node_new(SCENE_NODE_LIST, "size", NULL);
+    int at = 0;
+    list->line = body->line;
+    for (int d = 0; d < 3; d++) {
+        char *text = text_new("%d", size[d]);
+        scene_node_append(list, scene_node_new(SCENE_NODE_SCALAR, NULL, text));
+        free(text);
+    }
+    while (at < body->n && strcmp(body->child[at]->key, "format") != 0) at++;
+    scene_node_insert(body, at < body->n ? at + 1 : body->n, list);
+}
+
+static void open_one(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
+    static const char *const key[] = {"file", "format",     "dataset", "size",
+                                      "type", "byte_order", "axes",    "header_bytes"};
+    static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
+    const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
+    struct scene_image *image = &s->solid->body[b].image;
+    struct scene_node *node = scene_node_find(root, path.text);
+    struct files_image_input in = {.file = s->solid->body[b].file,
+                                   .format = image->format,
+                                   .dataset = image->dataset,
+                                   .type = image->type,
+                                   .byte_order = image->byte_order,
+                                   .header_bytes = image->header_bytes};
+    char problem[512];
+    if (access(in.file, R_OK) != 0) return; /* reported where names are resolved */
+    for (size_t k = 0; k < sizeof key / sizeof *key; k++)
+        if (scene_node_child(node, key[k]) &&
+            !scene_check_parts_clean(&(struct scene_check){s, root, problems},
+                                     scene_check_parts_path("%s.%s", path.text, key[k])))
+            return;
+    memcpy(in.axes, axes[image->axes], sizeof in.axes);
+    for (int d = 0; d < 3; d++) in.size[d] = image->size[d];
+    struct files_image *file = files_image_open(&in, problem, sizeof problem);
+    if (!file) {
+        const size_t name = strlen(in.file);
+        const int named = !strncmp(problem, in.file, name) && !strncmp(problem + name, ": ", 2);
+        scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text, "%s",
+                         problem + (named ? name + 2 : 0));
+        node->bad = 1;
+        return;
+    }
+    const long *n = files_image_size(file);
+    const double *edge = files_image_voxel(file);
+    if (fabs(edge[1] - edge[0]) > 1e-3 * fabs(edge[0]) || fabs(edge[2] - edge[0]) > 1e-3 * fabs(edge[0])) {
+        scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,
+                         "has voxels of %g x %g x %g %s; they must be cubes", edge[0], edge[1], edge[2],
+                         files_image_unit(file));
+        node->bad = 1;
+    } else if (n[0] > 1000000 || n[1] > 1000000 || n[2] > 1000000) {
+        scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,
+                         "has %ld x %ld x %ld voxels, at most 1000000 are possible in a direction", n[0], n[1], n[2]);
+        node->bad = 1;
+    } else if (!scene_node_child(node, "size")) {
+        for (int d = 0; d < 3; d++) image->size[d] = (int)n[d];
+        add_size(node, image->size);
+    }
+    files_image_close(file);
+}
+
+void scene_check_image_open(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
+    for (int b = 0; s->solid && b < s->solid->bodies; b++)
+        if (s->solid->body[b].shape == SCENE_IMAGE && scene_node_find(root, "solid.bodies"))
+            open_one(s, root, problems, b);
+}
+
+/* Whether the word consists of different letters x, y, z. */
+static int check_letters(const struct scene_check *c, struct scene_path path, const char *word) {
+    for (const char *at = word; at && *at; at++)
+        if (!strchr("xyz", *at) || strchr(at + 1, *at)) {
+            scene_problem_at(c->problems, c->root, path.text,
+                             "must be a word of the letters x, y and z, each at most once");
+            return 0;
+        }
+    return 1;
+}
+
+static int check_crop(const struct scene_check *c, struct scene_path body, const struct scene_image *image) {
+    for (int d = 0; image->has_crop && d < 3; d++) {
+        if (image->crop_low[d] >= image->crop_high[d]) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.crop.low", body.text).text,
+                             "must be below high in every direction, %c is not", "xyz"[d]);
+            return 0;
+        }
+        if (image->size[d] > 0 && image->crop_high[d] > image->size[d]) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.crop.high", body.text).text,
+                             "must be at most %d in %c: the image has no more voxels", image->size[d], "xyz"[d]);
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* A voxel must be a whole number of spacings, or a spacing a whole number of voxels, of which the image has a multiple.
+ */
+static int check_voxel(const struct scene_check *c, struct scene_path body, const struct scene_image *image) {
+    const double spacing = c->scene->solid->spacing, ratio = image->voxel / spacing;
+    const double whole = rint(ratio >= 1 ? ratio : 1 / ratio);
+    if (!(spacing > 0)) return 1; /* reported elsewhere */
+    if (fabs((ratio >= 1 ? ratio : 1 / ratio) - whole) > WHOLE || whole > 64) {
+        scene_problem_at(
+            c->problems, c->root, scene_check_parts_path("%s.voxel", body.text).text,
+            "must be solid.spacing (%.10g m) times 1, 2, 3 ... 64 (refinement), or divided by one of these "
+            "(several voxels a cell)",
+            spacing);
+        return 0;
+    }
+    for (int d = 0; ratio < 1 && d < 3; d++) {
+        const int n = voxels_of(image, d), m = (int)whole;
+        if (n <= 0 || n % m == 0) continue;
+        scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.voxel", body.text).text,
+                         "%d voxels along %c do not make whole cells of %d voxels; crop the image to %d", n, "xyz"[d],
+                         m, n / m * m);
+        return 0;
+    }
+    return 1;
+}
+
+/* A site's centre must not lie on the border of two voxels: the low corner stands on a corner of the lattice's cells.
+ */
+static int check_place(const struct scene_check *c, struct scene_path body, const double low[3]) {
+    const struct scene_solid *s = c->scene->solid;
+    for (int d = 0; s->spacing > 0 && d < 3; d++) {
+        const double at = low[d] / s->spacing - s->lattice_offset[d];
+        if (fabs(at - rint(at)) <= WHOLE) continue;
+        scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.low", body.text).text,
+                         "must be on a corner of the lattice's cells; along %c the nearest are at %.10g and %.10g m",
+                         "xyz"[d], (floor(at) + s->lattice_offset[d]) * s -> spacing,
+                         (floor(at) + 1 + s->lattice_offset[d]) * s -> spacing);
+        return 0;
+    }
+    return 1;
+}
+
+int scene_check_image(const struct scene_check *c, int b) {
+    const struct scene_body *body = &c->scene->solid->body[b];
+    const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
+    const struct scene_coupling *k = c->scene->coupling;
+    if (k && k->surface == SCENE_SURFACE_SHAPE && scene_node_is_clean(c->root, "coupling.surface"))
+        scene_problem_at(c->problems, c->root, "coupling.surface",
+                         "does not go with a body of shape image (%s), whose surface only the lattice knows: must be "
+                         "lattice",
+                         path.text);
+    int good = check_letters(c, scene_check_parts_path("%s.flip", path.text), body->image.flip) &
+               check_letters(c, scene_check_parts_path("%s.mirror", path.text), body->image.mirror);
+    good &= check_crop(c, path, &body->image);
+    return good && check_voxel(c, path, &body->image) && check_place(c, path, body->low);
+}

@@ -1,0 +1,107 @@
+/* Finds the lattice sites in the voxels of an image. All indices are whole numbers: a site's voxel is
+ * (site - corner)/sites, rounded down. */
+#include "solid/body/bricks.h"
+#include "solid/body/sites_image.h"
+#include "base/memory.h"
+#include "solid/voxels/voxels.h"
+
+#include <string.h>
+
+/* sites without a particle before and behind the image, as other shapes have them */
+enum { BEFORE = 1, MARGIN = 3 };
+
+int solid_sites_image_is(const struct solid_voxels *v, const uint64_t *bits, const int site[3]) {
+    int at[3];
+    for (int c = 0; c < 3; c++) {
+        at[c] = site[c] - v->corner[c];
+        if (at[c] < 0 || at[c] >= v->n[c] * v->sites) return 0;
+        at[c] /= v->sites;
+    }
+    return solid_voxels_is(v, bits, at[0], at[1], at[2]);
+}
+
+/* A line of voxels as sites: bit b is site b - SOLID_ROW - BEFORE. Returns whether there is any. */
+static int sites_of(const struct solid_voxels *v, int j, int k, uint8_t *line, size_t bytes) {
+    const uint64_t *voxel = v->bits + solid_voxels_line(v, j, k);
+    uint64_t any = 0;
+    for (long w = 0; w < v->words; w++) any |= voxel[w];
+    memset(line, 0, bytes);
+    if (!any) return 0;
+    for (int i = 0, b = SOLID_ROW + BEFORE; i < v->n[0]; i++) {
+        if (!(voxel[i / 64] >> i % 64 & 1)) {
+            b += v->sites;
+            continue;
+        }
+        for (int s = 0; s < v->sites; s++, b++) line[b / 8] |= (uint8_t)(1u << b % 8);
+    }
+    return 1;
+}
+
+/* Row r of a line when rows begin `shift` sites earlier. */
+static uint8_t row_of(const uint8_t *line, int r, int shift) {
+    const unsigned two = line[r] | (unsigned)line[r + 1] << 8;
+    return (uint8_t)(two >> (SOLID_ROW - shift));
+}
+
+static int rows_of(int sites, int shift) { return (sites + shift - 1) / SOLID_ROW + 1; }
+
+/* The shift that gives the fewest rows with a site, of equals the least. */
+static int best_shift(const struct solid_voxels *v, uint8_t *line, size_t bytes, int along) {
+    long rows[SOLID_ROW] = {0};
+    int best = 0;
+    for (int k = 0; k < v->n[2]; k++)
+        for (int j = 0; j < v->n[1]; j++) {
+            if (!sites_of(v, j, k, line, bytes)) continue;
+            for (int shift = 0; shift < SOLID_ROW; shift++)
+                for (int r = 0; r < rows_of(along, shift); r++) rows[shift] += row_of(line, r, shift) != 0;
+        }
+    for (int shift = 1; shift < SOLID_ROW; shift++)
+        if (rows[shift] < rows[best]) best = shift;
+    return best;
+}
+
+static void reach_to(struct solid_sites *sites, int top[3], int c, int from, int to, int is_first) {
+    if (is_first || from < sites->base[c]) sites->base[c] = from;
+    if (is_first || to > top[c]) top[c] = to;
+}
+
+/* Lowest and highest sites of the line's voxels. */
+static void note_line(const struct solid_voxels *v, int j, int k, struct solid_sites *sites, int top[3]) {
+    const uint64_t *voxel = v->bits + solid_voxels_line(v, j, k);
+    long first = 0, last = v->words - 1;
+    while (!voxel[first]) first++;
+    while (!voxel[last]) last--;
+    const int low[3] = {(int)(64 * first) + __builtin_ctzll(voxel[first]), j, k},
+              high[3] = {(int)(64 * last) + 63 - __builtin_clzll(voxel[last]), j, k};
+    for (int c = 0; c < 3; c++)
+        reach_to(sites, top, c, v->corner[c] + low[c] * v->sites, v->corner[c] + (high[c] + 1) * v->sites - 1,
+                 sites->count == 0);
+}
+
+void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, int top[3]) {
+    const int along = v->n[0] * v->sites + MARGIN;
+    const size_t bytes = (size_t)(along + 4 * SOLID_ROW) / 8;
+    uint8_t *line = memory_new(MEMORY_SOLID, bytes, 1);
+    const int shift = best_shift(v, line, bytes, along);
+    for (int c = 0; c < 3; c++) {
+        sites->low[c] = v->corner[c] - BEFORE;
+        sites->rows[c] = v->n[c] * v->sites + MARGIN;
+    }
+    sites->low[0] -= shift;
+    sites->rows[0] = rows_of(along, shift);
+    solid_bricks_new(sites);
+    for (int k = 0; k < v->n[2]; k++)
+        for (int j = 0; j < v->n[1]; j++) {
+            if (!sites_of(v, j, k, line, bytes)) continue;
+            note_line(v, j, k, sites, top);
+            for (int e = 0; e < v->sites * v->sites; e++) {
+                const int at[2] = {BEFORE + j * v->sites + e % v->sites, BEFORE + k * v->sites + e / v->sites};
+                for (int r = 0; r < sites->rows[0]; r++) {
+                    const uint8_t bits = row_of(line, r, shift);
+                    sites->bits[solid_bricks_row(sites, r, at[0], at[1])] = bits;
+                    sites->count += __builtin_popcount(bits);
+                }
+            }
+        }
+    memory_free(line);
+}

@@ -1,0 +1,236 @@
+/* Labels connected pieces of an image: runs along x, united with those below and behind by union-find. */
+#include "solid/voxels/components.h"
+#include "base/ensure.h"
+#include "base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { NONE = UINT32_MAX, AT_LOW = 1, AT_HIGH = 8, BOXED = 64, LOOSE = 128 };
+
+struct run {
+    int from, to; /* voxels from <= i < to */
+    uint32_t label;
+};
+
+struct slice {
+    struct run *run;
+    long n, room;
+    long *row; /* [ny + 1] first run of each line */
+};
+
+struct sweep {
+    const struct solid_voxels *v;
+    struct solid_components *c;
+    const int *wraps;
+    int boxes;
+    const int (*box)[2][3];
+    uint64_t *bits; /* NULL: pieces are found; else: those that are known are visited, and the loose ones set here */
+    uint32_t next;  /* label of the next run that continues none */
+    uint64_t *line; /* [words] */
+};
+
+/* The first label of the piece, halving the way to it. */
+static uint32_t root_of(uint32_t *parent, uint32_t a) {
+    while (parent[a] != a) a = parent[a] = parent[parent[a]];
+    return a;
+}
+
+static void unite(struct sweep *s, uint32_t a, uint32_t b) {
+    if (s->bits || a == b) return;
+    a = root_of(s->c->parent, a);
+    b = root_of(s->c->parent, b);
+    if (a < b)
+        s->c->parent[b] = a;
+    else
+        s->c->parent[a] = b;
+}
+
+static uint32_t label_new(struct sweep *s) {
+    struct solid_components *c = s->c;
+    const uint32_t label = s->next++;
+    if (s->bits) return label;
+    ENSURE(label < NONE - 1, "an image of more than %u pieces of runs", label);
+    if (label == c->room) {
+        const size_t room = c->room ? (size_t)c->room * 3 / 2 : 1024;
+        const size_t rooms = room < NONE ? room : NONE - 1;
+        c->parent = memory_grown(MEMORY_SOLID, c->parent, label, rooms, sizeof *c->parent);
+        c->size = memory_grown(MEMORY_SOLID, c->size, label, rooms, sizeof *c->size);
+        c->mark = memory_grown(MEMORY_SOLID, c->mark, label, rooms, sizeof *c->mark);
+        c->room = (uint32_t)rooms;
+    }
+    c->parent[label] = label;
+    c->size[label] = 0;
+    c->mark[label] = 0;
+    c->labels = label + 1;
+    return label;
+}
+
+/* The next run of ones at or after place i of a line of n. Returns 0 at its end. */
+static int run_next(const uint64_t *line, int n, int i, struct run *run) {
+    if (i >= n) return 0;
+    long w = i / 64;
+    const long words = (n + 63) / 64;
+    uint64_t word = line[w] & ~(uint64_t)0 << i % 64;
+    while (!word)
+        if (++w < words)
+            word = line[w];
+        else
+            return 0;
+    run->from = (int)(64 * w) + __builtin_ctzll(word);
+    word = ~line[w] & ~(uint64_t)0 << run->from % 64;
+    while (!word)
+        if (++w < words)
+            word = ~line[w];
+        else
+            break;
+    run->to = word && w < words ? (int)(64 * w) + __builtin_ctzll(word) : n;
+    if (run->to > n) run->to = n;
+    run->label = NONE;
+    return 1;
+}
+
+/* Gives the runs first .. last of a line the labels of the runs that they touch in another line. */
+static void touch(struct sweep *s, struct run *first, const struct run *last, const struct run *other,
+                  const struct run *end) {
+    for (struct run *run = first; run < last; run++) {
+        while (other < end && other->to <= run->from) other++;
+        for (const struct run *o = other; o < end && o->from < run->to; o++) {
+            if (run->label == NONE) run->label = o->label;
+            unite(s, run->label, o->label);
+        }
+    }
+}
+
+static void account(struct sweep *s, const struct run *run, int j, int k) {
+    struct solid_components *c = s->c;
+    const int *n = s->v->n, low[3] = {run->from, j, k}, high[3] = {run->to, j + 1, k + 1};
+    unsigned mark = 0;
+    for (int d = 0; d < 3; d++) {
+        if (low[d] == 0) mark |= (unsigned)AT_LOW << d;
+        if (high[d] == n[d]) mark |= (unsigned)AT_HIGH << d;
+    }
+    for (int b = 0; b < s->boxes; b++) {
+        int d = 0;
+        while (d < 3 && low[d] < s->box[b][1][d] && high[d] > s->box[b][0][d]) d++;
+        if (d == 3) mark |= BOXED;
+    }
+    c->mark[run->label] |= (uint8_t)mark;
+    c->size[run->label] += run->to - run->from;
+}
+
+static void set_loose(const struct sweep *s, const struct run *run, int j, int k) {
+    if (!(s->c->mark[s->c->parent[run->label]] & LOOSE)) return;
+    for (int i = run->from; i < run->to; i++) solid_voxels_set(s->v, s->bits, i, j, k);
+}
+
+static void run_add(struct slice *to, struct run run) {
+    if (to->n == to->room) {
+        to->room = 2 * to->room + 1024;
+        to->run = memory_grown(MEMORY_SOLID, to->run, (size_t)to->n, (size_t)to->room, sizeof *to->run);
+    }
+    to->run[to->n++] = run;
+}
+
+/* One slice: runs of each line, labels from the line before and from the slice below. */
+static void sweep_slice(struct sweep *s, struct slice *now, const struct slice *below, int k) {
+    const int *n = s->v->n;
+    now->n = 0;
+    for (int j = 0; j < n[1]; j++) {
+        struct run run = {.to = 0};
+        solid_voxels_of(s->v, s->c->of, j, k, s->line);
+        now->row[j] = now->n;
+        while (run_next(s->line, n[0], run.to, &run)) run_add(now, run);
+        now->row[j + 1] = now->n;
+        struct run *first = now->run + now->row[j];
+        const struct run *last = now->run + now->n;
+        if (j > 0) touch(s, first, last, now->run + now->row[j - 1], first);
+        if (k > 0) touch(s, first, last, below->run + below->row[j], below->run + below->row[j + 1]);
+        for (struct run *r = first; r < last; r++) {
+            if (r->label == NONE) r->label = label_new(s);
+            if (s->bits)
+                set_loose(s, r, j, k);
+            else
+                account(s, r, j, k);
+        }
+        if (s->wraps[0] && last - first > 1 && first->from == 0 && last[-1].to == n[0])
+            unite(s, first->label, last[-1].label);
+    }
+    if (s->wraps[1] && n[1] > 1)
+        touch(s, now->run + now->row[n[1] - 1], now->run + now->n, now->run, now->run + now->row[1]);
+}
+
+static struct slice slice_new(const int n[3]) {
+    return (struct slice){.row = memory_new(MEMORY_SOLID, (size_t)n[1] + 1, sizeof(long))};
+}
+
+static void slice_free(struct slice *slice) {
+    memory_free(slice->run);
+    memory_free(slice->row);
+}
+
+static void sweep_all(struct sweep *s) {
+    const int *n = s->v->n;
+    struct slice of[3] = {slice_new(n), slice_new(n), slice_new(n)}; /* two in turn, and the first one */
+    s->line = memory_new(MEMORY_SOLID, (size_t)s->v->words, sizeof *s->line);
+    s->next = 0;
+    for (int k = 0; k < n[2]; k++) {
+        struct slice *now = k == 0 ? &of[2] : &of[k % 2];
+        sweep_slice(s, now, k == 1 ? &of[2] : &of[(k + 1) % 2], k);
+        for (int j = 0; k > 0 && k == n[2] - 1 && s->wraps[2] && j < n[1]; j++)
+            touch(s, now->run + now->row[j], now->run + now->row[j + 1], of[2].run + of[2].row[j],
+                  of[2].run + of[2].row[j + 1]);
+    }
+    for (int i = 0; i < 3; i++) slice_free(&of[i]);
+    memory_free(s->line);
+    s->line = NULL;
+}
+
+/* Adds the labels up to pieces, and marks the loose ones. */
+static void gather(struct solid_components *c) {
+    uint32_t largest = NONE;
+    for (uint32_t a = 0; a < c->labels; a++) { /* a root comes before its other labels */
+        const uint32_t root = c->parent[a] = root_of(c->parent, a);
+        c->voxels += c->size[a];
+        if (root == a) continue;
+        c->size[root] += c->size[a];
+        c->mark[root] |= c->mark[a];
+    }
+    for (uint32_t a = 0; a < c->labels; a++) {
+        if (c->parent[a] != a) continue;
+        c->pieces++;
+        for (int d = 0; d < 3; d++)
+            if (c->mark[a] >> d & AT_LOW && c->mark[a] >> d & AT_HIGH) c->through[d] += c->size[a];
+        if (largest == NONE || c->size[a] > c->size[largest]) largest = a;
+    }
+    c->largest = largest == NONE ? 0 : c->size[largest];
+    for (uint32_t a = 0; a < c->labels; a++) {
+        if (c->parent[a] != a || a == largest || c->mark[a] & BOXED) continue;
+        c->mark[a] |= LOOSE;
+        c->loose_pieces++;
+        c->loose_voxels += c->size[a];
+        if (c->size[a] > c->loose_largest) c->loose_largest = c->size[a];
+    }
+}
+
+struct solid_components *solid_components_new(const struct solid_voxels *v, int of, const int wraps[3], int boxes,
+                                              const int (*box)[2][3]) {
+    struct solid_components *c = memory_new(MEMORY_SOLID, 1, sizeof *c);
+    c->of = of;
+    sweep_all(&(struct sweep){.v = v, .c = c, .wraps = wraps, .boxes = boxes, .box = box});
+    gather(c);
+    return c;
+}
+
+void solid_components_free(struct solid_components *c) {
+    if (!c) return;
+    memory_free(c->parent);
+    memory_free(c->size);
+    memory_free(c->mark);
+    memory_free(c);
+}
+
+void solid_components_loose(const struct solid_components *c, const struct solid_voxels *v, uint64_t *bits) {
+    struct solid_components known = *c; /* its labels are read only */
+    sweep_all(&(struct sweep){.v = v, .c = &known, .wraps = (const int[3]){0}, .bits = bits});
+}

@@ -1,0 +1,41 @@
+/* Makes, frees and counts the bits of an image's solid. */
+#include "solid/voxels/voxels.h"
+#include "base/memory.h"
+
+#include <string.h>
+
+static size_t words_of(const struct solid_voxels *v) { return (size_t)v->n[2] * (size_t)v->n[1] * (size_t)v->words; }
+
+uint64_t *solid_voxels_array(const struct solid_voxels *v) {
+    return memory_new(MEMORY_SOLID, words_of(v), sizeof(uint64_t));
+}
+
+struct solid_voxels *solid_voxels_new(const int n[3], int sites, const int corner[3]) {
+    struct solid_voxels *v = memory_new(MEMORY_SOLID, 1, sizeof *v);
+    memcpy(v->n, n, sizeof v->n);
+    memcpy(v->corner, corner, sizeof v->corner);
+    v->sites = sites;
+    v->words = (n[0] + 63) / 64;
+    v->bits = solid_voxels_array(v);
+    return v;
+}
+
+void solid_voxels_free(struct solid_voxels *v) {
+    if (!v) return;
+    memory_free(v->bits);
+    memory_free(v->held);
+    memory_free(v);
+}
+
+long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits) {
+    long sum = 0;
+    for (size_t w = 0; w < words_of(v); w++) sum += __builtin_popcountll(bits[w]);
+    return sum;
+}
+
+void solid_voxels_of(const struct solid_voxels *v, int of, int j, int k, uint64_t *line) {
+    const uint64_t *from = v->bits + solid_voxels_line(v, j, k);
+    const uint64_t last = v->n[0] % 64 ? ((uint64_t)1 << v->n[0] % 64) - 1 : ~(uint64_t)0;
+    for (long w = 0; w < v->words; w++) line[w] = of ? from[w] : ~from[w];
+    line[v->words - 1] &= last;
+}

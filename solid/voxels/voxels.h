@@ -1,0 +1,30 @@
+/* The solid of an image: one bit a voxel, in lines along x. Every rank holds the whole of it while a solid is made. */
+#pragma once
+#include <stdint.h>
+
+struct solid_voxels {
+    int n[3];       /* voxels along x, y, z */
+    int sites;      /* lattice sites along the edge of a voxel */
+    int corner[3];  /* lattice indices of the first site */
+    long words;     /* words of 64 voxels in a line */
+    uint64_t *bits; /* [n[2]][n[1]][words] 1: solid; 0 past the end of a line */
+    uint64_t *held; /* the same: voxels whose particles are held during the whole run; NULL: none */
+};
+
+/* All pore. Not collective, as all functions here. */
+struct solid_voxels *solid_voxels_new(const int n[3], int sites, const int corner[3]);
+void solid_voxels_free(struct solid_voxels *v);             /* may be NULL */
+uint64_t *solid_voxels_array(const struct solid_voxels *v); /* of as many bits, all 0 */
+
+static inline long solid_voxels_line(const struct solid_voxels *v, int j, int k) {
+    return ((long)k * v->n[1] + j) * v->words;
+}
+static inline int solid_voxels_is(const struct solid_voxels *v, const uint64_t *bits, int i, int j, int k) {
+    return (int)(bits[solid_voxels_line(v, j, k) + i / 64] >> i % 64 & 1);
+}
+static inline void solid_voxels_set(const struct solid_voxels *v, uint64_t *bits, int i, int j, int k) {
+    bits[solid_voxels_line(v, j, k) + i / 64] |= (uint64_t)1 << i % 64;
+}
+long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits);
+/* Copies a line of the solid, or with of = 0 of its pores, to line [words]. */
+void solid_voxels_of(const struct solid_voxels *v, int of, int j, int k, uint64_t *line);

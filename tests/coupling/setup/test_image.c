@@ -1,0 +1,448 @@
+/* Bodies of images: the particles that stand in a solid voxel, for every key, format and number of ranks; floating
+ * pieces; images that are refused. */
+#include "base/die.h"
+#include "base/par.h"
+#include "coupling/setup/image.h"
+#include "coupling/setup/setup.h"
+#include "solid/solid.h"
+#include "tests/check.h"
+
+#include <hdf5.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <tiffio.h>
+#include <unistd.h>
+
+/* mm a voxel; a domain with room around */
+enum { NX = 13, NY = 9, NZ = 7, VOXELS = NX * NY * NZ };
+#define FOLDER FRANA_BINARY_DIR "/tests/coupling/images"
+#define SCENE FOLDER "/scene.yaml"
+
+/* 0 in pores, 1 and 2 in two minerals. */
+static int sample(int x, int y, int z) {
+    const unsigned q = (unsigned)((z * NY + y) * NX + x) * 2654435761u >> 24;
+    return q < 90 ? 0 : q < 180 ? 1 : 2;
+}
+
+static void write_file(const char *name, const void *head, size_t head_bytes, const void *data, size_t bytes) {
+    char path[512];
+    snprintf(path, sizeof path, FOLDER "/%s", name);
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(head, 1, head_bytes, file), head_bytes);
+    assert_int_equal(fwrite(data, 1, bytes, file), bytes);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void write_text(const char *name, const char *text, const void *data, size_t bytes) {
+    write_file(name, text, strlen(text), data, bytes);
+}
+
+static void write_tiff(const unsigned char *voxel) {
+    TIFF *file = TIFFOpen(FOLDER "/sample.tif", "w");
+    assert_non_null(file);
+    for (int z = 0; z < NZ; z++) {
+        TIFFSetField(file, TIFFTAG_IMAGEWIDTH, NX);
+        TIFFSetField(file, TIFFTAG_IMAGELENGTH, NY);
+        TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 8);
+        TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 1);
+        TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+        TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, NY);
+        for (int y = 0; y < NY; y++)
+            assert_int_equal(TIFFWriteScanline(file, (void *)(uintptr_t)(voxel + (z * NY + y) * NX), (uint32_t)y, 0),
+                             1);
+        assert_int_equal(TIFFWriteDirectory(file), 1);
+    }
+    TIFFClose(file);
+}
+
+static void write_hdf5(const unsigned char *voxel) {
+    const hsize_t size[3] = {NZ, NY, NX};
+    const hid_t file = H5Fcreate(FOLDER "/sample.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                space = H5Screate_simple(3, size, NULL),
+                set = H5Dcreate2(file, "labels", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    assert_true(H5Dwrite(set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, voxel) >= 0);
+    H5Dclose(set);
+    H5Sclose(space);
+    H5Fclose(file);
+}
+
+/* A ball about the middle of 16 x 16 x 16 voxels, and two pieces apart from a block. */
+static void write_others(void) {
+    unsigned char ball[16 * 16 * 16], pieces[8 * 8 * 8] = {0};
+    for (int q = 0; q < 4096; q++) {
+        const double x = q % 16 - 7.5, y = q / 16 % 16 - 7.5, z = q / 256 - 7.5;
+        ball[q] = x * x + y * y + z * z < 6.3 * 6.3;
+    }
+    write_file("ball.raw", "", 0, ball, sizeof ball);
+    for (int q = 0; q < 512; q++) pieces[q] = q / 64 < 4; /* four layers */
+    pieces[6 * 64 + 3 * 8 + 3] = 1;
+    pieces[6 * 64 + 3 * 8 + 4] = 1;
+    pieces[7 * 64 + 7 * 8 + 7] = 1;
+    write_file("pieces.raw", "", 0, pieces, sizeof pieces);
+    memset(pieces, 0, sizeof pieces);
+    write_file("pore.raw", "", 0, pieces, sizeof pieces);
+    write_file("short.raw", "", 0, pieces, 511);
+}
+
+static int write_all(void **state) {
+    (void)state;
+    if (par_rank() == 0) {
+        unsigned char voxel[VOXELS], turned[VOXELS], *to = turned;
+        for (int q = 0; q < VOXELS; q++) voxel[q] = (unsigned char)sample(q % NX, q / NX % NY, q / NX / NY);
+        for (int x = 0; x < NX; x++)
+            for (int y = 0; y < NY; y++)
+                for (int z = 0; z < NZ; z++) *to++ = (unsigned char)sample(x, y, z);
+        mkdir(FOLDER, 0777);
+        write_file("sample.raw", "", 0, voxel, VOXELS);
+        write_file("turned.raw", "", 0, turned, VOXELS);
+        write_text(
+            "sample.mha",
+            "ObjectType = Image\nNDims = 3\nDimSize = 13 9 7\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
+            voxel, VOXELS);
+        write_text("sample.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 13 9 7\nencoding: raw\n\n", voxel,
+                   VOXELS);
+        write_tiff(voxel);
+        write_hdf5(voxel);
+        write_others();
+    }
+    par_barrier();
+    return 0;
+}
+
+/* The scene with the keys of its body; spacing in mm. */
+static void write_scene(const char *keys, double spacing) {
+    char text[2048];
+    snprintf(text, sizeof text,
+             "domain: {size: [0.04, 0.04, 0.04]}\n"
+             "solid:\n"
+             "  spacing: %g\n"
+             "  materials: [{name: quartz, youngs_modulus: 7.0e+10, density: 2650}]\n"
+             "  bodies: [{%s}]\n"
+             "stages: [{name: rest, steps: 1}]\n",
+             spacing * 1e-3, keys);
+    if (par_rank() == 0) write_text("scene.yaml", text, "", 0);
+    par_barrier();
+}
+
+struct particles {
+    long n;
+    uint64_t sum; /* of a number for each place and id */
+};
+
+static uint64_t mixed(uint64_t z) {
+    z ^= z >> 30, z *= 0xbf58476d1ce4e5b9u, z ^= z >> 27, z *= 0x94d049bb133111ebu;
+    return z ^ z >> 31;
+}
+
+/* All particles of the scene's solid; each that stands where is_in says no, and each too many, fails. */
+static struct particles particles_of(const char *keys, double spacing, int with_ids) {
+    write_scene(keys, spacing);
+    struct scene *scene = scene_new(SCENE, 0, NULL);
+    struct solid_input *in = setup_solid(scene);
+    struct solid *s = solid_new(in);
+    struct particles p = {.n = s->n_global};
+    uint64_t sum = 0;
+    for (int h = 0; h < s->n; h++) {
+        uint64_t z = with_ids ? (uint64_t)(s->first[par_rank()] + h) : 0;
+        for (int c = 0; c < 3; c++)
+            z = mixed(z + (uint64_t)llrint(s->x0[c][h] / (spacing * 1e-3) * 4 + 1000) + 17u * (unsigned)c);
+        sum += z;
+    }
+    p.sum = (uint64_t)par_sum_long((long)sum);
+    solid_free(s);
+    setup_solid_free(in);
+    scene_free(scene);
+    return p;
+}
+
+/* Those that a rule gives, for a body of n sites from the corner (3, 2, 1). */
+static struct particles expected(const int n[3], int (*is_in)(int i, int j, int k)) {
+    struct particles p = {0};
+    for (int k = 0; k < n[2]; k++)
+        for (int j = 0; j < n[1]; j++)
+            for (int i = 0; i < n[0]; i++) {
+                if (!is_in(i, j, k)) continue;
+                const int at[3] = {i + 3, j + 2, k + 1};
+                uint64_t z = 0;
+                for (int c = 0; c < 3; c++) z = mixed(z + (uint64_t)(4 * at[c] + 2 + 1000) + 17u * (unsigned)c);
+                p.sum += z;
+                p.n++;
+            }
+    return p;
+}
+
+static void check_same(struct particles a, struct particles b) {
+    check_equal(a.n, b.n);
+    assert_true(a.sum == b.sum);
+    check_above(a.n, 0);
+}
+
+#define RAW "shape: image, size: [13, 9, 7], type: uint8, voxel: 1.0e-3, low: [0.003, 0.002, 0.001], "
+
+static int plain(int i, int j, int k) { return sample(i, j, k) > 0; }
+static int second(int i, int j, int k) { return sample(i, j, k) == 2; }
+static int cropped(int i, int j, int k) { return sample(i + 2, j + 1, k + 3) > 0; }
+static int flipped(int i, int j, int k) { return sample(NX - 1 - i, j, NZ - 1 - k) > 0; }
+static int mirrored(int i, int j, int k) { return sample(i, j < NY ? j : 2 * NY - 1 - j, k) > 0; }
+static int rotated(int i, int j, int k) { return sample(j, NY - 1 - i, k) > 0; } /* by 90 degrees about z */
+static int refined(int i, int j, int k) { return sample(i / 3, j / 3, k / 3) > 0; }
+static int crop_flip_mirror(int i, int j, int k) {
+    i = i < 8 ? i : 15 - i;
+    return sample(2 + 7 - i, 1 + j, 3 + 3 - k) > 0;
+}
+static int coarse(int i, int j, int k) {
+    int solid = 0;
+    for (int q = 0; q < 8; q++) solid += sample(2 * i + q % 2, 2 * j + q / 2 % 2, 2 * k + q / 4) > 0;
+    return solid > 4;
+}
+static int coarse_flipped(int i, int j, int k) { return coarse(5 - i, j, 2 - k); }
+
+static void keys(void **state) {
+    (void)state;
+    static const struct {
+        const char *keys;
+        double spacing;
+        int n[3];
+        int (*is_in)(int i, int j, int k);
+    } table[] = {
+        {RAW "file: sample.raw, solid: [1, 2]", 1, {13, 9, 7}, plain},
+        {RAW "file: sample.raw, threshold: 0.5", 1, {13, 9, 7}, plain},
+        {RAW "file: sample.raw, solid: [2]", 1, {13, 9, 7}, second},
+        {RAW "file: turned.raw, axes: zyx, solid: [1, 2]", 1, {13, 9, 7}, plain},
+        {RAW "file: sample.raw, solid: [1, 2], crop: {low: [2, 1, 3], high: [10, 9, 7]}", 1, {8, 8, 4}, cropped},
+        {RAW "file: sample.raw, solid: [1, 2], flip: xz", 1, {13, 9, 7}, flipped},
+        {RAW "file: turned.raw, axes: zyx, solid: [1, 2], flip: xz", 1, {13, 9, 7}, flipped},
+        {RAW "file: sample.raw, solid: [1, 2], mirror: y", 1, {13, 18, 7}, mirrored},
+        {"shape: image, size: [9, 13, 7], axes: yxz, type: uint8, voxel: 1.0e-3, low: [0.003, 0.002, 0.001], "
+         "file: sample.raw, flip: x, solid: [1, 2]",
+         1,
+         {9, 13, 7},
+         rotated},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: 1.5e-3, low: [0.0015, 0.001, 0.0005], file: sample.raw, "
+         "solid: [1, 2]",
+         0.5,
+         {39, 27, 21},
+         refined},
+        {RAW "file: sample.raw, solid: [1, 2], crop: {low: [2, 1, 3], high: [10, 9, 7]}, flip: xz, mirror: x",
+         1,
+         {16, 8, 4},
+         crop_flip_mirror},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: 0.5e-3, low: [0.003, 0.002, 0.001], file: sample.raw, "
+         "solid: [1, 2], crop: {low: [0, 0, 0], high: [12, 8, 6]}",
+         1,
+         {6, 4, 3},
+         coarse},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: 0.5e-3, low: [0.003, 0.002, 0.001], file: turned.raw, "
+         "solid: [1, 2], crop: {low: [0, 0, 0], high: [12, 8, 6]}, axes: zyx, flip: xz",
+         1,
+         {6, 4, 3},
+         coarse_flipped}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        check_same(particles_of(table[i].keys, table[i].spacing, 0), expected(table[i].n, table[i].is_in));
+}
+
+/* The same sample in all formats gives the same particles with the same numbers. */
+static void formats(void **state) {
+    (void)state;
+    static const char *const file[] = {"sample.mha", "sample.nrrd", "sample.tif", "sample.h5"};
+    const struct particles raw = particles_of(RAW "file: sample.raw, solid: [1, 2]", 1, 1);
+    for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "shape: image, voxel: 1.0e-3, low: [0.003, 0.002, 0.001], solid: [1, 2], file: %s",
+                 file[i]);
+        check_same(particles_of(text, 1, 1), raw);
+    }
+}
+
+/* An image of a ball, and the ball; a block of voxels, and the box. Sites stand in the voxels' centres. */
+static void shapes(void **state) {
+    (void)state;
+    check_same(
+        particles_of("shape: image, file: ball.raw, size: [16, 16, 16], type: uint8, voxel: 1.0e-3, low: [0.002, "
+                     "0.003, 0.004], solid: [1]",
+                     1, 0),
+        particles_of("shape: sphere, centre: [0.01, 0.011, 0.012], radius: 0.0063", 1, 0));
+    check_same(particles_of("shape: image, file: pieces.raw, size: [8, 8, 8], type: uint8, voxel: 2.0e-3, low: [0.002, "
+                            "0.003, 0.004], solid: [1], floating: remove",
+                            1, 0),
+               particles_of("shape: box, low: [0.002, 0.003, 0.004], high: [0.018, 0.019, 0.012]", 1, 0));
+}
+
+#define PIECES                                                                                                         \
+    "shape: image, file: pieces.raw, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0.002, 0.003, 0.004], solid: " \
+    "[1]"
+
+static void floating(void **state) {
+    (void)state;
+    check_equal(particles_of(PIECES, 1, 0).n, 256 + 3);
+    check_equal(particles_of(PIECES ", floating: keep", 1, 0).n, 256 + 3);
+    check_equal(particles_of(PIECES ", floating: remove", 1, 0).n, 256);
+    check_equal(particles_of(PIECES ", floating: remove, mirror: z", 1, 0).n, 2 * 256 - 256);
+    write_scene(PIECES ", floating: hold", 1);
+    struct scene *scene = scene_new(SCENE, 0, NULL);
+    struct solid_input *in = setup_solid(scene);
+    struct solid *s = solid_new(in);
+    long held = 0;
+    for (int h = 0; h < s->n; h++) {
+        const int is = (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) != 0;
+        check_equal(is, s->x0[2][h] > 0.0095);
+        held += is;
+    }
+    check_equal(par_sum_long(held), 3);
+    solid_free(s);
+    setup_solid_free(in);
+    scene_free(scene);
+}
+
+/* A piece that a constraint holds does not float. */
+static void constrained(void **state) {
+    (void)state;
+    const char *const set[] = {"solid.constraints=[{low: [0.004, 0.005, 0.0101], high: [0.0072, 0.0072, 0.0108]}]"};
+    write_scene(PIECES ", floating: remove", 1);
+    struct scene *scene = scene_new(SCENE, 1, set);
+    struct setup_image *image = setup_image_read(scene, 0);
+    struct solid_components *c = setup_image_solid(scene, image);
+    check_equal(c->pieces, 3);
+    check_equal(c->loose_pieces, 1);
+    check_equal(c->loose_voxels, 1);
+    check_equal(image->labels, 2);
+    check_equal(image->label[0].voxels, 512 - 259);
+    check_equal(image->label[1].voxels, 259);
+    solid_components_free(c);
+    setup_image_free(image);
+    scene_free(scene);
+}
+
+/* Of a child process, which must not end the parent's MPI: it says its sentence and ends. */
+static int is_child;
+void __wrap_par_end(void);
+void __real_par_end(void);
+void __wrap_par_end(void) {
+    if (!is_child) __real_par_end();
+}
+_Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...) __attribute__((format(printf, 2, 3)));
+_Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    vfprintf(stderr, format, args);
+    va_end(args);
+    fputc('\n', stderr);
+    fflush(stderr);
+    _exit(code);
+}
+
+/* Standard error and exit code of a process that makes the scene's solid. */
+static int leaves_with(const char *keys, double spacing, char *said, size_t size) {
+    int pipes[2], status;
+    write_scene(keys, spacing);
+    assert_int_equal(pipe(pipes), 0);
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        is_child = 1;
+        dup2(pipes[1], STDERR_FILENO);
+        setup_solid(scene_new(SCENE, 0, NULL));
+        _exit(0);
+    }
+    close(pipes[1]);
+    size_t got = 0;
+    for (ssize_t k; got < size - 1 && (k = read(pipes[0], said + got, size - 1 - got)) > 0;) got += (size_t)k;
+    said[got] = '\0';
+    close(pipes[0]);
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void refused(void **state) {
+    (void)state;
+    static const struct {
+        const char *keys;
+        double spacing;
+        const char *sentence;
+    } table[] = {
+        {RAW "file: sample.raw, solid: [1, 7]", 1,
+         "solid.bodies[0].solid: label 7 does not occur in " FOLDER "/sample.raw, whose values are 0 to 2 (0, 1, 2)"},
+        {RAW "file: sample.raw, solid: [0, 1, 2]", 1, "solid.bodies[0].solid: leaves no pore in"},
+        {RAW "file: sample.raw, threshold: 2.5", 1, "solid.bodies[0].threshold: leaves no solid in"},
+        {RAW "file: sample.raw, threshold: 0", 1, "solid.bodies[0].threshold: leaves no pore in"},
+        {RAW "file: sample.raw", 1, "scene.yaml:5: solid.bodies[0].solid: missing; shape image needs it"},
+        {RAW "file: sample.raw, solid: [1], threshold: 1", 1,
+         "solid.bodies[0].solid = [1]: not together with threshold"},
+        {RAW "file: sample.raw, solid: [1]", 0.7, "solid.bodies[0].voxel = 1.0e-3: must be solid.spacing (0.0007 m)"},
+        {RAW "file: sample.raw, solid: [1]", 2,
+         "13 voxels along x do not make whole cells of 2 voxels; crop the image to 12"},
+        {RAW "file: sample.raw, solid: [1], crop: {low: [0, 0, 0], high: [13, 10, 7]}", 1,
+         "solid.bodies[0].crop.high = [13, 10, 7]: must be at most 9 in y: the image has no more voxels"},
+        {RAW "file: sample.raw, solid: [1], crop: {low: [0, 5, 0], high: [13, 5, 7]}", 1,
+         "solid.bodies[0].crop.low = [0, 5, 0]: must be below high in every direction, y is not"},
+        {RAW "file: sample.raw, solid: [1], flip: xx", 1,
+         "solid.bodies[0].flip = xx: must be a word of the letters x, y and z, each at most once"},
+        {RAW "file: sample.raw, solid: [1], mirror: a", 1, "solid.bodies[0].mirror = a: must be a word of the letters"},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: 1.0e-3, low: [0.0033, 0.002, 0.001], solid: [1], file: "
+         "sample.raw",
+         1,
+         "solid.bodies[0].low = [0.0033, 0.002, 0.001]: must be on a corner of the lattice's cells; along x the "
+         "nearest "
+         "are at 0.003 and 0.004 m"},
+        {"shape: image, size: [13, 9, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: sample.raw", 1,
+         "solid.bodies[0].file = " FOLDER "/sample.raw: "},
+        {"shape: image, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: short.raw", 1,
+         "solid.bodies[0].file = " FOLDER "/short.raw: "},
+        {"shape: image, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: pore.raw", 1,
+         "solid.bodies[0].solid: label 1 does not occur in " FOLDER "/pore.raw, whose values are 0 to 0 (0)"},
+        {"shape: image, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: sample.raw", 1,
+         "solid.bodies[0].file = " FOLDER "/sample.raw: "},
+        {"shape: box, low: [0, 0, 0], high: [0.01, 0.01, 0.01], flip: x", 1,
+         "solid.bodies[0].flip = x: only with shape image, here it is box"}};
+    char said[4096];
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        assert_int_equal(leaves_with(table[i].keys, table[i].spacing, said, sizeof said), EXIT_CODE_SCENE);
+        if (!strstr(said, table[i].sentence))
+            fail_msg("%s\nshould say: %s\nand says: %s", table[i].keys, table[i].sentence, said);
+        if (strchr(said, '\n') != said + strlen(said) - 1) fail_msg("%s\nis not one sentence: %s", table[i].keys, said);
+    }
+}
+
+/* Of a fluid's scene: the surface of an image is found from the lattice only. */
+static void surface(void **state) {
+    (void)state;
+    static const char *const set[] = {
+        "solid.bodies.ball={name: ball, material: glass, shape: image, file: " FOLDER
+        "/ball.raw, size: [16, 16, 16], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1]}",
+        "coupling.surface=shape"};
+    char said[4096] = "";
+    int pipes[2], status;
+    assert_int_equal(pipe(pipes), 0);
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        is_child = 1;
+        dup2(pipes[1], STDERR_FILENO);
+        scene_new(FRANA_SOURCE_DIR "/tests/scene/scenes/coupled.yaml", 2, set);
+        _exit(0);
+    }
+    close(pipes[1]);
+    size_t got = 0;
+    for (ssize_t k; got < sizeof said - 1 && (k = read(pipes[0], said + got, sizeof said - 1 - got)) > 0;)
+        got += (size_t)k;
+    close(pipes[0]);
+    waitpid(child, &status, 0);
+    assert_int_equal(WEXITSTATUS(status), EXIT_CODE_SCENE);
+    assert_non_null(strstr(said, "coupling.surface = shape: does not go with a body of shape image"));
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest all[] = {
+        cmocka_unit_test(keys),        cmocka_unit_test(formats), cmocka_unit_test(shapes), cmocka_unit_test(floating),
+        cmocka_unit_test(constrained), cmocka_unit_test(refused), cmocka_unit_test(surface)};
+    par_begin(&argc, &argv);
+    /* the refusals end a process and are tried on one rank */
+    const int failed = par_size() == 1 ? cmocka_run_group_tests(all, write_all, NULL)
+                                       : _cmocka_run_group_tests("ranks", all, 5, write_all, NULL);
+    par_end();
+    return failed;
+}

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# frana check of a small image: what it says, its pictures, and what is left out where the run is too large.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+# 8 x 8 x 8 voxels: four layers of solid, a layer of pore, a lone voxel of solid in the last layer
+{
+  head -c 256 /dev/zero | tr '\0' '\1'
+  head -c 255 /dev/zero
+  printf '\1'
+} >sample.raw
+cat >scene.yaml <<'YAML'
+title: An image
+domain: {size: [0.008, 0.008, 0.008]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: quartz, youngs_modulus: 70.0e9, density: 2650}]
+  bodies:
+    - {name: rock, shape: image, file: sample.raw, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, solid: [1],
+       low: [0, 0, 0]}
+stages: [{name: rest, steps: 1}]
+YAML
+said() { # said TEXT: the output holds it
+  grep -qF -- "$1" out || fail "not said: $1"
+}
+for ranks in 1 2; do
+  rm -rf checks
+  code 0 ranks $ranks check scene.yaml
+  said '8 along x, 8 along y, 8 along z, of 0.001 m; in the file x varies first, then y, then z'
+  said '0      pore   255 voxels, 49.8047 %'
+  said '1      solid  257 voxels, 50.1953 %'
+  said 'porosity   0.49805; connected from face to face along x 0.49805, y 0.49805, z 0.00000'
+  said 'pores      1 piece, the largest 100.0000 % of the pores'
+  said 'solid      2 pieces, the largest 99.6109 % of the solid'
+  said 'floating   1 piece of solid, 0.3891 % of it, the largest of 1 voxels: kept'
+  said 'thin solid 0.3891 % of the solid is less than 3 particles wide'
+  said ' 257 particles'
+  for axis in x y z; do
+    [ "$(head -c 8 checks/scene/rock_$axis.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] ||
+      fail "checks/scene/rock_$axis.png is no picture"
+  done
+done
+code 0 ranks 1 check scene.yaml --out elsewhere/deep --set 'solid.bodies[0].floating=remove'
+said 'voxels: removed'
+said ' 256 particles'
+[ -s elsewhere/deep/rock_x.png ] || fail "no picture in --out"
+# more than 64 sites along the edge of a voxel
+code 2 ranks 1 check scene.yaml --set 'solid.bodies[0].voxel=1.0e-1'

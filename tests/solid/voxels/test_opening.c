@@ -1,0 +1,75 @@
+/* Opening of random and simple images against its definition, cube by cube. */
+#include "base/par.h"
+#include "solid/voxels/opening.h"
+#include "tests/check.h"
+
+#include <stdlib.h>
+
+static int is_of(const struct solid_voxels *v, int of, const int low[3], int edge) {
+    for (int k = low[2]; k < low[2] + edge; k++)
+        for (int j = low[1]; j < low[1] + edge; j++)
+            for (int i = low[0]; i < low[0] + edge; i++)
+                if (solid_voxels_is(v, v->bits, i, j, k) != of) return 0;
+    return 1;
+}
+
+static long thin_of(const struct solid_voxels *v, int of, int edge) {
+    const int *n = v->n;
+    uint8_t *thick = calloc((size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1);
+    long thin = 0;
+    for (int k = 0; k + edge <= n[2]; k++)
+        for (int j = 0; j + edge <= n[1]; j++)
+            for (int i = 0; i + edge <= n[0]; i++) {
+                if (!is_of(v, of, (const int[3]){i, j, k}, edge)) continue;
+                for (int q = 0; q < edge * edge * edge; q++)
+                    thick[((size_t)(k + q / edge / edge) * (size_t)n[1] + (size_t)(j + q / edge % edge)) *
+                              (size_t)n[0] +
+                          (size_t)(i + q % edge)] = 1;
+            }
+    for (int k = 0; k < n[2]; k++)
+        for (int j = 0; j < n[1]; j++)
+            for (int i = 0; i < n[0]; i++)
+                thin += solid_voxels_is(v, v->bits, i, j, k) == of &&
+                        !thick[((size_t)k * (size_t)n[1] + (size_t)j) * (size_t)n[0] + (size_t)i];
+    free(thick);
+    return thin;
+}
+
+static void random_images(void **state) {
+    (void)state;
+    static const int size[][3] = {{9, 8, 7}, {64, 5, 6}, {66, 6, 5}, {130, 4, 4},
+                                  {2, 9, 9}, {9, 2, 9},  {9, 9, 2},  {1, 1, 1}};
+    srand(3);
+    for (size_t s = 0; s < sizeof size / sizeof *size; s++)
+        for (int percent = 5; percent <= 95; percent += 15)
+            for (int edge = 1; edge <= 4; edge++) {
+                struct solid_voxels *v = solid_voxels_new(size[s], 1, (const int[3]){0, 0, 0});
+                for (int k = 0; k < v->n[2]; k++)
+                    for (int j = 0; j < v->n[1]; j++)
+                        for (int i = 0; i < v->n[0]; i++)
+                            if (rand() % 100 < percent) solid_voxels_set(v, v->bits, i, j, k);
+                for (int of = 0; of < 2; of++) check_equal(solid_opening_thin(v, of, edge), thin_of(v, of, edge));
+                solid_voxels_free(v);
+            }
+}
+
+/* A slab two voxels thick is thin, one of three is not, wherever it lies and across words. */
+static void slabs(void **state) {
+    (void)state;
+    for (int from = 0; from < 90; from += 7)
+        for (int thick = 1; thick <= 4; thick++) {
+            struct solid_voxels *v = solid_voxels_new((const int[3]){100, 4, 5}, 1, (const int[3]){0, 0, 0});
+            for (int q = 0; q < 20 * thick; q++)
+                solid_voxels_set(v, v->bits, from + q % thick, q / thick % 4, q / thick / 4);
+            check_equal(solid_opening_thin(v, 1, 3), thick < 3 ? 20 * thick : 0);
+            solid_voxels_free(v);
+        }
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(random_images), cmocka_unit_test(slabs)};
+    par_begin(&argc, &argv);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
