@@ -52,7 +52,8 @@ done
 echo "stopped $stops times"
 same whole/series.csv stopped/series.csv
 forces whole/reactions.csv stopped/reactions.csv
-cut -d, -f1-8 whole/fragments.csv | diff - <(cut -d, -f1-8 stopped/fragments.csv) || fail "other fragments after resuming"
+cut -d, -f1-8 whole/fragments.csv | diff - <(cut -d, -f1-8 stopped/fragments.csv) ||
+  fail "other fragments after resuming"
 
 # another run starts from a stage's checkpoint
 code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5

@@ -45,7 +45,8 @@ done
   study study_long
   for ratio in 10 2 1 0.5; do
     what='later over earlier displacement'
-    row "reaction, rho_s/rho_f = $ratio, a hundred periods: $what" 1 "$(cell study_long value reaction $ratio "$what")" 1 \
+    row "reaction, rho_s/rho_f = $ratio, a hundred periods: $what" 1 \
+      "$(cell study_long value reaction $ratio "$what")" 1 \
       "does not grow" 0 1
     row "reaction, rho_s/rho_f = $ratio, a hundred periods: $what across" 1 \
       "$(cell study_long value reaction $ratio "$what across")" 1 "round-off may add up, not grow" 0 10
