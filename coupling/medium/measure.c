@@ -101,7 +101,7 @@ struct medium_values medium_measure(struct medium *m, struct fluid *f, double im
         .mean_velocity = {s.u[0] / m->total, s.u[1] / m->total, s.u[2] / m->total},
         .velocity = velocity,
         .permeability = k,
-        .reynolds = k >= 0 ? fabs(velocity) * sqrt(k) / fluid_input_of(f)->viscosity : NAN,
+        .reynolds = fabs(velocity) * sqrt(fabs(k)) / fluid_input_of(f)->viscosity,
         .tortuosity = tortuosity_from(m, &s),
         .specific_surface = medium_measure_specific_surface(m, immersed_area),
     };
