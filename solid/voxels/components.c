@@ -126,7 +126,7 @@ static void set_loose(const struct sweep *s, const struct run *run, int j, int k
 
 static void run_add(struct slice *to, struct run run) {
     if (to->n == to->room) {
-        to->room = 2 * to->room + 1024;
+        to->room *= 2;
         to->run = memory_grown(MEMORY_SOLID, to->run, (size_t)to->n, (size_t)to->room, sizeof *to->run);
     }
     to->run[to->n++] = run;
@@ -161,7 +161,9 @@ static void sweep_slice(struct sweep *s, struct slice *now, const struct slice *
 }
 
 static struct slice slice_new(const int n[3]) {
-    return (struct slice){.row = memory_new(MEMORY_SOLID, (size_t)n[1] + 1, sizeof(long))};
+    struct slice slice = {.row = memory_new(MEMORY_SOLID, (size_t)n[1] + 1, sizeof(long)), .room = 1024};
+    slice.run = memory_new(MEMORY_SOLID, (size_t)slice.room, sizeof *slice.run);
+    return slice;
 }
 
 static void slice_free(struct slice *slice) {

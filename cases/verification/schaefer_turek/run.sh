@@ -14,7 +14,6 @@ gates() { # gates STUDY METHOD LEVEL TOLERANCE_OF_DRAG TOLERANCE_OF_DROP; lift a
   "${judge[0]}" "2D-1, $2, $3 cells: length of the eddies" m \
     "$(cell "$1" value "$2" "$3" "length of the eddies")" 0.0847 "Schaefer and Turek 1996: 0.0842 to 0.0852" \
     "${judge[@]:1}"
-  near "2D-1, $2, $3 cells: drag by the probe" 1 "$(cell "$1" value "$2" "$3" "drag by the probe")" $drag "$source" "$4"
 }
 if [ "$quick" ]; then
   study study
