@@ -44,8 +44,8 @@ END
   panel 'Permeability of spheres, 16 to 48 cells a period' spheres/results/study_loads.csv permeability \
     'reaction lattice' 'reaction, lattice' 'probe lattice' 'multidirect, lattice' \
     'reaction shape' 'reaction, shape' 'probe shape' 'multidirect, shape'
-  panel 'Drag of a sphere by its load, 8 to 32 cells a diameter' sphere_drag/results/study_loads.csv 'drag by the load' \
-    reaction reaction probe probe
+  panel 'Drag of a sphere by its load, 8 to 32 cells a diameter' \
+    sphere_drag/results/study_loads.csv 'drag by the load' reaction reaction probe probe
   panel 'Speed of a settling sphere, 6 and 12 cells' ten_cate/results/study_loads.csv 'largest speed over u_inf' \
     reaction reaction probe probe
   panel 'Main case: bonds broken at 8 ms, 2 to 1/4 steps' ../porous_channel/results/study_loads.csv 'share broken' \
