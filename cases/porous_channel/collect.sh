@@ -72,6 +72,9 @@ for load in probe reaction; do
       keep "$from/plots/$pdf.png" "$out/${load}_${s}_$pdf.png"
     done
   done
+  [ $load = probe ] || for view in flow_lines slice_z_speed; do
+    keep "$runs/$load/s3/post/pictures/$view.png" "$out/${load}_s3_$view.png"
+  done
   keep "$runs/$load/s1/post/plots/pressure.png" "$out/${load}_pressure.png"
   for p in pressure_drop porosity permeability bonds_broken fragments energy pdf_strain pdf_stress; do
     keep "$runs/$load/compared/plots/$p.png" "$out/${load}_$p.png"
