@@ -30,12 +30,12 @@ set terminal pngcairo size 1200,900 font 'Sans,13'
 set output 'loads.png'
 set multiplot layout 2,2
 set logscale xy
-set xlabel 'wall time of the steps, s'
+set xlabel 'wall time of the steps, s' offset 0, 0.7
 set ylabel 'relative error, %'
 set format y '%g'
 set format x '%g'
 set grid linecolor rgb '#dddddd'
-set key top right
+set key below
 set style line 1 linecolor rgb '#0072b2' linewidth 2 pointtype 7 pointsize 1.2
 set style line 2 linecolor rgb '#d55e00' linewidth 2 pointtype 5 pointsize 1.2
 set style line 3 linecolor rgb '#56b4e9' linewidth 2 pointtype 6 pointsize 1.2 dashtype 2
