@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Permeability of a sample of Berea sandstone along its three axes, beside a lattice-Boltzmann code's on the same voxels.
+# Permeability of a sample of Berea sandstone along its three axes, beside a lattice-Boltzmann code's on the same
+# voxels.
 # The image is not in the repository: README.md says where it can be had. It is looked for in this folder.
 # usage: cases/berea/run.sh [FRANA [RUNS [OUT]]]
 # shellcheck source=cases/verification/common.sh
