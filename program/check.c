@@ -264,8 +264,8 @@ static void say_groups(const struct run *r) {
     }
 }
 
-/* Memory of a run by its size, GB: measured in the cases with all parts, 464 bytes a particle with its bonds, 260 a
- * cell of the fluid. */
+/* Memory of a run by its size, GB: 464 bytes a particle with its bonds, measured with a sample of sandstone, and 260 a
+ * cell of the fluid, an estimate. */
 static double gigabytes_of(const struct scene *scene, double particles) {
     double cells = scene->fluid ? 1 : 0;
     for (int c = 0; c < 3; c++) cells *= scene->domain.cells[c];
