@@ -7,10 +7,11 @@
 #include "files/aside.h"
 #include "files/folder.h"
 #include "files/table.h"
+#include "files/whole.h"
 #include "physics/darcy.h"
 #include "program/program.h"
 #include "scene/medium.h"
-#include "study/text.h"
+#include "scene/text/yaml.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -122,11 +123,11 @@ static enum made made_in(const char *folder, const struct scene *scene) {
     enum made state = MADE_NOTHING;
     if (!folder_has_run(folder)) return state;
     if (par_rank() == 0) {
-        char *resolved = study_text_of(folder_path(path, folder, "scene.resolved.yaml"));
+        char *resolved = whole_new(folder_path(path, folder, "scene.resolved.yaml"));
         const int same = resolved && !strcmp(resolved, scene->resolved);
-        struct scene_node *root = same ? study_text_tree(folder_path(path, folder, "run.json")) : NULL;
+        struct scene_node *root = same ? scene_yaml_read(folder_path(path, folder, "run.json")) : NULL;
         const struct scene_node *status = root ? scene_node_child(root, "status") : NULL;
-        char *latest = same ? study_text_of(folder_path(path, folder, "checkpoint/latest")) : NULL;
+        char *latest = same ? whole_new(folder_path(path, folder, "checkpoint/latest")) : NULL;
         state = !same ? MADE_OTHER : latest ? MADE_CHECKPOINT : MADE_PART;
         if (status && !strcmp(status->value, "done")) state = MADE_ALL;
         free(latest);
@@ -157,7 +158,7 @@ static struct measured measured_in(const char *folder) {
     m.reynolds = column_of(t, "reynolds_k");
     m.steps = column_of(t, "step");
     table_read_free(t);
-    struct scene_node *root = study_text_tree(folder_path(path, folder, "run.json"));
+    struct scene_node *root = scene_yaml_read(folder_path(path, folder, "run.json"));
     const struct scene_node *steady = root ? scene_node_child(root, "steady") : NULL;
     if (steady) m.steady = !strcmp(steady->value, "true");
     if (root) scene_node_free(root);

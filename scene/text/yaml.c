@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/text.h"
+#include "files/whole.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -174,6 +175,15 @@ struct scene_node *scene_yaml_parse_as(const struct scene_yaml_what *what, const
     }
     scene_node_free(root);
     return NULL;
+}
+
+struct scene_node *scene_yaml_read(const char *path) {
+    struct scene_problems problems = {.file = path};
+    char *text = whole_new(path);
+    struct scene_node *root = text ? scene_yaml_parse(text, strlen(text), &problems) : NULL;
+    scene_problem_free(&problems);
+    free(text);
+    return root;
 }
 
 struct scene_node *scene_yaml_parse_value(const char *text, char **why) {

@@ -11,6 +11,9 @@ struct scene_node *scene_yaml_parse(const char *text, size_t bytes, struct scene
 /* The same for a file that is not a scene. */
 struct scene_node *scene_yaml_parse_as(const struct scene_yaml_what *what, const char *text, size_t bytes,
                                        struct scene_problems *problems);
+/* The tree of a file (JSON is YAML too), without a word about its mistakes; NULL: missing or malformed. Not collective.
+ */
+struct scene_node *scene_yaml_read(const char *path);
 /* The tree of one value, of a --set or a default; NULL and *why (malloc'ed) if it is not YAML. */
 struct scene_node *scene_yaml_parse_value(const char *text, char **why);
 /* The tree as text, malloc'ed. for_load: with words replaced by the values that they stand for. */

@@ -2,6 +2,7 @@
 #include "study/runs/outcome.h"
 #include "base/version.h"
 #include "files/folder.h"
+#include "scene/text/yaml.h"
 #include "study/text.h"
 
 #include <math.h>
@@ -21,7 +22,7 @@ static int says(const struct scene_node *root, const char *key, const char *text
 struct study_outcome study_outcome_read(const char *folder) {
     struct study_outcome o = {.wall = NAN, .setup = NAN, .cell_step = NAN, .bond_sweep = NAN, .memory = NAN};
     char path[FOLDER_PATH];
-    struct scene_node *root = study_text_tree(folder_path(path, folder, "run.json"));
+    struct scene_node *root = scene_yaml_read(folder_path(path, folder, "run.json"));
     if (!root) return o;
     const int done = says(root, "status", "done"), unstable = says(root, "status", "unstable");
     o.state = done ? STUDY_DONE : unstable ? STUDY_FAILED : STUDY_TODO;

@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/text.h"
 #include "files/folder.h"
+#include "files/whole.h"
 #include "scene/read.h"
 #include "scene/scene.h"
 #include "study/file/parts.h"
@@ -76,7 +77,7 @@ static char *folder_of(const struct study_plan *p, const struct study_case *c, i
 
 struct study_plan *study_plan_new(const struct study *s, const char *out) {
     struct study_plan *p = calloc(1, sizeof *p);
-    char *text = study_text_of(s->scene);
+    char *text = whole_new(s->scene);
     if (!text) die_all(EXIT_CODE_SCENE, "%s: the scene %s cannot be read", s->path, s->scene);
     check_slugs(s, &s->methods);
     check_slugs(s, &s->levels);
@@ -116,7 +117,7 @@ void study_plan_look(const struct study_plan *p, struct study_run *run) {
     const struct study_case *c = &p->at[run->at];
     char path[FOLDER_PATH];
     struct study_outcome o = study_outcome_read(run->folder);
-    char *resolved = study_text_of(folder_path(path, run->folder, "scene.resolved.yaml"));
+    char *resolved = whole_new(folder_path(path, run->folder, "scene.resolved.yaml"));
     run->kept =
         o.state != STUDY_TODO && o.same_build && o.ranks == c->ranks && resolved && !strcmp(resolved, c->resolved);
     if (run->kept) run->outcome = o;

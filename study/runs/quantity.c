@@ -3,6 +3,8 @@
 #include "base/text.h"
 #include "files/folder.h"
 #include "files/table.h"
+#include "files/whole.h"
+#include "scene/text/yaml.h"
 #include "study/runs/child.h"
 #include "study/runs/window.h"
 #include "study/text.h"
@@ -87,14 +89,14 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
     const char *ending = strrchr(q->file, '.');
     folder_path(path, folder, q->file);
     if (ending && !strcmp(ending, ".json")) {
-        struct scene_node *root = study_text_tree(path);
+        struct scene_node *root = scene_yaml_read(path);
         const struct scene_node *node = root ? scene_node_find(root, q->row) : NULL;
         const double value = node && node->kind == SCENE_NODE_SCALAR ? study_text_number(node->value) : NAN;
         if (isnan(value)) WHY("%s: %s", path, root ? "has no such number" : "cannot be read");
         scene_node_free(root);
         return value;
     }
-    char *text = study_text_of(path);
+    char *text = whole_new(path);
     if (!text) WHY("%s: cannot be read", path);
     const double value = text ? of_csv(q, path, text, why) : NAN;
     free(text);
@@ -111,7 +113,7 @@ static double of_command(const struct study_quantity *q, const char *folder, cha
     free(name);
     const int code =
         study_child_run(&(struct study_child){argv, folder, said, folder_path(errs, folder, "screen.log")});
-    char *text = code == 0 ? study_text_of(said) : NULL;
+    char *text = code == 0 ? whole_new(said) : NULL;
     double value = NAN;
     if (text) {
         size_t end = strlen(text);
