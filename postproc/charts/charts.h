@@ -21,5 +21,8 @@ void postproc_charts_crack_draw(struct postproc_charts *charts, int runs, struct
  * have moved. */
 void postproc_charts_reactions_draw(struct postproc_charts *charts, const struct postproc_history *h,
                                     const char *folder);
+/* Of one run's slices.csv and rev.csv: porosity and solid area of the slices; porosity and k of sub-volumes over their
+ * size. */
+void postproc_charts_texture_draw(struct postproc_charts *charts, const struct postproc_history *h, const char *folder);
 /* Draws the plot and adds its name, unless the plot has no curve. */
 void postproc_charts_add(struct postproc_charts *charts, const struct postproc_plot *plot);

@@ -14,6 +14,17 @@ enum { ROWS_MAX = 4000 };
 static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 enum { PALETTE = 7 };
 
+double postproc_plot_unit(double size, const char **name) {
+    static const struct {
+        double size;
+        const char *name;
+    } unit[] = {{1, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}};
+    int k = 0;
+    while (k < 3 && size < 0.9999 * unit[k].size) k++;
+    *name = unit[k].name;
+    return unit[k].size;
+}
+
 static void put_point(FILE *f, const struct postproc_plot *p, const struct postproc_curve *c, long i) {
     if (isfinite(c->y[i]) && isfinite(c->x[i]) && !(p->log_y && c->y[i] <= 0) && !(p->log_x && c->x[i] <= 0)) {
         fprintf(f, "%.10g %.10g", c->x[i], c->y[i]);
@@ -226,9 +237,9 @@ static void put_curves(FILE *f, const struct postproc_plot *p, const struct axes
         fprintf(f, "%s$curve%d ", k ? ", \\\n     " : "", k);
         put_using(f, a);
         fprintf(f, " with %s lw 2 lc rgb '%s' ",
-                p->curve[k].bars    ? "histeps"
-                : p->curve[k].label ? "linespoints pt 7 ps 1.1"
-                                    : "lines",
+                p->curve[k].bars                          ? "histeps"
+                : p->curve[k].label || p->curve[k].points ? "linespoints pt 7 ps 1.1"
+                                                          : "lines",
                 palette[k % PALETTE]);
         if (p->curves > 1) {
             fputs("title ", f);

@@ -7,6 +7,7 @@ struct postproc_curve {
     const char *title;
     long n;
     const double *x, *y;      /* [n]; NaN makes a gap */
+    int points;               /* 1: points joined by lines */
     int bars;                 /* 1: a histogram, with steps between the bins */
     const char *const *label; /* [n]: labelled points joined by lines; NULL: a line */
 };
@@ -32,4 +33,6 @@ struct postproc_plot {
     double x_low, x_high; /* NAN: from the data */
 };
 
+/* A unit, in m, in which a length of that size has one to three digits before the point, and its name. */
+double postproc_plot_unit(double size, const char **name);
 enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p);

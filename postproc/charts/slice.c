@@ -2,23 +2,12 @@
 #include "postproc/charts/slice.h"
 #include "base/memory.h"
 #include "files/folder.h"
+#include "postproc/charts/plot.h"
 
 #include <math.h>
 #include <stdio.h>
 
 enum { COLOURS = 32, SHARP = 400, THIN = 3 };
-
-/* A unit in which the larger side has one to three digits before the point. */
-static double unit_of(double size, const char **name) {
-    static const struct {
-        double size;
-        const char *name;
-    } unit[] = {{1, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}};
-    int k = 0;
-    while (k < 3 && size < 0.9999 * unit[k].size) k++;
-    *name = unit[k].name;
-    return unit[k].size;
-}
 
 /* Pixels of the picture and of the room around the plane. */
 enum { LEFT = 95, RIGHT = 175, TOP = 115, BOTTOM = 92, LONG = 930, TALL = 760, SHORT = 150 };
@@ -136,7 +125,7 @@ static int script_write(const struct postproc_slice_plot *p, const char *path) {
     if (!f) return -1;
     const struct postproc_slice *s = p->slice;
     const char *unit;
-    const double length = unit_of(fmax(s->n[0] * s->d[0], s->n[1] * s->d[1]), &unit);
+    const double length = postproc_plot_unit(fmax(s->n[0] * s->d[0], s->n[1] * s->d[1]), &unit);
     const double size[2] = {s->n[0] * s->d[0] / length, s->n[1] * s->d[1] / length};
     const struct layout at = layout_of(size);
     fprintf(f, "# gnuplot %s.gp\n", p->name);

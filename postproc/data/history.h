@@ -19,6 +19,8 @@ struct postproc_history {
     struct table_data *crack;     /* crack.csv, or NULL */
     struct table_data *fragments; /* fragments.csv, or NULL */
     struct table_data *reactions; /* reactions.csv, or NULL */
+    struct table_data *slices;    /* slices.csv, or NULL */
+    struct table_data *rev;       /* rev.csv, or NULL */
     struct postproc_fields solid, fluid;
     /* The time origin: the start of the last stage that the run has reached.  (001: sec. 6.4.1) */
     const char *stage; /* its name */

@@ -125,6 +125,43 @@ static void make_breaking(const struct make_run *in) {
     table_free(t);
 }
 
+/* At the end of each stage: slices of 12.5 mm, of porosity 0.5 and 0.05 more each, and in the last stage 0.03 more; and
+ * sub-volumes of 12.5 to 100 mm, the smallest of which do not all have a surface. */
+static void make_texture(const struct make_run *in) {
+    static const char *const slice[] = {"step", "t", "direction", "slice", "at", "porosity"};
+    static const char *const of[] = {"1", "s", "1", "1", "m", "1"};
+    static const char *const rev[] = {"step",
+                                      "t",
+                                      "edge",
+                                      "porosity_mean",
+                                      "porosity_deviation",
+                                      "porosity_least",
+                                      "porosity_largest",
+                                      "carman_mean",
+                                      "carman_deviation",
+                                      "carman_least",
+                                      "carman_largest"};
+    static const char *const unit[] = {"1", "s", "m", "1", "1", "1", "1", "m2", "m2", "m2", "m2"};
+    char path[FOLDER_PATH];
+    struct table *t = table_new(folder_path(path, in->folder, "slices.csv"), 6, slice, of, -1);
+    for (int stage = 1; stage <= 3 && stage * MAKE_STEPS <= in->stop; stage++)
+        for (int c = 0; c < 3; c++)
+            for (int q = 0; q < (c == 0 ? 6 : 8); q++)
+                table_row(t, (double[]){stage * MAKE_STEPS, make_time(stage * MAKE_STEPS), c, q,
+                                        (c == 0 ? 0.025 : 0) + (q + 0.5) * 0.0125,
+                                        0.5 + 0.05 * q + (stage == 3 ? 0.03 : 0)});
+    table_free(t);
+    t = table_new(folder_path(path, in->folder, "rev.csv"), 11, rev, unit, -1);
+    for (int stage = 1; stage <= 3 && stage * MAKE_STEPS <= in->stop; stage++)
+        for (int k = 0; k < 4; k++) {
+            const double spread = 0.1 * (3 - k), carman = k == 0 ? NAN : 4e-6;
+            table_row(t, (double[]){stage * MAKE_STEPS, make_time(stage * MAKE_STEPS), 0.0125 * (1 << k), 0.625,
+                                    0.5 * spread, 0.625 - spread, 0.625 + spread, carman, 2 * carman * spread,
+                                    carman * (1 - spread), carman * (1 + spread)});
+        }
+    table_free(t);
+}
+
 /* Of the last solid field made: mean x0 by damage, m. */
 static double make_onset_x;
 
@@ -249,6 +286,7 @@ static void make_run(const struct make_run *in) {
     make_scene(in);
     make_series(in);
     if (!in->no_solid) make_breaking(in);
+    if (!in->no_solid) make_texture(in);
     make_record(in);
     for (long step = 2 * MAKE_STEPS - MAKE_FIELDS; step <= in->stop && !in->no_fields; step += MAKE_FIELDS) {
         if (!in->no_solid) make_solid(in, step);

@@ -64,6 +64,10 @@ static const char *const files_of_whole_run[] = {"post/report.md",
                                                  "post/pdf_griffith.csv",
                                                  "post/plots/pdf_von_mises.png",
                                                  "post/plots/reactions.svg",
+                                                 "post/plots/slices_porosity.png",
+                                                 "post/plots/slices_solid.svg",
+                                                 "post/plots/rev_porosity.pdf",
+                                                 "post/plots/rev_permeability.png",
                                                  "post/plots/load_displacement.png",
                                                  "post/plots/detached_mass.png",
                                                  "post/pressure.csv",
@@ -173,6 +177,53 @@ static void broken_run(void **state) {
     assert_true(holds(folder, "post/plots/load_displacement.gp", "Load against opening"));
     assert_true(holds(folder, "post/plots/load_displacement.gp", "0.6 1500"));
     assert_true(holds(folder, "post/plots/load_displacement.gp", "opening  [mm]"));
+}
+
+/* Slices of 75 x 100 x 100 mm before the last stage and at its end, and sub-volumes at its end. */
+static void texture_of_the_medium(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("texture"), .cells = 16, .stop = 300, .no_fields = 1});
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    static const char *const porosity[] = {"place of the slice  [mm]",
+                                           "across z, t/t0 = 0'",
+                                           "across z, t/t0 = 0.0034'",
+                                           "6.25 0.53",
+                                           "93.75 0.85",
+                                           "93.75 0.88"};
+    for (size_t k = 0; k < sizeof porosity / sizeof *porosity; k++)
+        assert_true(holds(folder, "post/plots/slices_porosity.gp", porosity[k]));
+    /* solid of 100 x 100 mm */
+    static const char *const solid[] = {"slices across x", "solid area  [mm^2]", "31.25 5000", "31.25 4700",
+                                        "93.75 2200"};
+    for (size_t k = 0; k < sizeof solid / sizeof *solid; k++)
+        assert_true(holds(folder, "post/plots/slices_solid.gp", solid[k]));
+    static const char *const rev[] = {
+        "edge of a sub-volume  [mm]", "12.5 0.625", "12.5 0.15", "50 0.725", "50 0.525", "'deviation'"};
+    for (size_t k = 0; k < sizeof rev / sizeof *rev; k++)
+        assert_true(holds(folder, "post/plots/rev_porosity.gp", rev[k]));
+    /* the smallest have no permeability; that of the box is the series', 7.8e-6 m2 */
+    assert_true(holds(folder, "post/plots/rev_permeability.gp", "50 4.4e-06"));
+    assert_true(holds(folder, "post/plots/rev_permeability.gp", "25 7.8e-06"));
+    assert_true(holds(folder, "post/plots/rev_permeability.gp", "set logscale y"));
+    assert_false(holds(folder, "post/plots/rev_permeability.gp", "12.5 "));
+    /* one sample: no times */
+    make_run(&(struct make_run){.folder = named("texture"), .cells = 16, .stop = 160, .no_fields = 1});
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_true(holds(folder, "post/plots/slices_porosity.gp", "'across z'"));
+    assert_false(holds(folder, "post/plots/slices_porosity.gp", "t/t0"));
+    /* a table of something else, and no table */
+    static const char *const file[] = {"slices.csv", "rev.csv"}, *const other[] = {"step,t\n#1,s\n1,0.1\n", "no table"};
+    char path[FOLDER_PATH];
+    for (int k = 0; k < 2; k++) {
+        FILE *f = fopen(folder_path(path, folder, file[k]), "w");
+        fputs(other[k], f);
+        fclose(f);
+    }
+    unlink(folder_path(path, folder, "post/plots/slices_porosity.gp"));
+    unlink(folder_path(path, folder, "post/plots/rev_porosity.gp"));
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(size_of(folder, "post/plots/slices_porosity.gp"), -1);
+    assert_int_equal(size_of(folder, "post/plots/rev_porosity.gp"), -1);
 }
 
 /* s0 = sqrt(5 G0/(6 E delta)) of the scene with the period of 64 cells: 1.8856e-4 for S3 (001: table of chapter 6). */
@@ -351,6 +402,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_run),
         cmocka_unit_test(broken_run),
+        cmocka_unit_test(texture_of_the_medium),
         cmocka_unit_test(scales_are_the_scenes),
         cmocka_unit_test(run_on_its_way),
         cmocka_unit_test(fluid_alone),
