@@ -12,13 +12,18 @@ static void growth(struct bench *bench) {
     bench_solid_growth(bench);
 }
 
+static void image(struct bench *bench) {
+    bench_solid_image(bench);
+    bench_memory_image(bench);
+}
+
 static const struct {
     const char *name;
     void (*measure)(struct bench *b);
     int asked_only; /* 1: measured only if named by --only */
-} part[] = {{"limits", bench_limits, 0},     {"fluid", bench_fluid, 0},   {"solid", bench_solid, 0},
-            {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0}, {"growth", growth, 0},
-            {"peer", bench_solid_peer, 1}};
+} part[] = {{"limits", bench_limits, 0}, {"fluid", bench_fluid, 0},       {"solid", bench_solid, 0},
+            {"image", image, 0},         {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0},
+            {"growth", growth, 0},       {"peer", bench_solid_peer, 1}};
 enum { PARTS = sizeof part / sizeof *part };
 
 /* Whether the comma-separated list contains the word. */
@@ -37,8 +42,9 @@ static void check_only(const char *list) {
         for (int k = 0; k < PARTS; k++)
             found |= (int)strlen(part[k].name) == length && !strncmp(at, part[k].name, (size_t)length);
         if (!found)
-            die_all(EXIT_CODE_SCENE, "--only %.*s: must be of limits, fluid, solid, immersed, memory, growth and peer",
-                    length, at);
+            die_all(EXIT_CODE_SCENE,
+                    "--only %.*s: must be of limits, fluid, solid, image, immersed, memory, growth and peer", length,
+                    at);
     }
 }
 

@@ -36,9 +36,9 @@ static struct holding holding_of(const struct bench_block *block) {
 
 /* Memory of a bond: difference of two families in the same block, with horizons of 3 and of 2 spacings, divided by the
  * number of added bonds. The rest is the particles' state, work arrays and indices. */
-static void of_block(struct bench *bench, const char *of_bond, const char *of_particle, int list) {
+static void of_block(struct bench *bench, const char *of_bond, const char *of_particle, struct bench_block block) {
     char size[32];
-    struct bench_block block = {.half = bench->quick, .list = list};
+    block.half = bench->quick;
     const struct holding many = holding_of(&block);
     block.ratio = 2;
     const struct holding few = holding_of(&block);
@@ -72,7 +72,11 @@ static void of_run(struct bench *bench) {
 
 void bench_memory(struct bench *bench) {
     of_fluid(bench, bench->quick ? (int[]){32, 16, 16} : (int[]){128, 64, 64});
-    of_block(bench, "memory_lattice_bond", "memory_lattice_particle", 0);
-    of_block(bench, "memory_list_bond", "memory_list_particle", 1);
+    of_block(bench, "memory_lattice_bond", "memory_lattice_particle", (struct bench_block){0});
+    of_block(bench, "memory_list_bond", "memory_list_particle", (struct bench_block){.list = 1});
     of_run(bench);
+}
+
+void bench_memory_image(struct bench *bench) {
+    of_block(bench, "memory_image_bond", "memory_image_particle", (struct bench_block){.image = 1});
 }

@@ -19,13 +19,15 @@ struct bench_size {
 };
 
 void bench_limits(struct bench *bench);
-void bench_fluid(struct bench *bench);      /* steps, and their parts */
-void bench_solid(struct bench *bench);      /* force sweeps */
-void bench_plate(struct bench *bench);      /* force sweeps over a plate */
-void bench_refine(struct bench *bench);     /* searches for particles to refine, and refinements of a plate */
-void bench_solid_peer(struct bench *bench); /* the sweep that bench/lammps compares */
-void bench_immersed(struct bench *bench);   /* the main case: forcing, probe, interface, contact, whole steps */
-void bench_memory(struct bench *bench);     /* bytes a cell, a bond, a marker */
+void bench_fluid(struct bench *bench);        /* steps, and their parts */
+void bench_solid(struct bench *bench);        /* force sweeps */
+void bench_plate(struct bench *bench);        /* force sweeps over a plate */
+void bench_refine(struct bench *bench);       /* searches for particles to refine, and refinements of a plate */
+void bench_solid_peer(struct bench *bench);   /* the sweep that bench/lammps compares */
+void bench_immersed(struct bench *bench);     /* the main case: forcing, probe, interface, contact, whole steps */
+void bench_memory(struct bench *bench);       /* bytes a cell, a bond, a marker */
+void bench_solid_image(struct bench *bench);  /* force sweeps over bodies of images */
+void bench_memory_image(struct bench *bench); /* bytes a bond of such a body */
 void bench_fluid_growth(struct bench *bench);
 void bench_solid_growth(struct bench *bench);
 
@@ -36,6 +38,7 @@ struct fluid *bench_fluid_new(const int cells[3], int channel);
 struct bench_block {
     int side;     /* sites along each side of a full block; 0: the main case's porous block */
     int half;     /* the porous block's small version */
+    int image;    /* the same particles as an image of one site a voxel */
     int list;     /* lists of bonds instead of the lattice store */
     double ratio; /* horizon / spacing, 0: 3 */
 };

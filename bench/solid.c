@@ -3,10 +3,24 @@
 #include "bench/parts.h"
 #include "solid/bonds/family.h"
 #include "solid/solid.h"
+#include "solid/voxels/voxels.h"
 
 #include <math.h>
 
 static const double SPACING = 1.5625e-3; /* m */
+
+/* The image of a solid's particles between two corners of the lattice: a voxel a site, as all ranks read it from a
+ * file. */
+static struct solid_voxels *image_of(const struct solid *s, const int low[3], const int high[3]) {
+    struct solid_voxels *v = solid_voxels_new((int[]){high[0] - low[0], high[1] - low[1], high[2] - low[2]}, 1, low);
+    for (int h = 0; h < s->n; h++) {
+        int at[3];
+        for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING) - low[c];
+        solid_voxels_set(v, v->bits, at[0], at[1], at[2]);
+    }
+    if (par_size() > 1) par_sum_long_array((long *)v->bits, (int)((long)v->n[2] * v->n[1] * v->words));
+    return v;
+}
 
 struct solid *bench_solid_block_new(const struct bench_block *in) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
@@ -32,6 +46,20 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
         input.length[2] = width * SPACING;
     }
     struct solid *s = solid_new(&input);
+    if (in->image) {
+        int site[2][3];
+        for (int c = 0; c < 3; c++) {
+            site[0][c] = (int)lrint(body.low[c] / SPACING);
+            site[1][c] = (int)lrint(body.high[c] / SPACING);
+        }
+        struct solid_voxels *v = image_of(s, site[0], site[1]);
+        solid_free(s);
+        body.shape = SOLID_IMAGE;
+        body.cavity_period = 0;
+        body.voxels = v;
+        s = solid_new(&input);
+        solid_voxels_free(v);
+    }
     bench_sweep_strain(s);
     return s;
 }
@@ -61,6 +89,24 @@ static void measure(struct bench *bench, const char *part, const struct bench_bl
     bench_row_write(&bench->table, &row);
     if (!block->list) bench_row_traffic(&bench->table, part, row.size, bench_sweep, s, 4);
     solid_free(s);
+}
+
+/* The lattice blocks of bench_solid as images. */
+void bench_solid_image(struct bench *bench) {
+    static const char *const name[2][2] = {{"sweep_full_image", "sweep_full_image_damped"},
+                                           {"sweep_porous_image", "sweep_porous_image_damped"}};
+    if (bench->sizes) {
+        for (int k = 0; k < bench->sizes; k++)
+            if (bench->size[k].side)
+                measure(bench, name[0][0], &(struct bench_block){.side = bench->size[k].side, .image = 1}, 0);
+        return;
+    }
+    const int side = bench->quick ? 12 : 38;
+    for (int porous = 0; porous < 2; porous++)
+        for (int damped = 0; damped < 2; damped++)
+            measure(bench, name[porous][damped],
+                    &(struct bench_block){.side = porous ? 0 : side, .half = bench->quick, .image = 1},
+                    damped ? 1e15 : 0);
 }
 
 void bench_solid(struct bench *bench) {

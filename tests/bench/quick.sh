@@ -33,12 +33,26 @@ awk -F, '
     n = split("triad_one_rank triad multiply_add fluid_step fluid_momentum fluid_poisson fluid_poisson_forward " \
       "fluid_poisson_columns fluid_poisson_backward fluid_halo halo_fill channel_step sweep_full sweep_full_damped " \
       "sweep_porous sweep_porous_damped sweep_full_list sweep_full_list_damped sweep_porous_list " \
-      "sweep_porous_list_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken markers " \
+      "sweep_porous_list_damped sweep_full_image sweep_full_image_damped sweep_porous_image " \
+      "sweep_porous_image_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken markers " \
       "forcing probe interface interface_broken contact contact_broken solid_substeps memory_fluid " \
       "memory_lattice_bond memory_lattice_particle memory_list_bond " \
-      "memory_list_particle memory_marker memory_run", rows, " ")
+      "memory_list_particle memory_image_bond memory_image_particle memory_marker memory_run", rows, " ")
     for (k = 1; k <= n; k++) if (!(rows[k] in seen)) { print "no row " rows[k]; bad = 1 }
     exit bad }' "$table" || fail "$table"
+# an image of the same particles has the same bonds, and takes the same bytes
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+  !($1 in size) { size[$1] = $at["size"]; units[$1] = $at["units"]; bytes[$1] = $at["bytes_per_unit"] }
+  END {
+    n = split("sweep_full sweep_full_image sweep_full_damped sweep_full_image_damped sweep_porous " \
+      "sweep_porous_image sweep_porous_damped sweep_porous_image_damped memory_lattice_bond memory_image_bond " \
+      "memory_lattice_particle memory_image_particle", pair, " ")
+    for (k = 1; k < n; k += 2) {
+      a = pair[k]; b = pair[k + 1]
+      if (size[a] != size[b] || units[a] != units[b] || bytes[a] == "" || bytes[b] / bytes[a] > 1.01) {
+        print b ": " size[b] ", " units[b] " units of " bytes[b] " B, the box: " size[a] ", " units[a] ", " bytes[a]
+        bad = 1 } }
+    exit bad }' "$table" || fail "image and box differ: $table"
 if [ "$ranks" -gt 1 ]; then
   for kind in halo ghost exchange transpose reduction; do
     awk -F, -v kind=$kind '$4 == kind && $5 + $6 > 0 && $7 > 0 { found = 1 } END { exit !found }' "$traffic" ||
