@@ -19,7 +19,9 @@ struct postproc_options {
     enum postproc_quantity film_quantity; /* the quantity of these pictures */
     int film_named;                       /* 0: damage of a plate; of space the flow, or damage where nothing flows */
     double level;                         /* of the damage contour; 0: automatic */
-    double magnify;                       /* factor of the displacements; 0: automatic */
+    int sliced[3];   /* 1: the slice across this direction is at the place `slice`, else in the middle */
+    double slice[3]; /* m */
+    double magnify;  /* factor of the displacements; 0: automatic */
 };
 
 /* The quantity of a name: damage, stretch, energy, displacement_x, displacement_y, flow, speed,

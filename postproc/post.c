@@ -106,6 +106,14 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         fprintf(stderr, "frana: %s\n", error);
         return EXIT_CODE_FILE;
     }
+    for (int c = 0; c < 3 && options; c++) {
+        const double size = h->scene->domain.size[c];
+        if (!options->sliced[c] || (options->slice[c] >= 0 && options->slice[c] <= size)) continue;
+        fprintf(stderr, "frana: --slice %c=%g: must be in the domain, from 0 to %g m\n", "xyz"[c], options -> slice[c],
+                size);
+        postproc_history_free(h);
+        return EXIT_CODE_SCENE;
+    }
     struct postproc_output *out = calloc(1, sizeof *out);
     int code = EXIT_CODE_DONE, last[SECTIONS];
     out->folder = folder_path(post, rundir, "post");

@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +16,8 @@ const char *command_usage(void) {
            "  frana check SCENE.yaml [--out DIR] [--set key.path=value]...\n"
            "  frana permeability SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
            "[--fresh]\n"
-           "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--level DAMAGE] [--magnify FACTOR]\n"
+           "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--slice x=PLACE]... [--level DAMAGE]\n"
+           "              [--magnify FACTOR]\n"
            "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
            "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
            "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
@@ -88,6 +90,17 @@ static double number(const char *text, const char *name, double below) {
     return value;
 }
 
+/* "y=0.002": the slice across y is there, m. */
+static void slice_of(struct command *c, const char *text) {
+    const int axis = *text >= 'x' && *text <= 'z' ? *text - 'x' : -1;
+    char *end = NULL;
+    const double place = axis >= 0 && text[1] == '=' ? strtod(text + 2, &end) : NAN;
+    if (!end || end == text + 2 || *end || !isfinite(place))
+        die_all(EXIT_CODE_SCENE, "--slice %s: must be a direction and a place in m, as in x=0.002", text);
+    c->sliced[axis] = 1;
+    c->slice[axis] = place;
+}
+
 /* Checks that the option belongs to the command. */
 static void check_option(int o, const char *word, enum command_verb verb) {
     const int runs = verb == COMMAND_RUN || verb == COMMAND_PERMEABILITY;
@@ -95,28 +108,22 @@ static void check_option(int o, const char *word, enum command_verb verb) {
     if (strchr("wq", o) && !runs) die_all(EXIT_CODE_SCENE, "%s: goes with frana run and permeability only", word);
     if (o == 's' && !runs && verb != COMMAND_CHECK)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check and permeability only", word);
-    if (strchr("ilm", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
+    if (strchr("ilmx", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
     if (o == 'f' && verb != COMMAND_STUDY && verb != COMMAND_PERMEABILITY)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana study and permeability only", word);
     if (strchr("knzpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
 static void options(struct command *c, int argc, char **argv) {
-    static const struct option option[] = {{"out", required_argument, NULL, 'o'},
-                                           {"set", required_argument, NULL, 's'},
-                                           {"resume", optional_argument, NULL, 'r'},
-                                           {"max-wall", required_argument, NULL, 'w'},
-                                           {"quiet", no_argument, NULL, 'q'},
-                                           {"fresh", no_argument, NULL, 'f'},
-                                           {"quick", no_argument, NULL, 'k'},
-                                           {"only", required_argument, NULL, 'n'},
-                                           {"sizes", required_argument, NULL, 'z'},
-                                           {"repeats", required_argument, NULL, 'p'},
-                                           {"table", required_argument, NULL, 't'},
-                                           {"film", optional_argument, NULL, 'i'},
-                                           {"level", required_argument, NULL, 'l'},
-                                           {"magnify", required_argument, NULL, 'm'},
-                                           {NULL, 0, NULL, 0}};
+    static const struct option option[] = {
+        {"out", required_argument, NULL, 'o'},    {"set", required_argument, NULL, 's'},
+        {"resume", optional_argument, NULL, 'r'}, {"max-wall", required_argument, NULL, 'w'},
+        {"quiet", no_argument, NULL, 'q'},        {"fresh", no_argument, NULL, 'f'},
+        {"quick", no_argument, NULL, 'k'},        {"only", required_argument, NULL, 'n'},
+        {"sizes", required_argument, NULL, 'z'},  {"repeats", required_argument, NULL, 'p'},
+        {"table", required_argument, NULL, 't'},  {"film", optional_argument, NULL, 'i'},
+        {"level", required_argument, NULL, 'l'},  {"magnify", required_argument, NULL, 'm'},
+        {"slice", required_argument, NULL, 'x'},  {NULL, 0, NULL, 0}};
     opterr = 0;
     for (int o; (o = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
         const char *word = argv[optind - 1];
@@ -150,6 +157,9 @@ static void options(struct command *c, int argc, char **argv) {
             break;
         case 'm':
             c->magnify = number(optarg, "--magnify", 1e9);
+            break;
+        case 'x':
+            slice_of(c, optarg);
             break;
         case 'k':
             c->quick = 1;

@@ -26,10 +26,12 @@ struct command {
     double max_wall;         /* s; 0: no limit */
     int quiet;
     int fresh; /* study, permeability: --fresh */
-    /* post, for plates */
+    /* post */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */
     double level, magnify;     /* 0: not given */
+    int sliced[3];             /* --slice x=PLACE: 1 */
+    double slice[3];           /* m */
     /* bench */
     int quick, repeats;
     enum bench_page table;    /* writes tables from earlier measurements, measures nothing */

@@ -26,6 +26,8 @@ static int post(const struct command *c) {
     const struct postproc_options options = {.film = c->film,
                                              .film_quantity = (enum postproc_quantity)quantity,
                                              .film_named = c->film_quantity != NULL,
+                                             .sliced = {c->sliced[0], c->sliced[1], c->sliced[2]},
+                                             .slice = {c->slice[0], c->slice[1], c->slice[2]},
                                              .level = c->level,
                                              .magnify = c->magnify};
     int code = EXIT_CODE_DONE;

@@ -72,7 +72,7 @@ void postproc_sections_flow(struct postproc_output *out, const struct postproc_h
     if (h->fluid.n == 0) return;
     struct postproc_slice *slice[3] = {NULL, NULL, NULL};
     for (int a = 0; a < 3; a++) {
-        slice[a] = postproc_slice_new(h, h->fluid.n - 1, a, NAN);
+        slice[a] = postproc_slice_new(h, h->fluid.n - 1, a, out->options.sliced[a] ? out->options.slice[a] : NAN);
         if (!slice[a] || (slice[a]->n[0] >= CELLS_MIN && slice[a]->n[1] >= CELLS_MIN)) continue;
         postproc_slice_free(slice[a]);
         slice[a] = NULL;

@@ -310,6 +310,20 @@ static void film_of_a_block(void **state) {
     assert_true(holds(folder, "post/report.html", "type=\"range\" min=\"0\" max=\"3\""));
 }
 
+/* The slice across y is where it is asked for, the others are in the middle; a place outside of the domain is refused.
+ */
+static void slice_at_a_place(void **state) {
+    (void)state;
+    make_run(&(struct make_run){.folder = named("sliced"), .cells = 16, .stop = 300});
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.sliced = {0, 1, 0}, .slice = {0, 0.03, 0}}),
+                     EXIT_CODE_DONE);
+    /* cells of 6.25 mm: the fifth's centre; the lower one of the two in the middle */
+    assert_true(holds(folder, "post/pictures/slice_y_speed.gp", "y = 28.12 mm"));
+    assert_true(holds(folder, "post/pictures/slice_z_speed.gp", "z = 46.88 mm"));
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.sliced = {0, 1, 0}, .slice = {0, 0.11, 0}}),
+                     EXIT_CODE_SCENE);
+}
+
 static void profile_by_sections(void **state) {
     (void)state;
     /* two sections of four cells: pressure 1, 2, 3, 4 and solid 0, 0, 1, 0.5 */
@@ -408,6 +422,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(fluid_alone),
         cmocka_unit_test(fluid_at_rest),
         cmocka_unit_test(film_of_a_block),
+        cmocka_unit_test(slice_at_a_place),
         cmocka_unit_test(profile_by_sections),
         cmocka_unit_test(no_gnuplot),
         cmocka_unit_test(compared),

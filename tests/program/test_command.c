@@ -99,6 +99,12 @@ static void options_of_the_others(void **state) {
     assert_string_equal(c->film_quantity, "stress");
     check_equal(c->level, 0.4);
     check_equal(c->magnify, 20);
+    assert_false(c->sliced[0] || c->sliced[1] || c->sliced[2]);
+    command_free(c);
+    c = command_of("post runs/a --slice z=0 --slice x=2.5e-4");
+    assert_true(c->sliced[0] && !c->sliced[1] && c->sliced[2]);
+    check_equal(c->slice[0], 2.5e-4);
+    check_equal(c->slice[2], 0);
     command_free(c);
     c = command_of("post runs/a --film");
     assert_true(c->film && !c->film_quantity);
@@ -159,6 +165,12 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"run a --fresh", "--fresh: goes with frana study and permeability only"},
         {"run a --quick", "--quick: goes with frana bench only"},
         {"post a --level 1", "--level 1: must be a number above 0 and below 1"},
+        {"post a --slice 0.1", "--slice 0.1: must be a direction and a place in m"},
+        {"post a --slice w=0.1", "--slice w=0.1: must be a direction and a place in m"},
+        {"post a --slice x=", "--slice x=: must be a direction and a place in m"},
+        {"post a --slice x=1mm", "--slice x=1mm: must be a direction and a place in m"},
+        {"post a --slice x=nan", "--slice x=nan: must be a direction and a place in m"},
+        {"run a.yaml --slice=x=1", "--slice=x=1: goes with frana post only"},
         {"post a --level nan", "--level nan: must be a number above 0"},
         {"post a --magnify 0", "--magnify 0: must be a number above 0"},
         {"post a --magnify 2x", "--magnify 2x: must be a number above 0"},
