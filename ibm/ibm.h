@@ -18,9 +18,17 @@ void ibm_free(struct ibm *ibm);
  * call. Collective. */
 void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume);
 
+/* From now on no fluid flows on balance through the inside of the solid along those directions. For a body at rest.
+ * fraction  as fluid/grid/grid.h, centres, one ghost layer, 1, borrowed  the solid part of each cell. gradient [3] is
+ * what holds it, m/s2: state, borrowed, 0 at first. Not collective. */
+void ibm_inside_hold(struct ibm *ibm, const int along[3], const double *fraction, double gradient[3]);
+/* Before each step; nothing if nothing is held. Collective. */
+void ibm_inside_begin(struct ibm *ibm, double dt);
+
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).
- * Collective. */
+ * The slip over the force, a time in s, is bounded by `most`. Collective. */
+void ibm_implicit_slip(struct ibm *ibm, double most);
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt);
 void ibm_implicit_force(struct ibm *ibm, int r, double dt);
 /* Starting guess of the implicit forcing, one vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and

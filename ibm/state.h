@@ -91,6 +91,16 @@ struct ibm_tally {
     double given[3], squares;
 };
 
+/* The fluid inside a body that has no ends (ibm/inside.c). */
+struct ibm_inside {
+    int along[3];           /* 1: it is held along this direction */
+    const double *fraction; /* of solid in each cell, borrowed; NULL: nothing is held */
+    double *gradient;       /* [3] m/s2, borrowed */
+    /* work */
+    double flow[3], faces[3]; /* q at the start of the step, m/s; sum of theta */
+    double taken[3];          /* mean force of the step on the fluid, N, on all ranks */
+};
+
 struct ibm {
     /* Parameters: read-only once it is made. */
     struct fluid *fluid;           /* borrowed */
@@ -98,6 +108,8 @@ struct ibm {
     int iterations;
     int implicit;                        /* diffusion is implicit: ibm/implicit.c */
     double slip_time;                    /* s, of the forcing with feedback; 0: it is not used (ibm/feedback.c) */
+    struct ibm_inside inside;            /* its gradient is state, and the caller's */
+    double most_slip;                    /* s, bound of the slip's time with implicit diffusion; INFINITY: none */
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */
     int *owner[3];                       /* [n[direction]] contribution of a cell to the number of the rank that owns
@@ -178,6 +190,8 @@ int ibm_share_ranks(const struct ibm *ibm, const int cell[3], int rank[IBM_SHARE
 
 /* Sorts the arrived markers into inner markers, edges and slabs, and makes the edges' pieces. Not collective. */
 void ibm_layout(struct ibm *ibm);
+/* Before the first forcing of a stage (ibm/inside.c). */
+void ibm_inside_stage(struct ibm *ibm, int r, double dt);
 int ibm_layout_bins(const struct ibm *ibm); /* number of bins of the sort */
 int ibm_layout_is_inner(const struct ibm *ibm, const int cell[3]);
 int ibm_layout_slab_of(const struct ibm *ibm, int plane); /* plane of this rank, or next to it */

@@ -29,13 +29,6 @@ static double along(const struct medium *m, const double v[3]) {
     return m->along[0] * v[0] + m->along[1] * v[1] + m->along[2] * v[2];
 }
 
-/* The box's extent along the direction of the flow, m. */
-static double extent(const struct medium *m) {
-    double sum = 0;
-    for (int c = 0; c < 3; c++) sum += fabs(m->along[c]) * (m->high[c] - m->low[c]);
-    return sum;
-}
-
 /* A mean flow of less than NONE of the mean speed is round-off. */
 #define NONE 1e-9
 static double tortuosity_from(const struct medium *m, const struct medium_sums *s) {
@@ -47,7 +40,7 @@ static double tortuosity_from(const struct medium *m, const struct medium_sums *
 static double permeability_from(const struct medium *m, struct fluid *f, const struct medium_sums *s, double drop) {
     const struct fluid_input *in = fluid_input_of(f);
     if (drop == 0) return NAN;
-    return along(m, s->u) / m->total * extent(m) * in->density * in->viscosity / drop;
+    return along(m, s->u) / m->total * medium_extent(m) * in->density * in->viscosity / drop;
 }
 
 double medium_measure_porosity(const struct medium *m) {
@@ -78,7 +71,7 @@ static double driving_along(const struct medium *m, struct fluid *f) {
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f) {
     const struct fluid_grid *g = m->g;
     const struct fluid_input *in = fluid_input_of(f);
-    const double driving = driving_along(m, f), driven = driving * extent(m);
+    const double driving = driving_along(m, f), driven = driving * medium_extent(m);
     if (m->slanted || m->whole_period[m->axis] || g->n[m->axis] < 2) return driven;
     if (g->periodic[m->axis] && !medium_face_is_clear(m, 0)) return driving * g->length[m->axis];
     fluid_measures_mean_pressure(f, m->axis, m->section);
