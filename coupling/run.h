@@ -73,8 +73,6 @@ struct run {
                                 * the reaction (coupling/reaction.c) */
     double inner_time;         /* s, of that reading; -1: none */
     double *inner_acceleration[3]; /* [n] of the fluid at each particle between the last two readings, m/s2 */
-    int holds_inside;              /* 1: the fluid inside the solid is held (ibm/inside.c) */
-    double inside_gradient[3];     /* what holds it, m/s2 */
     double (*demand)[3];           /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
     struct steady steady;          /* of the present stage (coupling/steady.h) */
     struct solid_rates solid_rates;

@@ -57,7 +57,6 @@ static int waits(const void *owner) {
 }
 
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner_velocity[0] != NULL; }
-static int holds_inside(const void *owner) { return ((const struct run *)owner)->holds_inside; }
 static int has_guess(const void *owner) { return forcing_guess_is_part_of(owner); }
 static void save_guess(void *owner, void *value) { forcing_guess_take(owner, value); }
 static int load_guess(void *owner, const void *value, char *why, size_t room) {
@@ -122,8 +121,6 @@ const struct state_item run_state_table[] = {
     {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
     {"inner_velocity", STATE_DOUBLE, STATE_PARTICLE, OF(inner_velocity), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
-    {"inside_gradient", STATE_DOUBLE, STATE_ONE, OF(inside_gradient), .in = STATE_BOTH, .missing = STATE_ZERO,
-     .is_part = holds_inside},
     {"inner_time", STATE_DOUBLE, STATE_ONE, OF(inner_time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
     {"inner_acceleration", STATE_DOUBLE, STATE_PARTICLE, OF(inner_acceleration), .in = STATE_BOTH,

@@ -43,7 +43,6 @@ static void part_markers(struct run *r) {
 /* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.70-3.73, 3.79-3.82) */
 static void part_fluid_forced(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
-    ibm_inside_begin(r->ibm, r->dt);
     for (int s = 0; s < 3; s++) {
         fluid_predict(r->fluid, s, r->dt);
         ibm_forcing_stage(r->ibm, s, r->dt);
@@ -55,7 +54,6 @@ static void part_fluid_forced(struct run *r) {
  * is added. */
 static void part_fluid_implicit(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
-    ibm_inside_begin(r->ibm, r->dt);
     for (int s = 0; s < 3; s++) {
         fluid_predict(r->fluid, s, r->dt);
         ibm_implicit_force_again(r->ibm, s, r->dt);

@@ -107,9 +107,8 @@ void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]) {
 }
 
 void ibm_forcing_total(struct ibm *ibm, double force[3]) {
-    for (int c = 0; c < 3; c++) force[c] = ibm->given[c];
+    for (int c = 0; c < 3; c++) force[c] = ibm->given[c] + ibm->inside.taken[c];
     par_sum_array(force, 3);
-    for (int c = 0; c < 3; c++) force[c] += ibm->inside.taken[c];
 }
 
 double ibm_forcing_slip(struct ibm *ibm) {

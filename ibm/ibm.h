@@ -18,12 +18,10 @@ void ibm_free(struct ibm *ibm);
  * call. Collective. */
 void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume);
 
-/* From now on no fluid flows on balance through the inside of the solid along those directions. For a body at rest.
- * fraction  as fluid/grid/grid.h, centres, one ghost layer, 1, borrowed  the solid part of each cell. gradient [3] is
- * what holds it, m/s2: state, borrowed, 0 at first. Not collective. */
-void ibm_inside_hold(struct ibm *ibm, const int along[3], const double *fraction, double gradient[3]);
-/* Before each step; nothing if nothing is held. Collective. */
-void ibm_inside_begin(struct ibm *ibm, double dt);
+/* From now on the driving and the body force along those directions act only on the part of a cell that is not solid.
+ * For a body at rest. fraction  as fluid/grid/grid.h, centres, one ghost layer, 1, borrowed  the solid part. Not
+ * collective. */
+void ibm_inside_undriven(struct ibm *ibm, const int along[3], const double *fraction);
 
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).

@@ -91,14 +91,11 @@ struct ibm_tally {
     double given[3], squares;
 };
 
-/* The fluid inside a body that has no ends (ibm/inside.c). */
+/* The fluid inside a body (ibm/inside.c). */
 struct ibm_inside {
-    int along[3];           /* 1: it is held along this direction */
-    const double *fraction; /* of solid in each cell, borrowed; NULL: nothing is held */
-    double *gradient;       /* [3] m/s2, borrowed */
-    /* work */
-    double flow[3], faces[3]; /* q at the start of the step, m/s; sum of theta */
-    double taken[3];          /* mean force of the step on the fluid, N, on all ranks */
+    int along[3];           /* 1: it is not driven along this direction */
+    const double *fraction; /* of solid in each cell, borrowed; NULL: it is driven as all fluid is */
+    double taken[3];        /* from this rank's faces: mean force of the step on the fluid, N */
 };
 
 struct ibm {
@@ -106,9 +103,9 @@ struct ibm {
     struct fluid *fluid;           /* borrowed */
     const struct fluid_grid *grid; /* borrowed */
     int iterations;
-    int implicit;                        /* diffusion is implicit: ibm/implicit.c */
-    double slip_time;                    /* s, of the forcing with feedback; 0: it is not used (ibm/feedback.c) */
-    struct ibm_inside inside;            /* its gradient is state, and the caller's */
+    int implicit;     /* diffusion is implicit: ibm/implicit.c */
+    double slip_time; /* s, of the forcing with feedback; 0: it is not used (ibm/feedback.c) */
+    struct ibm_inside inside;
     double most_slip;                    /* s, bound of the slip's time with implicit diffusion; INFINITY: none */
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */

@@ -19,6 +19,7 @@ static struct medium_sums sums_of(const struct medium *m, struct fluid *f) {
     s.solid = medium_kernels_sum_solid(g->m, g->row, g->plane, weight, m->fraction + origin);
     double all[8] = {s.solid, s.u[0], s.u[1], s.u[2], s.pore_u[0], s.pore_u[1], s.pore_u[2], s.pore_speed};
     par_sum_array(all, 8);
+    for (int c = 0; c < 3 && m->pores_only; c++) all[1 + c] = all[4 + c];
     return (struct medium_sums){
         .solid = all[0], .u = {all[1], all[2], all[3]}, .pore_u = {all[4], all[5], all[6]}, .pore_speed = all[7]};
 }

@@ -87,6 +87,8 @@ int medium_axis(const struct medium *m) { return m->axis; }
 
 int medium_is_whole_period(const struct medium *m, int c) { return m->whole_period[c]; }
 
+void medium_pores_only(struct medium *m) { m->pores_only = 1; }
+
 void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }
 
 void medium_free(struct medium *m) {
