@@ -22,6 +22,7 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/leak.h"
 #include "coupling/place.h"
 #include "coupling/run.h"
 #include "ibm/feedback.h"
@@ -56,11 +57,12 @@ struct reaction {
 };
 
 /* Of the forcing with feedback, s. It does not depend on the step. */
-static double slip_time(const struct run *r) {
+static double slip_time(struct run *r) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
     const struct solid_input *solid = &r->solid->in;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     double most = fmin(OF_DIFFUSION * dx * dx / in->viscosity, OF_CONVECTION * dx / fluid_limits_speed(r->fluid));
+    most = fmin(most, leak_slip_time(r));
     for (int m = 0; m < solid->materials && r->needs.bonds; m++)
         most = fmin(most, OF_WAVE * dx * sqrt(solid->material[m].density / solid->material[m].youngs_modulus));
     return most;

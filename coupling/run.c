@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/interface.h"
+#include "coupling/leak.h"
 #include "coupling/reaction.h"
 #include "coupling/setup/given.h"
 #include "solid/solid.h"
@@ -56,6 +57,28 @@ static void check_medium(struct run *r) {
     if (m->why[0]) die_all(EXIT_CODE_SCENE, "coupling.medium: %s", m->why);
 }
 
+/* The fluid inside a solid at rest that is connected from the front of the medium's box to its back is not driven. Then
+ * its pressure is close to that of the pores beside it, and the walls have to hold little. Of an endless one only the
+ * pores' flow counts: what is inside moves with the walls' slip. */
+static void leave_inside(struct run *r) {
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    int along[3] = {0}, any = 0;
+    for (int c = 0; c < 3; c++) {
+        const int driven = in->driving.type != FLUID_DRIVING_NONE && fluid_driving_along(in, c) != 0;
+        if (!fluid_grid_of(r->fluid)->periodic[c] || (!driven && in->body_force[c] == 0)) continue;
+        run_deposit(r);
+        const enum medium_span span = medium_spans(r->medium, c);
+        if (span == MEDIUM_SPAN_ENDLESS && r->needs.bonds)
+            die_all(EXIT_CODE_SCENE,
+                    "solid: it is connected through the periodic sides along %c, along which the fluid is driven: in a "
+                    "stage that is not rigid it needs a layer of fluid before or behind it, or another driving",
+                    "xyz"[c]);
+        any |= along[c] = span != MEDIUM_SPAN_NONE && !r->needs.bonds;
+        if (span == MEDIUM_SPAN_ENDLESS) medium_pores_only(r->medium);
+    }
+    if (any) ibm_inside_undriven(r->ibm, along, medium_fraction(r->medium));
+}
+
 /* A stage without bonds needs a given step and number of substeps: only bonds would limit them. */
 static void check_steps(const struct run *r) {
     for (int k = 0; !r->fluid && r->solid->bonds_total == 0 && k < r->scene->stages; k++) {
@@ -94,6 +117,8 @@ struct run *run_new(const struct scene *scene) {
         for (int c = 0; c < 3; c++)
             r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         check_medium(r);
+        leave_inside(r);
+        if (fluid_input_of(r->fluid)->implicit) ibm_implicit_slip(r->ibm, leak_slip_time(r));
         r->reaction = reaction_new(r);
         if (r->needs.bonds && !r->reaction)
             for (int c = 0; c < 3; c++)

@@ -74,6 +74,7 @@ static void iterate(const struct sweep *w, enum ibm_keep keep, int two) {
 }
 
 void ibm_forcing_stage(struct ibm *ibm, int r, double dt) {
+    ibm_inside_stage(ibm, r, dt);
     if (ibm->slip_time > 0) {
         ibm_feedback_begin(ibm, r, dt);
         ibm_feedback_end(ibm, r, dt);
@@ -106,7 +107,7 @@ void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]) {
 }
 
 void ibm_forcing_total(struct ibm *ibm, double force[3]) {
-    for (int c = 0; c < 3; c++) force[c] = ibm->given[c];
+    for (int c = 0; c < 3; c++) force[c] = ibm->given[c] + ibm->inside.taken[c];
     par_sum_array(force, 3);
 }
 

@@ -5,6 +5,8 @@
 #include "base/par_piece.h"
 #include "ibm/state.h"
 
+#include <math.h>
+
 /* For each cell along this direction: the ranks that the block of a marker there reaches. */
 static struct ibm_touch *touch_new(const struct fluid_grid *g, int d) {
     const int n = g->n[d];
@@ -32,6 +34,7 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
     ibm->fluid = f;
     ibm->iterations = iterations;
     ibm->implicit = fluid_input_of(f)->implicit;
+    ibm->most_slip = INFINITY;
     ENSURE(g->halo >= 3, "%d ghost layers: the kernel's rows and the probe need three", g->halo);
     for (int d = 0; d < 3; d++) {
         const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];

@@ -18,9 +18,15 @@ void ibm_free(struct ibm *ibm);
  * call. Collective. */
 void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume);
 
+/* From now on the driving and the body force along those directions act only on the part of a cell that is not solid.
+ * For a body at rest. fraction  as fluid/grid/grid.h, centres, one ghost layer, 1, borrowed  the solid part. Not
+ * collective. */
+void ibm_inside_undriven(struct ibm *ibm, const int along[3], const double *fraction);
+
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).
- * Collective. */
+ * The slip over the force, a time in s, is bounded by `most`. Collective. */
+void ibm_implicit_slip(struct ibm *ibm, double most);
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt);
 void ibm_implicit_force(struct ibm *ibm, int r, double dt);
 /* Starting guess of the implicit forcing, one vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and

@@ -8,11 +8,12 @@
  *     V - J u = s (1 - J S B) y ,  q = B y .
  * The same slip is asked for here, with s fixed at the mean stage of the explicit scheme's largest viscous step,
  * whatever the present step is: the wall then has the same position as in the explicit scheme, for which the retraction
- * was calibrated. With H = 1 - b dt nu lap and u* diffused under the last stage's force, y changes by d:
- *     [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S B) y ,   u* += dt_r H^-1 S B d .
- * The operator is symmetric and positive in the product <a, B b>, so the system is solved by conjugate gradients, with
- * one Helmholtz solve an iteration. A steady flow needs no iteration. */
+ * was calibrated. A long and dense body bounds s further (coupling/leak.c). With H = 1 - b dt nu lap and u* diffused
+ * under the last stage's force, y changes by d: [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S B) y ,   u*
+ * += dt_r H^-1 S B d . The operator is symmetric and positive in the product <a, B b>, so the system is solved by
+ * conjugate gradients, with one Helmholtz solve an iteration. A steady flow needs no iteration. */
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "ibm/state.h"
 #include "physics/rk3.h"
@@ -70,7 +71,14 @@ static void multidirect(struct ibm *ibm, const vector3 *e, vector3 *x, vector3 *
     }
 }
 
-static double slip_time(const struct ibm *b) { return fluid_limits_explicit_step(b->fluid) / 3; }
+static double explicit_stage(const struct ibm *b) { return fluid_limits_explicit_step(b->fluid) / 3; }
+
+static double slip_time(const struct ibm *b) { return fmin(explicit_stage(b), b->most_slip); }
+
+void ibm_implicit_slip(struct ibm *ibm, double most) {
+    ENSURE(most > 0 && ibm->implicit, "slip time %g", most);
+    ibm->most_slip = most;
+}
 
 /* Adds the impulse of q in a stage to the sums of the forcing. */
 static void tally(struct ibm *ibm, int r, double dt) {
@@ -90,6 +98,7 @@ static void tally(struct ibm *ibm, int r, double dt) {
 /* q = B y; RESIDUAL = -s (1 - J S B) y, the part of the slip law. */
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt) {
     vector3 *residual = ibm->vector[IBM_RESIDUAL], *q = ibm->vector[IBM_FORCE];
+    ibm_inside_stage(ibm, r, dt);
     clock_begin(CLOCK_FORCING);
     multidirect(ibm, (const vector3 *)ibm->vector[IBM_DEMAND], q, residual);
     for (int h = 0; h < ibm->served; h++)
@@ -135,8 +144,8 @@ void ibm_implicit_force(struct ibm *ibm, int r, double dt) {
     for (int k = 0; k < ITERATIONS; k++) {
         multidirect(ibm, (const vector3 *)residual, z, v[IBM_TARGET]);
         const double now = dot(ibm, (const vector3 *)residual, (const vector3 *)z);
-        const double slip =
-            slip_time(ibm) * slip_time(ibm) * dot(ibm, (const vector3 *)v[IBM_DEMAND], (const vector3 *)v[IBM_FORCE]);
+        const double slip = explicit_stage(ibm) * explicit_stage(ibm) *
+                            dot(ibm, (const vector3 *)v[IBM_DEMAND], (const vector3 *)v[IBM_FORCE]);
         if (k == 0) start = now;
         if (!(now > fmax(PART * PART * start * (k > 0), OF_SLIP * OF_SLIP * slip))) break;
         turn(ibm, d, k > 0 ? now / before : 0, (const vector3 *)residual);

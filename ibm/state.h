@@ -91,13 +91,22 @@ struct ibm_tally {
     double given[3], squares;
 };
 
+/* The fluid inside a body (ibm/inside.c). */
+struct ibm_inside {
+    int along[3];           /* 1: it is not driven along this direction */
+    const double *fraction; /* of solid in each cell, borrowed; NULL: it is driven as all fluid is */
+    double taken[3];        /* from this rank's faces: mean force of the step on the fluid, N */
+};
+
 struct ibm {
     /* Parameters: read-only once it is made. */
     struct fluid *fluid;           /* borrowed */
     const struct fluid_grid *grid; /* borrowed */
     int iterations;
-    int implicit;                        /* diffusion is implicit: ibm/implicit.c */
-    double slip_time;                    /* s, of the forcing with feedback; 0: it is not used (ibm/feedback.c) */
+    int implicit;     /* diffusion is implicit: ibm/implicit.c */
+    double slip_time; /* s, of the forcing with feedback; 0: it is not used (ibm/feedback.c) */
+    struct ibm_inside inside;
+    double most_slip;                    /* s, bound of the slip's time with implicit diffusion; INFINITY: none */
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */
     int *owner[3];                       /* [n[direction]] contribution of a cell to the number of the rank that owns
@@ -178,6 +187,8 @@ int ibm_share_ranks(const struct ibm *ibm, const int cell[3], int rank[IBM_SHARE
 
 /* Sorts the arrived markers into inner markers, edges and slabs, and makes the edges' pieces. Not collective. */
 void ibm_layout(struct ibm *ibm);
+/* Before the first forcing of a stage (ibm/inside.c). */
+void ibm_inside_stage(struct ibm *ibm, int r, double dt);
 int ibm_layout_bins(const struct ibm *ibm); /* number of bins of the sort */
 int ibm_layout_is_inner(const struct ibm *ibm, const int cell[3]);
 int ibm_layout_slab_of(const struct ibm *ibm, int plane); /* plane of this rank, or next to it */

@@ -19,6 +19,7 @@ static struct medium_sums sums_of(const struct medium *m, struct fluid *f) {
     s.solid = medium_kernels_sum_solid(g->m, g->row, g->plane, weight, m->fraction + origin);
     double all[8] = {s.solid, s.u[0], s.u[1], s.u[2], s.pore_u[0], s.pore_u[1], s.pore_u[2], s.pore_speed};
     par_sum_array(all, 8);
+    for (int c = 0; c < 3 && m->pores_only; c++) all[1 + c] = all[4 + c];
     return (struct medium_sums){
         .solid = all[0], .u = {all[1], all[2], all[3]}, .pore_u = {all[4], all[5], all[6]}, .pore_speed = all[7]};
 }
@@ -27,13 +28,6 @@ static double porosity_from(const struct medium *m, const struct medium_sums *s)
 
 static double along(const struct medium *m, const double v[3]) {
     return m->along[0] * v[0] + m->along[1] * v[1] + m->along[2] * v[2];
-}
-
-/* The box's extent along the direction of the flow, m. */
-static double extent(const struct medium *m) {
-    double sum = 0;
-    for (int c = 0; c < 3; c++) sum += fabs(m->along[c]) * (m->high[c] - m->low[c]);
-    return sum;
 }
 
 /* A mean flow of less than NONE of the mean speed is round-off. */
@@ -47,7 +41,7 @@ static double tortuosity_from(const struct medium *m, const struct medium_sums *
 static double permeability_from(const struct medium *m, struct fluid *f, const struct medium_sums *s, double drop) {
     const struct fluid_input *in = fluid_input_of(f);
     if (drop == 0) return NAN;
-    return along(m, s->u) / m->total * extent(m) * in->density * in->viscosity / drop;
+    return along(m, s->u) / m->total * medium_extent(m) * in->density * in->viscosity / drop;
 }
 
 double medium_measure_porosity(const struct medium *m) {
@@ -78,7 +72,7 @@ static double driving_along(const struct medium *m, struct fluid *f) {
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f) {
     const struct fluid_grid *g = m->g;
     const struct fluid_input *in = fluid_input_of(f);
-    const double driving = driving_along(m, f), driven = driving * extent(m);
+    const double driving = driving_along(m, f), driven = driving * medium_extent(m);
     if (m->slanted || m->whole_period[m->axis] || g->n[m->axis] < 2) return driven;
     if (g->periodic[m->axis] && !medium_face_is_clear(m, 0)) return driving * g->length[m->axis];
     fluid_measures_mean_pressure(f, m->axis, m->section);

@@ -70,9 +70,24 @@ void medium_along(struct medium *m, const double along[3]) {
     memset(m->cell, MEDIUM_WALL, (size_t)(m->g->m[0] + 2) * (size_t)(m->g->m[1] + 2) * (size_t)(m->g->m[2] + 2));
 }
 
+double medium_extent(const struct medium *m) {
+    double sum = 0;
+    for (int c = 0; c < 3; c++) sum += fabs(m->along[c]) * (m->high[c] - m->low[c]);
+    return sum;
+}
+
+int medium_is_across(const struct medium *m) {
+    int whole = 1;
+    for (int c = 0; c < 3; c++)
+        if (c != m->axis) whole &= m->high[c] - m->low[c] >= m->g->length[c] - MEDIUM_SNAP * m->g->d[c];
+    return whole;
+}
+
 int medium_axis(const struct medium *m) { return m->axis; }
 
 int medium_is_whole_period(const struct medium *m, int c) { return m->whole_period[c]; }
+
+void medium_pores_only(struct medium *m) { m->pores_only = 1; }
 
 void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }
 

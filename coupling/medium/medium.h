@@ -10,7 +10,7 @@ struct medium_values {
     double porosity;           /* 1: void / total volume of the box */
     double porosity_effective; /* 1: void that connects the front and the back / total volume */
     double pressure_drop;      /* Pa, front minus back */
-    double mean_velocity[3];   /* m/s, mean over the whole box, solid included */
+    double mean_velocity[3];   /* m/s, mean over the whole box, solid included (medium_pores_only) */
     double velocity;           /* m/s, its component along the direction: Q/S */
     double permeability;       /* m2, NaN while there is no pressure drop */
     double reynolds;           /* 1: |velocity| sqrt(permeability)/nu */
@@ -29,6 +29,13 @@ void medium_along(struct medium *m, const double along[3]);
 int medium_axis(const struct medium *m); /* of its largest component. Not collective. */
 /* 1: direction c is periodic, and the box is the whole domain along it. Not collective. */
 int medium_is_whole_period(const struct medium *m, int c);
+/* The box's extent along that direction, m. Not collective. */
+double medium_extent(const struct medium *m);
+/* 1: the box is as wide as the domain across the largest component, so that the fluid must go through it. Not
+ * collective. */
+int medium_is_across(const struct medium *m);
+/* From now on only the flow through pore cells counts as the medium's. Not collective. */
+void medium_pores_only(struct medium *m);
 /* How far the force on the fluid may reach beyond the box's front and back faces, in cells; 1 until it is said. Not
  * collective. */
 void medium_reach(struct medium *m, double cells);
@@ -54,6 +61,10 @@ double medium_connect_porosity(struct medium *m);
 /* Fraction of the cells along side d, high that have no path through faces of pore cells to any of the outlets. Paths
  * use the whole domain and its periodic sides; across: those of direction d as well. */
 double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2], int across);
+/* Whether the solid in the box is connected from its low to its high face along direction d; endless: it goes on
+ * through the periodic sides there, and the box is the whole period. */
+enum medium_span { MEDIUM_SPAN_NONE, MEDIUM_SPAN_BOX, MEDIUM_SPAN_ENDLESS };
+enum medium_span medium_spans(struct medium *m, int d);
 /* Mean pressure at the front face minus that at the back face, from means over whole sections of the domain. Each
  * face's pressure is the line through the two nearest places outside the box where it is known, continued to the face.
  * These are the sections that the force on the fluid does not reach (medium_reach), across a periodic end as well, and

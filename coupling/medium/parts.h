@@ -17,6 +17,7 @@ struct medium {
     double along[3];            /* unit vector along which the flow is measured */
     int axis, slanted;          /* its largest component; 1: it has others */
     int first[3], last[3];      /* sections of the domain that the box holds, or has a part of, along each direction */
+    int pores_only;             /* 1: the fluid in solid cells does not count */
     int whole_period[3];        /* the direction is periodic and the box is the whole domain along it */
     double *weight[3];          /* [m[c]] fraction of this rank's cell inside the box, along c */
     double *fraction;           /* [g->size] */

@@ -75,12 +75,11 @@ static double flux_force(const struct fluid *f, const double *const q[3], struct
     return f->in.density * cell_volume(g) * sum;
 }
 
-static double source_force(const struct fluid *f, int c, double driving) {
+static double source_force(const struct fluid *f, int c) {
     int low[3], high[3];
     fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
     const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-    const double source = f->in.body_force[c] + fluid_driving_along(&f->in, c) * driving / f->in.density;
-    return f->in.density * cell_volume(f->grid) * faces * source;
+    return f->in.density * cell_volume(f->grid) * faces * fluid_source(f, c);
 }
 
 static double pressure_force(const struct fluid *f, int c) {
@@ -94,8 +93,7 @@ static double pressure_force(const struct fluid *f, int c) {
 void fluid_box_force(struct fluid *f, double out[3]) {
     const double *const q[3] = {f->state.u, f->state.v, f->state.w};
     const struct flux_kind whole = {1, f->in.viscosity};
-    for (int c = 0; c < 3; c++)
-        out[c] = flux_force(f, q, whole, c) + source_force(f, c, f->state.driving) + pressure_force(f, c);
+    for (int c = 0; c < 3; c++) out[c] = flux_force(f, q, whole, c) + source_force(f, c) + pressure_force(f, c);
     par_sum_array(out, 3);
 }
 
@@ -127,8 +125,7 @@ void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
 }
 
 void fluid_box_force_pressure(struct fluid *f, int r) {
-    for (int c = 0; c < 3; c++)
-        f->audit.force[c] += physics_rk3_gamma[r] * (pressure_force(f, c) + source_force(f, c, f->state.driving));
+    for (int c = 0; c < 3; c++) f->audit.force[c] += physics_rk3_gamma[r] * (pressure_force(f, c) + source_force(f, c));
 }
 
 void fluid_box_force_end(struct fluid *f, double out[3]) {

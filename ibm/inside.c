@@ -1,0 +1,57 @@
+/* Leaves the fluid inside a body undriven. */
+/* A gradient or a body force acts on all of the domain. Inside a closed body the pressure of its ends balances it: a
+ * long body has a jump of pressure at its walls, which falls along it from +dp/2 to -dp/2. The forcing spreads the jump
+ * over the kernel, so the fluid beside the wall is driven less than it should, and a little of it passes through
+ * (coupling/leak.c). A body that goes on through the periodic sides has no ends, and the fluid inside it would flow as
+ * through a pipe.
+ *
+ * So each stage of length g takes the driving and the body force b, m/s2, from the part of a face that is solid:
+ *
+ *     u* -= g b theta ,
+ *
+ * with theta the mean solid fraction of the two cells that the face is between. What is taken counts as the forcing's,
+ * since it is the part of the driving that the solid holds. */
+#include "base/clock.h"
+#include "ibm/state.h"
+#include "physics/rk3.h"
+
+#include <string.h>
+
+void ibm_inside_undriven(struct ibm *ibm, const int along[3], const double *fraction) {
+    memcpy(ibm->inside.along, along, sizeof ibm->inside.along);
+    ibm->inside.fraction = fraction;
+}
+
+/* u* -= a theta along c. Returns this rank's sum of theta. */
+static double take(const struct ibm *ibm, int c, double *u, double a) {
+    const struct fluid_grid *g = ibm->grid;
+    const ptrdiff_t next = c == 0 ? 1 : c == 1 ? g->row : g->plane;
+    double sum = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const size_t at = fluid_grid_at(g, 0, j, k);
+            const double *f = ibm->inside.fraction + at;
+            double *q = u + at;
+            for (int i = 0; i < g->m[0]; i++) {
+                const double theta = 0.5 * (f[i] + f[i + next]);
+                q[i] -= a * theta;
+                sum += theta;
+            }
+        }
+    return sum;
+}
+
+void ibm_inside_stage(struct ibm *ibm, int r, double dt) {
+    struct ibm_inside *inside = &ibm->inside;
+    if (!inside->fraction) return;
+    clock_begin(CLOCK_FORCING);
+    const struct fluid_grid *g = ibm->grid;
+    const double mass = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];
+    for (int c = 0; c < 3; c++) {
+        if (!inside->along[c]) continue;
+        const double of_stage = physics_rk3_gamma[r] * fluid_source(ibm->fluid, c);
+        const double sum = take(ibm, c, fluid_predicted(ibm->fluid)[c], of_stage * dt);
+        inside->taken[c] = (r == 0 ? 0 : inside->taken[c]) - mass * of_stage * sum;
+    }
+    clock_end(CLOCK_FORCING);
+}
