@@ -4,16 +4,16 @@
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 
-# expected OFFSET CELLS: (1 + t/h)/2 (1/2 + 2 phi(s - 1) phi(s + 1)) - v/h - r_d. s is the distance of the marker from
-# the nearest cell centre, t = 4.6 - 2 r_d and h are the markers' distances on either side, phi is Roma's kernel, and
-# v = sum_i phi(s - i) (s - i)^2. The velocity profile has a kink at the markers and is curved.
+# expected OFFSET CELLS: (1/2 + 2 phi(s - 1) phi(s + 1))/2 - v/2h - r_d. s is the distance of the marker from the
+# nearest cell centre, h the distance of the markers on the fluid's side, phi is Roma's kernel, and v = sum_i
+# phi(s - i) (s - i)^2. The velocity profile has a kink at the markers and is curved on one side of them.
 expected() {
   awk -v q="$1" -v n="$2" 'function phi(s) { s = s < 0 ? -s : s
       return s <= 0.5 ? (1 + sqrt(1 - 3 * s * s)) / 3 : s <= 1.5 ? (5 - 3 * s - sqrt(1 - 3 * (1 - s) ^ 2)) / 6 : 0 }
     BEGIN {
-      r = 0.28; t = 4.6 - 2 * r; h = n - t; s = q + r; s -= int(s) + 0.5
+      r = 0.28; h = n - 4.6 + 2 * r; s = q + r; s -= int(s) + 0.5
       for (i = -1; i <= 1; i++) v += phi(s - i) * (s - i) ^ 2
-      print (1 + t / h) / 2 * (0.5 + 2 * phi(s - 1) * phi(s + 1)) - v / h - r
+      print (0.5 + 2 * phi(s - 1) * phi(s + 1)) / 2 - v / (2 * h) - r
     }'
 }
 # planes STUDY CELLS: mean and spread over the offsets, and the largest difference from the expected value
