@@ -14,8 +14,12 @@
 enum { IN_PLANE = 8, IN_SPACE = 13, MOST = IN_SPACE };
 static const int in_plane[IN_PLANE][3] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0},  {1, -1, 0},
                                           {2, 1, 0}, {1, 2, 0}, {2, -1, 0}, {1, -2, 0}};
-static const int in_space[IN_SPACE][3] = {{1, 0, 0},  {0, 1, 0}, {0, 0, 1},  {1, 1, 0}, {1, -1, 0}, {1, 0, 1},  {1, 0, -1},
-                                          {0, 1, 1},  {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+static const int in_space[IN_SPACE][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0},
+                                          {1, 0, 1},  {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
+                                          {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+
+/* The power that moves stiffness outwards, chosen by the bending stiffness of bars, plates and strips. */
+static const double OUTWARD = 2.1;
 
 static int directions(int dim) { return dim == 2 ? IN_PLANE : IN_SPACE; }
 
@@ -158,7 +162,7 @@ static void by_energy(struct solid *s, double *w) {
             const double mean = f->lattice[b] ? lattice_mean(f->lattice[b], h - f->first[b], phi)
                                               : list_mean(f->list[b], h - f->first[b], phi),
                          sharp = phi[h] / (phi[h] + mean);
-            w[h] = phi[h] * (sharp * sharp);
+            w[h] = phi[h] * pow(sharp, OUTWARD);
         }
     memory_free(phi);
 }

@@ -561,7 +561,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
                                        cmocka_unit_test(test_vortices_and_places_of_a_fluid),
                                        cmocka_unit_test(test_defaults_are_filled_in),
-        cmocka_unit_test(test_surface_correction_has_words),
+                                       cmocka_unit_test(test_surface_correction_has_words),
                                        cmocka_unit_test(test_retraction_of_shapes),
                                        cmocka_unit_test(test_parts_that_are_left_out_are_null),
                                        cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),
