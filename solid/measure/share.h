@@ -5,9 +5,9 @@
  *     e = (1 + nu) S - nu tr(S) 1      the strain, but for a factor, of the stress S
  *
  * S is the flux with xi in place of zeta: it does not turn with the body. C_h is the sum over the unbroken family, C_0
- * that of a full one, with the two constants of a cubic lattice. A stress is the flux over the share. A uniform strain of
- * uniaxial stress is thus read within a percent at faces and edges, with any correction. Broken bonds lower the flux and
- * not the share. */
+ * that of a full one, with the two constants of a cubic lattice. A stress is the flux over the share. A uniform strain
+ * of uniaxial stress is thus read within a percent at faces and edges, with any correction. Broken bonds lower the flux
+ * and not the share. */
 #pragma once
 #include "base/vec.h"
 #include "solid/bonds/family.h"
