@@ -8,8 +8,8 @@
 set -euo pipefail
 e=1 g=0.4 along=displacement_z
 moduli() { # of the lattice: E along [100] and the shear modulus
-  read -r e g < \
-    <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" | awk -v e="$1" -v g="$2" '{ v[$1] = $2 } END { print v[e], v[g] }')
+  read -r e g < <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" |
+    awk -v e="$1" -v g="$2" '{ v[$1] = $2 } END { print v[e], v[g] }')
 }
 case "${2:-}" in
   lattice) moduli e100 c12 ;;

@@ -21,7 +21,8 @@ beams() {
       shown "$where: deflection over Timoshenko's" 1 "$(cell "$name" value "$surface" "$level" deflection)" 1 \
         "E and G of the material"
       "${judge[0]}" "$where: deflection over Timoshenko's, lattice" 1 \
-        "$(cell "$name" value "$surface" "$level" 'deflection of the lattice')" 1 "E and G of the lattice" "${judge[@]:1}"
+        "$(cell "$name" value "$surface" "$level" 'deflection of the lattice')" 1 "E and G of the lattice" \
+        "${judge[@]:1}"
       "${judge[0]}" "$where: bending stiffness over E I" 1 "$(cell "$name" value "$surface" "$level" stiffness)" \
         "$modulus" "E of the lattice over the material's" "${judge[@]:1}"
     done
@@ -29,15 +30,16 @@ beams() {
 }
 # frequencies STUDY WHAT LEVELS...: E of the lattice enters by its root
 frequencies() {
-  local name=$1 what=$2 surface level judge
+  local name=$1 what=$2 surface level where judge
   shift 2
   study "$name"
   for surface in energy volume none; do
     for level in "$@"; do
       judge=(shown)
       [ "${what%% *} $surface" != "back energy" ] || judge=(near 0.03)
-      "${judge[0]}" "$what: height x slenderness $level, surface correction $surface: first frequency over Timoshenko's" \
-        1 "$(cell "$name" value "$surface" "$level" frequency)" 1 "E and G of the material" "${judge[@]:1}"
+      where="$what: height x slenderness $level, surface correction $surface"
+      "${judge[0]}" "$where: first frequency over Timoshenko's" 1 \
+        "$(cell "$name" value "$surface" "$level" frequency)" 1 "E and G of the material" "${judge[@]:1}"
     done
   done
 }

@@ -16,11 +16,12 @@ struct reading {
     double edge;        /* the largest stress over 3.14 */
 };
 
-/* A plate ten radii wide and twice as long, pulled by its first and last layers, at rest. Read are the particles nearest to the
- * line through the hole's centre, from the edge to half a radius from it. */
+/* A plate ten radii wide and twice as long, pulled by its first and last layers, at rest. Read are the particles
+ * nearest to the line through the hole's centre, from the edge to half a radius from it. */
 static struct reading at_hole(int radius, enum solid_correction correction) {
     const double r = radius * SPACING, width = 10 * r, length = 2 * width, tension = 1e-6 * YOUNG;
-    const double box[4][2] = {{0, 0}, {length, 0}, {length, width}, {0, width}}, arc[2][2] = {{width - r, width / 2}, {width + r, width / 2}},
+    const double box[4][2] = {{0, 0}, {length, 0}, {length, width}, {0, width}},
+                 arc[2][2] = {{width - r, width / 2}, {width + r, width / 2}},
                  centre[2][2] = {{width, width / 2}, {width, width / 2}};
     const signed char straight[4] = {0}, round[2] = {1, 1};
     const struct solid_outline outline[2] = {{0, 4, box, box, straight}, {1, 2, arc, centre, round}};
@@ -50,9 +51,9 @@ static struct reading at_hole(int radius, enum solid_correction correction) {
     return (struct reading){par_min(of.least), par_max(of.most), par_max(of.edge)};
 }
 
-/* Half a spacing from the edge the stress is 13 % below Kirsch's at that place, and 10 and 8 % at R = 16 and 24 spacings:
- * a flux is a mean over the family, which lies on one side. From the second particle on it is within 2 %. Over 3.14, the
- * stress at the edge itself, it is 0.75, 0.84, 0.88. */
+/* Half a spacing from the edge the stress is 13 % below Kirsch's at that place, and 10 and 8 % at R = 16 and 24
+ * spacings: a flux is a mean over the family, which lies on one side. From the second particle on it is within 2 %.
+ * Over 3.14, the stress at the edge itself, it is 0.75, 0.84, 0.88. */
 static void test_hole(void **state) {
     (void)state;
     const struct reading of = at_hole(8, SOLID_CORRECTION_ENERGY);

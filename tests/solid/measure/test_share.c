@@ -20,10 +20,11 @@ static double share_at(int general, int periodic, const double place[3], const d
         double far = 0;
         for (int c = 0; c < 3; c++) far = fmax(far, fabs(s->x0[c][h] / SPACING - place[c]));
         if (far > 0.1) continue;
-        const struct solid_share_full none = {0},
-                                      full = s->family->lattice[0] ? solid_share_of_lattice(s->family->lattice[0])
-                                                                   : solid_share_of_list(s->family->list[0],
-                                                                                         h - s->family->first[0], &none);
+        const struct solid_lattice *lattice = s->family->lattice[0];
+        const struct solid_share_full none = {0};
+        const struct solid_share_full full =
+            lattice ? solid_share_of_lattice(lattice)
+                    : solid_share_of_list(s->family->list[0], h - s->family->first[0], &none);
         solid_family_view(s, h, &view);
         share = solid_share_view(&full, &view, stress);
     }
