@@ -110,12 +110,17 @@ static void full_energies(const struct solid_bond_law *law, const struct solid_e
 
 static void list_phi(const struct solid_list *list, double *phi) {
     struct solid_end last = {0};
-    double full[MOST];
+    double full[MOST], volume_full = 0;
     for (int i = 0; i < list->n; i++) {
         const struct solid_end *h = &list->particle[i];
         double sum[MOST] = {0}, xi[3];
-        if (h->size != last.size || h->horizon != last.horizon) full_energies(&list->law, h, full);
+        if (h->size != last.size || h->horizon != last.horizon) {
+            full_energies(&list->law, h, full);
+            volume_full = solid_pair_full_volume(&list->law, h->horizon, h->size);
+        }
         last = *h;
+        phi[list->first + i] = 1;
+        if (list->own_volume[i] == volume_full) continue;
         for (long j = list->start[i]; j < list->end[i]; j++) {
             const struct solid_end *l = &list->particle[solid_list_record(list, j)];
             solid_list_steps(list, j, xi);
@@ -131,6 +136,9 @@ static double list_mean(const struct solid_list *list, int i, const double *phi)
     const struct solid_end *h = &list->particle[i];
     const double here = phi[list->first + i];
     double sum = 0, xi[3];
+    int differs = 0;
+    for (long j = list->start[i]; !differs && j < list->end[i]; j++) differs = phi[solid_list_other(list, j)] != here;
+    if (!differs) return 0;
     for (long j = list->start[i]; j < list->end[i]; j++) {
         const int record = solid_list_record(list, j);
         const struct solid_end *l = &list->particle[record];

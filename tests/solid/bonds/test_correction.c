@@ -11,9 +11,9 @@
 
 /* A block of lattice with free faces where it is not periodic. */
 static struct solid *block(const int sites[3], const int periodic[3], enum solid_correction correction, int list,
-                           double m) {
+                           double m, double fracture_energy) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, m, SOLID_CONSTANT};
+    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, m, SOLID_CONSTANT};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &body,
@@ -32,7 +32,7 @@ static struct solid *block(const int sites[3], const int periodic[3], enum solid
  * many particles of a full lattice. */
 static double wall(int thick, enum solid_correction correction, int list, double m) {
     const int sites[3] = {10, 10, thick}, periodic[3] = {1, 1, 0};
-    struct solid *s = block(sites, periodic, correction, list, m);
+    struct solid *s = block(sites, periodic, correction, list, m, INFINITY);
     static struct solid_family_view view;
     double sum = 0;
     for (int h = 0; h < s->n; h++) {
@@ -45,7 +45,7 @@ static double wall(int thick, enum solid_correction correction, int list, double
     }
     sum = par_sum(sum) / (100 * thick);
     const int cube[3] = {10, 10, 10}, all[3] = {1, 1, 1};
-    struct solid *full = block(cube, all, SOLID_CORRECTION_NONE, list, m);
+    struct solid *full = block(cube, all, SOLID_CORRECTION_NONE, list, m, INFINITY);
     double reference = 0;
     if (full->n > 0) {
         solid_family_view(full, 0, &view);
@@ -82,7 +82,7 @@ static void test_symmetric(void **state) {
     static struct solid_family_view view, other;
     const int sites[3] = {12, 11, 10}, periodic[3] = {0, 0, 1};
     for (int list = 0; list < 2; list++) {
-        struct solid *s = block(sites, periodic, SOLID_CORRECTION_ENERGY, list, 2);
+        struct solid *s = block(sites, periodic, SOLID_CORRECTION_ENERGY, list, 2, INFINITY);
         long bulk = 0, compared = 0;
         double least = 1, most = 1;
         for (int h = 0; h < s->n; h++) {
@@ -122,7 +122,7 @@ static void test_energy_and_momentum(void **state) {
     (void)state;
     const int sites[3] = {7, 6, 6}, periodic[3] = {0, 0, 0};
     for (int list = 0; list < 2; list++) {
-        struct solid *s = block(sites, periodic, SOLID_CORRECTION_ENERGY, list, 3);
+        struct solid *s = block(sites, periodic, SOLID_CORRECTION_ENERGY, list, 3, INFINITY);
         double energy[2], work = 0, force[3] = {0}, size = 0;
         for (int side = 0; side < 3; side++) { /* at -1/2, +1/2 and 0 of a small motion about a strained state */
             const double t = side == 2 ? 0 : side - 0.5;
@@ -149,6 +149,31 @@ static void test_energy_and_momentum(void **state) {
         for (int c = 0; c < 3; c++) check_close(force[c] / size, 0, 1e-13);
         /* a difference of energies: 1e-16 of them over a change of 1e-3 of them, and the square of the step */
         check_close(par_sum(work) / (energy[0] - energy[1]), 1, 1e-6);
+        solid_free(s);
+    }
+}
+
+/* Breaking all bonds at once releases their strain energy: the force, the energy and what breakage books have one
+ * alpha. s0 is not changed by it. */
+static void test_breaking(void **state) {
+    (void)state;
+    const int sites[3] = {7, 6, 6}, periodic[3] = {0, 0, 0};
+    for (int list = 0; list < 2; list++) {
+        struct solid *s = block(sites, periodic, SOLID_CORRECTION_ENERGY, list, 2, 0.05);
+        const struct solid_material *material = &s->in.material[0];
+        const double s0 = sqrt(5 * 0.05 / (6 * YOUNG * material->horizon_ratio * SPACING)); /* below it none breaks */
+        for (int beyond = 0; beyond < 2; beyond++) {
+            const double stretch = beyond ? 1.001 * s0 : 0.999 * s0;
+            for (int h = 0; h < s->n; h++)
+                for (int c = 0; c < 3; c++) s->d[c][h] = stretch * s->x0[c][h];
+            solid_ghosts_update(s);
+            const double before = solid_energy_measure(s).strain;
+            solid_force(s, 1);
+            solid_family_count(s);
+            check_equal(s->bonds_broken, beyond ? s->bonds_total : 0);
+            if (beyond) check_relative(par_sum(s->e_fracture), before, 1e-12);
+        }
+        check_equal(solid_energy_measure(s).strain, 0);
         solid_free(s);
     }
 }
@@ -187,10 +212,8 @@ static void test_points(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_walls),
-        cmocka_unit_test(test_symmetric),
-        cmocka_unit_test(test_energy_and_momentum),
-        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_walls),    cmocka_unit_test(test_symmetric), cmocka_unit_test(test_energy_and_momentum),
+        cmocka_unit_test(test_breaking), cmocka_unit_test(test_points),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
