@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/par_ghost.h"
 #include "solid/body/number.h"
+#include "solid/bonds/correction.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -76,12 +77,15 @@ void solid_build_places(struct solid *s, struct solid_sites *const *sites, struc
     par_ghost_update(s->ghost, s->dim, s->x0, s->n);
     par_ghost_update(s->ghost, 2, field, s->n);
     par_ghost_update_bytes(s->ghost, s->body, s->n);
+    double *w = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *w);
+    solid_correction_of(s, w);
     for (int b = 0; b < f->bodies; b++) {
         if (f->lattice[b])
-            solid_lattice_weights(f->lattice[b], s->family_volume, s->in.surface_correction);
+            solid_lattice_weights(f->lattice[b], w);
         else
-            solid_list_weights(f->list[b], s->family_volume, s->in.surface_correction);
+            solid_list_weights(f->list[b], w);
     }
+    memory_free(w);
 }
 
 static void plate_edges(struct solid *s, const struct solid_list *list) {

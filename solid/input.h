@@ -25,6 +25,8 @@ enum solid_micromodulus_kind {
 
 /* Gamma: the exact part of a particle's cell in the horizon, or a ramp.  (001: eq. 3.33, mended; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
+/* How bonds near a surface are stiffened, solid/bonds/correction.h. */
+enum solid_correction { SOLID_CORRECTION_NONE, SOLID_CORRECTION_VOLUME, SOLID_CORRECTION_ENERGY };
 
 /* Bonds between particles of different horizons: each end contributes half (Ren et al. 2016), or each end
  * uses its own horizon (000: sec. 1.2.5). */
@@ -198,14 +200,14 @@ struct solid_input {
     const struct solid_initial *initial;       /* borrowed during the call */
     const struct solid_refinement *refinement; /* NULL: none; for plates only */
     double body_force[3];                      /* per unit mass, m/s2 */
-    int surface_correction;                    /* volume method on (default 1) */
-    int general_bonds;                         /* 1: the list store for lattice bodies as well (tests) */
-    int contact;                               /* 1: particles without a common intact bond repel each other at short
-                                                * distance */
-    double contact_stiffness;                  /* k_c / c0, default 15 */
-    double contact_exponent;                   /* n_c, default 1 */
-    double contact_radius;                     /* r_c / spacing, default 1 */
-    enum solid_depth depth;                    /* SOLID_DEPTH_HALF where no fluid wets the solid */
+    enum solid_correction surface_correction;
+    int general_bonds;        /* 1: the list store for lattice bodies as well (tests) */
+    int contact;              /* 1: particles without a common intact bond repel each other at short
+                               * distance */
+    double contact_stiffness; /* k_c / c0, default 15 */
+    double contact_exponent;  /* n_c, default 1 */
+    double contact_radius;    /* r_c / spacing, default 1 */
+    enum solid_depth depth;   /* SOLID_DEPTH_HALF where no fluid wets the solid */
 };
 
 static inline int solid_dim(const struct solid_input *in) {

@@ -24,6 +24,10 @@ function slice(x, y, z,   r) {
   return quadrant(x + 0.5, y + 0.5, r) - quadrant(x - 0.5, y + 0.5, r) - quadrant(x + 0.5, y - 0.5, r) + \
     quadrant(x - 0.5, y - 0.5, r)
 }
+function disc(x, y) { # area of the unit square about x, y inside the disc of radius m
+  return quadrant(x + 0.5, y + 0.5, m) - quadrant(x - 0.5, y + 0.5, m) - quadrant(x + 0.5, y - 0.5, m) + \
+    quadrant(x - 0.5, y - 0.5, m)
+}
 function part(x, y, z,   n, i, c, g, sum, far, near) {
   far = (x + 0.5) ^ 2 + (y + 0.5) ^ 2 + (z + 0.5) ^ 2
   if (far <= m * m) return 1
@@ -57,7 +61,18 @@ BEGIN {
         along += f * i * i * wave; across += f * j * j * wave
         if (i > 0) cleaved += 0.5 * c * r * g * i * 5 / (6 * m)
       }
+  reach = int(m + 1) # in plane stress, thickness 1: the square cells that the disc of radius m meets, c = 9/(pi m^3)
+  for (i = -reach; i <= reach; i++)
+    for (j = -reach; j <= reach; j++) {
+      r2 = i * i + j * j
+      if (r2 == 0) continue
+      g = disc(i, j)
+      f = 9 / (pi * m ^ 3) * g / (r2 * sqrt(r2))
+      plane11 += f * i ^ 4 / 2; plane12 += f * i * i * j * j / 2
+    }
   printf "family %d\nvolume %.12g\nc11 %.12g\nc12 %.12g\n", family, volume / (4 * pi * m ^ 3 / 3), c11, c12
   printf "e100 %.12g\nnu100 %.12g\n", c11 - 2 * c12 * c12 / (c11 + c12), c12 / (c11 + c12)
+  printf "plate100 %.12g\n", c11 - c12 * c12 / c11
+  printf "plane_c11 %.12g\nplane_c12 %.12g\nplane_e100 %.12g\n", plane11, plane12, plane11 - plane12 * plane12 / plane11
   printf "g100 %.12g\nomega_l %.12g\nomega_t %.12g\n", cleaved, sqrt(along), sqrt(across)
 }

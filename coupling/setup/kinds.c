@@ -90,6 +90,18 @@ enum solid_partial setup_kinds_partial(enum scene_partial kind) {
     ENSURE(0, "partial volume %d of the scene", (int)kind);
 }
 
+enum solid_correction setup_kinds_correction(enum scene_correction kind) {
+    switch (kind) {
+    case SCENE_CORRECTION_NONE:
+        return SOLID_CORRECTION_NONE;
+    case SCENE_CORRECTION_VOLUME:
+        return SOLID_CORRECTION_VOLUME;
+    case SCENE_CORRECTION_ENERGY:
+        return SOLID_CORRECTION_ENERGY;
+    }
+    ENSURE(0, "surface correction %d of the scene", (int)kind);
+}
+
 enum solid_horizons setup_kinds_horizons(enum scene_horizons kind) {
     switch (kind) {
     case SCENE_HORIZONS_DUAL:

@@ -12,6 +12,7 @@ enum fluid_driving_type setup_kinds_driving(enum scene_driving kind);
 enum solid_model setup_kinds_model(enum scene_model kind);
 enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus kind);
 enum solid_partial setup_kinds_partial(enum scene_partial kind);
+enum solid_correction setup_kinds_correction(enum scene_correction kind);
 enum solid_horizons setup_kinds_horizons(enum scene_horizons kind);
 enum solid_depth setup_kinds_depth(enum scene_surface kind);
 enum solid_shape setup_kinds_shape(enum scene_shape kind);

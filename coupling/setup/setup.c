@@ -110,7 +110,7 @@ struct solid_input *setup_solid(const struct scene *scene) {
                              .constraint = constraint,
                              .unbreakables = s->unbreakables,
                              .unbreakable = unbreakable,
-                             .surface_correction = s->surface_correction,
+                             .surface_correction = setup_kinds_correction(s->surface_correction),
                              .contact = s->contact,
                              .contact_stiffness = s->contact_stiffness,
                              .contact_exponent = s->contact_exponent,

@@ -196,7 +196,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("solid.refinement.start[].low", "m"),
     RULE("solid.refinement.start[].high", "m"),
     RULE("solid.refinement.start[].level", "1", WITHIN(1, PHYSICS_LEVELS_MAX)),
-    RULE("solid.surface_correction", "bool", "true"),
+    RULE("solid.surface_correction", "choice", "energy"),
     RULE("solid.body_force", "m/s2", "[0, 0, 0]"),
     RULE("solid.contact", "section", "{}"),
     RULE("solid.contact.enabled", "bool", "true"),

@@ -4,6 +4,12 @@
 
 static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};
 static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}};
+/* false and true: as the key was read before it had words. */
+static const cyaml_strval_t corrections[] = {{"none", SCENE_CORRECTION_NONE},
+                                             {"volume", SCENE_CORRECTION_VOLUME},
+                                             {"energy", SCENE_CORRECTION_ENERGY},
+                                             {"false", SCENE_CORRECTION_NONE},
+                                             {"true", SCENE_CORRECTION_VOLUME}};
 static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL}, {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
 static const cyaml_strval_t micromoduli[] = {
     {"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}, {"exponential", SCENE_EXPONENTIAL}};
@@ -201,7 +207,7 @@ const cyaml_schema_field_t scene_schema_solid[] = {
     ENTRIES("loads", LIST, scene_solid, load, loads, &load, 0, LIST_MAX),
     ENTRIES("initial", LIST, scene_solid, initial, initials, &initial, 0, LIST_MAX),
     CYAML_FIELD_MAPPING_PTR("refinement", OPTIONAL, struct scene_solid, refinement, refinement_fields),
-    BOOLEAN("surface_correction", OPTIONAL, scene_solid, surface_correction),
+    CHOICE("surface_correction", OPTIONAL, scene_solid, surface_correction, corrections),
     VECTOR("body_force", OPTIONAL, scene_solid, body_force),
     PART("contact", OPTIONAL, scene_solid, contact_fields),
     CYAML_FIELD_END};

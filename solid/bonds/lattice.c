@@ -244,13 +244,11 @@ void solid_lattice_volumes(const struct solid_lattice *lattice, double *family_v
     }
 }
 
-void solid_lattice_weights(struct solid_lattice *lattice, const double *family_volume, int surface_correction) {
+void solid_lattice_weights(struct solid_lattice *lattice, const double *w) {
     for (long i = 0; i < lattice->places + SOLID_ROW; i++)
         lattice->w[i] = 1; /* also for sites without bonds, to avoid a division
                             * by 0 */
-    for (int i = 0; i < lattice->copies; i++)
-        if (surface_correction && family_volume[lattice->copy_local[i]] > 0)
-            lattice->w[lattice->copy_at[i]] = family_volume[lattice->copy_local[i]] / lattice->stencil->full_volume;
+    for (int i = 0; i < lattice->copies; i++) lattice->w[lattice->copy_at[i]] = w[lattice->copy_local[i]];
     for (int r = 0; r < lattice->rows; r++) {
         lattice->row_bulk[r] = 1;
         for (int k = 0; k < SOLID_ROW; k++) {

@@ -53,7 +53,7 @@ struct solid_lattice {
     double *field;                   /* memory of the arrays below */
     double *d[3], *v[3];             /* [places + 8] copies for a sweep, 0 at sites without a particle */
     double *f[3];                    /* [places + 8] the sweep's accelerations, m/s2 */
-    double *w;                       /* [places + 8] V_h/V0, or 1 without surface correction: alpha = 2/(w_h + w_l) */
+    double *w;                       /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
     struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), made from lambda */
 };
 
@@ -76,8 +76,8 @@ void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites 
                         const struct solid_numbering *numbering);
 /* V_h of the owned particles, m3.  (001: eq. 3.44) */
 void solid_lattice_volumes(const struct solid_lattice *lattice, double *family_volume);
-/* w = V_h/V0, from which alpha follows.  (001: eq. 3.43, mended) */
-void solid_lattice_weights(struct solid_lattice *lattice, const double *family_volume, int surface_correction);
+/* Sets w, by local index, from which alpha follows (solid/bonds/correction.h).  (001: eq. 3.43, mended) */
+void solid_lattice_weights(struct solid_lattice *lattice, const double *w);
 
 /* The bits of lambda of one row with every bond intact, as in solid_lattice_new. Not collective. */
 void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda);

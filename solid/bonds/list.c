@@ -101,18 +101,16 @@ void solid_list_volumes(const struct solid_list *list, double *family_volume) {
     for (int i = 0; i < list->n; i++) family_volume[list->first + i] = list->own_volume[i] * list->unit;
 }
 
-/* V_h/V0 of all records. */
-static void ratios_set(struct solid_list *list, const double *family_volume, int surface_correction) {
+void solid_list_ratios(const struct solid_list *list, const double *family_volume, double *ratio) {
     struct solid_end last = {0};
     double full = 1;
-    for (int r = 0; r < list->n + list->others; r++) {
-        const struct solid_end *p = &list->particle[r];
-        if (surface_correction && (p->size != last.size || p->horizon != last.horizon)) {
+    for (int i = 0; i < list->n; i++) {
+        const struct solid_end *p = &list->particle[i];
+        if (p->size != last.size || p->horizon != last.horizon) {
             full = solid_pair_full_volume(&list->law, p->horizon, p->size) * list->unit;
             last = *p;
         }
-        list->w[r] = surface_correction ? family_volume[solid_list_local(list, r)] / full : 1;
-        list->speed[(long)SOLID_LIST_SPEED * r + SOLID_LIST_SPEED - 1] = list->w[r];
+        ratio[list->first + i] = family_volume[list->first + i] / full;
     }
 }
 
@@ -125,8 +123,11 @@ static double digit_of(const struct solid_list *list, int i) {
     return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * solid_list_room(list, i) : 0;
 }
 
-void solid_list_weights(struct solid_list *list, const double *family_volume, int surface_correction) {
-    ratios_set(list, family_volume, surface_correction);
+void solid_list_weights(struct solid_list *list, const double *w) {
+    for (int r = 0; r < list->n + list->others; r++) {
+        list->w[r] = w[solid_list_local(list, r)];
+        list->speed[(long)SOLID_LIST_SPEED * r + SOLID_LIST_SPEED - 1] = list->w[r];
+    }
     for (int i = 0; i < list->n; i++) {
         if (list->scaled[i]) continue;
         for (long j = list->start[i]; j < list->end[i]; j++)

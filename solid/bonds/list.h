@@ -47,7 +47,7 @@ struct solid_list {
     long *other_key;               /* [others] ascending: global id and image */
     int *other_local;              /* [others] */
     struct solid_end *particle;    /* [n + others] */
-    double *w;                     /* [n + others] V/V0 */
+    double *w;                     /* [n + others] alpha = 2/(w_h + w_l) */
     double *record;                /* [n + others][width] */
     double *speed;                 /* [n + others][SOLID_LIST_SPEED] */
     long *key;                     /* [room] during the set-up: global id and image of the other end */
@@ -64,8 +64,10 @@ long solid_list_wanted(const struct solid_list *list, long from, long to, long *
 void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud, const struct solid_numbering *numbering);
 /* V_h of the owned particles, m3.  (001: eq. 3.44) */
 void solid_list_volumes(const struct solid_list *list, double *family_volume);
-/* w = V_h/V0, from which alpha follows.  (001: eq. 3.43, mended) */
-void solid_list_weights(struct solid_list *list, const double *family_volume, int surface_correction);
+/* V_h/V0 of the owned particles, by local index. */
+void solid_list_ratios(const struct solid_list *list, const double *family_volume, double *ratio);
+/* Sets w, by local index, from which alpha follows (solid/bonds/correction.h).  (001: eq. 3.43, mended) */
+void solid_list_weights(struct solid_list *list, const double *w);
 void solid_list_free(struct solid_list *list);
 
 /* The first step after the cloud has changed. old: the complete list of the cloud before. was [n of the cloud]: numbers

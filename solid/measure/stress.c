@@ -1,6 +1,7 @@
 /* Stress from the flux of bond forces and strain by least squares over the family.  (Lehoucq and Silling 2008) */
 #include "solid/bonds/family.h"
 #include "solid/bonds/row.h"
+#include "solid/measure/share.h"
 #include "solid/measure/stress.h"
 #include "solid/measure/tensors.h"
 
@@ -16,8 +17,11 @@ static void add(double t[6], const double x[3], const double y[3], double w) {
 }
 
 /* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any
- * deformation, in the spatial frame.  (Lehoucq & Silling 2008, for forces along the bonds) */
-static void stress_of_view(const struct solid *s, int h, const struct solid_family_view *view, double t[6]) {
+ * deformation, in the spatial frame.  (Lehoucq & Silling 2008, for forces along the bonds) Divided by the family's
+ * share (solid/measure/share.h), so that a particle at a surface reads what one inside does. */
+static void stress_of_view(const struct solid *s, int h, const struct solid_family_view *view,
+                           const struct solid_share_full *full, double t[6]) {
+    double still[6] = {0}; /* the same with xi in place of zeta */
     for (int k = 0; k < 6; k++) t[k] = 0;
     for (int b = 0; b < view->n; b++) {
         if (!view->intact[b]) continue;
@@ -30,12 +34,17 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
             q += eta * (xi + zeta[c]);
         }
         const double length = sqrt(xi2), now = sqrt(zeta2), stretch = q / (length * (now + length));
-        if (now > 0) add(t, zeta, zeta, 0.5 * view->alpha[b] * view->micro[b] * stretch / now * view->weight[b]);
+        const double force = 0.5 * view->alpha[b] * view->micro[b] * stretch * view->weight[b];
+        if (now > 0) add(t, zeta, zeta, force / now);
+        add(still, view->xi[b], view->xi[b], force / length);
     }
+    const double share = solid_share_view(full, view, still);
+    for (int k = 0; k < 6; k++) t[k] /= share;
     if (s->in.model == SOLID_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
 }
 
-/* The same for a row of a lattice: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r (1 + r)); 0 if r = 0. */
+/* The same for a row of full families without correction, whose share is 1: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi|
+ * r (1 + r)); 0 if r = 0. */
 static void stress_of_row(const struct solid_row *row, vec t[6]) {
     for (int k = 0; k < 6; k++) t[k] = vec_set(0);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
@@ -45,7 +54,7 @@ static void stress_of_row(const struct solid_row *row, vec t[6]) {
         vec z[3];
         solid_row_eta(row, o, z);
         const vec eps = solid_row_eps(row, o, z), r = vec_sqrt(vec_max(1 + eps, vec_set(1e-300)));
-        const vec f = vec_where(row->lambda[o], factor * solid_row_alpha(row, o) * eps / (r * (1 + r)));
+        const vec f = vec_where(row->lambda[o], factor * eps / (r * (1 + r)));
         for (int c = 0; c < 3; c++) z[c] += from->xi[c];
         for (int c = 0; c < 3; c++) {
             const vec along = f * z[c];
@@ -55,21 +64,50 @@ static void stress_of_row(const struct solid_row *row, vec t[6]) {
     }
 }
 
-void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
+/* Whether all families of a row are full and uncorrected. */
+static int is_inside(const struct solid *s, const struct solid_lattice *lattice, int r) {
+    int inside = lattice->row_bulk[r];
+    for (int i = 0; inside && i < __builtin_popcount(lattice->row_owned[r]); i++)
+        inside = s->family_volume[lattice->row_first[r] + i] == lattice->stencil->full_volume;
+    return inside;
+}
+
+static void stress_of_lattice(const struct solid *s, const struct solid_lattice *lattice, double (*stress)[6]) {
+    const struct solid_share_full full = solid_share_of_lattice(lattice);
     struct solid_family_view view;
-    for (int b = 0; b < s->family->bodies; b++) {
-        const struct solid_lattice *lattice = s->family->lattice[b];
-        if (lattice) solid_row_begin(s, lattice);
-        for (int r = 0; lattice && r < lattice->rows; r++) {
+    solid_row_begin(s, lattice);
+    for (int r = 0; r < lattice->rows; r++) {
+        const int first = lattice->row_first[r];
+        if (is_inside(s, lattice, r)) {
             const struct solid_row row = solid_row_of(lattice, r);
             vec sum[6];
             stress_of_row(&row, sum);
-            for (int k = 0; k < 6; k++) solid_row_put(lattice, r, sum[k], &stress[lattice->row_first[r]][k], 6);
+            for (int k = 0; k < 6; k++) solid_row_put(lattice, r, sum[k], &stress[first][k], 6);
+            continue;
         }
-        for (int h = s->family->first[b]; !lattice && h < s->family->first[b + 1]; h++) {
+        for (int h = first; h < first + __builtin_popcount(lattice->row_owned[r]); h++) {
             solid_family_view(s, h, &view);
-            stress_of_view(s, h, &view, stress[h]);
+            stress_of_view(s, h, &view, &full, stress[h]);
         }
+    }
+}
+
+static void stress_of_list(const struct solid *s, const struct solid_list *list, double (*stress)[6]) {
+    struct solid_share_full full = {0};
+    struct solid_family_view view;
+    for (int i = 0; i < list->n; i++) {
+        full = solid_share_of_list(list, i, &full);
+        solid_family_view(s, list->first + i, &view);
+        stress_of_view(s, list->first + i, &view, &full, stress[list->first + i]);
+    }
+}
+
+void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
+    for (int b = 0; b < s->family->bodies; b++) {
+        if (s->family->lattice[b])
+            stress_of_lattice(s, s->family->lattice[b], stress);
+        else
+            stress_of_list(s, s->family->list[b], stress);
     }
 }
 

@@ -97,6 +97,22 @@ static void test_vortices_and_places_of_a_fluid(void **state) {
     scene_free(s);
 }
 
+/* true and false were its words before it had kinds. */
+static void test_surface_correction_has_words(void **state) {
+    (void)state;
+    static const char *const set[] = {"solid.surface_correction=none", "solid.surface_correction=volume",
+                                      "solid.surface_correction=energy", "solid.surface_correction=false",
+                                      "solid.surface_correction=true"};
+    static const enum scene_correction expected[] = {SCENE_CORRECTION_NONE, SCENE_CORRECTION_VOLUME,
+                                                     SCENE_CORRECTION_ENERGY, SCENE_CORRECTION_NONE,
+                                                     SCENE_CORRECTION_VOLUME};
+    for (int k = 0; k < 5; k++) {
+        struct scene *s = read_or_fail("solid.yaml", 1, &set[k]);
+        assert_int_equal(s->solid->surface_correction, expected[k]);
+        scene_free(s);
+    }
+}
+
 static void test_defaults_are_filled_in(void **state) {
     (void)state;
     struct scene *s = read_or_fail("coupled.yaml", 0, NULL);
@@ -107,7 +123,7 @@ static void test_defaults_are_filled_in(void **state) {
     assert_true(s->solid->contact);
     check_equal(s->solid->contact_stiffness, 15);
     check_equal(s->solid->contact_radius, 1);
-    assert_true(s->solid->surface_correction);
+    assert_int_equal(s->solid->surface_correction, SCENE_CORRECTION_ENERGY);
     check_equal(s->solid->contact_exponent, 1);
     assert_true(s->solid->constraint[0].direction[0] && s->solid->constraint[0].direction[1]);
     assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
@@ -545,6 +561,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
                                        cmocka_unit_test(test_vortices_and_places_of_a_fluid),
                                        cmocka_unit_test(test_defaults_are_filled_in),
+                                       cmocka_unit_test(test_surface_correction_has_words),
                                        cmocka_unit_test(test_retraction_of_shapes),
                                        cmocka_unit_test(test_parts_that_are_left_out_are_null),
                                        cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),

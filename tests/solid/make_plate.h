@@ -29,6 +29,7 @@ struct make {
     enum solid_micromodulus_kind micromodulus;
     int periodic[2];
     int uncorrected, contact;
+    enum solid_correction correction; /* none: volume, or none at all if uncorrected */
     int cuts, constraints, unbreakables, loads, initials;
     const struct solid_cut *cut;
     const struct solid_constraint *constraint;
@@ -92,7 +93,8 @@ static inline struct solid *make(struct make m) {
                              .contact_stiffness = 15,
                              .contact_exponent = 1,
                              .contact_radius = 1,
-                             .surface_correction = !m.uncorrected};
+                             .surface_correction =
+                                 m.correction ? m.correction : (enum solid_correction) !m.uncorrected};
     const long points = m.irregular > 0 ? (long)m.sites[0] * m.sites[1] : 0;
     double *x = malloc(((size_t)points * 3 + 1) * sizeof *x);
     for (long p = 0; p < points; p++) {

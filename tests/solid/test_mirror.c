@@ -85,6 +85,7 @@ static long tear(int axis, int sites_y, double shift, int verlet, int damped) {
          .over_horizon = 1, .time = time}};
     struct solid_load both[2] = {load[0], load[1]};
     both[0].over_horizon = both[1].over_horizon = axis; /* in turn one layer and the horizon */
+    m.correction = verlet ? SOLID_CORRECTION_ENERGY : SOLID_CORRECTION_VOLUME;
     m.cuts = 1 + (axis == 0);
     m.cut = cut;
     m.loads = 2;

@@ -26,6 +26,7 @@ static struct solid *run(int verlet) {
     struct solid *s = make((struct make){.sites = {30, 22},
                                          .brittle = 1,
                                          .contact = 1,
+                                         .correction = verlet ? SOLID_CORRECTION_ENERGY : SOLID_CORRECTION_VOLUME,
                                          .cuts = 1,
                                          .cut = &cut,
                                          .constraints = 2,

@@ -2,23 +2,29 @@
 # Prints, in a run folder, the tip's deflection over that of Timoshenko's beam, or the bending stiffness E I over that
 # of the material. The stiffness comes from the third derivative of the axis's deflection. The beam is clamped at the
 # face of the last held layer, or at the layer itself if all is symmetric about it. It is loaded at its last layer.
-# usage: bending.sh deflection|stiffness [lattice]
-# Timoshenko's beam has the moduli of the material, 1 and 2/5, or with `lattice` those of the lattice.
+# usage: bending.sh deflection|stiffness [lattice | plane | plane_lattice]
+# Timoshenko's beam has the moduli of the material, 1 and 2/5, or with `lattice` those of the lattice; in plane stress 1
+# and 3/8 (plane), or those of the square lattice (plane_lattice).
 set -euo pipefail
-e=1 g=0.4
-if [ "${2:-}" = lattice ]; then
-  read -r e g < \
-    <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" | awk '{ v[$1] = $2 } END { print v["e100"], v["c12"] }')
-fi
+e=1 g=0.4 along=displacement_z
+moduli() { # of the lattice: E along [100] and the shear modulus
+  read -r e g < <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" |
+    awk -v e="$1" -v g="$2" '{ v[$1] = $2 } END { print v[e], v[g] }')
+}
+case "${2:-}" in
+  lattice) moduli e100 c12 ;;
+  plane) g=0.375 along=displacement_y ;;
+  plane_lattice) moduli plane_e100 plane_c12; along=displacement_y ;;
+esac
 read -r _ _ clamp height _ < <(awk -F'[][,]' '
   /^  constraints:/ { in_held = 1 }
   in_held && /low:/ { low = $2 }
   in_held && /high:/ { high = $2; in_held = 0 }
   /^  size:/ { height = $3 }
   END { sym = low > 0; print low, high, sym ? (low + high) / 2 : high, height, sym }' scene.resolved.yaml)
-awk -F, -v what="$1" -v e="$e" -v g="$g" -v clamp="$clamp" -v h="$height" '
+awk -F, -v along="$along" -v what="$1" -v e="$e" -v g="$g" -v clamp="$clamp" -v h="$height" '
   NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
-  NR > 2 && $1 == 1 { n = $3 + 0; x[n] = $at["x"] - clamp; w[n] = $at["displacement_z"] * 1e6 }
+  NR > 2 && $1 == 1 { n = $3 + 0; x[n] = $at["x"] - clamp; w[n] = $at[along] * 1e6 }
   END {
     length_ = x[n]; p = 1e-2 * h * h
     if (what == "deflection") {

@@ -254,8 +254,9 @@ static struct solid_list *finished(struct solid_list *list, const struct solid_c
     double *volume = calloc((size_t)(to - from + ghosts) + 1, sizeof *volume);
     solid_list_link(list, cloud, &numbering);
     solid_list_volumes(list, volume);
+    solid_list_ratios(list, volume, volume);
     par_ghost_update(exchange, 1, &volume, (int)(to - from));
-    solid_list_weights(list, volume, 1);
+    solid_list_weights(list, volume);
     par_ghost_free(exchange);
     free(id);
     free(volume);
