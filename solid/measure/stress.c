@@ -1,6 +1,7 @@
 /* Stress from the flux of bond forces and strain by least squares over the family.  (Lehoucq and Silling 2008) */
 #include "solid/bonds/family.h"
 #include "solid/bonds/row.h"
+#include "solid/bonds/soft.h"
 #include "solid/measure/stress.h"
 #include "solid/measure/tensors.h"
 
@@ -70,6 +71,13 @@ void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
             solid_family_view(s, h, &view);
             stress_of_view(s, h, &view, stress[h]);
         }
+    }
+    /* a lattice's rows know only whether a bond is intact, not how stiff a softening one is */
+    for (int i = 0, h = -1; s->soft && i < s->soft->n; i++) {
+        if (s->soft->bond[i].h == h || !s->family->lattice[s->body[s->soft->bond[i].h]]) continue;
+        h = s->soft->bond[i].h;
+        solid_family_view(s, h, &view);
+        stress_of_view(s, h, &view, stress[h]);
     }
 }
 
