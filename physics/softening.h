@@ -1,6 +1,7 @@
 /* The bilinear (softening) bond law: its two stretches from a tensile strength and a fracture energy.
  *
- * A bond is elastic up to the stretch s_e; beyond it the force falls linearly and is 0 at s_c. With f = force/stiffness,
+ * A bond is elastic up to the stretch s_e; beyond it the force falls linearly and is 0 at s_c. With f =
+ * force/stiffness,
  *
  *     f(s) = s                                   s <= s_e
  *     f(s) = s_e (s_c - s)/(s_c - s_e)           s_e < s < s_c

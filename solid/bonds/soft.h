@@ -33,8 +33,8 @@ void solid_soft_free(struct solid_soft *soft);
 
 /* The stretches of the material of particle h. */
 void solid_soft_limits(const struct solid *s, int h, double *s_e, double *s_c);
-/* Takes the bond of owned particle h out of its store's sweep; for a lattice by the offset of the stencil, for a list by
- * the bond's number. The list must be put in order before it is read. */
+/* Takes the bond of owned particle h out of its store's sweep; for a lattice by the offset of the stencil, for a list
+ * by the bond's number. The list must be put in order before it is read. */
 void solid_soft_add(struct solid *s, int h, long at, double most);
 void solid_soft_order(struct solid_soft *soft);
 /* The same by the bond's number in h's view, for a state that is read or restored. */

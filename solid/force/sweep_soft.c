@@ -31,9 +31,9 @@ static double energy_of(const struct solid *s, const struct solid_soft_bond *bon
 }
 
 /* What stands for the square of the stretch in the energy that a bond releases while its largest stretch rises from
- * `most` to `now`. With s and share of the stiffness f, the energy under the law is 1/2 k (s_1 s_2)(f_1 - f_2). Verlet's
- * work of a step is the mean of both ends' forces times the way, which is the same. RK3 goes the whole step on the old
- * secant, and the stiffness is lowered at its end: 1/2 k s_2^2 (f_1 - f_2). */
+ * `most` to `now`. With s and share of the stiffness f, the energy under the law is 1/2 k (s_1 s_2)(f_1 - f_2).
+ * Verlet's work of a step is the mean of both ends' forces times the way, which is the same. RK3 goes the whole step on
+ * the old secant, and the stiffness is lowered at its end: 1/2 k s_2^2 (f_1 - f_2). */
 static double square_of(enum solid_integrator integrator, double most, double now) {
     switch (integrator) {
     case SOLID_RK3:
@@ -80,8 +80,7 @@ static double push(const struct solid *s, const struct solid_soft_bond *bond, co
     if (damping > 0) {
         double closing = 0;
         for (int c = 0; c < s->dim; c++) closing += (s->v[c][bond->l] - s->v[c][bond->h]) * e->zeta[c];
-        const double viscous =
-            share * damping * bond->weight / (bond->length * bond->length) * closing / (1 + e->eps);
+        const double viscous = share * damping * bond->weight / (bond->length * bond->length) * closing / (1 + e->eps);
         power = viscous * closing;
         along += viscous;
     }
@@ -111,8 +110,8 @@ double solid_sweep_soft(struct solid *s, const struct solid_sweep *sweep) {
         for (next = i; next < soft->n && soft->bond[next].h == h; next++) {
             struct solid_soft_bond bond = soft->bond[next];
             const struct extension e = extension_of(s, &bond);
-            const double share = sweep->may_break ? bring_up(s, &bond, e.stretch, s_e, s_c)
-                                                  : solid_softening_share(s_e, s_c, bond.most);
+            const double share =
+                sweep->may_break ? bring_up(s, &bond, e.stretch, s_e, s_c) : solid_softening_share(s_e, s_c, bond.most);
             if (share == 0) {
                 solid_soft_break(s, &bond);
                 continue;

@@ -45,10 +45,9 @@ static void test_curve(void **state) {
     (void)state;
     if (par_size() > 1) skip();
     for (int list = 0; list < 2; list++) {
-        struct pull p = {.s = make((struct make){.sites = {2, 1, 1},
-                                                 .list = list,
-                                                 .fracture_energy = ENERGY,
-                                                 .tensile_strength = strength_of(0.5)})};
+        struct pull p = {
+            .s = make((struct make){
+                .sites = {2, 1, 1}, .list = list, .fracture_energy = ENERGY, .tensile_strength = strength_of(0.5)})};
         const double s0 = solid_material_critical_stretch(p.s->in.material, SPACING);
         p.s->stage.breakage = 1;
         assert_int_equal(p.s->n_global, 2);
@@ -65,8 +64,8 @@ static void test_curve(void **state) {
             most = fmax(most, stretch);
             assert_int_equal(p.s->soft->n, most > p.s_e ? 2 : 0);
             check_relative(solid_energy_measure(p.s).strain,
-                           0.5 * p.stiffness * DENSITY * p.s->volume[0] * SPACING * stretch *
-                               law(&p, stretch, most), 1e-11);
+                           0.5 * p.stiffness * DENSITY * p.s->volume[0] * SPACING * stretch * law(&p, stretch, most),
+                           1e-11);
         }
         /* an inner stage goes along the secant of the history that the step began with */
         check_close(force_at(&p, 3 * p.s_e, 0), 3 * p.s_e * law(&p, most, most) / most, 1e-12 * p.s_e);
@@ -91,11 +90,10 @@ static void test_energy(void **state) {
     if (par_size() > 1) skip();
     for (int kind = 0; kind < 4; kind++) {
         const int list = kind & 1, verlet = kind >> 1;
-        struct pull p = {.s = make((struct make){.sites = {2, 1, 1},
-                                                 .list = list,
-                                                 .fracture_energy = ENERGY,
-                                                 .tensile_strength = strength_of(0.4)}),
-                         .stiffness = 1};
+        struct pull p = {
+            .s = make((struct make){
+                .sites = {2, 1, 1}, .list = list, .fracture_energy = ENERGY, .tensile_strength = strength_of(0.4)}),
+            .stiffness = 1};
         const double s0 = solid_material_critical_stretch(p.s->in.material, SPACING);
         p.s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .breakage = 1};
         solid_soft_limits(p.s, 0, &p.s_e, &p.s_c);
@@ -136,44 +134,44 @@ static double total(struct solid *s) {
     return e.kinetic + e.strain + par_sum(s->e_fracture + s->e_damped);
 }
 
+/* The momentum is kept, and the books close to the order of the integrator: RK3's with a step as short as these to
+ * round-off's neighbourhood, Verlet's with the square of the step (with pairwise damping with the step). */
 static void test_books(void **state) {
     (void)state;
-    for (int kind = 0; kind < 4; kind++) {
-        const int list = kind & 1, verlet = kind >> 1;
+    double p0[4] = {0}, start = 0;
+    for (int kind = 0; kind < 8; kind++) {
+        const int list = kind & 1, verlet = kind >> 1 & 1, damped = kind >> 2;
         double drift[2];
-        for (int damped = 0; damped < 2; damped++)
-            for (int fine = 0; fine < 2; fine++) {
-                struct solid *s = block(list, verlet, 0, 0, 0);
-                const double start = total(s);
-                solid_free(s);
-                s = block(list, verlet, fine ? 0.005 : 0.01, fine ? 320 : 160, damped ? 1e14 : 0);
-                check_above(par_sum_long(s->soft->n), 4000);
-                check_above(s->bonds_broken, 300);
-                check_above(par_sum(s->e_fracture), 0.02 * start);
-                if (damped) check_above(par_sum(s->e_damped), 0.02 * start);
-                drift[fine] = fabs(total(s) / start - 1);
-                double p[4] = {0};
+        if (damped && list) continue;
+        for (int fine = 0; fine < 2; fine++) {
+            if (kind + fine == 0) {
+                struct solid *s = block(0, 0, 0, 0, 0);
+                start = total(s);
                 for (int h = 0; h < s->n; h++)
-                    for (int c = 0; c < 3; c++) {
-                        p[c] += s->v[c][h];
-                        p[3] += fabs(s->v[c][h]);
-                    }
-                par_sum_array(p, 4);
-                double p0[3] = {0};
-                struct solid *start_of = block(list, verlet, 0, 0, 0);
-                for (int h = 0; h < start_of->n; h++)
-                    for (int c = 0; c < 3; c++) p0[c] += start_of->v[c][h];
-                par_sum_array(p0, 3);
-                for (int c = 0; c < 3; c++) check_close(p[c], p0[c], 1e-12 * p[3]);
-                solid_free(start_of);
+                    for (int c = 0; c < 3; c++) p0[c] += s->v[c][h];
+                par_sum_array(p0, 4);
                 solid_free(s);
-                if (fine) {
-                    print_message("%s %s%s: energy drifts %.2g, %.2g at half the step\n", list ? "list" : "lattice",
-                                  verlet ? "Verlet" : "RK3", damped ? ", damped" : "", drift[0], drift[1]);
-                    check_below(drift[1], 2e-4);
-                    check_below(drift[1], 0.7 * drift[0]);
-                }
             }
+            struct solid *s = block(list, verlet, fine ? 0.01 : 0.02, fine ? 160 : 80, damped ? 1e14 : 0);
+            double p[4] = {0};
+            check_above(par_sum_long(s->soft->n), 4000);
+            check_above(s->bonds_broken, 300);
+            check_above(par_sum(s->e_fracture), 0.02 * start);
+            if (damped) check_above(par_sum(s->e_damped), 0.02 * start);
+            drift[fine] = fabs(total(s) / start - 1);
+            for (int h = 0; h < s->n; h++)
+                for (int c = 0; c < 3; c++) {
+                    p[c] += s->v[c][h];
+                    p[3] += fabs(s->v[c][h]);
+                }
+            par_sum_array(p, 4);
+            for (int c = 0; c < 3; c++) check_close(p[c], p0[c], 1e-12 * p[3]);
+            solid_free(s);
+        }
+        print_message("%s %s%s: energy drifts %.2g, %.2g at half the step\n", list ? "list" : "lattice",
+                      verlet ? "Verlet" : "RK3", damped ? ", damped" : "", drift[0], drift[1]);
+        check_below(drift[1], 2e-4);
+        check_below(drift[1], 0.7 * drift[0]);
     }
 }
 
