@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A run in which bonds soften gives the same series on other ranks, and resumed in the middle on another number of ranks.
+# A run in which bonds soften gives the same series on other ranks, and resumed in the middle on another number of
+# ranks.
 # (The series are compared to 1e-10: sums over ranks differ in the last digits.)
 # usage: softening.sh FRANA SOURCE WORK
 # shellcheck source=tests/program/common.sh
