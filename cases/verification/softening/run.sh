@@ -12,8 +12,9 @@ study study_strip$word
 for level in $levels; do
   strength=$(cell study_bar$word value bilinear "$level" strength)
   near "bar, horizon times $level: largest stress over the given strength" 1 "$strength" 1 "the given strength" 0.05
-  [ "$level" = "$finest" ] || near "bar, horizon times $level: that stress over the one at the finest horizon" 1 "$strength" \
-    "$(cell study_bar$word value bilinear $finest strength)" "the finest horizon" 0.03
+  [ "$level" = "$finest" ] ||
+    near "bar, horizon times $level: that stress over the one at the finest horizon" 1 "$strength" \
+      "$(cell study_bar$word value bilinear $finest strength)" "the finest horizon" 0.03
   shown "brittle bar, horizon times $level: largest stress over the softening one's strength" 1 \
     "$(cell study_bar$word value brittle "$level" strength)" "" "s0 goes with the horizon's root"
 done
@@ -27,8 +28,9 @@ for level in $levels; do
   energy=$(cell study_strip$word value bilinear "$level" energy)
   near "crack in a plate, horizon times $level: energy over area" G0 "$energy" 1.02801 \
     "bonds across a plane of the lattice" 0.05
-  [ "$level" = "$finest" ] || near "crack in a plate, horizon times $level: that energy over the one at the finest horizon" 1 "$energy" \
-    "$(cell study_strip$word value bilinear $finest energy)" "the finest horizon" 0.05
+  [ "$level" = "$finest" ] ||
+    near "crack in a plate, horizon times $level: that energy over the one at the finest horizon" 1 "$energy" \
+      "$(cell study_strip$word value bilinear $finest energy)" "the finest horizon" 0.05
 done
 if [ ! "$quick" ]; then
   study study_slab
