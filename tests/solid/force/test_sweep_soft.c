@@ -134,8 +134,8 @@ static double total(struct solid *s) {
     return e.kinetic + e.strain + par_sum(s->e_fracture + s->e_damped);
 }
 
-/* The momentum is kept, and the books close to the order of the integrator: RK3's with a step as short as these to
- * round-off's neighbourhood, Verlet's with the square of the step (with pairwise damping with the step). */
+/* Momentum is kept, and the energies add up to the order of the integrator: RK3's error goes with the third power of
+ * the step, Verlet's with the second, with pairwise damping with the first. */
 static void test_books(void **state) {
     (void)state;
     double p0[4] = {0}, start = 0;
