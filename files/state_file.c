@@ -83,6 +83,15 @@ static void write_particles(struct store *s, const struct state_item *item, cons
     memory_free(own);
 }
 
+static void write_rows(struct store *s, const struct state_item *item, const struct state_part *part) {
+    const long n = item->rows_of(part->owner), all = par_sum_long(n), first = par_sum_before(n);
+    const int comps = state_item_comps(item, part);
+    void *value = buffer_new(item, n, comps);
+    item->save(part->owner, value);
+    store_write_range(s, item->name, type_of(item->kind), comps, all, first, n, value);
+    memory_free(value);
+}
+
 static void write_item(struct store *s, const struct state_item *item, const struct state_part *part, double sum) {
     const struct state_size size = size_of(part);
     const int first = par_rank() == 0;
@@ -97,6 +106,9 @@ static void write_item(struct store *s, const struct state_item *item, const str
     case STATE_PARTICLE:
     case STATE_SET:
         write_particles(s, item, part);
+        break;
+    case STATE_ROWS:
+        write_rows(s, item, part);
         break;
     case STATE_CELL:
         array = state_item_array(item, part, 0);
@@ -172,6 +184,17 @@ static int read_particles(struct store *s, const struct state_item *item, const 
     return bad;
 }
 
+static int read_rows(struct store *s, const struct state_item *item, const struct state_part *part) {
+    const long n = store_read_count(s, item->name);
+    const int comps = state_item_comps(item, part);
+    if (n < 0) return item->missing == STATE_FAULT;
+    void *value = buffer_new(item, n, comps);
+    const int bad = store_read_range(s, item->name, type_of(item->kind), comps, n, 0, n, value) ||
+                    item->load_rows(part->owner, n, value);
+    memory_free(value);
+    return bad;
+}
+
 static int read_item(struct store *s, const struct state_item *item, const struct state_part *part, char *why,
                      size_t room) {
     const struct state_size size = size_of(part);
@@ -183,6 +206,8 @@ static int read_item(struct store *s, const struct state_item *item, const struc
     case STATE_PARTICLE:
     case STATE_SET:
         return read_particles(s, item, part, why, room);
+    case STATE_ROWS:
+        return read_rows(s, item, part);
     case STATE_CELL:
         array = state_item_array(item, part, 0);
         if (item->missing == STATE_ABOVE && store_read_count(s, item->name) < 0) {

@@ -19,6 +19,7 @@ enum state_shape {
     STATE_PARTICLE, /* one array by owned particle or, for a vector, three of them; a plate's third is NULL */
     STATE_CELL,     /* an array of doubles over the fluid's grid with its ghosts; a checkpoint stores the inner cells */
     STATE_BODY,     /* an array [bodies][comps] of doubles, the same on every rank */
+    STATE_ROWS,     /* a list of any length, [rows][comps]; stored as one list, which every rank reads completely */
     STATE_SET       /* by particle, and defines the particles: read completely by every rank, before the others */
 };
 
@@ -59,6 +60,10 @@ struct state_item {
     int (*comps_of)(const void *owner); /* instead of comps */
     void (*save)(void *owner, void *value);
     int (*load)(void *owner, const void *value, char *why, size_t size);
+    /* STATE_ROWS: the number of rows of this rank, which `save` writes; and, instead of load, all n rows of all ranks
+     */
+    long (*rows_of)(const void *owner);
+    int (*load_rows)(void *owner, long n, const void *value);
     const struct state_kept *kept; /* NULL: copied */
 };
 

@@ -241,6 +241,20 @@ static double velocity_of(const struct scene_fluid *f) {
     return u;
 }
 
+/* The bilinear law's stretches, and how well the lattice resolves the zone in which bonds soften. */
+static void say_softening(const struct solid_input *in, const struct solid_material *material,
+                          const struct scene_material *s, double s0) {
+    const double delta = s->horizon_ratio * in->spacing;
+    const struct physics_softening k = solid_material_softening(in->model, in->thickness, material, delta);
+    const double length = s->youngs_modulus * s->fracture_energy / (s->tensile_strength * s->tensile_strength);
+    say("  %s: bilinear law: softens from s_e = %.6g, breaks at s_c = %.6g = %.4g s_e\n", s->name, k.s_e, k.s_c,
+        k.s_c / k.s_e);
+    say("  %s: characteristic length E G0/sigma_t2 = %.6g m: %.4g spacings, %.4g horizons; the horizon must be below "
+        "%.6g m\n",
+        s->name, length, length / in->spacing, length / delta,
+        physics_softening_widest((enum physics_model)in->model, s->youngs_modulus, s->tensile_strength, s0, delta));
+}
+
 static void say_groups(const struct run *r) {
     const struct scene *scene = r->scene;
     const struct scene_fluid *f = scene->fluid;
@@ -259,6 +273,7 @@ static void say_groups(const struct run *r) {
         if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
         if (u > 0) say("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
         say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
+        if (material->tensile_strength > 0) say_softening(in, material, s, s0);
         say("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n", s->name,
             sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);
     }

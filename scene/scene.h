@@ -77,6 +77,7 @@ enum scene_micromodulus {
     SCENE_CONICAL = PHYSICS_CONICAL,
     SCENE_EXPONENTIAL = PHYSICS_EXPONENTIAL
 };
+enum scene_breakage { SCENE_BRITTLE, SCENE_BILINEAR };
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
@@ -84,6 +85,8 @@ struct scene_material {
     double fracture_energy;               /* J/m2; left out: INFINITY, bonds never break */
     double horizon_ratio;                 /* m, default 3; at least 1; below 4.5 in 3D, at most 12 in a plate */
     enum scene_micromodulus micromodulus; /* constant (default), conical, exponential */
+    enum scene_breakage breakage;         /* breakage.law: brittle (default), bilinear */
+    double tensile_strength;              /* breakage.tensile_strength: of the bilinear law, Pa; else 0 */
 };
 
 /* A factor as a function of time: linear between the given times, constant before the first and after the last. n = 0:

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "physics/limits.h"
 #include "solid/imposed/time.h"
+#include "solid/law/material.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -54,6 +55,21 @@ void solid_input_free(struct solid_input *in) {
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free((void *)(uintptr_t)own[i]);
 }
 
+/* All particles need the horizon that the stretches of the bilinear law are computed for. */
+static void check_softening(const struct solid_input *in, int m) {
+    const struct solid_material *k = &in->material[m];
+    if (!(k->fracture_energy < INFINITY) || in->refinement ||
+        !(solid_material_softening(in->model, in->thickness, k, k->horizon_ratio * in->spacing).s_c > 0))
+        die_all(EXIT_CODE_SCENE,
+                "solid material %d: bonds that soften need a fracture energy, a narrower horizon than %g m, and no "
+                "refinement",
+                m, k->horizon_ratio * in->spacing);
+    for (int b = 0; b < in->bodies; b++)
+        if (in->body[b].material == m && in->body[b].point_horizon)
+            die_all(EXIT_CODE_SCENE, "solid body %s: bonds that soften need one horizon for all its points",
+                    in->body[b].name);
+}
+
 void solid_input_check(const struct solid_input *in) {
     if (!(in->spacing > 0)) die_all(EXIT_CODE_SCENE, "solid.spacing = %g: must be above 0", in->spacing);
     if (in->model != SOLID_3D && !(in->thickness > 0))
@@ -73,5 +89,6 @@ void solid_input_check(const struct solid_input *in) {
                     "not below 0, "
                     "horizon_ratio %g at least 1 particle spacing",
                     m, k->youngs_modulus, k->density, k->fracture_energy, k->horizon_ratio);
+        if (k->tensile_strength > 0) check_softening(in, m);
     }
 }

@@ -42,6 +42,7 @@ struct solid_material {
     double fracture_energy; /* G0, J/m2; INFINITY: bonds never break */
     double horizon_ratio;   /* m = delta / spacing */
     enum solid_micromodulus_kind micromodulus;
+    double tensile_strength; /* Pa: bonds soften by the bilinear law (physics/softening.h); 0: they are brittle */
 };
 
 /* One closed curve of a plate's outline: a straight line or an arc from each corner to the next (and from the last to

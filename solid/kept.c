@@ -8,6 +8,7 @@
 #include "solid/bonds/list.h"
 #include "solid/bonds/lost.h"
 #include "solid/bonds/segments.h"
+#include "solid/bonds/soft.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/imposed/given.h"
 #include "solid/surface/state.h"
@@ -108,6 +109,33 @@ static void bonds_drop(void *keep) {
 }
 
 const struct state_kept solid_kept_bonds = {bonds_make, bonds_take, bonds_restore, bonds_drop};
+
+static void soft_make(void *keep, void *owner) { (void)keep, (void)owner; /* as bonds begin to soften */ }
+
+static void soft_take(void *keep, void *owner) {
+    struct solid_keep *k = keep;
+    const struct solid_soft *soft = solid_of(owner)->soft;
+    if (soft->n > k->soft_room) {
+        memory_free(k->soft);
+        k->soft = memory_new(MEMORY_OUTPUT, (size_t)soft->room, sizeof *k->soft);
+        k->soft_room = soft->room;
+    }
+    k->softens = soft->n;
+    if (soft->n > 0) memcpy(k->soft, soft->bond, (size_t)soft->n * sizeof *k->soft);
+}
+
+/* The bonds that broke since are intact again already. */
+static void soft_restore(void *keep, void *owner) {
+    const struct solid_keep *k = keep;
+    struct solid *s = solid_of(owner);
+    solid_soft_clear(s);
+    for (int i = 0; i < k->softens; i++) solid_soft_add(s, k->soft[i].h, k->soft[i].at, k->soft[i].most);
+    solid_soft_order(s->soft);
+}
+
+static void soft_drop(void *keep) { memory_free(((struct solid_keep *)keep)->soft); }
+
+const struct state_kept solid_kept_soft = {soft_make, soft_take, soft_restore, soft_drop};
 
 static void given_make(void *keep, void *owner) {
     struct solid_keep *k = keep;

@@ -14,6 +14,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/bonds/soft.h"
 #include "solid/build.h"
 #include "solid/contact/contact.h"
 #include "solid/geometry/shape.h"
@@ -90,7 +91,11 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
         if (!cloud[b]) {
             const struct solid_stencil *stencil = f->stencil[body->material];
             const double s0 = solid_material_critical_stretch(m, in->spacing);
-            const struct solid_law law = {solid_material_micromodulus(m, in->spacing), m->density, s0 * (2 + s0)};
+            const struct physics_softening soft =
+                solid_material_softening(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
+            const double limit = soft.s_c > 0 ? soft.s_e : s0;
+            const struct solid_law law = {solid_material_micromodulus(m, in->spacing), m->density, limit * (2 + limit),
+                                          soft.s_e, soft.s_c};
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
@@ -150,6 +155,7 @@ struct solid *solid_new(const struct solid_input *in) {
     solid_input_copy(&s->in, in);
     s->refine = solid_refine_new(&s->in);
     s->dim = solid_dim(in);
+    s->soft = solid_soft_new(s);
     s->stage = (struct solid_stage){.integrator = SOLID_RK3, .breakage = 1};
     s->first = memory_new(MEMORY_SOLID, (size_t)par_size() + 1, sizeof *s->first);
     struct solid_family *f = s->family = memory_new(MEMORY_SOLID, 1, sizeof *f);
@@ -230,6 +236,7 @@ void solid_free(struct solid *s) {
     if (!s) return;
     struct solid_family *f = s->family;
     solid_contact_free(s);
+    solid_soft_free(s->soft);
     solid_forget_bonds(s);
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};

@@ -9,6 +9,7 @@
 
 struct par_ghost;
 struct solid_family; /* opaque: the bonds, solid/bonds/family.h */
+struct solid_soft;   /* opaque: solid/bonds/soft.h */
 struct solid_contact;
 struct solid_added_mass;
 struct solid_drag;
@@ -62,6 +63,7 @@ struct solid {
         *v_old[3]; /* [n] bonds' and contact's part of the last sweep's a (Verlet); RK3: work, the stage's before v */
     uint8_t *flag; /* [n + n_ghost] enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
     struct solid_family *family;   /* the bonds' lambda; the rest of it are parameters and work */
+    struct solid_soft *soft;       /* softening bonds and their histories; NULL: all materials are brittle */
     struct solid_contact *contact; /* NULL until something can touch */
     struct solid_given *given;     /* the factors of the loads now in `load`; NULL: none */
     struct solid_refine *refine;   /* the particles' levels; NULL: nothing is refined */
@@ -72,7 +74,7 @@ struct solid {
     /* energies, this rank's share */
     double e_damped;       /* energy dissipated by damping so far, J */
     double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
-                            * breaking */
+                            * breaking; by softening bonds the same times the part of the stiffness that they lose */
     double e_constraint;   /* work of driven layers so far, J */
     double work_load;      /* work of load and body force so far, J */
     double power_pairwise; /* power_damped of the sweep that v_old belongs to, W (Verlet) */

@@ -6,6 +6,7 @@
 #include "base/par_ghost.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
+#include "solid/bonds/soft.h"
 #include "solid/imposed/given.h"
 #include "solid/kept.h"
 #include "solid/refine/refine.h"
@@ -66,6 +67,35 @@ static int load_surface(void *owner, const void *value, char *why, size_t room) 
     return 0;
 }
 
+/* Softening bonds: the global id of the end that owns it, the bond's number in its view, the largest stretch. */
+enum { SOFT_COMPS = 3 };
+
+static long soft_rows(const void *owner) { return solid_of(owner)->soft->n; }
+
+static void save_soft(void *owner, void *value) {
+    const struct solid *s = solid_of(owner);
+    double(*row)[SOFT_COMPS] = value;
+    for (int i = 0; i < s->soft->n; i++) {
+        const struct solid_soft_bond *bond = &s->soft->bond[i];
+        row[i][0] = (double)(s->first[par_rank()] + bond->h);
+        row[i][1] = bond->place;
+        row[i][2] = bond->most;
+    }
+}
+
+static int load_soft(void *owner, long n, const void *value) {
+    struct solid *s = solid_of(owner);
+    const double(*row)[SOFT_COMPS] = value;
+    solid_soft_clear(s);
+    for (long i = 0; i < n; i++) {
+        const long h = (long)row[i][0] - s->first[par_rank()];
+        if (h >= 0 && h < s->n) solid_soft_add_placed(s, (int)h, (int)row[i][1], row[i][2]);
+    }
+    solid_soft_order(s->soft);
+    s->a_holds = 0;
+    return 0;
+}
+
 #define OF(member) STATE_MEMBER(struct solid, member)
 
 const struct state_item solid_state_table[] = {
@@ -85,6 +115,9 @@ const struct state_item solid_state_table[] = {
     {"bonds", STATE_BYTE, STATE_PARTICLE, OF(family), .in = STATE_BOTH, .comps_of = bond_bytes, .save = save_bonds,
      .load = load_bonds, .kept = &solid_kept_bonds},
     {"flag", STATE_BYTE, STATE_PARTICLE, OF(flag), .ghosts = 1, .in = STATE_BOTH},
+    /* after `bonds`, whose load makes all intact bonds elastic */
+    {"softening", STATE_DOUBLE, STATE_ROWS, OF(soft), .comps = SOFT_COMPS, .in = STATE_BOTH, .rows_of = soft_rows,
+     .save = save_soft, .load_rows = load_soft, .kept = &solid_kept_soft},
     /* what fragments.csv goes on from */
     {"piece", STATE_LONG, STATE_PARTICLE, OF(piece), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
     {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(piece_since), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},

@@ -68,6 +68,16 @@ enum solid_model setup_kinds_model(enum scene_model kind) {
     ENSURE(0, "model %d of the scene", (int)kind);
 }
 
+double setup_kinds_strength(const struct scene_material *material) {
+    switch (material->breakage) {
+    case SCENE_BRITTLE:
+        return 0;
+    case SCENE_BILINEAR:
+        return material->tensile_strength;
+    }
+    ENSURE(0, "law of breakage %d of the scene", (int)material->breakage);
+}
+
 enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus kind) {
     switch (kind) {
     case SCENE_CONSTANT:

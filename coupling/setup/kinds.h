@@ -10,6 +10,8 @@ enum fluid_profile setup_kinds_profile(enum scene_profile kind);
 enum fluid_condition setup_kinds_condition(enum scene_condition kind);
 enum fluid_driving_type setup_kinds_driving(enum scene_driving kind);
 enum solid_model setup_kinds_model(enum scene_model kind);
+/* tensile_strength of a material whose bonds soften, else 0. */
+double setup_kinds_strength(const struct scene_material *material);
 enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus kind);
 enum solid_partial setup_kinds_partial(enum scene_partial kind);
 enum solid_correction setup_kinds_correction(enum scene_correction kind);

@@ -67,6 +67,7 @@ static void setup_material(const struct scene_material *from, struct solid_mater
                                   .density = from->density,
                                   .fracture_energy = from->fracture_energy,
                                   .horizon_ratio = from->horizon_ratio,
+                                  .tensile_strength = setup_kinds_strength(from),
                                   .micromodulus = setup_kinds_micromodulus(from->micromodulus)};
 }
 

@@ -31,7 +31,8 @@ struct postproc_history {
     double density, velocity, length, t0; /* rho_f, U_b, height of the domain, t0 = length / velocity */
     double pressure;                      /* rho_f U_b^2, Pa */
     double spacing;                       /* of the particles, m */
-    double s0, sigma0;                    /* least critical stretch of the materials, and E s0, Pa */
+    double s0, sigma0; /* least critical stretch of the materials, and E s0, Pa; of a bilinear law s_e
+                        * and the tensile strength */
 };
 
 /* NULL, with a sentence in error [size], if the folder contains no run. */

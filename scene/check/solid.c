@@ -1,5 +1,7 @@
 /* Checks the materials against the model, and that the lattice fits periodic sides. */
 #include "base/ensure.h"
+#include "physics/bond.h"
+#include "physics/softening.h"
 #include "scene/check/check.h"
 
 #include <assert.h>
@@ -28,9 +30,37 @@ static void check_poisson(const struct scene_check *c, int m) {
                          of[s->model].in, of[s->model].ratio);
 }
 
+/* The bilinear law needs a fracture energy, one horizon, and a horizon narrow enough for its strength. */
+static void check_softening(const struct scene_check *c, int m) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_material *k = &s->material[m];
+    const struct scene_path law = scene_check_parts_path("solid.materials[%d].breakage.law", m),
+                            strength = scene_check_parts_path("solid.materials[%d].breakage.tensile_strength", m);
+    if (k->breakage != SCENE_BILINEAR || !scene_node_is_clean(c->root, "solid") ||
+        !scene_node_is_clean(c->root, "domain.size"))
+        return;
+    if (!isfinite(k->fracture_energy)) {
+        scene_problem_at(c->problems, c->root, law.text, "needs a fracture_energy");
+        return;
+    }
+    if (s->refinement) scene_problem_at(c->problems, c->root, law.text, "does not go with solid.refinement");
+    const enum physics_model model = (enum physics_model)s->model;
+    const double delta = k->horizon_ratio * s->spacing;
+    const double s0 = physics_bond_of(model, (enum physics_micromodulus)k->micromodulus, s->thickness,
+                                      k->youngs_modulus, k->fracture_energy, delta)
+                          .s0;
+    const double widest = physics_softening_widest(model, k->youngs_modulus, k->tensile_strength, s0, delta);
+    if (!(delta < widest))
+        scene_problem_at(c->problems, c->root, strength.text,
+                         "needs a horizon below %.6g m with this fracture energy, and it is %.6g m: take a spacing "
+                         "below %.6g m, or a brittle law, whose strength at this horizon is %.6g Pa",
+                         widest, delta, widest / k->horizon_ratio, k->tensile_strength * sqrt(widest / delta));
+}
+
 static void check_material(const struct scene_check *c, int m) {
     const struct scene_material *material = c->scene->solid->material;
     check_poisson(c, m);
+    check_softening(c, m);
     for (int k = 0; k < m; k++)
         if (!strcmp(material[k].name, material[m].name) &&
             scene_check_parts_clean(c, scene_check_parts_path("solid.materials[%d].name", m)) &&

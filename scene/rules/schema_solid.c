@@ -45,6 +45,11 @@ static const cyaml_strval_t refined_horizons[] = {{"scaled", 0}, {"kept", 1}};
 static const cyaml_strval_t refined_interfaces[] = {{"plain", 0}, {"corrected", 1}};
 static const cyaml_strval_t refined_held[] = {{"keep", 0}, {"refine", 1}};
 
+static const cyaml_strval_t breakages[] = {{"brittle", SCENE_BRITTLE}, {"bilinear", SCENE_BILINEAR}};
+static const cyaml_schema_field_t breakage_fields[] = {
+    CHOICE("law", NEEDED, scene_material, breakage, breakages),
+    NUMBER("tensile_strength", OPTIONAL, scene_material, tensile_strength), CYAML_FIELD_END};
+
 static const cyaml_schema_field_t material_fields[] = {
     TEXT("name", NEEDED, scene_material, name),
     NUMBER("youngs_modulus", NEEDED, scene_material, youngs_modulus),
@@ -53,6 +58,7 @@ static const cyaml_schema_field_t material_fields[] = {
     NUMBER("fracture_energy", OPTIONAL, scene_material, fracture_energy),
     NUMBER("horizon_ratio", OPTIONAL, scene_material, horizon_ratio),
     CHOICE("micromodulus", OPTIONAL, scene_material, micromodulus, micromoduli),
+    PART("breakage", OPTIONAL, scene_material, breakage_fields),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t material = {CYAML_VALUE_MAPPING(NEEDED, struct scene_material, material_fields)};
 

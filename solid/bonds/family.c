@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/bonds/soft.h"
 
 #include <string.h>
 
@@ -62,6 +63,7 @@ void solid_family_view(const struct solid *s, int h, struct solid_family_view *v
         view_lattice(f->lattice[b], h, view);
     else
         view_list(f->list[b], h, view);
+    solid_soft_weaken(s, h, view->micro);
 }
 
 int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
@@ -138,8 +140,9 @@ void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
     if (f->lattice[s->body[h]]) {
         struct solid_lattice *t = f->lattice[s->body[h]];
         const int cell = t->cell[h - t->first];
-        uint8_t *lambda = lambda_of(t, h);
+        uint8_t *lambda = lambda_of(t, h), *soft = t->soft ? t->soft + (lambda - t->lambda) : NULL;
         solid_lattice_changed(t, h);
+        for (int o = 0; soft && o < t->stencil->n; o++) soft[o] &= (uint8_t) ~(1u << cell % SOLID_ROW);
         for (int o = 0; o < t->stencil->n; o++) {
             if (t->local[cell + t->offset[o].shift] < 0) continue;
             const unsigned intact = bits[b / 8] >> b % 8 & 1u;
@@ -151,6 +154,7 @@ void solid_family_load(struct solid *s, int h, const uint8_t *bits) {
         struct solid_list *t = f->list[s->body[h]];
         for (long j = t->start[h - t->first]; j < t->end[h - t->first]; j++, b++) {
             const int intact = bits[b / 8] >> b % 8 & 1;
+            if (t->soft) solid_list_soften(t, j, 0);
             solid_list_set(t, j, intact);
             lost += !intact;
         }

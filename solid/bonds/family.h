@@ -13,8 +13,8 @@ struct solid_family_view {
     double xi[SOLID_FAMILY_MAX][3];  /* X0_l - X0_h, across periodic sides, m; z of a plate is 0 */
     double weight[SOLID_FAMILY_MAX]; /* Gamma_hl V_l, m3 */
     double alpha[SOLID_FAMILY_MAX];  /* surface correction, symmetric */
-    double
-        micro[SOLID_FAMILY_MAX]; /* micromodulus c of the bond, N/m6: its force on h is alpha c s Gamma V per volume */
+    double micro[SOLID_FAMILY_MAX]; /* micromodulus c of the bond, N/m6: its force on h is alpha c s Gamma V per volume;
+                                     * of a softening bond what is left of it */
     uint8_t intact[SOLID_FAMILY_MAX]; /* lambda */
 };
 
@@ -27,8 +27,9 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other);
  * end must break it for its own particle. For initial cracks and tests. Not collective. */
 void solid_family_break(struct solid *s, int h, int b);
 
-/* lambda as a checkpoint stores it: for the owned particle h, bit b of its view; bytes = (n_view + 7)/8 per particle,
- * independent of store and ranks. Not collective. */
+/* lambda as a checkpoint stores it, without the histories of softening bonds, which a load forgets: for the owned
+ * particle h, bit b of its view; bytes = (n_view + 7)/8 per particle, independent of store and ranks. Not collective.
+ */
 int solid_family_bytes(const struct solid *s); /* bytes per particle, the same during the whole run */
 void solid_family_save(const struct solid *s, int h, uint8_t *bits);
 void solid_family_load(struct solid *s, int h, const uint8_t *bits);

@@ -167,6 +167,7 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     lattice->row_owned = solid_store_array(rows, 1);
     lattice->row_bulk = solid_store_array(rows, 1);
     lattice->lambda = solid_store_array(rows * (size_t)stencil->n, 1);
+    if (law.s_c > 0) lattice->soft = solid_store_array(rows * (size_t)stencil->n, 1);
     lattice->row_of = solid_store_array(sites / SOLID_ROW, sizeof *lattice->row_of);
     memset(lattice->row_of, 0xff, (sites / SOLID_ROW) * sizeof *lattice->row_of);
     lattice->local = solid_store_array(sites, sizeof *lattice->local);
@@ -181,10 +182,10 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
 void solid_lattice_free(struct solid_lattice *lattice) {
     if (!lattice) return;
     solid_segments_free(lattice->segments);
-    void *owned[] = {lattice->row_active, lattice->active,   lattice->row_cell,   lattice->row_first,
-                     lattice->row_owned,  lattice->row_bulk, lattice->lambda,     lattice->offset,
-                     lattice->row_of,     lattice->cell,     lattice->local,      lattice->field,
-                     lattice->place,      lattice->copy_at,  lattice->copy_local, lattice};
+    void *owned[] = {lattice->row_active, lattice->active, lattice->row_cell, lattice->row_first, lattice->row_owned,
+                     lattice->row_bulk,   lattice->lambda, lattice->offset,   lattice->row_of,    lattice->cell,
+                     lattice->local,      lattice->field,  lattice->place,    lattice->copy_at,   lattice->copy_local,
+                     lattice->soft,       lattice};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
@@ -267,6 +268,13 @@ void solid_lattice_weights(struct solid_lattice *lattice, const double *w) {
 void solid_lattice_cut(struct solid_lattice *lattice, int h, int o) {
     const int cell = lattice->cell[h - lattice->first], r = lattice->row_of[cell / SOLID_ROW];
     lattice->lambda[(size_t)r * (size_t)lattice->stencil->n + (size_t)o] &= (uint8_t) ~(1u << cell % SOLID_ROW);
+    solid_lattice_changed(lattice, h);
+}
+
+void solid_lattice_soften(struct solid_lattice *lattice, int h, int o, int softens) {
+    const int cell = lattice->cell[h - lattice->first], r = lattice->row_of[cell / SOLID_ROW];
+    uint8_t *soft = lattice->soft + (size_t)r * (size_t)lattice->stencil->n + (size_t)o;
+    *soft = (uint8_t)((*soft & ~(1u << cell % SOLID_ROW)) | (unsigned)softens << cell % SOLID_ROW);
     solid_lattice_changed(lattice, h);
 }
 

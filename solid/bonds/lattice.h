@@ -39,6 +39,8 @@ struct solid_lattice {
     uint16_t *active;   /* offsets at which some particle of the row has a bond in its unbroken family, ascending */
     uint8_t *row_bulk;  /* [rows] alpha = 1 for all the row's bonds */
     uint8_t *lambda;    /* [rows][n offsets] one bit for each bond, 1: intact */
+    uint8_t *soft;      /* the same, 1: swept as a softening bond (solid/bonds/soft.h); NULL: brittle */
+    int is_whole;       /* 1: soft is disregarded (solid/step/rates.c) */
     struct solid_lattice_offset *offset; /* [n offsets] */
     int *row_of;                         /* [sites/8] row, or -1 */
     int first, n;                        /* local indices first .. first+n-1 */
@@ -83,6 +85,8 @@ void solid_lattice_weights(struct solid_lattice *lattice, const double *w);
 void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda);
 /* Breaks the bond of particle h (local) at offset o, on h's side only. */
 void solid_lattice_cut(struct solid_lattice *lattice, int h, int o);
+/* Marks the bond as softening, or as elastic again, on h's side only. */
+void solid_lattice_soften(struct solid_lattice *lattice, int h, int o, int softens);
 /* To be called after lambda was written by other code: for particle h (local), or for all. Not collective. */
 void solid_lattice_changed(struct solid_lattice *lattice, int h);
 void solid_lattice_changed_all(struct solid_lattice *lattice);

@@ -13,10 +13,10 @@ void solid_list_free(struct solid_list *list) {
     if (!list) return;
     solid_weight_table_free(list->law.table);
     void *const own[] = {
-        list->start,  list->end,   list->at,         list->step,      list->stiffness,   list->large,    list->limit,
-        list->digit,  list->power, list->own_volume, list->other_key, list->other_local, list->particle, list->w,
-        list->record, list->speed, list->key,        list->scaled,    list->damage,      list->counted,  list->kept,
-        list};
+        list->start, list->end,    list->at,    list->step,       list->stiffness, list->large,       list->limit,
+        list->soft,  list->digit,  list->power, list->own_volume, list->other_key, list->other_local, list->particle,
+        list->w,     list->record, list->speed, list->key,        list->scaled,    list->damage,      list->counted,
+        list->kept,  list};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -154,7 +154,7 @@ long solid_list_intact(const struct solid_list *list) {
 void solid_list_swap(struct solid_list *list, uint8_t *intact) {
     for (int i = 0; i < list->n; i++)
         for (long j = list->start[i]; j < list->end[i]; j++) {
-            const int was = solid_list_is_intact(list, j);
+            const int was = solid_list_is_swept(list, j);
             solid_list_set(list, j, intact[j]);
             intact[j] = (uint8_t)was;
         }

@@ -36,6 +36,8 @@ struct solid_list {
     int *at;                       /* [room] index of the other end in record */
     float *step;                   /* [room][dim] xi in blocks of eight bonds: x of all eight, y of all, z of all */
     double *stiffness;             /* [room] K alpha V_l/(rho |xi|), m/s2; negative: the bond is broken */
+    uint8_t *soft;                 /* [room/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
+                                    * stiffness is negative; NULL: brittle */
     uint8_t *large;                /* [n] 1: |eps| of some bond was too large for the series */
     double *limit;                 /* [n] the least eps at which a bond of the family breaks */
     double *digit;                 /* [n] rounding digit of a plate's sums (solid/force/sweep_family.h): the family's
@@ -95,13 +97,27 @@ static inline int solid_list_other(const struct solid_list *list, long j) {
     return solid_list_local(list, solid_list_record(list, j));
 }
 
-static inline int solid_list_is_intact(const struct solid_list *t, long j) { return !signbit(t->stiffness[j]); }
+/* Whether the sweep computes bond j: it is intact and does not soften. */
+static inline int solid_list_is_swept(const struct solid_list *t, long j) { return !signbit(t->stiffness[j]); }
+static inline int solid_list_is_soft(const struct solid_list *t, long j) {
+    return t->soft && (t->soft[j / SOLID_LIST_BLOCK] >> j % SOLID_LIST_BLOCK & 1);
+}
+static inline int solid_list_is_intact(const struct solid_list *t, long j) {
+    return solid_list_is_swept(t, j) || solid_list_is_soft(t, j);
+}
 /* Whether eight bonds from j, the first of a block, are intact: bit k for bond j + k. Padding counts as broken. */
 static inline unsigned solid_list_block_intact(const struct solid_list *list, long j) {
-    return ~vec_signs(vec_load(list->stiffness + j)) & 0xffu;
+    const unsigned soft = list->soft ? list->soft[j / SOLID_LIST_BLOCK] : 0;
+    return (~vec_signs(vec_load(list->stiffness + j)) & 0xffu) | soft;
 }
 static inline void solid_list_set(struct solid_list *list, long j, int intact) {
     list->stiffness[j] = copysign(list->stiffness[j], intact ? 1 : -1);
+}
+/* Marks an intact bond as softening, which takes it out of the sweep, or as elastic again. */
+static inline void solid_list_soften(struct solid_list *list, long j, int softens) {
+    uint8_t *soft = &list->soft[j / SOLID_LIST_BLOCK];
+    *soft = (uint8_t)((*soft & ~(1u << j % SOLID_LIST_BLOCK)) | (unsigned)softens << j % SOLID_LIST_BLOCK);
+    solid_list_set(list, j, !softens);
 }
 
 /* X0_l - X0_h of bond j in direction c, spacings. */

@@ -48,6 +48,7 @@ void solid_list_find_room(struct solid_list *list) {
     list->at = solid_store_array(list->room, sizeof *list->at);
     list->step = solid_store_array(list->room * list->dim, sizeof *list->step);
     list->stiffness = solid_store_array(list->room, sizeof *list->stiffness);
+    if (list->law.s_c > 0) list->soft = solid_store_array(list->room / SOLID_LIST_BLOCK, 1);
     for (int i = 0; i < list->n; i++)
         for (long j = list->end[i]; j % SOLID_LIST_BLOCK; j++) { /* padding */
             list->stiffness[j] = -0.;

@@ -47,6 +47,8 @@ static void pack(const struct solid_lattice *lattice, const struct solid_segment
     for (int i = 0; i < offsets; i++) {
         const int o = segments->order[i];
         unsigned bits = owned & bits_at(lattice, lattice->lambda + o, (size_t)offsets, segments->cell[g]);
+        if (lattice->soft && !lattice->is_whole)
+            bits &= ~bits_at(lattice, lattice->soft + o, (size_t)offsets, segments->cell[g]);
         if (!bits) continue;
         const unsigned home = bits_at(lattice, lattice->row_owned, 1, segments->cell[g] + lattice->offset[o].shift);
         const uint32_t name = (uint32_t)o << 8;

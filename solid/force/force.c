@@ -8,6 +8,7 @@
 #include "solid/force/added_mass.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
+#include "solid/force/sweep_soft.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/reactions.h"
 
@@ -21,6 +22,7 @@ void solid_force_bonds(struct solid *s, int may_break, double damping_relative) 
     for (int b = 0; b < f->bodies; b++)
         power +=
             f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], &sweep) : solid_sweep_list(s, f->list[b], &sweep);
+    if (s->soft) power += solid_sweep_soft(s, &sweep);
     s->power_damped = power;
     s->sweeps++;
 }

@@ -1,6 +1,7 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/vec.h"
 #include "solid/bonds/family.h"
+#include "solid/bonds/soft.h"
 #include "solid/force/segment.h"
 #include "solid/force/series.h"
 #include "solid/force/sweep_lattice.h"
@@ -65,8 +66,9 @@ static __attribute__((noinline)) double bond_eps(const double xi[3], const doubl
     return q * inv_length2;
 }
 
-/* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0: from both ends if both are
- * owned here, else from this end; the owner of the other end does the same. Returns the number of directed bonds. */
+/* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0 (one that softens leaves this
+ * sweep for another): from both ends if both are owned here, else from this end; the owner of the other end does the
+ * same. Returns the number of directed bonds. */
 static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell, int o) {
     const struct solid_offset *t = &lattice->stencil->offset[o];
     const long far = cell + lattice->offset[o].shift;
@@ -76,11 +78,16 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
         eta[c] = lattice->d[c][solid_lattice_place(lattice, far)] - lattice->d[c][solid_lattice_place(lattice, cell)];
     const double eps = bond_eps(t->xi, eta, t->inv_length2);
     if (!(eps > lattice->law.eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
+    const int home = l >= lattice->first && l < lattice->first + lattice->n && lattice->cell[l - lattice->first] == far;
+    if (lattice->soft) {
+        solid_soft_add(s, h, o, lattice->law.s_e);
+        if (home) solid_soft_add(s, l, lattice->stencil->n - 1 - o, lattice->law.s_e);
+        return 1 + home;
+    }
     const double stretch = eps / (1 + sqrt(1 + eps)),
                  alpha = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, far));
     const double volume = lattice->stencil->spacing * lattice->stencil->spacing * lattice->stencil->spacing;
     const double energy = 0.25 * lattice->law.c0 * alpha * stretch * stretch * t->length * t->weight * volume;
-    const int home = l >= lattice->first && l < lattice->first + lattice->n && lattice->cell[l - lattice->first] == far;
     solid_lattice_cut(lattice, h, o);
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;
@@ -98,12 +105,13 @@ static int break_segment(struct solid *s, struct solid_lattice *lattice, int g) 
     for (int k = 0; k < SOLID_ROW; k++) {
         if (!(segments->owned[g] >> k & 1)) continue;
         const long cell = segments->cell[g] + k;
-        const uint8_t *lambda =
-            lattice->lambda + (size_t)lattice->row_of[cell / SOLID_ROW] * (size_t)lattice->stencil->n;
+        const size_t row = (size_t)lattice->row_of[cell / SOLID_ROW] * (size_t)lattice->stencil->n;
+        const uint8_t *lambda = lattice->lambda + row, *soft = lattice->soft ? lattice->soft + row : NULL;
         for (int o = 0; o < lattice->stencil->n; o++)
-            if (lambda[o] >> cell % SOLID_ROW & 1) broken += break_bond(s, lattice, cell, o);
+            if ((lambda[o] & (soft ? ~soft[o] : 0xff)) >> cell % SOLID_ROW & 1)
+                broken += break_bond(s, lattice, cell, o);
     }
-    if (broken) s->broke = 1;
+    if (broken && !lattice->soft) s->broke = 1;
     return broken;
 }
 

@@ -1,5 +1,6 @@
 /* Force sweep over the bonds of a body in the list store: one kernel per dimension, series and damping; breaks
  * bonds. */
+#include "solid/bonds/soft.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 
@@ -65,7 +66,8 @@ static __attribute__((noinline)) double bond_eps(const double *xi, const double 
     return q / xi2;
 }
 
-/* Breaks the bonds of the particle that are stretched beyond their limits, on its side. Returns how many. */
+/* Breaks the bonds of the particle that are stretched beyond their limits, on its side (those that soften leave this
+ * sweep for another). Returns how many. */
 static int break_bonds(struct solid *s, struct solid_list *list, int i) {
     const int h = list->first + i;
     const double *here = list->record + (long)list->width * i;
@@ -73,19 +75,23 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
     for (long j = list->start[i]; j < list->end[i]; j++) {
         const double *there = list->record + list->at[j];
         double xi[3], eta[3] = {0};
-        if (!solid_list_is_intact(list, j) || ((s->flag[h] | s->flag[solid_list_other(list, j)]) & SOLID_UNBREAKABLE))
+        if (!solid_list_is_swept(list, j) || ((s->flag[h] | s->flag[solid_list_other(list, j)]) & SOLID_UNBREAKABLE))
             continue;
         const double length = solid_list_steps(list, j, xi);
         for (int c = 0; c < list->dim; c++) eta[c] = there[c] - here[c];
         const double eps = bond_eps(xi, eta, list->dim);
         if (!(eps > list->limit[i]) || !(eps > solid_list_limit(list, h, j))) continue;
+        broken++;
+        if (list->soft) {
+            solid_soft_add(s, h, j, list->law.s0);
+            continue;
+        }
         const double stretch = eps / (1 + sqrt(1 + eps));
         s->e_fracture += 0.25 * list->law.density * list->stiffness[j] * length * stretch * stretch *
                          (length * list->spacing) * s->volume[h];
         solid_list_set(list, j, 0);
-        broken++;
     }
-    if (broken) {
+    if (broken && !list->soft) {
         s->flag[h] |= SOLID_BROKEN;
         s->broke = 1;
     }

@@ -1,10 +1,15 @@
 /* Constants of a material's bonds.  (001: eqs 3.21, 3.27; 000: eqs 9, 10, 16, 17) */
 #pragma once
+#include "physics/softening.h"
 #include "solid/input.h"
 
 /* At a horizon, m; thickness, m, is used for plates only. */
 struct physics_bond solid_material_constants(enum solid_model model, double thickness,
                                              const struct solid_material *material, double horizon);
+
+/* The stretches of its bilinear law; 0 and 0 if it is brittle. */
+struct physics_softening solid_material_softening(enum solid_model model, double thickness,
+                                                  const struct solid_material *material, double horizon);
 
 /* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.26) */
 double solid_material_micromodulus(const struct solid_material *m, double spacing);

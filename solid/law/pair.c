@@ -14,14 +14,17 @@ enum { COLUMNS = 24 }; /* of the quadrature of partial volumes, if few of them a
 static const double INSIDE = 1 - 1e-12;
 
 struct solid_bond_law solid_pair_law(const struct solid_input *in, const struct solid_material *m) {
-    const struct physics_bond k = solid_material_constants(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
+    const double delta = m->horizon_ratio * in->spacing;
+    const struct physics_bond k = solid_material_constants(in->model, in->thickness, m, delta);
+    const struct physics_softening soft = solid_material_softening(in->model, in->thickness, m, delta);
     return (struct solid_bond_law){.dim = solid_dim(in),
                                    .partial = in->partial,
                                    .horizons = in->horizons,
                                    .micromodulus = physics_micromodulus_of((enum physics_micromodulus)m->micromodulus),
                                    .horizon = m->horizon_ratio,
                                    .c = k.c,
-                                   .s0 = k.s0,
+                                   .s0 = soft.s_c > 0 ? soft.s_e : k.s0,
+                                   .s_c = soft.s_c,
                                    .density = m->density,
                                    .columns = COLUMNS};
 }

@@ -28,7 +28,8 @@ struct solid_bond_law {
     enum solid_horizons horizons;
     const struct physics_micromodulus_law *micromodulus;
     double horizon;                   /* horizon of the material */
-    double c, s0;                     /* at this horizon: c0 or c1 in N/m6, critical stretch */
+    double c, s0;                     /* at this horizon: c0 or c1 in N/m6; critical stretch, s_e of a bilinear law */
+    double s_c;                       /* of a bilinear law; 0: brittle */
     double density;                   /* kg/m3 */
     int columns;                      /* of the quadrature of partial volumes in 3D */
     struct solid_weight_table *table; /* table of earlier partial volumes; borrowed */

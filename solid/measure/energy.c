@@ -6,6 +6,7 @@
 #include "solid/bonds/row.h"
 #include "solid/bonds/segments.h"
 #include "solid/force/sweep_list.h"
+#include "solid/force/sweep_soft.h"
 #include "solid/measure/energy.h"
 
 #include <math.h>
@@ -53,7 +54,9 @@ static double of_bonds(const struct solid *s, const struct solid_list *list, int
         }
         const double eps = q / xi2, stretch = eps / (1 + sqrt(1 + eps));
         *most = fmax(*most, stretch);
-        sum += list->stiffness[j] * xi2 * stretch * stretch;
+        double stiffness = list->stiffness[j];
+        if (solid_list_is_soft(list, j)) stiffness *= -solid_soft_share(s, h, (int)(j - list->start[i]));
+        sum += stiffness * xi2 * stretch * stretch;
     }
     return 0.25 * list->law.density * list->spacing * sum;
 }
@@ -177,6 +180,7 @@ struct solid_energy solid_energy_measure(struct solid *s) {
             sum[1] += s->volume[h] * of_list(list, h - list->first);
         }
     }
+    sum[1] += solid_sweep_soft_energy(s);
     par_sum_array(sum, 2);
     return (struct solid_energy){sum[0], sum[1]};
 }

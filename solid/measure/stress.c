@@ -1,6 +1,7 @@
 /* Stress from the flux of bond forces and strain by least squares over the family.  (Lehoucq and Silling 2008) */
 #include "solid/bonds/family.h"
 #include "solid/bonds/row.h"
+#include "solid/bonds/soft.h"
 #include "solid/measure/share.h"
 #include "solid/measure/stress.h"
 #include "solid/measure/tensors.h"
@@ -89,6 +90,13 @@ static void stress_of_lattice(const struct solid *s, const struct solid_lattice 
             solid_family_view(s, h, &view);
             stress_of_view(s, h, &view, &full, stress[h]);
         }
+    }
+    /* a lattice's rows know only whether a bond is intact, not how stiff a softening one is */
+    for (int i = 0, h = -1; s->soft && i < s->soft->n; i++) {
+        if (s->soft->bond[i].h == h || s->family->lattice[s->body[s->soft->bond[i].h]] != lattice) continue;
+        h = s->soft->bond[i].h;
+        solid_family_view(s, h, &view);
+        stress_of_view(s, h, &view, &full, stress[h]);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/bonds/soft.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
@@ -28,6 +29,7 @@ struct krylov {
 /* Exchanges the present bonds with those of the unbroken body; a second call with the same arrays restores them. */
 static void swap_whole(struct solid *s, uint8_t **other) {
     struct solid_family *f = s->family;
+    if (s->soft) s->soft->is_hidden = !s->soft->is_hidden;
     for (int b = 0; b < f->bodies; b++) {
         if (f->list[b]) {
             solid_list_swap(f->list[b], other[b]);
@@ -36,6 +38,7 @@ static void swap_whole(struct solid *s, uint8_t **other) {
         uint8_t **bonds = &f->lattice[b]->lambda, *t = *bonds;
         *bonds = other[b];
         other[b] = t;
+        f->lattice[b]->is_whole = !f->lattice[b]->is_whole;
         solid_lattice_changed_all(f->lattice[b]);
     }
 }

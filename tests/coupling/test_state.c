@@ -12,6 +12,7 @@
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/segments.h"
+#include "solid/bonds/soft.h"
 #include "solid/contact/list.h"
 #include "solid/imposed/given.h"
 #include "solid/measure/detachment.h"
@@ -49,7 +50,8 @@ static const char *const blocks =
     "solid:\n"
     "  spacing: 0.005\n"
     "  materials:\n"
-    "    - {name: soft, youngs_modulus: 1.0e7, density: 1000, fracture_energy: 0.05}\n"
+    "    - {name: soft, youngs_modulus: 1.0e7, density: 1000, fracture_energy: 0.05,\n"
+    "       breakage: {law: bilinear, tensile_strength: 2500}}\n"
     "  bodies:\n"
     "    - {name: left, material: soft, shape: box, low: [0.05, 0.03, 0.03], high: [0.09, 0.06, 0.06]}\n"
     "    - {name: right, material: soft, shape: box, low: [0.1, 0.04, 0.04], high: [0.13, 0.07, 0.07]}\n"
@@ -212,12 +214,44 @@ static size_t read_contact(struct run *r, void *bytes) {
     return (SOLID_CONTACT_KINDS + 1) * sizeof *to;
 }
 
+/* One more bond of some particles softens. */
+static void fill_soft(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    struct solid_family_view view;
+    (void)item, (void)part;
+    for (int h = seed; h < r->solid->n; h += 7) {
+        solid_family_view(r->solid, h, &view);
+        for (int b = seed; b < view.n; b++)
+            if (view.intact[b] && solid_soft_share(r->solid, h, b) == 1) {
+                double s_e, s_c;
+                solid_soft_limits(r->solid, h, &s_e, &s_c);
+                solid_soft_add_placed(r->solid, h, b, s_e + 0.1 * (s_c - s_e));
+                break;
+            }
+    }
+    solid_soft_order(r->solid->soft);
+}
+
+static size_t read_soft(struct run *r, void *bytes) {
+    double *to = bytes;
+    for (int i = 0; i < r->solid->soft->n; i++) {
+        const struct solid_soft_bond *bond = &r->solid->soft->bond[i];
+        *to++ = bond->h;
+        *to++ = bond->l;
+        *to++ = bond->place;
+        *to++ = (double)bond->at;
+        *to++ = bond->weight;
+        *to++ = bond->elastic;
+        *to++ = bond->most;
+    }
+    return (size_t)((char *)to - (char *)bytes);
+}
+
 static const struct special special[] = {
-    {"stage", fill_stage, NULL},       {"spacing", fill_nothing, NULL},   {"body", fill_nothing, NULL},
-    {"level", fill_nothing, NULL},     {"place", fill_nothing, NULL},     {"bonds", fill_bonds, NULL},
-    {"flag", fill_flag, NULL},         {"surface", fill_surface, NULL},   {"demand", fill_demand, NULL},
-    {"given", fill_given, read_given}, {"paths", fill_paths, read_paths}, {"contact", fill_contact, read_contact},
-    {"piece", fill_piece, NULL}};
+    {"stage", fill_stage, NULL},       {"spacing", fill_nothing, NULL},    {"body", fill_nothing, NULL},
+    {"level", fill_nothing, NULL},     {"place", fill_nothing, NULL},      {"bonds", fill_bonds, NULL},
+    {"flag", fill_flag, NULL},         {"surface", fill_surface, NULL},    {"demand", fill_demand, NULL},
+    {"given", fill_given, read_given}, {"paths", fill_paths, read_paths},  {"contact", fill_contact, read_contact},
+    {"piece", fill_piece, NULL},       {"softening", fill_soft, read_soft}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)

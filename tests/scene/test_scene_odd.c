@@ -224,6 +224,16 @@ static const struct sample_broken table[] = {
      "it.yaml:20: solid.materials[0].fracture_energy = -.inf: must be a number, greater than 0 (J/m2), or .inf"},
     {"coupled", "fracture_energy: 0.05", "fracture_energy: inf",
      "it.yaml:20: solid.materials[0].fracture_energy = inf: must be a number, greater than 0 (J/m2), or .inf"},
+    {"coupled", "fracture_energy: 0.05", "fracture_energy: 0.05, breakage: {law: bilinear}",
+     "it.yaml:20: solid.materials[0].breakage.tensile_strength: missing; law bilinear needs it (Pa)"},
+    {"coupled", "fracture_energy: 0.05", "breakage: {law: bilinear, tensile_strength: 1.0e+4}",
+     "it.yaml:20: solid.materials[0].breakage.law = bilinear: needs a fracture_energy"},
+    {"coupled", "fracture_energy: 0.05", "fracture_energy: 0.05, breakage: {law: brittle, tensile_strength: 1.0e+4}",
+     "it.yaml:20: solid.materials[0].breakage.tensile_strength = 1.0e+4: only with law bilinear, here it is brittle"},
+    {"coupled", "fracture_energy: 0.05", "fracture_energy: 0.05, breakage: {law: bilinear, tensile_strength: 1.0e+5}",
+     "it.yaml:20: solid.materials[0].breakage.tensile_strength = 1.0e+5: needs a horizon below 0.000416667 m with this "
+     "fracture energy, and it is 0.003 m: take a spacing below 0.000138889 m, or a brittle law, whose strength at this "
+     "horizon is 37267.8 Pa"},
     {"coupled", "shape: sphere", "shape: rectangle",
      "it.yaml:29: solid.bodies[1].shape = rectangle: must be one of box, sphere, cylinder, ellipsoid, spheres, points, image in 3D"},
     {"coupled", "shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.004",

@@ -21,9 +21,10 @@ static const double SPACING = 1.5625e-3, YOUNG = 1e8, DENSITY = 3000;
 struct make {
     int sites[3];
     int periodic[3];
-    int list;               /* general bonds */
-    int uncorrected;        /* no surface correction */
-    double fracture_energy; /* 0: never breaks */
+    int list;                /* general bonds */
+    int uncorrected;         /* no surface correction */
+    double fracture_energy;  /* 0: never breaks */
+    double tensile_strength; /* 0: brittle */
     int constraints;
     const struct solid_constraint *constraint;
     int unbreakables;
@@ -35,8 +36,8 @@ struct make {
 
 static inline struct solid *make(struct make m) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {YOUNG, DENSITY, m.fracture_energy > 0 ? m.fracture_energy : INFINITY, 3,
-                                            SOLID_CONSTANT};
+    const struct solid_material material = {YOUNG, DENSITY,        m.fracture_energy > 0 ? m.fracture_energy : INFINITY,
+                                            3,     SOLID_CONSTANT, m.tensile_strength};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &body,

@@ -27,6 +27,7 @@ struct make {
     int brittle;            /* breaks at G0 */
     enum solid_partial partial;
     enum solid_micromodulus_kind micromodulus;
+    double tensile_strength; /* 0: brittle */
     int periodic[2];
     int uncorrected, contact;
     enum solid_correction correction; /* none: volume, or none at all if uncorrected */
@@ -64,8 +65,8 @@ static inline struct solid *make(struct make m) {
         body.outlines = m.outlines;
         body.outline = m.outline;
     }
-    const struct solid_material material = {YOUNG, DENSITY, m.brittle ? G0 : INFINITY, m.ratio > 0 ? m.ratio : 3,
-                                            m.micromodulus};
+    const struct solid_material material = {
+        YOUNG, DENSITY, m.brittle ? G0 : INFINITY, m.ratio > 0 ? m.ratio : 3, m.micromodulus, m.tensile_strength};
     struct solid_input in = {.model = m.model == SOLID_3D ? SOLID_PLANE_STRESS : m.model,
                              .thickness = THICKNESS,
                              .partial = m.partial,

@@ -3,6 +3,7 @@
  * position in the coordinates. */
 #include "tests/solid/make_plate.h"
 #include "solid/contact/contact.h"
+#include "solid/law/material.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
 #include "tests/check.h"
@@ -70,8 +71,11 @@ static void assert_mirrored(const struct solid *s, const struct make *m, int axi
 
 /* A plate torn apart along y from a crack in the middle of its left side (mirror image about y), or from cracks on both
  * sides (about x). Returns how many bonds broke besides these. */
-static long tear(int axis, int sites_y, double shift, int verlet, int damped) {
+static long tear(int axis, int sites_y, double shift, int verlet, int damped, int softens) {
+    const struct solid_material brittle = {YOUNG, DENSITY, G0, 3, SOLID_CONSTANT, 0};
+    const double s0 = solid_material_constants(SOLID_PLANE_STRESS, THICKNESS, &brittle, 3 * SPACING).s0;
     struct make m = {.sites = {41, sites_y}, .brittle = 1, .contact = 1, .shift = {shift, -0.37 * shift}};
+    m.tensile_strength = softens ? 0.6 * YOUNG * s0 : 0;
     const double left = shift, bottom = -0.37 * shift, width = 41 * SPACING, height = sites_y * SPACING;
     const double y = bottom + sites_y / 2 * SPACING;
     const double line[2][2][3] = {{{left, y, 0}, {left + 12 * SPACING, y, 0}},
@@ -109,18 +113,24 @@ static long tear(int axis, int sites_y, double shift, int verlet, int damped) {
 static void test_across_y(void **state) {
     (void)state;
     for (int verlet = 0; verlet < 2; verlet++)
-        for (int far = 0; far < 2; far++) check_above(tear(1, 20, far ? 0.1 * M_SQRT2 : 0, verlet, 0), 200);
+        for (int far = 0; far < 2; far++) check_above(tear(1, 20, far ? 0.1 * M_SQRT2 : 0, verlet, 0, 0), 200);
 }
 
 static void test_across_x(void **state) {
     (void)state;
     for (int verlet = 0; verlet < 2; verlet++)
-        for (int far = 0; far < 2; far++) check_above(tear(0, 21, far ? -0.1 * M_E : 0, verlet, verlet), 200);
+        for (int far = 0; far < 2; far++) check_above(tear(0, 21, far ? -0.1 * M_E : 0, verlet, verlet, 0), 200);
+}
+
+static void test_softening(void **state) {
+    (void)state;
+    for (int axis = 0; axis < 2; axis++) check_above(tear(axis, 21 - axis, 0.1 * M_SQRT2, 1, axis == 0, 1), 200);
 }
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_across_y), cmocka_unit_test(test_across_x)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_across_y), cmocka_unit_test(test_across_x),
+                                       cmocka_unit_test(test_softening)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

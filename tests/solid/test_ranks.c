@@ -2,6 +2,7 @@
 /* The same motion on any number of ranks and in both bond stores: a body that is loaded, damped, driven and breaks. One
  * rank writes its results to a file; more ranks compare with it. */
 #include "tests/solid/make.h"
+#include "solid/bonds/soft.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
 #include "tests/check.h"
@@ -15,7 +16,9 @@
 
 enum { SITES = 13 * 12 * 14 };
 
-static struct solid *run(int list, int verlet) {
+static struct solid *run(int list, int verlet, int softens) {
+    const struct solid_material brittle = {YOUNG, DENSITY, 1e-4, 3, SOLID_CONSTANT, 0};
+    const double strength = 0.6 * YOUNG * solid_material_critical_stretch(&brittle, SPACING);
     const struct solid_constraint constraint[2] = {
         {.low = {-1, -1, -1}, .high = {1, 3 * SPACING, 1}, .direction = {1, 1, 1}},
         {.low = {-1, 9 * SPACING, -1}, .high = {1, 1, 1}, .direction = {0, 1, 0}, .velocity = {0, 0.02, 0}}};
@@ -24,7 +27,8 @@ static struct solid *run(int list, int verlet) {
                                          .list = list,
                                          .constraints = 2,
                                          .constraint = constraint,
-                                         .fracture_energy = 1e-4});
+                                         .fracture_energy = 1e-4,
+                                         .tensile_strength = softens ? strength : 0});
     s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3,
                                     .breakage = 1,
                                     .damping_relative = 1e13,
@@ -36,45 +40,52 @@ static struct solid *run(int list, int verlet) {
     return s;
 }
 
-/* State by place in the lattice, on every rank: d, v, lost weight; then energies and counts. */
+/* State by place in the lattice, on every rank: d, v, lost weight and what is left of softening bonds; then energies
+ * and counts. */
 static void collect(const struct solid *s, double *all) {
     static struct solid_family_view view;
-    memset(all, 0, (7 * SITES + 8) * sizeof *all);
+    memset(all, 0, (8 * SITES + 8) * sizeof *all);
     for (int h = 0; h < s->n; h++) {
         int at[3];
         for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING);
-        double *here = all + 7 * ((at[2] * 12 + at[1]) * 13 + at[0]);
+        double *here = all + 8 * ((at[2] * 12 + at[1]) * 13 + at[0]);
         for (int c = 0; c < 3; c++) {
             here[c] = s->d[c][h] / SPACING;
             here[3 + c] = s->v[c][h];
         }
         solid_family_view(s, h, &view);
-        for (int b = 0; b < view.n; b++) here[6] += view.intact[b] ? 0 : b + 1;
+        const double c0 = solid_material_micromodulus(s->in.material, s->in.spacing);
+        for (int b = 0; b < view.n; b++) {
+            here[6] += view.intact[b] ? 0 : b + 1;
+            here[7] += view.intact[b] ? 1e-2 * (1 - view.micro[b] / c0) : 0;
+        }
     }
-    double *sum = all + 7 * SITES;
+    double *sum = all + 8 * SITES;
     sum[0] = s->e_damped;
     sum[1] = s->e_fracture;
     sum[2] = s->e_constraint;
     sum[3] = s->work_load;
-    par_sum_array(all, 7 * SITES + 8);
+    par_sum_array(all, 8 * SITES + 8);
     for (int i = 0; i < 4; i++) sum[i] /= sum[3] + sum[2];
     sum[4] = (double)s->bonds_broken;
     sum[5] = (double)s->n_global;
 }
 
 static void compare(const double *all, const double *expected) {
-    for (int i = 0; i < 7 * SITES + 8; i++) check_close(all[i], expected[i], 1e-12);
+    for (int i = 0; i < 8 * SITES + 8; i++) check_close(all[i], expected[i], 1e-12);
 }
 
 static void test_same(void **state) {
     (void)state;
-    static double all[7 * SITES + 8], expected[7 * SITES + 8];
-    for (int verlet = 0; verlet < 2; verlet++) {
+    static double all[8 * SITES + 8], expected[8 * SITES + 8];
+    for (int kind = 0; kind < 4; kind++) {
+        const int verlet = kind & 1, softens = kind >> 1;
         char path[512];
-        snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_ranks_%d.data", verlet);
+        snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_ranks_%d.data", kind);
         for (int list = 0; list < 2; list++) {
-            struct solid *s = run(list, verlet);
+            struct solid *s = run(list, verlet, softens);
             check_between(s->bonds_broken, 100, s->bonds_total / 4);
+            if (softens) check_above(par_sum_long(s->soft->n), 1000);
             collect(s, list ? expected : all);
             solid_free(s);
         }

@@ -49,7 +49,7 @@ static void test_constants(void **state) {
     for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++)
         for (int model = 0; model < SOLID_MODELS; model++) {
             const struct physics_micromodulus_law *law = physics_micromodulus_of((enum physics_micromodulus)kind);
-            const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, (enum solid_micromodulus_kind)kind};
+            const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, (enum solid_micromodulus_kind)kind, 0};
             const struct physics_bond is = solid_material_constants((enum solid_model)model, THICKNESS, &m, HORIZON);
             double energy[2];
             energies((enum solid_model)model, law, is.c, energy);
@@ -73,7 +73,7 @@ static struct solid *body_of(enum solid_model model, int kind) {
                                     .high = {side, side, side},
                                     .outlines = model != SOLID_3D,
                                     .outline = &outline};
-    const struct solid_material material = {YOUNG, DENSITY, ENERGY, 3, (enum solid_micromodulus_kind)kind};
+    const struct solid_material material = {YOUNG, DENSITY, ENERGY, 3, (enum solid_micromodulus_kind)kind, 0};
     const struct solid_input in = {.model = model,
                                    .thickness = THICKNESS,
                                    .spacing = SPACING,

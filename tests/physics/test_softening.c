@@ -1,0 +1,68 @@
+/* The bilinear law's stretches: limits, energy, strength, and the peak of the stress against sums by another method. */
+#include "physics/bond.h"
+#include "physics/softening.h"
+#include "tests/check.h"
+
+/* The peaks by a separate computation: 1000 directions, 400 equal steps of strain, the lateral strain by bisection; its
+ * steps resolve a peak to 0.4 %. */
+static void peaks(void **state) {
+    (void)state;
+    static const struct {
+        double ratio, space, plate;
+    } of[] = {{1.2, 1.038, 1.003}, {1.5, 1.084, 1.014}, {2, 1.143, 1.035}, {3, 1.225, 1.070},
+              {6, 1.356, 1.135},   {10, 1.445, 1.183},  {20, 1.552, 1.242}};
+    double last[2] = {1, 1};
+    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+        const double space = physics_softening_peak(PHYSICS_3D, of[k].ratio),
+                     plate = physics_softening_peak(PHYSICS_PLANE_STRESS, of[k].ratio);
+        check_relative(space, of[k].space, 4e-3);
+        check_relative(plate, of[k].plate, 4e-3);
+        check_equal(physics_softening_peak(PHYSICS_PLANE_STRAIN, of[k].ratio), plate);
+        check_above(space, last[0]);
+        check_above(plate, last[1]);
+        last[0] = space;
+        last[1] = plate;
+    }
+    check_equal(physics_softening_peak(PHYSICS_3D, 1), 1);
+    check_close(physics_softening_peak(PHYSICS_3D, 1.0001), 1, 1e-3);
+}
+
+/* The two conditions, at horizons up to the widest one, where the two stretches meet; none beyond. */
+static void stretches(void **state) {
+    (void)state;
+    const double young = 3e10, energy = 70, strength = 4e6;
+    for (enum physics_model model = PHYSICS_3D; model <= PHYSICS_PLANE_STRAIN; model++) {
+        const double modulus = model == PHYSICS_PLANE_STRAIN ? young * 16 / 15 : young;
+        const double first = physics_bond_of(model, PHYSICS_CONSTANT, 1, young, energy, 1).s0;
+        const double widest = physics_softening_widest(model, young, strength, first, 1);
+        double last = 0;
+        for (int k = -1; k < 6; k++) {
+            const double delta = widest * (k < 0 ? 1.001 : ldexp(0.999, -k));
+            const double s0 = physics_bond_of(model, PHYSICS_CONSTANT, 1, young, energy, delta).s0;
+            const struct physics_softening of = physics_softening_of(model, young, strength, s0);
+            check_relative(physics_softening_widest(model, young, strength, s0, delta), widest, 1e-12);
+            if (k < 0) {
+                check_equal(of.s_e, 0);
+                check_equal(of.s_c, 0);
+                continue;
+            }
+            check_relative(of.s_e * of.s_c, s0 * s0, 1e-12);
+            check_relative(modulus * of.s_e * physics_softening_peak(model, of.s_c / of.s_e), strength, 1e-3);
+            check_above(of.s_c / of.s_e, last); /* the narrower the horizon, the more ductile a bond */
+            last = of.s_c / of.s_e;
+            if (k == 0) check_close(last, 1, 0.03);
+        }
+    }
+    /* in plane stress the limit is 4 pi/9 of the characteristic length, in 3D 5/6 */
+    const double length = young * energy / (strength * strength);
+    const double plate = physics_bond_of(PHYSICS_PLANE_STRESS, PHYSICS_CONSTANT, 1, young, energy, 1).s0,
+                 space = physics_bond_of(PHYSICS_3D, PHYSICS_CONSTANT, 1, young, energy, 1).s0;
+    check_relative(physics_softening_widest(PHYSICS_PLANE_STRESS, young, strength, plate, 1), 4 * M_PI / 9 * length,
+                   1e-12);
+    check_relative(physics_softening_widest(PHYSICS_3D, young, strength, space, 1), 5. / 6 * length, 1e-12);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(peaks), cmocka_unit_test(stretches)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
