@@ -175,6 +175,7 @@ struct scene_body {
     int spheres;
     double (*sphere)[4]; /* spheres: [[x, y, z, radius], ...], if no file is given */
     int contacts_broken; /* contacts: bonded (0, default), broken (1: no bond between the body's shapes) */
+    double velocity[3];  /* at the start, m/s, default 0 */
     int has_cavities;    /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
     int corners, pieces, holes;
@@ -336,6 +337,7 @@ struct scene_output {
     int stress;                                        /* stress and strain tensors in solid fields, default true */
     int fragments;                                     /* fragments.csv where bonds may break, default true */
     int reactions;                                     /* reactions.csv of constraints and loads, default true */
+    int bodies;                                        /* bodies.csv of several bodies, default true */
     struct scene_crack_output *crack;                  /* NULL: no crack is tracked */
     struct scene_probes *probes;                       /* NULL: none */
     struct scene_fluid_probes *fluid_probes;           /* NULL: none */

@@ -152,6 +152,7 @@ static const cyaml_schema_field_t output_fields[] = {
     BOOLEAN("stress", OPTIONAL, scene_output, stress),
     BOOLEAN("fragments", OPTIONAL, scene_output, fragments),
     BOOLEAN("reactions", OPTIONAL, scene_output, reactions),
+    BOOLEAN("bodies", OPTIONAL, scene_output, bodies),
     CYAML_FIELD_MAPPING_PTR("crack", OPTIONAL, struct scene_output, crack, crack_fields),
     CYAML_FIELD_MAPPING_PTR("probes", OPTIONAL, struct scene_output, probes, probes_fields),
     CYAML_FIELD_MAPPING_PTR("fluid_probes", OPTIONAL, struct scene_output, fluid_probes, fluid_probes_fields),
