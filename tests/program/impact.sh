@@ -44,7 +44,9 @@ awk -F, 'FNR == 1 { for (i = 1; i <= NF; i++) at[FILENAME, $i] = i; next }
   { sum[$1] += $at[FILENAME, "momentum_z"]; c = $at[FILENAME, "contact_z"]; all[$1] += c
     if ($at[FILENAME, "body"] == 1) ball = c; if (ball > most) most = ball
     if ($1 == 0 && $at[FILENAME, "body"] == 1) v = $at[FILENAME, "momentum_z"] / $at[FILENAME, "mass"] }
-  END { for (k in p) if ((sum[k] - p[k])^2 > 1e-24 || all[k]^2 > 1e-20 * most^2) { print k, sum[k], p[k], all[k]; exit 1 }
+  END {
+    for (k in p)
+      if ((sum[k] - p[k])^2 > 1e-24 || all[k]^2 > 1e-20 * most^2) { print k, sum[k], p[k], all[k]; exit 1 }
     exit !(most > 100 && (v + 60)^2 < 1e-18) }' whole/series.csv whole/bodies.csv || fail "bodies.csv"
 code 0 ranks 2 run scene.yaml --out two
 same whole/series.csv two/series.csv
