@@ -297,7 +297,9 @@ struct scene_stage {
     double time_step;            /* s; 0: automatic (key left out or "auto") */
     double cfl;                  /* automatic: fraction of the stability limits, default 0.9 */
     enum scene_solid_mode solid; /* rigid, elastic; default elastic if there is a solid */
-    int relax; /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
+    int relax;        /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
+    double increment; /* relax: by which the loads' time goes on in each step, s; 0: only one relaxation */
+    double tolerance; /* relax: residual over load or reaction, default 1e-6 */
     enum scene_integrator integrator; /* rk3 (default), verlet */
     int substeps;                     /* 0: auto, from the stable step */
     double safety;                    /* auto: fraction of the stable step, default 0.95 */

@@ -115,6 +115,8 @@ static const cyaml_schema_field_t stage_fields[] = {
     NUMBER("cfl", OPTIONAL, scene_stage, cfl),
     CHOICE("solid", OPTIONAL, scene_stage, solid, modes),
     BOOLEAN("relax", OPTIONAL, scene_stage, relax),
+    NUMBER("increment", OPTIONAL, scene_stage, increment),
+    NUMBER("tolerance", OPTIONAL, scene_stage, tolerance),
     CHOICE("integrator", OPTIONAL, scene_stage, integrator, integrators),
     WHOLE("substeps", OPTIONAL, scene_stage, substeps),
     NUMBER("safety", OPTIONAL, scene_stage, safety),

@@ -11,6 +11,7 @@
 #include "solid/step/relax.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Central differences with the damping that is critical for the frequency of the present deformation, the Rayleigh
  * quotient of the displacement since the start.  (Underwood 1983; Kilic and Madenci 2010)
@@ -23,8 +24,16 @@ struct sums {
     double stiffness, mass;             /* u.K u, u.M u */
 };
 
+/* What the frequency is taken from. last NULL: u is the displacement since the start, of a solid without strain then;
+ * K u = -M a. Else u is the last step's displacement, dt v, and K u = -M (a - last): as the fast modes come to rest,
+ * the frequency falls to that of the slowest. */
+struct quotient {
+    double *const *start, *const *last; /* [dim][n] displacement, m; the last sweep's a by bonds and contact, m/s2 */
+    double dt;
+};
+
 /* Computes a at the present d and v = 0, and the sums for the step and the stop criterion. Collective. */
-static struct sums sweep(struct solid *s, double *const start[3]) {
+static struct sums sweep(struct solid *s, const struct quotient *q) {
     solid_ghosts_update(s);
     solid_force_bonds(s, 0, 0);
     if (s->in.contact && s->contact) solid_contact_force(s);
@@ -34,12 +43,13 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
         for (int c = 0; c < s->dim; c++) {
             const double force = s->volume[h] * (s->load[c][h] + density * s->in.body_force[c]);
             if (s->flag[h] & SOLID_HELD_X << c) continue;
-            const double u = s->d[c][h] - start[c][h];
+            const double u = q->last ? q->dt * s->v[c][h] : s->d[c][h] - q->start[c][h];
             sum[1] += force * force;
-            sum[3] -= mass * u * s->a[c][h];
+            sum[3] -= mass * u * (q->last ? s->a[c][h] - q->last[c][h] : s->a[c][h]);
             sum[4] += mass * u * u;
         }
     }
+    for (int c = 0; q->last && c < s->dim; c++) memcpy(q->last[c], s->a[c], (size_t)s->n * sizeof(double));
     solid_force_loads(s, s->a, 0);
     solid_reactions_find(s);
     sum[2] = solid_constraint_apply(s);
@@ -51,16 +61,17 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
     return (struct sums){sum[0], sum[1], sum[2], sum[3], sum[4]};
 }
 
-static int relax(struct solid *s, double tolerance, int max_steps, double *const start[3]) {
+static int relax(struct solid *s, double tolerance, double least, int max_steps, struct quotient *q) {
     const double dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
+    q->dt = dt;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             s->v[c][h] = 0;
-            start[c][h] = s->d[c][h];
+            q->start[c][h] = s->d[c][h];
         }
     for (int i = 0; i <= max_steps; i++) {
-        const struct sums sum = sweep(s, start);
-        if (sum.residual2 <= tolerance * tolerance * fmax(sum.load2, sum.reaction2)) return i;
+        const struct sums sum = sweep(s, q);
+        if (sum.residual2 <= tolerance * tolerance * fmax(fmax(sum.load2, sum.reaction2), least * least)) return i;
         if (!isfinite(sum.residual2)) return -1;
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);
@@ -73,12 +84,13 @@ static int relax(struct solid *s, double tolerance, int max_steps, double *const
     return -1;
 }
 
-int solid_relax(struct solid *s, double tolerance, int max_steps) {
+static int begin(struct solid *s, double tolerance, double least, int max_steps, int strained) {
     clock_begin(CLOCK_SOLID);
     const double put_in = s->e_constraint;
     solid_constraint_displacement(s, s->t);
     solid_given_set(s, s->t, 0);
-    const int steps = relax(s, tolerance, max_steps, s->v_old);
+    struct quotient quotient = {s->v_old, strained ? s->a_old : NULL, 0};
+    const int steps = relax(s, tolerance, least, max_steps, &quotient);
     solid_reactions_begin(s);
     solid_reactions_add(s, 1, 0); /* of the last sweep; the length of the step does not matter */
     for (int c = 0; c < s->dim; c++)
@@ -89,4 +101,10 @@ int solid_relax(struct solid *s, double tolerance, int max_steps) {
     s->a_holds = 0;
     clock_end(CLOCK_SOLID);
     return steps;
+}
+
+int solid_relax(struct solid *s, double tolerance, int max_steps) { return begin(s, tolerance, 0, max_steps, 0); }
+
+int solid_relax_strained(struct solid *s, double tolerance, double least, int max_steps) {
+    return begin(s, tolerance, least, max_steps, 1);
 }
