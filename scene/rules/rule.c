@@ -231,7 +231,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("stages[].cfl", "1", "0.9", WITHIN(0, 1), .open = 1),
     RULE("stages[].solid", "choice", "elastic", .only = SOLID),
     RULE("stages[].relax", "bool", "false", .only = SOLID | NO_FLUID),
-    RULE("stages[].increment", "s", ABOVE(0), WITH("relax"), .only = SOLID | NO_FLUID),
+    RULE("stages[].increment", "s", ABOVE(0), .only = SOLID | NO_FLUID),
     RULE("stages[].tolerance", "1", "1.0e-6", WITHIN(0, 0.1), .open = 1, .only = SOLID | NO_FLUID),
     RULE("stages[].integrator", "choice", "rk3", .only = SOLID),
     RULE("stages[].substeps", "1", "auto", WITHIN(1, 1e6), .word = "auto", .load = "0", .only = SOLID),

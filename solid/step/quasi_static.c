@@ -45,8 +45,7 @@ static void look(struct solid *s, struct rest *r) {
         memcpy(r->d[c], s->d[c], (size_t)s->n * sizeof(double));
         memcpy(r->load[c], s->load[c], (size_t)s->n * sizeof(double));
         for (int h = 0; h < s->n; h++)
-            r->force[c][h] =
-                s->flag[h] & SOLID_HELD_X << c ? -solid_density(s, h) * s->volume[h] * s->a[c][h] : 0;
+            r->force[c][h] = s->flag[h] & SOLID_HELD_X << c ? -solid_density(s, h) * s->volume[h] * s->a[c][h] : 0;
     }
 }
 
@@ -55,8 +54,7 @@ static void add_works(struct solid *s, const struct rest *from, const struct res
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             const double way = to->d[c][h] - from->d[c][h];
-            const double load =
-                0.5 * (from->load[c][h] + to->load[c][h]) + solid_density(s, h) * s->in.body_force[c];
+            const double load = 0.5 * (from->load[c][h] + to->load[c][h]) + solid_density(s, h) * s->in.body_force[c];
             s->work_load += s->volume[h] * load * way;
             s->e_constraint += 0.5 * (from->force[c][h] + to->force[c][h]) * way;
         }
@@ -68,9 +66,9 @@ static double breaking_force(const struct solid *s) {
     double least = INFINITY;
     for (int m = 0; m < s->in.materials; m++) {
         const struct solid_material *material = &s->in.material[m];
-        const double s0 = solid_material_constants(s->in.model, s->in.thickness, material,
-                                                   material->horizon_ratio * s->in.spacing)
-                              .s0;
+        const double s0 =
+            solid_material_constants(s->in.model, s->in.thickness, material, material->horizon_ratio * s->in.spacing)
+                .s0;
         least = fmin(least, material->youngs_modulus * s0);
     }
     return isfinite(least) ? least * pow(s->in.spacing, s->dim - 1) * solid_depth(&s->in) : 0;

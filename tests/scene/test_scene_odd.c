@@ -356,7 +356,6 @@ static const struct sample_broken table[] = {
     {"solid", "relax: true", "relax: true, increment: 0", "it.yaml:13: stages[0].increment = 0: must be greater than 0"},
     {"solid", "relax: true", "relax: true, tolerance: 1",
      "it.yaml:13: stages[0].tolerance = 1: must be greater than 0 and at most 0.1"},
-    {"solid", "relax: true", "increment: 1", "it.yaml:13: stages[0].increment = 1: only with relax"},
     {"solid", "relax: true", "relax: maybe", "it.yaml:13: stages[0].relax = maybe: must be true or false"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  thickness: 1", "it.yaml:6: solid.thickness = 1: only in a plate, where domain.size has two numbers"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  horizons: none", "it.yaml:6: solid.horizons = none: must be one of dual, one_sided"},

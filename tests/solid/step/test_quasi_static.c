@@ -14,14 +14,26 @@ static struct solid *notched(int brittle) {
     static const double line[2][3] = {{-1 * MM, 10 * MM}, {8 * MM, 10 * MM}}, t[2] = {0, 1}, factor[2] = {0, 1};
     static const struct solid_cut cut = {2, line};
     static const struct solid_constraint constraint[3] = {
-        {.low = {0, 17 * MM}, .high = {3 * MM, 20 * MM}, .direction = {0, 1}, .has_displacement = 1,
-         .displacement = {0, MM}, .time = {2, t, factor}},
-        {.low = {0, 0}, .high = {3 * MM, 3 * MM}, .direction = {0, 1}, .has_displacement = 1,
-         .displacement = {0, -MM}, .time = {2, t, factor}},
+        {.low = {0, 17 * MM},
+         .high = {3 * MM, 20 * MM},
+         .direction = {0, 1},
+         .has_displacement = 1,
+         .displacement = {0, MM},
+         .time = {2, t, factor}},
+        {.low = {0, 0},
+         .high = {3 * MM, 3 * MM},
+         .direction = {0, 1},
+         .has_displacement = 1,
+         .displacement = {0, -MM},
+         .time = {2, t, factor}},
         {.low = {21 * MM, 8 * MM}, .high = {24 * MM, 12 * MM}, .direction = {1, 1}}};
-    struct solid *s = make((struct make){
-        .sites = {24, 20}, .brittle = brittle, .contact = 1, .cuts = 1, .cut = &cut, .constraints = 3,
-        .constraint = constraint});
+    struct solid *s = make((struct make){.sites = {24, 20},
+                                         .brittle = brittle,
+                                         .contact = 1,
+                                         .cuts = 1,
+                                         .cut = &cut,
+                                         .constraints = 3,
+                                         .constraint = constraint});
     s->stage.breakage = brittle;
     return s;
 }
@@ -63,7 +75,8 @@ static void breaking(void **state) {
     (void)state;
     struct solid *s = notched(1);
     const double s0 = solid_material_constants(s->in.model, THICKNESS, s->in.material, 3 * SPACING).s0;
-    double *energy = malloc(((size_t)s->n + 1) * sizeof *energy), *stretch = malloc(((size_t)s->n + 1) * sizeof *stretch);
+    double *energy = malloc(((size_t)s->n + 1) * sizeof *energy),
+           *stretch = malloc(((size_t)s->n + 1) * sizeof *stretch);
     long before, broken = 0;
     int rounds = 0;
     solid_family_count(s);
