@@ -31,17 +31,23 @@ grep -q "increment 10 to t = 0.08 s: [0-9]* bonds broken in [0-9]* rounds, [0-9]
 [ "$(wc -l <whole/series.csv)" = 12 ] || fail "not a row for each increment"
 # the load rises in proportion to the opening, has a peak, and falls
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
-  NR > 2 && $at["index"] == 0 { n++; f = $at["force_y"]; if (n == 1) first = f; if (n == 2) second = f; if (f > most) { most = f; when = n } }
+  NR > 2 && $at["index"] == 0 {
+    n++; f = $at["force_y"]
+    if (n == 1) first = f
+    if (n == 2) second = f
+    if (f > most) { most = f; when = n } }
   END { print "peak", most, "in increment", when, "last", f
-    exit !(second / first > 1.99 && second / first < 2.01 && when > 2 && when < 9 && f < 0.8 * most) }' whole/reactions.csv ||
-  fail "load against opening"
+    exit !(second / first > 1.99 && second / first < 2.01 && when > 2 && when < 9 && f < 0.8 * most) }' \
+  whole/reactions.csv || fail "load against opening"
 # works: all of it is strain before a bond breaks, and at least what strain and broken bonds hold later
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   NR > 2 { w = $at["e_constraint"]; e = $at["e_strain"] + $at["e_fracture"] + $at["e_contact"]; f = $at["e_fracture"]
     if (f == 0 && (e / w - 1) ^ 2 > 1e-6) { print "elastic", e / w; exit 1 }
     if (e > 1.001 * w || e < 0.5 * w) { print "row", NR, e / w; exit 1 } }
-  END { print "of the work", e / w, "is held, by broken bonds", f / w; exit !(f > 0.2 * w) }' whole/series.csv || fail "works"
-awk -F, 'NR > 2 { if ($3 < last) exit 1; last = $3 } END { exit !(last > 18) }' whole/crack.csv || fail "the crack does not run"
+  END { print "of the work", e / w, "is held, by broken bonds", f / w; exit !(f > 0.2 * w) }' \
+  whole/series.csv || fail "works"
+awk -F, 'NR > 2 { if ($3 < last) exit 1; last = $3 } END { exit !(last > 18) }' whole/crack.csv ||
+  fail "the crack does not run"
 code 0 ranks 2 run scene.yaml --out two
 same whole/series.csv two/series.csv
 code 0 ranks 1 run scene.yaml --out again --resume=whole/checkpoint/step_00000005.h5
