@@ -1,5 +1,5 @@
 # Prints one number of a beam's load-opening curve. All lengths are in spacings, W = 32, S = 4 W, E = 1.
-#   compliance  opening of the notch's mouth over the load, less 1 over that of a notch as deep as the first reading's tip
+#   compliance  opening of the notch's mouth over the load, over that of a notch as deep as the first tip, less 1
 #   depth       depth of the notch by the compliance of the first reading
 #   peak        largest load over that of a notch of 16 at G = G0
 #   onset       G/G0 at the largest load, of the depth by the compliance then
@@ -7,7 +7,7 @@
 #   taken       work less strain energy, over the length that the crack has run since the largest load, over G0
 #   broken      the same of e_fracture
 #   last        depth by the compliance at the last reading
-# Strain-energy release and opening of a bent beam with S = 4 W: Tada, Paris and Irwin; ASTM E399.
+# Strain-energy release and opening of a bent beam with S = 4 W.  (Tada, Paris and Irwin 2000)
 # usage: awk -F, -v what=... -f curve.awk reactions.csv probes.csv crack.csv series.csv
 function opening(a) { return 0.76 - 2.28 * a + 3.87 * a ^ 2 - 2.04 * a ^ 3 + 0.66 / (1 - a) ^ 2 }
 function intensity(a) {

@@ -29,8 +29,8 @@ for offset in 0.5 0.2; do
     "Griffith, a notch of 16" 0.1
   near "$name: energy that the creeping crack takes" G0 "$(kept "$name: taken" of_beam $offset taken)" 1 "G0" 0.1
   shown "$name: G at the largest load" G0 "$(kept "$name: onset" of_beam $offset onset)" 1 "G0"
-  shown "$name: energy of the bonds that the creeping crack breaks" G0 "$(kept "$name: broken" of_beam $offset broken)" \
-    1 "G0"
+  shown "$name: energy of the bonds that the creeping crack breaks" G0 \
+    "$(kept "$name: broken" of_beam $offset broken)" 1 "G0"
   shown "$name: depth at the end" spacings "$(kept "$name: last" of_beam $offset last)" "" ""
 done
 if [ ! "$quick" ]; then
