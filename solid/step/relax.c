@@ -24,16 +24,8 @@ struct sums {
     double stiffness, mass;             /* u.K u, u.M u */
 };
 
-/* What the frequency is taken from. last NULL: u is the displacement since the start, of a solid without strain then;
- * K u = -M a. Else u is the last step's displacement, dt v, and K u = -M (a - last): as the fast modes come to rest,
- * the frequency falls to that of the slowest. */
-struct quotient {
-    double *const *start, *const *last; /* [dim][n] displacement, m; the last sweep's a by bonds and contact, m/s2 */
-    double dt;
-};
-
 /* Computes a at the present d and v = 0, and the sums for the step and the stop criterion. Collective. */
-static struct sums sweep(struct solid *s, const struct quotient *q) {
+static struct sums sweep(struct solid *s, double *const start[3]) {
     solid_ghosts_update(s);
     solid_force_bonds(s, 0, 0);
     if (s->in.contact && s->contact) solid_contact_force(s);
@@ -43,13 +35,12 @@ static struct sums sweep(struct solid *s, const struct quotient *q) {
         for (int c = 0; c < s->dim; c++) {
             const double force = s->volume[h] * (s->load[c][h] + density * s->in.body_force[c]);
             if (s->flag[h] & SOLID_HELD_X << c) continue;
-            const double u = q->last ? q->dt * s->v[c][h] : s->d[c][h] - q->start[c][h];
+            const double u = s->d[c][h] - start[c][h];
             sum[1] += force * force;
-            sum[3] -= mass * u * (q->last ? s->a[c][h] - q->last[c][h] : s->a[c][h]);
+            sum[3] -= mass * u * s->a[c][h];
             sum[4] += mass * u * u;
         }
     }
-    for (int c = 0; q->last && c < s->dim; c++) memcpy(q->last[c], s->a[c], (size_t)s->n * sizeof(double));
     solid_force_loads(s, s->a, 0);
     solid_reactions_find(s);
     sum[2] = solid_constraint_apply(s);
@@ -61,16 +52,38 @@ static struct sums sweep(struct solid *s, const struct quotient *q) {
     return (struct sums){sum[0], sum[1], sum[2], sum[3], sum[4]};
 }
 
-static int relax(struct solid *s, double tolerance, double least, int max_steps, struct quotient *q) {
+/* Of a solid that is strained at the start K u is not -M a, and the quotient above would go to 0 with the residual. So
+ * here u is the last step's displacement, dt v, and K u = -M (a - last): as the fast modes come to rest, the frequency
+ * falls to that of the slowest. last: the acceleration of the last sweep; becomes the present one. Collective. */
+static void moving_quotient(const struct solid *s, double dt, double *const last[3], struct sums *sums) {
+    double sum[2] = {0};
+    for (int h = 0; h < s->n; h++) {
+        const double mass = solid_density(s, h) * s->volume[h];
+        for (int c = 0; c < s->dim; c++) {
+            const double u = dt * s->v[c][h];
+            if (s->flag[h] & SOLID_HELD_X << c) continue;
+            sum[0] -= mass * u * (s->a[c][h] - last[c][h]);
+            sum[1] += mass * u * u;
+        }
+    }
+    for (int c = 0; c < s->dim; c++) memcpy(last[c], s->a[c], (size_t)s->n * sizeof(double));
+    par_sum_array(sum, 2);
+    sums->stiffness = sum[0];
+    sums->mass = sum[1];
+}
+
+/* last: NULL for a solid without strain. */
+static int relax(struct solid *s, double tolerance, double least, int max_steps, double *const start[3],
+                 double *const last[3]) {
     const double dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
-    q->dt = dt;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             s->v[c][h] = 0;
-            q->start[c][h] = s->d[c][h];
+            start[c][h] = s->d[c][h];
         }
     for (int i = 0; i <= max_steps; i++) {
-        const struct sums sum = sweep(s, q);
+        struct sums sum = sweep(s, start);
+        if (last) moving_quotient(s, dt, last, &sum);
         if (sum.residual2 <= tolerance * tolerance * fmax(fmax(sum.load2, sum.reaction2), least * least)) return i;
         if (!isfinite(sum.residual2)) return -1;
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
@@ -84,13 +97,12 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
     return -1;
 }
 
-static int begin(struct solid *s, double tolerance, double least, int max_steps, int strained) {
+static int begin(struct solid *s, double tolerance, double least, int max_steps, double *const last[3]) {
     clock_begin(CLOCK_SOLID);
     const double put_in = s->e_constraint;
     solid_constraint_displacement(s, s->t);
     solid_given_set(s, s->t, 0);
-    struct quotient quotient = {s->v_old, strained ? s->a_old : NULL, 0};
-    const int steps = relax(s, tolerance, least, max_steps, &quotient);
+    const int steps = relax(s, tolerance, least, max_steps, s->v_old, last);
     solid_reactions_begin(s);
     solid_reactions_add(s, 1, 0); /* of the last sweep; the length of the step does not matter */
     for (int c = 0; c < s->dim; c++)
@@ -103,8 +115,8 @@ static int begin(struct solid *s, double tolerance, double least, int max_steps,
     return steps;
 }
 
-int solid_relax(struct solid *s, double tolerance, int max_steps) { return begin(s, tolerance, 0, max_steps, 0); }
+int solid_relax(struct solid *s, double tolerance, int max_steps) { return begin(s, tolerance, 0, max_steps, NULL); }
 
 int solid_relax_strained(struct solid *s, double tolerance, double least, int max_steps) {
-    return begin(s, tolerance, least, max_steps, 1);
+    return begin(s, tolerance, least, max_steps, s->a_old);
 }
