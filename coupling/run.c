@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The box in which porosity and permeability are measured: given, or the particles' bounds within the domain. */
 static struct medium *medium_of(struct run *r) {
@@ -121,8 +122,10 @@ struct run *run_new(const struct scene *scene) {
         if (fluid_input_of(r->fluid)->implicit) ibm_implicit_slip(r->ibm, leak_slip_time(r));
         r->reaction = reaction_new(r);
         if (r->needs.bonds && !r->reaction)
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++) {
                 r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
+                memcpy(r->v_last[c], r->solid->v[c], (size_t)r->solid->n * sizeof(double));
+            }
         r->strong = strong_new(r);
         if (r->needs.bonds && scene->coupling->load == SCENE_LOAD_BALANCED && !r->strong)
             r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);

@@ -14,7 +14,7 @@ static int is_elastic(const struct scene *scene, int k) {
 
 unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     const struct scene_stage *stage = &scene->stage[k];
-    if (stage->relax) return STAGE_RELAXES;
+    if (stage->relax) return stage->increment > 0 ? STAGE_RAISES : STAGE_RELAXES;
     unsigned needs = 0;
     if (scene->fluid) needs |= STAGE_FLUID;
     if (scene->fluid && stage->time_step <= 0) needs |= STAGE_AUTOMATIC;
@@ -35,7 +35,7 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
 static void begin_numbers(struct run *r, int elastic) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int starts = r->stage_step == 0;
-    if (stage->time_step > 0 || !r->fluid || starts) r->dt = stage->time_step;
+    if (stage->time_step > 0 || !r->fluid || starts) r->dt = stage->increment > 0 ? stage->increment : stage->time_step;
     if (!elastic || starts) r->substeps = 0;
     if (starts) r->refined.level = -1;
     if (starts) steady_begin(r);

@@ -16,6 +16,7 @@
 #include "solid/imposed/reactions.h"
 #include "solid/refine/refine.h"
 #include "solid/step/integrate.h"
+#include "solid/step/quasi_static.h"
 #include "solid/step/relax.h"
 
 static void part_refine(struct run *r) {
@@ -85,9 +86,26 @@ static void part_surface(struct run *r) {
 static void part_relax(struct run *r) {
     if (r->stage_step > 0) return;
     r->solid->t = r->t;
-    if (solid_relax(r->solid, 1e-6, 200000) < 0)
+    if (solid_relax(r->solid, r->scene->stage[r->stage].tolerance, 200000) < 0)
         die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium within 200000 relaxation steps",
                 r->scene->stage[r->stage].name);
+    r->moved = r->step + 1;
+}
+
+static void part_increment(struct run *r) {
+    enum { MOST = 200000 };
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const double t = r->t + r->dt;
+    struct solid_quasi_static found;
+    r->solid->t = r->t;
+    if (!solid_quasi_static_step(r->solid, t, stage->tolerance, MOST, &found))
+        die_all(EXIT_CODE_UNSTABLE,
+                "stage %s, increment %ld to t = %g s: no static equilibrium within %d relaxation steps after %ld bonds "
+                "broke in %d rounds: the solid cannot bear the load any more, or the tolerance of %g is too small",
+                stage->name, r->stage_step + 1, t, (int)MOST, found.broken, found.rounds, stage->tolerance);
+    if (found.broken > 0)
+        log_line("stage %s, increment %ld to t = %g s: %ld bonds broken in %d rounds, %ld relaxation steps",
+                 stage->name, r->stage_step + 1, t, found.broken, found.rounds, found.relaxations);
     r->moved = r->step + 1;
 }
 
@@ -95,6 +113,7 @@ static void part_relax(struct run *r) {
  * (001: sec. 4.3) */
 static const struct step_part box[] = {
     {"relaxation", STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
+    {"loads raised, relaxation and breakage in turn", STAGE_RAISES, 0, part_increment},
     {"time step from the fluid's limits", STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
     {"markers", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG, part_markers},    /* 001: sec. 3.5.2, X^n and V^n */
     {"fluid", STAGE_FLUID, STAGE_IMMERSED, part_fluid},                         /* 001: eqs 3.70-3.74 */

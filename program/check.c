@@ -75,6 +75,17 @@ static const char *broken_contacts(const struct solid_input *in) {
     return NULL;
 }
 
+/* The bodies that move at the start. */
+static void say_moving(const struct solid_input *in) {
+    for (int b = 0; b < in->bodies; b++) {
+        const double *v = in->body[b].velocity;
+        if (v[0] == 0 && v[1] == 0 && v[2] == 0) continue;
+        say("  moving     %s, at the start with (%g, %g", in->body[b].name, v[0], v[1]);
+        if (solid_dim(in) == 3) say(", %g", v[2]);
+        say(") m/s\n");
+    }
+}
+
 /* Number of dumps of fields, and their size: 4 bytes a number, 8 an id, 17 a vertex (program/fields.c). */
 static void say_fields(const struct run *r) {
     const struct scene_output *out = &r->scene->output;
@@ -117,6 +128,7 @@ static void say_holdings(struct run *r) {
                 say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
         }
     }
+    if (r->solid) say_moving(&r->solid->in);
     if (r->solid) say_on_surface(r->solid);
     if (r->surface)
         say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,

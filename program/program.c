@@ -14,6 +14,7 @@
 #include "files/aside.h"
 #include "files/folder.h"
 #include "files/log.h"
+#include "program/bodies.h"
 #include "program/checkpoint.h"
 #include "program/crack_series.h"
 #include "program/fields.h"
@@ -43,6 +44,7 @@ struct program {
     struct fluid_probes *fluid_probes; /* NULL: none */
     struct fragments *fragments;       /* NULL: nothing can break */
     struct reactions *reactions;       /* NULL: no constraint, no load */
+    struct bodies *bodies;             /* NULL: one body */
     struct march *march;
     enum signals_reason reason; /* to stop after the present step */
     struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
@@ -188,6 +190,7 @@ static int step(struct program *p) {
     if (!sampled) series_leave(p->series, r);
     if (sampled) series_sample(p->series, r);
     if (sampled) reactions_sample(p->reactions, r);
+    if (sampled) bodies_sample(p->bodies, r);
     if (sampled || drawn) fragments_sample(p->fragments, r, drawn || last);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
@@ -258,6 +261,7 @@ static void begin(struct program *p) {
     p->fluid_probes = fluid_probes_new(p->run);
     p->fragments = fragments_new(p->run);
     p->reactions = reactions_new(p->run);
+    p->bodies = bodies_new(p->run);
     char(*too_long)[OVERSTEP_SENTENCE] = calloc((size_t)p->scene->stages * OVERSTEP_MAX, sizeof *too_long);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
     folder_make(c->out);
@@ -279,6 +283,7 @@ static void begin(struct program *p) {
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fragments) fragments_open(p->fragments, p->run, c->out, here ? p->run->step : -1);
     if (p->reactions) reactions_open(p->reactions, p->run, c->out, here ? p->run->step : -1);
+    if (p->bodies) bodies_open(p->bodies, p->run, c->out, here ? p->run->step : -1);
     p->march = march_new(p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
@@ -306,6 +311,7 @@ int program_run(const struct command *c, const struct scene *scene) {
     fluid_probes_free(p.fluid_probes);
     fragments_free(p.fragments);
     reactions_free(p.reactions);
+    bodies_free(p.bodies);
     run_free(p.run);
     log_end();
     folder_hold_release();

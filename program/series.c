@@ -13,12 +13,22 @@
 #include "solid/measure/damage.h"
 #include "solid/measure/energy.h"
 #include "solid/measure/fragments.h"
+#include "solid/measure/motion.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { NEED_FLUID = 1, NEED_IMMERSED = 2, NEED_BONDS = 4, NEED_ALONE = 8, NEED_REFINED = 16, NEED_REACTION = 32 };
+enum {
+    NEED_FLUID = 1,
+    NEED_IMMERSED = 2,
+    NEED_BONDS = 4,
+    NEED_ALONE = 8,
+    NEED_REFINED = 16,
+    NEED_REACTION = 32,
+    NEED_CONTACT = 64,
+    NEED_SPACE = 128
+};
 
 static const struct column {
     const char *name, *unit;
@@ -62,6 +72,13 @@ static const struct column {
     COLUMN("work_fluid", "J", NEED_BONDS | NEED_IMMERSED, work_fluid),
     COLUMN("work_load", "J", NEED_BONDS | NEED_ALONE, work_load),
     COLUMN("e_constraint", "J", NEED_BONDS | NEED_ALONE, e_constraint),
+    COLUMN("e_contact", "J", NEED_BONDS | NEED_CONTACT, e_contact),
+    COLUMN("momentum_x", "N s", NEED_BONDS, momentum[0]),
+    COLUMN("momentum_y", "N s", NEED_BONDS, momentum[1]),
+    COLUMN("momentum_z", "N s", NEED_BONDS | NEED_SPACE, momentum[2]),
+    COLUMN("given_x", "N", NEED_BONDS | NEED_ALONE, given[0]),
+    COLUMN("given_y", "N", NEED_BONDS | NEED_ALONE, given[1]),
+    COLUMN("given_z", "N", NEED_BONDS | NEED_ALONE | NEED_SPACE, given[2]),
     COLUMN("particles", "1", NEED_BONDS | NEED_REFINED, particles),
     COLUMN("damage_mean", "1", NEED_BONDS, damage_mean),
     COLUMN("damage_max", "1", NEED_BONDS, damage_max),
@@ -93,7 +110,8 @@ struct series *series_new(struct run *r, const char *folder, long resume_step) {
     struct series *s = calloc(1, sizeof *s);
     const int have = (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
                      (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
-                     (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0);
+                     (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0) |
+                     (r->needs.contact ? NEED_CONTACT : 0) | (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0);
     const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
     for (int k = 0; k < ALL_COLUMNS; k++) {
         if ((all_columns[k].needs & have) != all_columns[k].needs) continue;
@@ -215,6 +233,21 @@ static void sample_damage(struct series *s, struct run *r) {
     free(list);
 }
 
+/* Momentum and loads of the whole solid. */
+static void sample_motion(struct series *s, struct run *r) {
+    const int bodies = r->solid->in.bodies;
+    struct solid_motion *motion = memory_new(MEMORY_OUTPUT, (size_t)bodies, sizeof *motion);
+    solid_motion_measure(r->solid, motion);
+    for (int c = 0; c < 3; c++) {
+        s->now.momentum[c] = s->now.given[c] = 0;
+        for (int b = 0; b < bodies; b++) {
+            s->now.momentum[c] += motion[b].momentum[c];
+            s->now.given[c] += motion[b].load[c];
+        }
+    }
+    memory_free(motion);
+}
+
 static void sample_bonds(struct series *s, struct run *r) {
     if (s->moved == r->moved) return;
     s->moved = r->moved;
@@ -227,6 +260,8 @@ static void sample_bonds(struct series *s, struct run *r) {
     s->now.e_fracture = share[1];
     s->now.work_fluid = s->now.work_load = share[2];
     s->now.e_constraint = share[3];
+    s->now.e_contact = e.contact;
+    sample_motion(s, r);
     sample_damage(s, r);
 }
 

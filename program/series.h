@@ -21,7 +21,7 @@ struct series_sample {
     double permeability_md, reynolds_k, specific_surface, velocity[3];
     double load[3], forcing[3], momentum_residual;
     double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, work_fluid, work_load,
-        e_constraint, slip_loss, inner_power;
+        e_constraint, e_contact, momentum[3], given[3], slip_loss, inner_power;
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
         interface_particles, particles_outside;
 };

@@ -179,6 +179,7 @@ struct scene_body {
     int spheres;
     double (*sphere)[4]; /* spheres: [[x, y, z, radius], ...], if no file is given */
     int contacts_broken; /* contacts: bonded (0, default), broken (1: no bond between the body's shapes) */
+    double velocity[3];  /* at the start, m/s, default 0 */
     int has_cavities;    /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
     int corners, pieces, holes;
@@ -300,7 +301,9 @@ struct scene_stage {
     double time_step;            /* s; 0: automatic (key left out or "auto") */
     double cfl;                  /* automatic: fraction of the stability limits, default 0.9 */
     enum scene_solid_mode solid; /* rigid, elastic; default elastic if there is a solid */
-    int relax; /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
+    int relax;        /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
+    double increment; /* relax: by which the loads' time goes on in each step, s; 0: only one relaxation */
+    double tolerance; /* relax: residual over load or reaction, default 1e-6 */
     enum scene_integrator integrator; /* rk3 (default), verlet */
     int substeps;                     /* 0: auto, from the stable step */
     double safety;                    /* auto: fraction of the stable step, default 0.95 */
@@ -340,6 +343,7 @@ struct scene_output {
     int stress;                                        /* stress and strain tensors in solid fields, default true */
     int fragments;                                     /* fragments.csv where bonds may break, default true */
     int reactions;                                     /* reactions.csv of constraints and loads, default true */
+    int bodies;                                        /* bodies.csv of several bodies, default true */
     struct scene_crack_output *crack;                  /* NULL: no crack is tracked */
     struct scene_probes *probes;                       /* NULL: none */
     struct scene_fluid_probes *fluid_probes;           /* NULL: none */

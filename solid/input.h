@@ -104,6 +104,7 @@ struct solid_body {
     int outlines;
     const struct solid_outline *outline; /* borrowed */
     int material;
+    double velocity[3]; /* at the start, m/s */
     /* set by solid_new */
     double least_horizon; /* m, the least of its particles */
     long on_surface;      /* lattice points on its surface; they count as inside (solid/geometry/on_surface.h) */

@@ -149,6 +149,11 @@ static void initial_set(struct solid *s) {
     }
 }
 
+static void velocity_set(struct solid *s) {
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < s->dim; c++) s->v[c][h] = s->in.body[s->body[h]].velocity[c];
+}
+
 struct solid *solid_new(const struct solid_input *in) {
     struct solid *s = memory_new(MEMORY_SOLID, 1, sizeof *s);
     solid_input_check(in);
@@ -201,6 +206,7 @@ struct solid *solid_new(const struct solid_input *in) {
 
     solid_refine_start(s);
     initial_set(s);
+    velocity_set(s);
     solid_constraint_check(s);
     solid_constraint_mark(s);
     for (int b = 0; b < in->bodies; b++) ((struct solid_body *)(uintptr_t)&s->in.body[b])->voxels = NULL;

@@ -220,10 +220,27 @@ static int check_shape(const struct scene_check *c, int b) {
     return good;
 }
 
+/* A velocity at the start needs a stage that begins with it. */
+static void check_velocity(const struct scene_check *c, int b) {
+    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].velocity", b);
+    const double *v = c->scene->solid->body[b].velocity;
+    if ((v[0] == 0 && v[1] == 0 && v[2] == 0) || !scene_check_parts_clean(c, path) || c->scene->stages == 0 ||
+        !scene_node_is_clean(c->root, "stages"))
+        return;
+    const struct scene_stage *first = &c->scene->stage[0];
+    if (first->solid == SCENE_SOLID_RIGID)
+        scene_problem_at(c->problems, c->root, path.text, "the first stage, %s, is rigid: the body stands still in it",
+                         first->name);
+    else if (first->relax)
+        scene_problem_at(c->problems, c->root, path.text,
+                         "the first stage, %s, relaxes: it ends with the solid at rest", first->name);
+}
+
 void scene_check_body(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     double low[3], high[3];
     check_body_material(c, b);
+    check_velocity(c, b);
     for (int k = 0; k < b; k++)
         if (!strcmp(c->scene->solid->body[k].name, body->name)) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].name", b).text,

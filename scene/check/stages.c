@@ -9,6 +9,25 @@ static int can_name_a_file(const char *name) {
     return !*name;
 }
 
+/* A stage that raises loads goes from rest to rest: what moves with a given velocity has no place in it. */
+static void check_increment(const struct scene_check *c, int i) {
+    const struct scene_stage *s = &c->scene->stage[i];
+    const struct scene_solid *solid = c->scene->solid;
+    const struct scene_path path = scene_check_parts_path("stages[%d].increment", i);
+    if (!(s->increment > 0) || !solid || !scene_check_parts_clean(c, path)) return;
+    if (!s->relax) {
+        scene_problem_at(c->problems, c->root, path.text, "only with relax: true");
+        return;
+    }
+    for (int k = 0; k < solid->constraints && scene_node_is_clean(c->root, "solid.constraints"); k++) {
+        const double *v = solid->constraint[k].velocity;
+        if (v[0] == 0 && v[1] == 0 && v[2] == 0) continue;
+        scene_problem_at(c->problems, c->root, path.text,
+                         "solid.constraints[%d] has a velocity, which moves nothing in increments: needs displacement",
+                         k);
+    }
+}
+
 void scene_check_stages(const struct scene_check *c) {
     for (int i = 0; i < c->scene->stages; i++) {
         const struct scene_stage *s = &c->scene->stage[i];
@@ -22,6 +41,7 @@ void scene_check_stages(const struct scene_check *c) {
                                  "is the name of stages[%d] too", k);
                 break;
             }
+        check_increment(c, i);
         if (c->scene->solid && !c->scene->fluid && s->solid == SCENE_SOLID_RIGID &&
             scene_check_parts_clean(c, scene_check_parts_path("stages[%d].solid", i)))
             scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].solid", i).text,

@@ -111,6 +111,7 @@ static const cyaml_schema_field_t body_fields[] = {
     TEXT("file", OPTIONAL, scene_body, file),
     ENTRIES("spheres", LIST, scene_body, sphere, spheres, &sphere, 1, LIST_MAX),
     CHOICE("contacts", OPTIONAL, scene_body, contacts_broken, contacts),
+    VECTOR("velocity", OPTIONAL, scene_body, velocity),
     PART("cavities", OPTIONAL, scene_body, cavity_fields),
     CHOICE("format", OPTIONAL, scene_body, image.format, image_formats),
     TEXT("dataset", OPTIONAL, scene_body, image.dataset),

@@ -8,6 +8,7 @@
 #include "solid/contact/pairs.h"
 #include "solid/contact/put_away.h"
 #include "solid/bonds/family.h"
+#include "solid/geometry/shape.h"
 #include "solid/law/material.h"
 #include "solid/bonds/lost.h"
 #include "solid/bonds/ghosts.h"
@@ -32,8 +33,10 @@ static struct solid_contact *contact_new(struct solid *s) {
     const size_t n = (size_t)s->n + 1;
     c->radius = s->in.contact_radius * s->in.spacing;
     c->skin = skin * s->in.spacing;
+    c->begins_near = s->in.contact_radius > 1;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_material *m = &s->in.material[s->in.body[b].material];
+        c->begins_near |= solid_shape_of(&s->in.body[b])->places == SOLID_PLACES_POINTS;
         c->c0[b] = solid_material_c0(&s->in, m);
         c->density[b] = m->density;
     }

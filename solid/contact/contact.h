@@ -2,11 +2,12 @@
  *
  *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, to the nearest periodic image
  *
- * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing. There are two
- * sorts of pairs. Torn: two particles of one family whose bond is broken. Strangers: two particles that never shared a
- * bond, searched for among interface particles and particles with broken bonds, on all ranks. The lists hold pairs
- * nearer than r_c plus a skin of half a spacing. They are made anew when a particle has moved 0.2 spacings; a bond that
- * breaks near contact is added to its list at once. */
+ * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing, of two particles
+ * of one body at most their distance at the start. There are two sorts of pairs. Torn: two particles of one family
+ * whose bond is broken. Strangers: two particles that never shared a bond, searched for among interface particles and
+ * particles with broken bonds, on all ranks. The lists hold pairs nearer than r_c plus a skin of half a spacing. They
+ * are made anew when a particle has moved 0.2 spacings; a bond that breaks near contact is added to its list at once.
+ */
 #pragma once
 #include "solid/state.h"
 
@@ -21,6 +22,9 @@ void solid_contact_update(struct solid *s);
 void solid_contact_force(struct solid *s);
 /* The repulsion's potential, J, 0 without contact; whole solid. Ghosts must be current. Collective. */
 double solid_contact_force_energy(struct solid *s);
+/* Adds to force[bodies] what each body gets from the others, N, this rank's share. Ghosts must be current.
+ * Collective. */
+void solid_contact_force_on_bodies(struct solid *s, double (*force)[3]);
 /* A bound of the largest eigenvalue of the present contacts' stiffness over mass, 1/s2. With kappa = -dC/dr V_l of a
  * pair and e its direction, and any weights x > 0,
  *

@@ -56,6 +56,26 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
     return kind == SOLID_CONTACT_OWNED ? sum : 0.5 * sum;
 }
 
+/* Adds the pairs' forces to those of their bodies, N. */
+static void push_bodies(const struct solid *s, const struct solid_contact *c, int kind, double (*force)[3]) {
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    int found[SOLID_CONTACT_BLOCK];
+    for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
+        const int n =
+            solid_contact_pairs_touching(p, s->d, solid_contact_pairs_other_d(s, c, kind), from, c->radius, found);
+        for (int k = 0; k < n; k++) {
+            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
+            const int own = s->body[t.h], other = solid_contact_pairs_other_body(s, c, kind, t.l);
+            if (t.r >= t.radius || own == other) continue;
+            const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r * t.volume * s->volume[t.h];
+            for (int i = 0; i < s->dim; i++) {
+                force[own][i] += f * t.x[i];
+                if (kind == SOLID_CONTACT_OWNED) force[other][i] -= f * t.x[i];
+            }
+        }
+    }
+}
+
 void solid_contact_force(struct solid *s) {
     struct solid_contact *c = s->contact;
     if (!c->any) return;
@@ -70,6 +90,13 @@ void solid_contact_force(struct solid *s) {
         }
     }
     clock_end(CLOCK_CONTACT);
+}
+
+void solid_contact_force_on_bodies(struct solid *s, double (*force)[3]) {
+    struct solid_contact *c = s->contact;
+    if (!s->in.contact || !c || !c->any || s->in.bodies < 2) return;
+    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) push_bodies(s, c, kind, force);
 }
 
 double solid_contact_force_energy(struct solid *s) {

@@ -33,8 +33,8 @@ struct solid_contact_pairs {
 typedef double solid_contact_bounds[14];
 
 struct solid_contact {
-    double radius, skin;                                            /* r_c; the distance beyond r_c up to which pairs
-                                                                     * are listed, m */
+    int begins_near;     /* 1: particles of one body may stand nearer than r_c at the start */
+    double radius, skin; /* r_c; the distance beyond r_c up to which pairs are listed, m */
     double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by body: N/m6, kg/m3 */
     double *built[3];                                               /* [s->n] d when the lists were made, m */
     solid_contact_bounds *bounds;                                   /* [bodies] */

@@ -58,11 +58,19 @@ static inline double solid_contact_pairs_other_volume(const struct solid *s, con
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].volume : s->volume[l];
 }
 
+/* |X0_h - X0_l| of pair k, m. */
+static inline double solid_contact_pairs_start(const struct solid_contact_pairs *p, int k) {
+    double r2 = 0;
+    for (int c = 0; c < p->dim; c++) r2 += p->xi[c][k] * p->xi[c][k];
+    return sqrt(r2);
+}
+
 /* A pair that touches. */
 struct solid_contact_touch {
     int h, l;
     double x[3], r;         /* X_h - X_l, m; its length, at least 1e-6 r_c to avoid a division by 0 */
-    double radius;          /* r_c of the pair, m */
+    double radius;          /* r_c of the pair, m; of two particles of one body at most their distance at the start:
+                             * then a bond that breaks, which is longer, creates no energy of contact */
     double k;               /* k_c, N/m6 */
     double volume, density; /* of the other end, m3, kg/m3 */
 };
@@ -78,6 +86,7 @@ static inline struct solid_contact_touch solid_contact_pairs_touch_of(const stru
     t.volume = solid_contact_pairs_other_volume(s, c, kind, t.l);
     t.density = c->density[body];
     t.radius = c->radius;
+    if (c->begins_near && s->body[t.h] == body) t.radius = fmin(t.radius, solid_contact_pairs_start(p, k));
     if (s->refine) /* r_c of the smaller cell */
         t.radius *= fmin(sqrt(fmin(t.volume, s->volume[t.h]) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
     return t;

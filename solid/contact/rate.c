@@ -190,7 +190,7 @@ double solid_contact_rate_touch(const struct solid *s) {
         const double stiffness = s->in.contact_stiffness * solid_material_c0(&s->in, material);
         const double volume = pow(s->in.spacing, s->dim) * solid_depth(&s->in);
         most = fmax(most, 2 * s->in.contact_exponent * stiffness * volume /
-                              (s->in.contact_radius * s->in.spacing * material->density));
+                              (fmin(s->in.contact_radius, 1) * s->in.spacing * material->density));
     }
     return most;
 }

@@ -1,10 +1,11 @@
-/* Strain and kinetic energy; energy and largest stretch of each particle's bonds.  (001: eq. 3.23) */
+/* Strain, kinetic and contact energy; energy and largest stretch of each particle's bonds.  (001: eq. 3.23) */
 #include "base/par.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/row.h"
 #include "solid/bonds/segments.h"
+#include "solid/contact/contact.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_soft.h"
 #include "solid/measure/energy.h"
@@ -182,7 +183,7 @@ struct solid_energy solid_energy_measure(struct solid *s) {
     }
     sum[1] += solid_sweep_soft_energy(s);
     par_sum_array(sum, 2);
-    return (struct solid_energy){sum[0], sum[1]};
+    return (struct solid_energy){sum[0], sum[1], s->in.contact ? solid_contact_force_energy(s) : 0};
 }
 
 void solid_energy_bonds_of(const struct solid *s, int h, double *energy, double *stretch) {

@@ -1,9 +1,9 @@
-/* Energies of the solid, total and by particle; computed only for output.  (001: eq. 3.23) */
+/* Energies of the solid, total and by particle; computed only for output.  (001: eqs 3.23, 3.40) */
 #pragma once
 #include "solid/state.h"
 
 struct solid_energy {
-    double kinetic, strain; /* J, whole solid */
+    double kinetic, strain, contact; /* J, whole solid */
 };
 struct solid_energy solid_energy_measure(struct solid *s); /* Collective. */
 /* For each particle, [n]: the energy in its halves of its intact bonds, J/m3, and the largest stretch of these, -1

@@ -60,12 +60,14 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     clock_end(CLOCK_SOLID);
 }
 
-/* The speed that the input gives: imposed velocities, and the speed of a free particle under all forces up to now,
- * m/s. */
+/* The speed that the input gives: velocities imposed or of the start, and the speed of a free particle under all forces
+ * up to now, m/s. */
 static double speed_given(const struct solid *s) {
     double speed = s->in.speed, force = 0, lightest = INFINITY, push = 0;
     for (int k = 0; k < s->in.constraints; k++)
         for (int c = 0; c < s->dim; c++) speed = fmax(speed, fabs(s->in.constraint[k].velocity[c]));
+    for (int b = 0; b < s->in.bodies; b++)
+        for (int c = 0; c < s->dim; c++) speed = fmax(speed, fabs(s->in.body[b].velocity[c]));
     for (int k = 0; k < s->in.loads; k++)
         for (int c = 0; c < s->dim; c++)
             force += fabs(s->in.load[k].force[c]) + fabs(s->in.load[k].traction[c]) / s->in.spacing;

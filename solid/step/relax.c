@@ -11,6 +11,7 @@
 #include "solid/step/relax.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Central differences with the damping that is critical for the frequency of the present deformation, the Rayleigh
  * quotient of the displacement since the start.  (Underwood 1983; Kilic and Madenci 2010)
@@ -51,7 +52,29 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
     return (struct sums){sum[0], sum[1], sum[2], sum[3], sum[4]};
 }
 
-static int relax(struct solid *s, double tolerance, int max_steps, double *const start[3]) {
+/* Of a solid that is strained at the start K u is not -M a, and the quotient above would go to 0 with the residual. So
+ * here u is the last step's displacement, dt v, and K u = -M (a - last): as the fast modes come to rest, the frequency
+ * falls to that of the slowest. last: the acceleration of the last sweep; becomes the present one. Collective. */
+static void moving_quotient(const struct solid *s, double dt, double *const last[3], struct sums *sums) {
+    double sum[2] = {0};
+    for (int h = 0; h < s->n; h++) {
+        const double mass = solid_density(s, h) * s->volume[h];
+        for (int c = 0; c < s->dim; c++) {
+            const double u = dt * s->v[c][h];
+            if (s->flag[h] & SOLID_HELD_X << c) continue;
+            sum[0] -= mass * u * (s->a[c][h] - last[c][h]);
+            sum[1] += mass * u * u;
+        }
+    }
+    for (int c = 0; c < s->dim; c++) memcpy(last[c], s->a[c], (size_t)s->n * sizeof(double));
+    par_sum_array(sum, 2);
+    sums->stiffness = sum[0];
+    sums->mass = sum[1];
+}
+
+/* last: NULL for a solid without strain. */
+static int relax(struct solid *s, double tolerance, double least, int max_steps, double *const start[3],
+                 double *const last[3]) {
     const double dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
@@ -59,8 +82,9 @@ static int relax(struct solid *s, double tolerance, int max_steps, double *const
             start[c][h] = s->d[c][h];
         }
     for (int i = 0; i <= max_steps; i++) {
-        const struct sums sum = sweep(s, start);
-        if (sum.residual2 <= tolerance * tolerance * fmax(sum.load2, sum.reaction2)) return i;
+        struct sums sum = sweep(s, start);
+        if (last) moving_quotient(s, dt, last, &sum);
+        if (sum.residual2 <= tolerance * tolerance * fmax(fmax(sum.load2, sum.reaction2), least * least)) return i;
         if (!isfinite(sum.residual2)) return -1;
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);
@@ -73,12 +97,12 @@ static int relax(struct solid *s, double tolerance, int max_steps, double *const
     return -1;
 }
 
-int solid_relax(struct solid *s, double tolerance, int max_steps) {
+static int begin(struct solid *s, double tolerance, double least, int max_steps, double *const last[3]) {
     clock_begin(CLOCK_SOLID);
     const double put_in = s->e_constraint;
     solid_constraint_displacement(s, s->t);
     solid_given_set(s, s->t, 0);
-    const int steps = relax(s, tolerance, max_steps, s->v_old);
+    const int steps = relax(s, tolerance, least, max_steps, s->v_old, last);
     solid_reactions_begin(s);
     solid_reactions_add(s, 1, 0); /* of the last sweep; the length of the step does not matter */
     for (int c = 0; c < s->dim; c++)
@@ -89,4 +113,10 @@ int solid_relax(struct solid *s, double tolerance, int max_steps) {
     s->a_holds = 0;
     clock_end(CLOCK_SOLID);
     return steps;
+}
+
+int solid_relax(struct solid *s, double tolerance, int max_steps) { return begin(s, tolerance, 0, max_steps, NULL); }
+
+int solid_relax_strained(struct solid *s, double tolerance, double least, int max_steps) {
+    return begin(s, tolerance, least, max_steps, s->a_old);
 }

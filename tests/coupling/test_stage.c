@@ -13,7 +13,7 @@
 /* What a scene and its only stage say. */
 struct kind {
     int fluid, implicit, automatic;
-    int solid, elastic, strong, reacts, refined, relaxed, touches;
+    int solid, elastic, strong, reacts, refined, relaxed, raised, touches;
     int substeps; /* given; 0: automatic */
 };
 
@@ -26,6 +26,7 @@ static unsigned needs_of(const struct kind *k) {
     struct scene_stage stage = {.time_step = k->automatic ? 0 : 1e-3,
                                 .solid = k->elastic ? SCENE_SOLID_ELASTIC : SCENE_SOLID_RIGID,
                                 .relax = k->relaxed,
+                                .increment = k->raised ? 0.1 : 0,
                                 .substeps = k->substeps};
     const struct scene scene = {.fluid = k->fluid ? &fluid : NULL,
                                 .solid = k->solid ? &solid : NULL,
@@ -65,6 +66,8 @@ static void test_parts(void **state) {
         {{.solid = 1, .elastic = 1, .refined = 1, .touches = 1}, "refinement, contact, number of substeps, solid"},
         {{.solid = 1, .elastic = 1, .relaxed = 1}, "relaxation"},
         {{.solid = 1, .elastic = 1, .relaxed = 1, .refined = 1, .touches = 1}, "relaxation"},
+        {{.solid = 1, .elastic = 1, .relaxed = 1, .raised = 1, .touches = 1},
+         "loads raised, relaxation and breakage in turn"},
         /* a rigid solid in the fluid: its markers are set once, before the first step */
         {{.fluid = 1, .solid = 1}, "fluid with forcing"},
         {{.fluid = 1, .solid = 1, .strong = 1, .touches = 1}, "fluid with forcing"},

@@ -82,6 +82,12 @@ static void test_a_block(void **state) {
     check_equal(in->cut[0].points, 4);
     setup_solid_free(in);
     scene_free(s);
+    const char *const moving[] = {"solid.bodies[0].velocity=[1, -2, 3]"};
+    s = scene_new(SCENES "block.yaml", 1, moving);
+    in = setup_solid(s);
+    for (int c = 0; c < 3; c++) check_equal(in->body[0].velocity[c], (c == 1 ? -1 : 1) * (c + 1));
+    setup_solid_free(in);
+    scene_free(s);
     s = scene_new(SCENES "solid.yaml", 0, NULL); /* its points have no horizon */
     in = setup_solid(s);
     check_equal(in->body[0].points, 2);

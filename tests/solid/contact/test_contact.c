@@ -3,6 +3,7 @@
 #include "solid/contact/contact.h"
 #include "solid/law/material.h"
 #include "solid/measure/energy.h"
+#include "solid/measure/motion.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
 #include "solid/surface/surface.h"
@@ -255,6 +256,11 @@ static void force_from_energy(void **state) {
         check_above(energy[0], energy[1]);
         check_above(energy[1], 0);
         check_relative(energy[0] - energy[1], 2 * step * force, 1e-6);
+        struct solid_motion motion[2];
+        solid_motion_measure(s, motion);
+        check_relative(motion[1].contact[0], force, 1e-9);
+        check_relative(motion[0].contact[0], -force, 1e-9);
+        check_relative(motion[1].displacement[0], -4.3 * SPACING, 1e-12);
         solid_surface_free(f);
         solid_contact_free(s);
         solid_free(s);
@@ -277,9 +283,8 @@ static void bounce(void **state) {
         if (step % 10) continue;
         solid_ghosts_update(s);
         const struct solid_energy e = solid_energy_measure(s);
-        const double contact = solid_contact_force_energy(s);
-        touching = fmax(touching, contact);
-        worst = check_worst(worst, e.kinetic + e.strain + contact - start);
+        touching = fmax(touching, e.contact);
+        worst = check_worst(worst, e.kinetic + e.strain + e.contact - start);
     }
     for (int h = 0; h < s->n; h++) {
         momentum += s->v[0][h];
@@ -299,11 +304,53 @@ static void bounce(void **state) {
     solid_free(s);
 }
 
+/* r_c (log(r_c/r) - 1) + r, m: the potential of a pair over k V V, for the exponent 1. */
+static double of_pair(double rc, double r) { return rc * log(rc / r) - (rc - r); }
+
+/* r_c = 1.5 spacings. Particles of one body repel each other only once they are nearer than at the start: bonds that
+ * break at rest make neither force nor energy. Two bodies repel each other from r_c on. */
+static void near_at_start(void **state) {
+    (void)state;
+    for (int bodies = 1; bodies <= 2; bodies++) {
+        const struct solid_body body[2] = {bodies_box(0, 0, 0, 6 / bodies, 6, 6), bodies_box(3, 0, 0, 3, 6, 6)};
+        struct solid_input in = bodies_input(bodies, body);
+        in.contact = 1;
+        in.contact_radius = 1.5;
+        struct solid *s = solid_new(&in);
+        struct solid_surface *f = solid_surface_new(s);
+        if (bodies == 1) bodies_cut(s, 0, 3);
+        const double k = in.contact_stiffness * solid_material_micromodulus(&bodies_material, SPACING);
+        const double unit = k * pow(SPACING, 7);
+        for (int closed = 0; closed < 2; closed++) {
+            const double x = 1 - 0.01 * closed; /* the two halves' distance in spacings */
+            bodies_open(s, 0, 3, (x - 1) * SPACING);
+            solid_ghosts_update(s);
+            solid_contact_update(s);
+            assert_non_null(s->contact);
+            clear(s);
+            solid_contact_force(s);
+            double most = 0;
+            for (int h = 0; h < s->n; h++) most = fmax(most, fabs(s->a[0][h]));
+            /* 36 pairs along x, 120 along the diagonals of squares; the diagonals of cubes are longer than r_c */
+            const double straight = bodies == 1 ? 1 : 1.5, across = bodies == 1 ? sqrt(2) : 1.5;
+            const double expected = unit * (36 * of_pair(straight, x) + 120 * of_pair(across, hypot(x, 1)));
+            check_close(solid_contact_force_energy(s), expected, 1e-9 * unit);
+            if (bodies == 1 && !closed)
+                check_equal(par_max(most), 0);
+            else
+                check_above(par_max(most), 1e-3 * scale(s));
+        }
+        solid_surface_free(f);
+        solid_contact_free(s);
+        solid_free(s);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_before_touch), cmocka_unit_test(two_bodies), cmocka_unit_test(cut_block),
-        cmocka_unit_test(force_from_energy),    cmocka_unit_test(bounce),
+        cmocka_unit_test(force_from_energy),    cmocka_unit_test(bounce),     cmocka_unit_test(near_at_start),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

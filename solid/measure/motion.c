@@ -1,0 +1,49 @@
+/* Sums mass, momentum, kinetic energy, mean displacement and forces over each body's particles. */
+#include "solid/measure/motion.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/bonds/store.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/contact/contact.h"
+
+#include <string.h>
+
+enum { NUMBERS = sizeof(struct solid_motion) / sizeof(double) };
+
+/* The sums over a body's particles of this rank; of the displacement times the mass. */
+static void add(const struct solid *s, int b, struct solid_motion *m) {
+    const double density = s->in.material[s->in.body[b].material].density;
+    const int from = s->family->first[b], to = s->family->first[b + 1];
+    const double *restrict volume = s->volume;
+    for (int h = from; h < to; h++) m->mass += density * volume[h];
+    for (int c = 0; c < s->dim; c++) {
+        const double *restrict v = s->v[c], *restrict d = s->d[c], *restrict load = s->load[c];
+        double momentum = 0, moved = 0, force = 0, v2 = 0;
+        for (int h = from; h < to; h++) {
+            momentum += volume[h] * v[h];
+            moved += volume[h] * d[h];
+            v2 += volume[h] * v[h] * v[h];
+            force += volume[h] * (load[h] + density * s->in.body_force[c]);
+        }
+        m->momentum[c] = density * momentum;
+        m->displacement[c] = density * moved;
+        m->load[c] = force;
+        m->kinetic += 0.5 * density * v2;
+    }
+}
+
+void solid_motion_measure(struct solid *s, struct solid_motion *motion) {
+    const int bodies = s->in.bodies;
+    memset(motion, 0, (size_t)bodies * sizeof *motion);
+    double(*contact)[3] = memory_new(MEMORY_SOLID, (size_t)bodies, sizeof *contact);
+    solid_ghosts_update(s);
+    solid_contact_force_on_bodies(s, contact);
+    for (int b = 0; b < bodies; b++) {
+        add(s, b, &motion[b]);
+        memcpy(motion[b].contact, contact[b], sizeof contact[b]);
+    }
+    par_sum_array(&motion[0].mass, bodies * NUMBERS);
+    for (int b = 0; b < bodies; b++)
+        for (int c = 0; c < s->dim; c++) motion[b].displacement[c] /= motion[b].mass;
+    memory_free(contact);
+}

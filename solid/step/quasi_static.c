@@ -1,0 +1,113 @@
+/* One increment of quasi-static loading: raise, relax, break the bonds beyond the limit, relax, until none is. */
+#include "solid/step/quasi_static.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/contact/contact.h"
+#include "solid/force/force.h"
+#include "solid/law/material.h"
+#include "solid/step/relax.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A state of equilibrium, from which work is measured. [n] */
+struct rest {
+    double *d[3];     /* displacement, m */
+    double *force[3]; /* what constraints give the held particles, N; 0 elsewhere */
+    double *load[3];  /* N/m3 */
+};
+
+static void rest_new(const struct solid *s, struct rest *r) {
+    for (int c = 0; c < s->dim; c++) {
+        r->d[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        r->force[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        r->load[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+    }
+}
+
+static void rest_free(const struct solid *s, struct rest *r) {
+    for (int c = 0; c < s->dim; c++) {
+        memory_free(r->d[c]);
+        memory_free(r->force[c]);
+        memory_free(r->load[c]);
+    }
+}
+
+/* Stores the present state, at which v is 0. Collective. */
+static void look(struct solid *s, struct rest *r) {
+    solid_ghosts_update(s);
+    solid_force_bonds(s, 0, 0);
+    if (s->in.contact && s->contact) solid_contact_force(s);
+    solid_force_loads(s, s->a, 0);
+    for (int c = 0; c < s->dim; c++) {
+        memcpy(r->d[c], s->d[c], (size_t)s->n * sizeof(double));
+        memcpy(r->load[c], s->load[c], (size_t)s->n * sizeof(double));
+        for (int h = 0; h < s->n; h++)
+            r->force[c][h] = s->flag[h] & SOLID_HELD_X << c ? -solid_density(s, h) * s->volume[h] * s->a[c][h] : 0;
+    }
+}
+
+/* Adds the works on the way between two states. */
+static void add_works(struct solid *s, const struct rest *from, const struct rest *to) {
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) {
+            const double way = to->d[c][h] - from->d[c][h];
+            const double load = 0.5 * (from->load[c][h] + to->load[c][h]) + solid_density(s, h) * s->in.body_force[c];
+            s->work_load += s->volume[h] * load * way;
+            s->e_constraint += 0.5 * (from->force[c][h] + to->force[c][h]) * way;
+        }
+}
+
+/* The force that stretches a cross-section of one particle to the critical stretch, N; 0 if nothing can break. At a
+ * smaller residual a solid in two pieces, which bears no load any more, is at rest. */
+static double breaking_force(const struct solid *s) {
+    double least = INFINITY;
+    for (int m = 0; m < s->in.materials; m++) {
+        const struct solid_material *material = &s->in.material[m];
+        const double s0 =
+            solid_material_constants(s->in.model, s->in.thickness, material, material->horizon_ratio * s->in.spacing)
+                .s0;
+        least = fmin(least, material->youngs_modulus * s0);
+    }
+    return isfinite(least) ? least * pow(s->in.spacing, s->dim - 1) * solid_depth(&s->in) : 0;
+}
+
+/* Breaks the bonds beyond the limit. Returns how many, in the whole solid. Collective. */
+static long break_bonds(struct solid *s) {
+    const long before = s->bonds_broken;
+    solid_ghosts_update(s);
+    solid_force_bonds(s, 1, 0);
+    solid_family_count(s);
+    return s->bonds_broken - before;
+}
+
+int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max_steps,
+                            struct solid_quasi_static *found) {
+    struct rest rest[2] = {{{0}, {0}, {0}}, {{0}, {0}, {0}}};
+    const double least = breaking_force(s);
+    int now = 0, steps;
+    *found = (struct solid_quasi_static){0, 0, 0};
+    for (int k = 0; k < 2; k++) rest_new(s, &rest[k]);
+    solid_family_count(s);
+    solid_contact_update(s);
+    look(s, &rest[now]);
+    s->t = t;
+    for (;;) {
+        steps = solid_relax_strained(s, tolerance, least, max_steps);
+        if (steps < 0) break;
+        found->relaxations += steps;
+        look(s, &rest[1 - now]);
+        add_works(s, &rest[now], &rest[1 - now]);
+        now = 1 - now;
+        const long broken = s->stage.breakage ? break_bonds(s) : 0;
+        if (broken == 0) break;
+        found->broken += broken;
+        found->rounds++;
+        solid_contact_update(s);
+    }
+    for (int k = 0; k < 2; k++) rest_free(s, &rest[k]);
+    s->a_holds = 0;
+    return steps >= 0;
+}

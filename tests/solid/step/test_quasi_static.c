@@ -1,0 +1,127 @@
+/* Increments of quasi-static loading: equilibrium, works, breakage up to the limit and no further. */
+#include "solid/force/force.h"
+#include "solid/imposed/constraint.h"
+#include "solid/law/material.h"
+#include "solid/measure/energy.h"
+#include "solid/step/quasi_static.h"
+#include "tests/solid/make_plate.h"
+#include "tests/check.h"
+
+#define MM 1e-3
+
+/* A plate with a notch, whose lips are driven apart by 1 mm each at t = 1; held at the other end. */
+static struct solid *notched(int brittle) {
+    static const double line[2][3] = {{-1 * MM, 10 * MM}, {8 * MM, 10 * MM}}, t[2] = {0, 1}, factor[2] = {0, 1};
+    static const struct solid_cut cut = {2, line};
+    static const struct solid_constraint constraint[3] = {
+        {.low = {0, 17 * MM},
+         .high = {3 * MM, 20 * MM},
+         .direction = {0, 1},
+         .has_displacement = 1,
+         .displacement = {0, MM},
+         .time = {2, t, factor}},
+        {.low = {0, 0},
+         .high = {3 * MM, 3 * MM},
+         .direction = {0, 1},
+         .has_displacement = 1,
+         .displacement = {0, -MM},
+         .time = {2, t, factor}},
+        {.low = {21 * MM, 8 * MM}, .high = {24 * MM, 12 * MM}, .direction = {1, 1}}};
+    struct solid *s = make((struct make){.sites = {24, 20},
+                                         .brittle = brittle,
+                                         .contact = 1,
+                                         .cuts = 1,
+                                         .cut = &cut,
+                                         .constraints = 3,
+                                         .constraint = constraint});
+    s->stage.breakage = brittle;
+    return s;
+}
+
+/* Strain energy less the works, over the strain energy. */
+static double missing(struct solid *s, double *work, double *strain) {
+    *work = par_sum(s->e_constraint + s->work_load);
+    *strain = solid_energy_measure(s).strain;
+    return *strain / *work - 1;
+}
+
+/* Without breakage: an increment is one relaxation, each point is at rest, and the works are the strain energy. */
+static void elastic(void **state) {
+    (void)state;
+    struct solid *s = notched(0);
+    for (int k = 1; k <= 3; k++) {
+        struct solid_quasi_static found;
+        double work, strain, residual = 0, reaction = 0;
+        assert_true(solid_quasi_static_step(s, k * 1e-2, 1e-6, 50000, &found));
+        check_equal(found.rounds, 0);
+        check_equal(found.broken, 0);
+        check_above(found.relaxations, 10);
+        check_close(s->t, k * 1e-2, 1e-15);
+        check_close(missing(s, &work, &strain), 0, 1e-3);
+        solid_force(s, 0);
+        for (int h = 0; h < s->n; h++)
+            for (int c = 0; c < 2; c++) residual += pow(s->a[c][h] * DENSITY * s->volume[h], 2);
+        solid_ghosts_update(s);
+        solid_force_bonds(s, 0, 0);
+        reaction = solid_constraint_apply(s);
+        check_below(sqrt(par_sum(residual)), 1e-5 * sqrt(par_sum(reaction)));
+    }
+    solid_free(s);
+}
+
+/* With breakage: the notch runs, no bond beyond the limit is left, and the works are more than what strain and broken
+ * bonds hold; the rest is what the relaxations took. The same on any number of ranks. */
+static void breaking(void **state) {
+    (void)state;
+    struct solid *s = notched(1);
+    const double s0 = solid_material_constants(s->in.model, THICKNESS, s->in.material, 3 * SPACING).s0;
+    double *energy = malloc(((size_t)s->n + 1) * sizeof *energy),
+           *stretch = malloc(((size_t)s->n + 1) * sizeof *stretch);
+    long before, broken = 0;
+    int rounds = 0;
+    solid_family_count(s);
+    before = s->bonds_broken;
+    for (int k = 1; k <= 8; k++) {
+        struct solid_quasi_static found;
+        double work, strain, most = -1;
+        assert_true(solid_quasi_static_step(s, k * 4e-3, 1e-5, 50000, &found));
+        broken += found.broken;
+        rounds += found.rounds;
+        check_equal(s->bonds_broken - before, broken);
+        missing(s, &work, &strain);
+        const double released = par_sum(s->e_fracture);
+        check_below(strain + released, work * (1 + 1e-3));
+        solid_ghosts_update(s);
+        solid_energy_bonds(s, energy, stretch);
+        for (int h = 0; h < s->n; h++) most = fmax(most, stretch[h]);
+        check_at_most(par_max(most), s0 * (1 + 1e-9));
+    }
+    print_message("quasi-static: %ld bonds broken in %d rounds\n", broken, rounds);
+    check_above(broken, 50);
+    check_above(rounds, 5);
+    free(energy);
+    free(stretch);
+    solid_free(s);
+}
+
+/* A load that the plate cannot bear: it breaks until it is in pieces, which find no equilibrium. */
+static void too_much(void **state) {
+    (void)state;
+    const struct solid_load load[2] = {
+        {SOLID_LOAD_EDGE, .edge = {{0, 0}, {0, 8 * MM}}, .traction = {-2e8, 0}, .over_horizon = 1},
+        {SOLID_LOAD_EDGE, .edge = {{20 * MM, 0}, {20 * MM, 8 * MM}}, .traction = {2e8, 0}, .over_horizon = 1}};
+    struct solid *s = make((struct make){.sites = {20, 8}, .brittle = 1, .loads = 2, .load = load});
+    struct solid_quasi_static found;
+    assert_false(solid_quasi_static_step(s, 1, 1e-6, 3000, &found));
+    check_above(found.broken, 20);
+    solid_free(s);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(elastic), cmocka_unit_test(breaking),
+                                       cmocka_unit_test(too_much)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
