@@ -38,6 +38,34 @@ static int of_solid(struct run *r, const struct scene_stage *stage, double dt, c
     return 1;
 }
 
+/* Contact sets in and ends within a step. With velocity Verlet the energy of bodies that meet face to face then grows,
+ * also below the stable step: strips gained 160 % at 0.95 of it, 1.7 % at 0.8, 0.1 % at 0.6
+ * (cases/verification/impact). */
+static const double MEETING = 0.6;
+
+/* 1: bodies are thrown at each other. */
+static int meet(const struct run *r) {
+    const struct solid_input *in = &r->solid->in;
+    int differ = 0;
+    for (int b = 1; b < in->bodies; b++)
+        for (int c = 0; c < 3; c++) differ |= in->body[b].velocity[c] != in->body[0].velocity[c];
+    return differ && r->needs.contact;
+}
+
+static int of_impact(struct run *r, const struct scene_stage *stage, double dt, char *sentence) {
+    if (r->solid->stage.integrator != SOLID_VERLET || !meet(r)) return 0;
+    const double limit = solid_stable_of(&r->solid_rates, SOLID_VERLET, solid_contact_rate_touch(r->solid), NULL);
+    const double part =
+        stage->substeps > 0 ? dt / (r->substeps * limit) : stage->safety; /* automatic: follows contact */
+    if (part <= MEETING * ROUNDED) return 0;
+    snprintf(
+        sentence, OVERSTEP_SENTENCE,
+        "stage %s: bodies with different velocities may meet, and with velocity Verlet the solid's substep is %.2g "
+        "of what is stable in contact: above %g an impact can gain energy (safety: %g, or integrator: rk3)",
+        stage->name, part, MEETING, MEETING);
+    return 1;
+}
+
 int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
@@ -50,5 +78,7 @@ int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
     const double dt = stage->time_step > 0 ? stage->time_step : r->fluid ? stage->cfl * l.step : r->dt;
     if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
         n += of_solid(r, stage, dt, sentence[n]);
+    if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
+        n += of_impact(r, stage, dt, sentence[n]);
     return n;
 }

@@ -22,6 +22,10 @@ output: {series_every: 10, fields_every: 0, checkpoint_every: 150}
 EOS
 code 0 ranks 1 check scene.yaml
 grep -q "moving     ball, at the start with (5, 0, -60) m/s" out || fail "check does not say what moves"
+! grep -q warning out || fail "check warns of RK3"
+code 0 ranks 1 check scene.yaml --set stages.impact.integrator=verlet --set stages.impact.safety=0.95
+grep -q "warning: stage impact: bodies with different velocities may meet, .* is 0\.95 of what is stable" out ||
+  fail "check does not warn of impacts by Verlet at 0.95 of the stable step"
 code 0 ranks 1 run scene.yaml --out whole
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   NR > 2 {
