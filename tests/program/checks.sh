@@ -4,7 +4,7 @@
 . "$(dirname "$0")/common.sh" "$@"
 count=0
 for file in $(find "$source/cases" -name '*.yaml' ! -path '*/results/*' ! -name 'study*.yaml' | sort); do
-  ! grep -Eq 'file: [a-z0-9_]*\.(txt|raw|tif)' "$file" || continue # made by the case's command, or not in here
+  ! grep -Eq 'file: [a-z0-9_.]*\.(txt|raw|tif)' "$file" || continue # made by the case's command, or not in here
   code 0 ranks 1 check "$file"
   grep -q 'leaves out' out || fail "$file: nothing said of what is left out"
   grep -q 'stable steps' out || fail "$file: no stable steps"
