@@ -63,11 +63,26 @@ static double polygon_limit(const struct solid_rates *r, enum solid_integrator i
     return integrator == SOLID_RK3 && fastest > 0 ? fmin(least, RK3_REAL / fastest) : least;
 }
 
+/* Contact sets in and ends between steps. Velocity Verlet with x = w dt^2 in one step and y in the next, both below 4,
+ * multiplies a mode over two steps by a matrix of trace (2 - x)(2 - y) - 2. That is stable for 0 <= (2 - x)(2 - y) <=
+ * 4: not for x < 2 < y. So with contact the largest w dt^2 must stay below 2, not 4. */
+static const double SWITCHED = 0.70710678118654752440;
+
+static double switched_limit(const struct solid_rates *r, enum solid_integrator integrator, double contact) {
+    switch (integrator) {
+    case SOLID_RK3: /* its steps lose energy where those of Verlet would gain some */
+        return polygon_limit(r, integrator, contact);
+    case SOLID_VERLET:
+        return SWITCHED * polygon_limit(r, integrator, contact);
+    }
+    ENSURE(0, "integrator %d", (int)integrator);
+}
+
 double solid_stable_of(const struct solid_rates *r, enum solid_integrator integrator, double contact,
                        enum solid_bound *bound) {
     const double bonds = solid_stable_oscillator(integrator, r->stiffness, 0, 0),
                  damped = polygon_limit(r, integrator, 0),
-                 all = contact > 0 ? polygon_limit(r, integrator, contact) : damped;
+                 all = contact > 0 ? fmin(damped, switched_limit(r, integrator, contact)) : damped;
     if (bound)
         *bound = !isfinite(all)           ? SOLID_BOUND_NONE
                  : all < 0.999 * damped   ? SOLID_BOUND_CONTACT
