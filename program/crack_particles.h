@@ -9,5 +9,6 @@ struct crack_particles; /* opaque */
 struct crack_particles *crack_particles_new(const char *folder, const struct solid_crack_particles *damaged,
                                             double spacing, long resume_step);
 /* Writes a row for each damaged particle that has none. Collective. */
-void crack_particles_sample(struct crack_particles *k, const struct solid_crack_particles *damaged, long step, double t);
+void crack_particles_sample(struct crack_particles *k, const struct solid_crack_particles *damaged, long step,
+                            double t);
 void crack_particles_free(struct crack_particles *k);

@@ -195,8 +195,8 @@ static void make_nodes(struct work *w) {
         if (w->band[i] < 0) continue;
         if (number[r] < 0) {
             nearest[w->nodes] = i;
-            w->node[w->nodes] = (struct node){
-                .parent = -1, .first = -1, .next = -1, .near = INFINITY, .alone = alone, .arm = -1};
+            w->node[w->nodes] =
+                (struct node){.parent = -1, .first = -1, .next = -1, .near = INFINITY, .alone = alone, .arm = -1};
             number[r] = w->nodes++;
         }
         struct node *k = &w->node[w->of[i] = number[r]];
@@ -260,13 +260,13 @@ static void follow(struct work *w, long k, int arm) {
         o->fork = more(o->fork, o->forks, &w->fork_room, sizeof *o->fork);
         const int fork = o->forks++;
         /* the node's centre is where the arms part, until their lines say where they meet */
-        o->fork[fork] = (struct postproc_fork){arm, branches, o->arms, {w->node[k].x[0], w->node[k].x[1]}, NAN, NAN, NAN};
+        o->fork[fork] =
+            (struct postproc_fork){arm, branches, o->arms, {w->node[k].x[0], w->node[k].x[1]}, NAN, NAN, NAN};
         const int first = o->arms;
         for (int b = 0; b < branches; b++) arm_new(w, arm, w->node[k].alone);
         int b = first;
         for (long c = w->node[k].first; c >= 0; c = w->node[c].next)
-            if (is_arm(w, c, w->node[k].far))
-                follow(w, c, b++);
+            if (is_arm(w, c, w->node[k].far)) follow(w, c, b++);
         return;
     }
 }
@@ -369,7 +369,8 @@ static double speed_of(const struct postproc_place *p, long n) {
     return hypot(tx[0], tx[1]) / tt;
 }
 
-/* The way of an arm's tip: the mean of the farthest particles whenever damage has gone farther. m: the nearest first. */
+/* The way of an arm's tip: the mean of the farthest particles whenever damage has gone farther. m: the nearest first.
+ */
 static void follow_tip(struct postproc_arm *a, struct member *m, long n, const struct postproc_arms_input *in,
                        struct postproc_place *p) {
     const double h = in->spacing;
@@ -479,7 +480,8 @@ struct postproc_arms *postproc_crack_arms_of(const struct postproc_arms_input *i
     make_nodes(&w);
     make_arms(&w);
     describe(&w);
-    void *const own[] = {w.order, w.union_parent, w.d, w.before, w.band, w.of, w.node, w.edge, w.start, w.other, w.length};
+    void *const own[] = {w.order, w.union_parent, w.d,     w.before, w.band,  w.of,
+                         w.node,  w.edge,         w.start, w.other,  w.length};
     for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
     return w.out;
 }

@@ -130,13 +130,14 @@ static int write_arms(const struct postproc_arms *a, double grain, const char *p
     FILE *file = fopen(path, "w");
     if (!file) return -1;
     fputs("arm,parent,alone,begin_x,begin_y,end_x,end_y,length,angle_first,angle_first_error,angle_last,"
-          "angle_last_error,begin_t,end_t,speed,top_speed,top_speed_t,windows,windows_above_rayleigh,jumps,top_speed_is\n",
+          "angle_last_error,begin_t,end_t,speed,top_speed,top_speed_t,windows,windows_above_rayleigh,jumps,top_speed_"
+          "is\n",
           file);
     for (int k = 0; k < a->arms; k++) {
         const struct postproc_arm *m = &a->arm[k];
-        const double value[] = {m->begin[0],     m->begin[1],   m->end[0],      m->end[1], m->length,
-                                m->first.value,  m->first.error, m->last.value, m->last.error, m->t_begin,
-                                m->t_end,        m->speed,      m->top,         m->top_t};
+        const double value[] = {m->begin[0],    m->begin[1],    m->end[0],     m->end[1],     m->length,
+                                m->first.value, m->first.error, m->last.value, m->last.error, m->t_begin,
+                                m->t_end,       m->speed,       m->top,        m->top_t};
         fprintf(file, "%d,%d,%d", k + 1, m->parent + 1, m->alone);
         for (size_t c = 0; c < sizeof value / sizeof *value; c++) put(file, value[c]);
         fprintf(file, ",%ld,%ld,%ld,\"%s\"\n", m->windows, m->above, m->jumps, note_of(m, grain));

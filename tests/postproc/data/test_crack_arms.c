@@ -164,13 +164,12 @@ static void parallel(void **state) {
         }
 }
 
-/* A front that forms eight spacings ahead while the tip stands: a jump, and no window spans it. The gap breaks later. */
+/* A front that forms eight spacings ahead while the tip stands: a jump, and no window spans it. The gap breaks
+ * later. */
 static void jump(void **state) {
     (void)state;
-    const struct segment s[4] = {{{-30, 0}, {-20, 0}, 0, 0},
-                                 {{-20, 0}, {0, 0}, 0, 0.5},
-                                 {{0, 0}, {8, 0}, 80, 0.5},
-                                 {{8, 0}, {30, 0}, 41, 0.5}};
+    const struct segment s[4] = {
+        {{-30, 0}, {-20, 0}, 0, 0}, {{-20, 0}, {0, 0}, 0, 0.5}, {{0, 0}, {8, 0}, 80, 0.5}, {{8, 0}, {30, 0}, 41, 0.5}};
     for (int k = 0; k < TURNS; k++) {
         struct postproc_arms *a = arms_of(4, s, turns[k], 0, &sample);
         assert_int_equal(a->arms, 1);
@@ -200,7 +199,9 @@ static void below_the_grain(void **state) {
 /* A crack that begins alone in the middle of a plate has an arm to each side; spots of three particles are none. */
 static void alone(void **state) {
     (void)state;
-    const struct segment s[4] = {{{2, 0}, {30, 0}, 10, 0.4}, {{2, 0}, {-20, 0}, 10, 0.4}, {{0, 20}, {2.5, 20}, 10, 1},
+    const struct segment s[4] = {{{2, 0}, {30, 0}, 10, 0.4},
+                                 {{2, 0}, {-20, 0}, 10, 0.4},
+                                 {{0, 20}, {2.5, 20}, 10, 1},
                                  {{10, -20}, {11, -20}, 10, 1}};
     for (int k = 0; k < TURNS; k++) {
         struct postproc_arms *a = arms_of(4, s, turns[k], 0, &sample);
@@ -217,8 +218,8 @@ static void alone(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(straight), cmocka_unit_test(forked_twice),
-                                       cmocka_unit_test(parallel), cmocka_unit_test(jump),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(straight),        cmocka_unit_test(forked_twice),
+                                       cmocka_unit_test(parallel),        cmocka_unit_test(jump),
                                        cmocka_unit_test(below_the_grain), cmocka_unit_test(alone)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

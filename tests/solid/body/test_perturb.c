@@ -48,9 +48,9 @@ static double energy_of(double perturbation, int seed, const double e[3]) {
     return strain;
 }
 
-/* Moved by up to a fifth of a spacing, a plate keeps the modulus that no direction changes, that of equal stretches along x and
- * y. Tension along x and shear have C11 and C66, whose ratio is 3 in an isotropic plate of central forces: the
- * perturbed plate is nearer to that than the lattice, whose C11 is too large and C66 too small. */
+/* Moved by up to a fifth of a spacing, a plate keeps the modulus that no direction changes, that of equal stretches
+ * along x and y. Tension along x and shear have C11 and C66, whose ratio is 3 in an isotropic plate of central forces:
+ * the perturbed plate is nearer to that than the lattice, whose C11 is too large and C66 too small. */
 static void moduli(void **state) {
     (void)state;
     static const double equal[3] = {1e-5, 1e-5, 0}, tension[3] = {1e-5, 0, 0}, shear[3] = {0, 0, 1e-5};
