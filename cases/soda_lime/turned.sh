@@ -12,7 +12,10 @@ mkdir -p "$runs" "$out"
 # cannot be made unbreakable, so the traction is spread over a horizon.
 scene() {
   awk -v a="$1" -v m="$2" -v seed="$3" '
-    function at(x, y) { return sprintf("[%.12g, %.12g]", 0.06 + c * (x - 0.05) - s * (y - 0.02), 0.06 + s * (x - 0.05) + c * (y - 0.02)) }
+    function at(x, y) {
+      x -= 0.05; y -= 0.02
+      return sprintf("[%.12g, %.12g]", 0.06 + c * x - s * y, 0.06 + s * x + c * y)
+    }
     function pull(t) { return sprintf("[%.9g, %.9g]", -s * t, c * t) }
     BEGIN {
       turn = a * atan2(0, -1) / 180; c = cos(turn); s = sin(turn)
@@ -25,7 +28,8 @@ scene() {
       print "  materials:"
       print "    - {name: glass, youngs_modulus: 72.0e9, density: 2440, fracture_energy: 135, horizon_ratio: " m "}"
       print "  bodies:"
-      print "    - {name: plate, shape: polygon, outline: [" at(0, 0) ", " at(0.1, 0) ", " at(0.1, 0.04) ", " at(0, 0.04) "]" moved "}"
+      corners = at(0, 0) ", " at(0.1, 0) ", " at(0.1, 0.04) ", " at(0, 0.04)
+      print "    - {name: plate, shape: polygon, outline: [" corners "]" moved "}"
       print "  contact: {radius: 0.6}"
       print "  cracks:"
       print "    - {name: notch, points: [" at(-0.002, 0.02) ", " at(0.05, 0.02) "]}"
@@ -51,10 +55,14 @@ numbers() {
     { parent[$1] = $2; turn[$1] = $11 - a; reach[$1] = $8 }
     END {
       pi = atan2(0, -1); left = right = "nan"
-      for (k in parent) if (parent[k] == stem) { if (left == "nan" || turn[k] > left) left = turn[k]; if (right == "nan" || turn[k] < right) right = turn[k] }
-      if (left == "nan") t = place = "nan"
-      else place = 50 + 1e3 * (cos(a * pi / 180) * x + sin(a * pi / 180) * y)
-      printf "%s,%s,%s,%s,%d,%.0f\n", t == "nan" ? t : sprintf("%.1f", 1e6 * t), place == "nan" ? place : sprintf("%.1f", place), left == "nan" ? left : sprintf("%.1f", left), right == "nan" ? right : sprintf("%.1f", -right), arms, top }' "$2"
+      for (k in parent) {
+        if (parent[k] != stem) continue
+        if (left == "nan" || turn[k] > left) left = turn[k]
+        if (right == "nan" || turn[k] < right) right = turn[k]
+      }
+      if (left != "nan") place = 50 + 1e3 * (cos(a * pi / 180) * x + sin(a * pi / 180) * y)
+      if (left == "nan") printf "nan,nan,nan,nan,%d,%.0f\n", arms, top
+      else printf "%.1f,%.1f,%.1f,%.1f,%d,%.0f\n", 1e6 * t, place, left, -right, arms, top }' "$2"
 }
 
 table=$out/turned.csv
@@ -81,7 +89,8 @@ awk -F, '
     for (i = 1; i <= 6; i++) { s[k, i] += v[i]; q[k, i] += v[i] ^ 2 } }
   { all[$1 "," ($3 == 0 ? "lattice" : "perturbed")]++ }
   END {
-    print "m,particles,runs,with a fork,arms part (us),deviation,arms part (mm),deviation,left (deg),deviation,right (deg),deviation,between (deg),deviation,left less right (deg; magnitude),deviation"
+    print "m,particles,runs,with a fork,arms part (us),deviation,arms part (mm),deviation,left (deg),deviation," \
+      "right (deg),deviation,between (deg),deviation,left less right (deg; magnitude),deviation"
     for (m = 3; m <= 5; m++) for (p = 0; p < 2; p++) {
       k = m "," (p ? "perturbed" : "lattice"); line = k "," all[k] "," n[k]
       for (i = 1; i <= 6; i++) { e = s[k, i] / n[k]; d = (q[k, i] - n[k] * e * e) / (n[k] > 1 ? n[k] - 1 : 1)
