@@ -20,7 +20,6 @@ double leak_slip_time(struct run *r) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const double dx = g->d[0];
     if (!medium_is_across(m)) return INFINITY;
-    run_deposit(r);
     if (medium_spans(m, medium_axis(m)) == MEDIUM_SPAN_NONE) return INFINITY;
     const double porosity = medium_measure_porosity(m);
     const double surface = medium_measure_specific_surface(m, r->surface->immersed_area);

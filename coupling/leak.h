@@ -4,6 +4,6 @@
 struct run;
 
 /* The longest slip time of the forcing, s, with which the walls of the medium let through about a hundredth of what
- * passes through its pores; INFINITY where the fluid can go around the medium's box, or
+ * passes through its pores. The particles are deposited. INFINITY where the fluid can go around the medium's box, or
  * the solid is not connected from its front to its back. Collective. */
 double leak_slip_time(struct run *r);

@@ -118,6 +118,7 @@ struct run *run_new(const struct scene *scene) {
         for (int c = 0; c < 3; c++)
             r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         check_medium(r);
+        run_deposit(r);
         leave_inside(r);
         if (fluid_input_of(r->fluid)->implicit) ibm_implicit_slip(r->ibm, leak_slip_time(r));
         r->reaction = reaction_new(r);

@@ -11,10 +11,11 @@
 #include <unistd.h>
 
 static const char *const part_folder[] = {"fields", "checkpoint"};
-static const char *const part_file[] = {"series.csv",    "crack.csv",     "probes.csv", "fluid_probes.csv",
-                                        "fragments.csv", "reactions.csv", "slices.csv", "rev.csv",
-                                        "bodies.csv",    "run.json",      "run.log",    "scene.resolved.yaml"};
-enum { FOLDERS = 2, FILES = 12 };
+static const char *const part_file[] = {
+    "series.csv",    "crack.csv",     "crack_particles.csv", "probes.csv", "fluid_probes.csv",
+    "fragments.csv", "reactions.csv", "slices.csv",          "rev.csv",    "bodies.csv",
+    "run.json",      "run.log",       "scene.resolved.yaml"};
+enum { FOLDERS = 2, FILES = 13 };
 
 char *folder_path(char *path, const char *folder, const char *name) {
     if (snprintf(path, FOLDER_PATH, "%s/%s", folder, name) >= FOLDER_PATH)

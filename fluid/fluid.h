@@ -98,7 +98,7 @@ struct fluid_state *fluid_state_of(struct fluid *f);
  * fluid_predicted_refresh does that. Collective. */
 void fluid_predict(struct fluid *f, int r, double dt);
 /* The driving and the body force along c in the present stage, m/s2. Not collective. */
-double fluid_predict_source(const struct fluid *f, int c);
+double fluid_source(const struct fluid *f, int c);
 /* Implicit diffusion: solves for u*, from the u* that fluid_predict has computed without a viscous term and a force has
  * changed since. Does nothing with explicit diffusion. Collective. */
 void fluid_diffusion_stage(struct fluid *f, int r, double dt);

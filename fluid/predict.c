@@ -25,10 +25,6 @@ static void driving_of_stage(struct fluid *f, int r, double dt) {
     f->state.driving = d->value * cos(w * (begin + half)) * (h > 0 ? sin(h) / h : 1);
 }
 
-double fluid_predict_source(const struct fluid *f, int c) {
-    return f->in.body_force[c] + fluid_driving_along(&f->in, c) * f->state.driving / f->in.density;
-}
-
 void fluid_predict(struct fluid *f, int r, double dt) {
     const struct fluid_grid *g = f->grid;
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
@@ -44,7 +40,7 @@ void fluid_predict(struct fluid *f, int r, double dt) {
     clock_begin(CLOCK_MOMENTUM);
     count_faces(g, s.faces);
     driving_of_stage(f, r, dt);
-    for (int d = 0; d < 3; d++) s.source[d] = fluid_predict_source(f, d);
+    for (int d = 0; d < 3; d++) s.source[d] = fluid_source(f, d);
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
     fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* before u* overwrites u, if they are one array */
     const double *const read[3] = {q[0], q[1], q[2]};

@@ -49,7 +49,7 @@ void ibm_inside_stage(struct ibm *ibm, int r, double dt) {
     const double mass = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];
     for (int c = 0; c < 3; c++) {
         if (!inside->along[c]) continue;
-        const double of_stage = physics_rk3_gamma[r] * fluid_predict_source(ibm->fluid, c);
+        const double of_stage = physics_rk3_gamma[r] * fluid_source(ibm->fluid, c);
         const double sum = take(ibm, c, fluid_predicted(ibm->fluid)[c], of_stage * dt);
         inside->taken[c] = (r == 0 ? 0 : inside->taken[c]) - mass * of_stage * sum;
     }

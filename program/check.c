@@ -68,6 +68,23 @@ static void say_on_surface(const struct solid *s) {
         if (in->load[k].kind == SOLID_LOAD_REGION) say_border(s, "loads", k, in->load[k].low, in->load[k].high);
 }
 
+/* Particles that are nearer to each other than contact's radius are pushed apart as soon as the bond between them
+ * breaks. */
+static void say_perturbed(const struct solid *s) {
+    const struct solid_input *in = &s->in;
+    for (int b = 0; b < in->bodies; b++) {
+        const struct solid_body *body = &in->body[b];
+        if (body->perturbation == 0) continue;
+        const double least = 1 - 2 * body->perturbation;
+        say("  perturbed  the particles of %s by up to %g spacings in each direction, seed %d\n", body->name,
+            body->perturbation, body->perturbation_seed);
+        if (in->contact && in->contact_radius > least && body->shape == SOLID_POLYGON)
+            say("  warning: particles of %s may be %.3g spacings apart, and solid.contact.radius is %g; those nearer "
+                "than that push each other apart when their bond breaks. A radius of %.3g avoids this\n",
+                body->name, least, in->contact_radius, least);
+    }
+}
+
 /* The first body whose shapes are not bonded to one another, or NULL. */
 static const char *broken_contacts(const struct solid_input *in) {
     for (int b = 0; b < in->bodies; b++)
@@ -130,6 +147,7 @@ static void say_holdings(struct run *r) {
     }
     if (r->solid) say_moving(&r->solid->in);
     if (r->solid) say_on_surface(r->solid);
+    if (r->solid) say_perturbed(r->solid);
     if (r->surface)
         say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
             r->surface->immersed_area, r->surface->initial_area);

@@ -1,5 +1,7 @@
-/* Writes crack.csv: tips, speed, length and released energy of the crack during the run. */
+/* Writes crack.csv: tips, speed, length and released energy of the crack during the run; and crack_particles.csv: when
+ * which particle of a plate was first damaged. */
 #include "program/crack_series.h"
+#include "program/crack_particles.h"
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -41,7 +43,8 @@ struct crack {
     int has_axis;
     struct solid_crack_track *track;
     struct table *table;
-    double *damage; /* [room], work */
+    struct crack_particles *particles; /* NULL: a body in 3D */
+    double *damage;                    /* [room], work */
     int room;
 };
 
@@ -102,6 +105,12 @@ void crack_series_open(struct crack *c, struct run *r, const char *folder, long 
     char path[FOLDER_PATH];
     folder_path(path, folder, "crack.csv");
     c->table = table_new(path, COLUMNS, name, unit, resume_step);
+    if (r->solid->dim == 2) {
+        damage_of(c, r);
+        struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
+        c->particles = crack_particles_new(folder, &p, r->solid->in.spacing, resume_step);
+        solid_crack_particles_free(&p);
+    }
     if (resume_step >= 0)
         replay(c, path);
     else
@@ -116,6 +125,7 @@ void crack_series_sample(struct crack *c, struct run *r) {
     struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
     const struct solid_crack_tips tips =
         solid_crack_tips_of(&p, &c->initial, c->direction, c->has_axis ? c->axis : NULL);
+    if (c->particles) crack_particles_sample(c->particles, &p, r->step, r->t);
     solid_crack_particles_free(&p);
     if (!c->has_axis && tips.found)
         for (int k = 0; k < 2; k++) c->axis[k] = tips.tip[k];
@@ -145,6 +155,7 @@ void crack_series_sample(struct crack *c, struct run *r) {
 void crack_series_free(struct crack *c) {
     if (!c) return;
     table_free(c->table);
+    crack_particles_free(c->particles);
     solid_crack_track_free(c->track);
     solid_crack_particles_free(&c->initial);
     memory_free(c->damage);

@@ -165,6 +165,7 @@ struct scene_image {
     int flips[3], mirrors[3];
     enum scene_floating floating; /* pieces of solid that nothing connects to the largest one; default keep */
 };
+enum scene_arrangement { SCENE_ARRANGED_LATTICE, SCENE_ARRANGED_PERTURBED };
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
     int material_index;
@@ -182,6 +183,9 @@ struct scene_body {
     double velocity[3];  /* at the start, m/s, default 0 */
     int has_cavities;    /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
+    enum scene_arrangement arrangement; /* arrangement: {kind: lattice (default), perturbed, perturbation, seed} */
+    double perturbation;                /* spacings: each particle is moved by at most this in each direction */
+    int perturbation_seed;              /* seed, default 1 */
     int corners, pieces, holes;
     struct scene_corner *corner;     /* polygon: outline */
     struct scene_part *piece, *hole; /* further pieces, holes */

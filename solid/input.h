@@ -103,6 +103,10 @@ struct solid_body {
     /* SOLID_POLYGON: pieces and holes of a plate */
     int outlines;
     const struct solid_outline *outline; /* borrowed */
+    /* Bodies in a cloud: each particle is moved by at most this in each direction, spacings; 0: none. The move depends
+     * on the seed and on the cell or the number of the point alone. */
+    double perturbation;
+    int perturbation_seed;
     int material;
     double velocity[3]; /* at the start, m/s */
     /* set by solid_new */

@@ -80,6 +80,14 @@ void setup_body(const struct scene *scene, int b, struct solid_body *to) {
     const struct scene_part own = scene_outline_own(from);
     *to = (struct solid_body){.material = from->material_index, .contacts_broken = from->contacts_broken};
     memcpy(to->velocity, from->velocity, sizeof to->velocity);
+    switch (from->arrangement) {
+    case SCENE_ARRANGED_LATTICE: /* as the shape says */
+        break;
+    case SCENE_ARRANGED_PERTURBED:
+        to->perturbation = from->perturbation;
+        to->perturbation_seed = from->perturbation_seed;
+        break;
+    }
     setup_body_outlines(from, to);
     setup_shape(&own, from->name, to);
     if (scene->dimension == 3) setup_parts(from, to);

@@ -79,7 +79,7 @@ static double source_force(const struct fluid *f, int c) {
     int low[3], high[3];
     fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
     const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-    return f->in.density * cell_volume(f->grid) * faces * fluid_predict_source(f, c);
+    return f->in.density * cell_volume(f->grid) * faces * fluid_source(f, c);
 }
 
 static double pressure_force(const struct fluid *f, int c) {

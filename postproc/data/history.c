@@ -146,6 +146,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
         return NULL;
     }
     h->crack = table_read(folder_path(path, folder, "crack.csv"), NULL);
+    h->particles = table_read(folder_path(path, folder, "crack_particles.csv"), NULL);
     h->fragments = table_read(folder_path(path, folder, "fragments.csv"), NULL);
     h->reactions = table_read(folder_path(path, folder, "reactions.csv"), NULL);
     h->slices = table_read(folder_path(path, folder, "slices.csv"), NULL);
@@ -162,6 +163,7 @@ void postproc_history_free(struct postproc_history *h) {
     if (h->scene) scene_free(h->scene);
     postproc_tree_free(h->record);
     table_read_free(h->series);
+    table_read_free(h->particles);
     table_read_free(h->crack);
     table_read_free(h->fragments);
     table_read_free(h->reactions);

@@ -17,6 +17,7 @@ struct postproc_history {
     struct postproc_tree *record; /* run.json, or NULL */
     struct table_data *series;    /* series.csv, or NULL */
     struct table_data *crack;     /* crack.csv, or NULL */
+    struct table_data *particles; /* crack_particles.csv, or NULL */
     struct table_data *fragments; /* fragments.csv, or NULL */
     struct table_data *reactions; /* reactions.csv, or NULL */
     struct table_data *slices;    /* slices.csv, or NULL */

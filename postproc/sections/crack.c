@@ -119,6 +119,13 @@ static void facts_of_track(struct postproc_facts *f, const struct track *k, cons
         postproc_facts_number(f, "top speed of the tip, t", "s", k->t[top] - 0.5 * window);
         postproc_facts_number(f, "top speed over the Rayleigh speed", "1", k->speed[top] / rayleigh);
         postproc_facts_number(f, "grain of the speed: spacing over window", "m/s", h->spacing / window);
+        if (k->speed[top] > rayleigh)
+            postproc_facts_text(
+                f, "top speed of the tip is",
+                "above the Rayleigh speed: the farthest particle changed to another front; see the arms");
+        if (k->speed[top] < h->spacing / window)
+            postproc_facts_text(f, "top speed of the tip is",
+                                "below what the grid resolves: a spacing over the window");
     }
     postproc_facts_number(f, "tip at the end, x", "m", k->tip[0][last]);
     postproc_facts_number(f, "tip at the end, y", "m", k->tip[1][last]);
@@ -184,8 +191,13 @@ static void facts_of_shape(struct postproc_facts *f, const struct postproc_histo
         struct postproc_grid *crack = postproc_crack_shape_connected(damage, o ? o->damage : DAMAGED, tip[i].x);
         const struct postproc_chord c = postproc_crack_shape_chord(crack, &tip[i]);
         if (c.found && c.angle.value < AHEAD) {
-            struct postproc_grid *turned = postproc_grid_turn(crack, tip[i].direction);
-            b = postproc_crack_branch_of(turned, fmax(10 * h->spacing, 0.05 * side));
+            /* turned first: between a damaged node and one left out the turned grid would have no value */
+            const double *e = tip[i].direction, *x = tip[i].x;
+            struct postproc_grid *turned = postproc_grid_turn(damage, e);
+            struct postproc_grid *ahead = postproc_crack_shape_connected(
+                turned, o ? o->damage : DAMAGED, (double[]){e[0] * x[0] + e[1] * x[1], e[0] * x[1] - e[1] * x[0]});
+            b = postproc_crack_branch_of(ahead, fmax(10 * h->spacing, 0.05 * side));
+            postproc_grid_free(ahead);
             postproc_grid_free(turned);
         }
         if (b.found && !branched++)
@@ -215,6 +227,7 @@ void postproc_sections_crack_numbers(struct postproc_output *out, const struct p
         const double level = postproc_sections_crack_level(out, h);
         postproc_facts_number(&out->facts, "level of the damage contour", "1", level);
         facts_of_shape(&out->facts, h, p, damage, &k);
+        postproc_sections_arms(out, h, p, h->scene->output.crack ? h->scene->output.crack->damage : DAMAGED);
         if (out->folder) contour_write(out, damage, level);
         postproc_grid_free(damage);
     }

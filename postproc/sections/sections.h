@@ -38,6 +38,10 @@ void postproc_sections_crack(struct postproc_output *out,
                              const struct postproc_history *h); /* tips, branches, contour of a plate */
 /* The numbers of that section only; no file is written. */
 void postproc_sections_crack_numbers(struct postproc_output *out, const struct postproc_history *h);
+/* Arms of a plate's cracks, by crack_particles.csv, or else by the damage above a level in a field file. */
+struct postproc_plate;
+void postproc_sections_arms(struct postproc_output *out, const struct postproc_history *h,
+                            const struct postproc_plate *last, double level);
 /* The level of the damage contour: from the options, else from the first field file and the initial cracks, else
  * 0.41. */
 double postproc_sections_crack_level(struct postproc_output *out, const struct postproc_history *h);

@@ -179,6 +179,12 @@ static void check_refinement(const struct scene_check *c) {
     const struct scene_refinement *r = c->scene->solid->refinement;
     if (!r) return;
     check_levels(c);
+    for (int b = 0; b < c->scene->solid->bodies; b++) {
+        const struct scene_path path = scene_check_parts_path("solid.bodies[%d].arrangement", b);
+        if (c->scene->solid->body[b].arrangement == SCENE_ARRANGED_PERTURBED && scene_check_parts_clean(c, path))
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
+                             "cannot go with solid.refinement, which divides the cells of a lattice");
+    }
     if (isfinite(r->low[0])) check_region(c, scene_check_parts_path("solid.refinement"), r->low, r->high);
     for (int i = 0; i < r->starts; i++) {
         const struct scene_path path = scene_check_parts_path("solid.refinement.start[%d]", i);

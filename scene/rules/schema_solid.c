@@ -23,6 +23,8 @@ static const cyaml_strval_t part_shapes[] = {{"rectangle", SCENE_RECTANGLE}, {"d
                                              {"sphere", SCENE_SPHERE},       {"cylinder", SCENE_CYLINDER},
                                              {"ellipsoid", SCENE_ELLIPSOID}, {"spheres", SCENE_SPHERES}};
 static const cyaml_strval_t contacts[] = {{"bonded", 0}, {"broken", 1}};
+static const cyaml_strval_t arrangements[] = {{"lattice", SCENE_ARRANGED_LATTICE},
+                                              {"perturbed", SCENE_ARRANGED_PERTURBED}};
 static const cyaml_strval_t image_formats[] = {{"auto", FILES_IMAGE_AUTO}, {"raw", FILES_IMAGE_RAW},
                                                {"mhd", FILES_IMAGE_MHD},   {"nrrd", FILES_IMAGE_NRRD},
                                                {"tiff", FILES_IMAGE_TIFF}, {"hdf5", FILES_IMAGE_HDF5}};
@@ -65,6 +67,11 @@ static const cyaml_schema_value_t material = {CYAML_VALUE_MAPPING(NEEDED, struct
 static const cyaml_schema_field_t cavity_fields[] = {
     NUMBER("period", NEEDED, scene_body, cavity_period), NUMBER("radius", NEEDED, scene_body, cavity_radius),
     VECTOR("centre", NEEDED, scene_body, cavity_centre), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t arrangement_fields[] = {
+    CHOICE("kind", OPTIONAL, scene_body, arrangement, arrangements),
+    NUMBER("perturbation", OPTIONAL, scene_body, perturbation), WHOLE("seed", OPTIONAL, scene_body, perturbation_seed),
+    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t corner_fields[] = {PAIR("at", NEEDED, scene_corner, at),
                                                      CHOICE("turn", OPTIONAL, scene_corner, turn, turns),
@@ -113,6 +120,7 @@ static const cyaml_schema_field_t body_fields[] = {
     CHOICE("contacts", OPTIONAL, scene_body, contacts_broken, contacts),
     VECTOR("velocity", OPTIONAL, scene_body, velocity),
     PART("cavities", OPTIONAL, scene_body, cavity_fields),
+    PART("arrangement", OPTIONAL, scene_body, arrangement_fields),
     CHOICE("format", OPTIONAL, scene_body, image.format, image_formats),
     TEXT("dataset", OPTIONAL, scene_body, image.dataset),
     VOXELS("size", OPTIONAL, scene_body, image.size),

@@ -3,6 +3,7 @@
 #include "solid/body/cloud.h"
 #include "base/die.h"
 #include "base/memory.h"
+#include "solid/body/perturb.h"
 #include "solid/body/sites.h"
 #include "solid/law/weight.h"
 
@@ -134,7 +135,8 @@ struct solid_cloud *solid_cloud_points(const struct solid_input *in, const struc
         d.in.origin[c] = INFINITY;
         for (long i = 0; i < sites->count; i++) d.in.origin[c] = fmin(d.in.origin[c], body->point[c][i]);
         for (long i = 0; i < sites->count; i++)
-            d.place[c][i] = (body->point[c][sites->point[i]] - d.in.origin[c]) / in->spacing;
+            d.place[c][i] = (body->point[c][sites->point[i]] - d.in.origin[c]) / in->spacing +
+                            solid_perturb(body, sites->point[i], 0, c);
     }
     for (long i = 0; i < sites->count; i++) d.volume[i] = body->point_volume[sites->point[i]] / unit;
     if (body->point_horizon) {

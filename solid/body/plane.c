@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "solid/body/perturb.h"
 #include "solid/geometry/outline.h"
 
 #include <math.h>
@@ -23,7 +24,9 @@ struct solid_cloud *solid_plane_cloud(const struct solid_input *in, const struct
     for (int c = 0; c < 2; c++) {
         cloud.origin[c] = in->origin[c] + sites->base[c] * in->spacing;
         cloud.period[c] = in->periodic[c] ? in->length[c] : 0;
-        for (long i = 0; i < sites->count; i++) place[c][i] = sites->cell[i][c] - sites->base[c] + 0.5;
+        for (long i = 0; i < sites->count; i++)
+            place[c][i] =
+                sites->cell[i][c] - sites->base[c] + 0.5 + solid_perturb(body, sites->cell[i][0], sites->cell[i][1], c);
         cloud.place[c] = place[c];
     }
     for (long i = 0; i < sites->count; i++) size[i] = 1;

@@ -68,6 +68,10 @@ static double polygon_limit(const struct solid_rates *r, enum solid_integrator i
  * 4: not for x < 2 < y. So with contact the largest w dt^2 must stay below 2, not 4. */
 static const double SWITCHED = 0.70710678118654752440;
 
+double solid_stable_linear(const struct solid_rates *r, enum solid_integrator integrator, double contact) {
+    return polygon_limit(r, integrator, contact);
+}
+
 static double switched_limit(const struct solid_rates *r, enum solid_integrator integrator, double contact) {
     switch (integrator) {
     case SOLID_RK3: /* its steps lose energy where those of Verlet would gain some */

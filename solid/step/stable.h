@@ -27,6 +27,8 @@ extern const char *const solid_stable_bound_name[SOLID_BOUNDS]; /* by enum solid
  * the step. */
 double solid_stable_of(const struct solid_rates *rates, enum solid_integrator integrator, double contact,
                        enum solid_bound *bound);
+/* The same for contacts that stay closed: 1.41 times as long where contact limits velocity Verlet. */
+double solid_stable_linear(const struct solid_rates *rates, enum solid_integrator integrator, double contact);
 /* The largest stable step of one oscillator x'' + g x' + w x = 0, s: it does not grow in any step up to this one.
  * Pairwise and absolute damping are separate parts of g, because Verlet uses different velocities for them. */
 double solid_stable_oscillator(enum solid_integrator integrator, double w, double pairwise, double absolute);

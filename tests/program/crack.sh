@@ -31,12 +31,34 @@ grown=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "length") l = i }
 [ "$grown" = 1 ] || fail "the crack has not grown: the rest would test nothing"
 code 0 ranks 3 run scene.yaml --out ranks
 same whole/crack.csv ranks/crack.csv
+same whole/crack_particles.csv ranks/crack_particles.csv
+# a row for each damaged particle, and no particle twice
+sed 1,2d whole/crack_particles.csv | cut -d , -f 3,4 | sort | uniq -d | grep -q . && fail "a particle has two rows"
+[ "$(sed 1,2d whole/crack_particles.csv | cut -d , -f 1 | sort -u | wc -l)" -gt 10 ] || fail "particles without times"
 
 # stopped between two rows, while the crack grows: the tips of the last window come from the file
 code 0 ranks 2 run scene.yaml --out stopped --set stages.pull.steps=182
 echo step_00000180.h5 >stopped/checkpoint/latest
 code 0 ranks 1 run scene.yaml --out stopped --resume
 same whole/crack.csv stopped/crack.csv
+same whole/crack_particles.csv stopped/crack_particles.csv
+
+# perturbed particles: the same on any number of ranks, others with another seed
+sed '/shape: rectangle/s/}$/, arrangement: {kind: perturbed, perturbation: 0.2, seed: 3}}/' scene.yaml >perturbed.yaml
+grep -q 'seed: 3' perturbed.yaml || fail "no perturbed scene"
+for n in 1 2 3 4; do
+  code 0 ranks $n run perturbed.yaml --out perturbed_$n --set stages.pull.steps=300 --set output.fields_every=0
+  [ $n = 1 ] || same perturbed_1/crack.csv perturbed_$n/crack.csv
+  [ $n = 1 ] || same perturbed_1/crack_particles.csv perturbed_$n/crack_particles.csv
+done
+code 0 ranks 1 run perturbed.yaml --out seed_4 --set stages.pull.steps=300 --set output.fields_every=0 \
+  --set solid.bodies[0].arrangement.seed=4
+cmp -s perturbed_1/crack_particles.csv seed_4/crack_particles.csv && fail "the seed changes nothing"
+code 0 "$frana" check perturbed.yaml
+grep -q 'perturbed  the particles of body1 by up to 0.2 spacings in each direction, seed 3' out || \
+  fail "check does not say it"
+grep -q 'warning: particles of body1 may be 0.6 spacings apart' out || fail "no warning of contact"
+code 0 "$frana" post perturbed_1
 
 # no crack asked for, no file
 sed 's/, crack: {every: 4}//' scene.yaml >none.yaml
@@ -45,6 +67,13 @@ code 0 ranks 1 run none.yaml --out none --set stages.pull.steps=4
 
 code 0 "$frana" post whole --film=energy --level 0.3 --magnify 4
 grep -q '^level of the damage contour,1,0.3$' whole/post/crack-summary.csv || fail "--level is not kept"
+# the crack runs along x and forks into two arms that are mirror images of each other
+awk -F, 'NR > 1 { parent[NR] = $2; x[NR] = $6; y[NR] = $7 - 0.01; angle[NR] = $9; speed[NR] = $15 }
+  function near(a, b) { return a - b < 1e-6 && b - a < 1e-6 }
+  END { exit !(NR == 4 && parent[2] == 0 && near(angle[2], 0) && near(y[2], 0) && speed[2] > 1000 && speed[2] < 3058 &&
+    parent[3] == 1 && parent[4] == 1 && near(x[3], x[4]) && near(y[3], -y[4]) && near(angle[3], -angle[4]) &&
+    angle[3] ^ 2 > 25) }' whole/post/crack-arms.csv || fail "not a symmetric fork: $(cat whole/post/crack-arms.csv)"
+[ "$(head -1 whole/post/crack-tips.csv)" = arm,t,x,y,speed,jumped ] || fail "no way of the tip"
 [ -s whole/post/film/energy_0004.png ] || fail "no film"
 code 2 "$frana" post whole --film=colour
 code 2 "$frana" post whole --level 1.5

@@ -24,6 +24,8 @@ struct make {
     double shift[2];        /* of the plate and its lattice, m */
     double ratio;           /* m, default 3 */
     double irregular;       /* points up to this many spacings from the lattice, with unequal volumes */
+    double perturbation;    /* of the cells' particles, spacings */
+    int seed;               /* of the perturbation */
     int brittle;            /* breaks at G0 */
     enum solid_partial partial;
     enum solid_micromodulus_kind micromodulus;
@@ -61,6 +63,8 @@ static inline struct solid *make(struct make m) {
     const signed char turn[4] = {0};
     const struct solid_outline outline = {0, 4, corner, corner, turn};
     struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
+    body.perturbation = m.perturbation;
+    body.perturbation_seed = m.seed;
     if (m.outlines) {
         body.outlines = m.outlines;
         body.outline = m.outline;

@@ -1,0 +1,495 @@
+/* Finds the arms of cracks among damaged particles, their forks, directions and tips' speeds. */
+#include "postproc/data/crack_arms.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* In spacings: neighbours along axes and diagonals; neighbours across a gap of two particles; width of a band; least
+ * length of an arm; grain of a tip's place, at both ends of a way; chord of an arm's length; the farthest that the
+ * meeting point of a fork's arms is from where particles part them. */
+static const double TOUCH = 1.8, NEAR = 3.1, BAND = 2, LEAST = 5, GRAIN = 2, CHORD = 5, FORK = 15;
+/* By how much a way over neighbours of a square lattice may be longer than the straight line: 1/cos(22.5 degrees). */
+static const double OCTAGON = 1.0824;
+/* Least number of places in a window, and least share of it that they span. */
+enum { PLACES = 3 };
+static const double SPAN = 0.5;
+
+struct edge {
+    long a, b;
+    double length;
+};
+
+/* A connected part of a band. */
+struct node {
+    long parent, first, next;        /* nodes, -1: none; its children are first, and their next */
+    double near, far, deepest, x[2]; /* least, largest distance; the largest of its subtree, m; centre, m */
+    long n;
+    int alone, arm;
+};
+
+struct work {
+    const struct postproc_arms_input *in;
+    long *order, edges, room, *start, *other, *band, *of, *before, nodes, *union_parent;
+    struct edge *edge;
+    double *length, *d; /* [2 edges]; [n] distance from the beginning, m */
+    struct node *node;
+    struct postproc_arms *out;
+    int arm_room, fork_room;
+};
+
+static void *list_of(long n, size_t size) { return memory_new(MEMORY_OUTPUT, (size_t)n + 1, size); }
+
+static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
+
+static long root_of(long *parent, long i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+static const double (*sorted_x)[2];
+static int by_x(const void *a, const void *b) {
+    const double *p = sorted_x[*(const long *)a], *q = sorted_x[*(const long *)b];
+    const int k = p[0] == q[0];
+    return (p[k] > q[k]) - (p[k] < q[k]);
+}
+
+static int by_length(const void *a, const void *b) {
+    const struct edge *p = a, *q = b;
+    if (p->length != q->length) return p->length < q->length ? -1 : 1;
+    return p->a != q->a ? (p->a > q->a) - (p->a < q->a) : (p->b > q->b) - (p->b < q->b);
+}
+
+static void edge_add(struct work *w, long a, long b, double length) {
+    if (w->edges == w->room) {
+        const long room = 2 * w->room + 64;
+        w->edge = memory_grown(MEMORY_OUTPUT, w->edge, (size_t)w->edges, (size_t)room, sizeof *w->edge);
+        w->room = room;
+    }
+    w->edge[w->edges++] = (struct edge){a, b, length};
+}
+
+/* Joins neighbours; then, across gaps, pairs of parts that are not connected yet, the nearest first. */
+static void join(struct work *w) {
+    const struct postproc_arms_input *in = w->in;
+    const double touch = TOUCH * in->spacing, near = NEAR * in->spacing;
+    sorted_x = in->x;
+    for (long i = 0; i < in->n; i++) w->order[i] = w->union_parent[i] = i;
+    qsort(w->order, (size_t)in->n, sizeof *w->order, by_x);
+    for (long p = 0, from = 0; p < in->n; p++) {
+        const long i = w->order[p];
+        while (in->x[i][0] - in->x[w->order[from]][0] > near) from++;
+        for (long q = from; q < p; q++) {
+            const double length = apart(in->x[i], in->x[w->order[q]]);
+            if (length <= near) edge_add(w, w->order[q], i, length);
+        }
+    }
+    qsort(w->edge, (size_t)w->edges, sizeof *w->edge, by_length);
+    long kept = 0;
+    for (long e = 0; e < w->edges; e++) {
+        const long a = root_of(w->union_parent, w->edge[e].a), b = root_of(w->union_parent, w->edge[e].b);
+        if (a == b && w->edge[e].length > touch) continue;
+        w->union_parent[a > b ? a : b] = a > b ? b : a;
+        w->edge[kept++] = w->edge[e];
+    }
+    w->edges = kept;
+}
+
+/* The joints of each particle, one list after another. */
+static void list_joints(struct work *w) {
+    const long n = w->in->n;
+    w->start = list_of(n + 2, sizeof *w->start);
+    w->other = list_of(2 * w->edges, sizeof *w->other);
+    w->length = list_of(2 * w->edges, sizeof *w->length);
+    for (long e = 0; e < w->edges; e++) w->start[w->edge[e].a + 2]++, w->start[w->edge[e].b + 2]++;
+    for (long i = 2; i < n + 2; i++) w->start[i] += w->start[i - 1];
+    for (long e = 0; e < w->edges; e++) {
+        const struct edge g = w->edge[e];
+        long at = w->start[g.a + 1]++;
+        w->other[at] = g.b, w->length[at] = g.length;
+        at = w->start[g.b + 1]++;
+        w->other[at] = g.a, w->length[at] = g.length;
+    }
+}
+
+/* A heap of particles by distance, the nearest on top; entries that are out of date are skipped. */
+struct waiting {
+    double d;
+    long i;
+};
+static void heap_push(struct waiting *heap, long *n, struct waiting e) {
+    long at = (*n)++;
+    for (; at > 0 && heap[(at - 1) / 2].d > e.d; at = (at - 1) / 2) heap[at] = heap[(at - 1) / 2];
+    heap[at] = e;
+}
+static struct waiting heap_pop(struct waiting *heap, long *n) {
+    const struct waiting top = heap[0], e = heap[--*n];
+    long at = 0;
+    for (long k = 1; k < *n; k = 2 * at + 1) {
+        if (k + 1 < *n && heap[k + 1].d < heap[k].d) k++;
+        if (heap[k].d >= e.d) break;
+        heap[at] = heap[k];
+        at = k;
+    }
+    heap[at] = e;
+    return top;
+}
+
+/* Distances along the joints (Dijkstra 1959) from the initial particles; in a part without any, from the one that was
+ * damaged first. */
+static void measure(struct work *w) {
+    const struct postproc_arms_input *in = w->in;
+    struct waiting *heap = list_of(2 * w->edges + in->n, sizeof *heap);
+    long *earliest = list_of(in->n, sizeof *earliest), waiting = 0;
+    for (long i = 0; i < in->n; i++) {
+        w->d[i] = INFINITY;
+        w->before[i] = earliest[i] = -1;
+    }
+    for (long i = 0; i < in->n; i++) {
+        long *first = &earliest[root_of(w->union_parent, i)];
+        if (*first < 0 || in->initial[i] > in->initial[*first] ||
+            (in->initial[i] == in->initial[*first] && in->t[i] < in->t[*first]))
+            *first = i;
+    }
+    for (long i = 0; i < in->n; i++)
+        if (in->initial[i] || earliest[root_of(w->union_parent, i)] == i) {
+            w->d[i] = 0;
+            heap_push(heap, &waiting, (struct waiting){0, i});
+        }
+    while (waiting > 0) {
+        const struct waiting e = heap_pop(heap, &waiting);
+        if (e.d > w->d[e.i]) continue;
+        for (long k = w->start[e.i]; k < w->start[e.i + 1]; k++) {
+            const double d = e.d + w->length[k];
+            if (d >= w->d[w->other[k]]) continue;
+            w->d[w->other[k]] = d;
+            w->before[w->other[k]] = e.i;
+            heap_push(heap, &waiting, (struct waiting){d, w->other[k]});
+        }
+    }
+    for (long i = 0; i < in->n; i++) {
+        const long first = earliest[root_of(w->union_parent, i)];
+        w->band[i] = in->initial[i] ? -1 : (long)(w->d[i] / (BAND * in->spacing));
+        w->of[i] = in->initial[first] ? 0 : 1; /* until the nodes are made: 1: alone */
+    }
+    memory_free(earliest);
+    memory_free(heap);
+}
+
+/* Connected parts of the bands, and which one each comes from: that of the particle before its nearest one. */
+static void make_nodes(struct work *w) {
+    const struct postproc_arms_input *in = w->in;
+    long *nearest = list_of(in->n, sizeof *nearest), *number = list_of(in->n, sizeof *number);
+    for (long i = 0; i < in->n; i++) w->union_parent[i] = i;
+    for (long e = 0; e < w->edges; e++) {
+        if (w->band[w->edge[e].a] != w->band[w->edge[e].b]) continue;
+        const long a = root_of(w->union_parent, w->edge[e].a), b = root_of(w->union_parent, w->edge[e].b);
+        w->union_parent[a > b ? a : b] = a > b ? b : a;
+    }
+    for (long i = 0; i < in->n; i++) number[i] = -1;
+    for (long i = 0; i < in->n; i++) {
+        const long r = root_of(w->union_parent, i);
+        const int alone = (int)w->of[i];
+        w->of[i] = -1;
+        if (w->band[i] < 0) continue;
+        if (number[r] < 0) {
+            nearest[w->nodes] = i;
+            w->node[w->nodes] =
+                (struct node){.parent = -1, .first = -1, .next = -1, .near = INFINITY, .alone = alone, .arm = -1};
+            number[r] = w->nodes++;
+        }
+        struct node *k = &w->node[w->of[i] = number[r]];
+        if (w->d[i] < k->near) nearest[w->of[i]] = i;
+        k->near = fmin(k->near, w->d[i]);
+        k->far = k->deepest = fmax(k->far, w->d[i]);
+        for (int c = 0; c < 2; c++) k->x[c] += (in->x[i][c] - k->x[c]) / (double)(k->n + 1);
+        k->n++;
+    }
+    for (long k = 0; k < w->nodes; k++) {
+        const long from = w->before[nearest[k]];
+        if (from < 0 || w->of[from] < 0) continue;
+        struct node *parent = &w->node[w->node[k].parent = w->of[from]];
+        w->node[k].next = parent->first;
+        parent->first = k;
+    }
+    /* A node's parent begins nearer: climb from each node. */
+    for (long k = 0; k < w->nodes; k++)
+        for (long p = w->node[k].parent; p >= 0 && w->node[p].deepest < w->node[k].far; p = w->node[p].parent)
+            w->node[p].deepest = w->node[k].far;
+    memory_free(number);
+    memory_free(nearest);
+}
+
+/* Grows a list of the result by one element. */
+static void *more(void *list, int n, int *room, size_t size) {
+    if (n < *room) return list;
+    const int old = *room;
+    *room = 2 * old + 16;
+    return memory_grown(MEMORY_OUTPUT, list, (size_t)old, (size_t)*room, size);
+}
+
+static int arm_new(struct work *w, int parent, int alone) {
+    struct postproc_arms *o = w->out;
+    o->arm = more(o->arm, o->arms, &w->arm_room, sizeof *o->arm);
+    o->arm[o->arms] = (struct postproc_arm){.parent = parent, .alone = alone, .speed = NAN, .top = NAN, .top_t = NAN};
+    return o->arms++;
+}
+
+/* Whether what begins with a node goes on far enough beyond a distance to be an arm. */
+static int is_arm(const struct work *w, long k, double from) {
+    return w->node[k].deepest - from >= LEAST * w->in->spacing;
+}
+
+/* Gives a node and what follows it to an arm, until it forks; then begins the arms of the fork. */
+static void follow(struct work *w, long k, int arm) {
+    struct postproc_arms *o = w->out;
+    for (;;) {
+        long deepest = -1;
+        int branches = 0;
+        w->node[k].arm = arm;
+        for (long c = w->node[k].first; c >= 0; c = w->node[c].next) {
+            branches += is_arm(w, c, w->node[k].far);
+            if (deepest < 0 || w->node[c].deepest > w->node[deepest].deepest) deepest = c;
+        }
+        if (deepest < 0) return;
+        if (branches < 2) {
+            k = deepest;
+            continue;
+        }
+        o->fork = more(o->fork, o->forks, &w->fork_room, sizeof *o->fork);
+        const int fork = o->forks++;
+        /* the node's centre is where the arms part, until their lines say where they meet */
+        o->fork[fork] =
+            (struct postproc_fork){arm, branches, o->arms, {w->node[k].x[0], w->node[k].x[1]}, NAN, NAN, NAN};
+        const int first = o->arms;
+        for (int b = 0; b < branches; b++) arm_new(w, arm, w->node[k].alone);
+        int b = first;
+        for (long c = w->node[k].first; c >= 0; c = w->node[c].next)
+            if (is_arm(w, c, w->node[k].far)) follow(w, c, b++);
+        return;
+    }
+}
+
+static void make_arms(struct work *w) {
+    for (long k = 0; k < w->nodes; k++) {
+        if (w->node[k].parent >= 0 || w->node[k].arm >= 0) continue;
+        if (!w->node[k].alone) {
+            if (is_arm(w, k, 0)) follow(w, k, arm_new(w, -1, 0));
+            continue;
+        }
+        /* a crack without an initial one grows from a place in its middle to all sides */
+        for (long c = w->node[k].first; c >= 0; c = w->node[c].next)
+            if (is_arm(w, c, 0)) follow(w, c, arm_new(w, -1, 1));
+    }
+}
+
+/* Particles of an arm, the nearest first. */
+struct member {
+    double d, t, x[2];
+};
+static int by_distance(const void *a, const void *b) {
+    const struct member *p = a, *q = b;
+    if (p->d != q->d) return p->d < q->d ? -1 : 1;
+    const int k = p->x[0] == q->x[0];
+    return (p->x[k] > q->x[k]) - (p->x[k] < q->x[k]);
+}
+static int by_time(const void *a, const void *b) {
+    const struct member *p = a, *q = b;
+    if (p->t != q->t) return p->t < q->t ? -1 : 1;
+    return by_distance(a, b);
+}
+
+/* The direction of the line nearest to particles, from the first to the last.  (total least squares) */
+static struct postproc_angle direction_of(const struct member *m, long n) {
+    double c[2] = {0, 0}, xx = 0, xy = 0, yy = 0;
+    if (n < 4) return (struct postproc_angle){NAN, NAN};
+    for (long i = 0; i < n; i++)
+        for (int k = 0; k < 2; k++) c[k] += m[i].x[k] / (double)n;
+    for (long i = 0; i < n; i++) {
+        const double x = m[i].x[0] - c[0], y = m[i].x[1] - c[1];
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+    }
+    double angle = 0.5 * atan2(2 * xy, xx - yy), ahead = 0;
+    for (long i = 0; i < n; i++)
+        ahead += (m[i].d - m[0].d - 0.5 * (m[n - 1].d - m[0].d)) *
+                 (cos(angle) * (m[i].x[0] - c[0]) + sin(angle) * (m[i].x[1] - c[1]));
+    if (ahead < 0) angle += angle > 0 ? -M_PI : M_PI;
+    const double along = xx * cos(angle) * cos(angle) + 2 * xy * cos(angle) * sin(angle) + yy * sin(angle) * sin(angle);
+    const double across = fmax(xx + yy - along, 0);
+    return (struct postproc_angle){angle * 180 / M_PI, 2 * sqrt(across / along / (double)(n - 2)) * 180 / M_PI};
+}
+
+static void mean_of(const struct member *m, long n, double x[2]) {
+    x[0] = x[1] = 0;
+    for (long i = 0; i < n; i++)
+        for (int k = 0; k < 2; k++) x[k] += m[i].x[k] / (double)n;
+}
+
+/* Place, directions and length of an arm. The length is that of chords of five spacings between means over a band. */
+static void shape_of(struct postproc_arm *a, const struct member *m, long n, const struct postproc_arms_input *in) {
+    long first = 0, last = n, near = 0, far = n;
+    const double spacing = in->spacing;
+    while (first < n && m[first].d <= m[0].d + in->fit * (1 + 1e-9)) first++;
+    while (last > 0 && m[last - 1].d >= m[n - 1].d - in->fit * (1 + 1e-9)) last--;
+    while (near < n && m[near].d <= m[0].d + 0.5 * spacing) near++;
+    while (far > 0 && m[far - 1].d >= m[n - 1].d - 0.5 * spacing) far--;
+    a->first = direction_of(m, first);
+    mean_of(m, first, a->middle);
+    a->last = direction_of(m + last, n - last);
+    mean_of(m, near, a->begin);
+    mean_of(m + far, n - far, a->end);
+    double at[2] = {a->begin[0], a->begin[1]};
+    for (long i = 0, from = 0; i < n; i++) {
+        if (m[i].d < m[from].d + CHORD * spacing || m[n - 1].d - m[i].d < 0.5 * CHORD * spacing) continue;
+        long until = i;
+        while (until < n && m[until].d < m[i].d + spacing) until++;
+        double x[2];
+        mean_of(m + i, until - i, x);
+        a->length += apart(at, x);
+        memcpy(at, x, sizeof at);
+        from = i;
+    }
+    a->length += apart(at, a->end);
+}
+
+/* The speed of the straight motion nearest to a tip's places.  (least squares) */
+static double speed_of(const struct postproc_place *p, long n) {
+    double t = 0, x[2] = {0, 0}, tt = 0, tx[2] = {0, 0};
+    for (long i = 0; i < n; i++) {
+        t += p[i].t / (double)n;
+        for (int c = 0; c < 2; c++) x[c] += p[i].x[c] / (double)n;
+    }
+    for (long i = 0; i < n; i++) {
+        tt += (p[i].t - t) * (p[i].t - t);
+        for (int c = 0; c < 2; c++) tx[c] += (p[i].t - t) * (p[i].x[c] - x[c]);
+    }
+    return hypot(tx[0], tx[1]) / tt;
+}
+
+/* The way of an arm's tip: the mean of the farthest particles whenever damage has gone farther. m: the nearest first.
+ */
+static void follow_tip(struct postproc_arm *a, struct member *m, long n, const struct postproc_arms_input *in,
+                       struct postproc_place *p) {
+    const double h = in->spacing;
+    const double whole = m[n - 1].d - m[0].d;
+    double far = -INFINITY, before = 0, advance = 0, time = 0;
+    qsort(m, (size_t)n, sizeof *m, by_time);
+    for (long i = 0, until; i < n && !isnan(m[i].t); i = until) {
+        for (until = i; until < n && m[until].t == m[i].t;) until++;
+        if (m[until - 1].d <= far + 0.5 * h) continue; /* no farther by half a spacing */
+        long from = until;
+        while (from > i && m[from - 1].d >= m[until - 1].d - 0.75 * h) from--;
+        struct postproc_place *now = &p[a->places];
+        *now = (struct postproc_place){m[i].t, {0, 0}, NAN, 0};
+        mean_of(m + from, until - from, now->x);
+        before = far;
+        far = m[until - 1].d;
+        if (a->places++ == 0) continue;
+        now->jumped = (far - before) / OCTAGON - GRAIN * h > in->rayleigh * (now->t - now[-1].t);
+        a->jumps += now->jumped;
+        if (now->jumped) continue;
+        advance += far - before;
+        time += now->t - now[-1].t;
+    }
+    if (a->places == 0) return;
+    if (time > 0 && whole > 0) a->speed = a->length * advance / whole / time;
+    a->t_begin = p[0].t;
+    a->t_end = p[a->places - 1].t;
+    for (long k = 0, from = 0; k < a->places; k++) {
+        if (p[k].jumped) from = k;
+        while (p[k].t - p[from].t > in->window * (1 + 1e-9)) from++;
+        if (k - from + 1 < PLACES || p[k].t - p[from].t < SPAN * in->window) continue;
+        p[k].speed = speed_of(p + from, k - from + 1);
+        a->windows++;
+        a->above += p[k].speed > in->rayleigh;
+        if (!(p[k].speed <= a->top)) a->top = p[k].speed, a->top_t = 0.5 * (p[k].t + p[from].t);
+    }
+}
+
+/* Where the lines of a fork's outermost arms meet, when the tip was there, and the angle between them. */
+static void finish_fork(struct postproc_fork *f, const struct postproc_arms *o, const struct postproc_arms_input *in) {
+    int one = f->first, two = f->first;
+    const double ahead = o->arm[f->arm].last.value;
+    double left = -INFINITY, right = INFINITY;
+    for (int b = f->first; b < f->first + f->arms; b++) {
+        const double turn = remainder(o->arm[b].first.value - ahead, 360);
+        if (turn > left) left = turn, one = b;
+        if (turn < right) right = turn, two = b;
+    }
+    const struct postproc_arm *a = &o->arm[one], *b = &o->arm[two];
+    f->angle = fabs(left - right);
+    f->error = hypot(a->first.error, b->first.error);
+    const double u[2] = {cos(a->first.value * M_PI / 180), sin(a->first.value * M_PI / 180)};
+    const double v[2] = {cos(b->first.value * M_PI / 180), sin(b->first.value * M_PI / 180)};
+    const double cross = u[0] * v[1] - u[1] * v[0];
+    const double s = ((b->middle[0] - a->middle[0]) * v[1] - (b->middle[1] - a->middle[1]) * v[0]) / cross;
+    const double x[2] = {a->middle[0] + s * u[0], a->middle[1] + s * u[1]};
+    if (fabs(cross) > 0.1 && apart(x, f->place) < FORK * in->spacing) memcpy(f->place, x, sizeof x);
+    const struct postproc_arm *stem = &o->arm[f->arm];
+    double nearest = INFINITY;
+    for (long k = stem->first_place; k < stem->first_place + stem->places; k++) {
+        const double away = apart(o->place[k].x, f->place);
+        if (away < nearest) nearest = away, f->t = o->place[k].t;
+    }
+}
+
+static void describe(struct work *w) {
+    const struct postproc_arms_input *in = w->in;
+    struct postproc_arms *o = w->out;
+    long *start = list_of(o->arms + 2, sizeof *start);
+    struct member *m = list_of(in->n, sizeof *m);
+    o->place = list_of(in->n, sizeof *o->place);
+    for (long i = 0; i < in->n; i++)
+        if (w->of[i] >= 0 && w->node[w->of[i]].arm >= 0) start[w->node[w->of[i]].arm + 2]++;
+    for (int a = 2; a < o->arms + 2; a++) start[a] += start[a - 1];
+    for (long i = 0; i < in->n; i++)
+        if (w->of[i] >= 0 && w->node[w->of[i]].arm >= 0)
+            m[start[w->node[w->of[i]].arm + 1]++] = (struct member){w->d[i], in->t[i], {in->x[i][0], in->x[i][1]}};
+    for (int a = 0; a < o->arms; a++) {
+        struct member *mine = m + start[a];
+        const long n = start[a + 1] - start[a];
+        qsort(mine, (size_t)n, sizeof *mine, by_distance);
+        shape_of(&o->arm[a], mine, n, in);
+        o->arm[a].t_begin = o->arm[a].t_end = NAN;
+        o->arm[a].first_place = o->places;
+        follow_tip(&o->arm[a], mine, n, in, o->place + o->places);
+        o->places += o->arm[a].places;
+    }
+    for (int f = 0; f < o->forks; f++) finish_fork(&o->fork[f], o, in);
+    memory_free(m);
+    memory_free(start);
+}
+
+double postproc_crack_arms_grain(const struct postproc_arms_input *in) { return in->spacing / in->window; }
+
+struct postproc_arms *postproc_crack_arms_of(const struct postproc_arms_input *in) {
+    struct work w = {.in = in, .out = memory_new(MEMORY_OUTPUT, 1, sizeof *w.out)};
+    w.order = list_of(in->n, sizeof *w.order);
+    w.union_parent = list_of(in->n, sizeof *w.union_parent);
+    w.d = list_of(in->n, sizeof *w.d);
+    w.before = list_of(in->n, sizeof *w.before);
+    w.band = list_of(in->n, sizeof *w.band);
+    w.of = list_of(in->n, sizeof *w.of);
+    w.node = list_of(in->n, sizeof *w.node);
+    join(&w);
+    list_joints(&w);
+    measure(&w);
+    make_nodes(&w);
+    make_arms(&w);
+    describe(&w);
+    void *const own[] = {w.order, w.union_parent, w.d,     w.before, w.band,  w.of,
+                         w.node,  w.edge,         w.start, w.other,  w.length};
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
+    return w.out;
+}
+
+void postproc_crack_arms_free(struct postproc_arms *a) {
+    if (!a) return;
+    memory_free(a->arm);
+    memory_free(a->fork);
+    memory_free(a->place);
+    memory_free(a);
+}
