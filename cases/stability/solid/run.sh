@@ -82,6 +82,9 @@ while IFS=, read -r what at rk3 of_rk3 verlet of_verlet; do
       contact-RK3) # contact that opens as the oscillation grows is softer than its spring: the computed step is a bound
         row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" \
           "not below it" 0.995 1e3 ;;
+      contact-Verlet) # computed for contact that sets in and ends; this one stays closed until it grows
+        near "$what = $at, $method: longest step over the computed one" 1 "$(calc "$found / $computed")" 1.41421 \
+          "2/omega over sqrt(2)/omega" 0.02 ;;
       # computed from one limit for the whole body, or a polygon around the rates of all modes: a bound
       cracks-* | damping-* | absolute-*)
         row "$what = $at, $method: longest step over the computed bound" 1 "$(calc "$found / $computed")" "" \
