@@ -85,7 +85,7 @@ static void join(struct work *w) {
             if (length <= near) edge_add(w, w->order[q], i, length);
         }
     }
-    qsort(w->edge, (size_t)w->edges, sizeof *w->edge, by_length);
+    if (w->edges > 0) qsort(w->edge, (size_t)w->edges, sizeof *w->edge, by_length);
     long kept = 0;
     for (long e = 0; e < w->edges; e++) {
         const long a = root_of(w->union_parent, w->edge[e].a), b = root_of(w->union_parent, w->edge[e].b);
