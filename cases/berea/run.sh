@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Permeability of a sample of Berea sandstone along its three axes, beside a lattice-Boltzmann code's on the same
-# voxels; its convergence in a part of the sample.
+# voxels; its convergence in a part of the sample; and a part of it broken by the flow.
 # The image is not in the repository: README.md says where it can be had. It is looked for in this folder.
 # usage: cases/berea/run.sh [FRANA [RUNS [OUT]]]
 #        cases/berea/run.sh --summary [OUT]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../verification/common.sh" "$@"
+# shellcheck source=cases/rock.sh
+. "$here/../rock.sh"
 image=$here/berea_pore_110x110x110_uint8.raw
 [ "$again" ] || [ -f "$image" ] || { echo "there is no $image; see $here/README.md" >&2; exit 4; }
 for name in study_part study study_fine; do study $name; done
@@ -24,4 +26,5 @@ done
 shown "2 cells a voxel, along z: permeability" voxel2 "$(cell study_fine value 'along z' 2 permeability)" 0.4087 \
   "LBPM, MRT, along z, over the sample's length"
 shown "2 cells a voxel, along z: wall time" s "$(cell study_fine wall_median_s 'along z' 2 permeability)" "" ""
+broken
 finish
