@@ -69,13 +69,13 @@ static void leave_inside(struct run *r) {
         if (!fluid_grid_of(r->fluid)->periodic[c] || (!driven && in->body_force[c] == 0)) continue;
         run_deposit(r);
         const enum medium_span span = medium_spans(r->medium, c);
-        if (span == MEDIUM_SPAN_ENDLESS && r->needs.bonds)
-            die_all(EXIT_CODE_SCENE,
-                    "solid: it is connected through the periodic sides along %c, along which the fluid is driven: in a "
-                    "stage that is not rigid it needs a layer of fluid before or behind it, or another driving",
-                    "xyz"[c]);
+        if (span == MEDIUM_SPAN_ENDLESS && r->needs.bonds && c == medium_axis(r->medium) && !r->measured.why[0])
+            snprintf(r->measured.why, sizeof r->measured.why,
+                     "the solid is connected through the periodic sides along %c, and not rigid in every stage: the "
+                     "fluid inside it is driven too; put a layer of fluid before or behind it",
+                     "xyz"[c]);
         any |= along[c] = span != MEDIUM_SPAN_NONE && !r->needs.bonds;
-        if (span == MEDIUM_SPAN_ENDLESS) medium_pores_only(r->medium);
+        if (span == MEDIUM_SPAN_ENDLESS && along[c]) medium_pores_only(r->medium);
     }
     if (any) ibm_inside_undriven(r->ibm, along, medium_fraction(r->medium));
 }

@@ -48,7 +48,7 @@ value() { awk -F, -v c="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k 
 
 for integrator in verlet rk3; do
   # given and automatic steps; checks for refinement at the checkpoint's step and at other steps
-  [ $integrator = verlet ] && plate verlet 10 keep 'time_step: 5.0e-8' >scene.yaml
+  [ $integrator = verlet ] && plate verlet 10 keep 'time_step: 8.0e-8' >scene.yaml
   [ $integrator = rk3 ] && plate rk3 7 refine 'safety: 0.4' >scene.yaml
   code 0 ranks 1 run scene.yaml --out one_$integrator
   code 0 ranks 3 run scene.yaml --out three_$integrator
