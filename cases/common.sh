@@ -97,6 +97,14 @@ text() { sed -n "s/.*\"$2\": *\"\(.*\)\".*/\1/p" "$1" | head -n 1; }
 # json NAME KEY: a number from run.json of the run $runs/NAME; kept
 json() { kept "$1: $2" number "$runs/$1/run.json" "$2"; }
 
+# cell STUDY COLUMN METHOD LEVEL QUANTITY: a cell of the table $tables/STUDY.csv of a study.
+cell() {
+  awk -F, -v c="$2" -v m="$3" -v l="$4" -v q="$5" '/^#/ { next }
+    !at { for (i = 1; i <= NF; i++) if ($i == c) at = i; next }
+    $1 == m && $2 == l && $4 == q { print $at; found = 1 } END { exit !found }' "$tables/$1.csv" ||
+    { echo "$1: no $2 of $3, $4, $5" >&2; kill $$; }
+}
+
 # calc EXPRESSION: the value of an awk expression, which may use pi
 calc() { awk "BEGIN { pi = atan2(0, -1); printf \"%.12g\\n\", $1 }"; }
 # scaled FACTOR [VALUE]: FACTOR times VALUE; prints nothing without VALUE

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "files/folder.h"
 #include "postproc/data/pdf.h"
+#include "postproc/gnuplot.h"
 #include "postproc/post.h"
 #include "postproc/report.h"
 #include "postproc/sections/sections.h"
@@ -131,6 +132,7 @@ static int compare(int n, struct postproc_history *const *run, const char *const
         postproc_sections_crack_numbers(output[r], run[r]);
         postproc_sections_wall(output[r], run[r]);
     }
+    postproc_gnuplot_end();
     if (table_write(report, n, (const struct postproc_output *const *)output, label, out)) fault = errno;
     for (int k = 0; k < charts.n; k++) {
         char path[128];

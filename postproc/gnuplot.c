@@ -1,32 +1,102 @@
 /* Calls gnuplot, and writes what all scripts share. */
 #include "postproc/gnuplot.h"
 #include "base/ensure.h"
-#include "files/folder.h"
 
 #include <errno.h>
 #include <math.h>
 #include <spawn.h>
+#include <stdlib.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 extern char **environ;
 
-enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script) {
+/* One gnuplot draws all pictures of a command. To start it and to find the typeface takes longer than to draw. It reads
+ * its commands from a socket, whose other end is `link`, and answers there. */
+static struct {
+    pid_t pid;
+    int link;
+} session = {.link = -1};
+
+/* Returns whether there is a gnuplot. */
+static int begin(void) {
+    int ends[2];
+    if (session.link >= 0) return 1;
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends)) return 0;
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, folder);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", 0, 0);
-    char program[] = "gnuplot", name[FOLDER_PATH];
-    snprintf(name, sizeof name, "%s", script);
-    char *argv[] = {program, name, NULL};
-    pid_t pid;
-    int status;
-    const int fault = posix_spawnp(&pid, program, &actions, NULL, argv, environ);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    char program[] = "gnuplot", *argv[] = {program, NULL};
+    const int fault = posix_spawnp(&session.pid, program, &actions, NULL, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (fault) return POSTPROC_PLOT_NO_GNUPLOT;
-    while (waitpid(pid, &status, 0) < 0)
-        if (errno != EINTR) return POSTPROC_PLOT_FAILED;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? POSTPROC_PLOT_DONE : POSTPROC_PLOT_FAILED;
+    close(ends[1]);
+    if (fault)
+        close(ends[0]);
+    else
+        session.link = ends[0];
+    return !fault;
+}
+
+void postproc_gnuplot_end(void) {
+    if (session.link < 0) return;
+    close(session.link);
+    session.link = -1;
+    while (waitpid(session.pid, NULL, 0) < 0)
+        if (errno != EINTR) return;
+}
+
+/* Returns whether all of the text was taken. */
+static int tell(const char *text, size_t length) {
+    while (length > 0) {
+        const ssize_t n = send(session.link, text, length, MSG_NOSIGNAL);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return 0;
+        text += n;
+        length -= (size_t)n;
+    }
+    return 1;
+}
+
+/* The number that gnuplot prints on a line of its own: that of its last error, 0 if there was none. -1: gnuplot has
+ * ended. */
+static int answer(void) {
+    char line[32];
+    for (size_t n = 0; n < sizeof line - 1;) {
+        const ssize_t got = recv(session.link, line + n, 1, 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return -1;
+        if (line[n] != '\n') {
+            n++;
+            continue;
+        }
+        line[n] = '\0';
+        return atoi(line);
+    }
+    return -1;
+}
+
+enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script) {
+    char *text = NULL, *whole = realpath(folder, NULL);
+    size_t length = 0;
+    if (!whole) return POSTPROC_PLOT_FAILED;
+    if (!begin()) {
+        free(whole);
+        return POSTPROC_PLOT_NO_GNUPLOT;
+    }
+    FILE *f = open_memstream(&text, &length);
+    fputs("set output\nreset session\nreset errors\nset print '-'\ncd ", f);
+    postproc_gnuplot_text(f, whole);
+    fputs("\nload ", f);
+    postproc_gnuplot_text(f, script);
+    fputs("\nset output\nprint GPVAL_ERRNO\n", f);
+    fclose(f);
+    const int fault = tell(text, length) ? answer() : -1;
+    if (fault < 0) postproc_gnuplot_end();
+    free(text);
+    free(whole);
+    return fault ? POSTPROC_PLOT_FAILED : POSTPROC_PLOT_DONE;
 }
 
 /* The typeface and the sizes of letters and lines are the same in all three: a point is 4/3 pixels of the PNG. Letters

@@ -10,8 +10,10 @@ enum postproc_plot_status {
 };
 enum postproc_format { POSTPROC_PNG, POSTPROC_SVG, POSTPROC_PDF, POSTPROC_FORMATS };
 
-/* Runs gnuplot in the folder, without a shell and without output. */
+/* Runs a script in the folder, without a shell and without output. The first one starts gnuplot, which goes on until
+ * postproc_gnuplot_end. */
 enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script);
+void postproc_gnuplot_end(void); /* every command that draws calls it at its end */
 /* set terminal and set output NAME.png, .svg or .pdf. width, height: pixels of the PNG. The page of the PDF is as
  * large as the PNG at 96 pixels an inch. */
 void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char *name, int width, int height);

@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "files/folder.h"
+#include "postproc/gnuplot.h"
 #include "postproc/report.h"
 #include "postproc/sections/sections.h"
 
@@ -148,6 +149,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
     else
         printf("%s: report.md, report.html, summary.csv, %d plots, %d pictures\n", post, out->charts.n, out->pictures);
 end:
+    postproc_gnuplot_end();
     postproc_history_free(h);
     free(out);
     return code;

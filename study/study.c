@@ -2,6 +2,7 @@
 #include "study/study.h"
 #include "base/die.h"
 #include "base/text.h"
+#include "postproc/gnuplot.h"
 #include "scene/text/node.h"
 #include "study/report/report.h"
 #include "study/runs/child.h"
@@ -40,6 +41,7 @@ static int report(const struct study_plan *p, const char *out) {
     struct study_result *r = study_result_new(p);
     const struct study_maker maker = study_report_maker();
     const int plotted = study_chart_draw(r, out);
+    postproc_gnuplot_end();
     study_csv_write(r, &maker, out);
     study_page_write(r, &maker, out);
     study_result_free(r);

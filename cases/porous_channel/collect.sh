@@ -60,6 +60,19 @@ for load in probe reaction; do
   [ "$again" ] || for s in s1 s2 s3; do cp "$runs/$load/$s/series.csv" "$out/series_${load}_$s.csv"; done
   judge $load
 done
+
+# Bonds that soften, on 128 cells and on 192 (run_study.sh). The same crack takes a share of bonds that goes with the
+# horizon, so their area is judged too.
+tables=$out
+over() { calc "$(cell study_softening value bilinear 128 "$1") / $(cell study_softening value bilinear 192 "$1")"; }
+if [ -f "$tables/study_softening.csv" ]; then
+  row "softening, 128 over 192 cells: time of the first thousandth of bonds" 1 "$(over 'one in a thousand bonds')" 1 \
+    "the finer grid" 0.9 1.1
+  row "softening, 128 over 192 cells: share of bonds broken" 1 "$(over 'share broken')" 1 "the finer grid" 0.9 1.1
+  row "softening, 128 over 192 cells: time of 0.7 cm2 of cracks" 1 "$(over '0.7 cm2 broken')" 1 \
+    "the finer grid" 0.9 1.1
+  row "softening, 128 over 192 cells: area of cracks" 1 "$(over 'area broken')" 1 "the finer grid" 0.9 1.1
+fi
 [ ! "$again" ] || { finish; exit; }
 
 keep() { [ ! -f "$1" ] || cp "$1" "$2"; } # keep FILE TO

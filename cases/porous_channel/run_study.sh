@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures in short runs of S2 of the main case what each choice changes and costs, and how far round-off makes its runs
-# differ. Finished runs are kept. Takes about 20 minutes on two cores. Nothing else should run on the machine.
+# differ. Finished runs are kept. Takes about 30 minutes on two cores. Nothing else should run on the machine.
 # usage: cases/porous_channel/run_study.sh [FRANA [RUNS [SETTLED]]]
 #   defaults: build/frana; runs/porous_channel_study; runs/porous_channel/probe/s1/checkpoint/stage_settle.h5, which is
 #   made if it is missing
@@ -11,7 +11,7 @@ frana=$(realpath "${1:-build/frana}") runs=${2:-runs/porous_channel_study} case=
 settled=${3:-runs/porous_channel/probe/s1/checkpoint/stage_settle.h5}
 . cases/common.sh
 mkdir -p "$runs" "$out"
-for study in iterations surface choices grid step reaction loads; do
+for study in iterations surface choices grid step reaction loads softening; do
   "$frana" study "$case/study_$study.yaml" --out "$runs"
   cp "$runs/study_$study".csv "$runs/study_$study"_pressure-drop.png "$out"
   # only this one of the page's pictures is kept

@@ -30,10 +30,3 @@ study() {
   "$frana" study "$here/$1.yaml" --out "$runs" >"$runs/$1.log" 2>&1 || { cat "$runs/$1.log" >&2; exit 1; }
   [ "$quick" ] || cp "$runs/$1".csv "$runs/$1".md "$runs/$1"*.png "$out" 2>/dev/null || true
 }
-# cell STUDY COLUMN METHOD LEVEL QUANTITY: a cell of the study's table.
-cell() {
-  awk -F, -v c="$2" -v m="$3" -v l="$4" -v q="$5" '/^#/ { next }
-    !at { for (i = 1; i <= NF; i++) if ($i == c) at = i; next }
-    $1 == m && $2 == l && $4 == q { print $at; found = 1 } END { exit !found }' "$tables/$1.csv" ||
-    { echo "$1: no $2 of $3, $4, $5" >&2; kill $$; }
-}

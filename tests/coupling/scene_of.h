@@ -12,7 +12,14 @@
 #include <unistd.h>
 #include <cmocka.h>
 
-/* The same with n settings. Free with scene_free. Collective. */
+/* The sides of a fluid that is periodic in all directions; a part of a scene's text. */
+#define SCENE_OF_PERIODIC_SIDES                                                                                        \
+    "  sides:\n"                                                                                                       \
+    "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"                                                      \
+    "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"                                                      \
+    "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
+
+/* The scene of both texts, one after the other, with n settings. Free with scene_free. Collective. */
 static inline struct scene *scene_of(const char *one, const char *two, int n, const char *const *set) {
     char path[] = "/tmp/frana_test_sceneXXXXXX";
     if (par_rank() == 0) {

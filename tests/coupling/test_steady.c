@@ -7,20 +7,16 @@
 #include <math.h>
 #include <stdio.h>
 
-static const char *const array = "title: test\n"
-                                 "domain: {size: [1, 1, 1], cells: [12, 12, 12]}\n"
-                                 "fluid:\n"
-                                 "  density: 1\n"
-                                 "  viscosity: 1\n"
-                                 "  driving: {type: pressure_gradient, direction: y, value: 1.0e-3}\n"
-                                 "  sides:\n"
-                                 "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"
-                                 "    y_low: {type: periodic}\n    y_high: {type: periodic}\n"
-                                 "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
-                                 "solid:\n"
-                                 "  materials:\n    - {name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 2}\n"
-                                 "  bodies:\n    - {name: a, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.3}\n"
-                                 "coupling:\n  surface: shape\n  medium: {low: [0, 0, 0], high: [1, 1, 1]}\n";
+static const char *const array =
+    "title: test\n"
+    "domain: {size: [1, 1, 1], cells: [12, 12, 12]}\n"
+    "fluid:\n"
+    "  density: 1\n"
+    "  viscosity: 1\n"
+    "  driving: {type: pressure_gradient, direction: y, value: 1.0e-3}\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
+    "  materials:\n    - {name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 2}\n"
+    "  bodies:\n    - {name: a, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.3}\n"
+    "coupling:\n  surface: shape\n  medium: {low: [0, 0, 0], high: [1, 1, 1]}\n";
 
 struct end {
     long step;
