@@ -18,6 +18,7 @@ const char *command_usage(void) {
            "[--fresh]\n"
            "  frana calibrate SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
            "[--fresh] [--quick]\n"
+           "              [--only PART,...]\n"
            "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--slice x=PLACE]... [--level DAMAGE]\n"
            "              [--magnify FACTOR]\n"
            "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
@@ -118,9 +119,9 @@ static void check_option(int o, const char *word, enum command_verb verb) {
     if (strchr("ilmx", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
     if (o == 'f' && verb != COMMAND_STUDY && !several)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana study, permeability and calibrate only", word);
-    if (o == 'k' && verb != COMMAND_BENCH && verb != COMMAND_CALIBRATE)
+    if (strchr("kn", o) && verb != COMMAND_BENCH && verb != COMMAND_CALIBRATE)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana bench and calibrate only", word);
-    if (strchr("nzpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
+    if (strchr("zpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
 static void options(struct command *c, int argc, char **argv) {

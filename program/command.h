@@ -34,10 +34,11 @@ struct command {
     int sliced[3];             /* --slice x=PLACE: 1 */
     double slice[3];           /* m */
     int quick;                 /* bench, calibrate: --quick */
+    const char *only;          /* bench, calibrate: a comma-separated list of parts, or NULL: all */
     /* bench */
     int repeats;
-    enum bench_page table;    /* writes tables from earlier measurements, measures nothing */
-    const char *only, *sizes; /* comma-separated lists, or NULL: all parts, the standard sizes */
+    enum bench_page table; /* writes tables from earlier measurements, measures nothing */
+    const char *sizes;     /* a comma-separated list, or NULL: the standard ones */
 };
 
 /* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */

@@ -21,8 +21,8 @@
 #include <string.h>
 
 /* What a strip holds ahead of the crack, over G0: the next one where the crack stops. */
-static const double held_running[] = {1.5, 1.9, 2.4}, held_damped[] = {1.3, 1.6, 2};
 enum { HELD = 3 };
+static const double held_running[HELD] = {1.5, 1.9, 2.4}, held_damped[HELD] = {1.3, 1.6, 2};
 
 struct calibrate {
     const struct command *command;
@@ -120,7 +120,7 @@ static void keep_energy(struct calibrate *t, const char *quantity, double degree
 /* Whether the crack has gone through most of its window; a wedge stops it somewhere. */
 static int has_run(const struct calibrate_scene *c, const struct calibrate_measure_crack *found) {
     const struct calibrate_sizes z = calibrate_sample_sizes(c);
-    const double way = c->kind == CALIBRATE_CREEPING ? 2.5 * c->sample->m : 0.7 * (z.to - z.from);
+    const double way = c->kind == CALIBRATE_CREEPING ? 2 * c->sample->m : 0.7 * (z.to - z.from);
     return found->samples >= 6 && found->reached >= z.from + way;
 }
 
@@ -131,7 +131,7 @@ static int strip(struct calibrate *t, enum calibrate_kind kind, double degrees) 
     struct calibrate_scene c = {&t->sample, kind, degrees, 1};
     struct calibrate_measure_crack found = {0};
     int done = 0;
-    for (int k = 0; k < HELD && !done; k++) {
+    for (int k = 0; k < (creeping ? 1 : HELD) && !done; k++) {
         char folder[sizeof t->command->out], name[64];
         c.held = creeping ? 1 : damped ? held_damped[k] : held_running[k];
         if (creeping)
@@ -143,7 +143,6 @@ static int strip(struct calibrate *t, enum calibrate_kind kind, double degrees) 
         if (par_rank() == 0 && code == EXIT_CODE_DONE) found = calibrate_measure_crack(folder, &c);
         par_bcast(&found, sizeof found, 0);
         done = code == EXIT_CODE_DONE && has_run(&c, &found);
-        if (creeping) break;
     }
     if (!done) found.balance = found.bonds = found.turn = NAN;
     keep_energy(t, quantity, degrees, damped ? found.bonds : found.balance);
@@ -220,17 +219,37 @@ static int bar(struct calibrate *t) {
     return EXIT_CODE_DONE;
 }
 
+/* Whether --only names the part, or is not given. */
+static int is_wanted(const struct command *c, const char *part) {
+    const size_t length = strlen(part);
+    if (!c->only) return 1;
+    for (const char *at = c->only; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
+        if (!strncmp(at, part, length) && (at[length] == ',' || at[length] == '\0')) return 1;
+    return 0;
+}
+
+/* Dies on a word of --only that is no part. */
+static void check_only(const struct command *c) {
+    static const char *const part[] = {"running", "creeping", "notch", "bar"};
+    int words = 1, known = 0;
+    if (!c->only) return;
+    for (const char *at = c->only; *at; at++) words += *at == ',';
+    for (int k = 0; k < 4; k++) known += is_wanted(c, part[k]);
+    if (known != words)
+        die_all(EXIT_CODE_SCENE, "--only %s: must be of running, creeping, notch and bar, each at most once", c->only);
+}
+
 /* All measurements of a material; those that take least first. Returns the exit code. */
 static int material(struct calibrate *t) {
     static const double all[] = {0, 15, 30, 45};
     const int space = t->sample.model == SCENE_3D, quick = t->sample.quick;
     const enum calibrate_kind creeping = t->sample.length > 0 ? CALIBRATE_DAMPED : CALIBRATE_CREEPING;
-    int code = bar(t);
-    if (code == EXIT_CODE_DONE) code = notch(t);
-    for (int k = 0; k < 4 && code == EXIT_CODE_DONE; k++)
+    int code = is_wanted(t->command, "bar") ? bar(t) : EXIT_CODE_DONE;
+    if (code == EXIT_CODE_DONE && is_wanted(t->command, "notch")) code = notch(t);
+    for (int k = 0; k < 4 && code == EXIT_CODE_DONE && is_wanted(t->command, "running"); k++)
         if (all[k] == 0 || (!space && !quick) || (all[k] == 45 && !(space && quick)))
             code = strip(t, CALIBRATE_RUNNING, all[k]);
-    for (int k = 0; k < 4 && code == EXIT_CODE_DONE; k++)
+    for (int k = 0; k < 4 && code == EXIT_CODE_DONE && is_wanted(t->command, "creeping"); k++)
         if (all[k] == 0 || (all[k] == 45 && !space && !quick)) code = strip(t, creeping, all[k]);
     return code;
 }
@@ -251,6 +270,7 @@ int calibrate_run(const struct command *c, const struct scene *scene) {
     struct calibrate t = {.command = c, .scene = scene, .start = par_seconds()};
     int code = EXIT_CODE_DONE, measured = 0;
     if (!scene->solid) die_all(EXIT_CODE_SCENE, "frana calibrate: needs a scene with a solid");
+    check_only(c);
     for (t.material = 0; t.material < scene->solid->materials && code == EXIT_CODE_DONE; t.material++) {
         if (!isfinite(material_of(&t)->fracture_energy)) continue;
         measured++;

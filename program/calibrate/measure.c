@@ -92,8 +92,9 @@ struct calibrate_measure_notch calibrate_measure_notch(const char *folder, const
         while (tip + 1 < crack->rows && cell(crack, tip + 1, "step") <= step) tip++;
         if (cell(crack, tip, "tip_x") > z.crack + 2 * c->sample->m) break;
         found.largest = fmax(found.largest, force_of(reactions, 2 * i, "force_y") / griffith);
-        if (isnan(found.first) && i > 0 && cell(series, i, "bonds_broken") > cell(series, 0, "bonds_broken"))
-            found.first = found.largest;
+        const int broken = i > 0 ? cell(series, i, "bonds_broken") > cell(series, 0, "bonds_broken")
+                                 : c->sample->length == 0 && cell(series, i, "e_fracture") > 0;
+        if (isnan(found.first) && broken) found.first = found.largest;
     }
     table_read_free(series);
     table_read_free(crack);

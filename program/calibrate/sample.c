@@ -62,7 +62,7 @@ static struct calibrate_sizes creeping(const struct calibrate_scene *c) {
     z.crack = 0.8 * h;
     z.from = z.crack + c->sample->m;
     z.to = 1.6 * h;
-    z.steps = small ? 16 : 32;
+    z.steps = small ? 24 : 32;
     z.increment = small ? 0.05 : 0.03;
     z.first = 1.15;
     z.every = 1;
@@ -131,9 +131,7 @@ struct calibrate_sizes calibrate_sample_sizes(const struct calibrate_scene *c) {
     ENSURE(z.length > 0, "no sizes of kind %d", (int)c->kind);
     z.clamp = (int)ceil(k->m - 1e-9);
     z.depth = !space ? 1 : c->kind == CALIBRATE_BAR ? z.height : (int)floor(2 * k->m + 1 + 1e-6) + 1;
-    if (c->kind != CALIBRATE_BAR) /* held is 1 in a plate whose notch has no energy release rate yet */
-        z.way = way_of(k, c->kind == CALIBRATE_RUNNING || c->kind == CALIBRATE_DAMPED ? c->held : 1,
-                       z.height - 2 * z.clamp);
+    if (c->kind != CALIBRATE_BAR) z.way = way_of(k, c->kind == CALIBRATE_NOTCHED ? 1 : c->held, z.height - 2 * z.clamp);
     if (c->kind == CALIBRATE_NOTCHED) z.way *= c->held;
     return z;
 }

@@ -31,8 +31,9 @@ struct calibrate_scene {
     const struct calibrate_sample *sample; /* borrowed */
     enum calibrate_kind kind;
     double degrees; /* of the crack's way from [100] in the plane of [100] and [010]; strips only */
-    double held;    /* strips: what the strip ahead of the crack holds, over G0; at the notch: of the clamps' way, the
-                     * factor that gives Griffith's energy release rate G0 */
+    double held; /* strips: what the strip holds ahead of the crack, over G0, of a wedge (1) at the time factor 1; with
+                  * a notch that is opened the factor of the clamps' way that gives Griffith's energy release rate G0,
+                  * else 1 */
 };
 
 /* Fracture energy of the sample's bonds, with E = spacing = 1: s0 is 2e-3 at any m. */
