@@ -80,9 +80,9 @@ static struct calibrate_sizes notch(const struct calibrate_scene *c) {
         z.steps = 1;
     } else if (c->sample->length == 0) {
         const int coarse = c->sample->quick || c->sample->model == SCENE_3D;
-        z.first = 0.9;
+        z.first = 0.7;
         z.increment = coarse ? 0.04 : 0.02;
-        z.steps = coarse ? 28 : 50;
+        z.steps = coarse ? 33 : 60;
     } else {
         z.step = m / 2.4;
         z.steps = (int)(1500 * m / 3 / z.step);
