@@ -50,7 +50,7 @@ grep -q 'a rock: for a rock of toughness G enter as fracture_energy 0\.[0-9]* G 
   fail "no sentence on what to enter"
 # its scenes are scenes
 for file in one/a_rock/*.yaml; do code 0 ranks 1 check "$file"; done
-[ "$(ls one/a_rock/*.yaml | wc -l)" -ge 7 ] || fail "scenes are missing"
+[ "$(find one/a_rock -name '*.yaml' ! -name scene.resolved.yaml | wc -l)" -ge 7 ] || fail "scenes are missing"
 # a second call makes no run again
 touch -d '2001-01-01' one/a_rock/bar/series.csv
 code 0 ranks 1 calibrate scene.yaml --quick --out one --quiet
