@@ -9,6 +9,7 @@
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "physics/waves.h"
+#include "program/check_sizes.h"
 #include "program/program.h"
 #include "program/fragments.h"
 #include "program/record.h"
@@ -337,6 +338,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     say_limits(r);
     say_memory();
     say_groups(r);
+    check_sizes_say(r);
     fragments_free(fragments);
     run_free(r);
     return EXIT_CODE_DONE;

@@ -16,13 +16,16 @@ const char *command_usage(void) {
            "  frana check SCENE.yaml [--out DIR] [--set key.path=value]...\n"
            "  frana permeability SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
            "[--fresh]\n"
+           "  frana calibrate SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
+           "[--fresh] [--quick]\n"
+           "              [--only PART,...]\n"
            "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--slice x=PLACE]... [--level DAMAGE]\n"
            "              [--magnify FACTOR]\n"
            "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
            "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
            "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
            "  frana --version\n"
-           "run, check, permeability and bench under mpiexec -n N where they should run in parallel.\n";
+           "run, check, permeability, calibrate and bench under mpiexec -n N where they should run in parallel.\n";
 }
 
 /* Seconds from HH:MM:SS, MM:SS or seconds. */
@@ -52,13 +55,16 @@ static enum command_verb verb_of(const char *word) {
                 {"study", COMMAND_STUDY},
                 {"--version", COMMAND_VERSION},
                 {"permeability", COMMAND_PERMEABILITY},
+                {"calibrate", COMMAND_CALIBRATE},
                 {"--help", COMMAND_HELP},
                 {"-h", COMMAND_HELP},
                 {"help", COMMAND_HELP}};
     for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
         if (!strcmp(word, verb[k].word)) return verb[k].verb;
-    die_all(EXIT_CODE_SCENE,
-            "%s: unknown command; there are run, check, post, bench, study, permeability, --version and --help", word);
+    die_all(
+        EXIT_CODE_SCENE,
+        "%s: unknown command; there are run, check, post, bench, study, permeability, calibrate, --version and --help",
+        word);
 }
 
 /* above/NAME, where NAME is the scene's file name without its ending. */
@@ -103,15 +109,19 @@ static void slice_of(struct command *c, const char *text) {
 
 /* Checks that the option belongs to the command. */
 static void check_option(int o, const char *word, enum command_verb verb) {
-    const int runs = verb == COMMAND_RUN || verb == COMMAND_PERMEABILITY;
+    const int several = verb == COMMAND_PERMEABILITY || verb == COMMAND_CALIBRATE,
+              runs = verb == COMMAND_RUN || several;
     if (o == 'r' && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
-    if (strchr("wq", o) && !runs) die_all(EXIT_CODE_SCENE, "%s: goes with frana run and permeability only", word);
+    if (strchr("wq", o) && !runs)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, permeability and calibrate only", word);
     if (o == 's' && !runs && verb != COMMAND_CHECK)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check and permeability only", word);
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check, permeability and calibrate only", word);
     if (strchr("ilmx", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
-    if (o == 'f' && verb != COMMAND_STUDY && verb != COMMAND_PERMEABILITY)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana study and permeability only", word);
-    if (strchr("knzpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
+    if (o == 'f' && verb != COMMAND_STUDY && !several)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana study, permeability and calibrate only", word);
+    if (strchr("kn", o) && verb != COMMAND_BENCH && verb != COMMAND_CALIBRATE)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana bench and calibrate only", word);
+    if (strchr("zpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
 static void options(struct command *c, int argc, char **argv) {
@@ -188,6 +198,7 @@ static const char *file_of(enum command_verb verb) {
     case COMMAND_RUN:
     case COMMAND_CHECK:
     case COMMAND_PERMEABILITY:
+    case COMMAND_CALIBRATE:
         return "scene";
     case COMMAND_POST:
         return "run folder";
@@ -230,6 +241,7 @@ struct command *command_new(int argc, char **argv) {
     c->files = argc - 1 - optind;
     check_files(c, argv[1]);
     if ((c->verb == COMMAND_RUN || c->verb == COMMAND_PERMEABILITY) && !c->out[0]) default_out(c, "runs");
+    if (c->verb == COMMAND_CALIBRATE && !c->out[0]) default_out(c, "calibrations");
     if (c->verb == COMMAND_CHECK && !c->out[0]) default_out(c, "checks");
     return c;
 }

@@ -9,6 +9,7 @@ enum command_verb {
     COMMAND_BENCH,
     COMMAND_STUDY,
     COMMAND_PERMEABILITY,
+    COMMAND_CALIBRATE,
     COMMAND_VERSION,
     COMMAND_HELP
 };
@@ -25,17 +26,19 @@ struct command {
     const char *resume_file; /* --resume=FILE, or NULL: the run folder's latest */
     double max_wall;         /* s; 0: no limit */
     int quiet;
-    int fresh; /* study, permeability: --fresh */
+    int fresh; /* study, permeability, calibrate: --fresh */
     /* post */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */
     double level, magnify;     /* 0: not given */
     int sliced[3];             /* --slice x=PLACE: 1 */
     double slice[3];           /* m */
+    int quick;                 /* bench, calibrate: --quick */
+    const char *only;          /* bench, calibrate: a comma-separated list of parts, or NULL: all */
     /* bench */
-    int quick, repeats;
-    enum bench_page table;    /* writes tables from earlier measurements, measures nothing */
-    const char *only, *sizes; /* comma-separated lists, or NULL: all parts, the standard sizes */
+    int repeats;
+    enum bench_page table; /* writes tables from earlier measurements, measures nothing */
+    const char *sizes;     /* a comma-separated list, or NULL: the standard ones */
 };
 
 /* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */

@@ -5,6 +5,7 @@
 #include "bench/bench.h"
 #include "coupling/setup/setup.h"
 #include "postproc/post.h"
+#include "program/calibrate/calibrate.h"
 #include "program/command.h"
 #include "program/program.h"
 #include "program/record.h"
@@ -68,6 +69,13 @@ static int permeability(const struct command *c) {
     return code;
 }
 
+static int calibrate(const struct command *c) {
+    struct scene *scene = scene_of(c);
+    const int code = calibrate_run(c, scene);
+    scene_free(scene);
+    return code;
+}
+
 static int check(const struct command *c) {
     struct scene *scene = scene_of(c);
     const int code = check_scene(c, scene);
@@ -102,6 +110,8 @@ static int obey(const struct command *c) {
         return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
     case COMMAND_PERMEABILITY:
         return permeability(c);
+    case COMMAND_CALIBRATE:
+        return calibrate(c);
     case COMMAND_VERSION:
         return version();
     case COMMAND_HELP:

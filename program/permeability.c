@@ -7,8 +7,8 @@
 #include "files/aside.h"
 #include "files/folder.h"
 #include "files/table.h"
-#include "files/whole.h"
 #include "physics/darcy.h"
+#include "program/made.h"
 #include "program/program.h"
 #include "scene/medium.h"
 #include "scene/text/yaml.h"
@@ -114,28 +114,6 @@ static int sets_of(const struct scene *s, const struct drive *drive, int d, char
         set[n++] = text_new("stages[%d].until={quantity: permeability, change: 1.0e-4}", s->stages - 1);
     if (s->output.series_every == 0) set[n++] = text_new("output.series_every=10");
     return n;
-}
-
-/* What the folder holds of this run. */
-enum made { MADE_NOTHING, MADE_PART, MADE_CHECKPOINT, MADE_ALL, MADE_OTHER };
-static enum made made_in(const char *folder, const struct scene *scene) {
-    char path[FOLDER_PATH];
-    enum made state = MADE_NOTHING;
-    if (!folder_has_run(folder)) return state;
-    if (par_rank() == 0) {
-        char *resolved = whole_new(folder_path(path, folder, "scene.resolved.yaml"));
-        const int same = resolved && !strcmp(resolved, scene->resolved);
-        struct scene_node *root = same ? scene_yaml_read(folder_path(path, folder, "run.json")) : NULL;
-        const struct scene_node *status = root ? scene_node_child(root, "status") : NULL;
-        char *latest = same ? whole_new(folder_path(path, folder, "checkpoint/latest")) : NULL;
-        state = !same ? MADE_OTHER : latest ? MADE_CHECKPOINT : MADE_PART;
-        if (status && !strcmp(status->value, "done")) state = MADE_ALL;
-        free(latest);
-        free(resolved);
-        if (root) scene_node_free(root);
-    }
-    par_bcast(&state, sizeof state, 0);
-    return state;
 }
 
 static double column_of(const struct table_data *t, const char *name) {

@@ -47,6 +47,7 @@ static void each_command_by_its_word(void **state) {
               {"bench", COMMAND_BENCH},
               {"study a.yaml", COMMAND_STUDY},
               {"permeability a.yaml", COMMAND_PERMEABILITY},
+              {"calibrate a.yaml", COMMAND_CALIBRATE},
               {"--version", COMMAND_VERSION},
               {"--help", COMMAND_HELP},
               {"-h", COMMAND_HELP},
@@ -128,6 +129,11 @@ static void options_of_the_others(void **state) {
     assert_string_equal(c->out, "runs/rock");
     assert_true(c->sets == 1 && c->quiet && c->fresh && c->max_wall == 7);
     command_free(c);
+    c = command_of("calibrate folder/rock.yaml --set a=1 --max-wall 7 --quiet --fresh --quick --only bar,notch");
+    assert_string_equal(c->out, "calibrations/rock");
+    assert_true(c->sets == 1 && c->quiet && c->fresh && c->quick && c->max_wall == 7);
+    assert_string_equal(c->only, "bar,notch");
+    command_free(c);
     c = command_of("check s.yaml --set a=1");
     assert_int_equal(c->sets, 1);
     assert_string_equal(c->out, "checks/s"); /* written by scenes with an image only */
@@ -144,6 +150,9 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"permeability", "frana permeability: which scene?"},
         {"permeability a b", "frana permeability a b: takes one scene"},
         {"permeability a --resume", "--resume: goes with frana run only"},
+        {"calibrate", "frana calibrate: which scene?"},
+        {"calibrate a --resume", "--resume: goes with frana run only"},
+        {"calibrate a --repeats 7", "7: goes with frana bench only"},
         {"study", "frana study: which study?"},
         {"run a b", "frana run a b: takes one scene"},
         {"study a b", "frana study a b: takes one study"},
@@ -158,12 +167,12 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"run a --max-wall 1:2:3:4", "--max-wall 1:2:3:4: must be HH:MM:SS"},
         {"run a --max-wall -5", "--max-wall -5: must be HH:MM:SS"},
         {"run a --max-wall 5s", "--max-wall 5s: must be HH:MM:SS"},
-        {"check a --quiet", "--quiet: goes with frana run and permeability only"},
+        {"check a --quiet", "--quiet: goes with frana run, permeability and calibrate only"},
         {"check a --resume", "--resume: goes with frana run only"},
-        {"post a --set b=1", "b=1: goes with frana run, check and permeability only"},
+        {"post a --set b=1", "b=1: goes with frana run, check, permeability and calibrate only"},
         {"run a --film", "--film: goes with frana post only"},
-        {"run a --fresh", "--fresh: goes with frana study and permeability only"},
-        {"run a --quick", "--quick: goes with frana bench only"},
+        {"run a --fresh", "--fresh: goes with frana study, permeability and calibrate only"},
+        {"run a --quick", "--quick: goes with frana bench and calibrate only"},
         {"post a --level 1", "--level 1: must be a number above 0 and below 1"},
         {"post a --slice 0.1", "--slice 0.1: must be a direction and a place in m"},
         {"post a --slice w=0.1", "--slice w=0.1: must be a direction and a place in m"},

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# frana check names each size that is too few spacings or horizons, and is silent where all are large enough.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+cat >plate.yaml <<'SCENE'
+title: Few spacings
+domain: {size: [0.3, 0.1]}
+solid:
+  spacing: 1.0e-3
+  model: plane_stress
+  materials:
+    - name: rock
+      youngs_modulus: 15.0e9
+      density: 2200
+      fracture_energy: 30
+      breakage: {law: bilinear, tensile_strength: 4.0e6}
+  bodies:
+    - {shape: rectangle, low: [0, 0], high: [0.1, 0.004]}
+    - {shape: disc, centre: [0.25, 0.05], radius: 0.02, holes: [{shape: disc, centre: [0.25, 0.05], radius: 0.005}]}
+  cracks:
+    - points: [[0, 0.002], [0.009, 0.002]]
+stages:
+  - {name: pull, steps: 10, integrator: verlet}
+SCENE
+says() { grep -qF "$1" out || { cat out >&2; fail "not said: $1"; }; }
+code 0 ranks 1 check plate.yaml
+says "solid.bodies[0].high: 4 spacings thick along y, 6 are asked for: too soft in bending by 3 to 10 %"
+says "solid.bodies[1].holes[0].radius: a radius of 5 spacings, 16 are asked for: the stress at its edge is"
+says "solid.bodies[1].radius: 20 spacings, 24 are asked for where bodies collide: along a lattice axis the"
+says "collision is 21 to 30 % too short"
+says "solid.cracks[0].points: 3 horizons long, 4 are asked for: the crack starts at up to 1.4 times Griffith's load"
+says "solid.materials[0].breakage.tensile_strength: the horizon is 0.107 E G0/sigma_t2, at least 0.25 are asked for"
+[ "$(sed -n '/^few spacings/,$p' out | grep -c .)" = 6 ] || fail "other sentences: $(sed -n '/^few spacings/,$p' out)"
+code 0 ranks 1 check plate.yaml --set 'solid.materials[0].breakage.tensile_strength=12.0e6'
+says "the horizon is 0.96 E G0/sigma_t2, at most 0.8 are asked for: the law is nearly brittle"
+# on the bounds, or without what they are for: nothing is said
+sed -e 's/0.004\]/0.006]/; s/radius: 0.02,/radius: 0.024,/; s/radius: 0.005/radius: 0.016/' \
+  -e 's/0.009, 0.002/0.012, 0.002/; s/strength: 4.0e6/strength: 9.0e6/' plate.yaml >enough.yaml
+code 0 ranks 2 check enough.yaml
+! grep -q 'few spacings' out || fail "said of sizes that are large enough: $(sed -n '/^few spacings/,$p' out)"
+code 0 ranks 1 check plate.yaml --set solid.contact.enabled=false --set 'stages.pull.breakage=false'
+[ "$(sed -n '/^few spacings/,$p' out | grep -c .)" = 3 ] || fail "not a wall and a hole: $(sed -n '/^few/,$p' out)"
+
+cat >space.yaml <<'SCENE'
+title: Walls in space
+domain: {size: [0.02, 0.02, 0.008], periodic: [false, false, true]}
+solid:
+  spacing: 1.0e-3
+  materials:
+    - {name: rock, youngs_modulus: 15.0e9, density: 2200, fracture_energy: 30}
+  bodies:
+    - shape: box
+      low: [0, 0, 0]
+      high: [0.02, 0.003, 0.008]
+      cavities: {period: 0.01, radius: 0.001, centre: [0, 0, 0]}
+  cracks:
+    - points: [[0, 0.0015, 0], [0.018, 0.0015, 0], [0.018, 0.0015, 0.005], [0, 0.0015, 0.005]]
+stages:
+  - {name: pull, steps: 10, integrator: verlet}
+SCENE
+code 0 ranks 1 check space.yaml
+says "solid.bodies[0].high: 3 spacings thick along y, 6 are asked for: too soft in bending by 10 to 26 %"
+says "solid.bodies[0].cavities.radius: a radius of 1 spacings, 16 are asked for"
+says "solid.cracks[0].points: 1.66667 horizons long, 4 are asked for: the crack starts at more than 1.4 times"
+code 0 ranks 1 check space.yaml --set 'solid.bodies[0].high=[0.02, 0.006, 0.008]'
+! grep -q 'thick along' out || fail "the period is taken for a wall's thickness"
+echo ok
