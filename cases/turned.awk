@@ -3,7 +3,7 @@
 # Variables (-v): turn     counterclockwise, degrees
 #                 width, height   of the plate, whose own axes begin at its lower left corner, m
 #                 size     of the square domain in whose middle the plate's middle stands, m
-#                 spacing, m, title, material (the keys of its elasticity and strength), model, correction
+#                 spacing, m, title, material (the keys of its elasticity and strength), model
 #                 variant  "lattice X Y": the lattice, moved by X and Y spacings; "seed N": particles moved by up to
 #                          0.2 spacings at random
 function turned_setup() { rad = turn * atan2(0, -1) / 180; c = cos(rad); s = sin(rad) }
@@ -24,7 +24,7 @@ function turned_begin(  v) {
   print "solid:"
   print "  spacing: " spacing
   print "  model: " model
-  print "  surface_correction: " correction
+  print "  surface_correction: volume"
   if (v[1] == "lattice") print "  lattice_offset: [" v[2] ", " v[3] "]"
   print "  materials:"
   print "    - {name: plate, " material ", horizon_ratio: " m "}"

@@ -132,17 +132,15 @@ END2
   rm -r "$work"
 }
 
-# --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $correction (of the surface),
-# $traction (Pa), $steps are the case's
+# --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $traction (Pa), $steps are the case's
 
 fork_header="m,particles,turned by (deg),variant,arms part (us),arms part (mm),left (deg),right (deg),between (deg),\
 difference of both sides (deg),arms,top speed (m/s)"
 # fork_scene ANGLE RATIO VARIANT: oblique layers cannot be made unbreakable, so the traction is spread over a horizon
 fork_scene() {
   awk -v turn="$1" -v m="$2" -v variant="$3" -v width=0.1 -v height=0.04 -v size=0.12 -v spacing=1.0e-3 \
-    -v model=plane_stress -v title="$title" -v material="$material" -v correction="$correction" \
-    -v p="$traction" -v steps="$steps" \
-    -f "$here/turned.awk" -f <(cat <<'END2'
+    -v model=plane_stress -v title="$title" -v material="$material" -v p="$traction" \
+    -v steps="$steps" -f "$here/turned.awk" -f <(cat <<'END2'
     BEGIN {
       turned_begin()
       print "  contact: {radius: 0.6}"

@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/duran_50_turned} out=cases/duran_50/results
 . cases/turned.sh
-title="Duran 50 glass" correction=volume traction=12.0e6 steps=920
+title="Duran 50 glass" traction=12.0e6 steps=920
 material="youngs_modulus: 65.0e9, density: 2235, fracture_energy: 204"
 fork_study "lattice 0 0" "lattice 0.25 0" "lattice 0 0.25" "lattice 0.25 0.25" \
   "seed 1" "seed 2" "seed 3" "seed 4" "seed 5"

@@ -65,7 +65,7 @@ half() { [ "$1" = 0.002 ] && echo 0.024 || echo 0.025; }
 plate() {
   local name=$1_$2_m$4_${5// /_}_$3
   awk -v turn="$3" -v m="$4" -v variant="$5" -v width=0.1 -v height=0.2 -v size=0.24 -v spacing="$2" \
-    -v model=plane_strain -v correction=volume -v title="Kalthoff and Winkler's plate" -v material="${material[$1]}" \
+    -v model=plane_strain -v title="Kalthoff and Winkler's plate" -v material="${material[$1]}" \
     -v notch="$(half "$2")" -f cases/turned.awk -f $case/turned.awk >"$runs/$name.yaml"
   turned_go "$name"
   crack_row "$1" "$2" "$4" "$3" "$5" "$name" 1
