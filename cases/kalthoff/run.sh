@@ -7,6 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/kalthoff} case=cases/kalthoff out=cases/kalthoff/results
 . cases/crack.sh
+. cases/kalthoff/path.sh
 mkdir -p "$out"
 
 # notches LOWER UPPER TO: notches at these heights, and the driven layer of width TO between them, m
@@ -16,26 +17,8 @@ notches() {
 }
 # grid SPACING: the real notches, at heights of 75 and 125 mm, which lie between the rows of grids of 1 mm and less
 grid() { echo "--set solid.spacing=$1 $(notches 0.075 0.125 "$1")"; }
-# path NAME HEIGHT: five numbers of the upper crack, whose notch is at y = HEIGHT: the angle (degrees) of the chord from
-# the notch's tip to the end of the crack; the angle of a line fitted by least squares to the positions of the tip; the
-# time (s) at which the tip is 2 mm away from the notch; the top speed (m/s) over windows of 1.82 us; the same over
-# windows of 9.1 us
-path() {
-  awk -F, -v y0="$2" '
-    NR < 3 { next }
-    { n++; t[n] = $2; x[n] = $3; y[n] = $4; if (!start && $4 > y0 + 0.002) start = $2 }
-    $4 > y0 + 0.003 && ($3 != x[n - 1] || $4 != y[n - 1]) { m++; a += $3; b += $4; ab += $3 * $4; bb += $4 * $4 }
-    function top(window,  i, k, v, most) {
-      for (i = k = 1; i <= n; i++) {
-        while (t[i] - t[k] > 1.01 * window) k++
-        if (t[i] - t[k] < 0.99 * window) continue
-        v = sqrt((x[i] - x[k]) ^ 2 + (y[i] - y[k]) ^ 2) / (t[i] - t[k])
-        if (v > most) most = v }
-      return most }
-    END { d = 45 / atan2(1, 1)
-      printf "%.2f %.2f %.4g %.0f %.0f\n", d * atan2(y[n] - y0, x[n] - 0.05), d * atan2(bb - b * b / m, ab - a * b / m),
-        start, top(1.82e-6), top(9.1e-6) }' "$runs/$1/crack.csv"
-}
+# path NAME HEIGHT: path_of the run's upper crack, whose notch is at y = HEIGHT
+path() { path_of "$runs/$1/crack.csv" "$2"; }
 # measures STEEL NAME HEIGHT SPACING ANGLE LOW HIGH C_R PARTICLES: writes the rows of a run. ANGLE and PARTICLES are
 # from 000; the angle passes from LOW to HIGH.
 measures() {

@@ -1,0 +1,29 @@
+# What a turned plate of Kalthoff and Winkler has besides cases/turned.awk, with a constraint for each driven particle.
+# Variables besides those there: notch (half the distance of the notches, m), every (steps between two readings of the
+# crack), steps, dt
+BEGIN {
+  turned_begin()
+  print "  contact: {enabled: false}"
+  print "  cracks:"
+  for (side = -1; side <= 1; side += 2)
+    print "    - {name: " (side < 0 ? "lower" : "upper") ", points: [" at(-0.002, 0.1 + side * notch) ", " \
+      at(0.05, 0.1 + side * notch) "]}"
+  # The driven layer, a spacing deep: a box about each of its lattice points holds that particle, moved or not, and no
+  # other one.
+  print "  constraints:"
+  split(variant, v, " ")
+  dx = v[1] == "lattice" ? v[2] : 0; dy = v[1] == "lattice" ? v[3] : 0
+  for (j = 0; j < size / spacing; j++)
+    for (i = 0; i < size / spacing; i++) {
+      x = (i + 0.5 + dx) * spacing; y = (j + 0.5 + dy) * spacing
+      inside = own_x(x, y); across = own_y(x, y) - 0.1
+      if (inside < 0 || inside > 0.999999 * spacing || across < -notch || across > notch) continue
+      printf "    - {low: [%.9g, %.9g], high: [%.9g, %.9g], directions: xy, velocity: %s}\n", x - spacing / 4,
+        y - spacing / 4, x + spacing / 4, y + spacing / 4, along(16.5, 0)
+    }
+  print "stages:"
+  print "  - {name: impact, steps: 1300, time_step: 7.0e-8, integrator: verlet, substeps: 1}"
+  print "output:"
+  print "  {series_every: 130, fields_every: 1300, checkpoint_every: 0, log_every: 650, stress: false, reactions: false,"
+  print "   fragments: false, crack: {damage: 0.35, window: 1.82e-6, every: 13, direction: " along(1, 0) "}}"
+}

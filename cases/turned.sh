@@ -1,0 +1,201 @@
+# shellcheck shell=bash
+# shellcheck disable=SC2016,SC2154 # awk in single quotes; variables of whoever sources this
+# What the studies of plates turned on the lattice share, sourced by bash: scenes, runs, numbers of forks, spread.
+# A study calls turned_study and turned_spread. It sets $runs, which may be --summary (nothing runs), and $out.
+# shellcheck source=cases/crack.sh
+. "$(dirname "${BASH_SOURCE[0]}")/crack.sh"
+here=$(dirname "${BASH_SOURCE[0]}")
+mkdir -p "$out"
+
+# turned_study HEADER ANGLES RATIOS VARIANT...: writes results/turned.csv. For each variant of the points (turned.awk),
+# horizon ratio and angle it writes the rows that `one ANGLE RATIO VARIANT` prints after "particles,variant,...".
+turned_study() {
+  local header=$1 angles=$2 ratios=$3 m variant angle
+  shift 3
+  [ ! "$again" ] || return 0
+  echo "$header" >"$out/turned.part"
+  for variant in "$@"; do
+    for m in $ratios; do for angle in $angles; do one "$angle" "$m" "$variant"; done; done
+  done >>"$out/turned.part"
+  mv "$out/turned.part" "$out/turned.csv"
+}
+# points VARIANT: the two fields of the table that name the points
+points() { case $1 in seed*) echo "perturbed,$1" ;; *) echo "lattice,moved by ${1#lattice }" ;; esac; }
+
+# turned_go NAME: runs the scene $runs/NAME.yaml, unless that is done already with this very scene
+turned_go() {
+  if ! is_done "$runs/$1" || ! cmp -s "$runs/$1.yaml" "$runs/$1.done.yaml"; then
+    rm -rf "${runs:?}/$1"
+    nice "$frana" run "$runs/$1.yaml" --out "$runs/$1" >"$runs/$1.log" 2>&1 || { cat "$runs/$1.log" >&2; return 1; }
+    cp "$runs/$1.yaml" "$runs/$1.done.yaml"
+  fi
+}
+
+# turned_spread: writes results/turned_spread.csv: of each quantity in results/turned.csv (the columns after "variant")
+# number of values, mean, standard deviation, least and largest: for each angle; over all runs ("all"); of the angles'
+# means ("means": what the direction does); and the root mean square of the deviations within the angles ("within": what
+# the seed or the lattice's place does). Rows of the same fields before "turned by" belong together; nan is left out.
+turned_spread() {
+  awk -F, '
+    NR == 1 {
+      for (i = 1; i <= NF; i++) { name[i] = $i; if ($i ~ /^turned by/) t = i; if ($i == "variant") first = i + 1 }
+      last = NF; next }
+    { g = $1; for (i = 2; i < t; i++) g = g "," $i
+      if (!(g in known)) { known[g]; group[++groups] = g }
+      if (!(g "," $t in known)) { known[g "," $t]; angle[g, ++angles[g]] = $t }
+      for (i = first; i <= last; i++) { add(g SUBSEP $t SUBSEP i, $i); add(g SUBSEP "all" SUBSEP i, $i) } }
+    function add(k, v) {
+      rows[k]++
+      if (v == "nan") return
+      if (!n[k] || v < least[k]) least[k] = v + 0
+      if (!n[k] || v > most[k]) most[k] = v + 0
+      n[k]++; sum[k] += v; squares[k] += v * v
+    }
+    function mean(k) { return n[k] ? sum[k] / n[k] : 0 }
+    function deviation(k,  d) {
+      if (n[k] < 2) return 0
+      d = (squares[k] - n[k] * mean(k) ^ 2) / (n[k] - 1)
+      return d > 0 ? sqrt(d) : 0
+    }
+    function put(g, a, i,  k) {
+      k = g SUBSEP a SUBSEP i
+      if (n[k]) printf "%s,%s,%s,%d,%d,%.4g,%.3g,%.4g,%.4g\n", g, a, name[i], rows[k], n[k], mean(k), deviation(k),
+        least[k], most[k]
+      else printf "%s,%s,%s,%d,0,nan,nan,nan,nan\n", g, a, name[i], rows[k]
+    }
+    END {
+      for (i = 1; i <= t; i++) printf "%s,", name[i]
+      print "quantity,runs,with a value,mean,deviation,least,largest"
+      for (q = 1; q <= groups; q++) for (i = first; i <= last; i++) {
+        g = group[q]; inside = free = 0
+        for (j = 1; j <= angles[g]; j++) {
+          a = angle[g, j]; k = g SUBSEP a SUBSEP i
+          put(g, a, i)
+          if (n[k]) add(g SUBSEP "means" SUBSEP i, mean(k))
+          if (n[k] > 1) { inside += (n[k] - 1) * deviation(k) ^ 2; free += n[k] - 1 }
+        }
+        put(g, "means", i); put(g, "all", i)
+        printf "%s,within,%s,%d,%d,nan,%.3g,nan,nan\n", g, name[i], rows[g SUBSEP "all" SUBSEP i], free,
+          free ? sqrt(inside / free) : 0
+      } }' "$out/turned.csv" >"$out/turned_spread.csv"
+}
+
+# turned_picture QUANTITY LABEL WHERE: draws results/turned.png: QUANTITY of each run over the angle, a panel for each
+# horizon ratio, from the rows of results/turned.csv in which the awk condition WHERE holds
+turned_picture() {
+  local panels=() m kind n=0 x work most
+  work=$(mktemp -d)
+  most=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    $at["turned by (deg)"] > most { most = $at["turned by (deg)"] } END { print most }' "$out/turned.csv")
+  for m in 3 4 5; do
+    for kind in lattice perturbed; do
+      x=$([ $kind = lattice ] && echo -1.2 || echo 1.2)
+      awk -F, -v q="$1" -v ratio=$m -v kind=$kind -v x="$x" '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        $at["m"] == ratio && $at["particles"] == kind && '"$3"' && $at[q] != "nan" {
+          print $at["turned by (deg)"] + x, $at[q] }' "$out/turned.csv" >"$work/$m.$kind"
+      awk '{ n[$1]++; s[$1] += $2; q[$1] += $2 * $2 }
+        END { for (a in n) { e = s[a] / n[a]; d = n[a] > 1 ? (q[a] - n[a] * e * e) / (n[a] - 1) : 0
+          print a, e, sqrt(d > 0 ? d : 0) } }' "$work/$m.$kind" >"$work/$m.$kind.mean"
+    done
+    panels+=("set title 'm = $m'"
+      "plot '$work/$m.lattice' linestyle 1 title 'lattice', '$work/$m.perturbed' linestyle 2 title 'perturbed',\
+ '$work/$m.lattice.mean' with yerrorbars linestyle 3 notitle,\
+ '$work/$m.perturbed.mean' with yerrorbars linestyle 4 notitle"
+      "unset ylabel")
+    n=$((n + 1))
+  done
+  {
+    cat <<END2
+set terminal pngcairo size 1200,420 font 'Sans,12'
+set output '$out/turned.png'
+set multiplot layout 1,$n
+set xlabel 'plate turned by, degrees' offset 0, 0.5
+set xrange [-6:$((most + 6))]
+set ylabel '$2'
+set xtics 15
+set grid linecolor rgb '#dddddd'
+set key bottom center horizontal maxrows 1 samplen 1
+set bmargin 4
+set lmargin 8
+stats '<cat $work/3.* $work/4.* $work/5.*' using 2 nooutput
+set yrange [STATS_min - 0.2 * (STATS_max - STATS_min):STATS_max + 0.06 * (STATS_max - STATS_min)]
+set style data points
+set style line 1 linecolor rgb '#56b4e9' pointtype 6 pointsize 0.9
+set style line 2 linecolor rgb '#e69f00' pointtype 4 pointsize 0.9
+set style line 3 linecolor rgb '#0072b2' linewidth 2 pointtype 7 pointsize 1.1
+set style line 4 linecolor rgb '#d55e00' linewidth 2 pointtype 5 pointsize 1.1
+END2
+    printf '%s\n' "${panels[@]}"
+  } >"$work/turned.gp"
+  gnuplot "$work/turned.gp"
+  rm -r "$work"
+}
+
+# --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $traction (Pa), $steps are the case's
+
+fork_header="m,particles,turned by (deg),variant,arms part (us),arms part (mm),left (deg),right (deg),between (deg),\
+difference of both sides (deg),arms,top speed (m/s)"
+# fork_scene ANGLE RATIO VARIANT: oblique layers cannot be made unbreakable, so the traction is spread over a horizon
+fork_scene() {
+  awk -v turn="$1" -v m="$2" -v variant="$3" -v width=0.1 -v height=0.04 -v size=0.12 -v spacing=1.0e-3 \
+    -v model=plane_stress -v title="$title" -v material="$material" -v p="$traction" \
+    -v steps="$steps" -f "$here/turned.awk" -f <(cat <<'END2'
+    BEGIN {
+      turned_begin()
+      print "  contact: {radius: 0.6}"
+      print "  cracks:"
+      print "    - {name: notch, points: [" at(-0.002, 0.02) ", " at(0.05, 0.02) "]}"
+      print "  loads:"
+      print "    - {edge: {from: " at(0, 0.04) ", to: " at(0.1, 0.04) "}, traction: " along(0, p) ", depth: horizon}"
+      print "    - {edge: {from: " at(0, 0) ", to: " at(0.1, 0) "}, traction: " along(0, -p) ", depth: horizon}"
+      print "stages:"
+      print "  - {name: pull, steps: " steps ", time_step: 5.0e-8, integrator: verlet}"
+      print "output:"
+      print "  {series_every: 100, fields_every: " steps ", checkpoint_every: 0, log_every: 500, stress: false,"
+      print "   crack: {damage: 0.35, window: 2.0e-6, every: 2, direction: " along(1, 0) "}}"
+    }
+END2
+    )
+}
+# fork_numbers ANGLE FILE: from crack-arms.csv the time (us) at which the arm from the notch ends, where (mm along the
+# plate), the angles (degrees, to the plate's axis) at their ends of the arms that begin there, the outermost to the
+# left and to the right, the angle between them and the difference of both sides, the number of arms, and the top speed
+# of those whose speed the grid resolves (m/s)
+fork_numbers() {
+  awk -F, -v a="$1" '
+    NR == 1 { next }
+    { arms++; if ($NF == "\"resolved\"" && $16 > top) top = $16 }
+    $2 == 0 && $3 == 0 && $8 > long { long = $8; stem = $1; t = $14; x = $6 - 0.06; y = $7 - 0.06 }
+    { parent[$1] = $2; turn[$1] = $11 - a; reach[$1] = $8 }
+    END {
+      pi = atan2(0, -1); left = right = "nan"
+      for (k in parent) {
+        if (parent[k] != stem) continue
+        if (left == "nan" || turn[k] > left) left = turn[k]
+        if (right == "nan" || turn[k] < right) right = turn[k]
+      }
+      top = top ? sprintf("%.0f", top) : "nan"
+      if (left == "nan") { printf "nan,nan,nan,nan,nan,nan,%d,%s\n", arms, top; exit }
+      place = 50 + 1e3 * (cos(a * pi / 180) * x + sin(a * pi / 180) * y)
+      uneven = left + right; if (uneven < 0) uneven = -uneven
+      printf "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%d,%s\n", 1e6 * t, place, left, -right, left - right, uneven, arms, top
+    }' "$2"
+}
+# fork_one ANGLE RATIO VARIANT: a run's row
+fork_one() {
+  local name=m$2_${3// /_}_$1
+  fork_scene "$@" >"$runs/$name.yaml"
+  turned_go "$name"
+  [ "$runs/$name/post/crack-arms.csv" -nt "$runs/$name/run.json" ] ||
+    nice "$frana" post "$runs/$name" >>"$runs/$name.log" 2>&1
+  echo "$2,$(points "$3" | cut -d , -f 1),$1,$(points "$3" | cut -d , -f 2),$(
+    fork_numbers "$1" "$runs/$name/post/crack-arms.csv")"
+}
+# fork_study VARIANT...: all of it
+fork_study() {
+  one() { fork_one "$@"; }
+  turned_study "$fork_header" "0 15 30 45" "3 4 5" "$@"
+  turned_spread
+  turned_picture "between (deg)" "angle between the arms, degrees" 1
+}
