@@ -57,7 +57,6 @@ static void read_ensemble(struct study *s, const struct study_key *k) {
     const struct study_key in = {node, "ensemble", k->problems};
     if (!study_key_known(&in, 2, word)) return;
     study_key_missing(&in, "key", "the scene's key that differs, such as nonlocal.arrangement.seed");
-    study_key_missing(&in, "values", "a list, one value a run");
     const struct scene_node *values = study_key_list(&in, "values", 1);
     if (scene_node_child(k->mapping, "repeats"))
         scene_problem_key(k->problems, node, "ensemble", "not together with repeats: each value is run once");

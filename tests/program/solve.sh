@@ -20,7 +20,8 @@ for n in 3 4; do
   done
   [ "$(grep lloyd_energy run1/run.json)" = "$(grep lloyd_energy run$n/run.json)" ] || fail "other points on $n ranks"
   for q in error_l2 error_linf operator_error condition; do
-    awk -v a="$(value run1 $q)" -v b="$(value run$n $q)" 'BEGIN { d = a - b; exit !(d * d <= 1e-18 * a * a && a != 0) }' ||
+    awk -v a="$(value run1 $q)" -v b="$(value run$n $q)" \
+      'BEGIN { d = a - b; exit !(d * d <= 1e-18 * a * a && a != 0) }' ||
       fail "$q is $(value run1 $q) on 1 rank, $(value run$n $q) on $n"
   done
 done
@@ -59,8 +60,10 @@ code 0 "$frana" study study.yaml --out .
 row=$(grep '^centroidal,m2' study.csv)
 for k in 1 2 3; do value runs/study/centroidal/m2/$k error_l2; done |
   awk -v row="$row" '{ s += $1; q += $1 * $1 } END { split(row, c, ","); m = s / 3; d = sqrt((q - 3 * m * m) / 2)
-    e = c[6] / m - 1; f = c[22] / d - 1; exit !(e * e < 1e-20 && f * f < 1e-6 && d > 0) }' || fail "mean, deviation: $row"
-[ "$(value runs/study/centroidal/m2/1 error_l2)" != "$(value runs/study/centroidal/m2/2 error_l2)" ] || fail "one seed"
+    e = c[6] / m - 1; f = c[22] / d - 1; exit !(e * e < 1e-20 && f * f < 1e-6 && d > 0) }' ||
+  fail "mean, deviation: $row"
+[ "$(value runs/study/centroidal/m2/1 error_l2)" != "$(value runs/study/centroidal/m2/2 error_l2)" ] ||
+  fail "one seed"
 
 # bodies: a plate with a hole and a sphere, ten steps after a pull, on 1 and 3 ranks
 plate() {
@@ -81,10 +84,12 @@ for kind in hexagonal centroidal random perturbed; do
   plate $kind '[1, 1]' 'model: plane_stress' \
     'shape: disc, centre: [0.5, 0.5], radius: 0.45, holes: [{shape: disc, centre: [0.5, 0.5], radius: 0.15}]' "$more" \
     '[1.0e-4, 0]' >plate_$kind.yaml
-  plate $kind '[1, 1, 1]' '' 'shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.4' "$more" '[1.0e-4, 0, 0]' >ball_$kind.yaml
+  plate $kind '[1, 1, 1]' '' 'shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.4' "$more" '[1.0e-4, 0, 0]' \
+    >ball_$kind.yaml
   for body in plate ball; do
     for n in 1 3; do code 0 ranks $n run ${body}_$kind.yaml --out ${body}_${kind}_$n; done
-    paste -d' ' <(tail -1 ${body}_${kind}_1/series.csv | tr , '\n') <(tail -1 ${body}_${kind}_3/series.csv | tr , '\n') |
+    paste -d' ' <(tail -1 ${body}_${kind}_1/series.csv | tr , '\n') \
+      <(tail -1 ${body}_${kind}_3/series.csv | tr , '\n') |
       awk '{ d = $1 - $2; if (d * d > 1e-18 * $1 * $1 + 1e-22) bad++ } END { exit bad > 0 || NR < 10 }' ||
       fail "$body, $kind: other rows on 3 ranks"
   done
