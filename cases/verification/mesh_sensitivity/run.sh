@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# Error of the nonlocal problem against horizon over spacing, spacing, perturbation and wall time, for five arrangements.
+# Error of the nonlocal problem against horizon over spacing, spacing, perturbation and wall time, by arrangement.
 # usage: cases/verification/mesh_sensitivity/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 source="an independent program, tensor grids"
 study study_horizon_grids
-near "lattice, m = 2, relative L2 error" 1 "$(cell study_horizon_grids value lattice 'm 2' error_l2)" 0.0305654 "$source" 2e-6
-near "lattice, m = 3, relative L2 error" 1 "$(cell study_horizon_grids value lattice 'm 3' error_l2)" 0.0167932 "$source" 2e-6
-near "lattice, m = 4, relative L2 error" 1 "$(cell study_horizon_grids value lattice 'm 4' error_l2)" 0.0287768 "$source" 2e-6
+for pair in 2:0.0305654 3:0.0167932 4:0.0287768; do
+  m=${pair%:*}
+  near "lattice, m = $m, relative L2 error" 1 "$(cell study_horizon_grids value lattice "m $m" error_l2)" "${pair#*:}" \
+    "$source" 2e-6
+done
 # rises STUDY METHOD STEP: how often the error rises as m grows in steps of STEP from 2 to 5
 rises() {
   for m in $(seq 2 "$3" 5 | sed 's/,/./; s/\(\.[0-9]*[1-9]\)0*$/\1/; s/\.0*$//'); do
@@ -32,7 +34,8 @@ for method in lattice hexagonal; do
   shown "$method: m at which the error rises, of 6 steps of 1/2" 1 "$(rises study_horizon_grids $method 0.5)"
 done
 for method in perturbed centroidal 'centroidal cells' random; do
-  shown "$method: largest mean error over the least, m = 3 to 5 in steps of 1/2" 1 "$(ratio study_horizon "$method" 0.5)"
+  shown "$method: largest mean error over the least, m = 3 to 5 in steps of 1/2" 1 \
+    "$(ratio study_horizon "$method" 0.5)"
   shown "$method: m at which the mean error rises, of 6 steps of 1/2" 1 "$(rises study_horizon "$method" 0.5)"
 done
 [ "$again" ] || "$here/draw.sh" "$out"

@@ -1,10 +1,26 @@
 /* The nonlocal boundary-value problem: exact discrete errors of lattices, condition numbers, a matrix by brute force.
  */
 #include "meshless/nonlocal/nonlocal.h"
+#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "meshless/nonlocal/condition.h"
 #include "tests/check.h"
+
+#include <stdio.h>
+
+static jmp_buf back;
+static char said[512];
+
+/* Instead of die (see CMakeLists.txt): keeps the sentence. */
+_Noreturn void __wrap_die(enum exit_code code, const char *format, ...);
+_Noreturn void __wrap_die(enum exit_code code, const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    vsnprintf(said, sizeof said, format, args);
+    va_end(args);
+    longjmp(back, (int)code);
+}
 
 /* A lattice of delta / m, R = r + delta, r = 1. */
 static struct meshless_nonlocal *solved(int dimension, int exponent, double horizon, int m) {
@@ -139,6 +155,24 @@ static void test_condition(void **state) {
     }
 }
 
+/* Three points on a line: two of them at one place, or one beyond the horizon. One rank: die ends all of them. */
+static void test_badly_posed(void **state) {
+    double place[2][3] = {{0, 0.1, 0.1}, {0, 0.1, 0.4}}, volume[] = {0.1, 0.1, 0.1};
+    const char all[] = {1, 1, 1}, *const sentence[] = {"coincide at (0.1, 0, 0)",
+                                                       "has no neighbour within the horizon 0.25 m"};
+    (void)state;
+    for (int k = 0; k < 2 && par_size() == 1; k++) {
+        const struct meshless_points p = {.dim = 1, .n = 3, .spacing = 0.1, .x = {place[k]}, .volume = volume};
+        said[0] = '\0';
+        const int code = setjmp(back);
+        if (code == 0)
+            meshless_matrix_new(
+                &(struct meshless_matrix_input){.points = &p, .exponent = 1, .horizon = 0.25, .free = all});
+        check_equal(code, EXIT_CODE_SCENE);
+        if (!strstr(said, sentence[k])) fail_msg("not \"%s\": %s", sentence[k], said);
+    }
+}
+
 /* b is the operator's integral: by the midpoint rule over the radius. */
 static void test_load(void **state) {
     (void)state;
@@ -156,9 +190,9 @@ static void test_load(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_line), cmocka_unit_test(test_grids),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_line),   cmocka_unit_test(test_grids),
                                        cmocka_unit_test(test_matrix), cmocka_unit_test(test_condition),
-                                       cmocka_unit_test(test_load)};
+                                       cmocka_unit_test(test_load),   cmocka_unit_test(test_badly_posed)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
