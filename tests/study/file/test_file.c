@@ -28,6 +28,16 @@ static struct study *good(const char *text) {
     return s;
 }
 
+static void ensemble(void **state) {
+    (void)state;
+    struct study *s =
+        good(SCENE "ensemble: {key: \"solid.bodies[0].arrangement.seed\", values: [4, 5, 9]}\n" QUANTITY VARIED);
+    assert_int_equal(s->repeats, 3);
+    assert_int_equal(s->members.n, 3);
+    assert_string_equal(s->members.text[2], "solid.bodies[0].arrangement.seed=9");
+    study_file_free(s);
+}
+
 static void whole(void **state) {
     (void)state;
     struct study *s =
@@ -132,6 +142,9 @@ static void broken(void **state) {
         {"scene: none.yaml\n" QUANTITY VARIED, ":1: scene = none.yaml: cannot be read"},
         {SCENE "repeat: 3\n" QUANTITY VARIED, ":2: repeat = 3: unknown key; did you mean repeats?"},
         {SCENE "repeats: 0\n" QUANTITY VARIED, ":2: repeats = 0: must be a whole number, 1 to 1000"},
+        {SCENE "repeats: 2\nensemble: {key: a, values: [1]}\n" QUANTITY VARIED,
+         ":3: ensemble: not together with repeats: each value is run once"},
+        {SCENE "ensemble: {key: a}\n" QUANTITY VARIED, ":2: ensemble.values: is missing"},
         {SCENE "repeats: 2.5\n" QUANTITY VARIED, ":2: repeats = 2.5: must be a whole number"},
         {SCENE "ranks: two\n" QUANTITY VARIED, ":2: ranks = two: must be a whole number"},
         {SCENE "ranks: 1\nranks: 2\n" QUANTITY VARIED, ":3: ranks = 2: is there twice"},
@@ -200,7 +213,7 @@ static void broken(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(whole), cmocka_unit_test(defaults), cmocka_unit_test(products),
-                                       cmocka_unit_test(broken)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ensemble), cmocka_unit_test(whole), cmocka_unit_test(defaults),
+                                       cmocka_unit_test(products), cmocka_unit_test(broken)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,6 +15,16 @@
 #include <stdlib.h>
 #include <cmocka.h>
 
+/* 1, 2, 4, 7: mean 3.5, deviations squared 6.25 + 2.25 + 0.25 + 12.25 = 21. */
+static void moments(void **state) {
+    (void)state;
+    const double x[] = {1, 2, 4, 7};
+    check_close(study_statistic_mean(4, x), 3.5, 0);
+    check_close(study_statistic_deviation(4, x), sqrt(7), 1e-15);
+    assert_true(isnan(study_statistic_mean(0, x)));
+    assert_true(isnan(study_statistic_deviation(1, x)));
+}
+
 static void quantiles(void **state) {
     (void)state;
     double x[6] = {7, 1, 4, 2, 9, 3};
@@ -130,8 +140,12 @@ static void iso(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(quantiles),        cmocka_unit_test(orders),
-                                       cmocka_unit_test(richardson_exact), cmocka_unit_test(richardson_celik),
-                                       cmocka_unit_test(richardson_none),  cmocka_unit_test(iso)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(moments),
+                                       cmocka_unit_test(quantiles),
+                                       cmocka_unit_test(orders),
+                                       cmocka_unit_test(richardson_exact),
+                                       cmocka_unit_test(richardson_celik),
+                                       cmocka_unit_test(richardson_none),
+                                       cmocka_unit_test(iso)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
