@@ -8,6 +8,7 @@
 #include "program/command.h"
 #include "program/program.h"
 #include "program/record.h"
+#include "program/solve.h"
 #include "scene/scene.h"
 #include "study/study.h"
 
@@ -56,13 +57,18 @@ static struct scene *scene_of(const struct command *c) {
 
 static int run(const struct command *c) {
     struct scene *scene = scene_of(c);
-    const int code = program_run(c, scene);
+    const int code = solve_is(scene) ? solve_run(c, scene) : program_run(c, scene);
     scene_free(scene);
     return code;
 }
 
 static int permeability(const struct command *c) {
     struct scene *scene = scene_of(c);
+    if (solve_is(scene))
+        die_all(EXIT_CODE_SCENE,
+                "%s: frana permeability needs a scene that is stepped, with a fluid and a solid; this one "
+                "is solved at once",
+                c->file[0]);
     const int code = permeability_run(c, scene);
     scene_free(scene);
     return code;
@@ -70,7 +76,7 @@ static int permeability(const struct command *c) {
 
 static int check(const struct command *c) {
     struct scene *scene = scene_of(c);
-    const int code = check_scene(c, scene);
+    const int code = solve_is(scene) ? solve_check(scene) : check_scene(c, scene);
     scene_free(scene);
     return code;
 }

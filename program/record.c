@@ -84,7 +84,7 @@ static void write_bounds(struct json *j, const struct adapt *a) {
     json_long(j, "steps_made_again", a->again);
 }
 
-static void write_version(struct json *j) {
+void record_write_version(struct json *j) {
     char libraries[3][128], host[128] = "";
     libraries_describe(libraries);
     gethostname(host, sizeof host - 1);
@@ -160,7 +160,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_array(j, "left_out");
         for (int k = 0, n = record_left_out(r->scene, sentence); k < n; k++) json_text(j, NULL, sentence[k]);
         json_close(j);
-        write_version(j);
+        record_write_version(j);
         json_end(j);
     }
     free(memory);

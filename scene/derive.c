@@ -75,12 +75,14 @@ static void derive_output(struct scene *s) {
     long steps = 0;
     if (s->output.fields_every >= 0) return;
     for (int k = 0; k < s->stages; k++) steps += s->stage[k].steps;
+    if (s->stages == 0) steps = 1; /* solved at once: one file of fields */
     s->output.fields_every = (steps + DUMPS - 1) / DUMPS;
 }
 
 void scene_derive_domain(struct scene *s, const struct scene_node *root) {
     const struct scene_node *size = scene_node_find(root, "domain.size");
     s->dimension = size && size->n == 3 && !size->bad ? 3 : 2;
+    if (s->nonlocal) s->dimension = s->nonlocal->dimension;
 }
 
 void scene_derive(struct scene *s, const struct scene_node *root) {

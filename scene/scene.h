@@ -165,7 +165,14 @@ struct scene_image {
     int flips[3], mirrors[3];
     enum scene_floating floating; /* pieces of solid that nothing connects to the largest one; default keep */
 };
-enum scene_arrangement { SCENE_ARRANGED_LATTICE, SCENE_ARRANGED_PERTURBED };
+enum scene_arrangement {
+    SCENE_ARRANGED_LATTICE,
+    SCENE_ARRANGED_HEXAGONAL,
+    SCENE_ARRANGED_PERTURBED,
+    SCENE_ARRANGED_CENTROIDAL,
+    SCENE_ARRANGED_RANDOM
+};
+enum scene_point_volume { SCENE_VOLUME_EQUAL, SCENE_VOLUME_CELL };
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
     int material_index;
@@ -183,9 +190,10 @@ struct scene_body {
     double velocity[3];  /* at the start, m/s, default 0 */
     int has_cavities;    /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
-    enum scene_arrangement arrangement; /* arrangement: {kind: lattice (default), perturbed, perturbation, seed} */
+    enum scene_arrangement arrangement; /* arrangement: {kind: lattice (default), ..., perturbation, seed, volume} */
     double perturbation;                /* spacings: each particle is moved by at most this in each direction */
-    int perturbation_seed;              /* seed, default 1 */
+    int arrangement_seed;               /* seed, default 1 */
+    enum scene_point_volume volume;     /* of each point: equal (default), cell: its Voronoi cell */
     int corners, pieces, holes;
     struct scene_corner *corner;     /* polygon: outline */
     struct scene_part *piece, *hole; /* further pieces, holes */
@@ -296,6 +304,20 @@ struct scene_coupling {
     enum scene_medium_direction medium_direction; /* medium.direction: auto (default), x, y, z, driving */
 };
 
+/* A boundary-value problem that is solved, not stepped: the sum over |x_j - x_i| <= horizon of (u_j - u_i) V_j /
+ * |x_j - x_i|^exponent is given in |x| <= inner_radius, and u in inner_radius < |x| <= outer_radius.  (004: eq. 10) */
+struct scene_nonlocal {
+    int dimension, exponent;                    /* 1, 2, 3; 0, 1, 2 */
+    double horizon, inner_radius, outer_radius; /* m */
+    double spacing;                             /* m; or points */
+    long points;                                /* their number; 0: from the spacing */
+    enum scene_arrangement arrangement;         /* as a body's */
+    double perturbation;
+    int arrangement_seed;
+    enum scene_point_volume volume;
+    int condition; /* the matrix's condition number is computed, default true */
+};
+
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
 enum scene_integrator { SCENE_RK3, SCENE_VERLET };
 enum scene_until_quantity { SCENE_UNTIL_PERMEABILITY };
@@ -356,12 +378,13 @@ struct scene_output {
 struct scene {
     char path[SCENE_PATH]; /* of the file */
     char title[256];
-    int dimension; /* 2: a plate in the x-y plane; 3 */
+    int dimension; /* 2: a plate in the x-y plane; 3; that of `nonlocal` */
     struct scene_domain domain;
     struct scene_fluid *fluid;       /* NULL: no fluid */
     struct scene_solid *solid;       /* NULL: no solid */
     struct scene_coupling *coupling; /* NULL unless both */
-    int stages;
+    struct scene_nonlocal *nonlocal; /* NULL: no such problem */
+    int stages;                      /* 0: the scene is solved at once */
     struct scene_stage *stage;
     struct scene_output output;
     char *resolved; /* the scene as YAML with every default, itself a valid scene */

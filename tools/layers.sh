@@ -13,7 +13,7 @@ rooms
     base
     files physics
     scene
-    fluid solid
+    fluid solid meshless
     ibm
     coupling
     bench postproc
@@ -46,6 +46,10 @@ solid
     build.h build.c
     refine
     kept.h kept.c state_table.h state_table.c keep.h keep.c
+meshless
+    arrange
+    galerkin
+    nonlocal
 ibm
     kernel.h row.h cell.h ibm.h state.h
 coupling

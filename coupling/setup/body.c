@@ -82,10 +82,13 @@ void setup_body(const struct scene *scene, int b, struct solid_body *to) {
     memcpy(to->velocity, from->velocity, sizeof to->velocity);
     switch (from->arrangement) {
     case SCENE_ARRANGED_LATTICE: /* as the shape says */
+    case SCENE_ARRANGED_HEXAGONAL:
+    case SCENE_ARRANGED_CENTROIDAL:
+    case SCENE_ARRANGED_RANDOM:
         break;
     case SCENE_ARRANGED_PERTURBED:
         to->perturbation = from->perturbation;
-        to->perturbation_seed = from->perturbation_seed;
+        to->perturbation_seed = from->arrangement_seed;
         break;
     }
     setup_body_outlines(from, to);
@@ -98,6 +101,7 @@ void setup_body(const struct scene *scene, int b, struct solid_body *to) {
     }
     if (to->shape == SOLID_POINTS) setup_points(from, scene->dimension, to);
     if (to->shape == SOLID_IMAGE) setup_voxels(scene, b, to);
+    if (setup_arrange_is_on(scene, b)) setup_arrange(scene, b, to);
 }
 
 void setup_body_free(struct solid_body *body) {

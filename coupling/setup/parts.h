@@ -9,6 +9,10 @@ void setup_body_outlines(const struct scene_body *from, struct solid_body *to);
 void setup_body_free(struct solid_body *body);
 void setup_body_cut(const struct scene_crack *from, struct solid_cut *to);
 void setup_body_cut_free(struct solid_cut *cut);
+/* Whether the body's particles are put into its shape here, and puts them: `to` becomes a body of points. Collective.
+ */
+int setup_arrange_is_on(const struct scene *scene, int b);
+void setup_arrange(const struct scene *scene, int b, struct solid_body *to);
 /* Reads the particles of a point file. Collective. */
 void setup_points(const struct scene_body *from, int dim, struct solid_body *to);
 /* Reads the spheres and ellipsoids of a list, from the scene or its file; name: of the body. Collective. */

@@ -236,11 +236,26 @@ static void check_velocity(const struct scene_check *c, int b) {
                          "the first stage, %s, relaxes: it ends with the solid at rest", first->name);
 }
 
+/* Which shapes and keys go with particles that stand on no lattice. */
+static void check_arrangement(const struct scene_check *c, int b) {
+    const struct scene_body *body = &c->scene->solid->body[b];
+    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].arrangement", b);
+    if (body->arrangement == SCENE_ARRANGED_LATTICE || !scene_check_parts_clean(c, path)) return;
+    if (body->shape == SCENE_POINTS && body->arrangement != SCENE_ARRANGED_PERTURBED)
+        scene_problem_at(
+            c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
+            "the points of the file stand where they are: lattice leaves them there, perturbed moves them");
+    if (body->contacts_broken)
+        scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
+                         "does not go with contacts: broken, which needs the lattice");
+}
+
 void scene_check_body(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     double low[3], high[3];
     check_body_material(c, b);
     check_velocity(c, b);
+    check_arrangement(c, b);
     for (int k = 0; k < b; k++)
         if (!strcmp(c->scene->solid->body[k].name, body->name)) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].name", b).text,

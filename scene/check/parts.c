@@ -119,11 +119,25 @@ static void check_fluid_probes(const struct scene_check *c) {
     }
 }
 
+/* The given values must reach a horizon beyond the points that are solved for. */
+static void check_nonlocal(const struct scene_check *c) {
+    const struct scene_nonlocal *n = c->scene->nonlocal;
+    if (!n || !scene_node_is_clean(c->root, "nonlocal")) return;
+    if (n->outer_radius < (n->inner_radius + n->horizon) * (1 - 1e-12))
+        scene_problem_at(c->problems, c->root, "nonlocal.outer_radius",
+                         "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
+                         n->inner_radius + n->horizon);
+    if (n->dimension == 1 && n->arrangement == SCENE_ARRANGED_HEXAGONAL)
+        scene_problem_at(c->problems, c->root, "nonlocal.arrangement.kind",
+                         "needs 2 or 3 dimensions: in one dimension it is the lattice");
+}
+
 void scene_check_parts(const struct scene_check *c) {
-    if (!c->scene->fluid && !c->scene->solid && c->problems->n == 0)
+    if (!c->scene->fluid && !c->scene->solid && !c->scene->nonlocal && c->problems->n == 0)
         scene_problem_line(c->problems, 0,
                            c->scene->dimension == 2 ? "there is nothing to run: give the plate a section solid"
                                                     : "there is nothing to run: give a section fluid, solid or both");
+    check_nonlocal(c);
     check_crack_output(c);
     check_fluid_probes(c);
     check_cells(c);

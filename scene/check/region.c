@@ -181,7 +181,7 @@ static void check_refinement(const struct scene_check *c) {
     check_levels(c);
     for (int b = 0; b < c->scene->solid->bodies; b++) {
         const struct scene_path path = scene_check_parts_path("solid.bodies[%d].arrangement", b);
-        if (c->scene->solid->body[b].arrangement == SCENE_ARRANGED_PERTURBED && scene_check_parts_clean(c, path))
+        if (c->scene->solid->body[b].arrangement != SCENE_ARRANGED_LATTICE && scene_check_parts_clean(c, path))
             scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
                              "cannot go with solid.refinement, which divides the cells of a lattice");
     }

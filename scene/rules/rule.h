@@ -8,7 +8,8 @@ enum scene_need {
     SCENE_WITHOUT_FLUID = 4, /* only in a scene without fluid */
     SCENE_ALWAYS = 8,
     SCENE_IN_3D = 16,
-    SCENE_IN_PLATE = 32 /* domain.size has two numbers */
+    SCENE_IN_PLATE = 32, /* domain.size has two numbers */
+    SCENE_STEPPED = 64   /* stepped through stages; other scenes are solved at once */
 };
 
 struct scene_rule {

@@ -102,6 +102,23 @@ static const cyaml_schema_field_t coupling_fields[] = {
     PART("medium", OPTIONAL, scene_coupling, medium_fields),
     CYAML_FIELD_END};
 
+static const cyaml_schema_field_t arrangement_fields[] = {
+    CHOICE("kind", OPTIONAL, scene_nonlocal, arrangement, scene_schema_parts_arrangements),
+    NUMBER("perturbation", OPTIONAL, scene_nonlocal, perturbation),
+    WHOLE("seed", OPTIONAL, scene_nonlocal, arrangement_seed),
+    CHOICE("volume", OPTIONAL, scene_nonlocal, volume, scene_schema_parts_volumes), CYAML_FIELD_END};
+static const cyaml_schema_field_t nonlocal_fields[] = {
+    WHOLE("dimension", NEEDED, scene_nonlocal, dimension),
+    WHOLE("exponent", NEEDED, scene_nonlocal, exponent),
+    NUMBER("horizon", NEEDED, scene_nonlocal, horizon),
+    NUMBER("inner_radius", NEEDED, scene_nonlocal, inner_radius),
+    NUMBER("outer_radius", NEEDED, scene_nonlocal, outer_radius),
+    NUMBER("spacing", OPTIONAL, scene_nonlocal, spacing),
+    WHOLE("points", OPTIONAL, scene_nonlocal, points),
+    PART("arrangement", OPTIONAL, scene_nonlocal, arrangement_fields),
+    BOOLEAN("condition", OPTIONAL, scene_nonlocal, condition),
+    CYAML_FIELD_END};
+
 static const cyaml_schema_field_t until_fields[] = {
     CHOICE("quantity", OPTIONAL, scene_stage, until_quantity, until_quantities),
     NUMBER("change", OPTIONAL, scene_stage, until_change), WHOLE("window", OPTIONAL, scene_stage, until_window),
@@ -162,11 +179,12 @@ static const cyaml_schema_field_t output_fields[] = {
 
 static const cyaml_schema_field_t scene_fields[] = {
     TEXT("title", OPTIONAL, scene, title),
-    CYAML_FIELD_MAPPING("domain", NEEDED, struct scene, domain, domain_fields),
+    CYAML_FIELD_MAPPING("domain", OPTIONAL, struct scene, domain, domain_fields),
     CYAML_FIELD_MAPPING_PTR("fluid", OPTIONAL, struct scene, fluid, fluid_fields),
     CYAML_FIELD_MAPPING_PTR("solid", OPTIONAL, struct scene, solid, scene_schema_solid),
     CYAML_FIELD_MAPPING_PTR("coupling", OPTIONAL, struct scene, coupling, coupling_fields),
-    ENTRIES("stages", NEEDED, scene, stage, stages, &stage, 1, LIST_MAX),
+    CYAML_FIELD_MAPPING_PTR("nonlocal", OPTIONAL, struct scene, nonlocal, nonlocal_fields),
+    ENTRIES("stages", LIST, scene, stage, stages, &stage, 1, LIST_MAX),
     CYAML_FIELD_MAPPING("output", OPTIONAL, struct scene, output, output_fields),
     CYAML_FIELD_END};
 

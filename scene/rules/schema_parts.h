@@ -7,6 +7,7 @@ enum { LIST_MAX = 10000 };
 
 extern const cyaml_schema_value_t scene_schema_parts_real;
 extern const cyaml_strval_t scene_schema_parts_axes[3];
+extern const cyaml_strval_t scene_schema_parts_arrangements[5], scene_schema_parts_volumes[2];
 extern const cyaml_schema_field_t scene_schema_solid[]; /* of struct scene_solid */
 
 #define VECTOR(key, flags, type, member)                                                                               \

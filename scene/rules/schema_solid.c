@@ -23,8 +23,6 @@ static const cyaml_strval_t part_shapes[] = {{"rectangle", SCENE_RECTANGLE}, {"d
                                              {"sphere", SCENE_SPHERE},       {"cylinder", SCENE_CYLINDER},
                                              {"ellipsoid", SCENE_ELLIPSOID}, {"spheres", SCENE_SPHERES}};
 static const cyaml_strval_t contacts[] = {{"bonded", 0}, {"broken", 1}};
-static const cyaml_strval_t arrangements[] = {{"lattice", SCENE_ARRANGED_LATTICE},
-                                              {"perturbed", SCENE_ARRANGED_PERTURBED}};
 static const cyaml_strval_t image_formats[] = {{"auto", FILES_IMAGE_AUTO}, {"raw", FILES_IMAGE_RAW},
                                                {"mhd", FILES_IMAGE_MHD},   {"nrrd", FILES_IMAGE_NRRD},
                                                {"tiff", FILES_IMAGE_TIFF}, {"hdf5", FILES_IMAGE_HDF5}};
@@ -69,9 +67,9 @@ static const cyaml_schema_field_t cavity_fields[] = {
     VECTOR("centre", NEEDED, scene_body, cavity_centre), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t arrangement_fields[] = {
-    CHOICE("kind", OPTIONAL, scene_body, arrangement, arrangements),
-    NUMBER("perturbation", OPTIONAL, scene_body, perturbation), WHOLE("seed", OPTIONAL, scene_body, perturbation_seed),
-    CYAML_FIELD_END};
+    CHOICE("kind", OPTIONAL, scene_body, arrangement, scene_schema_parts_arrangements),
+    NUMBER("perturbation", OPTIONAL, scene_body, perturbation), WHOLE("seed", OPTIONAL, scene_body, arrangement_seed),
+    CHOICE("volume", OPTIONAL, scene_body, volume, scene_schema_parts_volumes), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t corner_fields[] = {PAIR("at", NEEDED, scene_corner, at),
                                                      CHOICE("turn", OPTIONAL, scene_corner, turn, turns),

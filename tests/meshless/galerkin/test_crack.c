@@ -93,18 +93,18 @@ static void jump(void **state) {
 /* Pieces fill the plate, edges close around each piece, and 1/sqrt(r) is integrated about the tip. */
 static void quadrature(void **state) {
     (void)state;
-    struct galerkin_input in = make_input(1, 1, 6);
+    struct galerkin_input in = make_input(2, 2, 12);
     struct meshless_nodes nodes;
     static struct galerkin_place at[MESHLESS_CELLS_CORNERS * MESHLESS_CELLS_GAUSS * MESHLESS_CELLS_GAUSS];
     double weight[sizeof at / sizeof *at], normal[2], area = 0, singular = 0;
     in.levels = 2;
     in.gauss_tip = 10;
-    struct galerkin *g = make_edge_crack(&in, 0.5, &nodes);
+    struct galerkin *g = make_edge_crack(&in, 1, &nodes);
     for (int p = 0; p < g->cells.pieces; p++) {
         double closed[2] = {0, 0}, flux = 0;
         for (int q = 0, n = meshless_cells_inside(g, p, at, weight); q < n; q++) {
             area += weight[q];
-            singular += weight[q] / sqrt(hypot(at[q].x[0] - 0.5, at[q].x[1] - 0.5));
+            singular += weight[q] / sqrt(hypot(at[q].x[0] - 1, at[q].x[1] - 1));
         }
         for (int k = 0; k < g->cells.piece[p].corners; k++)
             for (int q = 0, n = meshless_cells_edge(g, p, k, at, weight, normal); q < n; q++)
@@ -116,11 +116,11 @@ static void quadrature(void **state) {
         check_close(closed[1], 0, 1e-14);
         check_relative(flux, 2 * meshless_cells_area(g, p), 1e-12);
     }
-    check_close(area, 1, 1e-12);
-    /* int over the square of r^-1/2 = 8 int_0^(pi/4) (2/3) (1/(2 cos t))^(3/2) dt, by a fine midpoint sum */
+    check_close(area, 4, 1e-12);
+    /* int over the square of r^-1/2 = 8 int_0^(pi/4) (2/3) (1/cos t)^(3/2) dt, by a fine midpoint sum */
     double exact = 0;
     const int n = 20000;
-    for (int k = 0; k < n; k++) exact += 8 * 2. / 3 * pow(0.5 / cos(M_PI / 4 * (k + 0.5) / n), 1.5) * M_PI / 4 / n;
+    for (int k = 0; k < n; k++) exact += 8 * 2. / 3 * pow(1 / cos(M_PI / 4 * (k + 0.5) / n), 1.5) * M_PI / 4 / n;
     check_relative(singular, exact, 1e-7);
     meshless_galerkin_free(g);
     meshless_nodes_free(&nodes);

@@ -1,0 +1,130 @@
+/* frana run and frana check of scenes that are solved at once: the run folder, the phases with their times, run.json.
+ */
+#include "program/solve.h"
+#include "base/die.h"
+#include "base/ensure.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "files/aside.h"
+#include "files/folder.h"
+#include "files/log.h"
+#include "program/record.h"
+#include "program/solution.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* One line a kind. */
+static const struct solve_kind *const kind[] = {&solve_nonlocal};
+
+enum { PHASES = 16 };
+
+struct solve {
+    const struct scene *scene;
+    const struct solve_kind *kind;
+    void *problem;
+    double start, phase[PHASES], output; /* s */
+};
+
+static const struct solve_kind *kind_of(const struct scene *scene) {
+    for (size_t k = 0; k < sizeof kind / sizeof *kind; k++)
+        if (kind[k]->is_of(scene)) return kind[k];
+    return NULL;
+}
+
+int solve_is(const struct scene *scene) { return kind_of(scene) != NULL; }
+
+/* Runs the phases from .. to - 1 (-1: to the last). */
+static void run_phases(struct solve *s, int from, int to) {
+    for (int k = from; k != to && s->kind->phase[k].name; k++) {
+        ENSURE(k < PHASES, "more than %d phases", PHASES);
+        const double start = par_seconds();
+        s->kind->phase[k].run(s->problem);
+        par_barrier();
+        s->phase[k] = par_seconds() - start;
+    }
+}
+
+static void begin(struct solve *s, const struct scene *scene) {
+    *s = (struct solve){.scene = scene, .kind = kind_of(scene), .start = par_seconds()};
+    s->problem = s->kind->new (scene);
+    run_phases(s, 0, s->kind->before);
+}
+
+static void write_record(const struct solve *s, const char *folder) {
+    char path[FOLDER_PATH];
+    const int size = par_size();
+    const double wall = par_max(par_seconds() - s->start), peak = (double)memory_peak();
+    double *peaks = malloc((size_t)size * sizeof *peaks);
+    ENSURE(peaks, "no memory for %d ranks", size);
+    par_gather(&peak, sizeof peak, peaks);
+    if (par_rank() == 0) {
+        struct json *j = json_begin(folder_path(path, folder, "run.json"));
+        json_text(j, "title", s->scene->title);
+        json_text(j, "status", "done");
+        json_long(j, "exit_code", EXIT_CODE_DONE);
+        json_long(j, "steps", 0);
+        json_long(j, "ranks", size);
+        json_number(j, "wall_seconds", wall);
+        json_number(j, "setup_seconds", 0);
+        json_object(j, "wall_seconds_by_part");
+        for (int k = 0; s->kind->phase[k].name; k++) json_number(j, s->kind->phase[k].name, s->phase[k]);
+        json_number(j, "output", s->output);
+        json_close(j);
+        s->kind->record(s->problem, j);
+        json_array(j, "peak_memory_bytes_per_rank");
+        for (int k = 0; k < size; k++) json_number(j, NULL, peaks[k]);
+        json_close(j);
+        record_write_version(j);
+        json_end(j);
+    }
+    free(peaks);
+}
+
+static void refuse_options(const struct command *c) {
+    if (c->resume)
+        die_all(EXIT_CODE_SCENE, "--resume: a scene that is solved at once has no checkpoint; run it again without");
+    if (folder_has_run(c->out)) die_all(EXIT_CODE_FILE, "%s holds a run already: --out DIR writes elsewhere", c->out);
+}
+
+int solve_run(const struct command *c, const struct scene *scene) {
+    struct solve s;
+    char path[FOLDER_PATH];
+    refuse_options(c);
+    begin(&s, scene);
+    folder_make(c->out);
+    folder_hold(c->out);
+    refuse_options(c); /* the folder is locked: no other run can write there */
+    log_begin(c->out, c->quiet, 0);
+    log_line("frana: %s", scene->title);
+    if (par_rank() == 0) {
+        struct aside a;
+        aside_begin(&a, folder_path(path, c->out, "scene.resolved.yaml"));
+        fputs(scene->resolved, a.file);
+        aside_end(&a);
+    }
+    run_phases(&s, s.kind->before, -1);
+    const double written = par_seconds();
+    s.kind->write(s.problem, scene, c->out);
+    s.output = par_seconds() - written;
+    write_record(&s, c->out);
+    for (int k = 0; s.kind->phase[k].name; k++) log_line("%s: %.3g s", s.kind->phase[k].name, s.phase[k]);
+    log_line("done: solved in %.3g s", par_seconds() - s.start);
+    s.kind->free(s.problem);
+    log_end();
+    folder_hold_release();
+    return EXIT_CODE_DONE;
+}
+
+int solve_check(const struct scene *scene) {
+    struct solve s;
+    begin(&s, scene);
+    solution_say("%s\n", scene->title);
+    s.kind->check(s.problem);
+    double bytes = 0;
+    for (int p = 0; p < MEMORY_PARTS; p++) bytes += (double)memory_bytes((enum memory_part)p);
+    const double all = par_sum(bytes), most = par_max(bytes);
+    solution_say("  memory     %.3g MB on %d ranks, at most %.3g MB on one\n", all * 1e-6, par_size(), most * 1e-6);
+    s.kind->free(s.problem);
+    return EXIT_CODE_DONE;
+}
