@@ -28,10 +28,10 @@ static int by_place(const void *a, const void *b) {
 struct gathered {
     int n, *slot; /* slot [nodes]: place in node, or -1 */
     int node[UNION];
-    double load[UNION];           /* integral of phi */
-    double mean[UNION][2];        /* by quadrature inside */
-    double target[UNION][2];      /* by the edges */
-    double phi_pull[UNION][2];    /* load of given tractions */
+    double load[UNION];        /* integral of phi */
+    double mean[UNION][2];     /* by quadrature inside */
+    double target[UNION][2];   /* by the edges */
+    double phi_pull[UNION][2]; /* load of given tractions */
 };
 
 static int slot_of(struct gathered *t, int node) {
@@ -124,7 +124,8 @@ static void into_band(void *to, const struct galerkin *g, int n, const int *node
             products(g, d[i], d[j], weight, k);
             for (int c = 0; c < 2; c++)
                 for (int r = 0; r < 2; r++)
-                    if (row + r >= column + c) band[(size_t)(column + c) * high + (size_t)(row + r - column - c)] += k[r][c];
+                    if (row + r >= column + c)
+                        band[(size_t)(column + c) * high + (size_t)(row + r - column - c)] += k[r][c];
         }
 }
 
@@ -179,8 +180,7 @@ void meshless_assemble_order(struct galerkin *g) {
             high[c] = fmax(high[c], g->in.node[i][c]);
         }
     const int longer = high[1] - low[1] > high[0] - low[0];
-    for (int i = 0; i < nodes; i++)
-        list[i] = (struct placed){{g->in.node[i][longer], g->in.node[i][!longer]}, i};
+    for (int i = 0; i < nodes; i++) list[i] = (struct placed){{g->in.node[i][longer], g->in.node[i][!longer]}, i};
     qsort(list, (size_t)nodes, sizeof *list, by_place);
     g->rank = memory_new(MEMORY_SOLID, (size_t)nodes, sizeof *g->rank);
     g->node_of = memory_new(MEMORY_SOLID, (size_t)nodes, sizeof *g->node_of);

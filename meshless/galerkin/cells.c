@@ -100,12 +100,11 @@ static void keep(struct galerkin *g, struct polygon *p, int cell) {
     int its = -1, is_near = 0;
     for (int t = 0; t < g->tips; t++) {
         if (insert_tip(p, g->tip[t].x, slack)) its = t;
-        for (int k = 0; k < p->n; k++)
-            is_near |= from_segment(g->tip[t].x, p->x[k], p->x[(k + 1) % p->n]) < c->near;
+        for (int k = 0; k < p->n; k++) is_near |= from_segment(g->tip[t].x, p->x[k], p->x[(k + 1) % p->n]) < c->near;
     }
     c->piece = memory_grown(MEMORY_SOLID, c->piece, (size_t)c->pieces, (size_t)c->pieces + 1, sizeof *c->piece);
-    c->corner = memory_grown(MEMORY_SOLID, c->corner, (size_t)c->corners, (size_t)(c->corners + p->n),
-                             sizeof *c->corner);
+    c->corner =
+        memory_grown(MEMORY_SOLID, c->corner, (size_t)c->corners, (size_t)(c->corners + p->n), sizeof *c->corner);
     c->piece[c->pieces++] = (struct galerkin_piece){.corners = p->n,
                                                     .first = c->corners,
                                                     .tip = its,

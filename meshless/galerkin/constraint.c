@@ -33,8 +33,8 @@ static void row_add(struct galerkin_rows *r, int unknown, double value) {
         }
     if (r->entries == r->entry_room) {
         r->entry_room = 2 * r->entry_room + 1024;
-        r->unknown = memory_grown(MEMORY_SOLID, r->unknown, (size_t)r->entries, (size_t)r->entry_room,
-                                  sizeof *r->unknown);
+        r->unknown =
+            memory_grown(MEMORY_SOLID, r->unknown, (size_t)r->entries, (size_t)r->entry_room, sizeof *r->unknown);
         r->value = memory_grown(MEMORY_SOLID, r->value, (size_t)r->entries, (size_t)r->entry_room, sizeof *r->value);
     }
     r->unknown[r->entries] = unknown;
@@ -182,8 +182,8 @@ static void check_rigid(const struct galerkin *g) {
         for (int k = g->rows.first[r]; k < g->rows.first[r + 1]; k++) {
             const int node = g->rows.unknown[k] / 2, c = g->rows.unknown[k] % 2;
             of[c] += g->rows.value[k];
-            of[2] += g->rows.value[k] * (c ? in->node[node][0] - in->corner[0][0] : in->corner[0][1] - in->node[node][1]) /
-                     size;
+            of[2] += g->rows.value[k] *
+                     (c ? in->node[node][0] - in->corner[0][0] : in->corner[0][1] - in->node[node][1]) / size;
         }
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) s[3 * i + j] += of[i] * of[j];
@@ -193,10 +193,11 @@ static void check_rigid(const struct galerkin *g) {
     int most = 0;
     for (int i = 1; i < 3; i++)
         if (fabs(s[3 * i]) > fabs(s[3 * most])) most = i;
-    die_all(EXIT_CODE_SCENE,
-            "solid.constraints: %d rows of given displacements leave the body free to %s; hold it at a further point or "
-            "along an edge",
-            g->rows.rows, name[most]);
+    die_all(
+        EXIT_CODE_SCENE,
+        "solid.constraints: %d rows of given displacements leave the body free to %s; hold it at a further point or "
+        "along an edge",
+        g->rows.rows, name[most]);
 }
 
 void meshless_constraint_new(struct galerkin *g) {

@@ -108,8 +108,8 @@ void meshless_cut_mark(struct galerkin *g) {
         for (int i = 0; i < g->in.nodes; i++) {
             const struct galerkin_tip *tip = &g->tip[t];
             if (!(g->near_line[i] & 1U << tip->line)) continue;
-            const double ahead = (g->in.node[i][0] - tip->x[0]) * tip->along[0] +
-                                 (g->in.node[i][1] - tip->x[1]) * tip->along[1];
+            const double ahead =
+                (g->in.node[i][0] - tip->x[0]) * tip->along[0] + (g->in.node[i][1] - tip->x[1]) * tip->along[1];
             double *reach = &g->line[tip->line].reach[tip->end];
             *reach = fmax(*reach, ahead + g->radius[i]);
         }

@@ -17,7 +17,7 @@ enum galerkin_basis {
 };
 enum galerkin_weight { GALERKIN_CUBIC, GALERKIN_QUARTIC };
 enum galerkin_method {
-    GALERKIN_VIRTUAL,     /* cut along the crack and its extension, along which displacement and strain are continuous */
+    GALERKIN_VIRTUAL, /* cut along the crack and its extension, along which displacement and strain are continuous */
     GALERKIN_DIFFRACTION, /* weights pass round the tip */
     GALERKIN_VISIBILITY   /* cut along the crack alone */
 };
@@ -39,8 +39,8 @@ struct galerkin_fixed {
 
 /* Force per unit area along the part of the body's outline between `from` and `to`. */
 struct galerkin_pull {
-    double from[2], to[2]; /* m */
-    double traction[2];    /* Pa */
+    double from[2], to[2];                         /* m */
+    double traction[2];                            /* Pa */
     void (*value)(const double x[2], double t[2]); /* not NULL: instead of traction */
 };
 
@@ -81,8 +81,8 @@ enum { GALERKIN_CRACKS = 8, GALERKIN_TIPS = 2 * GALERKIN_CRACKS };
 /* A crack in its own frame: (xi, eta) with the origin at end 0, xi along it. */
 struct galerkin_line {
     double origin[2], along[2], length;
-    int is_tip[2];      /* [end] inside the body */
-    double reach[2];    /* [end] the cut goes on by this beyond a tip, m; 0 without an extension */
+    int is_tip[2];   /* [end] inside the body */
+    double reach[2]; /* [end] the cut goes on by this beyond a tip, m; 0 without an extension */
 };
 struct galerkin_tip {
     double x[2], along[2]; /* place, and unit vector that points ahead of the tip */
@@ -111,37 +111,37 @@ struct galerkin_shape {
 
 /* Convex pieces of background cells. */
 struct galerkin_piece {
-    int corners, first;  /* first: of its corners in the array of all */
-    int tip;             /* the tip that is one of its corners, or -1 */
-    int points;          /* Gauss points along each direction */
+    int corners, first; /* first: of its corners in the array of all */
+    int tip;            /* the tip that is one of its corners, or -1 */
+    int points;         /* Gauss points along each direction */
     int cell;
 };
 struct galerkin_cells {
     int pieces, corners;
     struct galerkin_piece *piece;
     double (*corner)[2];
-    long points;  /* Gauss points of all pieces */
-    double near;  /* edges and pieces within this of a tip have gauss_tip points */
+    long points; /* Gauss points of all pieces */
+    double near; /* edges and pieces within this of a tip have gauss_tip points */
 };
 
 /* A constraint sum_k value_k u[unknown_k] = given. */
 struct galerkin_rows {
     int rows, entries, row_room, entry_room;
-    int *first;      /* [rows + 1] */
-    int *unknown;    /* [entries] 2 node + component */
-    double *value;   /* [entries] */
-    double *given;   /* [rows] */
-    int *kind;       /* [rows] enum galerkin_row */
+    int *first;    /* [rows + 1] */
+    int *unknown;  /* [entries] 2 node + component */
+    double *value; /* [entries] */
+    double *given; /* [rows] */
+    int *kind;     /* [rows] enum galerkin_row */
 };
 enum galerkin_row { GALERKIN_ROW_FIXED, GALERKIN_ROW_JUMP, GALERKIN_ROW_STRAIN };
 
 struct galerkin_solution {
-    double *u;               /* [2 nodes] nodal values (not the displacement at the nodes) */
-    double *multiplier;      /* [rows] */
+    double *u;          /* [2 nodes] nodal values (not the displacement at the nodes) */
+    double *multiplier; /* [rows] */
     int iterations, converged;
-    double violation;        /* largest |G u - g| over the largest |u| */
-    double equilibrium;      /* |K u + G^T r - f| over |f| and |G^T r| */
-    double *history;         /* [iterations] violation after each, owned */
+    double violation;   /* largest |G u - g| over the largest |u| */
+    double equilibrium; /* |K u + G^T r - f| over |f| and |G^T r| */
+    double *history;    /* [iterations] violation after each, owned */
 };
 
 struct galerkin {
@@ -157,7 +157,7 @@ struct galerkin {
     struct galerkin_cells cells;
     struct galerkin_rows rows;
     struct galerkin_solution solution;
-    int *rank, *node_of;      /* [nodes] order of the nodes in the band, and back */
+    int *rank, *node_of; /* [nodes] order of the nodes in the band, and back */
     int half_band;
 };
 

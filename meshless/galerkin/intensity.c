@@ -91,12 +91,12 @@ struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int nu
                         meshless_intensity_field(&g->in, mode, r, t, own, slope);
                         const double work = own[0] * grad[0][0] + own[1] * grad[1][1] + own[2] * shear;
                         mixed[mode] +=
-                            area * ((stress[0] * slope[0] + stress[2] * slope[1] + own[0] * grad[0][0] +
-                                     own[2] * grad[1][0] - work) *
-                                        q[0] +
-                                    (stress[2] * slope[0] + stress[1] * slope[1] + own[2] * grad[0][0] +
-                                     own[1] * grad[1][0]) *
-                                        q[1]);
+                            area *
+                            ((stress[0] * slope[0] + stress[2] * slope[1] + own[0] * grad[0][0] + own[2] * grad[1][0] -
+                              work) *
+                                 q[0] +
+                             (stress[2] * slope[0] + stress[1] * slope[1] + own[2] * grad[0][0] + own[1] * grad[1][0]) *
+                                 q[1]);
                     }
                 }
     const double modulus = meshless_intensity_modulus(&g->in);

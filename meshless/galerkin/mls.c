@@ -82,9 +82,9 @@ int meshless_mls_functions(enum galerkin_basis basis, const struct galerkin_tip 
 /* The basis about a place. */
 struct local_basis {
     int terms;
-    double h, scale;                          /* of the linear functions, and of the tip's */
-    double value[4], gradient[4][2];          /* of the tip's functions at the place */
-    int tangent;                              /* 1: minus the tangent plane */
+    double h, scale;                 /* of the linear functions, and of the tip's */
+    double value[4], gradient[4][2]; /* of the tip's functions at the place */
+    int tangent;                     /* 1: minus the tangent plane */
 };
 
 static void basis_begin(const struct galerkin *g, const struct galerkin_place *at, int tip, double h,
@@ -116,8 +116,8 @@ static void basis_at(const struct galerkin *g, const struct galerkin_place *at, 
     double value[4];
     const int n = meshless_mls_functions(g->in.basis, &g->tip[tip], x, x, value, NULL);
     for (int k = 0; k < n; k++)
-        p[3 + k] = b->scale * (value[k] - (b->tangent ? b->value[k] + b->gradient[k][0] * dx + b->gradient[k][1] * dy
-                                                      : 0));
+        p[3 + k] =
+            b->scale * (value[k] - (b->tangent ? b->value[k] + b->gradient[k][0] * dx + b->gradient[k][1] * dy : 0));
 }
 
 /* Cholesky factor of a symmetric matrix in place; 0 if it is singular to rounding. */
@@ -227,8 +227,8 @@ enum meshless_mls_fault meshless_mls_shape(const struct galerkin *g, const struc
     for (int i = 0; i < shape->n; i++) {
         const double apart = shape->phi[i] - linear.phi[i];
         for (int c = 0; c < 2; c++)
-            shape->d[i][c] = share * shape->d[i][c] + (1 - share) * linear.d[i][c] +
-                             rate * (at->x[c] - g->tip[tip].x[c]) * apart;
+            shape->d[i][c] =
+                share * shape->d[i][c] + (1 - share) * linear.d[i][c] + rate * (at->x[c] - g->tip[tip].x[c]) * apart;
         shape->phi[i] = share * shape->phi[i] + (1 - share) * linear.phi[i];
     }
     return MESHLESS_MLS_DONE;

@@ -6,7 +6,8 @@
 #include <math.h>
 
 /* Whether x is within the patch of a level: level 0 is everywhere. */
-static int is_in_patch(const struct galerkin_input *in, int level, const double x[2], int tips, const double (*tip)[2]) {
+static int is_in_patch(const struct galerkin_input *in, int level, const double x[2], int tips,
+                       const double (*tip)[2]) {
     const double reach = in->patch * ldexp(in->spacing, 1 - level) * (1 + 1e-9);
     if (level == 0) return 1;
     for (int t = 0; t < tips; t++)
@@ -48,8 +49,8 @@ struct meshless_nodes meshless_nodes_new(const struct galerkin_input *in, const 
                 if (nodes.n == room) {
                     room = 2 * room + 256;
                     nodes.x = memory_grown(MEMORY_SOLID, nodes.x, (size_t)nodes.n, (size_t)room, sizeof *nodes.x);
-                    nodes.size = memory_grown(MEMORY_SOLID, nodes.size, (size_t)nodes.n, (size_t)room,
-                                              sizeof *nodes.size);
+                    nodes.size =
+                        memory_grown(MEMORY_SOLID, nodes.size, (size_t)nodes.n, (size_t)room, sizeof *nodes.size);
                 }
                 nodes.x[nodes.n][0] = x[0];
                 nodes.x[nodes.n][1] = x[1];
