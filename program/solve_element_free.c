@@ -6,6 +6,7 @@
 #include "files/folder.h"
 #include "files/table.h"
 #include "files/vtkhdf.h"
+#include "meshless/galerkin/field.h"
 #include "meshless/galerkin/intensity.h"
 #include "meshless/galerkin/solve.h"
 #include "program/solution.h"
@@ -32,8 +33,7 @@ static void arrange(void *problem) {
     setup_element_free(p->scene, &p->setup);
     p->g = meshless_galerkin_new(&p->setup.in);
     const struct scene_intensity *wanted = p->scene->output.intensity;
-    if (wanted && p->g->tips == 0)
-        die_all(EXIT_CODE_SCENE, "output.intensity: no end of a crack is inside the body");
+    if (wanted && p->g->tips == 0) die_all(EXIT_CODE_SCENE, "output.intensity: no end of a crack is inside the body");
     for (int t = 0; wanted && t < p->g->tips; t++)
         for (int k = 0; k < wanted->radii; k++) {
             const double widest = meshless_intensity_widest(p->g, t);
@@ -95,21 +95,25 @@ static void write_fields(const struct galerkin *g, const char *folder) {
     const long n = g->in.nodes, from = n * par_rank() / par_size(), to = n * (par_rank() + 1) / par_size();
     const size_t room = (size_t)(to - from) + 1;
     double(*x)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *x), (*u)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *u),
-          (*stress)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *stress),
-          (*strain)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *strain), *size = memory_new(MEMORY_OUTPUT, room, sizeof *size);
+    (*stress)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *stress),
+    (*strain)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *strain),
+    *size = memory_new(MEMORY_OUTPUT, room, sizeof *size);
     const double nu = g->in.poisson_ratio;
     for (long i = from; i < to; i++) {
         struct galerkin_place at;
         double grad[2][2], s[3];
         const long k = i - from;
         for (int c = 0; c < 2; c++) x[k][c] = at.x[c] = at.see[c] = g->in.node[i][c];
-        meshless_galerkin_field(g, &at, u[k], grad);
-        meshless_galerkin_stress(g, grad, s);
+        meshless_field_at(g, &at, u[k], grad);
+        meshless_field_stress(g, grad, s);
         const double across = g->in.plane_strain ? nu * (s[0] + s[1]) : 0;
         const double values[6] = {s[0], s[1], across, s[2], 0, 0};
-        const double strains[6] = {grad[0][0], grad[1][1],
+        const double strains[6] = {grad[0][0],
+                                   grad[1][1],
                                    g->in.plane_strain ? 0 : -nu * (s[0] + s[1]) / g->in.youngs_modulus,
-                                   0.5 * (grad[0][1] + grad[1][0]), 0, 0};
+                                   0.5 * (grad[0][1] + grad[1][0]),
+                                   0,
+                                   0};
         for (int c = 0; c < 6; c++) stress[k][c] = values[c], strain[k][c] = strains[c];
         size[k] = g->radius[i] / g->in.support;
     }

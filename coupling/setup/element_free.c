@@ -183,7 +183,8 @@ static void set_load(const struct scene_solid *s, int k, struct setup_element_fr
     const double middle[2] = {0.5 * (pull.from[0] + pull.to[0]), 0.5 * (pull.from[1] + pull.to[1])};
     if (depth > slack || fabs(meshless_cut_depth(in, middle)) > slack)
         die_all(EXIT_CODE_SCENE,
-                "solid.loads[%d].edge: from (%.6g, %.6g) to (%.6g, %.6g) is not a part of one side of the body's outline",
+                "solid.loads[%d].edge: from (%.6g, %.6g) to (%.6g, %.6g) is not a part of one side of the body's "
+                "outline",
                 k, pull.from[0], pull.from[1], pull.to[0], pull.to[1]);
     to->pull[to->in.pulls++] = pull;
 }

@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "meshless/galerkin/cells.h"
+#include "meshless/galerkin/field.h"
 #include "meshless/galerkin/mls.h"
 
 #include <math.h>
@@ -139,7 +140,7 @@ static void into_product(void *to, const struct galerkin *g, int n, const int *n
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 2; c++)
             for (int k = 0; k < 2; k++) grad[c][k] += p->u[2 * node[i] + c] * d[i][k];
-    meshless_galerkin_stress(g, grad, stress);
+    meshless_field_stress(g, grad, stress);
     const double w = weight * g->in.thickness;
     for (int i = 0; i < n; i++) {
         p->y[2 * node[i]] += w * (stress[0] * d[i][0] + stress[2] * d[i][1]);

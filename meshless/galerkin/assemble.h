@@ -3,7 +3,7 @@
  * Gradients in a piece are corrected by a constant a node, so that their mean is (1/A) of the integral of phi n over
  * the piece's edges. The sum over all pieces is then that over the body's outline: linear displacements are in
  * equilibrium to rounding (patch test), however coarse the quadrature is. Constant and linear fields keep their exact
- * gradients. (Chen, Wu, Yoon, You 2001; Duan, Li, Belytschko 2012: the condition of divergence consistency) */
+ * gradients. (Chen et al. 2001; Duan et al. 2012) */
 #pragma once
 #include "meshless/galerkin/galerkin.h"
 

@@ -165,7 +165,3 @@ struct galerkin {
  * borrowed as long as it lives. Collective. */
 struct galerkin *meshless_galerkin_new(const struct galerkin_input *in);
 void meshless_galerkin_free(struct galerkin *g);
-/* Displacement and its gradient du_i/dx_j at a place. Not collective. */
-void meshless_galerkin_field(const struct galerkin *g, const struct galerkin_place *at, double u[2], double grad[2][2]);
-/* Stress xx, yy, xy from a gradient. */
-void meshless_galerkin_stress(const struct galerkin *g, const double grad[2][2], double stress[3]);

@@ -2,6 +2,7 @@
 #include "meshless/galerkin/intensity.h"
 #include "meshless/galerkin/cells.h"
 #include "meshless/galerkin/cut.h"
+#include "meshless/galerkin/field.h"
 
 #include <math.h>
 
@@ -50,14 +51,14 @@ static void in_frame(const struct galerkin *g, const struct galerkin_tip *tip, c
                      double grad[2][2], double stress[3]) {
     double u[2], own[2][2];
     const double q[2][2] = {{tip->along[0], tip->along[1]}, {-tip->along[1], tip->along[0]}};
-    meshless_galerkin_field(g, at, u, own);
+    meshless_field_at(g, at, u, own);
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++) {
             grad[i][j] = 0;
             for (int a = 0; a < 2; a++)
                 for (int b = 0; b < 2; b++) grad[i][j] += q[i][a] * q[j][b] * own[a][b];
         }
-    meshless_galerkin_stress(g, grad, stress);
+    meshless_field_stress(g, grad, stress);
 }
 
 struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int number, double radius) {

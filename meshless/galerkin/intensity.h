@@ -3,8 +3,8 @@
  *     J = int (s_ij u_i,1 - W d_1j) q,j dA,      q falls from 1 to 0 across the ring;  J = (K_I^2 + K_II^2)/E'
  *     I = int (s_ij a_i,1 + t_ij u_i,1 - s_ik e_ik d_1j) q,j dA = 2 (K_I K_I^a + K_II K_II^a)/E'
  *
- * with u, s the solution and a, t, e the field of a crack in an infinite plate with K^a = 1 in one mode.  (Moran, Shih
- * 1987; Yau, Wang, Corten 1980) */
+ * with u, s the solution and a, t, e the field of a crack in an infinite plate with K^a = 1 in one mode.  (Moran and
+ * Shih 1987; Yau et al. 1980) */
 #pragma once
 #include "meshless/galerkin/galerkin.h"
 

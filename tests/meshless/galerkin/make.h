@@ -1,5 +1,6 @@
 /* Element-free plates for the tests: nodes about tips, one rectangle, one crack. */
 #pragma once
+#include "meshless/galerkin/field.h"
 #include "meshless/galerkin/galerkin.h"
 #include "meshless/galerkin/intensity.h"
 #include "meshless/galerkin/mls.h"

@@ -4,7 +4,7 @@
 #include "meshless/galerkin/cells.h"
 #include "tests/meshless/galerkin/make.h"
 
-#define EDGE 2.8246 /* K_I/(sigma sqrt(pi a)) at a/W = 0.5 (Kaya, Erdogan) */
+#define EDGE 2.8246 /* K_I/(sigma sqrt(pi a)) at a/W = 0.5 (Kaya and Erdogan 1987) */
 
 static double k_of(double a) { return sqrt(M_PI * a); }
 
@@ -70,7 +70,7 @@ static void jump(void **state) {
                                        {{0.5 + ahead + h / 2, 1.5}, {0.5 + ahead + h / 2, 1.5 - 1e-7}}};
         double u[2][2], grad[2][2][2];
         if (0.5 + ahead + h / 2 > 1 || ahead + h / 2 > g->line[0].reach[1]) break;
-        for (int s = 0; s < 2; s++) meshless_galerkin_field(g, &at[s], u[s], grad[s]);
+        for (int s = 0; s < 2; s++) meshless_field_at(g, &at[s], u[s], grad[s]);
         for (int c = 0; c < 2; c++) {
             worst = check_worst(worst, u[0][c] - u[1][c]);
             worst = check_worst(worst, h * (grad[0][c][c] - grad[1][c][c]));
@@ -82,7 +82,7 @@ static void jump(void **state) {
     check_above(points, 3);
     struct galerkin_place lip[2] = {{{0.2, 1.5}, {0.2, 1.5 + 1e-7}}, {{0.2, 1.5}, {0.2, 1.5 - 1e-7}}};
     double u[2][2], grad[2][2];
-    for (int s = 0; s < 2; s++) meshless_galerkin_field(g, &lip[s], u[s], grad);
+    for (int s = 0; s < 2; s++) meshless_field_at(g, &lip[s], u[s], grad);
     opening = u[0][1] - u[1][1];
     check_above(opening, 1e-3);
     check_below(worst, 1e-8 * opening);
