@@ -88,6 +88,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         void (*add)(struct postproc_output *out, const struct postproc_history *h);
     } section[] = {
         {"The run", postproc_sections_run},
+        {"The solution", postproc_sections_solution},
         {"The medium", postproc_sections_medium},
         {"Fracture", postproc_sections_fracture},
         {"Fragments", postproc_sections_fragments},

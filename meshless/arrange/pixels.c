@@ -115,56 +115,123 @@ static double distance2(const struct cells *k, long p, const double at[3]) {
     return sum;
 }
 
-/* The nearest point within the distance of which `least` is the square; -1: none. */
-static long nearest_within(const struct cells *k, const double at[3], double least) {
-    const double reach = sqrt(least) * (1 + 1e-12);
-    long best = -1;
-    int from[3] = {0}, to[3] = {0};
+enum { NEAR = 512 };
+
+/* The points no farther than `reach` from a place: at most NEAR numbers. Returns how many there are. */
+static int near_of(const struct cells *k, const double at[3], double reach, long near[NEAR]) {
+    const double wide = reach * (1 + 1e-9);
+    int from[3] = {0}, to[3] = {0}, n = 0;
     for (int c = 0; c < k->g->dim; c++) {
-        from[c] = cell_at(k, c, at[c] - reach);
-        to[c] = cell_at(k, c, at[c] + reach);
+        from[c] = cell_at(k, c, at[c] - wide);
+        to[c] = cell_at(k, c, at[c] + wide);
     }
     for (int z = from[2]; z <= to[2]; z++)
         for (int y = from[1]; y <= to[1]; y++) {
             const long *start = k->start + ((long)z * k->n[1] + y) * k->n[0];
             for (long q = start[from[0]]; q < start[to[0] + 1]; q++) {
-                const long p = k->item[q];
-                const double d = distance2(k, p, at);
-                if (d > least || (d == least && best >= 0 && p > best)) continue;
-                least = d;
-                best = p;
+                if (distance2(k, k->item[q], at) > wide * wide) continue;
+                if (n < NEAR) near[n] = k->item[q];
+                n++;
             }
         }
+    return n;
+}
+
+/* The nearest of some points; of several equally near the lowest number. */
+static long best_of(const struct cells *k, const double at[3], int n, const long *near) {
+    double least = INFINITY;
+    long best = -1;
+    for (int q = 0; q < n; q++) {
+        const double d = distance2(k, near[q], at);
+        if (d > least || (d == least && near[q] > best)) continue;
+        least = d;
+        best = near[q];
+    }
     return best;
 }
 
-static long nearest(const struct cells *k, const double at[3], long guess, double spacing) {
-    long best = guess >= 0 ? nearest_within(k, at, distance2(k, guess, at) * (1 + 1e-12)) : -1;
-    for (double reach = spacing; best < 0; reach *= 2) best = nearest_within(k, at, reach * reach);
+static void middle_of(const struct meshless_pixels *g, const long index[3], double x, double at[3]) {
+    at[0] = g->low[0] + (x + 0.5) * g->width[0];
+    for (int c = 1; c < g->dim; c++) at[c] = g->low[c] + ((double)index[c] + 0.5) * g->width[c];
+}
+
+/* All points that can be the nearest one to some pixel of a run along x: those no farther from its middle than the
+ * nearest one, and twice half the run. More than NEAR of them: 0. */
+static int candidates(const struct cells *k, const double middle[3], double half, double spacing, long near[NEAR]) {
+    int n = 0;
+    for (double reach = spacing; n == 0; reach *= 1.5) n = near_of(k, middle, reach, near);
+    if (n > NEAR) return 0;
+    const double nearest = sqrt(distance2(k, best_of(k, middle, n, near), middle));
+    n = near_of(k, middle, nearest + 2 * half, near);
+    return n > NEAR ? 0 : n;
+}
+
+/* The points of a run of pixels: their places, in three directions, and their own pixels. */
+struct choice {
+    int n;
+    long number[NEAR], home[NEAR][3];
+    double x[NEAR][3];
+};
+
+static void choice_fill(struct choice *few, const struct cells *k, const double middle[3], double half,
+                        double spacing) {
+    few->n = candidates(k, middle, half, spacing, few->number);
+    for (int q = 0; q < few->n; q++)
+        for (int c = 0; c < k->g->dim; c++) {
+            few->x[q][c] = k->x[c][few->number[q]];
+            few->home[q][c] = meshless_pixels_at(k->g, c, few->x[q][c]);
+        }
+}
+
+/* The nearest one; of several equally near the lowest number. */
+static int choice_best(const struct choice *few, const double at[3]) {
+    double least = INFINITY;
+    int best = -1;
+    for (int q = 0; q < few->n; q++) {
+        const double *x = few->x[q], a = x[0] - at[0], b = x[1] - at[1], c = x[2] - at[2], d = a * a + b * b + c * c;
+        if (d > least || (d == least && few->number[q] > few->number[best])) continue;
+        least = d;
+        best = q;
+    }
     return best;
 }
 
 void meshless_pixels_assign(struct meshless_pixels *g, long n, double *const x[3], double spacing,
                             struct meshless_moments *m) {
     struct cells k;
+    struct choice few = {0};
     cells_new(&k, g, n, x, spacing);
     memset(m->count, 0, (size_t)n * (size_t)(1 + 2 * g->dim) * sizeof *m->count);
     int *owner = g->owner;
+    const int run = fine[g->dim] / 2; /* pixels that share their candidates */
     for (long line = g->from; line < g->to; line++) {
         const long index[3] = {0, line % g->n[1], line / g->n[1]};
-        long last = -1;
-        for (int i = 0; i < g->n[0]; i++, owner++) {
-            if (*owner < 0) continue;
-            long here[3] = {i, index[1], index[2]};
-            double at[3];
-            for (int c = 0; c < g->dim; c++) at[c] = g->low[c] + ((double)here[c] + 0.5) * g->width[c];
-            last = nearest(&k, at, last, spacing);
-            *owner = (int)last;
-            m->count[last]++;
-            for (int c = 0; c < g->dim; c++) {
-                const long off = here[c] - meshless_pixels_at(g, c, x[c][last]);
-                m->first[last * g->dim + c] += off;
-                m->second[last * g->dim + c] += off * off;
+        for (int from = 0; from < g->n[0]; from += run) {
+            const int to = from + run < g->n[0] ? from + run : g->n[0];
+            double at[3] = {0};
+            few.n = 0;
+            for (int i = from; i < to; i++, owner++) {
+                if (*owner < 0) continue;
+                if (few.n == 0) {
+                    middle_of(g, index, 0.5 * (from + to - 1), at);
+                    choice_fill(&few, &k, at, 0.5 * (to - from) * g->width[0], spacing);
+                    if (few.n == 0)
+                        die(EXIT_CODE_SCENE,
+                            "more than %d points of the arrangement lie within some spacings of %g m about (%g, %g, "
+                            "%g): "
+                            "another seed spreads them",
+                            NEAR, spacing, at[0], at[1], at[2]);
+                }
+                middle_of(g, index, i, at);
+                const int best = choice_best(&few, at);
+                const long p = few.number[best];
+                *owner = (int)p;
+                m->count[p]++;
+                for (int c = 0; c < g->dim; c++) {
+                    const long off = (c == 0 ? i : index[c]) - few.home[best][c];
+                    m->first[p * g->dim + c] += off;
+                    m->second[p * g->dim + c] += off * off;
+                }
             }
         }
     }

@@ -4,7 +4,6 @@
 #include "base/hash.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "meshless/nonlocal/gradients.h"
 
 #include <lapacke.h>
 #include <math.h>
@@ -24,23 +23,78 @@ double meshless_condition_dense(struct meshless_matrix *a) {
     return condition;
 }
 
-/* The start is random, so that it holds every eigenvector; conjugate gradients to a tiny residual have both ends of the
- * spectrum in their tridiagonal matrix. Copies of eigenvalues, which round-off makes, do no harm. */
+/* Steps between looks at the ends of the spectrum, and their relative change at which the iteration ends. */
+enum { LOOK = 25 };
+static const double change = 1e-10;
+
+/* Lanczos' tridiagonal matrix. */
+struct lanczos {
+    int n, room;
+    double *diagonal, *beside; /* [room] */
+};
+
+static void add(struct lanczos *t, double diagonal, double beside) {
+    if (t->n == t->room) {
+        const size_t used = (size_t)t->n, room = (size_t)(t->room = 2 * t->room + 256);
+        t->diagonal = memory_grown(MEMORY_SOLID, t->diagonal, used, room, sizeof(double));
+        t->beside = memory_grown(MEMORY_SOLID, t->beside, used, room, sizeof(double));
+    }
+    t->diagonal[t->n] = diagonal;
+    t->beside[t->n++] = beside;
+}
+
+/* Its least and largest eigenvalue; returns 0 if LAPACK finds none. */
+static int ends_of(const struct lanczos *t, double *least, double *most) {
+    double *d = memory_copy(MEMORY_SOLID, t->diagonal, (size_t)t->n, sizeof *d),
+           *e = memory_copy(MEMORY_SOLID, t->beside, (size_t)t->n, sizeof *e);
+    const int good = LAPACKE_dsterf((lapack_int)t->n, d, e) == 0;
+    *least = d[0];
+    *most = d[t->n - 1];
+    memory_free(d);
+    memory_free(e);
+    return good;
+}
+
+/* The start is random, so that it holds every eigenvector. The vectors are not made orthogonal again: the copies of
+ * eigenvalues that this gives do no harm to the ends.  (Golub and Van Loan 2013: sec. 10.1) */
 double meshless_condition_lanczos(struct meshless_matrix *a) {
-    double *b = memory_new(MEMORY_SOLID, (size_t)a->rows + 1, sizeof *b);
-    struct meshless_lanczos t = {0};
-    for (int i = 0; i < a->rows; i++) b[i] = hash_even(1, a->point[i], 0, 0);
-    meshless_gradients_lanczos(a, b, 1e-13, &t);
-    memory_free(b);
-    double condition = NAN;
-    if (t.n > 0 && LAPACKE_dsterf((lapack_int)t.n, t.diagonal, t.beside) == 0)
-        condition = t.diagonal[t.n - 1] / t.diagonal[0];
+    const int rows = a->rows;
+    double *v = memory_new(MEMORY_SOLID, (size_t)(rows + a->ghosts) + 1, sizeof *v),
+           *before = memory_new(MEMORY_SOLID, (size_t)rows + 1, sizeof *before),
+           *w = memory_new(MEMORY_SOLID, (size_t)rows + 1, sizeof *w);
+    struct lanczos t = {0};
+    double least = NAN, most = NAN;
+    int settled = 0, good = 1;
+    for (int i = 0; i < rows; i++) v[i] = hash_even(1, a->point[i], 0, 0);
+    double norm = sqrt(meshless_matrix_dot(a, v, v)), beta = 0;
+    for (int i = 0; i < rows; i++) v[i] /= norm;
+    while (good && !settled && t.n < 100 + 20 * a->rows_global) {
+        meshless_matrix_times(a, v, w);
+        const double alpha = meshless_matrix_dot(a, v, w);
+        for (int i = 0; i < rows; i++) w[i] -= alpha * v[i] + beta * before[i];
+        beta = sqrt(meshless_matrix_dot(a, w, w));
+        add(&t, alpha, beta);
+        const int ended = !(beta > 1e-14 * alpha); /* all eigenvalues are in the matrix */
+        if (ended || t.n % LOOK == 0) {
+            const double least_before = least, most_before = most;
+            good = ends_of(&t, &least, &most);
+            settled =
+                ended || (fabs(least - least_before) < change * least && fabs(most - most_before) < change * most);
+        }
+        for (int i = 0; i < rows && !ended; i++) {
+            before[i] = v[i];
+            v[i] = w[i] / beta;
+        }
+    }
     memory_free(t.diagonal);
     memory_free(t.beside);
-    if (!(isfinite(condition) && condition > 0))
+    memory_free(w);
+    memory_free(before);
+    memory_free(v);
+    if (!settled || !good || !(least > 0))
         die_all(EXIT_CODE_UNSTABLE, "the extreme eigenvalues of the matrix of %ld unknowns were not found",
                 a->rows_global);
-    return condition;
+    return most / least;
 }
 
 double meshless_condition(struct meshless_matrix *a) {

@@ -140,7 +140,8 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
         postproc_history_free(h);
         return NULL;
     }
-    if (!written && h->solid.n + h->fluid.n == 0) {
+    const int solved = access(folder_path(path, folder, "solution.csv"), F_OK) == 0;
+    if (!written && !solved && h->solid.n + h->fluid.n == 0) {
         snprintf(error, (size_t)size, "%s: it has neither a series.csv nor fields: nothing has run in it yet", folder);
         postproc_history_free(h);
         return NULL;

@@ -36,6 +36,7 @@ void postproc_sections_run(struct postproc_output *out, const struct postproc_hi
     struct postproc_facts *f = &out->facts;
     postproc_facts_text(f, "title", h->scene->title);
     postproc_facts_text(f, "status", postproc_tree_text(h->record, "status"));
+    if (h->scene->stages == 0) return;
     postproc_facts_text(f, "stage", h->stage);
     postproc_facts_number(f, "start of the stage", "s", h->origin);
     postproc_facts_number(f, "end of the data", "s", h->end);

@@ -49,13 +49,40 @@ static void check_methods(const struct study *s, struct scene_problems *problems
     }
 }
 
+/* ensemble: {key: PATH, values: [...]}: each repeat sets the key to another value. */
+static void read_ensemble(struct study *s, const struct study_key *k) {
+    static const char *const word[] = {"key", "values"};
+    const struct scene_node *node = scene_node_child(k->mapping, "ensemble");
+    if (!node) return;
+    const struct study_key in = {node, "ensemble", k->problems};
+    if (!study_key_known(&in, 2, word)) return;
+    study_key_missing(&in, "key", "the scene's key that differs, such as nonlocal.arrangement.seed");
+    study_key_missing(&in, "values", "a list, one value a run");
+    const struct scene_node *values = study_key_list(&in, "values", 1);
+    if (scene_node_child(k->mapping, "repeats"))
+        scene_problem_key(k->problems, node, "ensemble", "not together with repeats: each value is run once");
+    char *key = study_key_text(&in, "key", "");
+    struct scene_node one = {.kind = SCENE_NODE_MAPPING};
+    for (int i = 0; values && i < values->n && i < REPEATS_MAX; i++) {
+        struct scene_node member = *values->child[i], *child = &member;
+        member.key = key;
+        one.n = 1;
+        one.child = &child;
+        study_sets_read(&s->members, &one, "ensemble.values", k->problems);
+    }
+    if (values && values->n == 0) scene_problem_value(k->problems, values, "ensemble.values", "must not be empty");
+    if (s->members.n > 0) s->repeats = s->members.n;
+    free(key);
+}
+
 static void read_study(struct study *s, const struct study_key *k) {
     static const char *const word[] = {"title",   "scene",    "ranks",      "repeats",   "launcher", "set",
-                                       "methods", "quantity", "quantities", "reference", "levels"};
+                                       "methods", "quantity", "quantities", "reference", "levels",   "ensemble"};
     if (!study_key_known(k, (int)(sizeof word / sizeof *word), word)) return;
     s->title = study_key_text(k, "title", s->name);
     s->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 1);
     s->repeats = study_key_whole(k, "repeats", 1, REPEATS_MAX, 5);
+    read_ensemble(s, k);
     read_scene(s, k);
     read_launcher(s, k);
     const struct scene_node *set = scene_node_child(k->mapping, "set"),
@@ -110,6 +137,7 @@ void study_file_free(struct study *s) {
     study_variants_free(&s->methods);
     study_variants_free(&s->levels);
     study_sets_free(&s->sets);
+    study_sets_free(&s->members);
     char *const owned[] = {s->path, s->folder, s->name, s->title, s->scene, s->launcher};
     for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
     free(s);

@@ -53,6 +53,7 @@ struct study {
     char *title, *scene;        /* scene: path relative to the program's working folder */
     char *launcher;             /* with {ranks} */
     int ranks, repeats;
+    struct study_sets members; /* of an ensemble: the setting of each repeat, members.n of them = repeats; none: 0 */
     struct study_sets sets;
     struct study_variants methods, levels;
     int quantities;

@@ -20,6 +20,9 @@ static void put_head(FILE *f, const struct study_result *r, const struct study_m
             m->flags);
     fprintf(f, "# frana: %s, revision %s\n# libraries: %s, FFTW %s\n# date: %s\n", m->version, m->revision, m->mpi,
             m->fftw, m->date);
+    if (s->members.n > 0)
+        fprintf(f, "# ensemble: value is the mean of %d runs from %s to %s, value_spread their standard deviation\n",
+                s->members.n, s->members.text[0], s->members.text[s->members.n - 1]);
     for (int q = 0; q < r->tables; q++) {
         char *reference = study_report_reference(r, &r->table[q]);
         fprintf(f, "# reference of %s: %s\n", r->table[q].quantity->name, reference);

@@ -41,6 +41,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
     char status[32], *error = isfinite(p->relative) ? error_text(t, p->relative) : text_new("–");
     fprintf(f, "| %s | %s ", s->methods.variant[method].name, s->levels.variant[level].name);
     put(f, p->value, 7);
+    if (s->members.n > 0 && isfinite(p->spread)) fprintf(f, "± %.2g ", p->spread);
     fprintf(f, "| %s%s ", error, isfinite(p->relative) && !p->resolved ? " *" : "");
     put(f, p->order, 3);
     put(f, p->wall, 4);
@@ -170,7 +171,10 @@ static void put_spread(FILE *f, const struct study_result *r, const struct study
     double worst = 0;
     for (int i = 0; i < r->plan->cases; i++)
         if (t->point[i].spread > 1e-12 * fabs(t->point[i].value)) worst = fmax(worst, t->point[i].spread);
-    if (worst > 0) fprintf(f, "\nRepeats differ in the value by up to %.2g; the median is shown.\n", worst);
+    if (worst > 0 && r->plan->study->members.n > 0)
+        fprintf(f, "\nValues are means ± standard deviations of %d runs.\n", r->plan->study->members.n);
+    else if (worst > 0)
+        fprintf(f, "\nRepeats differ in the value by up to %.2g; the median is shown.\n", worst);
 }
 
 static void put_quantity(FILE *f, const struct study_result *r, const struct study_table *t) {

@@ -72,6 +72,9 @@ static void point_fill(struct study_point *p, const struct study_plan *plan, int
     p->value = median(c);
     p->repeats = c->n;
     p->spread = c->n ? c->x[c->n - 1] - c->x[0] : NAN;
+    if (plan->study->members.n == 0) return;
+    p->value = study_statistic_mean(c->n, c->x);
+    p->spread = study_statistic_deviation(c->n, c->x);
 }
 
 /* The finest levels of a method that have finished with a value: [3], the finest first. Returns how many there are. */

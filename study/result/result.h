@@ -8,7 +8,7 @@ struct study_point {
     enum study_state state;                 /* state of the repeats: done if one of them is */
     int exit_code;                          /* of a failed repeat */
     int repeats;                            /* number of repeats that gave a value */
-    double value, spread;                   /* median; largest minus smallest */
+    double value, spread;                   /* median; largest minus smallest; of an ensemble mean; deviation */
     double error, relative;                 /* |value - reference|; the same divided by the scale */
     int resolved;                           /* 1: the error is larger than the reference's uncertainty */
     double order;                           /* between this level and the one before */

@@ -16,11 +16,15 @@
 #include <string.h>
 
 /* The resolved scene of a case; NULL if it has mistakes, which are reported. */
-static char *resolve(const struct study *s, const struct study_case *c, const char *text) {
+static char *resolve(const struct study *s, const struct study_case *c, char *member, const char *text) {
     struct scene_problems problems = {0};
+    struct study_sets sets = {0};
+    study_sets_join(&sets, &c->sets);
+    if (member) study_sets_join(&sets, &(struct study_sets){1, &member});
     const struct study_variant *method = &s->methods.variant[c->method], *level = &s->levels.variant[c->level];
     struct scene *scene =
-        scene_read(s->scene, text, strlen(text), c->sets.n, (const char *const *)c->sets.text, 1, &problems);
+        scene_read(s->scene, text, strlen(text), sets.n, (const char *const *)sets.text, 1, &problems);
+    study_sets_free(&sets);
     for (int i = 0; i < problems.n; i++)
         fprintf(stderr, "frana: %s:%d: %s at level %s: %s\n", s->path, level->line, method->name, level->name,
                 problems.text[i]);
@@ -48,7 +52,7 @@ static void case_begin(struct study_case *c, const struct study *s, int level, i
     study_sets_join(&c->sets, &m->sets);
     study_sets_join(&c->sets, &l->sets);
     fields_off(&c->sets, text);
-    c->resolved = resolve(s, c, text);
+    c->resolved = resolve(s, c, s->members.n > 0 ? s->members.text[0] : NULL, text);
     if (!c->resolved) exit(EXIT_CODE_SCENE);
 }
 
@@ -85,21 +89,29 @@ struct study_plan *study_plan_new(const struct study *s, const char *out) {
     p->cases = s->levels.n * s->methods.n;
     p->at = calloc((size_t)p->cases, sizeof *p->at);
     for (int i = 0; i < p->cases; i++) case_begin(&p->at[i], s, i / s->methods.n, i % s->methods.n, text);
-    free(text);
     p->runs = p->cases * s->repeats;
     p->run = calloc((size_t)p->runs, sizeof *p->run);
     for (int i = 0; i < p->runs; i++) {
         struct study_run *run = &p->run[i];
         run->at = i % p->cases;
         run->repeat = i / p->cases;
+        run->resolved = p->at[run->at].resolved;
+        if (s->members.n > 0) {
+            run->member = s->members.text[run->repeat];
+            run->resolved = resolve(s, &p->at[run->at], run->member, text);
+            if (!run->resolved) exit(EXIT_CODE_SCENE);
+        }
         run->folder = folder_of(p, &p->at[run->at], run->repeat, out);
         run->value = malloc((size_t)s->quantities * sizeof *run->value);
         for (int q = 0; q < s->quantities; q++) run->value[q] = NAN;
     }
+    free(text);
     return p;
 }
 
 void study_plan_free(struct study_plan *p) {
+    for (int i = 0; i < p->runs; i++)
+        if (p->run[i].member) free(p->run[i].resolved);
     for (int i = 0; i < p->cases; i++) {
         study_sets_free(&p->at[i].sets);
         free(p->at[i].resolved);
@@ -119,7 +131,7 @@ void study_plan_look(const struct study_plan *p, struct study_run *run) {
     struct study_outcome o = study_outcome_read(run->folder);
     char *resolved = whole_new(folder_path(path, run->folder, "scene.resolved.yaml"));
     run->kept =
-        o.state != STUDY_TODO && o.same_build && o.ranks == c->ranks && resolved && !strcmp(resolved, c->resolved);
+        o.state != STUDY_TODO && o.same_build && o.ranks == c->ranks && resolved && !strcmp(resolved, run->resolved);
     if (run->kept) run->outcome = o;
     free(resolved);
 }

@@ -11,9 +11,11 @@ struct study_case {
 };
 
 struct study_run {
-    int at;       /* index into study_plan's cases */
-    int repeat;   /* from 0 */
-    char *folder; /* OUT/runs/NAME/METHOD/LEVEL/REPEAT */
+    int at;         /* index into study_plan's cases */
+    int repeat;     /* from 0 */
+    char *member;   /* the setting of an ensemble's run, borrowed; NULL: none */
+    char *resolved; /* the scene, as text: its case's, or its own in an ensemble (owned then) */
+    char *folder;   /* OUT/runs/NAME/METHOD/LEVEL/REPEAT */
     struct study_outcome outcome;
     int kept;      /* 1: the run existed already and is kept */
     double *value; /* [quantities], NAN: none */

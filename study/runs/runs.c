@@ -30,13 +30,17 @@ static int launcher_words(const char *launcher, int ranks, char **word) {
 static char **words_of(const struct study_plan *p, const struct study_run *run, const char *program) {
     const struct study_case *c = &p->at[run->at];
     const struct study *s = p->study;
-    char **word = calloc(strlen(s->launcher) + 2 * (size_t)c->sets.n + 8, sizeof *word);
+    char **word = calloc(strlen(s->launcher) + 2 * (size_t)c->sets.n + 10, sizeof *word);
     int n = c->ranks > 1 ? launcher_words(s->launcher, c->ranks, word) : 0;
     const char *const plain[] = {program, "run", s->scene, "--quiet", "--out", run->folder};
     for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = text_new("%s", plain[k]);
     for (int i = 0; i < c->sets.n; i++) {
         word[n++] = text_new("--set");
         word[n++] = text_new("%s", c->sets.text[i]);
+    }
+    if (run->member) {
+        word[n++] = text_new("--set");
+        word[n++] = text_new("%s", run->member);
     }
     return word;
 }
