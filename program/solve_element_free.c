@@ -145,8 +145,9 @@ static void write(const void *problem, const struct scene *scene, const char *fo
                                      {"gauss_points", "1", (double)g->cells.points},
                                      {"iterations", "1", g->solution.iterations},
                                      {"violation", "1", g->solution.violation},
-                                     {"equilibrium", "1", g->solution.equilibrium}};
-    int n = 7;
+                                     {"equilibrium", "1", g->solution.equilibrium},
+                                     {"energy", "J", g->solution.energy}};
+    int n = 8;
     if (scene->output.intensity) {
         const double radius = scene->output.intensity->radius[scene->output.intensity->radii - 1];
         const struct galerkin_intensity is = meshless_intensity_of(g, g->tips - 1, radius);

@@ -141,6 +141,7 @@ struct galerkin_solution {
     int iterations, converged;
     double violation;   /* largest |G u - g| over the largest |u| */
     double equilibrium; /* |K u + G^T r - f| over |f| and |G^T r| */
+    double energy;      /* 1/2 u K u, J */
     double *history;    /* [iterations] violation after each, owned */
 };
 

@@ -121,16 +121,18 @@ static void conjugate(struct galerkin *g, const struct factor *f, const double *
     memory_free(v);
 }
 
-static double equilibrium_of(const struct galerkin *g, const double *load) {
+/* Sets energy and equilibrium. */
+static void measure(struct galerkin *g, const double *load) {
     const int n = 2 * g->in.nodes;
     double *y = numbers(n), *reaction = numbers(n);
     meshless_assemble_apply(g, g->solution.u, y);
+    g->solution.energy = 0.5 * dot(n, g->solution.u, y);
     meshless_constraint_add(g, 1, g->solution.multiplier, reaction);
     for (int i = 0; i < n; i++) y[i] += reaction[i] - load[i];
     const double scale = fmax(largest(n, load), largest(n, reaction)), apart = largest(n, y);
     memory_free(y);
     memory_free(reaction);
-    return scale > 0 ? apart / scale : 0;
+    g->solution.equilibrium = scale > 0 ? apart / scale : 0;
 }
 
 void meshless_galerkin_solve(struct galerkin *g) {
@@ -152,7 +154,7 @@ void meshless_galerkin_solve(struct galerkin *g) {
         hestenes_powell(g, &f, load);
         break;
     }
-    s->equilibrium = equilibrium_of(g, load);
+    measure(g, load);
     memory_free(f.band);
     memory_free(f.work);
     memory_free(band_load);

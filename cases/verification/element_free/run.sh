@@ -85,8 +85,8 @@ if [ ! "$quick" ]; then
     done
   done
   study study
-  for method in "nodes graded about the tip" "even nodes" "even nodes, sqrt(r)" "even nodes, tip basis" \
-    "even nodes, tip basis, diffraction"; do
+  for method in "nodes graded about the tip" "even nodes" "even nodes and sqrt(r)" "even nodes and the tip basis" \
+    "even nodes and the tip basis by diffraction"; do
     shown "edge crack, 20 nodes across, $method: K_I/(s sqrt(pi a))" 1 "$(cell study value "$method" 20 K)" 2.8246 \
       "Kaya and Erdogan, a/W = 0.5"
   done
