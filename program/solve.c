@@ -15,7 +15,7 @@
 #include <stdlib.h>
 
 /* One line a kind. */
-static const struct solve_kind *const kind[] = {&solve_nonlocal};
+static const struct solve_kind *const kind[] = {&solve_nonlocal, &solve_element_free};
 
 enum { PHASES = 16 };
 

@@ -28,7 +28,7 @@ struct solve_kind {
     void (*free)(void *problem);
 };
 
-extern const struct solve_kind solve_nonlocal;
+extern const struct solve_kind solve_nonlocal, solve_element_free;
 
 int solve_is(const struct scene *scene); /* Not collective. */
 /* frana run and frana check of such a scene; the exit code. Collective. */

@@ -69,7 +69,7 @@ static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
     char *path = text_new("solid.materials[%d]", m);
     struct scene_node *node = scene_node_find(root, path);
     free(path);
-    if (scene_node_child(node, "poisson_ratio")) return;
+    if (s->solid->method == SCENE_ELEMENT_FREE || scene_node_child(node, "poisson_ratio")) return;
     int at = 0;
     while (at < node->n && strcmp(node->child[at]->key, "density") != 0) at++;
     s->solid->material[m].poisson_ratio = physics_model_poisson_ratio((enum physics_model)s->solid->model);

@@ -254,13 +254,37 @@ struct scene_refinement {
     int starts;
     struct scene_refined *start; /* start: [...] */
 };
+/* Element-free Galerkin instead of bonds: meshless/galerkin/galerkin.h has the same members.  (002) */
+enum scene_method { SCENE_PERIDYNAMIC, SCENE_ELEMENT_FREE };
+enum scene_free_basis { SCENE_FREE_LINEAR, SCENE_FREE_SQRT_R, SCENE_FREE_TIP };
+enum scene_free_weight { SCENE_FREE_CUBIC, SCENE_FREE_QUARTIC };
+enum scene_free_crack { SCENE_FREE_VIRTUAL, SCENE_FREE_DIFFRACTION, SCENE_FREE_VISIBILITY };
+enum scene_free_update { SCENE_FREE_CONJUGATE, SCENE_FREE_HESTENES_POWELL };
+struct scene_element_free {
+    enum scene_free_basis basis;   /* linear (default), sqrt_r, tip */
+    enum scene_free_weight weight; /* cubic (default), quartic */
+    double support;                /* spacings, default 2.5 */
+    double tip_radius;             /* spacings, default INFINITY */
+    int tip_levels;                /* nodes are finer by so many halvings about a tip, default 3 */
+    double tip_patch;              /* half width of a level, spacings of the level before, default 2 */
+    int cells[2];                  /* along x and y; 0: one a spacing */
+    int gauss, gauss_tip;          /* points along each direction of a cell, default 4; near a tip, default 6 */
+    enum scene_free_crack crack;   /* virtual (default), diffraction, visibility */
+    double interface_spacing;      /* spacings, default 1 */
+    double penalty;                /* over E times the thickness, default 100 */
+    double tolerance;              /* default 1e-10 */
+    int iterations;                /* at most, default 1000 */
+    enum scene_free_update update; /* conjugate (default), hestenes_powell */
+};
 struct scene_solid {
-    double spacing;                    /* m; default the fluid's cell */
-    enum scene_model model;            /* of a plate: plane_stress, plane_strain */
-    double thickness;                  /* of a plate, m, default 1 */
-    double lattice_offset[3];          /* in spacings: points are at (i + 1/2 + offset) spacing; default 0 */
-    enum scene_partial partial_volume; /* exact (default), ramp */
-    enum scene_horizons horizons;      /* dual (default), one_sided */
+    double spacing;                          /* m; default the fluid's cell */
+    enum scene_model model;                  /* of a plate: plane_stress, plane_strain */
+    enum scene_method method;                /* of a plate: peridynamic (default), element_free */
+    struct scene_element_free *element_free; /* NULL unless the method is element_free */
+    double thickness;                        /* of a plate, m, default 1 */
+    double lattice_offset[3];                /* in spacings: points are at (i + 1/2 + offset) spacing; default 0 */
+    enum scene_partial partial_volume;       /* exact (default), ramp */
+    enum scene_horizons horizons;            /* dual (default), one_sided */
     int materials, bodies, cracks, constraints, unbreakables, loads, initials;
     struct scene_material *material;                            /* materials: [...] */
     struct scene_body *body;                                    /* bodies: [...] */
@@ -347,6 +371,10 @@ struct scene_crack_output {
     double window;       /* s, for the tip's speed, default 2e-6 */
     long every;          /* steps, default 10 */
 };
+struct scene_intensity { /* Stress-intensity factors of the tips, by domains of these radii. */
+    int radii;
+    double *radius; /* m */
+};
 struct scene_probes {
     int places;
     double (*at)[3]; /* m */
@@ -371,6 +399,7 @@ struct scene_output {
     int reactions;                                     /* reactions.csv of constraints and loads, default true */
     int bodies;                                        /* bodies.csv of several bodies, default true */
     struct scene_crack_output *crack;                  /* NULL: no crack is tracked */
+    struct scene_intensity *intensity;                 /* NULL: none */
     struct scene_probes *probes;                       /* NULL: none */
     struct scene_fluid_probes *fluid_probes;           /* NULL: none */
 };

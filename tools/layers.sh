@@ -48,6 +48,7 @@ solid
     kept.h kept.c state_table.h state_table.c keep.h keep.c
 meshless
     arrange
+    galerkin
     nonlocal
 ibm
     kernel.h row.h cell.h ibm.h state.h

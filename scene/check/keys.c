@@ -182,7 +182,9 @@ static int check_mapping(struct scene_walk *w, struct scene_node *node, const cy
                                         : 0) |
                    (scene_node_child(node, "fluid") ? SCENE_WITH_FLUID : SCENE_WITHOUT_FLUID) |
                    (scene_node_child(node, "solid") ? SCENE_WITH_SOLID : 0) |
-                   (scene_node_child(node, "nonlocal") ? 0 : SCENE_STEPPED);
+                   (scene_walk_place_is_galerkin(node)   ? SCENE_GALERKIN
+                    : scene_node_child(node, "nonlocal") ? 0
+                                                         : SCENE_STEPPED);
     }
     for (int k = 0; k < n; k++) {
         char *inner = path_of(path, known[k]);

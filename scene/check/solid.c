@@ -19,6 +19,7 @@ static void check_poisson(const struct scene_check *c, int m) {
     static_assert(sizeof of / sizeof *of == SCENE_MODELS, "every enum scene_model needs its line");
     const struct scene_solid *s = c->scene->solid;
     const struct scene_path path = scene_check_parts_path("solid.materials[%d].poisson_ratio", m);
+    if (s->method == SCENE_ELEMENT_FREE) return;
     if (!scene_check_parts_clean(c, path) || !scene_node_is_clean(c->root, "domain.size") ||
         (c->scene->dimension == 2 && !scene_node_is_clean(c->root, "solid.model")))
         return;
@@ -89,12 +90,49 @@ static void check_period(const struct scene_check *c, int d) {
     }
 }
 
+/* What an element-free plate can be: one convex body with straight sides and straight cracks. */
+static void check_element_free(const struct scene_check *c) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_body *body = s->body;
+    if (s->method != SCENE_ELEMENT_FREE || !scene_node_is_clean(c->root, "solid")) return;
+    if (s->bodies != 1)
+        scene_problem_at(c->problems, c->root, "solid.bodies", "an element-free plate is one body, here are %d",
+                         s->bodies);
+    if (body->shape != SCENE_RECTANGLE && body->shape != SCENE_POLYGON)
+        scene_problem_at(c->problems, c->root, "solid.bodies[0].shape",
+                         "must be rectangle or polygon with solid.method: element_free");
+    double turned = 0;
+    for (int k = 0; k < body->corners && body->shape == SCENE_POLYGON; k++) {
+        const double *p = body->corner[k].at, *q = body->corner[(k + 1) % body->corners].at,
+                     *r = body->corner[(k + 2) % body->corners].at;
+        const double turn = (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
+        if (body->corner[k].turn != 0 || turn * turned < 0) {
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[0].outline[%d]", k).text,
+                             "an element-free plate is convex and has straight sides");
+            break;
+        }
+        turned = turn != 0 ? turn : turned;
+    }
+    for (int d = 0; d < 2; d++)
+        if (c->scene->domain.periodic[d])
+            scene_problem_at(c->problems, c->root, "domain.periodic",
+                             "an element-free plate has no periodic directions");
+    for (int k = 0; k < s->cracks; k++)
+        if (s->crack[k].points != 2)
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.cracks[%d].points", k).text,
+                             "a crack of an element-free plate is straight: two points, here are %d",
+                             s->crack[k].points);
+    if (c->scene->output.intensity && s->cracks == 0)
+        scene_problem_at(c->problems, c->root, "output.intensity", "the scene has no crack");
+}
+
 void scene_check_solid(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     if (!s) return;
     for (int m = 0; m < s->materials; m++) check_material(c, m);
     for (int b = 0; b < s->bodies; b++) scene_check_body(c, b);
     scene_check_region(c);
+    check_element_free(c);
     const int known = scene_node_is_clean(c->root, "domain.size") && scene_node_is_clean(c->root, "solid.spacing") &&
                       scene_node_is_clean(c->root, "solid.materials");
     for (int d = 0; d < 3; d++)

@@ -9,7 +9,8 @@ enum scene_need {
     SCENE_ALWAYS = 8,
     SCENE_IN_3D = 16,
     SCENE_IN_PLATE = 32, /* domain.size has two numbers */
-    SCENE_STEPPED = 64   /* stepped through stages; other scenes are solved at once */
+    SCENE_STEPPED = 64,  /* stepped through stages; other scenes are solved at once */
+    SCENE_GALERKIN = 128 /* solid.method is element_free */
 };
 
 struct scene_rule {

@@ -150,6 +150,8 @@ static const cyaml_schema_field_t crack_fields[] = {NUMBER("damage", OPTIONAL, s
                                                     CYAML_FIELD_END};
 
 static const cyaml_schema_value_t place = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
+static const cyaml_schema_field_t intensity_fields[] = {
+    ENTRIES("radii", NEEDED, scene_intensity, radius, radii, &scene_schema_parts_real, 1, LIST_MAX), CYAML_FIELD_END};
 static const cyaml_schema_field_t probes_fields[] = {
     ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX), WHOLE("every", OPTIONAL, scene_probes, every),
     CYAML_FIELD_END};
@@ -173,6 +175,7 @@ static const cyaml_schema_field_t output_fields[] = {
     BOOLEAN("reactions", OPTIONAL, scene_output, reactions),
     BOOLEAN("bodies", OPTIONAL, scene_output, bodies),
     CYAML_FIELD_MAPPING_PTR("crack", OPTIONAL, struct scene_output, crack, crack_fields),
+    CYAML_FIELD_MAPPING_PTR("intensity", OPTIONAL, struct scene_output, intensity, intensity_fields),
     CYAML_FIELD_MAPPING_PTR("probes", OPTIONAL, struct scene_output, probes, probes_fields),
     CYAML_FIELD_MAPPING_PTR("fluid_probes", OPTIONAL, struct scene_output, fluid_probes, fluid_probes_fields),
     CYAML_FIELD_END};

@@ -3,6 +3,14 @@
 #include "scene/rules/schema_parts.h"
 
 static const cyaml_strval_t models[] = {{"plane_stress", SCENE_PLANE_STRESS}, {"plane_strain", SCENE_PLANE_STRAIN}};
+static const cyaml_strval_t methods[] = {{"peridynamic", SCENE_PERIDYNAMIC}, {"element_free", SCENE_ELEMENT_FREE}};
+static const cyaml_strval_t free_bases[] = {
+    {"linear", SCENE_FREE_LINEAR}, {"sqrt_r", SCENE_FREE_SQRT_R}, {"tip", SCENE_FREE_TIP}};
+static const cyaml_strval_t free_weights[] = {{"cubic", SCENE_FREE_CUBIC}, {"quartic", SCENE_FREE_QUARTIC}};
+static const cyaml_strval_t free_cracks[] = {
+    {"virtual", SCENE_FREE_VIRTUAL}, {"diffraction", SCENE_FREE_DIFFRACTION}, {"visibility", SCENE_FREE_VISIBILITY}};
+static const cyaml_strval_t free_updates[] = {{"conjugate", SCENE_FREE_CONJUGATE},
+                                              {"hestenes_powell", SCENE_FREE_HESTENES_POWELL}};
 static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}};
 /* false and true: as the key was read before it had words. */
 static const cyaml_strval_t corrections[] = {{"none", SCENE_CORRECTION_NONE},
@@ -205,9 +213,29 @@ static const cyaml_schema_field_t contact_fields[] = {
     NUMBER("exponent", OPTIONAL, scene_solid, contact_exponent),
     NUMBER("radius", OPTIONAL, scene_solid, contact_radius), CYAML_FIELD_END};
 
+static const cyaml_schema_field_t element_free_fields[] = {
+    CHOICE("basis", OPTIONAL, scene_element_free, basis, free_bases),
+    CHOICE("weight", OPTIONAL, scene_element_free, weight, free_weights),
+    NUMBER("support", OPTIONAL, scene_element_free, support),
+    NUMBER("tip_radius", OPTIONAL, scene_element_free, tip_radius),
+    WHOLE("tip_levels", OPTIONAL, scene_element_free, tip_levels),
+    NUMBER("tip_patch", OPTIONAL, scene_element_free, tip_patch),
+    CYAML_FIELD_SEQUENCE_FIXED("cells", OPTIONAL, struct scene_element_free, cells, &whole, 2),
+    WHOLE("gauss", OPTIONAL, scene_element_free, gauss),
+    WHOLE("gauss_tip", OPTIONAL, scene_element_free, gauss_tip),
+    CHOICE("crack", OPTIONAL, scene_element_free, crack, free_cracks),
+    NUMBER("interface_spacing", OPTIONAL, scene_element_free, interface_spacing),
+    NUMBER("penalty", OPTIONAL, scene_element_free, penalty),
+    NUMBER("tolerance", OPTIONAL, scene_element_free, tolerance),
+    WHOLE("iterations", OPTIONAL, scene_element_free, iterations),
+    CHOICE("update", OPTIONAL, scene_element_free, update, free_updates),
+    CYAML_FIELD_END};
+
 const cyaml_schema_field_t scene_schema_solid[] = {
     NUMBER("spacing", OPTIONAL, scene_solid, spacing),
     CHOICE("model", OPTIONAL, scene_solid, model, models),
+    CHOICE("method", OPTIONAL, scene_solid, method, methods),
+    CYAML_FIELD_MAPPING_PTR("element_free", OPTIONAL, struct scene_solid, element_free, element_free_fields),
     NUMBER("thickness", OPTIONAL, scene_solid, thickness),
     VECTOR("lattice_offset", OPTIONAL, scene_solid, lattice_offset),
     CHOICE("partial_volume", OPTIONAL, scene_solid, partial_volume, partials),

@@ -26,6 +26,7 @@ int scene_walk_text(struct scene_walk *w, struct scene_node *node, const cyaml_s
  * that is itself wrong. */
 char *scene_walk_place_why_not(const struct scene_walk *w, const struct scene_node *mapping,
                                const struct scene_rule *rule, int *unsure);
+int scene_walk_place_is_galerkin(const struct scene_node *root); /* whether solid.method is element_free */
 /* Number of entries of domain.size, 2 or 3, also if the key is misspelled; 0: not known. A scene with a fluid is in
  * 3D. */
 int scene_walk_place_dimension(const struct scene_node *root);

@@ -40,6 +40,7 @@ static char *lacks(const struct scene_walk *w, int only, int *unsure) {
         return text_new("%s", lacking & SCENE_IN_3D ? "not in a plate, which has no fluid yet"
                                                     : "only in a plate, where domain.size has two numbers");
     }
+    if (lacking & SCENE_GALERKIN) return text_new("only with solid.method: element_free");
     if (lacking & SCENE_STEPPED)
         return text_new("only in a scene that is stepped through stages; this one is solved at once");
     if (lacking & SCENE_WITHOUT_FLUID) return text_new("only in a scene without fluid");
@@ -81,6 +82,13 @@ int scene_walk_place_dimension(const struct scene_node *root) {
         if (nearest == key[0]) size = domain->child[i];
     }
     return size && size->kind == SCENE_NODE_LIST && (size->n == 2 || size->n == 3) ? size->n : 0;
+}
+
+int scene_walk_place_is_galerkin(const struct scene_node *root) {
+    const struct scene_node *solid = scene_node_child(root, "solid");
+    const struct scene_node *method =
+        solid && solid->kind == SCENE_NODE_MAPPING ? scene_node_child(solid, "method") : NULL;
+    return method && method->kind == SCENE_NODE_SCALAR && !strcmp(method->value, "element_free");
 }
 
 const char *scene_walk_place_entry_name(const cyaml_schema_value_t *entry) {

@@ -1,0 +1,17 @@
+/* Translates the scene of an element-free plate into the input of meshless/galerkin. */
+#pragma once
+#include "meshless/galerkin/galerkin.h"
+#include "scene/scene.h"
+
+/* The input with the arrays it points to; owned. */
+struct setup_element_free {
+    struct galerkin_input in;
+    double (*corner)[2], (*node)[2], *size;
+    struct galerkin_crack *crack;
+    struct galerkin_fixed *fix;
+    struct galerkin_pull *pull;
+};
+
+/* Dies (exit 2) where a constraint or load reaches no part of the outline. Collective. */
+void setup_element_free(const struct scene *scene, struct setup_element_free *to);
+void setup_element_free_end(struct setup_element_free *to);

@@ -1,0 +1,106 @@
+/* J and interaction integrals by Gauss points in polar coordinates about the tip. */
+#include "meshless/galerkin/intensity.h"
+#include "meshless/galerkin/cells.h"
+#include "meshless/galerkin/cut.h"
+#include "meshless/galerkin/field.h"
+
+#include <math.h>
+
+double meshless_intensity_modulus(const struct galerkin_input *in) {
+    const double nu = in->poisson_ratio;
+    return in->plane_strain ? in->youngs_modulus / (1 - nu * nu) : in->youngs_modulus;
+}
+
+double meshless_intensity_widest(const struct galerkin *g, int tip) {
+    const struct galerkin_tip *its = &g->tip[tip];
+    double widest = fmin(meshless_cut_depth(&g->in, its->x), g->line[its->line].length);
+    for (int c = 0; c < g->lines; c++)
+        if (c != its->line) widest = fmin(widest, meshless_cut_from_line(&g->line[c], its->x));
+    return widest;
+}
+
+void meshless_intensity_field(const struct galerkin_input *in, int mode, double r, double t, double stress[3],
+                              double slope[2]) {
+    const double nu = in->poisson_ratio, mu = in->youngs_modulus / (2 * (1 + nu));
+    const double kappa = in->plane_strain ? 3 - 4 * nu : (3 - nu) / (1 + nu), pi = acos(-1);
+    const double c = cos(t / 2), s = sin(t / 2), c3 = cos(1.5 * t), s3 = sin(1.5 * t);
+    const double over = 1 / sqrt(2 * pi * r), size = sqrt(r / (2 * pi)) / (2 * mu);
+    double u[2], du[2]; /* u over size, and its derivative with the angle */
+    if (mode == 0) {
+        stress[0] = over * c * (1 - s * s3);
+        stress[1] = over * c * (1 + s * s3);
+        stress[2] = over * s * c * c3;
+        u[0] = c * (kappa - 1 + 2 * s * s);
+        u[1] = s * (kappa + 1 - 2 * c * c);
+        du[0] = -0.5 * s * (kappa - 1 + 2 * s * s) + 2 * c * c * s;
+        du[1] = 0.5 * c * (kappa + 1 - 2 * c * c) + 2 * s * s * c;
+    } else {
+        stress[0] = -over * s * (2 + c * c3);
+        stress[1] = over * s * c * c3;
+        stress[2] = over * c * (1 - s * s3);
+        u[0] = s * (kappa + 1 + 2 * c * c);
+        u[1] = -c * (kappa - 1 - 2 * s * s);
+        du[0] = 0.5 * c * (kappa + 1 + 2 * c * c) - 2 * s * s * c;
+        du[1] = 0.5 * s * (kappa - 1 - 2 * s * s) + 2 * c * c * s;
+    }
+    for (int k = 0; k < 2; k++) slope[k] = size / r * (0.5 * u[k] * cos(t) - du[k] * sin(t));
+}
+
+/* Gradient and stress of the solution in the tip's frame. */
+static void in_frame(const struct galerkin *g, const struct galerkin_tip *tip, const struct galerkin_place *at,
+                     double grad[2][2], double stress[3]) {
+    double u[2], own[2][2];
+    const double q[2][2] = {{tip->along[0], tip->along[1]}, {-tip->along[1], tip->along[0]}};
+    meshless_field_at(g, at, u, own);
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            grad[i][j] = 0;
+            for (int a = 0; a < 2; a++)
+                for (int b = 0; b < 2; b++) grad[i][j] += q[i][a] * q[j][b] * own[a][b];
+        }
+    meshless_field_stress(g, grad, stress);
+}
+
+struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int number, double radius) {
+    enum { POINTS = 8 };
+    const struct galerkin_tip *tip = &g->tip[number];
+    const double pi = acos(-1), inner = 0.5 * radius;
+    const int sectors = 4 + (int)ceil(pi * radius / (0.5 * g->in.spacing)); /* a half circle's, two a spacing */
+    const int layers = 1 + (int)ceil((radius - inner) / (0.5 * g->in.spacing));
+    double x[POINTS], w[POINTS], mixed[2] = {0, 0}, j = 0;
+    meshless_cells_gauss(POINTS, x, w);
+    for (int sector = -sectors; sector < sectors; sector++)
+        for (int layer = 0; layer < layers; layer++)
+            for (int a = 0; a < POINTS; a++)
+                for (int b = 0; b < POINTS; b++) {
+                    const double t = pi * (sector + x[a]) / sectors;
+                    const double r = inner + (radius - inner) * (layer + x[b]) / layers;
+                    const double area = w[a] * w[b] * r * pi / sectors * (radius - inner) / layers;
+                    const double c = cos(t), s = sin(t);
+                    struct galerkin_place at;
+                    double grad[2][2], stress[3];
+                    at.x[0] = at.see[0] = tip->x[0] + r * (c * tip->along[0] - s * tip->along[1]);
+                    at.x[1] = at.see[1] = tip->x[1] + r * (c * tip->along[1] + s * tip->along[0]);
+                    in_frame(g, tip, &at, grad, stress);
+                    const double q[2] = {-c / (radius - inner), -s / (radius - inner)};
+                    const double shear = grad[0][1] + grad[1][0];
+                    const double energy = 0.5 * (stress[0] * grad[0][0] + stress[1] * grad[1][1] + stress[2] * shear);
+                    j += area * ((stress[0] * grad[0][0] + stress[2] * grad[1][0] - energy) * q[0] +
+                                 (stress[2] * grad[0][0] + stress[1] * grad[1][0]) * q[1]);
+                    for (int mode = 0; mode < 2; mode++) {
+                        double own[3], slope[2];
+                        meshless_intensity_field(&g->in, mode, r, t, own, slope);
+                        const double work = own[0] * grad[0][0] + own[1] * grad[1][1] + own[2] * shear;
+                        mixed[mode] +=
+                            area *
+                            ((stress[0] * slope[0] + stress[2] * slope[1] + own[0] * grad[0][0] + own[2] * grad[1][0] -
+                              work) *
+                                 q[0] +
+                             (stress[2] * slope[0] + stress[1] * slope[1] + own[2] * grad[0][0] + own[1] * grad[1][0]) *
+                                 q[1]);
+                    }
+                }
+    const double modulus = meshless_intensity_modulus(&g->in);
+    return (struct galerkin_intensity){
+        .k = {0.5 * modulus * mixed[0], 0.5 * modulus * mixed[1]}, .j = j, .k_j = sqrt(fmax(j, 0) * modulus)};
+}

@@ -1,0 +1,22 @@
+/* Stress-intensity factors by domain integrals over a ring about a tip, from half a radius to the radius.
+ *
+ *     J = int (s_ij u_i,1 - W d_1j) q,j dA,      q falls from 1 to 0 across the ring;  J = (K_I^2 + K_II^2)/E'
+ *     I = int (s_ij a_i,1 + t_ij u_i,1 - s_ik e_ik d_1j) q,j dA = 2 (K_I K_I^a + K_II K_II^a)/E'
+ *
+ * with u, s the solution and a, t, e the field of a crack in an infinite plate with K^a = 1 in one mode.  (Moran and
+ * Shih 1987; Yau et al. 1980) */
+#pragma once
+#include "meshless/galerkin/galerkin.h"
+
+struct galerkin_intensity {
+    double k[2];   /* K_I, K_II by the interaction integral, Pa m^1/2 */
+    double j, k_j; /* J, J/m2; root of J E', Pa m^1/2 */
+};
+/* E' of the plane model. */
+double meshless_intensity_modulus(const struct galerkin_input *in);
+/* The largest radius of a ring about the tip: it stays in the body and about the straight crack. */
+double meshless_intensity_widest(const struct galerkin *g, int tip);
+struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int tip, double radius);
+/* Stress (11, 22, 12) and derivatives u_1,1 u_2,1 of the crack's own field in its frame, K_I or K_II = 1. */
+void meshless_intensity_field(const struct galerkin_input *in, int mode, double r, double angle, double stress[3],
+                              double slope[2]);

@@ -1,0 +1,196 @@
+/* Solves an element-free plate (solid.method: element_free).  (002) */
+#include "base/die.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/setup/element_free.h"
+#include "files/folder.h"
+#include "files/table.h"
+#include "files/vtkhdf.h"
+#include "meshless/galerkin/field.h"
+#include "meshless/galerkin/intensity.h"
+#include "meshless/galerkin/solve.h"
+#include "program/solution.h"
+#include "program/solve.h"
+
+#include <math.h>
+
+struct problem {
+    const struct scene *scene;
+    struct setup_element_free setup;
+    struct galerkin *g; /* NULL before its phase */
+};
+
+static int is_of(const struct scene *scene) { return scene->solid && scene->solid->method == SCENE_ELEMENT_FREE; }
+
+static void *new (const struct scene *scene) {
+    struct problem *p = memory_new(MEMORY_SOLID, 1, sizeof *p);
+    p->scene = scene;
+    return p;
+}
+
+static void arrange(void *problem) {
+    struct problem *p = problem;
+    setup_element_free(p->scene, &p->setup);
+    p->g = meshless_galerkin_new(&p->setup.in);
+    const struct scene_intensity *wanted = p->scene->output.intensity;
+    if (wanted && p->g->tips == 0) die_all(EXIT_CODE_SCENE, "output.intensity: no end of a crack is inside the body");
+    for (int t = 0; wanted && t < p->g->tips; t++)
+        for (int k = 0; k < wanted->radii; k++) {
+            const double widest = meshless_intensity_widest(p->g, t);
+            if (wanted->radius[k] > widest * (1 + 1e-9))
+                die_all(EXIT_CODE_SCENE,
+                        "output.intensity.radii[%d] = %g: about the tip (%.6g, %.6g) it must be at most %.6g m, so "
+                        "that the circle stays in the body and meets one straight crack",
+                        k, wanted->radius[k], p->g->tip[t].x[0], p->g->tip[t].x[1], widest);
+        }
+}
+
+static void solve(void *problem) {
+    struct galerkin *g = ((struct problem *)problem)->g;
+    meshless_galerkin_solve(g);
+    if (!g->solution.converged)
+        die_all(EXIT_CODE_UNSTABLE,
+                "solid.element_free.iterations = %d: the constraints are still violated by %.3g of the largest "
+                "displacement, more than tolerance = %g: take more iterations, a larger penalty or a larger tolerance",
+                g->in.iterations, g->solution.violation, g->in.tolerance);
+}
+
+static int rows_of(const struct galerkin *g, enum galerkin_row kind) {
+    int n = 0;
+    for (int r = 0; r < g->rows.rows; r++) n += g->rows.kind[r] == (int)kind;
+    return n;
+}
+
+static void check(const void *problem) {
+    const struct galerkin *g = ((const struct problem *)problem)->g;
+    solution_say("  nodes      %d, supports up to %.6g m\n", g->in.nodes, g->widest);
+    solution_say("  unknowns   %d, half bandwidth %d\n", 2 * g->in.nodes, g->half_band);
+    solution_say("  constraints %d: %d of given displacements, %d of jumps and %d of strains across extensions\n",
+                 g->rows.rows, rows_of(g, GALERKIN_ROW_FIXED), rows_of(g, GALERKIN_ROW_JUMP),
+                 rows_of(g, GALERKIN_ROW_STRAIN));
+    solution_say("  cells      %d pieces, %ld Gauss points\n", g->cells.pieces, g->cells.points);
+    for (int t = 0; t < g->tips; t++)
+        solution_say("  tip        (%.6g, %.6g) m, extension %.6g m, radii up to %.6g m\n", g->tip[t].x[0],
+                     g->tip[t].x[1], g->line[g->tip[t].line].reach[g->tip[t].end], meshless_intensity_widest(g, t));
+    solution_say("  band       %.3g MB\n", 2e-6 * g->in.nodes * (g->half_band + 1.0) * sizeof(double));
+}
+
+static void write_intensity(const struct problem *p, const char *folder) {
+    static const char *const name[] = {"tip", "x", "y", "radius", "K_I", "K_II", "J", "K_J"};
+    static const char *const unit[] = {"1", "m", "m", "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5"};
+    const struct scene_intensity *wanted = p->scene->output.intensity;
+    char path[FOLDER_PATH];
+    struct table *table = table_new(folder_path(path, folder, "intensity.csv"), 8, name, unit, -1);
+    for (int t = 0; t < p->g->tips; t++)
+        for (int k = 0; k < wanted->radii; k++) {
+            const struct galerkin_intensity is = meshless_intensity_of(p->g, t, wanted->radius[k]);
+            table_row(table, (const double[]){t, p->g->tip[t].x[0], p->g->tip[t].x[1], wanted->radius[k], is.k[0],
+                                              is.k[1], is.j, is.k_j});
+        }
+    table_free(table);
+}
+
+/* Displacement, stress and strain at the nodes, each rank a part of them. */
+static void write_fields(const struct galerkin *g, const char *folder) {
+    const long n = g->in.nodes, from = n * par_rank() / par_size(), to = n * (par_rank() + 1) / par_size();
+    const size_t room = (size_t)(to - from) + 1;
+    double(*x)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *x), (*u)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *u),
+    (*stress)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *stress),
+    (*strain)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *strain),
+    *size = memory_new(MEMORY_OUTPUT, room, sizeof *size);
+    const double nu = g->in.poisson_ratio;
+    for (long i = from; i < to; i++) {
+        struct galerkin_place at;
+        double grad[2][2], s[3];
+        const long k = i - from;
+        for (int c = 0; c < 2; c++) x[k][c] = at.x[c] = at.see[c] = g->in.node[i][c];
+        meshless_field_at(g, &at, u[k], grad);
+        meshless_field_stress(g, grad, s);
+        const double across = g->in.plane_strain ? nu * (s[0] + s[1]) : 0;
+        const double values[6] = {s[0], s[1], across, s[2], 0, 0};
+        const double strains[6] = {grad[0][0],
+                                   grad[1][1],
+                                   g->in.plane_strain ? 0 : -nu * (s[0] + s[1]) / g->in.youngs_modulus,
+                                   0.5 * (grad[0][1] + grad[1][0]),
+                                   0,
+                                   0};
+        for (int c = 0; c < 6; c++) stress[k][c] = values[c], strain[k][c] = strains[c];
+        size[k] = g->radius[i] / g->in.support;
+    }
+    char path[FOLDER_PATH];
+    struct vtkhdf *f =
+        vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, folder, "fields/solution.hdf"),
+                                                          .n = to - from,
+                                                          .x = (const double(*)[3])x,
+                                                          .wide = 1});
+    vtkhdf_add(f, "displacement", 3, u[0]);
+    vtkhdf_add(f, "stress", 6, stress[0]);
+    vtkhdf_add(f, "strain", 6, strain[0]);
+    vtkhdf_add(f, "spacing", 1, size);
+    vtkhdf_end(f);
+    memory_free(x);
+    memory_free(u);
+    memory_free(stress);
+    memory_free(strain);
+    memory_free(size);
+}
+
+/* Numbers of the solution, with K of the last tip by the last radius. */
+static void write(const void *problem, const struct scene *scene, const char *folder) {
+    const struct problem *p = problem;
+    const struct galerkin *g = p->g;
+    struct solution_fact fact[16] = {{"nodes", "1", g->in.nodes},
+                                     {"unknowns", "1", 2.0 * g->in.nodes},
+                                     {"constraints", "1", g->rows.rows},
+                                     {"gauss_points", "1", (double)g->cells.points},
+                                     {"iterations", "1", g->solution.iterations},
+                                     {"violation", "1", g->solution.violation},
+                                     {"equilibrium", "1", g->solution.equilibrium},
+                                     {"energy", "J", g->solution.energy}};
+    int n = 8;
+    if (scene->output.intensity) {
+        const double radius = scene->output.intensity->radius[scene->output.intensity->radii - 1];
+        const struct galerkin_intensity is = meshless_intensity_of(g, g->tips - 1, radius);
+        fact[n++] = (struct solution_fact){"K_I", "Pa m^0.5", is.k[0]};
+        fact[n++] = (struct solution_fact){"K_II", "Pa m^0.5", is.k[1]};
+        fact[n++] = (struct solution_fact){"J", "J/m2", is.j};
+        fact[n++] = (struct solution_fact){"K_J", "Pa m^0.5", is.k_j};
+        write_intensity(p, folder);
+    }
+    solution_write(n, fact, folder);
+    if (scene->output.fields_every > 0) write_fields(g, folder);
+}
+
+static void record(const void *problem, struct json *j) {
+    const struct galerkin *g = ((const struct problem *)problem)->g;
+    json_long(j, "nodes", g->in.nodes);
+    json_long(j, "unknowns", 2L * g->in.nodes);
+    json_long(j, "half_bandwidth", g->half_band);
+    json_long(j, "constraints", g->rows.rows);
+    json_long(j, "pieces", g->cells.pieces);
+    json_long(j, "gauss_points", g->cells.points);
+    json_long(j, "iterations", g->solution.iterations);
+    json_number(j, "violation", g->solution.violation);
+    json_number(j, "equilibrium", g->solution.equilibrium);
+    json_array(j, "violations");
+    for (int k = 0; k < g->solution.iterations; k++) json_number(j, NULL, g->solution.history[k]);
+    json_close(j);
+}
+
+static void free_problem(void *problem) {
+    struct problem *p = problem;
+    meshless_galerkin_free(p->g);
+    setup_element_free_end(&p->setup);
+    memory_free(p);
+}
+
+static const struct solve_phase phase[] = {{"arrange", arrange}, {"solve", solve}, {NULL, NULL}};
+
+const struct solve_kind solve_element_free = {.is_of = is_of,
+                                              .new = new,
+                                              .phase = phase,
+                                              .before = 1,
+                                              .check = check,
+                                              .write = write,
+                                              .record = record,
+                                              .free = free_problem};

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# An element-free plate as a user runs it: what frana check prints, files, any number of ranks, a plate in uniform
+# tension, and what is refused: with the node or the place, the number and what to change.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+cp "$source/cases/verification/element_free/scene.yaml" scene.yaml
+crack='solid.cracks[0].points'
+code 0 ranks 1 check scene.yaml
+grep -q '  nodes      372, ' out || fail "nodes"
+grep -q '  unknowns   744, half bandwidth ' out || fail "unknowns"
+grep -q '  constraints 28: 3 of given displacements, 10 of jumps and 15 of strains' out || fail "constraints"
+grep -q '  cells      720 pieces, 17904 Gauss points' out || fail "cells"
+code 0 ranks 1 run scene.yaml --out one --set output.fields_every=1
+code 0 ranks 2 run scene.yaml --out two --set output.fields_every=1
+cmp one/intensity.csv two/intensity.csv || fail "K depends on the ranks"
+[ -s one/fields/solution.hdf ] || fail "no fields"
+awk -F, 'NR == 3 { k = $5 / sqrt(atan2(1, 1) * 2) / 2.8246 } END { exit !(k > 0.997 && k < 1.003) }' \
+  one/intensity.csv ||
+  fail "K: $(cat one/intensity.csv)"
+grep -q '"violations": \[' one/run.json || fail "no violations in run.json"
+
+# a plate without a crack, pulled: the energy s^2/(2 E') V is exact, with perturbed and with centroidal nodes too
+cat >plain.yaml <<'EOS'
+domain: {size: [2, 1]}
+solid:
+  spacing: 0.1
+  model: plane_strain
+  method: element_free
+  materials: [{name: rubber, youngs_modulus: 10, density: 1, poisson_ratio: 0.45}]
+  bodies: [{shape: polygon, outline: [[0, 0], [0, 1], [2, 1], [2, 0]]}]
+  constraints:
+    - {low: [-0.01, -0.01], high: [0.01, 1.01], directions: x}
+    - {low: [-0.01, -0.01], high: [0.01, 0.01], directions: y}
+  loads: [{edge: {from: [2, 0], to: [2, 1]}, traction: [1, 0]}]
+EOS
+for kind in '{kind: lattice}' '{kind: perturbed, perturbation: 0.2}' '{kind: centroidal}'; do
+  code 0 ranks 1 run plain.yaml --out "plain_${#kind}" --set "solid.bodies[0].arrangement=$kind"
+  awk -F, '$1 == "energy" { d = $3 / (1 - 0.45 ^ 2) * 10 - 1 } END { exit !(NR > 1 && d < 1e-10 && -d < 1e-10) }' \
+    "plain_${#kind}/solution.csv" || fail "$kind: not the energy of a uniform stress"
+done
+
+# refused N WORDS SETTING...: exit code 2 with these words
+refused() {
+  local words=$1 set=() s
+  shift
+  for s in "$@"; do set+=(--set "$s"); done
+  code 2 ranks 1 check "${from:-scene.yaml}" "${set[@]}"
+  grep -q -- "$words" err || { cat err >&2; fail "not said: $words"; }
+  ! grep -Eqi 'lapack|dpbtrf|info *=' err || fail "a library's words: $(cat err)"
+}
+refused 'support = 1.1: the point (.*) sees [0-9]* nodes, .*the nearest node is [0-9]* at (.*Take a larger support' \
+  solid.element_free.support=1.1
+refused "its end (1.2, 1.5) is 0.2 m outside the body: move it" "$crack=[[0.5, 1.5], [1.2, 1.5]]"
+refused "its tip (0.95, 1.5) is 0.05 m from the body's border; .*a nodal spacing away, 0.125 m" \
+  "$crack=[[0, 1.5], [0.95, 1.5]]"
+refused "0.02 m long; it must be longer than half a nodal spacing" "$crack=[[0.4, 1.5], [0.42, 1.5]]"
+refused 'two points, here are 3' "$crack=[[0, 1.5], [0.2, 1.5], [0.5, 1.5]]"
+refused 'node [0-9]* at (.*) is in no quadrature point.s support: take more cells' \
+  'solid.element_free.cells=[1, 1]' solid.element_free.gauss=1 solid.element_free.gauss_tip=1
+refused 'leave the body free to turn; hold it' 'solid.constraints[1].low=[-0.01, -0.01]' \
+  'solid.constraints[1].high=[0.01, 0.01]'
+refused 'radii\[0\] = 0.6: about the tip (0.5, 1.5) it must be at most 0.5 m' 'output.intensity.radii=[0.6]'
+refused 'is not a part of one side' 'solid.loads[0].edge.from=[0, 0.5]'
+refused 'poisson_ratio: missing' 'solid.materials=[{name: a, youngs_modulus: 1, density: 1}]'
+refused 'poisson_ratio = 0.5: must be greater than -1 and less than 0.5' 'solid.materials[0].poisson_ratio=0.5'
+refused 'stages: only in a scene that is stepped' 'stages=[{name: a, steps: 1}]'
+refused 'solid.contact: only in a scene that is stepped' 'solid.contact={enabled: false}'
+refused 'only with solid.method: element_free' solid.method=peridynamic
+refused 'convex and has straight sides' \
+  'solid.bodies=[{shape: polygon, outline: [[0, 0], [1, 0], [0.3, 1], [1, 3], [0, 3]]}]'
+code 3 ranks 1 run scene.yaml --out few --set solid.element_free.iterations=2
+grep -q 'iterations = 2: the constraints are still violated by .* take more iterations' err || fail "$(cat err)"
