@@ -2,6 +2,8 @@
 #include "coupling/setup/kinds.h"
 #include "base/ensure.h"
 
+#include <string.h>
+
 enum fluid_side_type setup_kinds_side(enum scene_side_type kind) {
     switch (kind) {
     case SCENE_PERIODIC:
@@ -184,4 +186,11 @@ enum solid_integrator setup_kinds_integrator(enum scene_integrator kind) {
         return SOLID_VERLET;
     }
     ENSURE(0, "integrator %d of the scene", (int)kind);
+}
+
+struct solid_turn setup_kinds_turn(const struct scene_turn *turn) {
+    struct solid_turn to = {.is_turned = turn->is_turned};
+    memcpy(to.about, turn->about, sizeof to.about);
+    memcpy(to.edge, turn->edge, sizeof to.edge);
+    return to;
 }

@@ -58,6 +58,7 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
 static void setup_constraint(const struct scene_constraint *from, struct solid_constraint *to) {
     copy3(to->low, from->low);
     copy3(to->high, from->high);
+    to->turn = setup_kinds_turn(&from->turn);
     memcpy(to->direction, from->direction, sizeof to->direction);
     copy3(to->velocity, from->velocity);
 }
@@ -94,6 +95,7 @@ struct solid_input *setup_solid(const struct scene *scene) {
     for (int k = 0; k < s->unbreakables; k++) {
         copy3(unbreakable[k].low, s->unbreakable[k].low);
         copy3(unbreakable[k].high, s->unbreakable[k].high);
+        unbreakable[k].turn = setup_kinds_turn(&s->unbreakable[k].turn);
     }
     *in =
         (struct solid_input){.model = setup_kinds_model(s->model),

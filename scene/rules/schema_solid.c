@@ -78,6 +78,24 @@ static const cyaml_schema_field_t corner_fields[] = {PAIR("at", NEEDED, scene_co
                                                      PAIR("centre", OPTIONAL, scene_corner, centre), CYAML_FIELD_END};
 static const cyaml_schema_value_t corner = {CYAML_VALUE_MAPPING(NEEDED, struct scene_corner, corner_fields)};
 
+/* The rotation of a box or a region of type; about one axis in a plate. */
+static const cyaml_schema_value_t direction = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
+#define TURN_FIELDS(name, type)                                                                                        \
+    static const cyaml_schema_field_t name[] = {                                                                       \
+        VECTOR("axis", OPTIONAL, type, turn.axis), NUMBER("angle", OPTIONAL, type, turn.angle),                        \
+        CYAML_FIELD_SEQUENCE_FIXED("axes", OPTIONAL, struct type, turn.axes, &direction, 2),                           \
+        VECTOR("about", OPTIONAL, type, turn.about), CYAML_FIELD_END}
+TURN_FIELDS(part_turn, scene_part);
+TURN_FIELDS(body_turn, scene_body);
+TURN_FIELDS(constraint_turn, scene_constraint);
+TURN_FIELDS(region_turn, scene_region);
+TURN_FIELDS(load_turn, scene_load);
+#define PLATE_TURN_FIELDS(name, type)                                                                                  \
+    static const cyaml_schema_field_t name[] = {NUMBER("angle", NEEDED, type, turn.angle),                             \
+                                                VECTOR("about", OPTIONAL, type, turn.about), CYAML_FIELD_END}
+PLATE_TURN_FIELDS(refined_turn, scene_refined);
+PLATE_TURN_FIELDS(refinement_turn, scene_refinement);
+
 static const cyaml_schema_value_t sphere = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 4)};
 
 static const cyaml_schema_field_t part_fields[] = {
@@ -89,6 +107,7 @@ static const cyaml_schema_field_t part_fields[] = {
     VECTOR("radii", OPTIONAL, scene_part, radii),
     NUMBER("length", OPTIONAL, scene_part, length),
     CHOICE("axis", OPTIONAL, scene_part, axis, scene_schema_parts_axes),
+    PART("rotation", OPTIONAL, scene_part, part_turn),
     ENTRIES("outline", LIST, scene_part, corner, corners, &corner, 1, LIST_MAX),
     TEXT("file", OPTIONAL, scene_part, file),
     ENTRIES("spheres", LIST, scene_part, sphere, spheres, &sphere, 1, LIST_MAX),
@@ -112,6 +131,7 @@ static const cyaml_schema_field_t body_fields[] = {
     VECTOR("radii", OPTIONAL, scene_body, radii),
     NUMBER("length", OPTIONAL, scene_body, length),
     CHOICE("axis", OPTIONAL, scene_body, axis, scene_schema_parts_axes),
+    PART("rotation", OPTIONAL, scene_body, body_turn),
     ENTRIES("outline", LIST, scene_body, corner, corners, &corner, 1, LIST_MAX),
     ENTRIES("pieces", LIST, scene_body, piece, pieces, &part, 1, LIST_MAX),
     ENTRIES("holes", LIST, scene_body, hole, holes, &part, 1, LIST_MAX),
@@ -150,6 +170,7 @@ static const cyaml_schema_value_t crack = {CYAML_VALUE_MAPPING(NEEDED, struct sc
 static const cyaml_schema_field_t constraint_fields[] = {
     VECTOR("low", NEEDED, scene_constraint, low),
     VECTOR("high", NEEDED, scene_constraint, high),
+    PART("rotation", OPTIONAL, scene_constraint, constraint_turn),
     TEXT("directions", OPTIONAL, scene_constraint, directions),
     VECTOR("velocity", OPTIONAL, scene_constraint, velocity),
     VECTOR("displacement", OPTIONAL, scene_constraint, displacement),
@@ -158,14 +179,16 @@ static const cyaml_schema_field_t constraint_fields[] = {
 static const cyaml_schema_value_t constraint = {
     CYAML_VALUE_MAPPING(NEEDED, struct scene_constraint, constraint_fields)};
 
-static const cyaml_schema_field_t region_fields[] = {VECTOR("low", NEEDED, scene_region, low),
-                                                     VECTOR("high", NEEDED, scene_region, high), CYAML_FIELD_END};
+static const cyaml_schema_field_t region_fields[] = {
+    VECTOR("low", NEEDED, scene_region, low), VECTOR("high", NEEDED, scene_region, high),
+    PART("rotation", OPTIONAL, scene_region, region_turn), CYAML_FIELD_END};
 static const cyaml_schema_value_t region = {CYAML_VALUE_MAPPING(NEEDED, struct scene_region, region_fields)};
 
 static const cyaml_schema_field_t edge_fields[] = {PAIR("from", NEEDED, scene_load, edge[0]),
                                                    PAIR("to", NEEDED, scene_load, edge[1]), CYAML_FIELD_END};
 static const cyaml_schema_field_t load_fields[] = {VECTOR("low", OPTIONAL, scene_load, low),
                                                    VECTOR("high", OPTIONAL, scene_load, high),
+                                                   PART("rotation", OPTIONAL, scene_load, load_turn),
                                                    VECTOR("force", OPTIONAL, scene_load, force),
                                                    PART("edge", OPTIONAL, scene_load, edge_fields),
                                                    VECTOR("traction", OPTIONAL, scene_load, traction),
@@ -185,6 +208,7 @@ static const cyaml_schema_value_t initial = {CYAML_VALUE_MAPPING(NEEDED, struct 
 
 static const cyaml_schema_field_t start_fields[] = {VECTOR("low", NEEDED, scene_refined, low),
                                                     VECTOR("high", NEEDED, scene_refined, high),
+                                                    PART("rotation", OPTIONAL, scene_refined, refined_turn),
                                                     WHOLE("level", NEEDED, scene_refined, level), CYAML_FIELD_END};
 static const cyaml_schema_value_t start = {CYAML_VALUE_MAPPING(NEEDED, struct scene_refined, start_fields)};
 
@@ -195,6 +219,7 @@ static const cyaml_schema_field_t refinement_fields[] = {
     NUMBER("from", OPTIONAL, scene_refinement, from),
     VECTOR("low", OPTIONAL, scene_refinement, low),
     VECTOR("high", OPTIONAL, scene_refinement, high),
+    PART("rotation", OPTIONAL, scene_refinement, refinement_turn),
     WHOLE("every", OPTIONAL, scene_refinement, every),
     CHOICE("horizon", OPTIONAL, scene_refinement, horizon_kept, refined_horizons),
     CHOICE("interface", OPTIONAL, scene_refinement, interface_corrected, refined_interfaces),

@@ -8,8 +8,8 @@
 
 struct keys {
     int n;
-    char *path[256];
-    int optional[256];
+    char *path[512];
+    int optional[512];
 };
 
 static void collect(struct keys *keys, const cyaml_schema_value_t *v, const char *path) {
@@ -23,7 +23,7 @@ static void collect(struct keys *keys, const cyaml_schema_value_t *v, const char
         const int is_side = !strcmp(path, "fluid.sides");
         char *inner = is_side ? text_new("fluid.sides.SIDE") : text_new("%s%s%s", path, *path ? "." : "", f->key);
         if (!is_side || !strcmp(f->key, "x_low")) {
-            check_below(keys->n, 256);
+            check_below(keys->n, 512);
             keys->path[keys->n] = text_new("%s", inner);
             keys->optional[keys->n++] = (f->value.flags & CYAML_FLAG_OPTIONAL) != 0;
             collect(keys, &f->value, inner);
