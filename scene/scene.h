@@ -210,6 +210,11 @@ struct scene_crack { /* A crack: a line of points in a plate, a plane quadrilate
     int points;
     double (*point)[3]; /* m */
 };
+struct scene_interface { /* Two bodies whose particles are bonded. */
+    char between[2][SCENE_NAME];
+    int body[2];            /* their indices */
+    double fracture_energy; /* J/m2, INFINITY: never breaks */
+};
 struct scene_constraint {
     double low[3], high[3];
     char directions[4];     /* directions: a word of the letters x, y, z; default all */
@@ -270,9 +275,10 @@ struct scene_solid {
     double lattice_offset[3];          /* in spacings: points are at (i + 1/2 + offset) spacing; default 0 */
     enum scene_partial partial_volume; /* exact (default), ramp */
     enum scene_horizons horizons;      /* dual (default), one_sided */
-    int materials, bodies, cracks, constraints, unbreakables, loads, initials;
+    int materials, bodies, interfaces, cracks, constraints, unbreakables, loads, initials;
     struct scene_material *material;                            /* materials: [...] */
     struct scene_body *body;                                    /* bodies: [...] */
+    struct scene_interface *interface;                          /* interfaces: [...] */
     struct scene_crack *crack;                                  /* cracks: [...] */
     struct scene_constraint *constraint;                        /* constraints: [...] */
     struct scene_region *unbreakable;                           /* unbreakable: [...] */

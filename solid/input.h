@@ -168,6 +168,14 @@ struct solid_initial {
     double centre, width, displacement[3]; /* m */
 };
 
+/* Two bodies, not otherwise bonded, whose particles are bonded to each other. Each end brings its half of a bond's
+ * stiffness, with the constants of its material, and its critical stretch follows from the interface's fracture energy.
+ */
+struct solid_interface {
+    int body[2];
+    double fracture_energy; /* J/m2 of a crack along the interface; INFINITY: its bonds never break */
+};
+
 /* Bonds with an end in the region (X0) never break. */
 struct solid_region {
     double low[3], high[3];
@@ -210,6 +218,8 @@ struct solid_input {
     const struct solid_body *body; /* borrowed during the call */
     int materials;
     const struct solid_material *material;
+    int interfaces;
+    const struct solid_interface *interface;
     int constraints;
     const struct solid_constraint *constraint;
     int unbreakables;

@@ -158,6 +158,12 @@ static const cyaml_schema_field_t body_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
 
+static const cyaml_schema_value_t name_of_body = {CYAML_VALUE_STRING(NEEDED, char[SCENE_NAME], 1, SCENE_NAME - 1)};
+static const cyaml_schema_field_t interface_fields[] = {
+    CYAML_FIELD_SEQUENCE_FIXED("between", NEEDED, struct scene_interface, between, &name_of_body, 2),
+    NUMBER("fracture_energy", NEEDED, scene_interface, fracture_energy), CYAML_FIELD_END};
+static const cyaml_schema_value_t interface = {CYAML_VALUE_MAPPING(NEEDED, struct scene_interface, interface_fields)};
+
 static const cyaml_schema_value_t triple = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
 static const cyaml_schema_value_t pair = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 2)};
 
@@ -241,6 +247,7 @@ const cyaml_schema_field_t scene_schema_solid[] = {
     CHOICE("horizons", OPTIONAL, scene_solid, horizons, horizons),
     ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, PHYSICS_BODIES_MAX),
     ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, PHYSICS_BODIES_MAX),
+    ENTRIES("interfaces", LIST, scene_solid, interface, interfaces, &interface, 0, LIST_MAX),
     ENTRIES("cracks", LIST, scene_solid, crack, cracks, &crack, 0, LIST_MAX),
     ENTRIES("constraints", LIST, scene_solid, constraint, constraints, &constraint, 0, LIST_MAX),
     ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),
