@@ -262,7 +262,7 @@ static void sample_bonds(struct series *s, struct run *r) {
     s->now.e_damped = share[0];
     s->now.e_fracture = share[1];
     s->now.crack_area = share[4];
-    s->now.energy_per_area = share[4] > 0 ? share[1] / share[4] : NAN;
+    s->now.energy_per_area = share[4] > 0 ? share[1] / share[4] : 0;
     s->now.work_fluid = s->now.work_load = share[2];
     s->now.e_constraint = share[3];
     s->now.e_contact = e.contact;
