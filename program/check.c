@@ -48,8 +48,9 @@ static const char *model_name(enum solid_model model) {
     ENSURE(0, "model %d", (int)model);
 }
 
-static void say_border(const struct solid *s, const char *key, int k, const double low[3], const double high[3]) {
-    const long on = solid_constraint_on_border(s, low, high);
+static void say_border(const struct solid *s, const char *key, int k, const double low[3], const double high[3],
+                       const struct solid_turn *turn) {
+    const long on = solid_constraint_on_border(s, low, high, turn);
     if (on > 0) say("  warning: %ld particles lie on the border of solid.%s[%d]; they count as inside\n", on, key, k);
 }
 
@@ -62,11 +63,12 @@ static void say_on_surface(const struct solid *s) {
                 "surface by %.3g m avoid this\n",
                 in->body[b].on_surface, in->body[b].name, 0.5 * in->body[b].surface_gap);
     for (int k = 0; k < in->constraints; k++)
-        say_border(s, "constraints", k, in->constraint[k].low, in->constraint[k].high);
+        say_border(s, "constraints", k, in->constraint[k].low, in->constraint[k].high, &in->constraint[k].turn);
     for (int k = 0; k < in->unbreakables; k++)
-        say_border(s, "unbreakable", k, in->unbreakable[k].low, in->unbreakable[k].high);
+        say_border(s, "unbreakable", k, in->unbreakable[k].low, in->unbreakable[k].high, &in->unbreakable[k].turn);
     for (int k = 0; k < in->loads; k++)
-        if (in->load[k].kind == SOLID_LOAD_REGION) say_border(s, "loads", k, in->load[k].low, in->load[k].high);
+        if (in->load[k].kind == SOLID_LOAD_REGION)
+            say_border(s, "loads", k, in->load[k].low, in->load[k].high, &in->load[k].turn);
 }
 
 /* Particles that are nearer to each other than contact's radius are pushed apart as soon as the bond between them

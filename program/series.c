@@ -69,6 +69,8 @@ static const struct column {
     COLUMN("e_strain", "J", NEED_BONDS, e_strain),
     COLUMN("e_damped", "J", NEED_BONDS, e_damped),
     COLUMN("e_fracture", "J", NEED_BONDS, e_fracture),
+    COLUMN("crack_area", "m2", NEED_BONDS, crack_area),
+    COLUMN("energy_per_area", "J/m2", NEED_BONDS, energy_per_area),
     COLUMN("work_fluid", "J", NEED_BONDS | NEED_IMMERSED, work_fluid),
     COLUMN("work_load", "J", NEED_BONDS | NEED_ALONE, work_load),
     COLUMN("e_constraint", "J", NEED_BONDS | NEED_ALONE, e_constraint),
@@ -252,12 +254,15 @@ static void sample_bonds(struct series *s, struct run *r) {
     if (s->moved == r->moved) return;
     s->moved = r->moved;
     const struct solid_energy e = solid_energy_measure(r->solid);
-    double share[] = {r->solid->e_damped, r->solid->e_fracture, r->solid->work_load, r->solid->e_constraint};
-    par_sum_array(share, 4);
+    double share[] = {r->solid->e_damped, r->solid->e_fracture, r->solid->work_load, r->solid->e_constraint,
+                      r->solid->crack_area};
+    par_sum_array(share, 5);
     s->now.e_kinetic_solid = e.kinetic;
     s->now.e_strain = e.strain;
     s->now.e_damped = share[0];
     s->now.e_fracture = share[1];
+    s->now.crack_area = share[4];
+    s->now.energy_per_area = share[4] > 0 ? share[1] / share[4] : 0;
     s->now.work_fluid = s->now.work_load = share[2];
     s->now.e_constraint = share[3];
     s->now.e_contact = e.contact;

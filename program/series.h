@@ -20,8 +20,8 @@ struct series_sample {
     double step, t, dt, div_max, cfl, u_bulk, dp, porosity, porosity_effective, permeability, tortuosity;
     double permeability_md, reynolds_k, specific_surface, velocity[3];
     double load[3], forcing[3], momentum_residual;
-    double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, work_fluid, work_load,
-        e_constraint, e_contact, momentum[3], given[3], slip_loss, inner_power;
+    double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, crack_area, energy_per_area,
+        work_fluid, work_load, e_constraint, e_contact, momentum[3], given[3], slip_loss, inner_power;
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
         interface_particles, particles_outside;
 };

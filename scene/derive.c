@@ -54,6 +54,12 @@ static void derive_refinement(struct scene_refinement *r, const struct scene_nod
 
 static void derive_solid(struct scene_solid *s, const struct scene_node *root) {
     for (int b = 0; b < s->bodies; b++) derive_body(s, root, b);
+    for (int i = 0; i < s->interfaces; i++)
+        for (int e = 0; e < 2; e++) {
+            s->interface[i].body[e] = -1;
+            for (int b = s->bodies - 1; b >= 0; b--)
+                if (!strcmp(s->interface[i].between[e], s->body[b].name)) s->interface[i].body[e] = b;
+        }
     for (int i = 0; i < s->constraints; i++) {
         struct scene_constraint *k = &s->constraint[i];
         for (int d = 0; d < 3; d++) k->direction[d] = strchr(k->directions, "xyz"[d]) != NULL;

@@ -2,6 +2,7 @@
 #include "scene/outline.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "scene/turn.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,13 +15,22 @@ static struct scene_outline curve_new(int corners, const struct scene_corner *co
     return o;
 }
 
+static void turn_corner(const struct scene_turn *turn, struct scene_corner *corner) {
+    const double x[3] = {corner->at[0], corner->at[1]};
+    double y[3];
+    scene_turn_point(turn, x, y);
+    corner->at[0] = y[0];
+    corner->at[1] = y[1];
+}
+
 static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
     const double *low = p->low, *high = p->high, *c = p->centre, r = p->radius;
-    const struct scene_corner rectangle[4] = {
+    struct scene_corner rectangle[4] = {
         {.at = {low[0], low[1]}}, {.at = {high[0], low[1]}}, {.at = {high[0], high[1]}}, {.at = {low[0], high[1]}}};
     const struct scene_corner disc[2] = {{{c[0] - r, c[1]}, {c[0], c[1]}, 1}, {{c[0] + r, c[1]}, {c[0], c[1]}, 1}};
     switch (p->shape) {
     case SCENE_RECTANGLE:
+        for (int i = 0; i < 4; i++) turn_corner(&p->turn, &rectangle[i]);
         return curve_new(4, rectangle, is_hole);
     case SCENE_DISC:
         return curve_new(2, disc, is_hole);
@@ -61,6 +71,7 @@ struct scene_part scene_outline_own(const struct scene_body *body) {
                              .radius = body->radius,
                              .length = body->length,
                              .axis = body->axis,
+                             .turn = body->turn,
                              .corners = body->corners,
                              .corner = body->corner,
                              .spheres = body->spheres,

@@ -8,6 +8,7 @@
 #include "scene/rules/schema.h"
 #include "scene/set.h"
 #include "scene/text/yaml.h"
+#include "scene/turn.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -86,6 +87,7 @@ static struct scene *load(const char *path, struct scene_node *root, int look_fo
     }
     snprintf(s->path, sizeof s->path, "%s", path);
     scene_derive_domain(s, root);
+    scene_turn_derive(s, root);
     if (look_for_files) scene_check_image_open(s, root, problems);
     scene_default_fill(s, root, problems);
     scene_derive(s, root);

@@ -111,6 +111,16 @@ struct scene_outline {
     int is_hole;
 };
 
+/* rotation: of a box, a rectangle, a cylinder, an ellipsoid or a region. Its other numbers are those before it is
+ * turned (scene/turn.h). */
+struct scene_turn {
+    double axis[3], angle; /* about the direction axis, in a plate z, by the right-hand rule; degrees */
+    double axes[2][3];     /* instead: where its x and its y direction point to */
+    double about[3];       /* m, the point that stays; default its centre */
+    int is_turned;         /* 0: the key is left out */
+    double edge[3][3];     /* unit vectors of its x, y and z direction */
+};
+
 enum scene_shape {
     SCENE_BOX,
     SCENE_SPHERE,
@@ -129,6 +139,7 @@ struct scene_part {         /* a further piece of a body, or a hole in it */
     double centre[3], radius, length; /* disc, sphere, cylinder */
     double radii[3];                  /* ellipsoid */
     int axis;                         /* cylinder */
+    struct scene_turn turn;           /* rotation; rectangle, box, cylinder, ellipsoid */
     int corners;
     struct scene_corner *corner; /* polygon: outline */
     char file[SCENE_PATH];       /* spheres */
@@ -181,6 +192,7 @@ struct scene_body {
     double centre[3], radius, length; /* sphere, cylinder */
     double radii[3];                  /* ellipsoid, along x, y, z */
     int axis;                         /* cylinder: x, y or z */
+    struct scene_turn turn;           /* rotation; box, rectangle, cylinder, ellipsoid */
     char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon].
                                        * spheres: text, x y z radius or x y z and three radii a line; image */
     struct scene_image image;         /* image; its low corner is low */
@@ -206,6 +218,11 @@ struct scene_crack { /* A crack: a line of points in a plate, a plane quadrilate
     int points;
     double (*point)[3]; /* m */
 };
+struct scene_interface { /* Two bodies whose particles are bonded. */
+    char between[2][SCENE_NAME];
+    int body[2];            /* their indices */
+    double fracture_energy; /* J/m2, INFINITY: never breaks */
+};
 struct scene_constraint {
     double low[3], high[3];
     char directions[4];     /* directions: a word of the letters x, y, z; default all */
@@ -214,9 +231,11 @@ struct scene_constraint {
     int has_displacement;   /* displacement is prescribed instead of velocity */
     double displacement[3]; /* m */
     struct scene_time time; /* of the velocity or displacement */
+    struct scene_turn turn; /* rotation of the region, here and below */
 };
 struct scene_region {
     double low[3], high[3];
+    struct scene_turn turn;
 };
 enum scene_load_kind { SCENE_LOAD_REGION, SCENE_LOAD_EDGE };
 struct scene_load {
@@ -227,6 +246,7 @@ struct scene_load {
     double traction[3];        /* Pa, on the edge */
     int over_horizon;          /* depth of the loaded layer: one layer of particles (0, default) or the horizon (1) */
     struct scene_time time;
+    struct scene_turn turn; /* region */
 };
 /* Displacement at the start: displacement exp(-((x - centre)/width)^2) or displacement sin(2 pi (x - centre)/width),
  * with x along the direction `along`. */
@@ -240,6 +260,7 @@ struct scene_initial {
 struct scene_refined { /* A region that is refined from the start. */
     double low[3], high[3];
     int level; /* 1 ... levels */
+    struct scene_turn turn;
 };
 struct scene_refinement {
     int levels;              /* default 1 */
@@ -247,6 +268,7 @@ struct scene_refinement {
     double damage;           /* refine if the damage is above this value; 0: off (default) */
     double from;             /* s, default 0 */
     double low[3], high[3];  /* refine only in this box; default everywhere (-INFINITY, INFINITY) */
+    struct scene_turn turn;  /* of that box */
     int every;               /* steps between checks, default 10 */
     int horizon_kept;        /* horizon: scaled with the spacing (0, default), kept (1) */
     int interface_corrected; /* interface: plain (0, default), corrected (1; 000: eq. 40) */
@@ -285,9 +307,10 @@ struct scene_solid {
     double lattice_offset[3];                /* in spacings: points are at (i + 1/2 + offset) spacing; default 0 */
     enum scene_partial partial_volume;       /* exact (default), ramp */
     enum scene_horizons horizons;            /* dual (default), one_sided */
-    int materials, bodies, cracks, constraints, unbreakables, loads, initials;
+    int materials, bodies, interfaces, cracks, constraints, unbreakables, loads, initials;
     struct scene_material *material;                            /* materials: [...] */
     struct scene_body *body;                                    /* bodies: [...] */
+    struct scene_interface *interface;                          /* interfaces: [...] */
     struct scene_crack *crack;                                  /* cracks: [...] */
     struct scene_constraint *constraint;                        /* constraints: [...] */
     struct scene_region *unbreakable;                           /* unbreakable: [...] */

@@ -35,6 +35,7 @@ void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
     to->constraint = memory_copy(MEMORY_SOLID, from->constraint, (size_t)from->constraints, sizeof *from->constraint);
     to->unbreakable =
         memory_copy(MEMORY_SOLID, from->unbreakable, (size_t)from->unbreakables, sizeof *from->unbreakable);
+    to->interface = memory_copy(MEMORY_SOLID, from->interface, (size_t)from->interfaces, sizeof *from->interface);
     for (int b = 0; b < to->bodies; b++) {
         struct solid_body *body = (struct solid_body *)(uintptr_t)&to->body[b];
         copy_shapes(body);
@@ -51,7 +52,7 @@ void solid_input_free(struct solid_input *in) {
     for (int k = 0; k < in->constraints; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->constraint[k].time);
     for (int k = 0; k < in->loads; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->load[k].time);
     for (int b = 0; b < in->bodies; b++) free_shapes(&in->body[b]);
-    const void *const own[] = {in->body, in->material, in->constraint, in->unbreakable, in->load};
+    const void *const own[] = {in->body, in->material, in->constraint, in->unbreakable, in->load, in->interface};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free((void *)(uintptr_t)own[i]);
 }
 
@@ -68,6 +69,18 @@ static void check_softening(const struct solid_input *in, int m) {
         if (in->body[b].material == m && in->body[b].point_horizon)
             die_all(EXIT_CODE_SCENE, "solid body %s: bonds that soften need one horizon for all its points",
                     in->body[b].name);
+}
+
+/* Of both bodies all bonds are in lists, by one law each. */
+static void check_interface(const struct solid_input *in, int k) {
+    const struct solid_interface *i = &in->interface[k];
+    for (int e = 0; e < 2; e++)
+        if (i->body[e] < 0 || i->body[e] >= in->bodies || i->body[0] == i->body[1] ||
+            in->material[in->body[i->body[e]].material].tensile_strength > 0)
+            die_all(EXIT_CODE_SCENE, "solid.interfaces[%d]: needs two bodies whose materials are brittle", k);
+    if (!(i->fracture_energy > 0) || in->refinement || in->horizons == SOLID_ONE_SIDED)
+        die_all(EXIT_CODE_SCENE,
+                "solid.interfaces[%d]: needs a fracture_energy above 0, dual horizons and no refinement", k);
 }
 
 void solid_input_check(const struct solid_input *in) {
@@ -91,4 +104,5 @@ void solid_input_check(const struct solid_input *in) {
                     m, k->youngs_modulus, k->density, k->fracture_energy, k->horizon_ratio);
         if (k->tensile_strength > 0) check_softening(in, m);
     }
+    for (int k = 0; k < in->interfaces; k++) check_interface(in, k);
 }

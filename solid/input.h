@@ -62,6 +62,14 @@ struct solid_cut {
     const double (*point)[3]; /* m; z is 0 in a plate */
 };
 
+/* A rotation of a box, a cylinder, an ellipsoid or a region: its point y, as its other numbers say, is at
+ * about + sum_k (y - about)_k edge_k (solid/geometry/turn.h). */
+struct solid_turn {
+    int is_turned;     /* 0: the members below do not count */
+    double about[3];   /* m */
+    double edge[3][3]; /* [k] unit vector of its direction k */
+};
+
 enum solid_shape {
     SOLID_BOX,
     SOLID_SPHERE,
@@ -84,6 +92,7 @@ struct solid_body {
     int axis;                 /* cylinder */
     double length;            /* cylinder */
     double radii[3];          /* ellipsoid, along x, y, z */
+    struct solid_turn turn;   /* box, cylinder, ellipsoid */
     /* SOLID_SPHERES: spheres and ellipsoids in any number, overlapping or not; borrowed */
     long entries;
     const double (*entry)[6]; /* [entries] centre, and half the lengths along x, y and z, m */
@@ -132,6 +141,7 @@ struct solid_constraint {
     int has_displacement;
     double displacement[3]; /* m, instead of the velocity */
     struct solid_time time;
+    struct solid_turn turn; /* of the region */
 };
 
 /* A force per unit volume on the particles of a region, or per unit area of a plate's edge on the particles along a
@@ -146,6 +156,7 @@ struct solid_load {
     int over_horizon; /* straight edge: 1: spread evenly over all particles within the horizon behind it; 0: over the
                        * outermost ones */
     struct solid_time time;
+    struct solid_turn turn; /* of the region */
 };
 
 /* The displacement at the start: displacement times exp(-r^2) or sin(2 pi r), r = (x - centre)/width, with x along the
@@ -157,21 +168,32 @@ struct solid_initial {
     double centre, width, displacement[3]; /* m */
 };
 
+/* Two bodies, not otherwise bonded, whose particles are bonded to each other. Each end brings its half of a bond's
+ * stiffness, with the constants of its material, and its critical stretch follows from the interface's fracture energy.
+ */
+struct solid_interface {
+    int body[2];
+    double fracture_energy; /* J/m2 of a crack along the interface; INFINITY: its bonds never break */
+};
+
 /* Bonds with an end in the region (X0) never break. */
 struct solid_region {
     double low[3], high[3];
+    struct solid_turn turn;
 };
 
 /* Refinement of plates that are polygons: each level halves the spacing.  (000: ch. 2; solid/refine/refine.h) */
 struct solid_refined { /* a region (X0) that is refined from the start */
     double low[3], high[3];
     int level;
+    struct solid_turn turn;
 };
 struct solid_refinement {
     int levels;
     double energy;           /* kappa: refine if W >= kappa W_max; 0: off */
     double damage;           /* refine if the damage is above this value; 0: off */
     double low[3], high[3];  /* refine only in this box (X0), m */
+    struct solid_turn turn;  /* of that box */
     int horizon_kept;        /* 1: all levels have the material's horizon; 0: scaled with the spacing */
     int interface_corrected; /* 1: the horizon of fine particles next to coarse ones is multiplied by sqrt(2)  (000: eq.
                               * 40) */
@@ -196,6 +218,8 @@ struct solid_input {
     const struct solid_body *body; /* borrowed during the call */
     int materials;
     const struct solid_material *material;
+    int interfaces;
+    const struct solid_interface *interface;
     int constraints;
     const struct solid_constraint *constraint;
     int unbreakables;

@@ -9,6 +9,7 @@
 #include "physics/micromodulus.h"
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
+#include "solid/bonds/across.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/cut_shapes.h"
 #include "solid/bonds/family.h"
@@ -54,7 +55,9 @@ static struct solid_cloud *cloud_new(const struct solid_input *in, const struct 
                                      const struct solid_sites *sites) {
     switch (solid_shape_of(body)->places) {
     case SOLID_PLACES_LATTICE:
-        return is_fast(in, &in->material[body->material]) ? NULL : solid_cloud_lattice(in, body, sites);
+        return is_fast(in, &in->material[body->material]) && !solid_across_any(in, (int)(body - in->body))
+                   ? NULL
+                   : solid_cloud_lattice(in, body, sites);
     case SOLID_PLACES_CELLS:
         return solid_plane_cloud(in, body, sites);
     case SOLID_PLACES_POINTS:
@@ -94,17 +97,36 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
             const struct physics_softening soft =
                 solid_material_softening(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
             const double limit = soft.s_c > 0 ? soft.s_e : s0;
-            const struct solid_law law = {solid_material_micromodulus(m, in->spacing), m->density, limit * (2 + limit),
-                                          soft.s_e, soft.s_c};
+            const struct solid_law law = {solid_material_micromodulus(m, in->spacing),
+                                          m->density,
+                                          limit * (2 + limit),
+                                          soft.s_e,
+                                          soft.s_c,
+                                          m->fracture_energy};
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
-            f->list[b] = solid_list_find_new(cloud[b], from, to, f->first[b]);
+            int sides;
+            struct solid_across *across = solid_across_new(in, cloud, b, &sides);
+            f->list[b] = solid_list_find_new(cloud[b], across, sides, from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->list[b]->n;
         }
     }
     s->n = (int)(to - from);
     ENSURE(f->first[f->bodies] == s->n, "%d particles in the stores, %d owned", f->first[f->bodies], s->n);
+}
+
+/* Dies on an interface without a bond. */
+static void interfaces_check(const struct solid *s) {
+    for (int k = 0; k < s->in.interfaces; k++) {
+        const int *of = s->in.interface[k].body;
+        const struct solid_list *list = s->family->list[of[0]];
+        long bonds = 0;
+        for (int r = 0; r < list->others; r++) bonds += list->side[r] && s->body[list->other_local[r]] == of[1];
+        if (par_sum_long(bonds) == 0)
+            die_all(EXIT_CODE_SCENE, "solid.interfaces[%d]: %s and %s are farther apart than a horizon", k,
+                    s->in.body[of[0]].name, s->in.body[of[1]].name);
+    }
 }
 
 static void arrays_new(struct solid *s) {
@@ -190,6 +212,7 @@ struct solid *solid_new(const struct solid_input *in) {
     arrays_new(s);
     solid_build_places(s, sites, cloud);
     points_check(s, sites, cloud);
+    interfaces_check(s);
     solid_cut_bonds(s, cloud);
     solid_cut_shapes(s);
     solid_build_edges(s);

@@ -75,6 +75,8 @@ struct solid {
     double e_damped;       /* energy dissipated by damping so far, J */
     double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
                             * breaking; by softening bonds the same times the part of the stiffness that they lose */
+    double crack_area;     /* of the bonds broken so far, m2: the energy that each holds at its critical stretch, over
+                            * the fracture energy; initial cracks do not count */
     double e_constraint;   /* work of driven layers so far, J */
     double work_load;      /* work of load and body force so far, J */
     double power_pairwise; /* power_damped of the sweep that v_old belongs to, W (Verlet) */

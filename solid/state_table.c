@@ -124,6 +124,7 @@ const struct state_item solid_state_table[] = {
     /* energies */
     {"e_damped", STATE_DOUBLE, STATE_SHARE, OF(e_damped), .in = STATE_BOTH},
     {"e_fracture", STATE_DOUBLE, STATE_SHARE, OF(e_fracture), .in = STATE_BOTH},
+    {"crack_area", STATE_DOUBLE, STATE_SHARE, OF(crack_area), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"e_constraint", STATE_DOUBLE, STATE_SHARE, OF(e_constraint), .in = STATE_BOTH},
     {"work_load", STATE_DOUBLE, STATE_SHARE, OF(work_load), .in = STATE_BOTH},
     {"power_pairwise", STATE_DOUBLE, STATE_SHARE, OF(power_pairwise), .in = STATE_BOTH},

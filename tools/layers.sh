@@ -22,6 +22,7 @@ rooms
 scene
     scene.h
     text
+    turn.h turn.c
     outline.h outline.c medium.h medium.c
     rules
     check

@@ -56,6 +56,7 @@ static void setup_shape(const struct scene_part *from, const char *name, struct 
     to->radius = from->radius;
     to->axis = from->axis;
     to->length = from->length;
+    to->turn = setup_kinds_turn(&from->turn);
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
     memcpy(to->centre, from->centre, sizeof to->centre);

@@ -16,6 +16,7 @@ static void load_add(const struct scene_load *from, struct solid_load *to) {
         .kind = setup_kinds_load(from->kind), .over_horizon = from->over_horizon, .time = time_of(&from->time)};
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
+    to->turn = setup_kinds_turn(&from->turn);
     memcpy(to->force, from->force, sizeof to->force);
     memcpy(to->edge, from->edge, sizeof to->edge);
     memcpy(to->traction, from->traction, sizeof to->traction);
@@ -30,6 +31,7 @@ static struct solid_refinement *refinement_of(const struct scene_refinement *fro
         memcpy(start[k].low, from->start[k].low, sizeof start[k].low);
         memcpy(start[k].high, from->start[k].high, sizeof start[k].high);
         start[k].level = from->start[k].level;
+        start[k].turn = setup_kinds_turn(&from->start[k].turn);
     }
     *to = (struct solid_refinement){.levels = from->levels,
                                     .energy = from->energy,
@@ -41,6 +43,7 @@ static struct solid_refinement *refinement_of(const struct scene_refinement *fro
                                     .start = start};
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
+    to->turn = setup_kinds_turn(&from->turn);
     return to;
 }
 

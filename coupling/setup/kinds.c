@@ -2,6 +2,8 @@
 #include "coupling/setup/kinds.h"
 #include "base/ensure.h"
 
+#include <string.h>
+
 enum fluid_side_type setup_kinds_side(enum scene_side_type kind) {
     switch (kind) {
     case SCENE_PERIODIC:
@@ -210,4 +212,11 @@ enum meshless_volume setup_kinds_volume(enum scene_point_volume kind) {
         return MESHLESS_CELL;
     }
     ENSURE(0, "volume %d of the scene", (int)kind);
+}
+
+struct solid_turn setup_kinds_turn(const struct scene_turn *turn) {
+    struct solid_turn to = {.is_turned = turn->is_turned};
+    memcpy(to.about, turn->about, sizeof to.about);
+    memcpy(to.edge, turn->edge, sizeof to.edge);
+    return to;
 }

@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "solid/state.h"
 
+struct solid_turn setup_kinds_turn(const struct scene_turn *turn);
 enum fluid_side_type setup_kinds_side(enum scene_side_type kind);
 enum fluid_profile setup_kinds_profile(enum scene_profile kind);
 enum fluid_condition setup_kinds_condition(enum scene_condition kind);

@@ -58,6 +58,7 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
 static void setup_constraint(const struct scene_constraint *from, struct solid_constraint *to) {
     copy3(to->low, from->low);
     copy3(to->high, from->high);
+    to->turn = setup_kinds_turn(&from->turn);
     memcpy(to->direction, from->direction, sizeof to->direction);
     copy3(to->velocity, from->velocity);
 }
@@ -86,14 +87,19 @@ struct solid_input *setup_solid(const struct scene *scene) {
     struct solid_material *material = array_of(s->materials, sizeof *material);
     struct solid_cut *cut = array_of(s->cracks, sizeof *cut);
     struct solid_constraint *constraint = array_of(s->constraints, sizeof *constraint);
+    struct solid_interface *interface = array_of(s->interfaces, sizeof *interface);
     struct solid_region *unbreakable = array_of(s->unbreakables, sizeof *unbreakable);
     for (int b = 0; b < s->bodies; b++) setup_body(scene, b, &body[b]);
     for (int m = 0; m < s->materials; m++) setup_material(&s->material[m], &material[m]);
     for (int k = 0; k < s->cracks; k++) setup_body_cut(&s->crack[k], &cut[k]);
     for (int k = 0; k < s->constraints; k++) setup_constraint(&s->constraint[k], &constraint[k]);
+    for (int k = 0; k < s->interfaces; k++)
+        interface[k] = (struct solid_interface){{s->interface[k].body[0], s->interface[k].body[1]},
+                                                s->interface[k].fracture_energy};
     for (int k = 0; k < s->unbreakables; k++) {
         copy3(unbreakable[k].low, s->unbreakable[k].low);
         copy3(unbreakable[k].high, s->unbreakable[k].high);
+        unbreakable[k].turn = setup_kinds_turn(&s->unbreakable[k].turn);
     }
     *in =
         (struct solid_input){.model = setup_kinds_model(s->model),
@@ -107,6 +113,8 @@ struct solid_input *setup_solid(const struct scene *scene) {
                              .body = body,
                              .materials = s->materials,
                              .material = material,
+                             .interfaces = s->interfaces,
+                             .interface = interface,
                              .constraints = s->constraints,
                              .constraint = constraint,
                              .unbreakables = s->unbreakables,
@@ -134,6 +142,7 @@ void setup_solid_free(struct solid_input *in) {
     give_back(in->cut);
     give_back(in->constraint);
     give_back(in->unbreakable);
+    give_back(in->interface);
     free(in);
 }
 
@@ -161,6 +170,9 @@ struct setup_needs setup_needs_of(const struct scene *scene) {
         for (int m = 0; m < scene->solid->materials; m++)
             needs.breakage |=
                 elastic && scene->stage[k].breakage && isfinite(scene->solid->material[m].fracture_energy);
+        for (int i = 0; i < scene->solid->interfaces; i++)
+            needs.breakage |=
+                elastic && scene->stage[k].breakage && isfinite(scene->solid->interface[i].fracture_energy);
     }
     needs.contact = needs.bonds && scene->solid->contact && (needs.breakage || is_in_pieces(scene->solid));
     return needs;

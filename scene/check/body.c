@@ -3,6 +3,7 @@
 #include "physics/limits.h"
 #include "scene/check/check.h"
 #include "scene/outline.h"
+#include "scene/turn.h"
 
 #include <math.h>
 #include <string.h>
@@ -28,6 +29,27 @@ static void bounds_about(const double centre[3], const double half[3], double lo
     }
 }
 
+/* The same of a turned shape; half: of its extent in direction c. */
+static void bounds_turned(const struct scene_part *p, double half(const struct scene_part *p, int c), double low[3],
+                          double high[3]) {
+    double centre[3], halves[3];
+    scene_turn_point(&p->turn, p->centre, centre);
+    for (int d = 0; d < 3; d++) halves[d] = half(p, d);
+    bounds_about(centre, halves, low, high);
+}
+
+/* Ends are discs: of one with the normal a the half extent in direction c is radius sqrt(1 - a_c^2). */
+static double half_cylinder(const struct scene_part *p, int c) {
+    const double along = p->turn.edge[p->axis][c];
+    return fabs(along) * (p->length / 2) + p->radius * sqrt(fmax(1 - along * along, 0));
+}
+
+static double half_ellipsoid(const struct scene_part *p, int c) {
+    double sum = 0;
+    for (int k = 0; k < 3; k++) sum += p->turn.edge[k][c] * p->turn.edge[k][c] * (p->radii[k] * p->radii[k]);
+    return sqrt(sum);
+}
+
 static void add_bounds(const double its_low[3], const double its_high[3], double low[3], double high[3]) {
     for (int d = 0; d < 3; d++) {
         low[d] = fmin(low[d], its_low[d]);
@@ -40,11 +62,15 @@ static int add_shape(const struct scene_part *p, double low[3], double high[3]) 
     double half[3] = {p->radius, p->radius, p->radius}, its_low[3], its_high[3];
     switch (p->shape) {
     case SCENE_BOX:
-        add_bounds(p->low, p->high, low, high);
+        scene_turn_box(&p->turn, p->low, p->high, its_low, its_high);
+        add_bounds(its_low, its_high, low, high);
         return 1;
     case SCENE_CYLINDER:
         half[p->axis] = p->length / 2;
-        bounds_about(p->centre, half, its_low, its_high);
+        if (p->turn.is_turned)
+            bounds_turned(p, half_cylinder, its_low, its_high);
+        else
+            bounds_about(p->centre, half, its_low, its_high);
         add_bounds(its_low, its_high, low, high);
         return 1;
     case SCENE_SPHERE:
@@ -52,7 +78,10 @@ static int add_shape(const struct scene_part *p, double low[3], double high[3]) 
         add_bounds(its_low, its_high, low, high);
         return 1;
     case SCENE_ELLIPSOID:
-        bounds_about(p->centre, p->radii, its_low, its_high);
+        if (p->turn.is_turned)
+            bounds_turned(p, half_ellipsoid, its_low, its_high);
+        else
+            bounds_about(p->centre, p->radii, its_low, its_high);
         add_bounds(its_low, its_high, low, high);
         return 1;
     case SCENE_SPHERES:
@@ -145,6 +174,13 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
     }
 }
 
+int scene_check_body_turn(const struct scene_check *c, struct scene_path path, const struct scene_turn *turn) {
+    const char *key, *fault = scene_turn_fault(turn, c->root, path.text, &key);
+    if (!fault || !scene_check_parts_clean(c, scene_check_parts_path("%s.rotation", path.text))) return 1;
+    scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.rotation.%s", path.text, key).text, "%s", fault);
+    return 0;
+}
+
 /* Checks that consecutive corners differ and that both ends of an arc are equally far from its centre. */
 static int check_corners(const struct scene_check *c, struct scene_path outline, int corners,
                          const struct scene_corner *corner) {
@@ -185,6 +221,7 @@ static int check_spheres(const struct scene_check *c, struct scene_path path, co
 
 /* Whether the numbers of a shape, of a body or a part of it, bound anything. */
 static int check_own(const struct scene_check *c, struct scene_path path, const struct scene_part *part) {
+    if (!scene_check_body_turn(c, path, &part->turn)) return 0;
     switch (part->shape) {
     case SCENE_BOX:
     case SCENE_RECTANGLE:

@@ -23,6 +23,7 @@ void scene_check_stages(const struct scene_check *c);
 void scene_check_body(const struct scene_check *c, int b); /* parts of scene_check_solid */
 int scene_check_image(const struct scene_check *c, int b); /* part of scene_check_body: whether all is well */
 void scene_check_region(const struct scene_check *c);
+void scene_check_interface(const struct scene_check *c);
 
 /* Opens the images of the scene's bodies and fills in their sizes, in the tree too. On the rank that reads the files.
  */
@@ -38,6 +39,8 @@ int scene_check_parts_clean(const struct scene_check *c, struct scene_path path)
 /* Whether low is below high; if not, that is reported at path.low. */
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
                          const double high[3]);
+/* Whether the rotation in the mapping at the path, if there is one, has directions; if not, that is reported. */
+int scene_check_body_turn(const struct scene_check *c, struct scene_path path, const struct scene_turn *turn);
 /* The bounds of a body of shape image; 0 if its size is not known. */
 int scene_check_image_bounds(const struct scene_body *body, double low[3], double high[3]);
 /* The bounds of a body with its pieces. Returns 0 for points and lists in files, whose bounds the scene does not know.

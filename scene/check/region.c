@@ -2,6 +2,7 @@
 /* Checks the data given for a part of the solid: regions, edges, cracks, initial displacements and refinement must
  * reach a body, and must not contradict each other. */
 #include "scene/check/check.h"
+#include "scene/turn.h"
 
 #include <math.h>
 #include <string.h>
@@ -36,10 +37,14 @@ static int holds_body(const struct scene_check *c, const double low[3], const do
     return 0;
 }
 
-static void check_region(const struct scene_check *c, struct scene_path path, const double low[3],
-                         const double high[3]) {
-    if (!scene_check_parts_clean(c, path) || !scene_check_body_box(c, path, low, high)) return;
-    if (scene_node_is_clean(c->root, "solid.bodies") && !holds_body(c, low, high, 0))
+static void check_region(const struct scene_check *c, struct scene_path path, const double low[3], const double high[3],
+                         const struct scene_turn *turn) {
+    double its_low[3], its_high[3];
+    if (!scene_check_parts_clean(c, path) || !scene_check_body_turn(c, path, turn) ||
+        !scene_check_body_box(c, path, low, high))
+        return;
+    scene_turn_box(turn, low, high, its_low, its_high);
+    if (scene_node_is_clean(c->root, "solid.bodies") && !holds_body(c, its_low, its_high, 0))
         scene_problem_at(c->problems, c->root, path.text, "no body reaches into this region");
 }
 
@@ -79,12 +84,24 @@ static void check_imposed(const struct scene_check *c, int i, const char *key, c
         }
 }
 
+/* Which pieces of an image are loose is found by voxels, in boxes along the axes. */
+static void check_image_turn(const struct scene_check *c, struct scene_path above, const struct scene_turn *turn) {
+    const struct scene_path path = scene_check_parts_path("%s.rotation", above.text);
+    const struct scene_solid *s = c->scene->solid;
+    for (int b = 0; b < s->bodies; b++)
+        if (turn->is_turned && s->body[b].shape == SCENE_IMAGE && scene_check_parts_clean(c, path)) {
+            scene_problem_at(c->problems, c->root, path.text, "cannot go with a body of shape image");
+            return;
+        }
+}
+
 static void check_constraint(const struct scene_check *c, int i) {
     const struct scene_constraint *k = &c->scene->solid->constraint[i];
     const struct scene_path above = scene_check_parts_path("solid.constraints[%d]", i),
                             path = scene_check_parts_path("%s.directions", above.text);
     const int in_plate = c->scene->dimension == 2 && scene_node_is_clean(c->root, "domain.size");
-    check_region(c, above, k->low, k->high);
+    check_region(c, above, k->low, k->high, &k->turn);
+    check_image_turn(c, above, &k->turn);
     check_time(c, above, &k->time);
     if (!scene_check_parts_clean(c, path)) return;
     int good = 1;
@@ -105,7 +122,7 @@ static void check_load(const struct scene_check *c, int i) {
                             edge = scene_check_parts_path("%s.edge", path.text);
     check_time(c, path, &k->time);
     if (k->kind == SCENE_LOAD_REGION) {
-        check_region(c, path, k->low, k->high);
+        check_region(c, path, k->low, k->high, &k->turn);
         return;
     }
     if (!scene_check_parts_clean(c, edge)) return;
@@ -185,10 +202,10 @@ static void check_refinement(const struct scene_check *c) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
                              "cannot go with solid.refinement, which divides the cells of a lattice");
     }
-    if (isfinite(r->low[0])) check_region(c, scene_check_parts_path("solid.refinement"), r->low, r->high);
+    if (isfinite(r->low[0])) check_region(c, scene_check_parts_path("solid.refinement"), r->low, r->high, &r->turn);
     for (int i = 0; i < r->starts; i++) {
         const struct scene_path path = scene_check_parts_path("solid.refinement.start[%d]", i);
-        check_region(c, path, r->start[i].low, r->start[i].high);
+        check_region(c, path, r->start[i].low, r->start[i].high, &r->start[i].turn);
         if (scene_check_parts_clean(c, path) && scene_node_is_clean(c->root, "solid.refinement.levels") &&
             r->start[i].level > r->levels)
             scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.level", path.text).text,
@@ -212,7 +229,7 @@ void scene_check_region(const struct scene_check *c) {
     for (int i = 0; i < s->constraints; i++) check_constraint(c, i);
     for (int i = 0; i < s->unbreakables; i++)
         check_region(c, scene_check_parts_path("solid.unbreakable[%d]", i), s->unbreakable[i].low,
-                     s->unbreakable[i].high);
+                     s->unbreakable[i].high, &s->unbreakable[i].turn);
     for (int i = 0; i < s->loads; i++) check_load(c, i);
     for (int i = 0; i < s->initials; i++) check_initial(c, i);
     check_refinement(c);

@@ -133,6 +133,7 @@ void scene_check_solid(const struct scene_check *c) {
     for (int b = 0; b < s->bodies; b++) scene_check_body(c, b);
     scene_check_region(c);
     check_element_free(c);
+    scene_check_interface(c);
     const int known = scene_node_is_clean(c->root, "domain.size") && scene_node_is_clean(c->root, "solid.spacing") &&
                       scene_node_is_clean(c->root, "solid.materials");
     for (int d = 0; d < 3; d++)

@@ -84,6 +84,24 @@ static const cyaml_schema_field_t corner_fields[] = {PAIR("at", NEEDED, scene_co
                                                      PAIR("centre", OPTIONAL, scene_corner, centre), CYAML_FIELD_END};
 static const cyaml_schema_value_t corner = {CYAML_VALUE_MAPPING(NEEDED, struct scene_corner, corner_fields)};
 
+/* The rotation of a box or a region of type; about one axis in a plate. */
+static const cyaml_schema_value_t direction = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
+#define TURN_FIELDS(name, type)                                                                                        \
+    static const cyaml_schema_field_t name[] = {                                                                       \
+        VECTOR("axis", OPTIONAL, type, turn.axis), NUMBER("angle", OPTIONAL, type, turn.angle),                        \
+        CYAML_FIELD_SEQUENCE_FIXED("axes", OPTIONAL, struct type, turn.axes, &direction, 2),                           \
+        VECTOR("about", OPTIONAL, type, turn.about), CYAML_FIELD_END}
+TURN_FIELDS(part_turn, scene_part);
+TURN_FIELDS(body_turn, scene_body);
+TURN_FIELDS(constraint_turn, scene_constraint);
+TURN_FIELDS(region_turn, scene_region);
+TURN_FIELDS(load_turn, scene_load);
+#define PLATE_TURN_FIELDS(name, type)                                                                                  \
+    static const cyaml_schema_field_t name[] = {NUMBER("angle", NEEDED, type, turn.angle),                             \
+                                                VECTOR("about", OPTIONAL, type, turn.about), CYAML_FIELD_END}
+PLATE_TURN_FIELDS(refined_turn, scene_refined);
+PLATE_TURN_FIELDS(refinement_turn, scene_refinement);
+
 static const cyaml_schema_value_t sphere = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 4)};
 
 static const cyaml_schema_field_t part_fields[] = {
@@ -95,6 +113,7 @@ static const cyaml_schema_field_t part_fields[] = {
     VECTOR("radii", OPTIONAL, scene_part, radii),
     NUMBER("length", OPTIONAL, scene_part, length),
     CHOICE("axis", OPTIONAL, scene_part, axis, scene_schema_parts_axes),
+    PART("rotation", OPTIONAL, scene_part, part_turn),
     ENTRIES("outline", LIST, scene_part, corner, corners, &corner, 1, LIST_MAX),
     TEXT("file", OPTIONAL, scene_part, file),
     ENTRIES("spheres", LIST, scene_part, sphere, spheres, &sphere, 1, LIST_MAX),
@@ -118,6 +137,7 @@ static const cyaml_schema_field_t body_fields[] = {
     VECTOR("radii", OPTIONAL, scene_body, radii),
     NUMBER("length", OPTIONAL, scene_body, length),
     CHOICE("axis", OPTIONAL, scene_body, axis, scene_schema_parts_axes),
+    PART("rotation", OPTIONAL, scene_body, body_turn),
     ENTRIES("outline", LIST, scene_body, corner, corners, &corner, 1, LIST_MAX),
     ENTRIES("pieces", LIST, scene_body, piece, pieces, &part, 1, LIST_MAX),
     ENTRIES("holes", LIST, scene_body, hole, holes, &part, 1, LIST_MAX),
@@ -144,6 +164,12 @@ static const cyaml_schema_field_t body_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t body = {CYAML_VALUE_MAPPING(NEEDED, struct scene_body, body_fields)};
 
+static const cyaml_schema_value_t name_of_body = {CYAML_VALUE_STRING(NEEDED, char[SCENE_NAME], 1, SCENE_NAME - 1)};
+static const cyaml_schema_field_t interface_fields[] = {
+    CYAML_FIELD_SEQUENCE_FIXED("between", NEEDED, struct scene_interface, between, &name_of_body, 2),
+    NUMBER("fracture_energy", NEEDED, scene_interface, fracture_energy), CYAML_FIELD_END};
+static const cyaml_schema_value_t interface = {CYAML_VALUE_MAPPING(NEEDED, struct scene_interface, interface_fields)};
+
 static const cyaml_schema_value_t triple = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
 static const cyaml_schema_value_t pair = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 2)};
 
@@ -156,6 +182,7 @@ static const cyaml_schema_value_t crack = {CYAML_VALUE_MAPPING(NEEDED, struct sc
 static const cyaml_schema_field_t constraint_fields[] = {
     VECTOR("low", NEEDED, scene_constraint, low),
     VECTOR("high", NEEDED, scene_constraint, high),
+    PART("rotation", OPTIONAL, scene_constraint, constraint_turn),
     TEXT("directions", OPTIONAL, scene_constraint, directions),
     VECTOR("velocity", OPTIONAL, scene_constraint, velocity),
     VECTOR("displacement", OPTIONAL, scene_constraint, displacement),
@@ -164,14 +191,16 @@ static const cyaml_schema_field_t constraint_fields[] = {
 static const cyaml_schema_value_t constraint = {
     CYAML_VALUE_MAPPING(NEEDED, struct scene_constraint, constraint_fields)};
 
-static const cyaml_schema_field_t region_fields[] = {VECTOR("low", NEEDED, scene_region, low),
-                                                     VECTOR("high", NEEDED, scene_region, high), CYAML_FIELD_END};
+static const cyaml_schema_field_t region_fields[] = {
+    VECTOR("low", NEEDED, scene_region, low), VECTOR("high", NEEDED, scene_region, high),
+    PART("rotation", OPTIONAL, scene_region, region_turn), CYAML_FIELD_END};
 static const cyaml_schema_value_t region = {CYAML_VALUE_MAPPING(NEEDED, struct scene_region, region_fields)};
 
 static const cyaml_schema_field_t edge_fields[] = {PAIR("from", NEEDED, scene_load, edge[0]),
                                                    PAIR("to", NEEDED, scene_load, edge[1]), CYAML_FIELD_END};
 static const cyaml_schema_field_t load_fields[] = {VECTOR("low", OPTIONAL, scene_load, low),
                                                    VECTOR("high", OPTIONAL, scene_load, high),
+                                                   PART("rotation", OPTIONAL, scene_load, load_turn),
                                                    VECTOR("force", OPTIONAL, scene_load, force),
                                                    PART("edge", OPTIONAL, scene_load, edge_fields),
                                                    VECTOR("traction", OPTIONAL, scene_load, traction),
@@ -191,6 +220,7 @@ static const cyaml_schema_value_t initial = {CYAML_VALUE_MAPPING(NEEDED, struct 
 
 static const cyaml_schema_field_t start_fields[] = {VECTOR("low", NEEDED, scene_refined, low),
                                                     VECTOR("high", NEEDED, scene_refined, high),
+                                                    PART("rotation", OPTIONAL, scene_refined, refined_turn),
                                                     WHOLE("level", NEEDED, scene_refined, level), CYAML_FIELD_END};
 static const cyaml_schema_value_t start = {CYAML_VALUE_MAPPING(NEEDED, struct scene_refined, start_fields)};
 
@@ -201,6 +231,7 @@ static const cyaml_schema_field_t refinement_fields[] = {
     NUMBER("from", OPTIONAL, scene_refinement, from),
     VECTOR("low", OPTIONAL, scene_refinement, low),
     VECTOR("high", OPTIONAL, scene_refinement, high),
+    PART("rotation", OPTIONAL, scene_refinement, refinement_turn),
     WHOLE("every", OPTIONAL, scene_refinement, every),
     CHOICE("horizon", OPTIONAL, scene_refinement, horizon_kept, refined_horizons),
     CHOICE("interface", OPTIONAL, scene_refinement, interface_corrected, refined_interfaces),
@@ -242,6 +273,7 @@ const cyaml_schema_field_t scene_schema_solid[] = {
     CHOICE("horizons", OPTIONAL, scene_solid, horizons, horizons),
     ENTRIES("materials", NEEDED, scene_solid, material, materials, &material, 1, PHYSICS_BODIES_MAX),
     ENTRIES("bodies", NEEDED, scene_solid, body, bodies, &body, 1, PHYSICS_BODIES_MAX),
+    ENTRIES("interfaces", LIST, scene_solid, interface, interfaces, &interface, 0, LIST_MAX),
     ENTRIES("cracks", LIST, scene_solid, crack, cracks, &crack, 0, LIST_MAX),
     ENTRIES("constraints", LIST, scene_solid, constraint, constraints, &constraint, 0, LIST_MAX),
     ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),

@@ -101,12 +101,13 @@ const char *scene_walk_place_entry_name(const cyaml_schema_value_t *entry) {
         return "true or false";
     case CYAML_SEQUENCE_FIXED:
         return "lists of numbers";
+    case CYAML_STRING:
+        return "names";
     case CYAML_MAPPING:
         return "mappings";
     case CYAML_UINT:
     case CYAML_ENUM:
     case CYAML_FLAGS:
-    case CYAML_STRING:
     case CYAML_BITFIELD:
     case CYAML_SEQUENCE:
     case CYAML_IGNORE:

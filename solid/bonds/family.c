@@ -101,10 +101,12 @@ void solid_family_break(struct solid *s, int h, int b) {
         if (l < s->n) solid_lattice_cut(t, l, t->stencil->n - 1 - o);
     } else {
         struct solid_list *t = f->list[s->body[h]];
-        const long j = t->start[h - t->first] + b, reverse = solid_list_reverse(t, h, j);
+        const long j = t->start[h - t->first] + b;
         l = solid_list_other(t, j);
+        struct solid_list *other = f->list[s->body[l]];
+        const long reverse = solid_list_reverse(t, other, h, j);
         solid_list_set(t, j, 0);
-        if (reverse >= 0) solid_list_set(t, reverse, 0);
+        if (reverse >= 0) solid_list_set(other, reverse, 0);
     }
     s->flag[h] |= SOLID_BROKEN;
     if (l < s->n) s->flag[l] |= SOLID_BROKEN;

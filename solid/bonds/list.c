@@ -12,11 +12,11 @@
 void solid_list_free(struct solid_list *list) {
     if (!list) return;
     solid_weight_table_free(list->law.table);
-    void *const own[] = {
-        list->start, list->end,    list->at,    list->step,       list->stiffness, list->large,       list->limit,
-        list->soft,  list->digit,  list->power, list->own_volume, list->other_key, list->other_local, list->particle,
-        list->w,     list->record, list->speed, list->key,        list->scaled,    list->damage,      list->counted,
-        list->kept,  list};
+    void *const own[] = {list->start,      list->end,       list->at,          list->step,     list->stiffness,
+                         list->large,      list->limit,     list->soft,        list->digit,    list->power,
+                         list->own_volume, list->other_key, list->other_local, list->particle, list->w,
+                         list->record,     list->speed,     list->key,         list->scaled,   list->damage,
+                         list->counted,    list->kept,      list->across,      list->side,     list};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -69,9 +69,19 @@ static void records_new(struct solid_list *list, const struct solid_cloud *cloud
     list->speed = solid_store_array((long)SOLID_LIST_SPEED * records, sizeof *list->speed);
     list->particle = solid_store_array(records, sizeof *list->particle);
     list->w = solid_store_array(records, sizeof *list->w);
-    for (int r = 0; r < records; r++)
-        list->particle[r] = solid_cloud_end(
-            cloud, r < list->n ? list->number + r : solid_key_id(list->other_key[r - list->n]) - list->first_id);
+    if (list->sides > 0) list->side = solid_store_array(list->others, 1);
+    for (int r = 0; r < records; r++) {
+        const long id = r < list->n ? list->number + r + list->first_id : solid_key_id(list->other_key[r - list->n]);
+        const struct solid_cloud *of = cloud;
+        for (int k = 0; k < list->sides; k++) {
+            const struct solid_cloud *other = list->across[k].cloud;
+            if (id < other->first || id >= other->first + other->n) continue;
+            list->side[r - list->n] = (uint8_t)(1 + k);
+            of = other;
+        }
+        list->particle[r] = solid_cloud_end(of, id - of->first);
+    }
+    for (int k = 0; k < list->sides; k++) list->across[k].cloud = NULL;
 }
 
 void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
@@ -160,14 +170,14 @@ void solid_list_swap(struct solid_list *list, uint8_t *intact) {
         }
 }
 
-long solid_list_reverse(const struct solid_list *list, int h, long j) {
-    const int i = solid_list_other(list, j) - list->first;
-    if (i < 0 || i >= list->n) return -1;
+long solid_list_reverse(const struct solid_list *list, const struct solid_list *other, int h, long j) {
+    const int i = solid_list_other(list, j) - other->first;
+    if (i < 0 || i >= other->n) return -1;
     double xi[3], back[3];
     solid_list_steps(list, j, xi);
-    for (long k = list->start[i]; k < list->end[i]; k++) {
-        if (solid_list_other(list, k) != h) continue;
-        solid_list_steps(list, k, back);
+    for (long k = other->start[i]; k < other->end[i]; k++) {
+        if (solid_list_other(other, k) != h) continue;
+        solid_list_steps(other, k, back);
         if (back[0] == -xi[0] && back[1] == -xi[1] && back[2] == -xi[2]) return k;
     }
     return -1;
@@ -176,8 +186,11 @@ long solid_list_reverse(const struct solid_list *list, int h, long j) {
 double solid_list_micromodulus(const struct solid_list *list, int h, long j) {
     double xi[3];
     solid_list_steps(list, j, xi);
-    return solid_pair_micromodulus(&list->law, xi, &list->particle[h - list->first],
-                                   &list->particle[solid_list_record(list, j)]);
+    const struct solid_across *across = solid_list_across(list, j);
+    const struct solid_end *here = &list->particle[h - list->first],
+                           *there = &list->particle[solid_list_record(list, j)];
+    return across ? solid_pair_across_micromodulus(&across->law, &across->other, xi, here, there)
+                  : solid_pair_micromodulus(&list->law, xi, here, there);
 }
 
 double solid_list_weight(const struct solid_list *list, int h, long j, double micromodulus) {
@@ -208,6 +221,14 @@ double solid_list_damage(struct solid_list *list, int h) {
 double solid_list_limit(const struct solid_list *list, int h, long j) {
     double xi[3];
     solid_list_steps(list, j, xi);
-    return solid_pair_limit(&list->law, xi, &list->particle[h - list->first],
-                            &list->particle[solid_list_record(list, j)]);
+    const struct solid_across *across = solid_list_across(list, j);
+    const struct solid_end *here = &list->particle[h - list->first],
+                           *there = &list->particle[solid_list_record(list, j)];
+    return across ? solid_pair_across(&across->law, &across->other, xi, here, there).limit
+                  : solid_pair_limit(&list->law, xi, here, there);
+}
+
+double solid_list_fracture_energy(const struct solid_list *list, long j) {
+    const struct solid_across *across = solid_list_across(list, j);
+    return across ? across->law.fracture_energy : list->law.fracture_energy;
 }

@@ -8,7 +8,7 @@
  * their order, then those of ghosts and periodic images. */
 #pragma once
 #include "base/vec.h"
-#include "solid/body/cloud.h"
+#include "solid/bonds/across.h"
 #include "solid/bonds/store.h"
 
 #include <math.h>
@@ -52,6 +52,9 @@ struct solid_list {
     double *w;                     /* [n + others] alpha = 2/(w_h + w_l) */
     double *record;                /* [n + others][width] */
     double *speed;                 /* [n + others][SOLID_LIST_SPEED] */
+    int sides;                     /* interfaces of the body */
+    struct solid_across *across;   /* [sides]; owned; NULL: none */
+    uint8_t *side;                 /* [others] 0: of this body, else 1 + the interface; NULL: no interfaces */
     long *key;                     /* [room] during the set-up: global id and image of the other end */
     uint8_t *scaled;               /* [n] SOLID_LIST_SCALED: the family was copied in a renewal, and its stiffness
                                     * contains alpha */
@@ -61,7 +64,9 @@ struct solid_list {
 /* The set-up has four steps: find the families of the owned ids; list the ids of others that they need; link both to
  * local particles; compute the surface correction, once V_h of all is known. The cloud is borrowed until the last step.
  * Not collective. */
-struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, long from, long to, int first);
+/* across [sides]: the interfaces of the body, owned by the list from then on; NULL: none. */
+struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, struct solid_across *across, int sides,
+                                       long from, long to, int first);
 long solid_list_wanted(const struct solid_list *list, long from, long to, long *id);
 void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud, const struct solid_numbering *numbering);
 /* V_h of the owned particles, m3.  (001: eq. 3.44) */
@@ -83,8 +88,9 @@ int solid_list_longest(const struct solid_list *list);
 long solid_list_intact(const struct solid_list *list); /* number of directed bonds */
 /* Exchanges lambda of all bonds with the values in intact [room]. */
 void solid_list_swap(struct solid_list *list, uint8_t *intact);
-/* The bond of the other end that is opposite to bond j of particle h, or -1 if the other end is not owned here. */
-long solid_list_reverse(const struct solid_list *list, int h, long j);
+/* The bond of the other end that is opposite to bond j of particle h, in the list of the other end's body, or -1 if
+ * that end is not owned here. */
+long solid_list_reverse(const struct solid_list *list, const struct solid_list *other, int h, long j);
 
 /* Local index of the particle of a record. */
 static inline int solid_list_local(const struct solid_list *list, int record) {
@@ -142,6 +148,12 @@ static inline void solid_list_xi(const struct solid_list *list, long j, double x
     for (int c = 0; c < 3; c++) xi[c] *= list->spacing;
 }
 
+/* The interface that bond j crosses, or NULL. */
+static inline const struct solid_across *solid_list_across(const struct solid_list *list, long j) {
+    const int other = list->side ? solid_list_record(list, j) - list->n : -1;
+    return other < 0 || !list->side[other] ? NULL : &list->across[list->side[other] - 1];
+}
+
 /* Surface correction of bond j of particle h. */
 static inline double solid_list_alpha(const struct solid_list *list, int h, long j) {
     return 2 / (list->w[h - list->first] + list->w[solid_list_record(list, j)]);
@@ -152,8 +164,9 @@ double solid_list_micromodulus(const struct solid_list *list, int h, long j);
 double solid_list_weight(const struct solid_list *list, int h, long j, double micromodulus);
 /* 1 - sum(lambda Gamma V)/sum(Gamma V) of particle h. */
 double solid_list_damage(struct solid_list *list, int h);
-/* eps at which the bond breaks. */
+/* eps at which the bond breaks; and the energy per area that a crack takes there, J/m2. */
 double solid_list_limit(const struct solid_list *list, int h, long j);
+double solid_list_fracture_energy(const struct solid_list *list, long j);
 
 /* Room for a plate's sums of the i-th family (solid/force/sweep_family.h). 1.5 2^L, 2^L at least the number of bonds:
  * the shift in powers of two above all components, halved. */

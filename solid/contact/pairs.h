@@ -1,5 +1,6 @@
 /* The loop over the listed pairs that touch now. For solid/ only. */
 #pragma once
+#include "solid/bonds/across.h"
 #include "solid/contact/list.h"
 
 #include <math.h>
@@ -68,10 +69,10 @@ static inline double solid_contact_pairs_start(const struct solid_contact_pairs 
 /* A pair that touches. */
 struct solid_contact_touch {
     int h, l;
-    double x[3], r;         /* X_h - X_l, m; its length, at least 1e-6 r_c to avoid a division by 0 */
-    double radius;          /* r_c of the pair, m; of two particles of one body at most their distance at the start:
-                             * then a bond that breaks, which is longer, creates no energy of contact */
-    double k;               /* k_c, N/m6 */
+    double x[3], r; /* X_h - X_l, m; its length, at least 1e-6 r_c to avoid a division by 0 */
+    double radius; /* r_c of the pair, m; of two particles of one body, or of bonded ones, at most their distance at the
+                    * start: then a bond that breaks, which is longer, creates no energy of contact */
+    double k;      /* k_c, N/m6 */
     double volume, density; /* of the other end, m3, kg/m3 */
 };
 
@@ -86,7 +87,8 @@ static inline struct solid_contact_touch solid_contact_pairs_touch_of(const stru
     t.volume = solid_contact_pairs_other_volume(s, c, kind, t.l);
     t.density = c->density[body];
     t.radius = c->radius;
-    if (c->begins_near && s->body[t.h] == body) t.radius = fmin(t.radius, solid_contact_pairs_start(p, k));
+    if (c->begins_near && (s->body[t.h] == body || solid_across_joins(&s->in, s->body[t.h], body)))
+        t.radius = fmin(t.radius, solid_contact_pairs_start(p, k));
     if (s->refine) /* r_c of the smaller cell */
         t.radius *= fmin(sqrt(fmin(t.volume, s->volume[t.h]) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
     return t;

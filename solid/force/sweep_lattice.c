@@ -87,14 +87,18 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const double stretch = eps / (1 + sqrt(1 + eps)),
                  alpha = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, far));
     const double volume = lattice->stencil->spacing * lattice->stencil->spacing * lattice->stencil->spacing;
+    const double s0 = lattice->law.eps_limit / (1 + sqrt(1 + lattice->law.eps_limit));
     const double energy = 0.25 * lattice->law.c0 * alpha * stretch * stretch * t->length * t->weight * volume;
+    const double area = energy * (s0 * s0 / (stretch * stretch)) / lattice->law.fracture_energy;
     solid_lattice_cut(lattice, h, o);
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;
+    s->crack_area += area;
     if (!home) return 1;
     solid_lattice_cut(lattice, l, lattice->stencil->n - 1 - o);
     s->flag[l] |= SOLID_BROKEN;
     s->e_fracture += energy;
+    s->crack_area += area;
     return 2;
 }
 

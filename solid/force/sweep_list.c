@@ -80,7 +80,9 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
         const double length = solid_list_steps(list, j, xi);
         for (int c = 0; c < list->dim; c++) eta[c] = there[c] - here[c];
         const double eps = bond_eps(xi, eta, list->dim);
-        if (!(eps > list->limit[i]) || !(eps > solid_list_limit(list, h, j))) continue;
+        if (!(eps > list->limit[i])) continue;
+        const double limit = solid_list_limit(list, h, j);
+        if (!(eps > limit)) continue;
         broken++;
         if (list->soft) {
             solid_soft_add(s, h, j, list->law.s0);
@@ -89,6 +91,9 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
         const double stretch = eps / (1 + sqrt(1 + eps));
         s->e_fracture += 0.25 * list->law.density * list->stiffness[j] * length * stretch * stretch *
                          (length * list->spacing) * s->volume[h];
+        const double s0 = limit / (1 + sqrt(1 + limit));
+        s->crack_area += 0.25 * list->law.density * list->stiffness[j] * length * s0 * s0 * (length * list->spacing) *
+                         s->volume[h] / solid_list_fracture_energy(list, j);
         solid_list_set(list, j, 0);
     }
     if (broken && !list->soft) {

@@ -94,6 +94,10 @@ static double push(const struct solid *s, const struct solid_soft_bond *bond, co
     return power;
 }
 
+static double fracture_energy_of(const struct solid *s, int h) {
+    return s->in.material[s->in.body[s->body[h]].material].fracture_energy;
+}
+
 double solid_sweep_soft(struct solid *s, const struct solid_sweep *sweep) {
     struct solid_soft *soft = s->soft;
     double power = 0;
@@ -113,6 +117,7 @@ double solid_sweep_soft(struct solid *s, const struct solid_sweep *sweep) {
             const double share =
                 sweep->may_break ? bring_up(s, &bond, e.stretch, s_e, s_c) : solid_softening_share(s_e, s_c, bond.most);
             if (share == 0) {
+                s->crack_area += energy_of(s, &bond, s_e * s_c) / fracture_energy_of(s, h);
                 solid_soft_break(s, &bond);
                 continue;
             }

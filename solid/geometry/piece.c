@@ -1,17 +1,27 @@
 /* Depth below a ball, the side of a cylinder or a pair of planes, and the normal there. */
 #include "solid/geometry/piece.h"
+#include "solid/geometry/turn.h"
 
 #include <math.h>
 #include <string.h>
 
 static double round_depth(const struct solid_piece *p, const double x[3], double normal[3]) {
-    double r2 = 0;
+    double r2 = 0, v[3];
+    for (int c = 0; c < 3; c++) v[c] = x[c] - p->centre[c];
+    if (p->turn) {
+        const double from[3] = {v[0], v[1], v[2]};
+        solid_turn_into(p->turn, from, v);
+    }
     for (int c = 0; c < 3; c++) {
-        normal[c] = p->mask[c] ? x[c] - p->centre[c] : 0;
+        normal[c] = p->mask[c] ? v[c] : 0;
         r2 += normal[c] * normal[c];
     }
     const double length = sqrt(r2);
     for (int c = 0; c < 3; c++) normal[c] *= length > 0 ? p->inside / length : 0;
+    if (p->turn) {
+        const double own[3] = {normal[0], normal[1], normal[2]};
+        solid_turn_out(p->turn, own, normal);
+    }
     return p->inside * (p->radius - length);
 }
 
@@ -29,4 +39,11 @@ struct solid_piece solid_piece_round(int mask, int inside, const double centre[3
                             .radius = radius};
     memcpy(p.centre, centre, sizeof p.centre);
     return p;
+}
+
+void solid_piece_turn(struct solid_piece *piece, const struct solid_turn *turn) {
+    if (!turn->is_turned) return;
+    const double centre[3] = {piece->centre[0], piece->centre[1], piece->centre[2]};
+    solid_turn_place_out(turn, centre, piece->centre);
+    piece->turn = turn;
 }

@@ -15,8 +15,12 @@ struct solid_piece {
     int inside;               /* +1: the material is inside the radius, -1: outside */
     double centre[3], radius; /* m */
     double radii[3];          /* of an ellipsoid, m */
+    /* directions of the mask and the radii: NULL: x, y, z, else the edges; borrowed from the body */
+    const struct solid_turn *turn;
 };
 
 /* The points whose distance from centre is radius, in the directions of the mask alone (bit c: direction c). Three
  * directions: a ball or a cavity; two: the side of a cylinder; one: a pair of planes. Not collective. */
 struct solid_piece solid_piece_round(int mask, int inside, const double centre[3], double radius);
+/* Turns a piece of an unturned body with the body. */
+void solid_piece_turn(struct solid_piece *piece, const struct solid_turn *turn);

@@ -21,6 +21,7 @@ static void entry(const struct solid_body *body, long k, struct solid_body *one)
     memcpy(one->centre, of, sizeof one->centre);
     memcpy(one->radii, of + 3, sizeof one->radii);
     one->radius = of[3];
+    one->turn = (struct solid_turn){0};
 }
 
 const struct solid_shape_kind solid_shape_spheres = {

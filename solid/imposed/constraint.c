@@ -4,24 +4,29 @@
 #include "base/par.h"
 #include "solid/body/sites_image.h"
 #include "solid/geometry/on_surface.h"
+#include "solid/geometry/turn.h"
 #include "solid/imposed/time.h"
 #include "solid/voxels/voxels.h"
 
 #include <math.h>
 
-static double depth_of(const struct solid *s, int h, const double low[3], const double high[3]) {
-    double x[3];
+static double depth_of(const struct solid *s, int h, const double low[3], const double high[3],
+                       const struct solid_turn *turn) {
+    double x[3] = {0}, own[3];
     for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h];
-    return solid_on_surface_depth(x, low, high, s->dim);
+    solid_turn_place_into(turn, x, own);
+    return solid_on_surface_depth(own, low, high, s->dim);
 }
 
-int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3]) {
-    return solid_on_surface_is_inside(depth_of(s, h, low, high), s->in.spacing);
+int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3],
+                            const struct solid_turn *turn) {
+    return solid_on_surface_is_inside(depth_of(s, h, low, high, turn), s->in.spacing);
 }
 
-long solid_constraint_on_border(const struct solid *s, const double low[3], const double high[3]) {
+long solid_constraint_on_border(const struct solid *s, const double low[3], const double high[3],
+                                const struct solid_turn *turn) {
     long on = 0;
-    for (int h = 0; h < s->n; h++) on += solid_on_surface_is_on(depth_of(s, h, low, high), s->in.spacing);
+    for (int h = 0; h < s->n; h++) on += solid_on_surface_is_on(depth_of(s, h, low, high, turn), s->in.spacing);
     return par_sum_long(on);
 }
 
@@ -42,7 +47,7 @@ void solid_constraint_velocity(struct solid *s, double t, double dt) {
             const double velocity = velocity_of(k, c, t, dt);
             double *v = s->v[c];
             for (int h = 0; k->direction[c] && h < s->n; h++) {
-                if (!is_held(s, h, c) || !solid_constraint_inside(s, h, k->low, k->high)) continue;
+                if (!is_held(s, h, c) || !solid_constraint_inside(s, h, k->low, k->high, &k->turn)) continue;
                 const double mass = solid_density(s, h) * s->volume[h];
                 s->e_constraint += 0.5 * mass * (velocity + v[h]) * (velocity - v[h]);
                 v[h] = velocity;
@@ -63,7 +68,7 @@ void solid_constraint_displacement(struct solid *s, double t) {
         const double factor = solid_time_factor(&k->time, t);
         for (int c = 0; c < s->dim; c++)
             for (int h = 0; k->has_displacement && k->direction[c] && h < s->n; h++)
-                if (is_held(s, h, c) && solid_constraint_inside(s, h, k->low, k->high))
+                if (is_held(s, h, c) && solid_constraint_inside(s, h, k->low, k->high, &k->turn))
                     s->d[c][h] = k->displacement[c] * factor;
     }
 }
@@ -72,20 +77,22 @@ void solid_constraint_flags(struct solid *s) {
     for (int q = 0; q < s->in.constraints; q++) {
         const struct solid_constraint *k = &s->in.constraint[q];
         for (int h = 0; h < s->n; h++)
-            if (solid_constraint_inside(s, h, k->low, k->high))
+            if (solid_constraint_inside(s, h, k->low, k->high, &k->turn))
                 for (int c = 0; c < s->dim; c++)
                     if (k->direction[c]) s->flag[h] |= (uint8_t)(SOLID_HELD_X << c);
     }
     for (int q = 0; q < s->in.unbreakables; q++)
         for (int h = 0; h < s->n; h++)
-            if (solid_constraint_inside(s, h, s->in.unbreakable[q].low, s->in.unbreakable[q].high))
+            if (solid_constraint_inside(s, h, s->in.unbreakable[q].low, s->in.unbreakable[q].high,
+                                        &s->in.unbreakable[q].turn))
                 s->flag[h] |= SOLID_UNBREAKABLE;
 }
 
 /* Dies if no particle of any rank is in the region of the scene's key. */
-static void region_check(const struct solid *s, const char *key, int k, const double low[3], const double high[3]) {
+static void region_check(const struct solid *s, const char *key, int k, const double low[3], const double high[3],
+                         const struct solid_turn *turn) {
     long inside = 0;
-    for (int h = 0; h < s->n; h++) inside += solid_constraint_inside(s, h, low, high);
+    for (int h = 0; h < s->n; h++) inside += solid_constraint_inside(s, h, low, high, turn);
     if (par_sum_long(inside) == 0)
         die_all(EXIT_CODE_SCENE, "solid.%s[%d]: no particle stands between low and high; they are %g m apart", key, k,
                 s->in.spacing);
@@ -93,11 +100,13 @@ static void region_check(const struct solid *s, const char *key, int k, const do
 
 void solid_constraint_check(const struct solid *s) {
     for (int k = 0; k < s->in.constraints; k++)
-        region_check(s, "constraints", k, s->in.constraint[k].low, s->in.constraint[k].high);
+        region_check(s, "constraints", k, s->in.constraint[k].low, s->in.constraint[k].high, &s->in.constraint[k].turn);
     for (int k = 0; k < s->in.unbreakables; k++)
-        region_check(s, "unbreakable", k, s->in.unbreakable[k].low, s->in.unbreakable[k].high);
+        region_check(s, "unbreakable", k, s->in.unbreakable[k].low, s->in.unbreakable[k].high,
+                     &s->in.unbreakable[k].turn);
     for (int k = 0; k < s->in.loads; k++)
-        if (s->in.load[k].kind == SOLID_LOAD_REGION) region_check(s, "loads", k, s->in.load[k].low, s->in.load[k].high);
+        if (s->in.load[k].kind == SOLID_LOAD_REGION)
+            region_check(s, "loads", k, s->in.load[k].low, s->in.load[k].high, &s->in.load[k].turn);
 }
 
 /* Holds the particles in voxels that an image holds. */

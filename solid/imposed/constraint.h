@@ -18,7 +18,9 @@ int solid_constraint_varies(const struct solid *s);
 /* Sets a = 0 where the velocity is imposed; power_constraint is the power of the reaction. Returns the sum of the
  * squared reactions, N2. Not collective. */
 double solid_constraint_apply(struct solid *s);
-/* Number of particles on the border of the box; they count as inside. Collective. */
-long solid_constraint_on_border(const struct solid *s, const double low[3], const double high[3]);
-/* Whether X0 of particle h is in the box or on its border (solid/geometry/on_surface.h). */
-int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3]);
+/* Number of particles on the border of the turned box; they count as inside. Collective. */
+long solid_constraint_on_border(const struct solid *s, const double low[3], const double high[3],
+                                const struct solid_turn *turn);
+/* Whether X0 of particle h is in the turned box or on its border (solid/geometry/on_surface.h). */
+int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3],
+                            const struct solid_turn *turn);

@@ -43,7 +43,7 @@ static void share_new(const struct solid *s, struct share *p, double *const forc
 
 static void of_region(const struct solid *s, const struct solid_load *load, double *const force[3]) {
     for (int h = 0; h < s->n; h++)
-        if (solid_constraint_inside(s, h, load->low, load->high))
+        if (solid_constraint_inside(s, h, load->low, load->high, &load->turn))
             for (int c = 0; c < s->dim; c++) force[c][h] = load->force[c];
 }
 

@@ -57,7 +57,7 @@ static void list_make(struct solid *s) {
         for (int c = 0; c < 3; c++) r->of[i][c] = -1;
         for (int q = 0; q < s->in.constraints; q++) {
             const struct solid_constraint *k = &s->in.constraint[q];
-            if (!solid_constraint_inside(s, h, k->low, k->high)) continue;
+            if (!solid_constraint_inside(s, h, k->low, k->high, &k->turn)) continue;
             for (int c = 0; c < s->dim; c++)
                 if (k->direction[c]) r->of[i][c] = q;
         }
@@ -127,7 +127,9 @@ void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction) {
         for (int c = 0; c < s->dim; c++) sum[q][FORCE + c] = r->impulse[q][c];
         for (int i = 0; i < r->held; i++) {
             const int h = r->h[i];
-            if (!solid_constraint_inside(s, h, s->in.constraint[q].low, s->in.constraint[q].high)) continue;
+            if (!solid_constraint_inside(s, h, s->in.constraint[q].low, s->in.constraint[q].high,
+                                         &s->in.constraint[q].turn))
+                continue;
             sum[q][PARTICLES]++;
             sum[q][VOLUME] += s->volume[h];
             for (int c = 0; c < s->dim; c++) sum[q][DISPLACEMENT + c] += s->volume[h] * s->d[c][h];

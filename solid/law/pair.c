@@ -26,6 +26,7 @@ struct solid_bond_law solid_pair_law(const struct solid_input *in, const struct 
                                    .s0 = soft.s_c > 0 ? soft.s_e : k.s0,
                                    .s_c = soft.s_c,
                                    .density = m->density,
+                                   .fracture_energy = m->fracture_energy,
                                    .columns = COLUMNS};
 }
 
@@ -112,18 +113,38 @@ static double limit_of(struct half a, struct half b) {
     return eps_of(sqrt(energy / (a.stiffness + b.stiffness)));
 }
 
-struct solid_pair solid_pair_of(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
-                                const struct solid_end *l) {
+struct solid_pair solid_pair_across(const struct solid_bond_law *law, const struct solid_bond_law *other,
+                                    const double *xi, const struct solid_end *h, const struct solid_end *l) {
     const struct half here = half_of(law, xi, h->horizon, l->size);
     switch (law->horizons) {
     case SOLID_ONE_SIDED:
         return (struct solid_pair){here.stiffness, eps_of(sqrt(here.stretch2)), here.gamma};
     case SOLID_DUAL_HORIZON: {
-        const struct half there = half_of(law, xi, l->horizon, h->size);
+        const struct half there = half_of(other, xi, l->horizon, h->size);
         return (struct solid_pair){0.5 * (here.stiffness + there.stiffness), limit_of(here, there), here.gamma};
     }
     }
     ENSURE(0, "horizons %d", (int)law->horizons);
+}
+
+struct solid_pair solid_pair_of(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
+                                const struct solid_end *l) {
+    return solid_pair_across(law, law, xi, h, l);
+}
+
+int solid_pair_across_exists(const struct solid_bond_law *law, const struct solid_bond_law *other, const double *xi,
+                             const struct solid_end *h, const struct solid_end *l) {
+    return solid_pair_holds(law, xi, h->horizon, l->size) || solid_pair_holds(other, xi, l->horizon, h->size);
+}
+
+double solid_pair_across_micromodulus(const struct solid_bond_law *law, const struct solid_bond_law *other,
+                                      const double *xi, const struct solid_end *h, const struct solid_end *l) {
+    const double xi2 = square(law, xi);
+    const int here = solid_pair_holds(law, xi, h->horizon, l->size),
+              there = solid_pair_holds(other, xi, l->horizon, h->size);
+    const double a = here ? micromodulus(law, xi2, h->horizon) : 0,
+                 b = there ? micromodulus(other, xi2, l->horizon) : 0;
+    return here && there ? 0.5 * (a + b) : a + b;
 }
 
 double solid_pair_limit(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,

@@ -31,6 +31,7 @@ struct solid_bond_law {
     double c, s0;                     /* at this horizon: c0 or c1 in N/m6; critical stretch, s_e of a bilinear law */
     double s_c;                       /* of a bilinear law; 0: brittle */
     double density;                   /* kg/m3 */
+    double fracture_energy;           /* J/m2 */
     int columns;                      /* of the quadrature of partial volumes in 3D */
     struct solid_weight_table *table; /* table of earlier partial volumes; borrowed */
 };
@@ -59,6 +60,13 @@ double solid_pair_limit(const struct solid_bond_law *law, const double *xi, cons
 /* The mean micromodulus of the existing halves, N/m6: K = c Gamma, with the Gamma that damage and energies use. */
 double solid_pair_micromodulus(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
                                const struct solid_end *l);
+/* The same of a bond between bodies with two laws: `law` of h, `other` of l. The half of each end follows its own. */
+int solid_pair_across_exists(const struct solid_bond_law *law, const struct solid_bond_law *other, const double *xi,
+                             const struct solid_end *h, const struct solid_end *l);
+struct solid_pair solid_pair_across(const struct solid_bond_law *law, const struct solid_bond_law *other,
+                                    const double *xi, const struct solid_end *h, const struct solid_end *l);
+double solid_pair_across_micromodulus(const struct solid_bond_law *law, const struct solid_bond_law *other,
+                                      const double *xi, const struct solid_end *h, const struct solid_end *l);
 /* V0: the volume of a complete family inside a body of particles of one size, spacings^dim. The size is rounded to the
  * nearest of 1, 1/2, 1/4 and so on. */
 double solid_pair_full_volume(const struct solid_bond_law *law, double horizon, double size);

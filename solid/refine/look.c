@@ -118,7 +118,7 @@ long solid_refine_look(struct solid *s) {
     look_make_room(s);
     uint8_t *mark = s->refine->mark;
     double *energy = s->refine->energy, most = 0;
-    for (int h = 0; h < s->n; h++) mark[h] = (uint8_t)solid_constraint_inside(s, h, in->low, in->high);
+    for (int h = 0; h < s->n; h++) mark[h] = (uint8_t)solid_constraint_inside(s, h, in->low, in->high, &in->turn);
     if (in->energy > 0) most = energy_where(s, mark, in->energy, energy);
     for (int h = 0; h < s->n; h++) {
         if (!mark[h]) continue;

@@ -7,6 +7,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
 #include "solid/geometry/on_surface.h"
+#include "solid/geometry/turn.h"
 #include "solid/geometry/shape.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
@@ -172,10 +173,11 @@ static void start_region(struct solid_refine_plan *p, const struct solid_refined
     for (int level = 0; level < region->level; level++) {
         long n = 0, *marked = memory_new(MEMORY_SOLID, (size_t)p->n + 1, sizeof *marked);
         for (long i = 0; i < p->n; i++) {
-            double x[2];
+            double x[3] = {0}, own[3];
             for (int c = 0; c < 2; c++)
                 x[c] = cloud->origin[c] + (double)p->at[i][c] / SOLID_REFINE_UNIT * cloud->spacing;
-            const double depth = solid_on_surface_depth(x, region->low, region->high, 2);
+            solid_turn_place_into(&region->turn, x, own);
+            const double depth = solid_on_surface_depth(own, region->low, region->high, 2);
             if (p->level[i] == level && solid_on_surface_is_inside(depth, cloud->spacing)) marked[n++] = i;
         }
         solid_refine_plan_close(p, marked, n, 0);

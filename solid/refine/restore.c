@@ -95,7 +95,7 @@ static void lists_new(struct solid *s) {
     const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
     for (int b = 0; b < f->bodies; b++) {
         solid_list_free(f->list[b]);
-        f->list[b] = solid_list_find_new(f->cloud[b], from, to, f->first[b]);
+        f->list[b] = solid_list_find_new(f->cloud[b], NULL, 0, from, to, f->first[b]);
         f->first[b + 1] = f->first[b] + f->list[b]->n;
     }
     solid_refine_apply_room(s, (int)(to - from));

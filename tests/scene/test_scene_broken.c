@@ -235,7 +235,7 @@ static const struct sample_broken table[] = {
      "it.yaml:9: solid.bodies[0].cavities: only with shape box, sphere, cylinder, ellipsoid or spheres, here it is points"},
     {"plate", "- {shape: rectangle, low: [0.085, 0]", "- {shape: rectangle, arrangement: {kind: perturbed}, low: [0.085, 0]",
      "it.yaml:27: solid.bodies[0].pieces[0].arrangement: unknown key; known here: shape, low, high, centre, radius, radii, "
-     "length, axis, outline, file, spheres"},
+     "length, axis, rotation, outline, file, spheres"},
     {"plate", "file: areas.txt", "file: areas.txt, arrangement: {kind: perturbed, perturbation: 0.2}",
      "it.yaml:33: solid.bodies[3].arrangement.kind = perturbed: cannot go with solid.refinement, which divides the cells of "
      "a lattice"},

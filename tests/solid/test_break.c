@@ -106,7 +106,7 @@ static void test_symmetric_at_the_limit(void **state) {
 static void test_unbreakable(void **state) {
     (void)state;
     static struct solid_family_view view;
-    const struct solid_region low = {{-1, -1, -1}, {1, 4 * SPACING, 1}};
+    const struct solid_region low = {.low = {-1, -1, -1}, .high = {1, 4 * SPACING, 1}};
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){
             .sites = {9, 10, 8}, .list = list, .fracture_energy = 0.05, .unbreakables = 1, .unbreakable = &low});

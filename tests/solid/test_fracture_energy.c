@@ -91,11 +91,69 @@ static void test_released(void **state) {
     }
 }
 
+/* crack_area of planes along [100], [110] and [111], in both stores: the plane's area times what the bonds across it
+ * hold over G0. Every second layer, half a period thick, is moved along itself, which breaks all bonds across its two
+ * faces. A plane that is cut from the start has no part in it. */
+static void test_area(void **state) {
+    (void)state;
+    enum { N = 14 };
+    static struct solid_family_view view;
+    static const int normal[3][3] = {{0, 0, 1}, {1, 1, 0}, {1, 1, 1}};
+    static const double expected[3] = {1.0131175, 1.02871, 1.03336};
+    for (int way = 0; way < 3; way++)
+        for (int list = 0; list < 2; list++) {
+            struct solid *s = make((struct make){.sites = {N, N, N},
+                                                 .periodic = {1, 1, 1},
+                                                 .list = list,
+                                                 .uncorrected = 1,
+                                                 .fracture_energy = FRACTURE_ENERGY});
+            const int *e = normal[way];
+            const double c0 = solid_material_micromodulus(s->in.material, SPACING),
+                         s0 = solid_material_critical_stretch(s->in.material, SPACING),
+                         steep = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+            double held = 0;
+            for (int h = 0; h < s->n; h++) {
+                int layer = 0;
+                for (int c = 0; c < 3; c++) layer += e[c] * (int)floor(s->x0[c][h] / SPACING);
+                s->d[0][h] = layer % N < N / 2 ? 10 * SPACING : 0;
+                s->d[1][h] = way == 0 || layer % N >= N / 2 ? 0 : -10 * SPACING;
+            }
+            solid_ghosts_update(s);
+            if (s->n > 0) {
+                solid_family_view(s, 0, &view);
+                for (int b = 0; b < view.n; b++) {
+                    const double *xi = view.xi[b];
+                    const double along = (xi[0] * e[0] + xi[1] * e[1] + xi[2] * e[2]) / steep;
+                    if (along > 0) held += 0.5 * c0 * s0 * s0 * length_of(xi) * view.weight[b] * along;
+                }
+            }
+            held = par_max(held) / FRACTURE_ENERGY;
+            solid_force(s, 1);
+            const double side = N * SPACING, area = par_sum(s->crack_area) / (2 * steep * side * side);
+            print_message("[%d%d%d]: crack_area over the plane's area %.7f\n", e[0], e[1], e[2], area);
+            check_close(area / held, 1, 1e-12);
+            check_close(area, expected[way], way == 0 ? 2e-6 : 2e-5);
+            check_above(par_sum(s->e_fracture), FRACTURE_ENERGY * par_sum(s->crack_area));
+            solid_free(s);
+        }
+    const double a = SITES * SPACING, x[2] = {-a, 2 * a};
+    const double point[4][3] = {{x[0], x[0], a}, {x[1], x[0], a}, {x[1], x[1], a}, {x[0], x[1], a}};
+    const struct solid_cut cut = {4, point};
+    struct solid *s = make(
+        (struct make){.sites = {SITES, SITES, 2 * SITES}, .fracture_energy = FRACTURE_ENERGY, .cuts = 1, .cut = &cut});
+    solid_force(s, 1);
+    solid_family_count(s);
+    check_above(s->bonds_broken, 0);
+    check_equal(par_sum(s->crack_area), 0);
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bonds_across_a_plane),
         cmocka_unit_test(test_released),
+        cmocka_unit_test(test_area),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

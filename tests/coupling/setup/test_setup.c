@@ -171,6 +171,58 @@ static void test_bounds(void **state) {
     scene_free(s);
 }
 
+/* Turned shapes: the bounds of both, the same; edges from axis and angle or from two directions; the centre stays where
+ * no point is given. Turned by a right angle a box is the box with its sides exchanged, to the bit. */
+static void test_turned(void **state) {
+    (void)state;
+    const char *const set[] = {
+        "solid.bodies[0]={name: block, material: glass, shape: box, low: [0.0078125, 0, 0.00390625], "
+        "high: [0.015625, 0.015625, 0.01171875], "
+        "rotation: {axis: [0, 0, -2], angle: 270}}",
+        "solid.bodies.ball={name: egg, material: glass, shape: ellipsoid, centre: [0.03, 0.01, 0.01], radii: [0.004, "
+        "0.003, 0.005], rotation: {axis: [1, 2, 3], angle: 40, about: [0.02, 0.01, 0.01]}}",
+        "solid.bodies.rod={name: rod, material: glass, shape: cylinder, centre: [0.01, 0.01, 0.01], radius: 0.002, "
+        "length: 0.01, axis: x, rotation: {axes: [[1, 1, 1], [-1, 1, 0]]}}",
+        "solid.constraints[0].high=[0.04, 0.01, 0.02]", "solid.unbreakable[0].high=[0.04, 0.01, 0.02]"};
+    struct scene *s = scene_new(SCENES "coupled.yaml", 5, set);
+    struct solid_input *in = setup_solid(s);
+    double low[3], high[3];
+    for (int b = 0; b < 3; b++) {
+        double low2[3], high2[3];
+        assert_true(in->body[b].turn.is_turned);
+        assert_true(scene_check_body_bounds(&s->solid->body[b], low, high));
+        solid_shape_of(&in->body[b])->bounds(&in->body[b], low2, high2);
+        for (int c = 0; c < 3; c++) {
+            check_close(low[c], low2[c], 1e-15);
+            check_close(high[c], high2[c], 1e-15);
+        }
+    }
+    scene_check_body_bounds(&s->solid->body[0], low, high);
+    check_equal(low[0], 0.01171875 - 0.0078125);
+    check_equal(high[0], 0.01171875 + 0.0078125);
+    check_equal(low[1], 0.0078125 - 0.00390625);
+    check_equal(high[1], 0.0078125 + 0.00390625);
+    check_equal(high[2], 0.01171875);
+    check_equal(in->body[0].turn.edge[0][1], 1);
+    for (int c = 0; c < 3; c++) check_close(in->body[2].turn.edge[0][c], 1 / sqrt(3), 1e-15);
+    check_close(in->body[2].turn.edge[2][2], 2 / sqrt(6), 1e-15);
+    check_equal(in->body[1].turn.about[0], 0.02);
+    check_equal(in->body[2].turn.about[1], 0.01);
+    setup_solid_free(in);
+    scene_free(s);
+    const char *const plate[] = {"solid.bodies.grains={name: g, material: glass, shape: rectangle, low: [0.01, 0.01], "
+                                 "high: [0.02, 0.03], rotation: {angle: 90, about: [0.01, 0.01]}}",
+                                 "solid.constraints[0].rotation={angle: 30}"};
+    s = scene_new(SCENES "plate.yaml", 2, plate);
+    in = setup_solid(s);
+    check_equal(in->body[3].outline[0].corner[1][0], 0.01);
+    check_equal(in->body[3].outline[0].corner[1][1], 0.02);
+    check_close(in->constraint[0].turn.edge[0][1], 0.5, 1e-15);
+    check_equal(in->constraint[0].turn.about[0], (in->constraint[0].low[0] + in->constraint[0].high[0]) / 2);
+    setup_solid_free(in);
+    scene_free(s);
+}
+
 /* Pieces and holes of a body in 3D, and lists from files; the bounds are those of the body with its pieces. */
 static void test_parts(void **state) {
     (void)state;
@@ -330,8 +382,8 @@ int main(int argc, char **argv) {
     }
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_plate), cmocka_unit_test(test_a_block),
-                                       cmocka_unit_test(test_words), cmocka_unit_test(test_bounds),
-                                       cmocka_unit_test(test_parts)};
+                                       cmocka_unit_test(test_words),   cmocka_unit_test(test_bounds),
+                                       cmocka_unit_test(test_turned),  cmocka_unit_test(test_parts)};
     failed += cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

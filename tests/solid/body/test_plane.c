@@ -338,12 +338,12 @@ static void test_renew(void **state) {
         const long *first[2] = {coarse.first, fine.first};
         const int r = par_rank();
         struct solid_list *old =
-            finished(solid_list_find_new(before, first[0][r], first[0][r + 1], 0), before, first[0]);
+            finished(solid_list_find_new(before, NULL, 0, first[0][r], first[0][r + 1], 0), before, first[0]);
         for (int i = 0; i < old->n; i++)
             for (long j = old->start[i]; j < old->end[i]; j++)
                 if (is_cut(old->number + i, number_of(old, j))) solid_list_set(old, j, 0);
         struct solid_list *made =
-            finished(solid_list_find_new(after, first[1][r], first[1][r + 1], 0), after, first[1]);
+            finished(solid_list_find_new(after, NULL, 0, first[1][r], first[1][r + 1], 0), after, first[1]);
         struct solid_list *begun = solid_list_renew(old, before, after, fine.was, first[1][r], first[1][r + 1], 0);
         long copied = 0, broken = 0;
         for (int i = 0; i < begun->n; i++) copied += begun->scaled[i];

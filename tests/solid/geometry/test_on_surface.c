@@ -4,6 +4,7 @@
 #include "solid/body/sites.h"
 #include "solid/geometry/cut.h"
 #include "solid/geometry/on_surface.h"
+#include "solid/geometry/turn.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
@@ -262,11 +263,73 @@ static void cracks(void **state) {
     }
 }
 
+/* The box low ... high with its first two edges along a and b. */
+static struct solid_turn along(const double a[3], const double b[3], const double about[3]) {
+    struct solid_turn turn = {.is_turned = 1};
+    double la = 0, lb = 0;
+    for (int c = 0; c < 3; c++) la += a[c] * a[c], lb += b[c] * b[c];
+    for (int c = 0; c < 3; c++) {
+        turn.about[c] = about[c];
+        turn.edge[0][c] = a[c] / sqrt(la);
+        turn.edge[1][c] = b[c] / sqrt(lb);
+    }
+    for (int c = 0; c < 3; c++)
+        turn.edge[2][c] = turn.edge[0][(c + 1) % 3] * turn.edge[1][(c + 2) % 3] -
+                          turn.edge[0][(c + 2) % 3] * turn.edge[1][(c + 1) % 3];
+    return turn;
+}
+
+/* A slab between two planes of lattice points along [110] or [111] holds both, as a body and as a region, at every
+ * scale and place; moved by 1e-5 spacings outwards it holds the same, inwards it loses both. */
+static void turned_slabs(void **state) {
+    (void)state;
+    static const double direction[2][2][3] = {{{1, 1, 0}, {-1, 1, 0}}, {{1, 1, 1}, {-1, 1, 0}}};
+
+    for (int way = 0; way < 2; way++)
+        for (int k = 0; k < SCALES; k++)
+            for (int far = 0; far < 2; far++) {
+                const double spacing = scale[k], layers = way ? 9 / sqrt(3) : 6 / sqrt(2);
+                const int corner = far ? 5000 : 0;
+                long count[3], inside[3];
+                for (int moved = 0; moved < 3; moved++) {
+                    struct solid_body slab = {.name = "slab", .shape = SOLID_BOX};
+                    double about[3];
+                    const double out = moved == 1 ? 1e-5 : moved == 2 ? -1e-5 : 0;
+                    for (int c = 0; c < 3; c++) {
+                        about[c] = (corner + 0.5) * spacing; /* a lattice point, in the first plane of the slab */
+                        slab.low[c] = about[c] + (c == 0 ? -out : -5.3) * spacing;
+                        slab.high[c] = about[c] + (c == 0 ? layers + out : 5.3) * spacing;
+                    }
+                    slab.turn = along(direction[way][0], direction[way][1], about);
+                    const struct solid_input in = {.spacing = spacing};
+                    struct solid_sites *sites = solid_sites_new(&in, &slab, 0, 3);
+                    count[moved] = sites->count;
+                    if (moved == 0) check_above(sites->on_surface, 20);
+                    solid_sites_free(sites);
+                    inside[moved] = 0;
+                    for (int c = -20; c < 20; c++)
+                        for (int b = -20; b < 20; b++)
+                            for (int a = -20; a < 20; a++) {
+                                const double x[3] = {about[0] + a * spacing, about[1] + b * spacing,
+                                                     about[2] + c * spacing};
+                                double own[3];
+                                solid_turn_place_into(&slab.turn, x, own);
+                                inside[moved] += solid_on_surface_is_inside(
+                                    solid_on_surface_depth(own, slab.low, slab.high, 3), spacing);
+                            }
+                    check_equal(inside[moved], count[moved]);
+                }
+                check_equal(count[0], count[1]);
+                check_at_least(count[0] - count[2], 40);
+            }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(shapes),    cmocka_unit_test(cavities),
-                                       cmocka_unit_test(polygon),   cmocka_unit_test(regions),
-                                       cmocka_unit_test(tolerance), cmocka_unit_test(cracks)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(shapes),       cmocka_unit_test(cavities),
+                                       cmocka_unit_test(polygon),      cmocka_unit_test(regions),
+                                       cmocka_unit_test(turned_slabs), cmocka_unit_test(tolerance),
+                                       cmocka_unit_test(cracks)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -249,7 +249,7 @@ static void test_crack(void **state) {
 static void test_start(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
-        const struct solid_refined start = {{-1, 0}, {7.1 * SPACING, 1}, 1};
+        const struct solid_refined start = {.low = {-1, 0}, .high = {7.1 * SPACING, 1}, .level = 1};
         struct solid_refinement refinement = levels(1);
         refinement.horizon_kept = kind == 0;
         refinement.interface_corrected = kind == 2;

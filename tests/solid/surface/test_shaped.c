@@ -318,6 +318,78 @@ static void ellipsoid(void **state) {
     assert_true(error[0] < 0.02 && error[1] < 0.005);
 }
 
+/* A rotation about the direction [1, 2, 3] by 0.7, with the centre fixed. */
+static struct solid_turn oblique(const double centre[3]) {
+    const double l = sqrt(14), a[3] = {1 / l, 2 / l, 3 / l}, s = sin(0.7), c = cos(0.7);
+    struct solid_turn turn = {.is_turned = 1};
+    for (int k = 0; k < 3; k++) {
+        turn.about[k] = centre[k];
+        for (int d = 0; d < 3; d++) turn.edge[k][d] = (1 - c) * a[k] * a[d] + (k == d ? c : 0);
+        turn.edge[k][(k + 1) % 3] += s * a[(k + 2) % 3];
+        turn.edge[k][(k + 2) % 3] -= s * a[(k + 1) % 3];
+    }
+    return turn;
+}
+
+/* Turned bodies hold the volume of the shape; each particle that one piece bounds knows its own face, with the face's
+ * normal and the point on it. */
+static void turned(void **state) {
+    (void)state;
+    static const double half[3] = {7.3, 5.4, 6.1}; /* spacings */
+    const double centre[3] = {middle[0] * SPACING, middle[1] * SPACING, middle[2] * SPACING};
+    for (int kind = 0; kind < 3; kind++) {
+        struct solid_body body = round_body(kind == 0   ? SOLID_BOX
+                                            : kind == 1 ? SOLID_CYLINDER
+                                                        : SOLID_ELLIPSOID,
+                                            half[1]);
+        struct solid_surface *f;
+        body.length = 2 * half[2] * SPACING;
+        for (int c = 0; c < 3; c++) {
+            body.low[c] = centre[c] - half[c] * SPACING;
+            body.high[c] = centre[c] + half[c] * SPACING;
+            body.radii[c] = half[c] * SPACING;
+        }
+        body.turn = oblique(centre);
+        struct solid *s = make(&body, -1, 0, &f);
+        const double volume = kind == 0   ? 8 * half[0] * half[1] * half[2]
+                              : kind == 1 ? 2 * M_PI * half[1] * half[1] * half[2]
+                                          : 4 / 3. * M_PI * half[0] * half[1] * half[2];
+        check_relative(s->n_global, volume, 0.02);
+        long on = 0;
+        for (int i = 0; i < f->n; i++) {
+            double x[3], own[3], n[3], level = 0;
+            const double normal[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
+            point(s, f, i, x);
+            for (int k = 0; k < 3; k++) {
+                own[k] = n[k] = 0;
+                for (int c = 0; c < 3; c++) {
+                    own[k] += (x[c] - middle[c]) * body.turn.edge[k][c];
+                    n[k] += normal[c] * body.turn.edge[k][c];
+                }
+                level += own[k] * own[k] / (half[k] * half[k]);
+            }
+            if (kind == 2) { /* every one */
+                check_close(level, 1, 1e-11);
+                on++;
+                continue;
+            }
+            for (int k = 0; k < 3; k++) {
+                const int is_round = kind == 1 && k < 2,
+                          is_mine = is_round ? fabs(n[2]) < 1e-9 : fabs(n[k]) > 1 - 1e-12;
+                if (!is_mine) continue;
+                check_close(is_round ? hypot(own[0], own[1]) : fabs(own[k]), is_round ? half[1] : half[k], 1e-11);
+                if (!is_round) check_above(n[k] * own[k], 0);
+                on++;
+                break;
+            }
+        }
+        on = par_sum_long(on);
+        print_message("turned shape %d: %ld of %ld interface particles on a face\n", kind, on, f->total);
+        check_above((double)on / (double)f->total, kind == 2 ? 0.999 : 0.5);
+        give_up(s, f);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(ball),
@@ -326,7 +398,8 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(cavity_and_crack),
                                        cmocka_unit_test(ellipsoid_depth),
                                        cmocka_unit_test(ellipsoid_curvature),
-                                       cmocka_unit_test(ellipsoid)};
+                                       cmocka_unit_test(ellipsoid),
+                                       cmocka_unit_test(turned)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,0 +1,86 @@
+/* Finds the bonds between the bodies that an interface joins. */
+#include "solid/bonds/across.h"
+#include "base/die.h"
+#include "base/memory.h"
+
+#include <math.h>
+
+int solid_across_joins(const struct solid_input *in, int body, int other) {
+    for (int k = 0; k < in->interfaces; k++) {
+        const int *of = in->interface[k].body;
+        if ((of[0] == body && of[1] == other) || (of[1] == body && of[0] == other)) return 1;
+    }
+    return 0;
+}
+
+int solid_across_any(const struct solid_input *in, int body) {
+    for (int b = 0; b < in->bodies; b++)
+        if (solid_across_joins(in, body, b)) return 1;
+    return 0;
+}
+
+/* The law of a body's ends, with partial volumes as accurate as within the body. */
+static struct solid_bond_law law_of(const struct solid_input *in, const struct solid_cloud *cloud, int body,
+                                    double fracture_energy) {
+    struct solid_material material = in->material[in->body[body].material];
+    material.fracture_energy = fracture_energy;
+    struct solid_bond_law law = solid_pair_law(in, &material);
+    law.columns = cloud->law.columns;
+    return law;
+}
+
+struct solid_across *solid_across_new(const struct solid_input *in, struct solid_cloud *const *cloud, int body,
+                                      int *n) {
+    struct solid_across *across = NULL;
+    *n = 0;
+    if (!solid_across_any(in, body)) return NULL;
+    across = memory_new(MEMORY_SOLID, (size_t)in->interfaces, sizeof *across);
+    for (int k = 0; k < in->interfaces; k++) {
+        const int *of = in->interface[k].body;
+        if (of[0] != body && of[1] != body) continue;
+        const int other = of[0] == body ? of[1] : of[0];
+        across[(*n)++] = (struct solid_across){.cloud = cloud[other],
+                                               .law = law_of(in, cloud[body], body, in->interface[k].fracture_energy),
+                                               .other = law_of(in, cloud[other], other, in->interface[k].fracture_energy)};
+    }
+    return across;
+}
+
+struct search {
+    const struct solid_across *across;
+    const struct solid_cloud *cloud;
+    struct solid_end end;
+    struct solid_cloud_near *near;
+    int room;
+};
+
+static void take(void *with, long l, int image, const double *xi) {
+    struct search *k = with;
+    struct solid_cloud_near *near = k->near;
+    const struct solid_end other = solid_cloud_end(k->across->cloud, l);
+    if (xi[0] == 0 && xi[1] == 0 && xi[2] == 0)
+        die(EXIT_CODE_SCENE, "a particle of solid body %s and one of %s coincide", k->cloud->name,
+            k->across->cloud->name);
+    if (!solid_pair_across_exists(&k->across->law, &k->across->other, xi, &k->end, &other)) return;
+    if (near->n == k->room)
+        die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name,
+            SOLID_FAMILY_MAX);
+    near->number[near->n] = l;
+    near->image[near->n] = image;
+    for (int c = 0; c < 3; c++) near->xi[near->n][c] = xi[c];
+    near->n++;
+}
+
+/* The clouds' origins are rounded relative to each other as places are, so that xi is exact and the opposite from the
+ * other end. */
+void solid_across_find(const struct solid_across *across, const struct solid_cloud *cloud, long number, int room,
+                       struct solid_cloud_near *near) {
+    struct search k = {across, cloud, solid_cloud_end(cloud, number), near, room};
+    double place[3] = {0};
+    near->n = 0;
+    for (int c = 0; c < cloud->dim; c++) {
+        const double between = (across->cloud->origin[c] - cloud->origin[c]) / cloud->spacing;
+        place[c] = cloud->place[c][number] - 0x1p-20 * rint(0x1p20 * between);
+    }
+    solid_cloud_near_visit(across->cloud, place, fmax(cloud->longest_reach, across->cloud->longest_reach), take, &k);
+}
