@@ -132,7 +132,7 @@ END2
   rm -r "$work"
 }
 
-# --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $traction (Pa), $steps are the case's
+# --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $traction (Pa), $steps: the case's
 
 fork_header="m,particles,turned by (deg),variant,arms part (us),arms part (mm),left (deg),right (deg),between (deg),\
 difference of both sides (deg),arms,top speed (m/s)"

@@ -11,7 +11,7 @@ case=cases/kalthoff runs=${1:-runs/kalthoff_turned} out=cases/kalthoff/results
 . cases/turned.sh
 . cases/kalthoff/path.sh
 
-# tips FILE ANGLE SIDE SPACING NOTCH: where the tip of the crack from the upper (SIDE 1) or lower (-1) notch is every
+# tips FILE ANGLE SIDE SPACING NOTCH: where the tip of the crack from the upper (SIDE is 1) or lower (-1) notch is every
 # 0.91 us, in the plate's own axes, the lower crack mirrored to the upper side: the damaged particle farthest along
 # (1, 1), of those that are connected with the notch across gaps of up to two particles; from crack_particles.csv
 tips() {
