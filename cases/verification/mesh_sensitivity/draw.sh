@@ -54,7 +54,8 @@ END
     'unset logscale x' 'set xtics auto'
   panel '1:2:3 with yerrorlines' study_perturbation 'P = 0' 'P = 0' 1 study_perturbation 'P = 1' 'P = 1' 4 \
     study_perturbation 'P = 2' 'P = 2' 3
-  printf '%s\n' "set title 'horizon 0.25 m'" "set xlabel 'wall time with the arrangement, s'" 'set logscale x' 'set xtics auto'
+  printf '%s\n' "set title 'horizon 0.25 m'" "set xlabel 'wall time with the arrangement, s'" \
+    'set logscale x' 'set xtics auto'
   curves '4:2 with linespoints' study_horizon_grids study_horizon
 } >"$work/plot.gp"
 gnuplot "$work/plot.gp"
