@@ -48,13 +48,14 @@ set xlabel 'horizon over spacing, m'
 END
   curves '1:2:3 with yerrorlines' study_horizon_grids study_horizon
   printf '%s\n' "set title 'horizon 3 spacings'" "set xlabel 'spacing, m'" 'set logscale x' "set format x '%g'" \
-    'set xtics (0.03, 0.05, 0.08, 0.13)'
+    'set xtics (0.03, 0.05, 0.08, 0.13)' 'set xrange [0.03:0.15]'
   curves '1:2:3 with yerrorlines' study_points_grids study_points
   printf '%s\n' "set title 'perturbed lattice, horizon 3 spacings'" "set xlabel 'perturbation, spacings'" \
-    'unset logscale x' 'set xtics auto'
+    'unset logscale x' 'set xtics auto' 'set xrange [0:0.42]'
   panel '1:2:3 with yerrorlines' study_perturbation 'P = 0' 'P = 0' 1 study_perturbation 'P = 1' 'P = 1' 4 \
     study_perturbation 'P = 2' 'P = 2' 3
-  printf '%s\n' "set title 'horizon 0.25 m'" "set xlabel 'wall time with the arrangement, s'" 'set logscale x' 'set xtics auto'
-  curves '4:2 with linespoints' study_horizon_grids study_horizon
+  printf '%s\n' "set title 'horizon 0.25 m'" "set xlabel 'wall time with the arrangement, s'" \
+    'set logscale x' 'set xtics auto' 'set xrange [*:*]'
+  curves '4:2 with points' study_horizon_grids study_horizon
 } >"$work/plot.gp"
 gnuplot "$work/plot.gp"

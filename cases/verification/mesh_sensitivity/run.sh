@@ -29,14 +29,15 @@ study study_horizon
 study study_points_grids
 study study_points
 study study_perturbation
-for method in lattice hexagonal; do
-  shown "$method: largest error over the least, m = 3 to 5 in steps of 1/2" 1 "$(ratio study_horizon_grids $method 0.5)"
-  shown "$method: m at which the error rises, of 6 steps of 1/2" 1 "$(rises study_horizon_grids $method 0.5)"
-done
-for method in perturbed centroidal 'centroidal cells' random; do
-  shown "$method: largest mean error over the least, m = 3 to 5 in steps of 1/2" 1 \
-    "$(ratio study_horizon "$method" 0.5)"
-  shown "$method: m at which the mean error rises, of 6 steps of 1/2" 1 "$(rises study_horizon "$method" 0.5)"
-done
+at_most "centroidal cells: m at which the mean error rises, of 6 steps of 1/2" 1 \
+  "$(rises study_horizon 'centroidal cells' 0.5)" "" "004: smoother" 1
+trends() { # trends STUDY METHOD
+  shown "$2: m at which the error rises, of 6 steps of 1/2" 1 "$(rises "$1" "$2" 0.5)" "" "no reference"
+  shown "$2: largest error over the least, m = 3 to 5 in steps of 1/2" 1 "$(ratio "$1" "$2" 0.5)" "" "no reference"
+}
+for method in lattice hexagonal; do trends study_horizon_grids "$method"; done
+for method in perturbed centroidal 'centroidal cells' random; do trends study_horizon "$method"; done
+shown "hexagonal: m at which the error rises, of 12 steps of 1/4" 1 "$(rises study_horizon_grids hexagonal 0.25)" "" \
+  "no reference"
 [ "$again" ] || "$here/draw.sh" "$out"
 finish
