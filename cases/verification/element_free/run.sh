@@ -30,7 +30,8 @@ row "edge crack, nodes of the coarse plate" 1 "$(fact few nodes)" "" "as drawn" 
 for k in 3 8; do
   near "edge crack, 320 nodes: K_I/(s sqrt(pi a)), radius $k of 8" 1 "$(intensity few $k K_I)" 2.8246 \
     "Kaya and Erdogan, a/W = 0.5" 0.01
-  near "edge crack, 320 nodes: the same by J" 1 "$(intensity few $k K_J)" 2.8246 "Kaya and Erdogan, a/W = 0.5" 0.01
+  near "edge crack, 320 nodes: by J, radius $k of 8" 1 "$(intensity few $k K_J)" 2.8246 \
+    "Kaya and Erdogan, a/W = 0.5" 0.01
 done
 at_most "edge crack, 320 nodes: largest violation of a constraint" 1 "$(fact few violation)" 0 "" 1e-8
 at_most "edge crack, 320 nodes: forces out of balance" 1 "$(fact few equilibrium)" 0 "" 1e-6
