@@ -95,6 +95,13 @@ static const char *broken_contacts(const struct solid_input *in) {
     return NULL;
 }
 
+static void say_interfaces(const struct solid_input *in) {
+    for (int k = 0; k < in->interfaces; k++)
+        say("  interface  %s and %s are bonded to each other; a crack between them takes %g J/m2\n",
+            in->body[in->interface[k].body[0]].name, in->body[in->interface[k].body[1]].name,
+            in->interface[k].fracture_energy);
+}
+
 /* The bodies that move at the start. */
 static void say_moving(const struct solid_input *in) {
     for (int b = 0; b < in->bodies; b++) {
@@ -148,6 +155,7 @@ static void say_holdings(struct run *r) {
                 say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
         }
     }
+    if (r->solid) say_interfaces(&r->solid->in);
     if (r->solid) say_moving(&r->solid->in);
     if (r->solid) say_on_surface(r->solid);
     if (r->solid) say_perturbed(r->solid);

@@ -95,11 +95,13 @@ static double first_time_above(const struct postproc_history *h, const char *col
 }
 
 /* The area of crack whose energy by Griffith's balance is what the bonds have released, e_fracture/G0; NAN if several
- * materials have different G0, or none breaks. */
+ * materials and interfaces have different G0, or none breaks. */
 static double griffith_area(const struct postproc_history *h, double released) {
+    const struct scene_solid *s = h->scene->solid;
     double g0 = NAN;
-    for (int m = 0; h->scene->solid && m < h->scene->solid->materials; m++) {
-        const double of = h->scene->solid->material[m].fracture_energy;
+    for (int k = 0; s && k < s->materials + s->interfaces; k++) {
+        const double of =
+            k < s->materials ? s->material[k].fracture_energy : s->interface[k - s->materials].fracture_energy;
         if (!isfinite(of) || of == g0) continue;
         if (!isnan(g0)) return NAN;
         g0 = of;
@@ -120,6 +122,7 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     postproc_facts_number(f, "energy released by bonds", "J", postproc_history_value(h, "e_fracture", h->end));
     postproc_facts_number(f, "area of crack by Griffith's balance, energy released over G0", "m2",
                           griffith_area(h, postproc_history_value(h, "e_fracture", h->end)));
+    postproc_facts_number(f, "area of crack by broken bonds", "m2", postproc_history_value(h, "crack_area", h->end));
     const int cut = h->scene->solid && h->scene->solid->cracks > 0; /* bonds broken from the start */
     const double at_start = cut ? first_of(h, "bonds_broken") : 0;
     const double first = first_time_above(h, "bonds_broken", at_start);

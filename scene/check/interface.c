@@ -52,8 +52,7 @@ void scene_check_interface(const struct scene_check *c) {
     if (s->interfaces == 0 || !scene_node_is_clean(c->root, "solid.bodies") ||
         !scene_node_is_clean(c->root, "solid.materials") || !scene_node_is_clean(c->root, "stages"))
         return;
-    if (s->refinement)
-        scene_problem_at(c->problems, c->root, "solid.interfaces", "does not go with solid.refinement");
+    if (s->refinement) scene_problem_at(c->problems, c->root, "solid.interfaces", "does not go with solid.refinement");
     if (s->horizons == SCENE_HORIZONS_ONE_SIDED)
         scene_problem_at(c->problems, c->root, "solid.interfaces", "does not go with solid.horizons: one_sided");
     for (int i = 0; i < s->interfaces; i++)

@@ -39,9 +39,10 @@ struct solid_across *solid_across_new(const struct solid_input *in, struct solid
         const int *of = in->interface[k].body;
         if (of[0] != body && of[1] != body) continue;
         const int other = of[0] == body ? of[1] : of[0];
-        across[(*n)++] = (struct solid_across){.cloud = cloud[other],
-                                               .law = law_of(in, cloud[body], body, in->interface[k].fracture_energy),
-                                               .other = law_of(in, cloud[other], other, in->interface[k].fracture_energy)};
+        across[(*n)++] =
+            (struct solid_across){.cloud = cloud[other],
+                                  .law = law_of(in, cloud[body], body, in->interface[k].fracture_energy),
+                                  .other = law_of(in, cloud[other], other, in->interface[k].fracture_energy)};
     }
     return across;
 }
