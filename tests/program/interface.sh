@@ -44,6 +44,7 @@ awk -F, 'function size(x) { return x < 0 ? -x : x }
   { sum = $at["e_kinetic_solid"] + $at["e_strain"] + $at["e_fracture"] + $at["e_contact"]
     if (NR == 3) first = sum
     if (size(sum - first) > 0.002 * first || size($at["momentum_x"]) > 1e-12) { print; exit 1 } }
-  END { area = $at["crack_area"] / 64; if (area < 1.013 || area > 1.0132 || $at["fragments"] != 2) { print area; exit 1 } }' \
+  END { area = $at["crack_area"] / 64
+    if (area < 1.013 || area > 1.0132 || $at["fragments"] != 2) { print area; exit 1 } }' \
   block/series.csv || fail "the balance of the flight"
 echo ok
