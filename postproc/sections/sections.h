@@ -23,7 +23,7 @@ struct postproc_output {
     char failed_path[256];
 };
 
-void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h);    /* scene and scales */
+void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h); /* scene and scales */
 /* solution.csv and the field of errors of a scene that is solved at once. */
 void postproc_sections_solution(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h); /* dp, porosity, k */
