@@ -72,7 +72,8 @@ static void check(const void *problem) {
     for (int t = 0; t < g->tips; t++)
         solution_say("  tip        (%.6g, %.6g) m, extension %.6g m, radii up to %.6g m\n", g->tip[t].x[0],
                      g->tip[t].x[1], g->line[g->tip[t].line].reach[g->tip[t].end], meshless_intensity_widest(g, t));
-    solution_say("  band       %.3g MB, allocated when it is solved\n", 2e-6 * g->in.nodes * (g->half_band + 1.0) * sizeof(double));
+    solution_say("  band       %.3g MB, allocated when it is solved\n",
+                 2e-6 * g->in.nodes * (g->half_band + 1.0) * sizeof(double));
 }
 
 static void write_intensity(const struct problem *p, const char *folder) {
