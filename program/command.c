@@ -135,11 +135,13 @@ static void options(struct command *c, int argc, char **argv) {
         {"level", required_argument, NULL, 'l'},  {"magnify", required_argument, NULL, 'm'},
         {"slice", required_argument, NULL, 'x'},  {NULL, 0, NULL, 0}};
     opterr = 0;
-    for (int o; (o = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
+    for (int o, which; (o = getopt_long(argc, argv, ":", option, &which)) != -1;) {
         const char *word = argv[optind - 1];
+        char name[32];
         if (o == ':') die_all(EXIT_CODE_SCENE, "%s: needs a value", word);
         if (o == '?') die_all(EXIT_CODE_SCENE, "%s: unknown option; frana --help lists them", word);
-        check_option(o, word, c->verb);
+        snprintf(name, sizeof name, "--%s", option[which].name);
+        check_option(o, name, c->verb);
         switch (o) {
         case 'o':
             snprintf(c->out, sizeof c->out, "%s", optarg);

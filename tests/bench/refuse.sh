@@ -22,8 +22,8 @@ refuses 2 '--repeats 100000: must be 5 to' --repeats 100000
 refuses 2 '--table=page: must be performance' --table=page
 refuses 2 'of which measured tables' --table=growth
 refuses 2 'takes files with --table only' some.csv
-refuses 2 'goes with frana run and permeability only' --quiet
-refuses 2 'goes with frana run, check and permeability only' --set a=b
+refuses 2 'goes with frana run, permeability and calibrate only' --quiet
+refuses 2 '--set: goes with frana run, check, permeability and calibrate only' --set a=b
 refuses 2 'unknown option' --fast
 refuses 4 'missing.csv: cannot be opened' --table=growth missing.csv
 printf 'part,size\nfluid_step\n' >broken.csv
