@@ -23,8 +23,11 @@ for axis in z y x; do
     "$([ $axis != z ] || echo 0.4087)" "LBPM, MRT, along z, over the sample's length"
   shown "1 cell a voxel, along $axis: wall time" s "$(cell study wall_median_s "along $axis" 1 permeability)" "" ""
 done
-shown "2 cells a voxel, along z: permeability" voxel2 "$(cell study_fine value 'along z' 2 permeability)" 0.4087 \
-  "LBPM, MRT, along z, over the sample's length"
-shown "2 cells a voxel, along z: wall time" s "$(cell study_fine wall_median_s 'along z' 2 permeability)" "" ""
+for axis in z x; do
+  shown "2 cells a voxel, along $axis: permeability" voxel2 "$(cell study_fine value "along $axis" 2 permeability)" \
+    "$([ $axis != z ] || echo 0.4087)" "LBPM, MRT, along z, over the sample's length"
+  shown "2 cells a voxel, along $axis: wall time" s \
+    "$(cell study_fine wall_median_s "along $axis" 2 permeability)" "" ""
+done
 broken
 finish
