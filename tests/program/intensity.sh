@@ -33,13 +33,14 @@ for n in 2 4; do
   cut -d, -f1-8,10,11 "ranks_$n/intensity.csv" >b
   same a b
 done
-# K grows with the load, J with its square; F = 2.8246 in a long plate at a/W = 0.5, some per cent more with 10 spacings
+# K grows with the load, J with its square; F = 2.8246 in a long plate at a/W = 0.5, more in this short one
+# and with 10 spacings a crack
 holds "($(of one/intensity.csv 1 0.45 1 K_I) / $(of one/intensity.csv 2 0.45 1 K_I) * 2 - 1) ^ 2 < 1e-6"
 holds "($(of one/intensity.csv 1 0.45 1 J) / $(of one/intensity.csv 2 0.45 1 J) * 4 - 1) ^ 2 < 1e-6"
 for r in 0.3 0.45; do
   for c in K_I K_J; do
     holds "$(of one/intensity.csv 2 $r 1 $c) / sqrt(atan2(0, -1) * 0.5) > 2.75"
-    holds "$(of one/intensity.csv 2 $r 1 $c) / sqrt(atan2(0, -1) * 0.5) < 3.15"
+    holds "$(of one/intensity.csv 2 $r 1 $c) / sqrt(atan2(0, -1) * 0.5) < 3.3"
   done
   holds "($(of one/intensity.csv 2 $r 1 K_II)) ^ 2 < 1e-10"
 done
