@@ -73,7 +73,7 @@ refused() {
   local words=$1 set=() s
   shift
   for s in "$@"; do set+=(--set "$s"); done
-  code 2 ranks 2 run scene.yaml --out refused "${set[@]}"
+  code 2 ranks 1 check scene.yaml "${set[@]}"
   grep -q -- "$words" err || { cat err >&2; fail "not said: $words"; }
 }
 refused 'radii\[0\] = 0.2: must be at least two horizons, 0.3 m' 'output.intensity.radii=[0.2]'
