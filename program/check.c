@@ -337,7 +337,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     if (is_too_large(scene, particles)) return EXIT_CODE_DONE;
     struct run *r = run_new(scene);
     struct fragments *fragments = fragments_new(r); /* they take memory by particle */
-    intensity_free(intensity_new(r)); /* dies on radii that do not fit */
+    intensity_free(intensity_new(r));               /* dies on radii that do not fit */
     say_holdings(r);
     say_limits(r);
     say_memory();
