@@ -12,6 +12,7 @@
 #include "program/check_sizes.h"
 #include "program/program.h"
 #include "program/fragments.h"
+#include "program/intensity.h"
 #include "program/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
@@ -344,6 +345,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     if (is_too_large(scene, particles)) return EXIT_CODE_DONE;
     struct run *r = run_new(scene);
     struct fragments *fragments = fragments_new(r); /* they take memory by particle */
+    intensity_free(intensity_new(r));               /* dies on radii that do not fit */
     say_holdings(r);
     say_limits(r);
     say_memory();

@@ -397,6 +397,9 @@ struct scene_crack_output {
 struct scene_intensity { /* Stress-intensity factors of the tips, by domains of these radii. */
     int radii;
     double *radius; /* m */
+    /* of a plate with bonds */
+    int crack, tip; /* index of the crack, and of its point: the first or the last, 0 or 1; -1: all (default) */
+    long every;     /* steps, default 10 */
 };
 struct scene_probes {
     int places;

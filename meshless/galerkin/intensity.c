@@ -3,12 +3,12 @@
 #include "meshless/galerkin/cells.h"
 #include "meshless/galerkin/cut.h"
 #include "meshless/galerkin/field.h"
+#include "physics/crack_tip.h"
 
 #include <math.h>
 
-double meshless_intensity_modulus(const struct galerkin_input *in) {
-    const double nu = in->poisson_ratio;
-    return in->plane_strain ? in->youngs_modulus / (1 - nu * nu) : in->youngs_modulus;
+static struct physics_crack_tip material_of(const struct galerkin_input *in) {
+    return (struct physics_crack_tip){in->youngs_modulus, in->poisson_ratio, in->plane_strain};
 }
 
 double meshless_intensity_widest(const struct galerkin *g, int tip) {
@@ -17,33 +17,6 @@ double meshless_intensity_widest(const struct galerkin *g, int tip) {
     for (int c = 0; c < g->lines; c++)
         if (c != its->line) widest = fmin(widest, meshless_cut_from_line(&g->line[c], its->x));
     return widest;
-}
-
-void meshless_intensity_field(const struct galerkin_input *in, int mode, double r, double t, double stress[3],
-                              double slope[2]) {
-    const double nu = in->poisson_ratio, mu = in->youngs_modulus / (2 * (1 + nu));
-    const double kappa = in->plane_strain ? 3 - 4 * nu : (3 - nu) / (1 + nu), pi = acos(-1);
-    const double c = cos(t / 2), s = sin(t / 2), c3 = cos(1.5 * t), s3 = sin(1.5 * t);
-    const double over = 1 / sqrt(2 * pi * r), size = sqrt(r / (2 * pi)) / (2 * mu);
-    double u[2], du[2]; /* u over size, and its derivative with the angle */
-    if (mode == 0) {
-        stress[0] = over * c * (1 - s * s3);
-        stress[1] = over * c * (1 + s * s3);
-        stress[2] = over * s * c * c3;
-        u[0] = c * (kappa - 1 + 2 * s * s);
-        u[1] = s * (kappa + 1 - 2 * c * c);
-        du[0] = -0.5 * s * (kappa - 1 + 2 * s * s) + 2 * c * c * s;
-        du[1] = 0.5 * c * (kappa + 1 - 2 * c * c) + 2 * s * s * c;
-    } else {
-        stress[0] = -over * s * (2 + c * c3);
-        stress[1] = over * s * c * c3;
-        stress[2] = over * c * (1 - s * s3);
-        u[0] = s * (kappa + 1 + 2 * c * c);
-        u[1] = -c * (kappa - 1 - 2 * s * s);
-        du[0] = 0.5 * c * (kappa + 1 + 2 * c * c) - 2 * s * s * c;
-        du[1] = 0.5 * s * (kappa - 1 - 2 * s * s) + 2 * c * c * s;
-    }
-    for (int k = 0; k < 2; k++) slope[k] = size / r * (0.5 * u[k] * cos(t) - du[k] * sin(t));
 }
 
 /* Gradient and stress of the solution in the tip's frame. */
@@ -64,6 +37,7 @@ static void in_frame(const struct galerkin *g, const struct galerkin_tip *tip, c
 struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int number, double radius) {
     enum { POINTS = 8 };
     const struct galerkin_tip *tip = &g->tip[number];
+    const struct physics_crack_tip material = material_of(&g->in);
     const double pi = acos(-1), inner = 0.5 * radius;
     const int sectors = 4 + (int)ceil(pi * radius / (0.5 * g->in.spacing)); /* a half circle's, two a spacing */
     const int layers = 1 + (int)ceil((radius - inner) / (0.5 * g->in.spacing));
@@ -88,8 +62,8 @@ struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int nu
                     j += area * ((stress[0] * grad[0][0] + stress[2] * grad[1][0] - energy) * q[0] +
                                  (stress[2] * grad[0][0] + stress[1] * grad[1][0]) * q[1]);
                     for (int mode = 0; mode < 2; mode++) {
-                        double own[3], slope[2];
-                        meshless_intensity_field(&g->in, mode, r, t, own, slope);
+                        double own[3], u[2], slope[2];
+                        physics_crack_tip_field(&material, mode, r, t, own, u, slope);
                         const double work = own[0] * grad[0][0] + own[1] * grad[1][1] + own[2] * shear;
                         mixed[mode] +=
                             area *
@@ -100,7 +74,7 @@ struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int nu
                                  q[1]);
                     }
                 }
-    const double modulus = meshless_intensity_modulus(&g->in);
+    const double modulus = physics_crack_tip_modulus(&material);
     return (struct galerkin_intensity){
         .k = {0.5 * modulus * mixed[0], 0.5 * modulus * mixed[1]}, .j = j, .k_j = sqrt(fmax(j, 0) * modulus)};
 }

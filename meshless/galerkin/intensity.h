@@ -12,11 +12,6 @@ struct galerkin_intensity {
     double k[2];   /* K_I, K_II by the interaction integral, Pa m^1/2 */
     double j, k_j; /* J, J/m2; root of J E', Pa m^1/2 */
 };
-/* E' of the plane model. */
-double meshless_intensity_modulus(const struct galerkin_input *in);
 /* The largest radius of a ring about the tip: it stays in the body and about the straight crack. */
 double meshless_intensity_widest(const struct galerkin *g, int tip);
 struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int tip, double radius);
-/* Stress (11, 22, 12) and derivatives u_1,1 u_2,1 of the crack's own field in its frame, K_I or K_II = 1. */
-void meshless_intensity_field(const struct galerkin_input *in, int mode, double r, double angle, double stress[3],
-                              double slope[2]);

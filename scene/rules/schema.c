@@ -151,7 +151,9 @@ static const cyaml_schema_field_t crack_fields[] = {NUMBER("damage", OPTIONAL, s
 
 static const cyaml_schema_value_t place = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 3)};
 static const cyaml_schema_field_t intensity_fields[] = {
-    ENTRIES("radii", NEEDED, scene_intensity, radius, radii, &scene_schema_parts_real, 1, LIST_MAX), CYAML_FIELD_END};
+    ENTRIES("radii", NEEDED, scene_intensity, radius, radii, &scene_schema_parts_real, 1, LIST_MAX),
+    WHOLE("crack", OPTIONAL, scene_intensity, crack), WHOLE("tip", OPTIONAL, scene_intensity, tip),
+    WHOLE("every", OPTIONAL, scene_intensity, every), CYAML_FIELD_END};
 static const cyaml_schema_field_t probes_fields[] = {
     ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX), WHOLE("every", OPTIONAL, scene_probes, every),
     CYAML_FIELD_END};

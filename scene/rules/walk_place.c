@@ -40,7 +40,6 @@ static char *lacks(const struct scene_walk *w, int only, int *unsure) {
         return text_new("%s", lacking & SCENE_IN_3D ? "not in a plate, which has no fluid yet"
                                                     : "only in a plate, where domain.size has two numbers");
     }
-    if (lacking & SCENE_GALERKIN) return text_new("only with solid.method: element_free");
     if (lacking & SCENE_STEPPED)
         return text_new("only in a scene that is stepped through stages; this one is solved at once");
     if (lacking & SCENE_WITHOUT_FLUID) return text_new("only in a scene without fluid");

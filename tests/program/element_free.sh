@@ -65,7 +65,7 @@ refused 'poisson_ratio: missing' 'solid.materials=[{name: a, youngs_modulus: 1, 
 refused 'poisson_ratio = 0.5: must be greater than -1 and less than 0.5' 'solid.materials[0].poisson_ratio=0.5'
 refused 'stages: only in a scene that is stepped' 'stages=[{name: a, steps: 1}]'
 refused 'solid.contact: only in a scene that is stepped' 'solid.contact={enabled: false}'
-refused 'only with solid.method: element_free\|only with method element_free' solid.method=peridynamic
+refused 'output.intensity.every = 1: only in a scene that is stepped' output.intensity.every=1
 refused 'convex and has straight sides' \
   'solid.bodies=[{shape: polygon, outline: [[0, 0], [1, 0], [0.3, 1], [1, 3], [0, 3]]}]'
 code 3 "$frana" run scene.yaml --out few --set solid.element_free.iterations=2
