@@ -67,8 +67,7 @@ crack_row() {
 # half SPACING: half the distance of the notches, m. On 2 mm the real 50 mm would put them on rows of particles.
 half() { [ "$1" = 0.002 ] && echo 0.024 || echo 0.025; }
 # plate STEEL SPACING ANGLE RATIO VARIANT: runs a plate, and prints the rows of its two cracks. On the lattice in its
-# middle place plates turned by 0 and 45 degrees are symmetric, and one crack stands for both; so are those turned by 0
-# and 30 degrees on hexagonal points.
+# middle place plates turned by 0 and 45 degrees are symmetric, and one crack stands for both.
 plate() {
   local name=$1_$2_m$4_${5// /_}_$3
   awk -v turn="$3" -v m="$4" -v variant="$5" -v width=0.1 -v height=0.2 -v size=0.24 -v spacing="$2" \
@@ -77,7 +76,7 @@ plate() {
   turned_go "$name"
   crack_row "$1" "$2" "$4" "$3" "$5" "$name" 1
   case "$5, $3" in
-    "lattice 0 0, 0" | "lattice 0 0, 45" | "hexagonal, 0" | "hexagonal, 30") ;;
+    "lattice 0 0, 0" | "lattice 0 0, 45") ;;
     *) crack_row "$1" "$2" "$4" "$3" "$5" "$name" -1 ;;
   esac
 }
