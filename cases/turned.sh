@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# shellcheck disable=SC2016,SC2154 # awk in single quotes; variables of whoever sources this
+# shellcheck disable=SC2016,SC2034,SC2154 # awk in single quotes; variables of and for whoever sources this
 # What the studies of plates turned on the lattice share, sourced by bash: scenes, runs, numbers of forks, spread.
 # A study calls turned_study and turned_spread. It sets $runs, which may be --summary (nothing runs), $out, and $table:
 # turned, or arrangement for points without a lattice.
@@ -209,5 +209,5 @@ fork_study() {
   one() { fork_one "$@"; }
   turned_study "$fork_header" "0 15 30 45" "3 4 5" "$@"
   turned_spread
-  [ $table = arrangement ] || turned_picture "between (deg)" "angle between the arms, degrees" 1
+  [ "$table" = arrangement ] || turned_picture "between (deg)" "angle between the arms, degrees" 1
 }

@@ -17,5 +17,5 @@ title="Duran 50 glass" traction=12.0e6 steps=920
 material="youngs_modulus: 65.0e9, density: 2235, fracture_energy: 204"
 variants=("lattice 0 0" "lattice 0.25 0" "lattice 0 0.25" "lattice 0.25 0.25"
   "seed 1" "seed 2" "seed 3" "seed 4" "seed 5")
-[ $table = turned ] || variants=("${arranged[@]}")
+[ "$table" = turned ] || variants=("${arranged[@]}")
 fork_study "${variants[@]}"

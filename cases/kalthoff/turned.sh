@@ -90,12 +90,12 @@ one() {
   case $3 in "lattice 0 0" | "seed 1") plate x2nicomo 0.001 "$@" ;; esac
 }
 variants=("lattice 0 0" "seed 1" "lattice 0.25 0.25" "seed 2" "lattice 0.25 0" "seed 3" "seed 4")
-[ $table = turned ] || variants=("${arranged[@]}")
+[ "$table" = turned ] || variants=("${arranged[@]}")
 turned_study "steel,spacing (mm),m,particles,turned by (deg),variant,angle to the end (deg),\
 angle by least squares (deg),left the notch (us),top speed over 1.82 us (m/s),top speed over 9.1 us (m/s)" \
   "0 15 30 45" "3 4 5" "${variants[@]}"
 turned_spread
-[ $table = turned ] || exit 0
+[ "$table" = turned ] || exit 0
 # shellcheck disable=SC2016 # awk
 turned_picture "angle by least squares (deg)" "angle of the crack, degrees" \
   '$at["steel"] == "x2nicomo" && $at["spacing (mm)"] == 2'

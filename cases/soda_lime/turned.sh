@@ -16,5 +16,5 @@ runs=${1:-runs/soda_lime_turned} out=cases/soda_lime/results
 title="Soda-lime glass" correction=energy traction=13.442e6 steps=1000
 material="youngs_modulus: 72.0e9, density: 2440, fracture_energy: 135"
 variants=("lattice 0 0" "seed 1" "seed 2" "seed 3" "seed 4" "seed 5")
-[ $table = turned ] || variants=("${arranged[@]}")
+[ "$table" = turned ] || variants=("${arranged[@]}")
 fork_study "${variants[@]}"
