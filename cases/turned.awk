@@ -5,7 +5,8 @@
 #                 size     of the square domain in whose middle the plate's middle stands, m
 #                 spacing, m, title, material (the keys of its elasticity and strength), model
 #                 variant  "lattice X Y": the lattice, moved by X and Y spacings; "seed N": particles moved by up to
-#                          0.2 spacings at random; "centroidal N": centroidal points of seed N; "hexagonal"
+#                          0.2 spacings at random; "centroidal N": centroidal points of seed N; "cells N": the same with the volumes of
+#                          their Voronoi cells; "hexagonal"
 function turned_setup() { rad = turn * atan2(0, -1) / 180; c = cos(rad); s = sin(rad) }
 # the place of the plate's own (x, y) in the domain, and a vector along the plate's axes, as lists
 function at(x, y) {
@@ -19,7 +20,8 @@ function own_y(x, y) { return height / 2 - s * (x - size / 2) + c * (y - size / 
 function turned_begin(  v, on) {
   turned_setup()
   split(variant, v, " ")
-  on = v[1] == "centroidal" || v[1] == "hexagonal" ? v[1] " points" : "the lattice"
+  if (v[1] == "hexagonal") on = "hexagonal points"
+  else on = v[1] == "centroidal" || v[1] == "cells" ? "centroidal points" : "the lattice"
   print "title: " title ", turned by " turn " degrees on " on
   print "domain: {size: [" size ", " size "]}"
   print "solid:"
@@ -33,6 +35,7 @@ function turned_begin(  v, on) {
   print "    - {name: plate, shape: polygon,"
   if (v[1] == "seed") print "       arrangement: {kind: perturbed, perturbation: 0.2, seed: " v[2] "},"
   if (v[1] == "centroidal") print "       arrangement: {kind: centroidal, seed: " v[2] "},"
+  if (v[1] == "cells") print "       arrangement: {kind: centroidal, seed: " v[2] ", volume: cell},"
   if (v[1] == "hexagonal") print "       arrangement: {kind: hexagonal},"
   print "       outline: [" at(0, 0) ", " at(width, 0) ", " at(width, height) ", " at(0, height) "]}"
 }

@@ -17,7 +17,7 @@ turned_study() {
   [ ! "$again" ] || return 0
   echo "$header" >"$out/$table.part"
   for variant in "$@"; do
-    case $variant in centroidal*) at=0 ;; hexagonal) at="0 15 30" ;; *) at=$angles ;; esac
+    case $variant in centroidal* | cells*) at=0 ;; hexagonal) at="0 15 30" ;; *) at=$angles ;; esac
     for m in $ratios; do for angle in $at; do one "$angle" "$m" "$variant"; done; done
   done >>"$out/$table.part"
   mv "$out/$table.part" "$out/$table.csv"
@@ -27,6 +27,7 @@ points() {
   case $1 in
     seed*) echo "perturbed,$1" ;;
     centroidal*) echo "centroidal,seed ${1#centroidal }" ;;
+    cells*) echo "centroidal by cell,seed ${1#cells }" ;;
     hexagonal) echo "hexagonal,centred" ;;
     *) echo "lattice,moved by ${1#lattice }" ;;
   esac

@@ -2,8 +2,8 @@
 # Both steels' plates turned on the lattice by 0, 15, 30 and 45 degrees, with three horizons, on the lattice in three
 # places and on perturbed particles of four seeds; the first steel's also with half the spacing, on the lattice in one
 # place and with one seed. Writes results/turned.csv (each crack), turned_spread.csv and turned.png.
-# With --points instead on centroidal points of five seeds, and on hexagonal ones turned by 0, 15 and 30 degrees: writes
-# results/arrangement.csv and arrangement_spread.csv.
+# With --points instead, on 2 mm, on centroidal points of five seeds, with the volumes of their cells of three, and on
+# hexagonal ones turned by 0, 15 and 30 degrees: writes results/arrangement.csv and arrangement_spread.csv.
 # usage: cases/kalthoff/turned.sh [--points] [RUNS]     (runs/kalthoff_turned)
 #        cases/kalthoff/turned.sh [--points] --summary  runs nothing: spread and picture from the first table
 # FRANA is the program (build/frana). Finished runs are kept.
@@ -90,7 +90,7 @@ one() {
   case $3 in "lattice 0 0" | "seed 1") plate x2nicomo 0.001 "$@" ;; esac
 }
 variants=("lattice 0 0" "seed 1" "lattice 0.25 0.25" "seed 2" "lattice 0.25 0" "seed 3" "seed 4")
-[ "$table" = turned ] || variants=("${arranged[@]}")
+[ "$table" = turned ] || variants=("${arranged[@]}" "cells 1" "cells 2" "cells 3")
 turned_study "steel,spacing (mm),m,particles,turned by (deg),variant,angle to the end (deg),\
 angle by least squares (deg),left the notch (us),top speed over 1.82 us (m/s),top speed over 9.1 us (m/s)" \
   "0 15 30 45" "3 4 5" "${variants[@]}"
