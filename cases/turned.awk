@@ -5,7 +5,8 @@
 #                 size     of the square domain in whose middle the plate's middle stands, m
 #                 spacing, m, title, material (the keys of its elasticity and strength), model
 #                 variant  "lattice X Y": the lattice, moved by X and Y spacings; "seed N": particles moved by up to
-#                          0.2 spacings at random
+#                          0.2 spacings at random; "centroidal N": centroidal points of seed N; "cells N": the same with the volumes of
+#                          their Voronoi cells; "hexagonal"
 function turned_setup() { rad = turn * atan2(0, -1) / 180; c = cos(rad); s = sin(rad) }
 # the place of the plate's own (x, y) in the domain, and a vector along the plate's axes, as lists
 function at(x, y) {
@@ -16,10 +17,12 @@ function along(x, y) { return sprintf("[%.9g, %.9g]", c * x - s * y, s * x + c *
 # the plate's own coordinates of a place in the domain
 function own_x(x, y) { return width / 2 + c * (x - size / 2) + s * (y - size / 2) }
 function own_y(x, y) { return height / 2 - s * (x - size / 2) + c * (y - size / 2) }
-function turned_begin(  v) {
+function turned_begin(  v, on) {
   turned_setup()
   split(variant, v, " ")
-  print "title: " title ", turned by " turn " degrees on the lattice"
+  if (v[1] == "hexagonal") on = "hexagonal points"
+  else on = v[1] == "centroidal" || v[1] == "cells" ? "centroidal points" : "the lattice"
+  print "title: " title ", turned by " turn " degrees on " on
   print "domain: {size: [" size ", " size "]}"
   print "solid:"
   print "  spacing: " spacing
@@ -31,5 +34,8 @@ function turned_begin(  v) {
   print "  bodies:"
   print "    - {name: plate, shape: polygon,"
   if (v[1] == "seed") print "       arrangement: {kind: perturbed, perturbation: 0.2, seed: " v[2] "},"
+  if (v[1] == "centroidal") print "       arrangement: {kind: centroidal, seed: " v[2] "},"
+  if (v[1] == "cells") print "       arrangement: {kind: centroidal, seed: " v[2] ", volume: cell},"
+  if (v[1] == "hexagonal") print "       arrangement: {kind: hexagonal},"
   print "       outline: [" at(0, 0) ", " at(width, 0) ", " at(width, height) ", " at(0, height) "]}"
 }

@@ -1,26 +1,39 @@
 # shellcheck shell=bash
-# shellcheck disable=SC2016,SC2154 # awk in single quotes; variables of whoever sources this
+# shellcheck disable=SC2016,SC2034,SC2154 # awk in single quotes; variables of and for whoever sources this
 # What the studies of plates turned on the lattice share, sourced by bash: scenes, runs, numbers of forks, spread.
-# A study calls turned_study and turned_spread. It sets $runs, which may be --summary (nothing runs), and $out.
+# A study calls turned_study and turned_spread. It sets $runs, which may be --summary (nothing runs), $out, and $table:
+# turned, or arrangement for points without a lattice.
 # shellcheck source=cases/crack.sh
 . "$(dirname "${BASH_SOURCE[0]}")/crack.sh"
 here=$(dirname "${BASH_SOURCE[0]}")
 mkdir -p "$out"
 
-# turned_study HEADER ANGLES RATIOS VARIANT...: writes results/turned.csv. For each variant of the points (turned.awk),
+# turned_study HEADER ANGLES RATIOS VARIANT...: writes results/$table.csv. For each variant of the points (turned.awk),
 # horizon ratio and angle it writes the rows that `one ANGLE RATIO VARIANT` prints after "particles,variant,...".
+# Centroidal points are not turned, because they have no directions; hexagonal ones repeat themselves after 60 degrees.
 turned_study() {
-  local header=$1 angles=$2 ratios=$3 m variant angle
+  local header=$1 angles=$2 ratios=$3 m variant angle at
   shift 3
   [ ! "$again" ] || return 0
-  echo "$header" >"$out/turned.part"
+  echo "$header" >"$out/$table.part"
   for variant in "$@"; do
-    for m in $ratios; do for angle in $angles; do one "$angle" "$m" "$variant"; done; done
-  done >>"$out/turned.part"
-  mv "$out/turned.part" "$out/turned.csv"
+    case $variant in centroidal* | cells*) at=0 ;; hexagonal) at="0 15 30" ;; *) at=$angles ;; esac
+    for m in $ratios; do for angle in $at; do one "$angle" "$m" "$variant"; done; done
+  done >>"$out/$table.part"
+  mv "$out/$table.part" "$out/$table.csv"
 }
 # points VARIANT: the two fields of the table that name the points
-points() { case $1 in seed*) echo "perturbed,$1" ;; *) echo "lattice,moved by ${1#lattice }" ;; esac; }
+points() {
+  case $1 in
+    seed*) echo "perturbed,$1" ;;
+    centroidal*) echo "centroidal,seed ${1#centroidal }" ;;
+    cells*) echo "centroidal by cell,seed ${1#cells }" ;;
+    hexagonal) echo "hexagonal,centred" ;;
+    *) echo "lattice,moved by ${1#lattice }" ;;
+  esac
+}
+# what --points studies, in place of the lattice
+arranged=("centroidal 1" "centroidal 2" "centroidal 3" "centroidal 4" "centroidal 5" hexagonal)
 
 # turned_go NAME: runs the scene $runs/NAME.yaml, unless that is done already with this very scene
 turned_go() {
@@ -31,7 +44,7 @@ turned_go() {
   fi
 }
 
-# turned_spread: writes results/turned_spread.csv: of each quantity in results/turned.csv (the columns after "variant")
+# turned_spread: writes results/${table}_spread.csv: of each quantity in results/$table.csv (the columns after "variant")
 # number of values, mean, standard deviation, least and largest: for each angle; over all runs ("all"); of the angles'
 # means ("means": what the direction does); and the root mean square of the deviations within the angles ("within": what
 # the seed or the lattice's place does). Rows of the same fields before "turned by" belong together; nan is left out.
@@ -77,7 +90,7 @@ turned_spread() {
         put(g, "means", i); put(g, "all", i)
         printf "%s,within,%s,%d,%d,nan,%.3g,nan,nan\n", g, name[i], rows[g SUBSEP "all" SUBSEP i], free,
           free ? sqrt(inside / free) : 0
-      } }' "$out/turned.csv" >"$out/turned_spread.csv"
+      } }' "$out/$table.csv" >"$out/${table}_spread.csv"
 }
 
 # turned_picture QUANTITY LABEL WHERE: draws results/turned.png: QUANTITY of each run over the angle, a panel for each
@@ -197,5 +210,5 @@ fork_study() {
   one() { fork_one "$@"; }
   turned_study "$fork_header" "0 15 30 45" "3 4 5" "$@"
   turned_spread
-  turned_picture "between (deg)" "angle between the arms, degrees" 1
+  [ "$table" = arrangement ] || turned_picture "between (deg)" "angle between the arms, degrees" 1
 }

@@ -2,11 +2,15 @@
 # Both steels' plates turned on the lattice by 0, 15, 30 and 45 degrees, with three horizons, on the lattice in three
 # places and on perturbed particles of four seeds; the first steel's also with half the spacing, on the lattice in one
 # place and with one seed. Writes results/turned.csv (each crack), turned_spread.csv and turned.png.
-# usage: cases/kalthoff/turned.sh [RUNS]      (runs/kalthoff_turned)
-#        cases/kalthoff/turned.sh --summary   runs nothing: the spread and the picture from results/turned.csv
+# With --points instead, on 2 mm, on centroidal points of five seeds, with the volumes of their cells of three, and on
+# hexagonal ones turned by 0, 15 and 30 degrees: writes results/arrangement.csv and arrangement_spread.csv.
+# usage: cases/kalthoff/turned.sh [--points] [RUNS]     (runs/kalthoff_turned)
+#        cases/kalthoff/turned.sh [--points] --summary  runs nothing: spread and picture from the first table
 # FRANA is the program (build/frana). Finished runs are kept.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+table=turned
+[ "${1-}" != --points ] || { table=arrangement && shift; }
 case=cases/kalthoff runs=${1:-runs/kalthoff_turned} out=cases/kalthoff/results
 . cases/turned.sh
 . cases/kalthoff/path.sh
@@ -49,10 +53,12 @@ END2
     ) "$1"
 }
 # crack_row STEEL SPACING RATIO ANGLE VARIANT NAME SIDE: the row of one crack. The lower crack of a plate turned by an
-# angle is the mirror image of the upper one of a plate turned by the opposite angle, or by 90 degrees less the angle.
+# angle is the mirror image of the upper one of a plate turned by the opposite angle, or by 90 degrees less the angle, on
+# hexagonal points by 60.
 crack_row() {
-  local angle=$4 p
-  [ "$7" = 1 ] || angle=$(((90 - $4) % 90))
+  local angle=$4 repeats=90 p
+  [ "$5" != hexagonal ] || repeats=60
+  [ "$7" = 1 ] || angle=$(((repeats - $4) % repeats))
   tips "$runs/$6/crack_particles.csv" "$4" "$7" "$2" >"$runs/$6/tips_$7.csv"
   read -r -a p <<<"$(path_of "$runs/$6/tips_$7.csv" "$(calc "0.1 + $(half "$2")")")"
   echo "$1,$(calc "1e3 * $2"),$3,$(points "$5" | cut -d , -f 1),$angle,$(points "$5" | cut -d , -f 2),${p[0]},${p[1]},$(
@@ -69,7 +75,10 @@ plate() {
     -v notch="$(half "$2")" -f cases/turned.awk -f $case/turned.awk >"$runs/$name.yaml"
   turned_go "$name"
   crack_row "$1" "$2" "$4" "$3" "$5" "$name" 1
-  case "$5, $3" in "lattice 0 0, 0" | "lattice 0 0, 45") ;; *) crack_row "$1" "$2" "$4" "$3" "$5" "$name" -1 ;; esac
+  case "$5, $3" in
+    "lattice 0 0, 0" | "lattice 0 0, 45") ;;
+    *) crack_row "$1" "$2" "$4" "$3" "$5" "$name" -1 ;;
+  esac
 }
 declare -A material=(
   [x2nicomo]="youngs_modulus: 191.0e9, density: 8000, fracture_energy: 38590"
@@ -80,10 +89,13 @@ one() {
   plate 18ni1900 0.002 "$@"
   case $3 in "lattice 0 0" | "seed 1") plate x2nicomo 0.001 "$@" ;; esac
 }
+variants=("lattice 0 0" "seed 1" "lattice 0.25 0.25" "seed 2" "lattice 0.25 0" "seed 3" "seed 4")
+[ "$table" = turned ] || variants=("${arranged[@]}" "cells 1" "cells 2" "cells 3")
 turned_study "steel,spacing (mm),m,particles,turned by (deg),variant,angle to the end (deg),\
 angle by least squares (deg),left the notch (us),top speed over 1.82 us (m/s),top speed over 9.1 us (m/s)" \
-  "0 15 30 45" "3 4 5" "lattice 0 0" "seed 1" "lattice 0.25 0.25" "seed 2" "lattice 0.25 0" "seed 3" "seed 4"
+  "0 15 30 45" "3 4 5" "${variants[@]}"
 turned_spread
+[ "$table" = turned ] || exit 0
 # shellcheck disable=SC2016 # awk
 turned_picture "angle by least squares (deg)" "angle of the crack, degrees" \
   '$at["steel"] == "x2nicomo" && $at["spacing (mm)"] == 2'

@@ -29,6 +29,22 @@ run() { # run NAME options...: runs the wave, and one small step from an affine 
   "$frana" run "$here/scene.yaml" --out "$runs/$name" --quiet "$@"
   "$frana" run "$here/scene.yaml" --out "$runs/${name}_affine" --quiet "$@" "${affine[@]}"
 }
+# The wave without the patch, at nine places, on the lattice and on centroidal points.
+plain() { # plain NAME options...
+  local name=$1
+  [ ! "$again" ] || return 0
+  shift
+  rm -rf "${runs:?}/$name"
+  sed '/^  refinement:/,/^  surface_correction/{/^  surface_correction/!d}' "$here/scene.yaml" >"$runs/$name.yaml"
+  "$frana" run "$runs/$name.yaml" --out "$runs/$name" --quiet --set "output.probes.at=[[0.03, 0.02], [0.035, 0.02], \
+[0.04, 0.02], [0.045, 0.02], [0.05, 0.02], [0.055, 0.02], [0.06, 0.02], [0.065, 0.02], [0.07, 0.02]]" "$@"
+}
+points() {
+  echo "solid.bodies=[{name: plate, shape: rectangle, low: [0, 0], high: [0.1, 0.04],\
+ arrangement: {kind: centroidal, seed: $1}}]"
+}
+plain lattice
+for seed in 1 2; do plain "points_$seed" --set "$(points "$seed")"; done
 run uniform "${none[@]}"
 run a "${one[@]}" "${kept[@]}"
 run b "${one[@]}"
@@ -77,6 +93,15 @@ passes() {
     END { print t[at] + 0.5 * (t[2] - t[1]) * (u[at - 1] - u[at + 1]) / (u[at - 1] - 2 * u[at] + u[at + 1]) }' \
       "$runs/uniform/probes.csv"
 }
+# Error (%) of the wave's speed: the mean times, weighted by the squared displacement, at which it passes the nine
+# places are fitted by a line; the continuum's speed is sqrt(E/((1 - nu^2) rho)), nu = 1/3.
+speed() {
+  awk -F, "$names"' { p = $k["probe"]; u = $k["displacement_x"] ^ 2; x[p] = $k["x"]; w[p] += u; t[p] += u * $k["t"] }
+    END {
+      for (p in x) { n++; t[p] /= w[p]; a += x[p]; b += t[p] }
+      for (p in x) { xt += (x[p] - a / n) * (t[p] - b / n); tt += (t[p] - b / n) ^ 2 }
+      print 100 * (xt / tt / sqrt(9 / 8) - 1) }' "$runs/$1/probes.csv"
+}
 
 digits=4
 summary_begin "$out/summary.csv"
@@ -107,6 +132,9 @@ for m in a b b_corrected dual dual_kept; do
     "$(kept "$m: affine density" affine_density $m)" "" ""
   at_most "$m: affine displacement: force density delta/(E strain)" 1 "$(kept "$m: affine force" affine_force $m)" 0 \
     "a patch test" 1e-12
+done
+for m in lattice points_1 points_2; do
+  shown "$m: error of the wave's speed" % "$(kept "$m: error of the speed" speed "$m")" 0 "sqrt(E/((1 - nu^2) rho))"
 done
 
 [ ! "$again" ] || { finish; exit; }

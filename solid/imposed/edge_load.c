@@ -10,11 +10,12 @@
 #include "solid/geometry/shape.h"
 
 #include <math.h>
+#include <stdio.h>
 
 struct solid_edges {
     int loads;
-    int *body;                              /* [loads] the body of the edge */
-    struct solid_outline_lengths **lengths; /* [loads] NULL: no load on an edge */
+    int *body;                              /* [loads] the body of the edge; -1: none */
+    struct solid_outline_lengths **lengths; /* [loads] NULL: no load on an edge, or on one of a body of points */
 };
 
 /* Finds, for the cells of a body, the boundary under each load on its edges. */
@@ -26,15 +27,33 @@ static void find_in_body(struct solid_edges *e, const struct solid_input *in, in
     int found = 0;
     for (int k = 0; k < e->loads; k++) {
         const struct solid_load *load = &in->load[k];
-        if (load->kind != SOLID_LOAD_EDGE || e->lengths[k]) continue;
+        if (load->kind != SOLID_LOAD_EDGE || e->body[k] >= 0) continue;
         e->lengths[k] = solid_outline_lengths(body->outline, body->outlines, in->origin, in->spacing, cells,
                                               load->edge[0], load->edge[1], text, size);
+        if (!e->lengths[k]) continue;
         e->body[k] = b;
-        if (e->lengths[k]) here[found++] = e->lengths[k];
+        here[found++] = e->lengths[k];
     }
     solid_outline_symmetry_lengths(cells, in->spacing, here, found);
     memory_free(here);
     solid_outline_cells_free(cells);
+}
+
+/* The same for points inside an outline. They have no cells to share the boundary, so only a horizon takes the load. */
+static void find_in_points(struct solid_edges *e, const struct solid_input *in, int b, char *text, size_t size) {
+    const struct solid_body *body = &in->body[b];
+    for (int k = 0; k < e->loads; k++) {
+        const struct solid_load *load = &in->load[k];
+        if (load->kind != SOLID_LOAD_EDGE || e->body[k] >= 0) continue;
+        struct solid_outline_lengths *lengths = solid_outline_lengths(
+            body->outline, body->outlines, in->origin, in->spacing, NULL, load->edge[0], load->edge[1], text, size);
+        if (lengths && load->over_horizon)
+            e->body[k] = b;
+        else if (lengths)
+            snprintf(text, size, "the particles of body %s stand on no lattice, so the load needs depth: horizon",
+                     body->name);
+        solid_outline_lengths_free(lengths);
+    }
 }
 
 struct solid_edges *solid_edge_load_new(const struct solid_input *in) {
@@ -44,12 +63,18 @@ struct solid_edges *solid_edge_load_new(const struct solid_input *in) {
     e->body = memory_new(MEMORY_SOLID, (size_t)in->loads + 1, sizeof *e->body);
     e->lengths = memory_new(MEMORY_SOLID, (size_t)in->loads + 1, sizeof(struct solid_outline_lengths *));
     int wanted = 0;
-    for (int k = 0; k < in->loads; k++) wanted += in->load[k].kind == SOLID_LOAD_EDGE;
+    for (int k = 0; k < in->loads; k++) {
+        wanted += in->load[k].kind == SOLID_LOAD_EDGE;
+        e->body[k] = -1;
+    }
     for (int b = 0; wanted && b < in->bodies; b++)
-        if (solid_shape_of(&in->body[b])->places == SOLID_PLACES_CELLS) find_in_body(e, in, b, text, sizeof text);
+        if (solid_shape_of(&in->body[b])->places == SOLID_PLACES_CELLS)
+            find_in_body(e, in, b, text, sizeof text);
+        else if (in->body[b].outlines)
+            find_in_points(e, in, b, text, sizeof text);
     for (int k = 0; k < in->loads; k++) {
         const struct solid_load *load = &in->load[k];
-        if (load->kind == SOLID_LOAD_EDGE && !e->lengths[k])
+        if (load->kind == SOLID_LOAD_EDGE && e->body[k] < 0)
             die_all(EXIT_CODE_SCENE, "solid.loads[%d].edge from (%g, %g) to (%g, %g) m: %s", k, load->edge[0][0],
                     load->edge[0][1], load->edge[1][0], load->edge[1][1], text);
     }

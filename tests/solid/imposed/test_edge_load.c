@@ -73,10 +73,29 @@ static void cut_cells(void **state) {
     solid_free(s);
 }
 
+/* Points inside an outline: the force goes evenly to those within the horizon of the edge, and its sum stays. */
+static void points(void **state) {
+    (void)state;
+    const struct solid_load load = {.kind = SOLID_LOAD_EDGE,
+                                    .edge = {{8 * SPACING, SPACING}, {8 * SPACING, 5 * SPACING}},
+                                    .traction = {traction[0], traction[1]},
+                                    .over_horizon = 1};
+    struct solid *s = make((struct make){.sites = {8, 6}, .irregular = 0.2, .loads = 1, .load = &load});
+    double most = 0;
+    for (int h = 0; h < s->n; h++) most = fmax(most, s->load[0][h]);
+    most = par_max(most);
+    for (int h = 0; h < s->n; h++) {
+        const double x = s->x0[0][h] / SPACING, y = s->x0[1][h] / SPACING;
+        check_close(s->load[0][h], x >= 5 && y >= 1 && y <= 5 ? most : 0, 1e-12 * most);
+    }
+    check_total(s, 4 * SPACING);
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(outer_layer), cmocka_unit_test(over_the_horizon),
-                                       cmocka_unit_test(cut_cells)};
+                                       cmocka_unit_test(cut_cells), cmocka_unit_test(points)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
