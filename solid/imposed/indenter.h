@@ -4,17 +4,17 @@
  *
  * That is the force of LAMMPS's fix indent, -K (r - R)^2 along the radius, on the force densities of its package PERI,
  * whose K therefore has the unit N/m5 too. It is minus the gradient of the energy density (K/3) (R - r)^3. The force on
- * a body is an integral over its volume, so it does not depend on the spacing. At the centre it has no direction, and is
- * taken as 0. An indenter moves as the scene says, whatever pushes it back. */
+ * a body is an integral over its volume, so it does not depend on the spacing. At the centre it has no direction, and
+ * is taken as 0. An indenter moves as the scene says, whatever pushes it back. */
 #pragma once
 #include "solid/state.h"
 
 struct solid_indent {
-    double t;              /* s, the time for which the places hold */
-    double (*place)[3];    /* [indenters] m */
-    double (*force)[3];    /* [indenters] on the solid in the last sweep, this rank's share, N */
-    double *energy;        /* [indenters] of the last sweep, this rank's share, J */
-    long *inside;          /* [indenters] particles inside, this rank's */
+    double t;           /* s, the time for which the places hold */
+    double (*place)[3]; /* [indenters] m */
+    double (*force)[3]; /* [indenters] on the solid in the last sweep, this rank's share, N */
+    double *energy;     /* [indenters] of the last sweep, this rank's share, J */
+    long *inside;       /* [indenters] particles inside, this rank's */
 };
 
 /* Sets s->indent; NULL if the input has no indenter. Not collective. */

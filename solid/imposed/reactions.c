@@ -160,7 +160,7 @@ void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction) {
         reaction[q].particles = lrint(sum[q][PARTICLES]);
         for (int c = 0; c < 3; c++) {
             reaction[q].force[c] = r->time > 0 ? sum[q][FORCE + c] / r->time : NAN;
-            reaction[q].displacement[c] = q >= indenters ? s->in.indenter[q - indenters].velocity[c] * s->indent->t
+            reaction[q].displacement[c] = q >= indenters ? s->in.indenter[q - indenters].velocity[c] * s->t
                                                          : sum[q][DISPLACEMENT + c] / sum[q][VOLUME];
         }
     }
