@@ -26,31 +26,47 @@ static struct bonds bonds_of(const struct solid *s, int body, int h) {
     return of;
 }
 
-/* The other end of an intact bond and xi, m; -1: there is no such bond. */
-static int other_end(const struct bonds *of, long j, double xi[3]) {
-    const struct solid_lattice *t = of->lattice;
-    if (!t) {
-        if (!solid_list_is_swept(of->list, j)) return -1;
-        solid_list_xi(of->list, j, xi);
-        return solid_list_other(of->list, j);
-    }
-    const int cell = t->cell[of->h - t->first];
-    const size_t row = (size_t)t->row_of[cell / SOLID_ROW] * (size_t)t->stencil->n;
-    if (!(t->lambda[row + (size_t)j] >> cell % SOLID_ROW & 1)) return -1;
-    memcpy(xi, t->stencil->offset[j].xi, sizeof t->stencil->offset[j].xi);
-    return t->local[cell + t->offset[j].shift];
-}
-
-/* Both ends get the same value to the bit: all signs are opposite, nothing else differs. */
-static __attribute__((noinline)) double stretch_of(const struct solid *s, int h, int l, const double xi[3]) {
+/* Both ends get the same value to the bit: all signs are opposite, nothing else differs (and CMakeLists.txt forbids
+ * fused operations here). */
+static inline double eps_of(int dim, const double *xi, const double *eta) {
     double q = 0, xi2 = 0;
-    for (int c = 0; c < s->dim; c++) {
-        const double eta = s->d[c][l] - s->d[c][h];
-        q += eta * (xi[c] + (xi[c] + eta));
+    for (int c = 0; c < dim; c++) {
+        q += eta[c] * (xi[c] + (xi[c] + eta[c]));
         xi2 += xi[c] * xi[c];
     }
-    const double eps = q / xi2;
-    return eps / (1 + sqrt(1 + eps));
+    return q / xi2;
+}
+
+static inline double stretch_of(double eps) { return eps / (1 + sqrt(1 + eps)); }
+
+/* Whether bond j of a list is intact, and its eps. */
+static inline int list_eps(const struct solid_list *t, const double *here, long j, const int dim, double *eps) {
+    if (!solid_list_is_swept(t, j)) return 0;
+    const double *there = t->record + t->at[j];
+    double xi[3], eta[3];
+    for (int c = 0; c < dim; c++) {
+        xi[c] = t->step[(j / SOLID_LIST_BLOCK * dim + c) * SOLID_LIST_BLOCK + j % SOLID_LIST_BLOCK];
+        eta[c] = there[c] - here[c];
+    }
+    *eps = eps_of(dim, xi, eta);
+    return 1;
+}
+
+/* The same of offset o on a lattice. */
+static inline int lattice_eps(const struct solid *s, const struct solid_lattice *t, int h, long o, double *eps) {
+    const int cell = t->cell[h - t->first];
+    const size_t row = (size_t)t->row_of[cell / SOLID_ROW] * (size_t)t->stencil->n;
+    if (!(t->lambda[row + (size_t)o] >> cell % SOLID_ROW & 1)) return 0;
+    const int l = t->local[cell + t->offset[o].shift];
+    double eta[3];
+    for (int c = 0; c < 3; c++) eta[c] = s->d[c][l] - s->d[c][h];
+    *eps = eps_of(3, t->stencil->offset[o].xi, eta);
+    return 1;
+}
+
+static int other_of(const struct bonds *of, long j) {
+    const struct solid_lattice *t = of->lattice;
+    return t ? t->local[t->cell[of->h - t->first] + t->offset[j].shift] : solid_list_other(of->list, j);
 }
 
 static int is_beyond(const struct solid *s, int h, int l, double stretch) {
@@ -85,29 +101,46 @@ static void cut(struct solid *s, const struct bonds *of, long j, double stretch,
     s->broke = 1;
 }
 
-/* Returns the least stretch of the particle's bonds, those that break included. */
-static double judge(struct solid *s, int body, int h, const struct solid_limit *limit) {
-    const struct bonds of = bonds_of(s, body, h);
-    double least = INFINITY;
-    for (long j = of.first; j < of.end; j++) {
-        double xi[3];
-        const int l = other_end(&of, j, xi);
-        if (l < 0) continue;
-        const double stretch = stretch_of(s, h, l, xi);
-        least = fmin(least, stretch);
-        if (is_beyond(s, h, l, stretch)) cut(s, &of, j, stretch, limit);
+/* Returns the least stretch of the particle's bonds, those that break included. look: no bond of smaller eps is beyond
+ * a limit. */
+static inline __attribute__((always_inline)) double judge(struct solid *s, const struct bonds *of, double look,
+                                                          const struct solid_limit *limit, const int dim,
+                                                          const int on_lattice) {
+    const double *here = on_lattice ? NULL : of->list->record + (long)of->list->width * (of->h - of->list->first);
+    double least = INFINITY, eps;
+    for (long j = of->first; j < of->end; j++) {
+        if (!(on_lattice ? lattice_eps(s, of->lattice, of->h, j, &eps) : list_eps(of->list, here, j, dim, &eps)))
+            continue;
+        least = eps < least ? eps : least;
+        if (!(eps > look)) continue;
+        const double stretch = stretch_of(eps);
+        if (is_beyond(s, of->h, other_of(of, j), stretch)) cut(s, of, j, stretch, limit);
     }
-    return least;
+    return least < INFINITY ? stretch_of(least) : INFINITY;
+}
+
+static double judge_any(struct solid *s, const struct bonds *of, double look, const struct solid_limit *limit) {
+    if (of->lattice) return judge(s, of, look, limit, 3, 1);
+    return s->dim == 2 ? judge(s, of, look, limit, 2, 0) : judge(s, of, look, limit, 3, 0);
+}
+
+/* eps below which no bond of this rank is beyond a limit, with room for rounding errors. */
+static double look_of(const struct solid *s) {
+    double least = INFINITY;
+    for (int h = 0; h < s->n + s->n_ghost; h++) least = s->limit[h] < least ? s->limit[h] : least;
+    return least > -1 ? least * (2 + least) - 1e-12 : -INFINITY;
 }
 
 void solid_sweep_limit(struct solid *s) {
     const struct solid_family *f = s->family;
     double *const limits[] = {s->limit};
     par_ghost_update(s->ghost, 1, limits, s->n);
+    const double look = look_of(s);
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_limit *limit = &s->in.limit[s->in.body[b].material];
         for (int h = f->first[b]; h < f->first[b + 1]; h++) {
-            const double least = limit->s00 > 0 ? judge(s, b, h, limit) : INFINITY;
+            const struct bonds of = bonds_of(s, b, h);
+            const double least = limit->s00 > 0 ? judge_any(s, &of, look, limit) : INFINITY;
             s->limit_next[h] = least < INFINITY ? limit->s00 - limit->alpha * least : INFINITY;
         }
     }
