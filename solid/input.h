@@ -24,7 +24,7 @@ enum solid_micromodulus_kind {
 };
 
 /* Gamma: the exact part of a particle's cell in the horizon, a ramp, or the ramp over the cells
- * whose centres are within the horizon, as LAMMPS has it.  (001: eq. 3.33, mended; 000: eq. 22; Parks et al. 2008) */
+ * whose centres are within the horizon, as LAMMPS has it.  (001: eq. 3.33, mended; 000: eq. 22) */
 enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP, SOLID_PARTIAL_RAMP_CUT };
 /* How bonds near a surface are stiffened, solid/bonds/correction.h. */
 enum solid_correction { SOLID_CORRECTION_NONE, SOLID_CORRECTION_VOLUME, SOLID_CORRECTION_ENERGY };
