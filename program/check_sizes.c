@@ -159,7 +159,7 @@ static void say_crack(struct sizes *z, int k) {
     int breaks = 0;
     for (int m = 0; m < z->solid->materials; m++) {
         horizon = fmax(horizon, z->solid->material[m].horizon_ratio * z->solid->spacing);
-        breaks |= isfinite(z->solid->material[m].fracture_energy) != 0;
+        breaks |= isfinite(z->solid->material[m].fracture_energy) || z->solid->material[m].s00 > 0;
     }
     const double horizons = round(1e6 * extent_of(&z->solid->crack[k], z->dim) / horizon) / 1e6;
     if (!breaks || !(horizons < CRACK)) return;

@@ -67,7 +67,10 @@ struct crack *crack_series_new(struct run *r) {
     for (int k = 0; k < 2; k++) c->direction[k] = scene->direction[k] / length;
     c->thickness = r->solid->dim == 2 ? in->thickness : NAN;
     c->g0 = INFINITY;
-    for (int m = 0; m < in->materials; m++) c->g0 = fmin(c->g0, in->material[m].fracture_energy);
+    for (int m = 0; m < in->materials; m++) {
+        c->g0 = fmin(c->g0, in->material[m].fracture_energy);
+        if (in->limit && in->limit[m].s00 > 0) c->g0 = fmin(c->g0, in->limit[m].fracture_energy);
+    }
     damage_of(c, r);
     c->initial = solid_crack_gather(r->solid, c->damage, scene->damage, c->direction);
     const struct solid_crack_tips tips = solid_crack_tips_of(&c->initial, &c->initial, c->direction, NULL);

@@ -1,4 +1,4 @@
-/* Writes reactions.csv: force and mean displacement of every constraint and load during the run. */
+/* Writes reactions.csv: force and mean displacement of every constraint, load and indenter during the run. */
 #include "program/reactions.h"
 #include "base/clock.h"
 #include "base/ensure.h"
@@ -13,19 +13,21 @@ enum { STEP, T, LOAD, INDEX, PARTICLES, FORCE, COLUMNS_MAX = FORCE + 6 };
 
 struct reactions {
     struct table *table;
-    int dim, constraints, all;
+    int dim, constraints, loads, all;
     struct solid_reaction *now; /* [all], work */
 };
 
 struct reactions *reactions_new(struct run *r) {
     const struct scene *scene = r->scene;
     if (!r->needs.bonds || !scene->output.reactions || scene->output.series_every == 0) return NULL;
-    if (r->solid->in.constraints + r->solid->in.loads == 0) return NULL;
+    const struct solid_input *in = &r->solid->in;
+    if (in->constraints + in->loads + in->indenters == 0) return NULL;
     struct reactions *a = calloc(1, sizeof *a);
     ENSURE(a, "no memory for reactions");
     a->dim = r->solid->dim;
-    a->constraints = r->solid->in.constraints;
-    a->all = r->solid->in.constraints + r->solid->in.loads;
+    a->constraints = in->constraints;
+    a->loads = in->loads;
+    a->all = in->constraints + in->loads + in->indenters;
     a->now = calloc((size_t)a->all, sizeof *a->now);
     ENSURE(a->now, "no memory for %d reactions", a->all);
     solid_reactions_new(r->solid);
@@ -52,11 +54,12 @@ void reactions_sample(struct reactions *a, struct run *r) {
     clock_begin(CLOCK_OUTPUT);
     solid_reactions_measure(r->solid, a->now);
     for (int k = 0; k < a->all; k++) {
-        const int is_load = k >= a->constraints;
+        const int kind = (k >= a->constraints) + (k >= a->constraints + a->loads);
+        const int before = kind == 0 ? 0 : kind == 1 ? a->constraints : a->constraints + a->loads;
         double row[COLUMNS_MAX] = {[STEP] = (double)r->step,
                                    [T] = r->t,
-                                   [LOAD] = is_load,
-                                   [INDEX] = is_load ? k - a->constraints : k,
+                                   [LOAD] = kind,
+                                   [INDEX] = k - before,
                                    [PARTICLES] = (double)a->now[k].particles};
         for (int c = 0; c < a->dim; c++) {
             row[FORCE + c] = a->now[k].force[c];

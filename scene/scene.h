@@ -69,7 +69,7 @@ enum scene_model {
     SCENE_PLANE_STRAIN = PHYSICS_PLANE_STRAIN
 };
 enum { SCENE_MODELS = SCENE_PLANE_STRAIN + 1 };
-enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP };
+enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP, SCENE_PARTIAL_RAMP_CUT };
 enum scene_correction { SCENE_CORRECTION_NONE, SCENE_CORRECTION_VOLUME, SCENE_CORRECTION_ENERGY };
 enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
 enum scene_micromodulus {
@@ -87,6 +87,7 @@ struct scene_material {
     enum scene_micromodulus micromodulus; /* constant (default), conical, exponential */
     enum scene_breakage breakage;         /* breakage.law: brittle (default), bilinear */
     double tensile_strength;              /* breakage.tensile_strength: of the bilinear law, Pa; else 0 */
+    double s00, alpha; /* breakage: of the brittle law whose limit follows the other bonds; s00 = 0: it does not */
 };
 
 /* A factor as a function of time: linear between the given times, constant before the first and after the last. n = 0:
@@ -257,6 +258,14 @@ struct scene_initial {
     double centre, width;   /* m */
     double displacement[3]; /* m */
 };
+/* A rigid body that pushes the particles inside it outward; at `centre` at t = 0. */
+enum scene_indenter_shape { SCENE_INDENTER_SPHERE };
+struct scene_indenter {
+    enum scene_indenter_shape shape;
+    double centre[3], radius; /* m; in a plate a disc */
+    double velocity[3];       /* m/s, default 0 */
+    double stiffness;         /* N/m5: force per volume over the square of the depth */
+};
 struct scene_refined { /* A region that is refined from the start. */
     double low[3], high[3];
     int level; /* 1 ... levels */
@@ -305,9 +314,9 @@ struct scene_solid {
     struct scene_element_free *element_free; /* NULL unless the method is element_free */
     double thickness;                        /* of a plate, m, default 1 */
     double lattice_offset[3];                /* in spacings: points are at (i + 1/2 + offset) spacing; default 0 */
-    enum scene_partial partial_volume;       /* exact (default), ramp */
+    enum scene_partial partial_volume;       /* exact (default), ramp, ramp_cut */
     enum scene_horizons horizons;            /* dual (default), one_sided */
-    int materials, bodies, interfaces, cracks, constraints, unbreakables, loads, initials;
+    int materials, bodies, interfaces, cracks, constraints, unbreakables, loads, initials, indenters;
     struct scene_material *material;                            /* materials: [...] */
     struct scene_body *body;                                    /* bodies: [...] */
     struct scene_interface *interface;                          /* interfaces: [...] */
@@ -316,6 +325,7 @@ struct scene_solid {
     struct scene_region *unbreakable;                           /* unbreakable: [...] */
     struct scene_load *load;                                    /* loads: [...] */
     struct scene_initial *initial;                              /* initial: [...] */
+    struct scene_indenter *indenter;                            /* indenters: [...] */
     struct scene_refinement *refinement;                        /* NULL: none */
     enum scene_correction surface_correction;                   /* none, volume, energy (default) */
     double body_force[3];                                       /* m/s2 */

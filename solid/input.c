@@ -36,6 +36,9 @@ void solid_input_copy(struct solid_input *to, const struct solid_input *from) {
     to->unbreakable =
         memory_copy(MEMORY_SOLID, from->unbreakable, (size_t)from->unbreakables, sizeof *from->unbreakable);
     to->interface = memory_copy(MEMORY_SOLID, from->interface, (size_t)from->interfaces, sizeof *from->interface);
+    if (from->limit) to->limit = memory_copy(MEMORY_SOLID, from->limit, (size_t)from->materials, sizeof *from->limit);
+    if (from->indenters > 0)
+        to->indenter = memory_copy(MEMORY_SOLID, from->indenter, (size_t)from->indenters, sizeof *from->indenter);
     for (int b = 0; b < to->bodies; b++) {
         struct solid_body *body = (struct solid_body *)(uintptr_t)&to->body[b];
         copy_shapes(body);
@@ -52,7 +55,8 @@ void solid_input_free(struct solid_input *in) {
     for (int k = 0; k < in->constraints; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->constraint[k].time);
     for (int k = 0; k < in->loads; k++) solid_time_free((struct solid_time *)(uintptr_t)&in->load[k].time);
     for (int b = 0; b < in->bodies; b++) free_shapes(&in->body[b]);
-    const void *const own[] = {in->body, in->material, in->constraint, in->unbreakable, in->load, in->interface};
+    const void *const own[] = {in->body, in->material,  in->constraint, in->unbreakable,
+                               in->load, in->interface, in->limit,      in->indenters > 0 ? in->indenter : NULL};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free((void *)(uintptr_t)own[i]);
 }
 
@@ -69,6 +73,24 @@ static void check_softening(const struct solid_input *in, int m) {
         if (in->body[b].material == m && in->body[b].point_horizon)
             die_all(EXIT_CODE_SCENE, "solid body %s: bonds that soften need one horizon for all its points",
                     in->body[b].name);
+}
+
+/* The limit stands alone, and its array does not follow a refinement. */
+static void check_limit(const struct solid_input *in, int m) {
+    const struct solid_material *k = &in->material[m];
+    const struct solid_limit *of = &in->limit[m];
+    if (!(of->alpha >= 0) || !(of->fracture_energy > 0) || k->fracture_energy < INFINITY || k->tensile_strength > 0 ||
+        in->refinement)
+        die_all(EXIT_CODE_SCENE,
+                "solid material %d: a limit that follows the other bonds goes with no fracture energy, no strength and "
+                "no refinement",
+                m);
+    for (int i = 0; i < in->interfaces; i++)
+        for (int e = 0; e < 2; e++)
+            if (in->body[in->interface[i].body[e]].material == m)
+                die_all(EXIT_CODE_SCENE,
+                        "solid.interfaces[%d]: does not go with a limit that follows the other bonds (material %d)", i,
+                        m);
 }
 
 /* Of both bodies all bonds are in lists, by one law each. */
@@ -105,4 +127,10 @@ void solid_input_check(const struct solid_input *in) {
         if (k->tensile_strength > 0) check_softening(in, m);
     }
     for (int k = 0; k < in->interfaces; k++) check_interface(in, k);
+    for (int m = 0; in->limit && m < in->materials; m++)
+        if (in->limit[m].s00 > 0) check_limit(in, m);
+    for (int k = 0; k < in->indenters; k++)
+        if (!(in->indenter[k].radius > 0) || !(in->indenter[k].stiffness > 0))
+            die_all(EXIT_CODE_SCENE, "solid.indenters[%d]: radius %g and stiffness %g must be above 0", k,
+                    in->indenter[k].radius, in->indenter[k].stiffness);
 }

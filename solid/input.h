@@ -23,8 +23,9 @@ enum solid_micromodulus_kind {
     SOLID_EXPONENTIAL = PHYSICS_EXPONENTIAL
 };
 
-/* Gamma: the exact part of a particle's cell in the horizon, or a ramp.  (001: eq. 3.33, mended; 000: eq. 22) */
-enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP };
+/* Gamma: the exact part of a particle's cell in the horizon, a ramp, or the ramp over the cells
+ * whose centres are within the horizon, as LAMMPS has it.  (001: eq. 3.33, mended; 000: eq. 22) */
+enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP, SOLID_PARTIAL_RAMP_CUT };
 /* How bonds near a surface are stiffened, solid/bonds/correction.h. */
 enum solid_correction { SOLID_CORRECTION_NONE, SOLID_CORRECTION_VOLUME, SOLID_CORRECTION_ENERGY };
 
@@ -43,6 +44,13 @@ struct solid_material {
     double horizon_ratio;   /* m = delta / spacing */
     enum solid_micromodulus_kind micromodulus;
     double tensile_strength; /* Pa: bonds soften by the bilinear law (physics/softening.h); 0: they are brittle */
+};
+
+/* A limit of the stretch that follows the other bonds of the step before: solid/force/sweep_limit.h. Its material has
+ * an infinite fracture energy, so that no other sweep breaks its bonds. */
+struct solid_limit {
+    double s00, alpha;      /* s00 = 0: the material has no such limit */
+    double fracture_energy; /* of a constant limit s00, J/m2: for the area of the cracks */
 };
 
 /* One closed curve of a plate's outline: a straight line or an arc from each corner to the next (and from the last to
@@ -168,6 +176,13 @@ struct solid_initial {
     double centre, width, displacement[3]; /* m */
 };
 
+/* A rigid sphere, in a plate a disc, that pushes the particles inside it outward: solid/imposed/indenter.h. */
+struct solid_indenter {
+    double centre[3], radius; /* m, at t = 0 */
+    double velocity[3];       /* m/s */
+    double stiffness;         /* N/m5 */
+};
+
 /* Two bodies, not otherwise bonded, whose particles are bonded to each other. Each end brings its half of a bond's
  * stiffness, with the constants of its material, and its critical stretch follows from the interface's fracture energy.
  */
@@ -218,8 +233,11 @@ struct solid_input {
     const struct solid_body *body; /* borrowed during the call */
     int materials;
     const struct solid_material *material;
+    const struct solid_limit *limit; /* [materials]; NULL: none has one */
     int interfaces;
     const struct solid_interface *interface;
+    int indenters;
+    const struct solid_indenter *indenter;
     int constraints;
     const struct solid_constraint *constraint;
     int unbreakables;

@@ -21,6 +21,7 @@
 #include "solid/geometry/shape.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/input.h"
 #include "solid/law/material.h"
@@ -144,6 +145,10 @@ static void arrays_new(struct solid *s) {
     s->family_volume = memory_new(MEMORY_SOLID, all, sizeof(double));
     s->body = memory_new(MEMORY_SOLID, all, 1);
     s->flag = memory_new(MEMORY_SOLID, all, 1);
+    if (!s->in.limit) return;
+    s->limit = memory_new(MEMORY_SOLID, all, sizeof(double));
+    s->limit_next = memory_new(MEMORY_SOLID, owned, sizeof(double));
+    for (int h = 0; h < s->n; h++) s->limit[h] = INFINITY;
 }
 
 /* The displacement's factor, r widths from the centre. */
@@ -217,6 +222,7 @@ struct solid *solid_new(const struct solid_input *in) {
     solid_cut_shapes(s);
     solid_build_edges(s);
     solid_given_new(s, sites, NULL);
+    solid_indenter_new(s);
     for (int b = 0; b < in->bodies; b++) {
         solid_sites_free(sites[b]);
         if (s->dim == 2)
@@ -274,11 +280,12 @@ void solid_free(struct solid *s) {
         void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
         for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
     }
-    void *const own[] = {s->volume, s->body, s->flag, s->first, s->piece, s->piece_since};
+    void *const own[] = {s->volume, s->body, s->flag, s->first, s->piece, s->piece_since, s->limit, s->limit_next};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);
     solid_given_free(s->given);
+    solid_indenter_free(s->indent);
     solid_reactions_free(s->reactions);
     par_ghost_free(s->ghost);
     memory_free(s);

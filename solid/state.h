@@ -15,6 +15,7 @@ struct solid_added_mass;
 struct solid_drag;
 struct solid_given;     /* opaque: the loads of the input, solid/imposed/given.h */
 struct solid_reactions; /* opaque: sums of reactions, solid/imposed/reactions.h */
+struct solid_indent;    /* opaque: solid/imposed/indenter.h */
 struct solid_refine;    /* opaque: the state of refinement, solid/refine/refine.h */
 
 enum solid_integrator { SOLID_RK3, SOLID_VERLET };
@@ -65,6 +66,8 @@ struct solid {
     struct solid_family *family;   /* the bonds' lambda; the rest of it are parameters and work */
     struct solid_soft *soft;       /* softening bonds and their histories; NULL: all materials are brittle */
     struct solid_contact *contact; /* NULL until something can touch */
+    double *limit;                 /* [n + n_ghost] the stretch at which a particle's bonds break in the next step; work
+                                    * on ghosts; NULL: no material's limit follows the other bonds */
     struct solid_given *given;     /* the factors of the loads now in `load`; NULL: none */
     struct solid_refine *refine;   /* the particles' levels; NULL: nothing is refined */
     long *piece;                   /* [n] number of the fragment at the last look at them, -1: none yet; NULL: they
@@ -91,7 +94,9 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    double power_added;                /* the part of power_load due to the added mass */
+    double power_added;                /* the part of power_load due to the added mass and the indenters */
+    double *limit_next;                /* [n] limit of the step to come; NULL as limit */
+    struct solid_indent *indent;       /* NULL: no indenter */
     struct solid_reactions *reactions; /* of the last step; NULL: nobody asks for them */
 
     /* Counters: they only rise, and no step depends on their values. */

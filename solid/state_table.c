@@ -118,6 +118,7 @@ const struct state_item solid_state_table[] = {
     /* after `bonds`, whose load makes all intact bonds elastic */
     {"softening", STATE_DOUBLE, STATE_ROWS, OF(soft), .comps = SOFT_COMPS, .in = STATE_BOTH, .rows_of = soft_rows,
      .save = save_soft, .load_rows = load_soft, .kept = &solid_kept_soft},
+    {"stretch_limit", STATE_DOUBLE, STATE_PARTICLE, OF(limit), .comps = 1, .in = STATE_BOTH},
     /* what fragments.csv goes on from */
     {"piece", STATE_LONG, STATE_PARTICLE, OF(piece), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
     {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(piece_since), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},

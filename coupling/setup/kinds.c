@@ -98,6 +98,8 @@ enum solid_partial setup_kinds_partial(enum scene_partial kind) {
         return SOLID_PARTIAL_EXACT;
     case SCENE_PARTIAL_RAMP:
         return SOLID_PARTIAL_RAMP;
+    case SCENE_PARTIAL_RAMP_CUT:
+        return SOLID_PARTIAL_RAMP_CUT;
     }
     ENSURE(0, "partial volume %d of the scene", (int)kind);
 }

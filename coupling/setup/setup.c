@@ -72,11 +72,46 @@ static void setup_material(const struct scene_material *from, struct solid_mater
                                   .micromodulus = setup_kinds_micromodulus(from->micromodulus)};
 }
 
+/* The fracture energy of a constant limit s00: s0^2 is proportional to G0. */
+static double energy_of_limit(const struct scene_solid *s, const struct scene_material *k) {
+    const double s0 = physics_bond_of((enum physics_model)s->model, (enum physics_micromodulus)k->micromodulus,
+                                      s->thickness, k->youngs_modulus, 1, k->horizon_ratio * s->spacing)
+                          .s0;
+    return (k->s00 / s0) * (k->s00 / s0);
+}
+
 /* n elements and one more, so that n = 0 also gives an array. */
 static void *array_of(int n, size_t size) {
     void *array = calloc((size_t)n + 1, size);
     ENSURE(array, "no memory for the solid's input");
     return array;
+}
+
+/* malloc'ed; NULL: no material has a limit that follows the other bonds. */
+static struct solid_limit *limits_of(const struct scene_solid *s) {
+    struct solid_limit *limit = NULL;
+    for (int m = 0; m < s->materials; m++) {
+        const struct scene_material *k = &s->material[m];
+        if (!(k->s00 > 0)) continue;
+        if (!limit) limit = array_of(s->materials, sizeof *limit);
+        limit[m] = (struct solid_limit){k->s00, k->alpha, energy_of_limit(s, k)};
+    }
+    return limit;
+}
+
+/* malloc'ed; NULL: none. */
+static struct solid_indenter *indenters_of(const struct scene_solid *s) {
+    struct solid_indenter *to = s->indenters > 0 ? array_of(s->indenters, sizeof *to) : NULL;
+    for (int k = 0; k < s->indenters; k++) {
+        const struct scene_indenter *from = &s->indenter[k];
+        switch (from->shape) {
+        case SCENE_INDENTER_SPHERE:
+            to[k] = (struct solid_indenter){.radius = from->radius, .stiffness = from->stiffness};
+        }
+        copy3(to[k].centre, from->centre);
+        copy3(to[k].velocity, from->velocity);
+    }
+    return to;
 }
 
 struct solid_input *setup_solid(const struct scene *scene) {
@@ -113,6 +148,9 @@ struct solid_input *setup_solid(const struct scene *scene) {
                              .body = body,
                              .materials = s->materials,
                              .material = material,
+                             .limit = limits_of(s),
+                             .indenters = s->indenters,
+                             .indenter = indenters_of(s),
                              .interfaces = s->interfaces,
                              .interface = interface,
                              .constraints = s->constraints,
@@ -143,6 +181,8 @@ void setup_solid_free(struct solid_input *in) {
     give_back(in->constraint);
     give_back(in->unbreakable);
     give_back(in->interface);
+    give_back(in->limit);
+    give_back(in->indenter);
     free(in);
 }
 
@@ -169,7 +209,8 @@ struct setup_needs setup_needs_of(const struct scene *scene) {
         needs.bonds |= elastic;
         for (int m = 0; m < scene->solid->materials; m++)
             needs.breakage |=
-                elastic && scene->stage[k].breakage && isfinite(scene->solid->material[m].fracture_energy);
+                elastic && scene->stage[k].breakage &&
+                (isfinite(scene->solid->material[m].fracture_energy) || scene->solid->material[m].s00 > 0);
         for (int i = 0; i < scene->solid->interfaces; i++)
             needs.breakage |=
                 elastic && scene->stage[k].breakage && isfinite(scene->solid->interface[i].fracture_energy);

@@ -83,6 +83,8 @@ static void begin(const struct writer *t, const char *title) {
         [SCENE_CORRECTION_NONE] = "none", [SCENE_CORRECTION_VOLUME] = "volume", [SCENE_CORRECTION_ENERGY] = "energy"};
     const char *const law[] = {
         [SCENE_CONSTANT] = "constant", [SCENE_CONICAL] = "conical", [SCENE_EXPONENTIAL] = "exponential"};
+    static const char *const partial[] = {
+        [SCENE_PARTIAL_EXACT] = "exact", [SCENE_PARTIAL_RAMP] = "ramp", [SCENE_PARTIAL_RAMP_CUT] = "ramp_cut"};
     fprintf(t->f,
             "# Made by frana calibrate. Lengths in spacings, E = 1, density = 1.\ntitle: %s\ndomain: {size: ", title);
     vector(t, 2 * t->w.centre[0], 2 * t->w.centre[1], t->z.depth);
@@ -90,8 +92,7 @@ static void begin(const struct writer *t, const char *title) {
     fputs("solid:\n  spacing: 1\n", t->f);
     if (!t->space)
         fprintf(t->f, "  model: %s\n  partial_volume: %s\n",
-                k->model == SCENE_PLANE_STRESS ? "plane_stress" : "plane_strain",
-                k->partial == SCENE_PARTIAL_RAMP ? "ramp" : "exact");
+                k->model == SCENE_PLANE_STRESS ? "plane_stress" : "plane_strain", partial[k->partial]);
     fprintf(t->f, "  surface_correction: %s\n  contact: {enabled: false}\n  materials:\n    - name: material\n",
             correction[k->correction]);
     fprintf(t->f, "      youngs_modulus: 1\n      density: 1\n      fracture_energy: %.12g\n", calibrate_sample_g0(k));

@@ -24,6 +24,7 @@ void scene_check_body(const struct scene_check *c, int b); /* parts of scene_che
 int scene_check_image(const struct scene_check *c, int b); /* part of scene_check_body: whether all is well */
 void scene_check_region(const struct scene_check *c);
 void scene_check_interface(const struct scene_check *c);
+void scene_check_indenter(const struct scene_check *c);
 
 /* Opens the images of the scene's bodies and fills in their sizes, in the tree too. On the rank that reads the files.
  */

@@ -58,10 +58,33 @@ static void check_softening(const struct scene_check *c, int m) {
                          widest, delta, widest / k->horizon_ratio, k->tensile_strength * sqrt(widest / delta));
 }
 
+/* A limit that follows the other bonds stands instead of a fracture energy, and is a law of steps. */
+static void check_limit(const struct scene_check *c, int m) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_path path = scene_check_parts_path("solid.materials[%d].breakage.s00", m);
+    if (!(s->material[m].s00 > 0) || !scene_check_parts_clean(c, path)) return;
+    if (isfinite(s->material[m].fracture_energy))
+        scene_problem_at(c->problems, c->root, path.text, "stands instead of fracture_energy: give one of the two");
+    if (s->refinement) scene_problem_at(c->problems, c->root, path.text, "does not go with solid.refinement");
+    for (int i = 0; i < s->interfaces; i++)
+        for (int e = 0; e < 2; e++)
+            if (s->interface[i].body[e] >= 0 && s->body[s->interface[i].body[e]].material_index == m) {
+                scene_problem_at(c->problems, c->root, path.text, "does not go with solid.interfaces[%d]", i);
+                return;
+            }
+    for (int i = 0; i < c->scene->stages; i++)
+        if (c->scene->stage[i].relax) {
+            scene_problem_at(c->problems, c->root, path.text,
+                             "does not go with stages[%d].relax: the limits are those of the step before", i);
+            return;
+        }
+}
+
 static void check_material(const struct scene_check *c, int m) {
     const struct scene_material *material = c->scene->solid->material;
     check_poisson(c, m);
     check_softening(c, m);
+    check_limit(c, m);
     for (int k = 0; k < m; k++)
         if (!strcmp(material[k].name, material[m].name) &&
             scene_check_parts_clean(c, scene_check_parts_path("solid.materials[%d].name", m)) &&
@@ -134,6 +157,7 @@ void scene_check_solid(const struct scene_check *c) {
     scene_check_region(c);
     check_element_free(c);
     scene_check_interface(c);
+    scene_check_indenter(c);
     const int known = scene_node_is_clean(c->root, "domain.size") && scene_node_is_clean(c->root, "solid.spacing") &&
                       scene_node_is_clean(c->root, "solid.materials");
     for (int d = 0; d < 3; d++)

@@ -11,7 +11,8 @@ static const cyaml_strval_t free_cracks[] = {
     {"virtual", SCENE_FREE_VIRTUAL}, {"diffraction", SCENE_FREE_DIFFRACTION}, {"visibility", SCENE_FREE_VISIBILITY}};
 static const cyaml_strval_t free_updates[] = {{"conjugate", SCENE_FREE_CONJUGATE},
                                               {"hestenes_powell", SCENE_FREE_HESTENES_POWELL}};
-static const cyaml_strval_t partials[] = {{"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}};
+static const cyaml_strval_t partials[] = {
+    {"exact", SCENE_PARTIAL_EXACT}, {"ramp", SCENE_PARTIAL_RAMP}, {"ramp_cut", SCENE_PARTIAL_RAMP_CUT}};
 /* false and true: as the key was read before it had words. */
 static const cyaml_strval_t corrections[] = {{"none", SCENE_CORRECTION_NONE},
                                              {"volume", SCENE_CORRECTION_VOLUME},
@@ -56,7 +57,8 @@ static const cyaml_strval_t refined_held[] = {{"keep", 0}, {"refine", 1}};
 static const cyaml_strval_t breakages[] = {{"brittle", SCENE_BRITTLE}, {"bilinear", SCENE_BILINEAR}};
 static const cyaml_schema_field_t breakage_fields[] = {
     CHOICE("law", NEEDED, scene_material, breakage, breakages),
-    NUMBER("tensile_strength", OPTIONAL, scene_material, tensile_strength), CYAML_FIELD_END};
+    NUMBER("tensile_strength", OPTIONAL, scene_material, tensile_strength),
+    NUMBER("s00", OPTIONAL, scene_material, s00), NUMBER("alpha", OPTIONAL, scene_material, alpha), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t material_fields[] = {
     TEXT("name", NEEDED, scene_material, name),
@@ -218,6 +220,15 @@ static const cyaml_schema_field_t initial_fields[] = {
     CYAML_FIELD_END};
 static const cyaml_schema_value_t initial = {CYAML_VALUE_MAPPING(NEEDED, struct scene_initial, initial_fields)};
 
+static const cyaml_strval_t indenter_shapes[] = {{"sphere", SCENE_INDENTER_SPHERE}};
+static const cyaml_schema_field_t indenter_fields[] = {CHOICE("shape", NEEDED, scene_indenter, shape, indenter_shapes),
+                                                       VECTOR("centre", NEEDED, scene_indenter, centre),
+                                                       NUMBER("radius", NEEDED, scene_indenter, radius),
+                                                       VECTOR("velocity", OPTIONAL, scene_indenter, velocity),
+                                                       NUMBER("stiffness", NEEDED, scene_indenter, stiffness),
+                                                       CYAML_FIELD_END};
+static const cyaml_schema_value_t indenter = {CYAML_VALUE_MAPPING(NEEDED, struct scene_indenter, indenter_fields)};
+
 static const cyaml_schema_field_t start_fields[] = {VECTOR("low", NEEDED, scene_refined, low),
                                                     VECTOR("high", NEEDED, scene_refined, high),
                                                     PART("rotation", OPTIONAL, scene_refined, refined_turn),
@@ -279,6 +290,7 @@ const cyaml_schema_field_t scene_schema_solid[] = {
     ENTRIES("unbreakable", LIST, scene_solid, unbreakable, unbreakables, &region, 0, LIST_MAX),
     ENTRIES("loads", LIST, scene_solid, load, loads, &load, 0, LIST_MAX),
     ENTRIES("initial", LIST, scene_solid, initial, initials, &initial, 0, LIST_MAX),
+    ENTRIES("indenters", LIST, scene_solid, indenter, indenters, &indenter, 0, LIST_MAX),
     CYAML_FIELD_MAPPING_PTR("refinement", OPTIONAL, struct scene_solid, refinement, refinement_fields),
     CHOICE("surface_correction", OPTIONAL, scene_solid, surface_correction, corrections),
     VECTOR("body_force", OPTIONAL, scene_solid, body_force),

@@ -8,8 +8,10 @@
 #include "solid/force/added_mass.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
+#include "solid/force/sweep_limit.h"
 #include "solid/force/sweep_soft.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative) {
@@ -23,6 +25,7 @@ void solid_force_bonds(struct solid *s, int may_break, double damping_relative) 
         power +=
             f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], &sweep) : solid_sweep_list(s, f->list[b], &sweep);
     if (s->soft) power += solid_sweep_soft(s, &sweep);
+    if (s->limit && may_break) solid_sweep_limit(s);
     s->power_damped = power;
     s->sweeps++;
 }
@@ -73,6 +76,7 @@ void solid_force_loads(struct solid *s, double *const bonds[3], double damping_a
 void solid_force_rest(struct solid *s, double *const pairs[3]) {
     solid_force_loads(s, pairs, s->stage.damping_absolute);
     const double of_load = s->power_load;
+    if (s->indent) solid_indenter_push(s);
     solid_reactions_find(s);
     if (s->added) solid_added_mass_apply(s);
     s->power_added = s->power_load - of_load;

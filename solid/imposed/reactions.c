@@ -4,6 +4,7 @@
 #include "base/par.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/imposed/indenter.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,16 +14,18 @@ struct solid_reactions {
     int held;
     int *h;           /* [held] owned particles that are held in a direction, ascending */
     int (*of)[3];     /* [held] constraint that holds it in each direction, -1: none */
-    double (*now)[3]; /* [constraints] forces of the last sweep, this rank's share, N */
+    double (*now)[3]; /* [constraints + indenters] forces of the last sweep, this rank's share, N */
     double (*then)[3];
-    double (*impulse)[3]; /* [constraints] so far in the step, N s */
+    double (*impulse)[3]; /* [constraints + indenters] so far in the step, N s */
     double *factor;       /* [loads] integral of the load's factor so far in the step, s */
     double time;          /* length of the step so far, s */
 };
 
+static int pushers(const struct solid *s) { return s->in.constraints + s->in.indenters; }
+
 void solid_reactions_new(struct solid *s) {
     struct solid_reactions *r = memory_new(MEMORY_SOLID, 1, sizeof *r);
-    const size_t n = (size_t)s->in.constraints + 1;
+    const size_t n = (size_t)pushers(s) + 1;
     r->particles = -1;
     r->now = memory_new(MEMORY_SOLID, n, sizeof *r->now);
     r->then = memory_new(MEMORY_SOLID, n, sizeof *r->then);
@@ -70,7 +73,7 @@ void solid_reactions_begin(struct solid *s) {
     struct solid_reactions *r = s->reactions;
     if (!r) return;
     list_make(s);
-    memset(r->impulse, 0, (size_t)s->in.constraints * sizeof *r->impulse);
+    memset(r->impulse, 0, (size_t)pushers(s) * sizeof *r->impulse);
     memset(r->factor, 0, (size_t)s->in.loads * sizeof *r->factor);
     r->time = 0;
 }
@@ -89,12 +92,14 @@ void solid_reactions_find(struct solid *s) {
         for (int c = 0; c < s->dim; c++)
             if (r->of[i][c] >= 0) r->now[r->of[i][c]][c] -= mass * s->a[c][h];
     }
+    for (int k = 0; k < s->in.indenters; k++)
+        memcpy(r->now[s->in.constraints + k], s->indent->force[k], sizeof *r->now);
 }
 
 void solid_reactions_add(struct solid *s, double now, double then) {
     struct solid_reactions *r = s->reactions;
     if (!r) return;
-    for (int q = 0; q < s->in.constraints; q++)
+    for (int q = 0; q < pushers(s); q++)
         for (int c = 0; c < s->dim; c++) r->impulse[q][c] += now * r->now[q][c] + then * r->then[q][c];
     for (int k = 0; k < s->in.loads; k++) r->factor[k] += (now + then) * solid_given_factor(s, k);
     r->time += now + then;
@@ -119,7 +124,7 @@ enum { PARTICLES, VOLUME, FORCE, DISPLACEMENT = FORCE + 3, SUMS = DISPLACEMENT +
 
 void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction) {
     struct solid_reactions *r = s->reactions;
-    const int n = s->in.constraints + s->in.loads;
+    const int n = pushers(s) + s->in.loads, indenters = n - s->in.indenters;
     if (!r || n == 0) return;
     list_make(s);
     double(*sum)[SUMS] = memory_new(MEMORY_SOLID, (size_t)n, sizeof *sum);
@@ -145,12 +150,18 @@ void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction) {
             to[DISPLACEMENT + c] = given.moved[c];
         }
     }
+    for (int k = 0; k < s->in.indenters; k++) {
+        double *to = sum[indenters + k];
+        to[PARTICLES] = (double)s->indent->inside[k];
+        for (int c = 0; c < s->dim; c++) to[FORCE + c] = r->impulse[s->in.constraints + k][c];
+    }
     par_sum_array(&sum[0][0], n * SUMS);
     for (int q = 0; q < n; q++) {
         reaction[q].particles = lrint(sum[q][PARTICLES]);
         for (int c = 0; c < 3; c++) {
             reaction[q].force[c] = r->time > 0 ? sum[q][FORCE + c] / r->time : NAN;
-            reaction[q].displacement[c] = sum[q][DISPLACEMENT + c] / sum[q][VOLUME];
+            reaction[q].displacement[c] = q >= indenters ? s->in.indenter[q - indenters].velocity[c] * s->t
+                                                         : sum[q][DISPLACEMENT + c] / sum[q][VOLUME];
         }
     }
     memory_free(sum);

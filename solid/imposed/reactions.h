@@ -25,12 +25,12 @@ void solid_reactions_add(struct solid *s, double now, double then);
  */
 void solid_reactions_give(struct solid *s, int h, const double impulse[3]);
 
-/* Of a constraint or a load. */
+/* Of a constraint, a load or an indenter. */
 struct solid_reaction {
-    long particles;
+    long particles;         /* of an indenter: that are in it */
     double force[3];        /* on the solid, mean over the last step, N; NAN: no step yet */
-    double displacement[3]; /* mean over the particles' volume, m */
+    double displacement[3]; /* mean over the particles' volume, m; of an indenter its own */
 };
-/* Constraints first, then loads: reaction [constraints + loads]. Where regions overlap, the last one has a particle's
- * reaction in a direction. Collective. */
+/* Constraints first, then loads, then indenters: reaction [constraints + loads + indenters]. Where regions overlap, the
+ * last one has a particle's reaction in a direction. Collective. */
 void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction);

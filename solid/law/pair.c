@@ -37,10 +37,12 @@ static double square(const struct solid_bond_law *law, const double *xi) {
 }
 
 /* In space the cells up to half a spacing beyond the horizon, as on the lattice; in a plate every cell that the disc
- * meets. The ramp ends half a spacing beyond, and a law that falls to 0 at the horizon itself. */
+ * meets. The ramp ends half a spacing beyond, and a law that falls to 0 at the horizon itself. The ramp that is cut
+ * ends at the horizon: a cell whose centre is on it is inside. */
 int solid_pair_holds(const struct solid_bond_law *law, const double *xi, double delta, double size) {
     const double xi2 = square(law, xi);
     if (law->micromodulus->ends_at_horizon && xi2 >= delta * delta * INSIDE) return 0;
+    if (law->partial == SOLID_PARTIAL_RAMP_CUT) return xi2 <= delta * delta * (2 - INSIDE);
     if (law->dim == 2 && law->partial == SOLID_PARTIAL_EXACT) {
         const double x = fmax(fabs(xi[0]) - 0.5 * size, 0), y = fmax(fabs(xi[1]) - 0.5 * size, 0);
         return x * x + y * y < delta * delta * INSIDE;
@@ -57,7 +59,8 @@ int solid_pair_exists(const struct solid_bond_law *law, const double *xi, const 
 
 double solid_pair_gamma(const struct solid_bond_law *law, const double *xi, double delta, double size) {
     switch (law->partial) {
-    case SOLID_PARTIAL_RAMP: {
+    case SOLID_PARTIAL_RAMP:
+    case SOLID_PARTIAL_RAMP_CUT: {
         const double part = (delta + 0.5 * size - sqrt(square(law, xi))) / size;
         return part < 1 ? fmax(part, 0) : 1;
     }

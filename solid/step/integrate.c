@@ -7,6 +7,7 @@
 #include "solid/force/drag.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
+#include "solid/imposed/indenter.h"
 #include "solid/step/rk3.h"
 #include "solid/step/verlet.h"
 
@@ -73,6 +74,7 @@ static double speed_given(const struct solid *s) {
             force += fabs(s->in.load[k].force[c]) + fabs(s->in.load[k].traction[c]) / s->in.spacing;
     for (int m = 0; m < s->in.materials; m++) lightest = fmin(lightest, s->in.material[m].density);
     for (int c = 0; c < s->dim; c++) push += fabs(s->in.body_force[c]);
+    if (s->indent) speed += solid_indenter_speed(s);
     return speed + (push + force / lightest) * s->t;
 }
 

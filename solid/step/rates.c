@@ -11,6 +11,7 @@
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/indenter.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
 
@@ -157,6 +158,7 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     swap_whole(s, whole);
     *rates = (struct solid_rates){.sum = 1, .difference = 1, .absolute = s->stage.damping_absolute};
     rates->stiffness = lanczos(s, &k, (struct operator){1, 0});
+    if (s->indent) rates->stiffness += solid_indenter_rate(s);
     if (s->stage.damping_relative > 0 && rates->stiffness > 0) {
         rates->damping = lanczos(s, &k, (struct operator){0, 1});
         const double ratio = rates->stiffness / rates->damping;

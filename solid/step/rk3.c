@@ -4,6 +4,7 @@
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/step/rk3.h"
 
@@ -21,10 +22,12 @@ static void update(int n, double alpha_dt, double beta_dt, double *restrict d, d
 
 /* Of d and v, and of the energies; eqs 3.47-3.48 without the third term. */
 void solid_rk3_step(struct solid *s, double dt) {
-    double damped = 0, load = 0, constraint = 0;
+    double damped = 0, load = 0, constraint = 0, t = s->t;
     for (int r = 0; r < 3; r++) {
         solid_ghosts_begin(s);
+        solid_indenter_place(s, t);
         solid_force(s, r == 0);
+        t += physics_rk3_gamma[r] * dt;
         s->e_damped += dt * (physics_rk3_alpha[r] * s->power_damped + physics_rk3_beta[r] * damped);
         s->work_load += dt * (physics_rk3_alpha[r] * s->power_load + physics_rk3_beta[r] * load);
         s->e_constraint += dt * (physics_rk3_alpha[r] * s->power_constraint + physics_rk3_beta[r] * constraint);

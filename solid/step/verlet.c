@@ -6,6 +6,7 @@
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/step/verlet.h"
 
@@ -50,6 +51,7 @@ static double predict(int n, double dt, double theta, double weight, const doubl
 
 void solid_verlet_again(struct solid *s) {
     s->power_damped = s->power_pairwise;
+    solid_indenter_place(s, s->t);
     solid_force_rest(s, s->v_old);
     if (s->drag) solid_drag_begin(s);
 }
@@ -61,6 +63,7 @@ void solid_verlet_begin(struct solid *s) {
     } else {
         solid_ghosts_begin(s);
         sweep_pairs(s);
+        solid_indenter_place(s, s->t);
         solid_force_rest(s, s->v_old);
         if (s->drag) solid_drag_begin(s);
     }
@@ -88,6 +91,7 @@ void solid_verlet_step(struct solid *s, double dt) {
     sweep_pairs(s);
     for (int c = 0; c < s->dim && theta < 1; c++)
         for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - theta) * dt * s->a_old[c][h];
+    solid_indenter_place(s, s->t + dt);
     solid_force_rest(s, s->v_old);
     if (s->drag) solid_drag_end(s, dt, s->a_old);
     for (int c = 0; c < s->dim; c++) {

@@ -75,6 +75,20 @@ static const char *const plate =
     "  - {name: first, steps: 1000, time_step: 5.0e-8, integrator: verlet}\n"
     "  - {name: second, steps: 1000, time_step: 5.0e-8, integrator: verlet}\n";
 
+/* A block that an indenter moves into, whose limits of the stretch follow the other bonds. */
+static const char *const indented =
+    "title: test\n"
+    "domain: {size: [12, 12, 12]}\n"
+    "solid:\n"
+    "  spacing: 1\n"
+    "  materials:\n"
+    "    - {name: glass, youngs_modulus: 1, density: 1, breakage: {law: brittle, s00: 0.01, alpha: 0.25}}\n"
+    "  bodies: [{shape: box, low: [2, 2, 2], high: [10, 8, 10]}]\n"
+    "  indenters: [{shape: sphere, centre: [6, 9.9, 6], radius: 2, velocity: [0, -0.1, 0], stiffness: 1}]\n"
+    "stages:\n"
+    "  - {name: first, steps: 100, time_step: 0.3, integrator: verlet}\n"
+    "  - {name: second, steps: 100, time_step: 0.3, integrator: verlet}\n";
+
 /* A run whose fragments are followed. */
 static struct run *run_followed(const struct scene *scene) {
     struct run *r = run_new(scene);
@@ -531,6 +545,11 @@ static void test_flow(void **state) {
     go(flow, 3, 2, implicit);
 }
 
+static void test_indented(void **state) {
+    (void)state;
+    go(indented, 30, 0, NULL);
+}
+
 static void test_blocks(void **state) {
     (void)state;
     go(blocks, 30, 0, NULL);
@@ -624,6 +643,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest all[] = {cmocka_unit_test(test_covered),
                                      cmocka_unit_test(test_flow),
                                      cmocka_unit_test(test_blocks),
+                                     cmocka_unit_test(test_indented),
                                      cmocka_unit_test(test_plate),
                                      cmocka_unit_test(test_without_predictor),
                                      cmocka_unit_test(test_lines)};

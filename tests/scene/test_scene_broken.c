@@ -296,7 +296,7 @@ static const struct sample_broken table[] = {
     {"plate", "conical", "cubic", "it.yaml:13: solid.materials[0].micromodulus = cubic: must be one of constant, conical, exponential"},
     {"plate", "body_force: [0, -9.81]", "body_force: [0, -9.81, 0]", "it.yaml:58: solid.body_force = [0, -9.81, 0]: must be a list of 2 numbers (m/s2) in a plate"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  model: plane_stress", "it.yaml:6: solid.model = plane_stress: only in a plate, where domain.size has two numbers"},
-    {"solid", "spacing: 0.001", "spacing: 0.001\n  partial_volume: ramp", "it.yaml:6: solid.partial_volume = ramp: must be exact in 3D"},
+    {"solid", "spacing: 0.001", "spacing: 0.001\n  partial_volume: ramp", "it.yaml:6: solid.partial_volume = ramp: must be one of exact, ramp_cut in 3D"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  refinement: {levels: 2}", "it.yaml:6: solid.refinement: only in a plate, where domain.size has two numbers"},
     {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, ellipsoid, spheres, points, image in 3D"},
     {"solid", "low: [0.002, 0.002, 0]", "low: [0.002, 0.002]", "it.yaml:10: solid.bodies[1].low = [0.002, 0.002]: must be a list of 3 numbers (m)"},

@@ -321,7 +321,7 @@ static const struct sample_broken table[] = {
      "it.yaml:8: solid.thickness = thin: must be a number, greater than 0 (m)"},
     {"plate", "spacing: 0.001", "spacing: 0", "it.yaml:6: solid.spacing = 0: must be greater than 0"},
     {"plate", "partial_volume: ramp", "partial_volume: none",
-     "it.yaml:10: solid.partial_volume = none: must be one of exact, ramp"},
+     "it.yaml:10: solid.partial_volume = none: must be one of exact, ramp, ramp_cut"},
     {"plate", "shape: disc, centre: [0.09, 0.03]", "shape: disc, centre: [0.09, 0.03, 0]",
      "it.yaml:31: solid.bodies[1].centre = [0.09, 0.03, 0]: must be a list of 2 numbers (m) in a plate"},
     {"plate", "file: areas.txt", "file: areas.txt, low: [0, 0]",
