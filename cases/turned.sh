@@ -44,7 +44,7 @@ turned_go() {
   fi
 }
 
-# turned_spread: writes results/${table}_spread.csv: of each quantity in results/$table.csv (the columns after "variant")
+# turned_spread: writes results/${table}_spread.csv: of each quantity in results/$table.csv (columns after "variant")
 # number of values, mean, standard deviation, least and largest: for each angle; over all runs ("all"); of the angles'
 # means ("means": what the direction does); and the root mean square of the deviations within the angles ("within": what
 # the seed or the lattice's place does). Rows of the same fields before "turned by" belong together; nan is left out.

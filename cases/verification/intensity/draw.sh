@@ -27,9 +27,11 @@ set format x '%g'
 set format y '%g'
 set grid linecolor rgb '#dddddd'
 set key below
-plot '$work/1' with linespoints linewidth 2 pointtype 7 linecolor rgb '#0072b2' title 'bonds, 25, 50, 100 spacings: J', \
+plot '$work/1' with linespoints linewidth 2 pointtype 7 linecolor rgb '#0072b2' \
+    title 'bonds, 25, 50, 100 spacings: J', \
   '$work/2' with linespoints linewidth 2 pointtype 6 linecolor rgb '#0072b2' title 'the same: interaction integral', \
-  '$work/3' with linespoints linewidth 2 pointtype 5 linecolor rgb '#d55e00' title 'element-free, nodes graded about the tip', \
+  '$work/3' with linespoints linewidth 2 pointtype 5 linecolor rgb '#d55e00' \
+    title 'element-free, nodes graded about the tip', \
   '$work/4' with linespoints linewidth 2 pointtype 4 linecolor rgb '#d55e00' title 'element-free, even nodes', \
   0.1 with lines dashtype 2 linecolor rgb '#888888' title 'uncertainty of the reference'
 GP

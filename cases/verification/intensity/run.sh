@@ -17,7 +17,8 @@ run_of() {
 }
 # intensity NAME ROW COLUMN: a number of intensity.csv over sqrt(pi a), a = 0.5
 intensity() {
-  kept "$1: $2 $3" awk -F, -v row="$2" -v c="$3" "$names"' ++n == row { printf "%.10g\n", $k[c] / sqrt(2 * atan2(1, 1)) }' \
+  kept "$1: $2 $3" awk -F, -v row="$2" -v c="$3" \
+    "$names"' ++n == row { printf "%.10g\n", $k[c] / sqrt(2 * atan2(1, 1)) }' \
     "$runs/$1/intensity.csv"
 }
 # spread NAME FIRST LAST COLUMN: largest over smallest value of these rows, less 1
@@ -36,7 +37,8 @@ if [ "$quick" ]; then
   run_of few scene.yaml stages.pull.tolerance=1.0e-5
   near "edge crack, 25 spacings: K by J over s sqrt(pi a)" 1 "$(intensity few 5 K_J)" 2.8246 "$source" 0.05
   near "edge crack, 25 spacings: K by the interaction integral" 1 "$(intensity few 5 K_I)" 2.8246 "$source" 0.05
-  at_most "edge crack, 25 spacings: largest less smallest K by J over radii of 0.2 to 0.48" 1 "$(spread few 2 5 K_J)" 0 \
+  at_most "edge crack, 25 spacings: largest less smallest K by J over radii of 0.2 to 0.48" 1 \
+    "$(spread few 2 5 K_J)" 0 \
     "" 0.002
 else
   study study

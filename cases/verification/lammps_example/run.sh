@@ -32,14 +32,14 @@ for step in 20 40 60 80 100; do
   near "step $step: kinetic energy" J "$(kept "e_kinetic_solid at $step" energy e_kinetic_solid $step)" \
     "$(theirs 3 $step)" "LAMMPS" 1e-11
 done
-# The impact of the example: energies of LAMMPS's own run, and those that its log of 27 Nov 2018 prints, which are sums of
+# The example's impact: energies of LAMMPS's own run, and those that its log of 27 Nov 2018 prints, which are sums of
 # energies per volume.
 [ "$again" ] || {
   rm -rf "$runs/impact"
   "$frana" run "$here/impact.yaml" --out "$runs/impact" >"$runs/impact.log" 2>&1 ||
     { cat "$runs/impact.log" >&2; exit 1; }
 }
-# struck COLUMN STEP FACTOR: a number of frana's run times the factor. LAMMPS's energy contains the bonds that break in the
+# struck COLUMN STEP FACTOR: a number of frana's run times the factor. LAMMPS's energy has the bonds that break in the
 # step, as its forces do; here that is what the step has added to e_fracture. log COLUMN STEP: of LAMMPS's run
 struck() { awk -F, -v c="$1" -v s="$2" -v f="$3" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   NR > 2 && $1 == s { x = $at[c] + (c == "e_strain" ? $at["e_fracture"] - before : 0); printf "%.15g\n", x * f }
@@ -50,7 +50,8 @@ row "impact: directed bonds" 1 "$(kept "impact: directed bonds" impact_bonds)" 3
 for step in 20 40 60 80 100 120 140 160 180 200; do
   near "impact, step $step: energy of the bonds" J "$(kept "impact: e_strain at $step" struck e_strain $step 1)" \
     "$(log 2 $step)" "LAMMPS" 1e-8
-  near "impact, step $step: kinetic energy" J "$(kept "impact: e_kinetic_solid at $step" struck e_kinetic_solid $step 1)" \
+  near "impact, step $step: kinetic energy" J \
+    "$(kept "impact: e_kinetic_solid at $step" struck e_kinetic_solid $step 1)" \
     "$(log 3 $step)" "LAMMPS" 1e-8
 done
 total() { awk -v a="$(struck e_strain "$1" 8e9)" -v b="$(struck e_kinetic_solid "$1" 8e9)" \
