@@ -44,7 +44,7 @@ turned_go() {
   fi
 }
 
-# turned_spread: writes results/${table}_spread.csv: of each quantity in results/$table.csv (the columns after "variant")
+# turned_spread: writes results/${table}_spread.csv: of each quantity in results/$table.csv (columns after "variant")
 # number of values, mean, standard deviation, least and largest: for each angle; over all runs ("all"); of the angles'
 # means ("means": what the direction does); and the root mean square of the deviations within the angles ("within": what
 # the seed or the lattice's place does). Rows of the same fields before "turned by" belong together; nan is left out.
@@ -145,7 +145,7 @@ END2
   rm -r "$work"
 }
 
-# --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $traction (Pa), $steps are the case's
+# --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $traction (Pa), $steps: the case's
 
 fork_header="m,particles,turned by (deg),variant,arms part (us),arms part (mm),left (deg),right (deg),between (deg),\
 difference of both sides (deg),arms,top speed (m/s)"

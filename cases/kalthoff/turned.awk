@@ -14,7 +14,8 @@ BEGIN {
   print "stages:"
   print "  - {name: impact, steps: 1300, time_step: 7.0e-8, integrator: verlet, substeps: 1}"
   print "output:"
-  print "  {series_every: 130, fields_every: 1300, checkpoint_every: 0, log_every: 650, stress: false, reactions: false,"
+  print "  {series_every: 130, fields_every: 1300, checkpoint_every: 0, log_every: 650, stress: false," \
+    " reactions: false,"
   print "   fragments: false, crack: {damage: 0.35, window: 1.82e-6, every: 13, direction: " along(1, 0) "}}"
 }
 # The driven layer, a spacing deep, of points without rows: one region, turned with the plate
