@@ -5,13 +5,8 @@
 #                 size     of the square domain in whose middle the plate's middle stands, m
 #                 spacing, m, title, material (the keys of its elasticity and strength), model
 #                 variant  "lattice X Y": the lattice, moved by X and Y spacings; "seed N": particles moved by up to
-<<<<<<< HEAD
 #                          0.2 spacings at random; "centroidal N": centroidal points of seed N; "cells N": these with
 #                          the volumes of their Voronoi cells; "hexagonal"
-=======
-#                          0.2 spacings at random; "centroidal N": centroidal points of seed N; "cells N":
-#                          the same with the volumes of their Voronoi cells; "hexagonal"
->>>>>>> bias
 function turned_setup() { rad = turn * atan2(0, -1) / 180; c = cos(rad); s = sin(rad) }
 # the place of the plate's own (x, y) in the domain, and a vector along the plate's axes, as lists
 function at(x, y) {

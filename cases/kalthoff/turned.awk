@@ -14,15 +14,9 @@ BEGIN {
   print "stages:"
   print "  - {name: impact, steps: 1300, time_step: 7.0e-8, integrator: verlet, substeps: 1}"
   print "output:"
-<<<<<<< HEAD
   print "  {series_every: 130, fields_every: 1300, checkpoint_every: 0, log_every: 650, stress: false,"
   print "   reactions: false, fragments: false,"
   print "   crack: {damage: 0.35, window: 1.82e-6, every: 13, direction: " along(1, 0) "}}"
-=======
-  print "  {series_every: 130, fields_every: 1300, checkpoint_every: 0, log_every: 650, stress: false," \
-    " reactions: false,"
-  print "   fragments: false, crack: {damage: 0.35, window: 1.82e-6, every: 13, direction: " along(1, 0) "}}"
->>>>>>> bias
 }
 # The driven layer, a spacing deep, of points without rows: one region, turned with the plate
 function layer(  x, y, p) {

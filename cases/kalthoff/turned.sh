@@ -53,13 +53,8 @@ END2
     ) "$1"
 }
 # crack_row STEEL SPACING RATIO ANGLE VARIANT NAME SIDE: the row of one crack. The lower crack of a plate turned by an
-<<<<<<< HEAD
-# angle mirrors the upper one of a plate turned by the opposite angle, or by 90 degrees less the angle, on
-# hexagonal points by 60.
-=======
 # angle is the mirror image of the upper one of a plate turned by the opposite angle, or by 90
 # degrees less the angle (on hexagonal points 60).
->>>>>>> bias
 crack_row() {
   local angle=$4 repeats=90 p
   [ "$5" != hexagonal ] || repeats=60
