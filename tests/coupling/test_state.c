@@ -640,12 +640,9 @@ static void test_lines(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest all[] = {cmocka_unit_test(test_covered),
-                                     cmocka_unit_test(test_flow),
-                                     cmocka_unit_test(test_blocks),
-                                     cmocka_unit_test(test_indented),
-                                     cmocka_unit_test(test_plate),
-                                     cmocka_unit_test(test_without_predictor),
+    const struct CMUnitTest all[] = {cmocka_unit_test(test_covered), cmocka_unit_test(test_flow),
+                                     cmocka_unit_test(test_blocks),  cmocka_unit_test(test_indented),
+                                     cmocka_unit_test(test_plate),   cmocka_unit_test(test_without_predictor),
                                      cmocka_unit_test(test_lines)};
     const int failed = cmocka_run_group_tests(all, NULL, NULL);
     par_end();
