@@ -314,7 +314,11 @@ static void say_groups(const struct run *r) {
             solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
         if (f) say("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
         if (u > 0) say("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
-        say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
+        if (s->s00 > 0)
+            say("  %s: s0 = %.6g - %.6g times the smallest stretch of a particle's bonds in the step before\n", s->name,
+                s->s00, s->alpha);
+        else
+            say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
         if (material->tensile_strength > 0) say_softening(in, material, s, s0);
         say("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n", s->name,
             sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);
