@@ -116,7 +116,7 @@ static void check_constraint(const struct scene_check *c, int i) {
     check_imposed(c, i, "displacement", k->displacement);
 }
 
-/* Whether some body has cells of a lattice, of which loads on an edge take the outermost. */
+/* Whether some body has cells of a lattice, of which loads on an edge with the depth of a layer take the outermost. */
 static int has_cells(const struct scene_solid *s) {
     for (int b = 0; b < s->bodies; b++)
         if (s->body[b].shape != SCENE_POINTS &&
@@ -142,9 +142,9 @@ static void check_load(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, edge.text, "from and to are the same point");
     else if (scene_node_is_clean(c->root, "solid.bodies") && !holds_body(c, low, high, 1))
         scene_problem_at(c->problems, c->root, edge.text, "no body reaches to this edge");
-    else if (scene_node_is_clean(c->root, "solid.bodies") && !has_cells(c->scene->solid))
-        scene_problem_at(c->problems, c->root, edge.text,
-                         "needs a body on the lattice: give the force on a region (low, high, force) instead");
+    else if (scene_node_is_clean(c->root, "solid.bodies") && c->scene->solid->method == SCENE_PERIDYNAMIC &&
+             !k->over_horizon && !has_cells(c->scene->solid))
+        scene_problem_at(c->problems, c->root, edge.text, "needs depth: horizon, or a body on the lattice");
 }
 
 /* Whether four points lie in a plane, with a tolerance of 1e-6 of their extent. */

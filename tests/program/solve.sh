@@ -98,4 +98,4 @@ edge='loads: [{edge: {from: [0, 0], to: [1, 0]}, traction: [0, 1]}]'
 sed 's/^  initial:/  '"$edge"'\n  initial:/; s/shape: disc, .*}\], arr/\
 shape: rectangle, low: [0, 0], high: [1, 1], arr/' plate_hexagonal.yaml >edge.yaml
 code 2 ranks 1 run edge.yaml --out edge
-says 'needs a body on the lattice: give the force on a region'
+says 'needs depth: horizon, or a body on the lattice'
