@@ -18,7 +18,7 @@ curve "$out/study.csv" bonds "K by the interaction integral" >"$work/2"
 curve ../element_free/results/study.csv "nodes graded about the tip" K | sort -g >"$work/3"
 curve ../element_free/results/study.csv "even nodes" K | sort -g >"$work/4"
 gnuplot <<GP
-set terminal pngcairo size 800,600 font 'Sans,13'
+set terminal pngcairo size 800,600 font 'DejaVu Sans,12'
 set output '$out/error.png'
 set logscale xy
 set xlabel 'wall time of the steps, or of the solution, s'
@@ -26,7 +26,7 @@ set ylabel 'error of K, %'
 set format x '%g'
 set format y '%g'
 set grid linecolor rgb '#dddddd'
-set key below
+set key left bottom
 plot '$work/1' with linespoints linewidth 2 pointtype 7 linecolor rgb '#0072b2' \
     title 'bonds, 25, 50, 100 spacings: J', \
   '$work/2' with linespoints linewidth 2 pointtype 6 linecolor rgb '#0072b2' title 'the same: interaction integral', \

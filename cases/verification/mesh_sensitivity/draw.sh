@@ -29,7 +29,7 @@ curves() { # curves USING GRIDS SEEDS
 }
 {
   cat <<'END'
-set terminal pngcairo size 1300,1000 font 'Sans,12'
+set terminal pngcairo size 1300,1000 font 'DejaVu Sans,12'
 set output 'mesh_sensitivity.png'
 set multiplot layout 2,2
 set logscale y
@@ -44,17 +44,17 @@ set style line 4 linecolor rgb '#d55e00' linewidth 2 pointtype 7
 set style line 5 linecolor rgb '#cc79a7' linewidth 2 pointtype 6
 set style line 6 linecolor rgb '#888888' linewidth 2 pointtype 3
 set title 'horizon 0.25 m, mean and standard deviation of ten seeds'
-set xlabel 'horizon over spacing, m'
+set xlabel "horizon over spacing, m\n"
 END
   curves '1:2:3 with yerrorlines' study_horizon_grids study_horizon
-  printf '%s\n' "set title 'horizon 3 spacings'" "set xlabel 'spacing, m'" 'set logscale x' "set format x '%g'" \
+  printf '%s\n' "set title 'horizon 3 spacings'" "set xlabel \"spacing, m\\n\"" 'set logscale x' "set format x '%g'" \
     'set xtics (0.03, 0.05, 0.08, 0.13)' 'set xrange [0.03:0.15]'
   curves '1:2:3 with yerrorlines' study_points_grids study_points
-  printf '%s\n' "set title 'perturbed lattice, horizon 3 spacings'" "set xlabel 'perturbation, spacings'" \
+  printf '%s\n' "set title 'perturbed lattice, horizon 3 spacings'" "set xlabel \"perturbation, spacings\\n\"" \
     'unset logscale x' 'set xtics auto' 'set xrange [0:0.42]'
   panel '1:2:3 with yerrorlines' study_perturbation 'P = 0' 'P = 0' 1 study_perturbation 'P = 1' 'P = 1' 4 \
     study_perturbation 'P = 2' 'P = 2' 3
-  printf '%s\n' "set title 'horizon 0.25 m'" "set xlabel 'wall time with the arrangement, s'" \
+  printf '%s\n' "set title 'horizon 0.25 m'" "set xlabel \"wall time with the arrangement, s\\n\"" \
     'set logscale x' 'set xtics auto' 'set xrange [*:*]'
   curves '4:2 with points' study_horizon_grids study_horizon
 } >"$work/plot.gp"
