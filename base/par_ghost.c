@@ -5,6 +5,7 @@
 #include "base/par_exchange_private.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { GHOST_FIELDS = 8 };
 
@@ -101,11 +102,16 @@ void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int
     par_ghost_end(g);
 }
 
-void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned) {
+void par_ghost_update_records(struct par_ghost *g, size_t bytes, void *record, int n_owned) {
     if (par_size() == 1) return;
     settle(g);
-    unsigned char *value = malloc((size_t)g->served + 1);
-    for (int k = 0; k < g->served; k++) value[k] = field[g->index[k]];
-    par_exchange_backward(g->wish, value, field + n_owned, 1);
+    char *value = malloc((size_t)g->served * bytes + 1), *of = record;
+    ENSURE(value, "no memory for %d ghosts", g->served);
+    for (int k = 0; k < g->served; k++) memcpy(value + (size_t)k * bytes, of + (size_t)g->index[k] * bytes, bytes);
+    par_exchange_backward(g->wish, value, of + (size_t)n_owned * bytes, bytes);
     free(value);
+}
+
+void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned) {
+    par_ghost_update_records(g, 1, field, n_owned);
 }

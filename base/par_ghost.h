@@ -1,5 +1,6 @@
 /* Ghosts: each rank owns the ids first[rank] .. first[rank+1]-1 and wants copies of others'. */
 #pragma once
+#include <stddef.h>
 
 struct par_ghost; /* opaque, owned by the caller */
 
@@ -13,4 +14,6 @@ void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int
  * leave. Collective. */
 void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int n_owned);
 void par_ghost_end(struct par_ghost *g);
+/* The same of records of so many bytes each, record [n_owned + n]. Collective. */
+void par_ghost_update_records(struct par_ghost *g, size_t bytes, void *record, int n_owned);
 void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned);

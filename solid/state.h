@@ -17,6 +17,7 @@ struct solid_given;     /* opaque: the loads of the input, solid/imposed/given.h
 struct solid_reactions; /* opaque: sums of reactions, solid/imposed/reactions.h */
 struct solid_indent;    /* opaque: solid/imposed/indenter.h */
 struct solid_refine;    /* opaque: the state of refinement, solid/refine/refine.h */
+struct solid_push;
 
 enum solid_integrator { SOLID_RK3, SOLID_VERLET };
 
@@ -53,6 +54,7 @@ struct solid {
     uint8_t *body;                        /* [n + n_ghost] */
     const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
     const struct solid_drag *drag;        /* borrowed, NULL: none (solid/force/drag.h) */
+    const struct solid_push *push;        /* borrowed, NULL: none (solid/step/push.h) */
     long bonds_total; /* undirected, whole solid, of the families as made at the start or by a refinement */
 
     /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c looks that it has every

@@ -14,7 +14,7 @@ rooms
     files physics
     scene
     fluid solid meshless
-    ibm
+    ibm cracks
     coupling
     bench postproc
     study

@@ -12,7 +12,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build}
-rooms="base files scene physics fluid solid meshless ibm coupling bench postproc study program"
+rooms="base files scene physics fluid solid cracks meshless ibm coupling bench postproc study program"
 short="base files coupling bench program"
 common="state internal parts input"
 

@@ -7,6 +7,7 @@
 #include "solid/bonds/list.h"
 #include "solid/bonds/soft.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The stencil offset of the b-th bond of lattice particle h. */
@@ -88,6 +89,56 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
             other[n++] = solid_list_other(list, j);
         }
     return n;
+}
+
+static int struts_of_lattice(const struct solid_lattice *lattice, int h, int *other, signed char (*step)[3]) {
+    const int cell = lattice->cell[h - lattice->first];
+    const uint8_t *lambda = lambda_of(lattice, h);
+    int n = 0;
+    for (int o = 0; o < lattice->stencil->n; o++) {
+        if (lambda[o] >> cell % SOLID_ROW & 1) continue;
+        other[n] = lattice->local[cell + lattice->offset[o].shift];
+        for (int c = 0; c < 3; c++) step[n][c] = (signed char)lattice->stencil->offset[o].step[c];
+        n += other[n] >= 0;
+    }
+    return n;
+}
+
+int solid_family_struts(const struct solid *s, int h, int *other, signed char (*step)[3]) {
+    const struct solid_list *list = s->family->list[s->body[h]];
+    int place[SOLID_FAMILY_MAX];
+    if (!list) return struts_of_lattice(s->family->lattice[s->body[h]], h, other, step);
+    const int n = solid_family_broken(s, h, place, other);
+    for (int k = 0; k < n; k++)
+        for (int c = 0; c < 3; c++)
+            step[k][c] = c < list->dim
+                             ? (signed char)rintf(*solid_list_step(list, list->start[h - list->first] + place[k], c))
+                             : 0;
+    return n;
+}
+
+static void nearest_in_lattice(const struct solid_lattice *lattice, int h, int nearest[6]) {
+    const int cell = lattice->cell[h - lattice->first];
+    const long shift[3] = {1, lattice->size[0], (long)lattice->size[0] * lattice->size[1]};
+    for (int f = 0; f < 6; f++) {
+        const int l = lattice->local[cell + (f % 2 ? shift[f / 2] : -shift[f / 2])];
+        nearest[f] = l < 0 ? -1 : l;
+    }
+}
+
+void solid_family_nearest(const struct solid *s, int h, int nearest[6]) {
+    const struct solid_list *list = s->family->list[s->body[h]];
+    if (!list) {
+        nearest_in_lattice(s->family->lattice[s->body[h]], h, nearest);
+        return;
+    }
+    for (int f = 0; f < 6; f++) nearest[f] = -1;
+    for (long j = list->start[h - list->first]; j < list->end[h - list->first]; j++) {
+        double xi[3];
+        if (solid_list_steps(list, j, xi) > 1.25) continue;
+        for (int c = 0; c < list->dim; c++)
+            if (fabs(xi[c]) > 0.75) nearest[2 * c + (xi[c] > 0)] = solid_list_other(list, j);
+    }
 }
 
 void solid_family_break(struct solid *s, int h, int b) {

@@ -23,6 +23,12 @@ void solid_family_view(const struct solid *s, int h, struct solid_family_view *v
 /* The broken bonds of h: their numbers in its view and the particles at their other ends, [SOLID_FAMILY_MAX]. Returns
  * how many. Faster than the view. Not collective. */
 int solid_family_broken(const struct solid *s, int h, int *place, int *other);
+/* On a lattice: the broken bonds of h, the particles at their other ends and X0_l - X0_h in spacings,
+ * [SOLID_FAMILY_MAX]. Returns how many. Not collective. */
+int solid_family_struts(const struct solid *s, int h, int *other, signed char (*step)[3]);
+/* On a lattice: the nearest particles in the directions -x, x, -y, y, -z, z, whether or not the bond is broken; -1:
+ * none, or one of another body without a bond. Not collective. */
+void solid_family_nearest(const struct solid *s, int h, int nearest[6]);
 /* Breaks the b-th bond of h's view permanently, from both ends if both are owned here; otherwise the owner of the other
  * end must break it for its own particle. For initial cracks and tests. Not collective. */
 void solid_family_break(struct solid *s, int h, int b);

@@ -1,4 +1,4 @@
-/* Factors that vary in time (struct solid_time). For solid/ only. */
+/* Factors that vary in time (struct solid_time). For solid/ and cracks/. */
 #pragma once
 #include "solid/state.h"
 

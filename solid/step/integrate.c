@@ -8,6 +8,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/imposed/indenter.h"
+#include "solid/step/push.h"
 #include "solid/step/rk3.h"
 #include "solid/step/verlet.h"
 
@@ -53,6 +54,7 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
             kind->begin(s);
         else if (changed)
             kind->again(s);
+        if (s->push) s->push->before(s, dt, s->push->with);
         kind->step(s, dt);
         s->t = start + (i + 1) * dt;
     }

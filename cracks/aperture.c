@@ -1,0 +1,37 @@
+/* Volumes, apertures and conductances of the wet particles. */
+#include "cracks/aperture.h"
+#include "cracks/solve.h"
+#include "cracks/struts.h"
+
+#include <math.h>
+
+void cracks_aperture_volume(const struct cracks *c, double *volume) {
+    const struct cracks_struts *t = &c->struts;
+    cracks_vec *u = c->work->u;
+    for (int i = 0; i < t->n; i++) {
+        u[i] = (cracks_vec){0};
+        for (int k = 0; k < c->solid->dim; k++) u[i][k] = c->solid->d[k][t->h[i]];
+    }
+    cracks_struts_update(t, sizeof *u, u);
+    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, u, volume);
+}
+
+double cracks_aperture_of(const struct cracks *c, int i) {
+    return c->struts.area_size[i] > 0 ? c->volume[i] / c->struts.area_size[i] : 0;
+}
+
+/* T_hl = (V/h^2)/mu (|a_h|/V + |a_l|/V)/2 w^3/12,  w = (w_h + w_l)/2,  V the volume of a whole cell, h the spacing. The
+ * layers of a column share the area of the crack, so that a flat crack conducts w^3/(12 mu) along the lattice. */
+void cracks_aperture_conductance(const struct cracks *c) {
+    const struct cracks_struts *t = &c->struts;
+    const double spacing = c->solid->in.spacing, factor = 0.5 / (spacing * spacing * c->in.viscosity * 12);
+    double *w = c->work->width;
+    for (int i = 0; i < t->n; i++) w[i] = fmax(c->least_aperture, cracks_aperture_of(c, i));
+    cracks_struts_update(t, sizeof *w, w);
+    for (int i = 0; i < t->n; i++)
+        for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) {
+            const int l = t->link[k];
+            const double mean = 0.5 * (w[i] + w[l]);
+            c->work->conductance[k] = factor * (t->area_size[i] + t->area_size[l]) * (mean * mean * mean);
+        }
+}

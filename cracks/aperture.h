@@ -1,0 +1,10 @@
+/* Volumes, apertures and conductances of the wet particles. */
+#pragma once
+#include "cracks/cracks.h"
+
+/* v_h of the present displacements, m3, [n]. Collective. */
+void cracks_aperture_volume(const struct cracks *c, double *volume);
+/* v_h/|a_h|, m; may be negative. Not collective. */
+double cracks_aperture_of(const struct cracks *c, int i);
+/* Sets the apertures and conductances of the work from c->volume. Collective. */
+void cracks_aperture_conductance(const struct cracks *c);

@@ -1,0 +1,92 @@
+/* Fluid in cracks below the grid: every broken bond is a strut that a pressure acts on.  (docs/design/cracks.md)
+ *
+ * A wet particle is one with a broken bond. Each has one pressure. A rank numbers its wet particles 0..n-1 by ascending
+ * local index; after them come ghosts: copies of other ranks' wet particles that a strut or a link here needs. */
+#pragma once
+#include "base/step_status.h"
+#include "cracks/kernel.h"
+#include "cracks/table.h"
+#include "solid/input.h"
+#include "solid/step/push.h"
+
+struct par_ghost;
+struct cracks_work; /* cracks/solve.h */
+
+/* What enters the cracks through the wet particles of a box (X0). */
+struct cracks_injection {
+    double low[3], high[3];
+    int is_pressure;        /* 1: value is the pressure there, Pa; 0: it is the rate, m3/s */
+    double value;           /* times the factor of time; of a plate m3/s of its thickness */
+    struct solid_time time; /* borrowed during cracks_new */
+};
+
+struct cracks_input {
+    double viscosity;       /* Pa s */
+    double compressibility; /* 1/Pa */
+    double least_pressure;  /* Pa; below it a crack is not full */
+    double least_aperture;  /* m, of the conductance; 0: CRACKS_LEAST_STRETCH times the largest critical stretch times
+                             * the spacing */
+    int injections;
+    const struct cracks_injection *injection; /* borrowed during cracks_new */
+};
+
+#define CRACKS_LEAST_STRETCH 0.3
+
+/* The wet particles' geometry: made anew when bonds have broken. */
+struct cracks_struts {
+    int n, ghosts;        /* wet particles owned here, and copies of other ranks' */
+    int room;             /* of the arrays below, n + ghosts at least */
+    int *h;               /* [n + ghosts] local index in the solid, ascending in each of the two parts */
+    long *start;          /* [n + 1] struts of a wet particle: start[i] .. start[i+1]-1 */
+    int *other;           /* [start[n]] wet index of the other end */
+    uint16_t *kind;       /* [start[n]] offset in the table */
+    long strut_room;      /* of other and kind */
+    int *link_start;      /* [n + 1] nearest neighbours that are wet too */
+    int *link;            /* [link_start[n]] their wet indices */
+    cracks_vec *mobility; /* [n + ghosts] 1/mass of each component, 1/kg; 0: held */
+    cracks_vec *area;     /* [n] a_h, m2 */
+    double *area_size; /* [n + ghosts] |a_h|, or where the faces of several cracks cancel the area along the main axis
+                        * of the struts, m2 */
+    double *diagonal;  /* [n] of B^T M^-1 B, m4/kg */
+    struct par_ghost *plan;
+    long *id;           /* [solid's n + n_ghost] number of a wet particle among those of all ranks, -1: not wet */
+    long bonds_version; /* of the solid when they were made */
+};
+
+struct cracks {
+    /* Parameters */
+    struct cracks_input in; /* with an owned copy of the injections */
+    struct solid *solid;    /* borrowed */
+    struct cracks_table table;
+    double least_aperture;  /* m */
+    struct solid_push push; /* for solid->push */
+
+    /* State: what the table in cracks/state_table.c lists. Arrays by wet particle. */
+    double *p;         /* [n + ghosts] pressure, Pa */
+    double *content;   /* [n] volume of fluid that belongs to the particle, m3 */
+    double *cavity;    /* [n] void that is not filled, m3 */
+    double *volume;    /* [n] crack volume at the end of the last substep, m3 */
+    double *storage;   /* [n] S_h of the last substep, m3/Pa */
+    cracks_vec *share; /* [n] the pressure's force per volume in solid->load, N/m3 */
+    double *injected;  /* [injections] volume so far, m3, the same on all ranks */
+
+    /* Work */
+    struct cracks_struts struts;
+    int stale;       /* 1: the struts are to be made anew although no bond has broken */
+    double *rate;    /* [injections] of the last substep, m3/s */
+    double *weight;  /* [injections][n] part of an injection that a particle takes */
+    long *particles; /* [injections] wet particles that take part, of all ranks */
+    struct cracks_work *work;
+    struct step_status status; /* of the last substeps; failed: no pressures were found */
+
+    /* Counters */
+    long steps, solves, iterations, renewals;
+};
+
+/* Dies (exit 2) on a solid whose cracks cannot carry fluid, and on an injection that touches no broken bond.
+ * Collective.
+ */
+struct cracks *cracks_new(const struct cracks_input *in, struct solid *s);
+void cracks_free(struct cracks *c);
+/* Puts the fluid into the solid's steps, or takes it and its load out of them. Collective. */
+void cracks_begin(struct cracks *c, int flows);

@@ -1,0 +1,80 @@
+/* What enters the cracks through the wet particles of a box. */
+#include "cracks/inject.h"
+#include "base/die.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "cracks/solve.h"
+#include "solid/imposed/constraint.h"
+#include "solid/imposed/time.h"
+
+#include <math.h>
+
+/* Parts by area; where all areas are 0, equal ones. */
+void cracks_inject_renew(struct cracks *c) {
+    const struct cracks_struts *t = &c->struts;
+    const struct solid_turn unturned = {0};
+    const size_t n = (size_t)t->n + 1;
+    c->weight = memory_renew(MEMORY_SOLID, c->weight, n * (size_t)c->in.injections + 1, sizeof *c->weight);
+    for (int q = 0; q < c->in.injections; q++) {
+        const struct cracks_injection *in = &c->in.injection[q];
+        double *weight = c->weight + n * (size_t)q, sum[2] = {0, 0};
+        for (int i = 0; i < t->n; i++) {
+            if (!solid_constraint_inside(c->solid, t->h[i], in->low, in->high, &unturned)) continue;
+            weight[i] = t->area_size[i];
+            sum[0] += weight[i];
+            sum[1]++;
+        }
+        par_sum_array(sum, 2);
+        c->particles[q] = (long)sum[1];
+        for (int i = 0; i < t->n; i++) weight[i] = sum[0] > 0 ? weight[i] / sum[0] : 0;
+    }
+}
+
+void cracks_inject_check(const struct cracks *c) {
+    for (int q = 0; q < c->in.injections; q++)
+        if (c->particles[q] == 0)
+            die_all(EXIT_CODE_SCENE,
+                    "crack_fluid.injections[%d]: no particle with a broken bond stands between low and high: put an "
+                    "initial crack (solid.cracks) there",
+                    q);
+}
+
+double cracks_inject_source(struct cracks *c, double time, double dt, double *b) {
+    const struct cracks_struts *t = &c->struts;
+    double sum = 0;
+    for (int q = 0; q < c->in.injections; q++) {
+        const struct cracks_injection *in = &c->in.injection[q];
+        const double *weight = c->weight + ((size_t)t->n + 1) * (size_t)q;
+        if (in->is_pressure) {
+            const double p = fmax(in->value * solid_time_factor(&in->time, time + dt), c->in.least_pressure);
+            for (int i = 0; i < t->n; i++) {
+                if (!(weight[i] > 0)) continue;
+                c->p[i] = p;
+                c->work->set[i] = CRACKS_GIVEN;
+            }
+        } else {
+            c->rate[q] = in->value * solid_time_mean(&in->time, time, time + dt);
+            for (int i = 0; i < t->n; i++) b[i] += dt * c->rate[q] * weight[i];
+            sum += dt * fabs(c->rate[q]);
+        }
+    }
+    return sum;
+}
+
+void cracks_inject_fill(struct cracks *c, double dt, const double *residual, const double *flow) {
+    const struct cracks_struts *t = &c->struts;
+    (void)flow;
+    for (int q = 0; q < c->in.injections; q++) {
+        const struct cracks_injection *in = &c->in.injection[q];
+        const double *weight = c->weight + ((size_t)t->n + 1) * (size_t)q;
+        double entered = 0;
+        for (int i = 0; i < t->n; i++) {
+            if (!(weight[i] > 0)) continue;
+            const double dq = in->is_pressure ? -residual[i] : dt * c->rate[q] * weight[i];
+            c->content[i] += dq;
+            entered += dq;
+        }
+        if (in->is_pressure) c->rate[q] = par_sum(entered) / dt;
+        c->injected[q] += dt * c->rate[q];
+    }
+}

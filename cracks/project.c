@@ -1,0 +1,102 @@
+/* The pressures of a substep, and their load on the solid. */
+#include "cracks/project.h"
+#include "base/par.h"
+#include "cracks/aperture.h"
+#include "cracks/inject.h"
+#include "cracks/solve.h"
+#include "cracks/struts.h"
+
+#include <math.h>
+
+/* Struts of the present bonds. What new ones add to the volume is void. */
+void cracks_project_settle(struct cracks *c) {
+    if (!cracks_struts_changed(c)) return;
+    cracks_struts_renew(c);
+    c->work = cracks_solve_room(c->work, &c->struts);
+    cracks_inject_renew(c);
+    cracks_aperture_volume(c, c->work->b);
+    for (int i = 0; i < c->struts.n; i++) {
+        c->cavity[i] += c->work->b[i] - c->volume[i];
+        c->volume[i] = c->work->b[i];
+    }
+}
+
+/* u = d + dt v-, with v- the velocity in the middle of the last substep and the other loads' acceleration since:
+ *     v- = v + dt/2 a - dt M^-1 share          a and v include the last share, of which v has taken half a step */
+static void predict(struct cracks *c, double dt) {
+    const struct solid *s = c->solid;
+    const struct cracks_struts *t = &c->struts;
+    for (int i = 0; i < t->n; i++) {
+        const int h = t->h[i];
+        const cracks_vec pushed = dt * s->volume[h] * t->mobility[i] * c->share[i];
+        for (int k = 0; k < s->dim; k++)
+            c->work->u[i][k] = s->d[k][h] + dt * ((s->v[k][h] + 0.5 * dt * s->a[k][h]) - pushed[k]);
+        for (int k = s->dim; k < 4; k++) c->work->u[i][k] = 0;
+    }
+    cracks_struts_update(t, sizeof *c->work->u, c->work->u);
+}
+
+/* b = content + dt Q - B^T u. Returns the volume to which errors are compared. */
+static double source(struct cracks *c, double dt) {
+    const struct cracks_struts *t = &c->struts;
+    struct cracks_work *w = c->work;
+    double size = 0;
+    predict(c, dt);
+    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, w->u, w->b);
+    for (int i = 0; i < t->n; i++) {
+        size += fabs(w->b[i]) + fabs(c->content[i]);
+        w->b[i] = c->content[i] - w->b[i];
+    }
+    size = par_sum(size);
+    return size + cracks_inject_source(c, c->solid->t, dt, w->b);
+}
+
+/* The pressures' load in the solid: the new share instead of the last one. */
+static void load(struct cracks *c, double dt) {
+    struct solid *s = c->solid;
+    const struct cracks_struts *t = &c->struts;
+    for (int i = 0; i < t->n; i++) {
+        const int h = t->h[i];
+        const cracks_vec now = c->work->force[i] / s->volume[h], change = now - c->share[i];
+        const cracks_vec a = s->volume[h] * t->mobility[i] * change;
+        for (int k = 0; k < s->dim; k++) {
+            s->load[k][h] = (s->load[k][h] - c->share[i][k]) + now[k];
+            s->a[k][h] += a[k];
+            s->v[k][h] += 0.5 * dt * a[k];
+        }
+        c->share[i] = now;
+    }
+}
+
+/* content += dt (Q - L p); volume and void at the end of the substep:  v + S p - void = content + residual. */
+static void fill(struct cracks *c, double dt) {
+    const struct cracks_struts *t = &c->struts;
+    struct cracks_work *w = c->work;
+    double *flow = w->along;
+    for (int i = 0; i < t->n; i++) flow[i] = 0;
+    cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, dt, c->p, flow);
+    cracks_inject_fill(c, dt, w->residual, flow);
+    for (int i = 0; i < t->n; i++) {
+        c->content[i] -= flow[i];
+        const double left = w->set[i] == CRACKS_GIVEN ? 0 : w->residual[i];
+        c->volume[i] = c->content[i] - c->storage[i] * c->p[i] - left;
+        c->cavity[i] = w->set[i] == CRACKS_CAVITY ? fmax(-left, 0) : 0;
+    }
+}
+
+void cracks_project(struct solid *s, double dt, void *cracks) {
+    struct cracks *c = cracks;
+    (void)s;
+    cracks_project_settle(c);
+    if (c->status.failed) return;
+    cracks_aperture_conductance(c);
+    for (int i = 0; i < c->struts.n; i++) {
+        c->storage[i] = c->in.compressibility * fmax(c->volume[i] - c->cavity[i], 0);
+        c->work->set[i] = c->p[i] > c->in.least_pressure ? CRACKS_FULL : CRACKS_CAVITY;
+    }
+    const double size = source(c, dt);
+    if (!cracks_solve(c, dt, size)) return;
+    load(c, dt);
+    fill(c, dt);
+    c->steps++;
+}

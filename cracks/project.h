@@ -1,0 +1,8 @@
+/* The pressures of a substep, and their load on the solid.  (docs/design/cracks.md) */
+#pragma once
+#include "cracks/cracks.h"
+
+/* For struct solid_push. Collective. */
+void cracks_project(struct solid *s, double dt, void *cracks);
+/* After substeps: bonds that have broken become struts, and their volume is void. Collective. */
+void cracks_project_settle(struct cracks *c);

@@ -1,0 +1,157 @@
+/* The pressures of one substep: conjugate gradients within an active set. */
+#include "cracks/solve.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "cracks/struts.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum {
+    SETS_MOST = 200,        /* changes of the set in a substep */
+    ITERATIONS_MOST = 20000 /* in all of them */
+};
+
+/* The sum of the full particles' residuals, over `size`. What is left is a source of the next substep. */
+static const double TOLERANCE = 1e-13;
+
+struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t) {
+    const int links = t->n > 0 ? t->link_start[t->n] : 0;
+    if (!w) w = memory_new(MEMORY_SOLID, 1, sizeof *w);
+    if (t->n + t->ghosts + 1 > w->room || links + 1 > w->link_room) {
+        const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64, m = (size_t)links + (size_t)links / 4 + 64;
+        w->set = memory_renew(MEMORY_SOLID, w->set, n, sizeof *w->set);
+        double **const array[] = {&w->b, &w->residual, &w->width, &w->inverse, &w->search, &w->along, &w->z};
+        for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
+            *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
+        w->conductance = memory_renew(MEMORY_SOLID, w->conductance, m, sizeof *w->conductance);
+        cracks_vec **const vector[] = {&w->force, &w->of_search, &w->u};
+        for (size_t a = 0; a < sizeof vector / sizeof vector[0]; a++)
+            *vector[a] = memory_renew(MEMORY_SOLID, *vector[a], n, sizeof **vector[a]);
+        w->room = (int)n;
+        w->link_room = (int)m;
+    }
+    return w;
+}
+
+void cracks_solve_free(struct cracks_work *w) {
+    if (!w) return;
+    void *const own[] = {w->set,    w->b,     w->residual, w->conductance, w->width,     w->inverse,
+                         w->search, w->along, w->z,        w->force,       w->of_search, w->u};
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    memory_free(w);
+}
+
+void cracks_solve_stiffness(const struct cracks *c, double dt, const double *p, cracks_vec *force, double *y) {
+    const struct cracks_struts *t = &c->struts;
+    cracks_vec *u = c->work->u;
+    cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, p, force);
+    for (int i = 0; i < t->n; i++) u[i] = dt * dt * t->mobility[i] * force[i];
+    cracks_struts_update(t, sizeof *u, u);
+    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, u, y);
+}
+
+/* y = A p, force = B p. Ghosts of p are updated. */
+static void apply(const struct cracks *c, double dt, double *p, cracks_vec *force, double *y) {
+    const struct cracks_struts *t = &c->struts;
+    cracks_struts_update(t, sizeof *p, p);
+    cracks_solve_stiffness(c, dt, p, force, y);
+    for (int i = 0; i < t->n; i++) y[i] += c->storage[i] * p[i];
+    cracks_kernel_flow(t->n, t->link_start, t->link, c->work->conductance, dt, p, y);
+}
+
+static void residual_of(const struct cracks *c, double dt) {
+    struct cracks_work *w = c->work;
+    apply(c, dt, c->p, w->force, w->along);
+    for (int i = 0; i < c->struts.n; i++) w->residual[i] = w->b[i] - w->along[i];
+}
+
+static void diagonal_invert(const struct cracks *c, double dt) {
+    const struct cracks_struts *t = &c->struts;
+    struct cracks_work *w = c->work;
+    for (int i = 0; i < t->n; i++) {
+        double sum = c->storage[i] + dt * dt * t->diagonal[i];
+        for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) sum += dt * w->conductance[k];
+        w->inverse[i] = sum > 0 ? 1 / sum : 0;
+    }
+}
+
+/* z = the residual of the full particles over the diagonal; the sum of |r| and r.z of all ranks. */
+static void precondition(const struct cracks *c, double sum[2]) {
+    struct cracks_work *w = c->work;
+    sum[0] = sum[1] = 0;
+    for (int i = 0; i < c->struts.n; i++) {
+        const double r = w->set[i] == CRACKS_FULL ? w->residual[i] : 0;
+        w->z[i] = r * w->inverse[i];
+        sum[0] += fabs(r);
+        sum[1] += r * w->z[i];
+    }
+    par_sum_array(sum, 2);
+}
+
+/* Conjugate gradients over the full particles until the sum of |residual| is at most `least`. Returns whether. */
+static int iterate(struct cracks *c, double dt, double least, long *left) {
+    const int n = c->struts.n;
+    struct cracks_work *w = c->work;
+    double sum[2], old = 0;
+    for (precondition(c, sum); sum[0] > least; precondition(c, sum)) {
+        if ((*left)-- == 0 || !isfinite(sum[1])) return 0;
+        const double beta = old > 0 ? sum[1] / old : 0;
+        double curvature = 0;
+        for (int i = 0; i < n; i++) w->search[i] = w->z[i] + (old > 0 ? beta * w->search[i] : 0);
+        old = sum[1];
+        apply(c, dt, w->search, w->of_search, w->along);
+        for (int i = 0; i < n; i++) curvature += w->search[i] * w->along[i];
+        curvature = par_sum(curvature);
+        if (!(curvature > 0)) return 0;
+        const double alpha = old / curvature;
+        for (int i = 0; i < n; i++) {
+            c->p[i] += alpha * w->search[i];
+            w->residual[i] -= alpha * w->along[i];
+            w->force[i] += alpha * w->of_search[i];
+        }
+        c->iterations++;
+    }
+    return 1;
+}
+
+/* Full particles below the least pressure become cavities; cavities with less than no void become full. *lowered: a
+ * pressure was set. Returns how many changed, on all ranks. */
+static long change_set(struct cracks *c, double least, int *lowered) {
+    struct cracks_work *w = c->work;
+    double changed[2] = {0, 0};
+    for (int i = 0; i < c->struts.n; i++) {
+        if (w->set[i] == CRACKS_FULL && c->p[i] < c->in.least_pressure) {
+            w->set[i] = CRACKS_CAVITY;
+            c->p[i] = c->in.least_pressure;
+            changed[1]++;
+        } else if (w->set[i] == CRACKS_CAVITY && w->residual[i] > least) {
+            w->set[i] = CRACKS_FULL;
+            changed[0]++;
+        }
+    }
+    par_sum_array(changed, 2);
+    *lowered = changed[1] > 0;
+    return (long)(changed[0] + changed[1]);
+}
+
+static int lost(struct cracks *c, const char *field, double value) {
+    c->status = (struct step_status){.failed = 1, .seen_in = STEP_STATUS_SOLID, .rank = par_rank(), .value = value};
+    snprintf(c->status.field, sizeof c->status.field, "%s", field);
+    return 0;
+}
+
+int cracks_solve(struct cracks *c, double dt, double size) {
+    const double least = TOLERANCE * size;
+    long left = ITERATIONS_MOST;
+    int lowered = 0;
+    diagonal_invert(c, dt);
+    residual_of(c, dt);
+    for (int turn = 0; turn < SETS_MOST; turn++) {
+        c->solves++;
+        if (!iterate(c, dt, least, &left)) return lost(c, "crack iteration", (double)(ITERATIONS_MOST - left));
+        if (change_set(c, least, &lowered) == 0) return 1;
+        if (lowered) residual_of(c, dt);
+    }
+    return lost(c, "crack cavities", SETS_MOST);
+}

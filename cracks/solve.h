@@ -1,0 +1,37 @@
+/* The pressures of one substep: conjugate gradients within an active set.
+ *
+ *     A = S + dt L + dt^2 B^T M^-1 B            symmetric, positive where every wet particle has a link
+ *     A p - cavity = b ,   p >= p_cav ,   cavity >= 0 ,   (p - p_cav) cavity = 0 */
+#pragma once
+#include "cracks/cracks.h"
+
+enum cracks_set {
+    CRACKS_FULL,   /* p is free, no cavity */
+    CRACKS_CAVITY, /* p = p_cav */
+    CRACKS_GIVEN   /* an injection gives p */
+};
+
+struct cracks_work {
+    int room, ghosts_room, link_room;
+    uint8_t *set;          /* [n] enum cracks_set */
+    double *b;             /* [n] m3 */
+    double *residual;      /* [n] b - A p, m3; of a cavity the void with a minus sign */
+    double *conductance;   /* [links] T_hl, m3/(s Pa) */
+    double *width;         /* [n + ghosts] aperture w_h, m */
+    double *inverse;       /* [n] 1/diagonal of A */
+    double *search;        /* [n + ghosts] direction of the search */
+    double *along, *z;     /* [n] A search; the preconditioned residual */
+    cracks_vec *force;     /* [n] B p, N */
+    cracks_vec *of_search; /* [n] B search, N */
+    cracks_vec *u;         /* [n + ghosts] a displacement, m */
+};
+
+/* Room for the present struts. Not collective. */
+struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t);
+void cracks_solve_free(struct cracks_work *w);
+/* From p, set and b: p, set, residual and force = B p. p of the set CRACKS_GIVEN stays. size: volume to which errors
+ * are compared, m3. Returns 1; 0: the set does not settle or the iteration does not converge, and c->status says which.
+ * Collective. */
+int cracks_solve(struct cracks *c, double dt, double size);
+/* y = A p without S and the flow: dt^2 B^T M^-1 B p, and force = B p. p has current ghosts. Collective. */
+void cracks_solve_stiffness(const struct cracks *c, double dt, const double *p, cracks_vec *force, double *y);

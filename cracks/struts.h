@@ -1,0 +1,13 @@
+/* The wet particles, their struts and links: found from the solid's broken bonds. */
+#pragma once
+#include "cracks/cracks.h"
+
+/* Makes the struts anew. The arrays of the state follow: a particle that is wet now and was not before has the least
+ * pressure and no fluid. Collective. */
+void cracks_struts_renew(struct cracks *c);
+/* Whether bonds have broken, or were restored, since the struts were made; the same on all ranks. Clears the solid's
+ * mark. Collective. */
+int cracks_struts_changed(struct cracks *c);
+void cracks_struts_free(struct cracks_struts *t);
+/* Copies records of so many bytes from the owners to the ghosts; record [n + ghosts]. Collective. */
+void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *record);
