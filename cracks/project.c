@@ -74,6 +74,7 @@ static void fill(struct cracks *c, double dt) {
     struct cracks_work *w = c->work;
     double *flow = w->along;
     for (int i = 0; i < t->n; i++) flow[i] = 0;
+    cracks_struts_update(t, sizeof *c->p, c->p);
     cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, dt, c->p, flow);
     cracks_inject_fill(c, dt, w->residual, flow);
     for (int i = 0; i < t->n; i++) {

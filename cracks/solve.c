@@ -142,11 +142,13 @@ static int lost(struct cracks *c, const char *field, double value) {
 }
 
 int cracks_solve(struct cracks *c, double dt, double size) {
-    const double least = TOLERANCE * size;
     long left = ITERATIONS_MOST;
     int lowered = 0;
+    double sum = 0;
     diagonal_invert(c, dt);
     residual_of(c, dt);
+    for (int i = 0; i < c->struts.n; i++) sum += fabs(c->work->residual[i]);
+    const double least = TOLERANCE * (size + par_sum(sum));
     for (int turn = 0; turn < SETS_MOST; turn++) {
         c->solves++;
         if (!iterate(c, dt, least, &left)) return lost(c, "crack iteration", (double)(ITERATIONS_MOST - left));

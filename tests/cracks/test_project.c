@@ -1,0 +1,149 @@
+/* Pressures of substeps: the books of volume and momentum, and the ranks. */
+#include "base/par.h"
+#include "cracks/measure.h"
+#include "cracks/project.h"
+#include "cracks/solve.h"
+#include "solid/force/force.h"
+#include "solid/step/integrate.h"
+#include "tests/cracks/make.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* A plate with a crack that fluid is pumped into. */
+struct run {
+    struct solid *s;
+    struct cracks *c;
+    double dt;
+};
+
+static struct run begin(int space, double fracture_energy, double viscosity, double compressibility, double pressure) {
+    const double half = 3 * SPACING, mid = 12 * SPACING;
+    const double line[2][3] = {{mid - half, mid, 0}, {mid + half, mid, 0}};
+    const double quad[4][3] = {{3e-3, 3e-3, 6e-3}, {8e-3, 3e-3, 6e-3}, {8e-3, 8e-3, 6e-3}, {3e-3, 8e-3, 6e-3}};
+    const struct solid_cut flat = {2, line}, plane = {4, quad};
+    const double t[2] = {0, 1e-4}, factor[2] = {0, 1};
+    struct cracks_injection in = {.low = {mid - SPACING, mid - 3 * SPACING, 0},
+                                  .high = {mid + SPACING, mid + 3 * SPACING, 0},
+                                  .value = 2e-4,
+                                  .time = {2, t, factor}};
+    if (space) {
+        in = (struct cracks_injection){.low = {4e-3, 4e-3, 5e-3}, .high = {6e-3, 6e-3, 7e-3}, .value = 5e-4};
+        in.time = (struct solid_time){2, t, factor};
+    }
+    if (pressure > 0) {
+        in.is_pressure = 1;
+        in.value = pressure;
+    }
+    struct run r = {.s = make((struct make){.sites = {space ? 11 : 24, space ? 11 : 24, space ? 12 : 0},
+                                            .cuts = 1,
+                                            .cut = space ? &plane : &flat,
+                                            .fracture_energy = fracture_energy})};
+    const struct cracks_input input = {.viscosity = viscosity,
+                                       .compressibility = compressibility,
+                                       .least_aperture = 1e-8,
+                                       .injections = 1,
+                                       .injection = &in};
+    r.s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = fracture_energy > 0};
+    r.c = cracks_new(&input, r.s);
+    r.dt = 0.3 * SPACING / sqrt(YOUNG / DENSITY);
+    cracks_begin(r.c, 1);
+    return r;
+}
+
+static void end(struct run *r) {
+    cracks_free(r->c);
+    solid_free(r->s);
+}
+
+/* The work of the pressures in a substep, p dV. */
+static double work_of(const struct cracks *c, const double *before) {
+    double sum = 0;
+    for (int i = 0; i < c->struts.n; i++) sum += c->p[i] * (c->volume[i] - before[i]);
+    return sum;
+}
+
+/* Pressures are least where there is void and nowhere below. */
+static void check_void(const struct cracks *c) {
+    for (int i = 0; i < c->struts.n; i++) {
+        check_at_least(c->p[i], c->in.least_pressure);
+        if (c->volume[i] == 0) continue;
+        if (c->p[i] > c->in.least_pressure) check_equal(c->cavity[i], 0);
+    }
+}
+
+enum { KINDS = 8, STEPS = 120, NUMBERS = 9, ROWS = 4 };
+
+/* One of the kinds; value: numbers of some steps. */
+static void pump(int kind, double (*value)[NUMBERS]) {
+    const int space = kind % 2, breaks = kind / 2 == 1;
+    struct run r =
+        begin(space, breaks ? 20 : 0, kind == 4 ? 1e-1 : 1e-3, kind / 2 == 2 ? 1e-9 : 0, kind / 2 == 3 ? 2e7 : 0);
+    double *before = malloc((size_t)r.s->n * sizeof *before), work = 0, momentum[4] = {0};
+    for (int step = 0; step < STEPS; step++) {
+        for (int i = 0; i < r.c->struts.n; i++) before[i] = r.c->volume[i];
+        solid_integrate(r.s, r.dt, 1);
+        assert_int_equal(r.c->status.failed, 0);
+        if (!breaks) {
+            work += work_of(r.c, before);
+            check_void(r.c);
+        }
+        cracks_project_settle(r.c);
+        const struct cracks_values v = cracks_measure(r.c);
+        check_close(v.residual / v.volume, 0, 1e-12);
+        check_above(v.injected, 0);
+        if (step % (STEPS / ROWS) < STEPS / ROWS - 1) continue;
+        const double row[NUMBERS] = {
+            v.injected,      v.volume, v.cavity,       v.injection_pressure,   v.injection_rate,
+            v.pressure_mean, v.area,   v.aperture_max, (double)v.wet_particles};
+        memcpy(value[step / (STEPS / ROWS)], row, sizeof row);
+    }
+    if (!breaks) check_relative(par_sum(r.s->work_load), par_sum(work), 1e-11);
+    if (breaks) {
+        solid_family_count(r.s);
+        check_above(r.c->renewals, 5);
+    }
+    for (int h = 0; h < r.s->n; h++)
+        for (int k = 0; k < r.s->dim; k++) {
+            const double mv = DENSITY * r.s->volume[h] * r.s->v[k][h];
+            momentum[k] += mv;
+            momentum[3] += fabs(mv);
+        }
+    par_sum_array(momentum, 4);
+    for (int k = 0; k < 3; k++) check_close(momentum[k] / momentum[3], 0, 1e-12);
+    free(before);
+    end(&r);
+}
+
+/* Volumes add up to what was injected, the work is p dV, momentum stays 0: at a rate and at a pressure, compressible or
+ * not, viscous or not, in cracks that grow or do not. The numbers are the same on any number of ranks: one rank writes
+ * them to a file, more ranks compare. The last ones differ where the iteration stops elsewhere. */
+static void books(void **state) {
+    (void)state;
+    for (int kind = 0; kind < KINDS; kind++) {
+        double value[ROWS][NUMBERS], expected[ROWS][NUMBERS];
+        char path[512];
+        snprintf(path, sizeof path, FRANA_BINARY_DIR "/cracks_test_project_%d.data", kind);
+        pump(kind, value);
+        FILE *file = fopen(path, par_size() == 1 ? "wb" : "rb");
+        if (!file) fail_msg("%s: run this test on one rank first", path);
+        if (par_size() == 1) {
+            assert_int_equal(fwrite(value, sizeof value, 1, file), 1);
+        } else {
+            assert_int_equal(fread(expected, sizeof expected, 1, file), 1);
+            for (int i = 0; i < ROWS; i++)
+                for (int k = 0; k < NUMBERS; k++)
+                    check_close(value[i][k], expected[i][k],
+                                1e-8 * fabs(expected[i][k]) + 1e-8 * (k == 2) * expected[i][1]);
+        }
+        fclose(file);
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(books)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
