@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "coupling/guard.h"
 #include "coupling/run_state.h"
+#include "cracks/state_table.h"
 #include "files/state_copy.h"
 #include "fluid/state_table.h"
 #include "solid/keep.h"
@@ -12,9 +13,11 @@
 
 struct guard {
     struct state_copy *run;
-    struct state_copy *fluid; /* NULL: there is none */
-    struct solid_keep *solid; /* NULL: the solid does not change */
-    double (*demand)[3];      /* [n] the forcing's starting guess (forcing_guess_kept); NULL: it has none */
+    struct state_copy *fluid;  /* NULL: there is none */
+    struct solid_keep *solid;  /* NULL: the solid does not change */
+    struct state_copy *cracks; /* NULL: cracks carry no fluid */
+    struct cracks_keep *wet;   /* of that copy */
+    double (*demand)[3];       /* [n] the forcing's starting guess (forcing_guess_kept); NULL: it has none */
     int kept;
     long refined; /* number of refinements when the arrays were made */
 };
@@ -31,6 +34,10 @@ struct guard *guard_new(const struct run *r) {
     if (!r->needs.bonds) return g;
     g->refined = solid_refine_events(r->solid);
     g->solid = solid_keep_new(r->solid, r->surface, r->needs.breakage);
+    if (r->cracks) {
+        const struct state_part cracks = cracks_state_table_part(r->cracks);
+        g->cracks = state_copy_new(&cracks, &g->wet);
+    }
     return g;
 }
 
@@ -39,6 +46,7 @@ void guard_free(struct guard *g) {
     state_copy_free(g->run, &g->demand);
     state_copy_free(g->fluid, g);
     solid_keep_free(g->solid);
+    state_copy_free(g->cracks, &g->wet);
     free(g);
 }
 
@@ -54,6 +62,10 @@ void guard_keep(struct guard *g, struct run *r) {
         state_copy_take(g->fluid, &fluid, g);
     }
     if (g->solid) solid_keep_take(g->solid, r->solid, r->surface);
+    if (g->cracks) {
+        const struct state_part cracks = cracks_state_table_part(r->cracks);
+        state_copy_take(g->cracks, &cracks, &g->wet);
+    }
     state_copy_take(g->run, &run, &g->demand);
     g->kept = 1;
     clock_end(CLOCK_OUTPUT);
@@ -69,6 +81,10 @@ long guard_restore(struct guard *g, struct run *r) {
         state_copy_restore(g->fluid, &fluid, g);
     }
     if (g->solid) solid_keep_restore(g->solid, r->solid, r->surface);
+    if (g->cracks) {
+        const struct state_part cracks = cracks_state_table_part(r->cracks);
+        state_copy_restore(g->cracks, &cracks, &g->wet);
+    }
     state_copy_restore(g->run, &run, &g->demand);
     /* work that belongs to another state */
     r->adapt.limits_of = -1;

@@ -6,6 +6,7 @@
 #include "coupling/interface.h"
 #include "coupling/leak.h"
 #include "coupling/reaction.h"
+#include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/given.h"
 #include "solid/solid.h"
 
@@ -108,6 +109,7 @@ struct run *run_new(const struct scene *scene) {
         given_free(in);
         setup_solid_free(in);
         check_steps(r);
+        r->cracks = setup_crack_fluid(scene, r->solid);
     }
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
@@ -166,6 +168,7 @@ void run_free(struct run *r) {
     medium_free(r->medium);
     ibm_free(r->ibm);
     solid_surface_free(r->surface);
+    cracks_free(r->cracks);
     solid_free(r->solid);
     fluid_free(r->fluid);
     free(r);

@@ -15,6 +15,7 @@
 #include "solid/surface/surface.h"
 
 struct run;
+struct cracks; /* cracks/cracks.h */
 struct reaction;
 typedef void run_part(struct run *r);
 enum { RUN_PARTS_MAX = 8 };
@@ -53,6 +54,7 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct scene_medium measured;  /* the medium's direction, and why a permeability would mean nothing */
+    struct cracks *cracks;         /* NULL: cracks carry no fluid */
     struct reaction *reaction;     /* NULL unless the load is the forcing's reaction (coupling/reaction.h) */
     struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 

@@ -2,6 +2,7 @@
  * (docs/design/state.md) */
 #include "coupling/run_state.h"
 #include "coupling/forcing_guess.h"
+#include "cracks/state_table.h"
 #include "fluid/state_table.h"
 
 #include <stdio.h>
@@ -153,5 +154,6 @@ void run_state_of(struct run *r, struct run_state *state) {
     state->part[state->parts++] = run_state_part(r);
     if (r->fluid) state->part[state->parts++] = fluid_state_table_part(r->fluid);
     if (r->needs.bonds) state->part[state->parts++] = solid_state_table_part(&state->solid);
+    if (r->cracks) state->part[state->parts++] = cracks_state_table_part(r->cracks);
     state_list_make(&state->list, state->part, state->parts);
 }

@@ -8,7 +8,7 @@ extern const struct state_item run_state_table[];
 
 struct run_state {
     int parts;
-    struct state_part part[3]; /* [parts] the run, the fluid, the solid, as far as the scene has them */
+    struct state_part part[4]; /* [parts] the run, the fluid, the solid, the cracks' fluid, as the scene has them */
     struct state_list list;
     struct solid_state_owner solid;
 };

@@ -2,6 +2,7 @@
 #include "coupling/stage.h"
 #include "base/die.h"
 #include "coupling/refinement.h"
+#include "cracks/cracks.h"
 #include "solid/contact/contact.h"
 #include "solid/step/integrate.h"
 #include "solid/step/rates.h"
@@ -25,6 +26,7 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     if (scene->fluid && scene->coupling->scheme == SCENE_STRONG) needs |= STAGE_STRONG;
     if (scene->fluid && scene->coupling->load == SCENE_LOAD_REACTION) needs |= STAGE_REACTS;
     if (scene->solid->refinement) needs |= STAGE_REFINES;
+    if (stage->crack_fluid) needs |= STAGE_SEEPS;
     if (can_touch) needs |= STAGE_TOUCHES;
     if (stage->substeps == 0 && needs & (STAGE_TOUCHES | STAGE_AUTOMATIC)) needs |= STAGE_FOLLOWS;
     return needs;
@@ -78,6 +80,7 @@ unsigned stage_begin(struct run *r) {
     adapt_begin(r);
     begin_numbers(r, elastic);
     if (elastic) begin_solid(r, refined);
+    if (r->cracks) cracks_begin(r->cracks, r->scene->stage[r->stage].crack_fluid);
     const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);
     const unsigned needs = stage_needs_of(r->scene, r->stage, can_touch);
     if (needs & STAGE_ELASTIC) begin_substeps(r, needs);

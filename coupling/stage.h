@@ -16,7 +16,8 @@ enum stage_need {
     STAGE_FOLLOWS = 512, /* the number of substeps follows contact and the time step */
     STAGE_REACTS = 1024, /* the load is the forcing's reaction, found within the fluid's stages */
     STAGE_RAISES = 2048, /* loads go on in increments, each to static equilibrium; the stage needs nothing else */
-    STAGE_ALL_NEEDS = 4095
+    STAGE_SEEPS = 4096,  /* fluid flows in the solid's cracks */
+    STAGE_ALL_NEEDS = 8191
 };
 
 /* The set of needs of stage k. can_touch: solid_contact_is_possible, for a scene with contact. Depends on its arguments

@@ -11,6 +11,7 @@
 #include "coupling/run.h"
 #include "coupling/stage.h"
 #include "coupling/step.h"
+#include "cracks/project.h"
 #include "files/log.h"
 #include "solid/contact/contact.h"
 #include "solid/imposed/reactions.h"
@@ -76,6 +77,9 @@ static void part_solid(struct run *r) {
     r->moved = r->step + 1;
 }
 
+/* The pressures are found within the solid's substeps (cracks/project.c). */
+static void part_cracks(struct run *r) { cracks_project_settle(r->cracks); }
+
 static void part_contact(struct run *r) { solid_contact_update(r->solid); }
 
 static void part_surface(struct run *r) {
@@ -122,9 +126,10 @@ static const struct step_part box[] = {
     {"fluid with forcing, implicit diffusion", STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG, part_fluid_implicit},
     {"probe", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, interface_probe}, /* 001: eqs 3.83-3.96 */
     {"refinement", STAGE_REFINES, STAGE_STRONG, part_refine},                                /* 000: ch. 2 */
-    {"contact", STAGE_TOUCHES, 0, part_contact},                                  /* lists of pairs for 001: eq. 3.40 */
-    {"number of substeps", STAGE_FOLLOWS, 0, adapt_substeps},                     /* the solid's stable step */
-    {"solid", STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid},            /* 001: eqs 3.38, 3.47, 3.48 */
+    {"contact", STAGE_TOUCHES, 0, part_contact},                       /* lists of pairs for 001: eq. 3.40 */
+    {"number of substeps", STAGE_FOLLOWS, 0, adapt_substeps},          /* the solid's stable step */
+    {"solid", STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid}, /* 001: eqs 3.38, 3.47, 3.48 */
+    {"cracks", STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
     {"fluid, probe and solid, iterated", STAGE_STRONG, 0, strong_step},           /* Degroote et al. 2009 */
     {"fluid, forcing and solid, stage by stage", STAGE_REACTS, 0, reaction_step}, /* Tschisgale et al. 2017 */
     {"surface", STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface},                 /* 001: secs 3.3.7, 3.3.9 */
@@ -177,6 +182,7 @@ int step_check(const struct run *r, int whole, struct step_status *status) {
     const int may_differ = r->solid && (whole || r->moved == r->step); /* the state of a solid at rest does not
                                                                         * change */
     if (may_differ && !status->failed) *status = solid_integrate_check(r->solid);
+    if (r->cracks && r->cracks->status.failed && !status->failed) *status = r->cracks->status;
     if (status->failed) status->rank = par_rank();
     return status->failed;
 }

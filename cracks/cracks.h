@@ -69,11 +69,12 @@ struct cracks {
     double *storage;   /* [n] S_h of the last substep, m3/Pa */
     cracks_vec *share; /* [n] the pressure's force per volume in solid->load, N/m3 */
     double *injected;  /* [injections] volume so far, m3, the same on all ranks */
+    double *rate;      /* [injections] of the last substep, m3/s */
 
     /* Work */
     struct cracks_struts struts;
+    int restored;    /* 1: the state was restored: the struts are to be made anew, and no void comes with them */
     int stale;       /* 1: the struts are to be made anew although no bond has broken */
-    double *rate;    /* [injections] of the last substep, m3/s */
     double *weight;  /* [injections][n] part of an injection that a particle takes */
     long *particles; /* [injections] wet particles that take part, of all ranks */
     struct cracks_work *work;

@@ -14,6 +14,10 @@ void cracks_project_settle(struct cracks *c) {
     cracks_struts_renew(c);
     c->work = cracks_solve_room(c->work, &c->struts);
     cracks_inject_renew(c);
+    if (c->restored) {
+        c->restored = 0;
+        return;
+    }
     cracks_aperture_volume(c, c->work->b);
     for (int i = 0; i < c->struts.n; i++) {
         c->cavity[i] += c->work->b[i] - c->volume[i];

@@ -17,7 +17,8 @@ static const double CANCELLED = 0.2;
 
 int cracks_struts_changed(struct cracks *c) {
     struct solid *s = c->solid;
-    const int here = solid_lost_take(s, SOLID_BROKE_PUSH) || c->stale || c->struts.bonds_version != s->bonds_version;
+    const int here =
+        solid_lost_take(s, SOLID_BROKE_PUSH) || c->stale || c->restored || c->struts.bonds_version != s->bonds_version;
     return par_max(here) > 0;
 }
 

@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "coupling/interface.h"
 #include "coupling/reaction.h"
+#include "cracks/measure.h"
 #include "files/folder.h"
 #include "files/table.h"
 #include "ibm/feedback.h"
@@ -27,7 +28,8 @@ enum {
     NEED_REFINED = 16,
     NEED_REACTION = 32,
     NEED_CONTACT = 64,
-    NEED_SPACE = 128
+    NEED_SPACE = 128,
+    NEED_CRACKS = 256
 };
 
 static const struct column {
@@ -81,6 +83,17 @@ static const struct column {
     COLUMN("given_x", "N", NEED_BONDS | NEED_ALONE, given[0]),
     COLUMN("given_y", "N", NEED_BONDS | NEED_ALONE, given[1]),
     COLUMN("given_z", "N", NEED_BONDS | NEED_ALONE | NEED_SPACE, given[2]),
+    COLUMN("injected_volume", "m3", NEED_CRACKS, injected_volume),
+    COLUMN("crack_volume", "m3", NEED_CRACKS, crack_volume),
+    COLUMN("cavity_volume", "m3", NEED_CRACKS, cavity_volume),
+    COLUMN("volume_residual", "m3", NEED_CRACKS, volume_residual),
+    COLUMN("injection_pressure", "Pa", NEED_CRACKS, injection_pressure),
+    COLUMN("injection_rate", "m3/s", NEED_CRACKS, injection_rate),
+    COLUMN("crack_pressure_mean", "Pa", NEED_CRACKS, crack_pressure_mean),
+    COLUMN("crack_area_wet", "m2", NEED_CRACKS, crack_area_wet),
+    COLUMN("aperture_max", "m", NEED_CRACKS, aperture_max),
+    COLUMN("aperture_mean", "m", NEED_CRACKS, aperture_mean),
+    COLUMN("wet_particles", "1", NEED_CRACKS, wet_particles),
     COLUMN("particles", "1", NEED_BONDS | NEED_REFINED, particles),
     COLUMN("damage_mean", "1", NEED_BONDS, damage_mean),
     COLUMN("damage_max", "1", NEED_BONDS, damage_max),
@@ -113,7 +126,8 @@ struct series *series_new(struct run *r, const char *folder, long resume_step) {
     const int have = (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
                      (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
                      (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0) |
-                     (r->needs.contact ? NEED_CONTACT : 0) | (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0);
+                     (r->needs.contact ? NEED_CONTACT : 0) | (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0) |
+                     (r->cracks ? NEED_CRACKS : 0);
     const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
     for (int k = 0; k < ALL_COLUMNS; k++) {
         if ((all_columns[k].needs & have) != all_columns[k].needs) continue;
@@ -270,6 +284,21 @@ static void sample_bonds(struct series *s, struct run *r) {
     sample_damage(s, r);
 }
 
+static void sample_cracks(struct series *s, struct run *r) {
+    const struct cracks_values v = cracks_measure(r->cracks);
+    s->now.injected_volume = v.injected;
+    s->now.crack_volume = v.volume;
+    s->now.cavity_volume = v.cavity;
+    s->now.volume_residual = v.residual;
+    s->now.injection_pressure = v.injection_pressure;
+    s->now.injection_rate = v.injection_rate;
+    s->now.crack_pressure_mean = v.pressure_mean;
+    s->now.crack_area_wet = v.area;
+    s->now.aperture_max = v.aperture_max;
+    s->now.aperture_mean = v.aperture_mean;
+    s->now.wet_particles = (double)v.wet_particles;
+}
+
 void series_sample(struct series *s, struct run *r) {
     clock_begin(CLOCK_OUTPUT);
     s->now.step = (double)r->step;
@@ -278,6 +307,7 @@ void series_sample(struct series *s, struct run *r) {
     if (r->needs.fluid) sample_fluid(s, r);
     if (r->needs.immersed) sample_immersed(s, r);
     if (r->needs.bonds) sample_bonds(s, r);
+    if (r->cracks) sample_cracks(s, r);
     double row[ALL_COLUMNS];
     for (int k = 0; k < s->columns; k++)
         row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);

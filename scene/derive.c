@@ -85,6 +85,13 @@ static void derive_output(struct scene *s) {
     s->output.fields_every = (steps + DUMPS - 1) / DUMPS;
 }
 
+static void derive_injections(struct scene_crack_fluid *f, const struct scene_node *root) {
+    for (int i = 0; f && i < f->injections; i++) {
+        f->injection[i].is_pressure = is_given(root, scene_check_parts_path("crack_fluid.injections[%d].pressure", i));
+        derive_time(&f->injection[i].time);
+    }
+}
+
 void scene_derive_domain(struct scene *s, const struct scene_node *root) {
     const struct scene_node *size = scene_node_find(root, "domain.size");
     s->dimension = size && size->n == 3 && !size->bad ? 3 : 2;
@@ -95,6 +102,7 @@ void scene_derive(struct scene *s, const struct scene_node *root) {
     for (int d = 0; d < 3 && s->fluid; d++) s->domain.periodic[d] = s->fluid->side[d][0].type == SCENE_PERIODIC;
     if (s->fluid) s->fluid->has_taylor_green = is_given(root, scene_check_parts_path("fluid.initial.taylor_green"));
     if (s->solid) derive_solid(s->solid, root);
+    derive_injections(s->crack_fluid, root);
     for (int i = 0; i < s->stages; i++)
         s->stage[i].has_until = is_given(root, scene_check_parts_path("stages[%d].until", i));
     derive_output(s);
@@ -104,4 +112,6 @@ void scene_derive_free(struct scene *s) {
     for (int b = 0; s->solid && b < s->solid->bodies; b++) scene_outline_free(&s->solid->body[b]);
     for (int i = 0; s->solid && i < s->solid->constraints; i++) time_free(&s->solid->constraint[i].time);
     for (int i = 0; s->solid && i < s->solid->loads; i++) time_free(&s->solid->load[i].time);
+    for (int i = 0; s->crack_fluid && i < s->crack_fluid->injections; i++)
+        time_free(&s->crack_fluid->injection[i].time);
 }

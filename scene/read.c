@@ -96,6 +96,7 @@ static struct scene *load(const char *path, struct scene_node *root, int look_fo
     scene_check_fluid(&c);
     scene_check_solid(&c);
     scene_check_stages(&c);
+    scene_check_crack_fluid(&c);
     s->resolved = scene_yaml_emit(root, 0);
     return s;
 }

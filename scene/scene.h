@@ -377,6 +377,22 @@ struct scene_nonlocal {
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
 enum scene_integrator { SCENE_RK3, SCENE_VERLET };
+/* Fluid in cracks below the grid. */
+struct scene_injection {
+    double low[3], high[3]; /* m */
+    int is_pressure;        /* pressure is given instead of rate */
+    double rate, pressure;  /* m3/s; Pa */
+    struct scene_time time; /* of the rate or the pressure */
+};
+struct scene_crack_fluid {
+    double viscosity;       /* Pa s */
+    double compressibility; /* 1/Pa, default 0 */
+    double least_pressure;  /* Pa, default 0 */
+    double least_aperture;  /* m; 0: auto */
+    int injections;
+    struct scene_injection *injection; /* injections: [...] */
+};
+
 enum scene_until_quantity { SCENE_UNTIL_PERMEABILITY };
 struct scene_stage {
     char name[SCENE_NAME];
@@ -392,7 +408,8 @@ struct scene_stage {
     double safety;                    /* auto: fraction of the stable step, default 0.95 */
     int breakage;                     /* default true; false: no bond breaks in this stage */
     double damping_relative, damping_absolute;
-    int has_until; /* until: {...}: the stage ends once the quantity is steady */
+    int crack_fluid; /* true: the fluid of the section crack_fluid flows in this stage */
+    int has_until;   /* until: {...}: the stage ends once the quantity is steady */
     enum scene_until_quantity until_quantity;
     double until_change; /* relative, over a window and in all that is left */
     int until_window;    /* steps */
@@ -445,11 +462,12 @@ struct scene {
     char title[256];
     int dimension; /* 2: a plate in the x-y plane; 3; that of `nonlocal` */
     struct scene_domain domain;
-    struct scene_fluid *fluid;       /* NULL: no fluid */
-    struct scene_solid *solid;       /* NULL: no solid */
-    struct scene_coupling *coupling; /* NULL unless both */
-    struct scene_nonlocal *nonlocal; /* NULL: no such problem */
-    int stages;                      /* 0: the scene is solved at once */
+    struct scene_fluid *fluid;             /* NULL: no fluid */
+    struct scene_solid *solid;             /* NULL: no solid */
+    struct scene_coupling *coupling;       /* NULL unless both */
+    struct scene_crack_fluid *crack_fluid; /* NULL: cracks carry no fluid */
+    struct scene_nonlocal *nonlocal;       /* NULL: no such problem */
+    int stages;                            /* 0: the scene is solved at once */
     struct scene_stage *stage;
     struct scene_output output;
     char *resolved; /* the scene as YAML with every default, itself a valid scene */

@@ -25,6 +25,7 @@ int scene_check_image(const struct scene_check *c, int b); /* part of scene_chec
 void scene_check_region(const struct scene_check *c);
 void scene_check_interface(const struct scene_check *c);
 void scene_check_indenter(const struct scene_check *c);
+void scene_check_crack_fluid(const struct scene_check *c);
 
 /* Opens the images of the scene's bodies and fills in their sizes, in the tree too. On the rank that reads the files.
  */
@@ -40,6 +41,8 @@ int scene_check_parts_clean(const struct scene_check *c, struct scene_path path)
 /* Whether low is below high; if not, that is reported at path.low. */
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
                          const double high[3]);
+/* Reports times at path.time that do not ascend. */
+void scene_check_region_time(const struct scene_check *c, struct scene_path path, const struct scene_time *time);
 /* Whether the rotation in the mapping at the path, if there is one, has directions; if not, that is reported. */
 int scene_check_body_turn(const struct scene_check *c, struct scene_path path, const struct scene_turn *turn);
 /* The bounds of a body of shape image; 0 if its size is not known. */

@@ -60,7 +60,7 @@ static void bounds_of(int n, const double (*point)[3], double low[3], double hig
     }
 }
 
-static void check_time(const struct scene_check *c, struct scene_path above, const struct scene_time *time) {
+void scene_check_region_time(const struct scene_check *c, struct scene_path above, const struct scene_time *time) {
     const struct scene_path path = scene_check_parts_path("%s.time", above.text);
     if (!scene_check_parts_clean(c, path)) return;
     for (int i = 1; i < time->n; i++)
@@ -102,7 +102,7 @@ static void check_constraint(const struct scene_check *c, int i) {
     const int in_plate = c->scene->dimension == 2 && scene_node_is_clean(c->root, "domain.size");
     check_region(c, above, k->low, k->high, &k->turn);
     check_image_turn(c, above, &k->turn);
-    check_time(c, above, &k->time);
+    scene_check_region_time(c, above, &k->time);
     if (!scene_check_parts_clean(c, path)) return;
     int good = 1;
     for (const char *at = k->directions; *at; at++)
@@ -129,7 +129,7 @@ static void check_load(const struct scene_check *c, int i) {
     const struct scene_load *k = &c->scene->solid->load[i];
     const struct scene_path path = scene_check_parts_path("solid.loads[%d]", i),
                             edge = scene_check_parts_path("%s.edge", path.text);
-    check_time(c, path, &k->time);
+    scene_check_region_time(c, path, &k->time);
     if (k->kind == SCENE_LOAD_REGION) {
         check_region(c, path, k->low, k->high, &k->turn);
         return;

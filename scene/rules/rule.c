@@ -295,6 +295,18 @@ const struct scene_rule scene_rule_table[] = {
     RULE("coupling.medium.high", "m"),
     RULE("coupling.medium.direction", "choice", "auto"),
 
+    RULE("crack_fluid", "section", .only = SOLID | NO_FLUID | STEPPED),
+    RULE("crack_fluid.viscosity", "Pa s", ABOVE(0)),
+    RULE("crack_fluid.compressibility", "1/Pa", "0", FROM(0)),
+    RULE("crack_fluid.least_pressure", "Pa", "0"),
+    RULE("crack_fluid.least_aperture", "m", "auto", ABOVE(0), .word = "auto", .load = "0"),
+    RULE("crack_fluid.injections", "list"),
+    RULE("crack_fluid.injections[].low", "m"),
+    RULE("crack_fluid.injections[].high", "m"),
+    RULE("crack_fluid.injections[].rate", "m3/s", .needed = ALWAYS, NOT_WITH("pressure")),
+    RULE("crack_fluid.injections[].pressure", "Pa"),
+    RULE("crack_fluid.injections[].time", "s, 1"),
+
     RULE("nonlocal", "section"),
     RULE("nonlocal.dimension", "1", WITHIN(1, 3)),
     RULE("nonlocal.exponent", "1", WITHIN(0, 2)),
@@ -329,6 +341,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("stages[].breakage", "bool", "true", .only = SOLID),
     RULE("stages[].damping_relative", "N s/m7", "0", FROM(0), .only = SOLID),
     RULE("stages[].damping_absolute", "1/s", "0", FROM(0), .only = SOLID),
+    RULE("stages[].crack_fluid", "bool", .only = SOLID | NO_FLUID),
 
     RULE("output", "section", "{}"),
     RULE("output.series_every", "steps", "10", FROM(0), .only = STEPPED),

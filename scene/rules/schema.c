@@ -102,6 +102,23 @@ static const cyaml_schema_field_t coupling_fields[] = {
     PART("medium", OPTIONAL, scene_coupling, medium_fields),
     CYAML_FIELD_END};
 
+static const cyaml_schema_value_t pair = {CYAML_VALUE_SEQUENCE_FIXED(NEEDED, double, &scene_schema_parts_real, 2)};
+static const cyaml_schema_field_t injection_fields[] = {
+    VECTOR("low", NEEDED, scene_injection, low),
+    VECTOR("high", NEEDED, scene_injection, high),
+    NUMBER("rate", OPTIONAL, scene_injection, rate),
+    NUMBER("pressure", OPTIONAL, scene_injection, pressure),
+    ENTRIES("time", LIST, scene_injection, time.point, time.n, &pair, 1, LIST_MAX),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t injection = {CYAML_VALUE_MAPPING(NEEDED, struct scene_injection, injection_fields)};
+static const cyaml_schema_field_t crack_fluid_fields[] = {
+    NUMBER("viscosity", NEEDED, scene_crack_fluid, viscosity),
+    NUMBER("compressibility", OPTIONAL, scene_crack_fluid, compressibility),
+    NUMBER("least_pressure", OPTIONAL, scene_crack_fluid, least_pressure),
+    NUMBER("least_aperture", OPTIONAL, scene_crack_fluid, least_aperture),
+    ENTRIES("injections", LIST, scene_crack_fluid, injection, injections, &injection, 1, LIST_MAX),
+    CYAML_FIELD_END};
+
 static const cyaml_schema_field_t arrangement_fields[] = {
     CHOICE("kind", OPTIONAL, scene_nonlocal, arrangement, scene_schema_parts_arrangements),
     NUMBER("perturbation", OPTIONAL, scene_nonlocal, perturbation),
@@ -140,6 +157,7 @@ static const cyaml_schema_field_t stage_fields[] = {
     BOOLEAN("breakage", OPTIONAL, scene_stage, breakage),
     NUMBER("damping_relative", OPTIONAL, scene_stage, damping_relative),
     NUMBER("damping_absolute", OPTIONAL, scene_stage, damping_absolute),
+    BOOLEAN("crack_fluid", OPTIONAL, scene_stage, crack_fluid),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t stage = {CYAML_VALUE_MAPPING(NEEDED, struct scene_stage, stage_fields)};
 
@@ -188,6 +206,7 @@ static const cyaml_schema_field_t scene_fields[] = {
     CYAML_FIELD_MAPPING_PTR("fluid", OPTIONAL, struct scene, fluid, fluid_fields),
     CYAML_FIELD_MAPPING_PTR("solid", OPTIONAL, struct scene, solid, scene_schema_solid),
     CYAML_FIELD_MAPPING_PTR("coupling", OPTIONAL, struct scene, coupling, coupling_fields),
+    CYAML_FIELD_MAPPING_PTR("crack_fluid", OPTIONAL, struct scene, crack_fluid, crack_fluid_fields),
     CYAML_FIELD_MAPPING_PTR("nonlocal", OPTIONAL, struct scene, nonlocal, nonlocal_fields),
     ENTRIES("stages", LIST, scene, stage, stages, &stage, 1, LIST_MAX),
     CYAML_FIELD_MAPPING("output", OPTIONAL, struct scene, output, output_fields),

@@ -1,0 +1,176 @@
+/* The table of the state of the cracks' fluid: what a later step depends on, by wet particle and by injection. */
+#include "cracks/state_table.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "cracks/project.h"
+#include "solid/state_table.h"
+
+#include <string.h>
+
+/* A row of a wet particle: global id, p, content, cavity, volume, storage, share. */
+enum { WET_ROW = 9, INJECTION_ROW = 2 };
+
+static struct cracks *cracks_of(const void *owner) { return (struct cracks *)(uintptr_t)owner; }
+
+static long wet_rows(const void *owner) { return cracks_of(owner)->struts.n; }
+
+static void save_wet(void *owner, void *value) {
+    const struct cracks *c = cracks_of(owner);
+    double(*row)[WET_ROW] = value;
+    for (int i = 0; i < c->struts.n; i++) {
+        const double of[WET_ROW] = {(double)(c->solid->first[par_rank()] + c->struts.h[i]),
+                                    c->p[i],
+                                    c->content[i],
+                                    c->cavity[i],
+                                    c->volume[i],
+                                    c->storage[i],
+                                    c->share[i][0],
+                                    c->share[i][1],
+                                    c->share[i][2]};
+        memcpy(row[i], of, sizeof of);
+    }
+}
+
+/* Replaces the wet particles and their values, by local index. The struts are made anew before they are used. */
+static void set_wet(struct cracks *c, int n, const double (*row)[WET_ROW]) {
+    struct cracks_struts *t = &c->struts;
+    const long first = c->solid->first[par_rank()];
+    for (int i = 0; i < t->n; i++) t->id[t->h[i]] = -1;
+    if (n >= t->room) {
+        t->room = n + 1;
+        t->h = memory_renew(MEMORY_SOLID, t->h, (size_t)t->room, sizeof *t->h);
+        t->start = memory_renew(MEMORY_SOLID, t->start, (size_t)t->room, sizeof *t->start);
+    }
+    double **const array[] = {&c->p, &c->content, &c->cavity, &c->volume, &c->storage};
+    for (int a = 0; a < 5; a++) *array[a] = memory_renew(MEMORY_SOLID, *array[a], (size_t)n + 1, sizeof **array[a]);
+    c->share = memory_renew(MEMORY_SOLID, c->share, (size_t)n + 1, sizeof *c->share);
+    for (int i = 0; i < n; i++) {
+        t->h[i] = (int)((long)row[i][0] - first);
+        for (int a = 0; a < 5; a++) (*array[a])[i] = row[i][1 + a];
+        c->share[i] = (cracks_vec){row[i][6], row[i][7], row[i][8], 0};
+    }
+    t->n = n;
+    t->ghosts = 0;
+    c->restored = 1;
+    c->status.failed = 0;
+}
+
+/* Given loads are cleared when a checkpoint has been read, and the share with them. */
+static int load_wet(void *owner, long n, const void *value) {
+    struct cracks *c = cracks_of(owner);
+    struct solid *s = c->solid;
+    const double(*all)[WET_ROW] = value;
+    double(*own)[WET_ROW] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *own);
+    int found = 0;
+    for (long k = 0; k < n; k++) {
+        const long h = (long)all[k][0] - s->first[par_rank()];
+        if (h < 0 || h >= s->n || found == s->n) continue;
+        memcpy(own[found++], all[k], sizeof *own);
+        for (int d = 0; d < s->dim && s->given; d++) s->load[d][h] += all[k][6 + d];
+    }
+    set_wet(c, found, (const double(*)[WET_ROW])own);
+    memory_free(own);
+    cracks_project_settle(c);
+    return 0;
+}
+
+static long injection_rows(const void *owner) { return par_rank() == 0 ? cracks_of(owner)->in.injections : 0; }
+
+static void save_injections(void *owner, void *value) {
+    const struct cracks *c = cracks_of(owner);
+    double(*row)[INJECTION_ROW] = value;
+    for (int q = 0; q < c->in.injections && par_rank() == 0; q++) row[q][0] = c->injected[q], row[q][1] = c->rate[q];
+}
+
+static int load_injections(void *owner, long n, const void *value) {
+    struct cracks *c = cracks_of(owner);
+    const double(*row)[INJECTION_ROW] = value;
+    if (n != c->in.injections) return 1;
+    for (int q = 0; q < n; q++) c->injected[q] = row[q][0], c->rate[q] = row[q][1];
+    return 0;
+}
+
+struct cracks_keep {
+    int n, room;
+    double (*wet)[WET_ROW];
+    double (*injection)[INJECTION_ROW];
+};
+
+static void wet_make(void *keep, void *owner) {
+    (void)owner;
+    *(struct cracks_keep **)keep = memory_new(MEMORY_OUTPUT, 1, sizeof(struct cracks_keep));
+}
+
+static void wet_take(void *keep, void *owner) {
+    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    k->n = cracks_of(owner)->struts.n;
+    if (k->n > k->room) {
+        k->room = k->n + k->n / 4;
+        k->wet = memory_renew(MEMORY_OUTPUT, k->wet, (size_t)k->room, sizeof *k->wet);
+    }
+    save_wet(owner, k->wet);
+}
+
+static void wet_restore(void *keep, void *owner) {
+    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    set_wet(cracks_of(owner), k->n, (const double(*)[WET_ROW])k->wet);
+}
+
+static void wet_drop(void *keep) {
+    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    memory_free(k->wet);
+    memory_free(k->injection);
+    memory_free(k);
+}
+
+/* Every rank keeps them: they are the same. */
+static void injections_make(void *keep, void *owner) {
+    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    k->injection = memory_new(MEMORY_OUTPUT, (size_t)cracks_of(owner)->in.injections + 1, sizeof *k->injection);
+}
+
+static void injections_take(void *keep, void *owner) {
+    const struct cracks *c = cracks_of(owner);
+    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    for (int q = 0; q < c->in.injections; q++) k->injection[q][0] = c->injected[q], k->injection[q][1] = c->rate[q];
+}
+
+static void injections_restore(void *keep, void *owner) {
+    struct cracks *c = cracks_of(owner);
+    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    load_injections(c, c->in.injections, k->injection);
+}
+
+static void injections_drop(void *keep) { (void)keep; /* with the wet particles */ }
+
+static const struct state_kept wet_kept = {wet_make, wet_take, wet_restore, wet_drop};
+static const struct state_kept injections_kept = {injections_make, injections_take, injections_restore,
+                                                  injections_drop};
+
+/* The members from one up to another. */
+#define MEMBERS(from, to)                                                                                              \
+    .offset = offsetof(struct cracks, from), .bytes = offsetof(struct cracks, to) - offsetof(struct cracks, from)
+
+/* Last, when bonds, displacements and loads of the solid are in place. A checkpoint of a scene without the fluid leaves
+ * the cracks empty. */
+const struct state_item cracks_state_table[] = {
+    {"crack_fluid", STATE_DOUBLE, STATE_ROWS, MEMBERS(p, injected), .comps = WET_ROW, .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .rows_of = wet_rows, .save = save_wet, .load_rows = load_wet, .kept = &wet_kept},
+    {"crack_injected", STATE_DOUBLE, STATE_ROWS, MEMBERS(injected, struts), .comps = INJECTION_ROW, .last = 1,
+     .in = STATE_BOTH, .missing = STATE_LEFT, .rows_of = injection_rows, .save = save_injections,
+     .load_rows = load_injections, .kept = &injections_kept},
+};
+
+#undef MEMBERS
+
+static void size_of(const void *owner, struct state_size *size) {
+    solid_state_table_size(cracks_of(owner)->solid, size);
+}
+
+struct state_part cracks_state_table_part(struct cracks *c) {
+    return (struct state_part){.item = cracks_state_table,
+                               .items = sizeof cracks_state_table / sizeof cracks_state_table[0],
+                               .base = c,
+                               .owner = c,
+                               .size = size_of};
+}
