@@ -40,19 +40,19 @@ static void predict(struct cracks *c, double dt) {
     cracks_struts_update(t, sizeof *c->work->u, c->work->u);
 }
 
-/* b = content + dt Q - B^T u. Returns the volume to which errors are compared. */
-static double source(struct cracks *c, double dt) {
+/* b = content + dt Q - B^T u. Returns the sum of dt |Q|; size: volume that rounding is compared to. */
+static double source(struct cracks *c, double dt, double *size) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_work *w = c->work;
-    double size = 0;
+    *size = 0;
     predict(c, dt);
     cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, w->u, w->b);
     for (int i = 0; i < t->n; i++) {
-        size += fabs(w->b[i]) + fabs(c->content[i]);
+        *size += fabs(w->b[i]) + fabs(c->content[i]);
         w->b[i] = c->content[i] - w->b[i];
     }
-    size = par_sum(size);
-    return size + cracks_inject_source(c, c->solid->t, dt, w->b);
+    *size = par_sum(*size);
+    return cracks_inject_source(c, c->solid->t, dt, w->b);
 }
 
 /* The pressures' load in the solid: the new share instead of the last one. */
@@ -99,8 +99,9 @@ void cracks_project(struct solid *s, double dt, void *cracks) {
         c->storage[i] = c->in.compressibility * fmax(c->volume[i] - c->cavity[i], 0);
         c->work->set[i] = c->p[i] > c->in.least_pressure ? CRACKS_FULL : CRACKS_CAVITY;
     }
-    const double size = source(c, dt);
-    if (!cracks_solve(c, dt, size)) return;
+    double size;
+    const double injected = source(c, dt, &size);
+    if (!cracks_solve(c, dt, injected, size)) return;
     load(c, dt);
     fill(c, dt);
     c->steps++;
