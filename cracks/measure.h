@@ -17,5 +17,10 @@ struct cracks_values {
     long wet_particles;
 };
 
+/* The fields of the solid's particles, [the solid's n]: pressure, Pa; aperture, m; |a_h|, m2; void that is not filled,
+ * m3. 0 where a particle is not wet. Not collective. */
+enum { CRACKS_FIELDS = 4 };
+extern const char *const cracks_measure_field_name[CRACKS_FIELDS];
+void cracks_measure_field(const struct cracks *c, int field, double *value);
 /* Ghosts of the solid's displacements need not be current. Collective. */
 struct cracks_values cracks_measure(const struct cracks *c);
