@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum {
     SETS_MOST = 200,        /* changes of the set in a substep */
@@ -27,24 +28,27 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
     if (t->n + t->ghosts + 1 > w->room || links + 1 > w->link_room) {
         const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64, m = (size_t)links + (size_t)links / 4 + 64;
         w->set = memory_renew(MEMORY_SOLID, w->set, n, sizeof *w->set);
+        w->ones_set = memory_renew(MEMORY_SOLID, w->ones_set, n, sizeof *w->ones_set);
         double **const array[] = {&w->b,     &w->residual, &w->width,  &w->inverse, &w->search,
-                                  &w->along, &w->z,        &w->change, &w->of_ones};
+                                  &w->along, &w->z,        &w->change, &w->of_ones, &w->ones_stiff};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
         w->conductance = memory_renew(MEMORY_SOLID, w->conductance, m, sizeof *w->conductance);
-        cracks_vec **const vector[] = {&w->force, &w->of_search, &w->u};
+        cracks_vec **const vector[] = {&w->force, &w->of_search, &w->ones_force, &w->u};
         for (size_t a = 0; a < sizeof vector / sizeof vector[0]; a++)
             *vector[a] = memory_renew(MEMORY_SOLID, *vector[a], n, sizeof **vector[a]);
         w->room = (int)n;
         w->link_room = (int)m;
     }
+    w->ones_hold = w->force_holds = 0;
     return w;
 }
 
 void cracks_solve_free(struct cracks_work *w) {
     if (!w) return;
-    void *const own[] = {w->set,    w->b,     w->residual, w->conductance, w->width,     w->inverse,
-                         w->search, w->along, w->z,        w->force,       w->of_search, w->u};
+    void *const own[] = {w->set,    w->b,        w->residual,  w->conductance, w->width,   w->inverse,
+                         w->search, w->along,    w->z,         w->change,      w->of_ones, w->ones_stiff,
+                         w->force,  w->ones_set, w->of_search, w->ones_force,  w->u};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     memory_free(w);
 }
@@ -65,12 +69,6 @@ static void apply(const struct cracks *c, double dt, double *p, cracks_vec *forc
     cracks_solve_stiffness(c, dt, p, force, y);
     for (int i = 0; i < t->n; i++) y[i] += c->storage[i] * p[i];
     cracks_kernel_flow(t->n, t->link_start, t->link, c->work->conductance, dt, p, y);
-}
-
-static void residual_of(const struct cracks *c, double dt) {
-    struct cracks_work *w = c->work;
-    apply(c, dt, c->p, w->force, w->along);
-    for (int i = 0; i < c->struts.n; i++) w->residual[i] = w->b[i] - w->along[i];
 }
 
 static void diagonal_invert(const struct cracks *c, double dt) {
@@ -151,14 +149,24 @@ static double absolute(const struct cracks *c) {
     return par_sum(sum);
 }
 
-/* A 1 with 1 at the full particles. */
+/* A 1 and B 1 with 1 at the full particles. The part of the struts is kept as long as the set and the struts are the
+ * same. */
 static void ones_begin(struct cracks *c, double dt) {
+    const int n = c->struts.n;
     struct cracks_work *w = c->work;
+    const int same = w->ones_hold && w->ones_dt == dt && memcmp(w->ones_set, w->set, (size_t)n) == 0;
     double sum = 0;
-    for (int i = 0; i < c->struts.n; i++) w->search[i] = w->set[i] == CRACKS_FULL;
-    apply(c, dt, w->search, w->of_search, w->of_ones);
-    for (int i = 0; i < c->struts.n; i++)
-        if (w->set[i] == CRACKS_FULL) sum += w->of_ones[i];
+    for (int i = 0; i < n; i++) w->search[i] = w->set[i] == CRACKS_FULL;
+    cracks_struts_update(&c->struts, sizeof *w->search, w->search);
+    if (par_min(same) < 1) {
+        cracks_solve_stiffness(c, dt, w->search, w->ones_force, w->ones_stiff);
+        memcpy(w->ones_set, w->set, (size_t)n);
+        w->ones_hold = 1;
+        w->ones_dt = dt;
+    }
+    for (int i = 0; i < n; i++) w->of_ones[i] = w->ones_stiff[i] + c->storage[i] * w->search[i];
+    cracks_kernel_flow(n, c->struts.link_start, c->struts.link, w->conductance, dt, w->search, w->of_ones);
+    for (int i = 0; i < n; i++) sum += w->of_ones[i] * w->search[i];
     w->ones = par_sum(sum);
 }
 
@@ -181,7 +189,7 @@ static void level(struct cracks *c, double dt) {
     for (int i = 0; i < c->struts.n; i++)
         if (w->set[i] == CRACKS_FULL) sum += w->residual[i];
     sum = par_sum(sum);
-    if (w->ones > 0) go(c, sum / w->ones, w->search, w->of_ones, w->of_search);
+    if (w->ones > 0) go(c, sum / w->ones, w->search, w->of_ones, w->ones_force);
 }
 
 /* Conjugate gradients over the full particles until the sum of |residual| is at most `least`, with the sum of the
@@ -210,15 +218,17 @@ static int iterate(struct cracks *c, double dt, double least, long *left) {
     return 1;
 }
 
-/* Full particles below the least pressure become cavities; cavities with less than no void become full. *lowered: a
- * pressure was set. Returns how many changed, on all ranks. */
-static long change_set(struct cracks *c, double least, int *lowered) {
+/* Full particles below the least pressure become cavities; cavities with less than no void become full. Returns how
+ * many changed, on all ranks. */
+static long change_set(struct cracks *c, double dt, double least) {
+    const int n = c->struts.n;
     struct cracks_work *w = c->work;
     double changed[2] = {0, 0};
-    for (int i = 0; i < c->struts.n; i++) {
+    for (int i = 0; i < n; i++) {
+        w->search[i] = 0;
         if (w->set[i] == CRACKS_FULL && c->p[i] < c->in.least_pressure) {
             w->set[i] = CRACKS_CAVITY;
-            c->p[i] = c->in.least_pressure;
+            w->search[i] = c->in.least_pressure - c->p[i];
             changed[1]++;
         } else if (w->set[i] == CRACKS_CAVITY && w->residual[i] > least) {
             w->set[i] = CRACKS_FULL;
@@ -226,7 +236,12 @@ static long change_set(struct cracks *c, double least, int *lowered) {
         }
     }
     par_sum_array(changed, 2);
-    *lowered = changed[1] > 0;
+    if (changed[1] > 0) { /* pressures were raised */
+        apply(c, dt, w->search, w->of_search, w->along);
+        go(c, 1, w->search, w->along, w->of_search);
+        for (int i = 0; i < n; i++)
+            if (w->set[i] == CRACKS_CAVITY) c->p[i] = c->in.least_pressure; /* to the bit */
+    }
     return (long)(changed[0] + changed[1]);
 }
 
@@ -238,17 +253,14 @@ static int lost(struct cracks *c, const char *field, double value) {
 
 int cracks_solve(struct cracks *c, double dt, double injected, double size) {
     long left = ITERATIONS_MOST;
-    int lowered = 0;
     double sum = 0;
     diagonal_invert(c, dt);
-    residual_of(c, dt);
     for (int i = 0; i < c->struts.n; i++) sum += fabs(c->work->residual[i]);
     const double least = TOLERANCE * (injected + par_sum(sum)) + ROUNDING * size;
     for (int turn = 0; turn < SETS_MOST; turn++) {
         c->solves++;
         if (!iterate(c, dt, least, &left)) return lost(c, "crack iteration", (double)(ITERATIONS_MOST - left));
-        if (change_set(c, least, &lowered) == 0) return 1;
-        if (lowered) residual_of(c, dt);
+        if (change_set(c, dt, least) == 0) return 1;
     }
     return lost(c, "crack cavities", SETS_MOST);
 }

@@ -21,10 +21,12 @@ crack_fluid:
 stages: [{name: pump, steps: 80, integrator: verlet, crack_fluid: true}]
 output: {series_every: 10, checkpoint_every: 50, fields_every: 80}
 E2
-sed -e 's/\[0.04, 0.04\]/[0.02, 0.02, 0.016]/g; s/  model.*//; s/  thickness.*//; s/  loads:.*//; s/rectangle, low: \[0, 0\]/box, low: [0, 0, 0]/' \
-  -e 's/  cracks:.*/  cracks: [{points: [[0.005, 0.005, 0.008], [0.015, 0.005, 0.008], [0.015, 0.015, 0.008], [0.005, 0.015, 0.008]]}]/' \
-  -e 's/injections:.*/injections: [{low: [0.008, 0.008, 0.006], high: [0.012, 0.012, 0.01], pressure: 3.0e7, time: [[0, 0], [1.0e-5, 1]]}]/' \
-  -e 's/steps: 80/steps: 40/; s/every: 50/every: 25/; s/fields_every: 80/fields_every: 0/' plate.yaml >block.yaml
+crack='[[0.005, 0.005, 0.008], [0.015, 0.005, 0.008], [0.015, 0.015, 0.008], [0.005, 0.015, 0.008]]'
+given='{low: [0.008, 0.008, 0.006], high: [0.012, 0.012, 0.01], pressure: 3.0e7, time: [[0, 0], [1.0e-5, 1]]}'
+sed -e 's/\[0.04, 0.04\]/[0.02, 0.02, 0.016]/g; s/  model.*//; s/  thickness.*//; s/  loads:.*//' \
+  -e "s/rectangle, low: \[0, 0\]/box, low: [0, 0, 0]/; s/  cracks:.*/  cracks: [{points: $crack}]/" \
+  -e "s/injections:.*/injections: [$given]/; s/steps: 80/steps: 40/; s/every: 50/every: 25/" \
+  -e 's/fields_every: 80/fields_every: 0/' plate.yaml >block.yaml
 # books: crack_volume - cavity_volume = injected_volume, which is above 0
 books() {
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
@@ -40,7 +42,8 @@ for kind in plate block; do
   same $kind/series.csv ${kind}_3/series.csv
   middle=$([ $kind = plate ] && echo 50 || echo 25)
   code 0 ranks 1 run $kind.yaml --out ${kind}_again --resume=$kind/checkpoint/step_000000$middle.h5
-  sed -n '1,2p' $kind/series.csv >tail.csv && awk -F, -v from="$middle" 'NR > 2 && $1 > from' $kind/series.csv >>tail.csv
+  sed -n '1,2p' $kind/series.csv >tail.csv
+  awk -F, -v from="$middle" 'NR > 2 && $1 > from' $kind/series.csv >>tail.csv
   same tail.csv ${kind}_again/series.csv
 done
 # a scene without the section has none of its columns
@@ -59,7 +62,8 @@ refused "stages[0].crack_fluid = true: needs integrator: verlet" 's/integrator: 
 refused "stages[0].crack_fluid = true: cannot go with relax" 's/steps: 80/steps: 80, relax: true/'
 refused "stages[0].crack_fluid = true: needs the section crack_fluid" '/^crack_fluid/,/injections/d'
 refused "crack_fluid: flows in no stage" 's/, crack_fluid: true//'
-refused "crack_fluid: needs particles on the lattice" 's/shape: rectangle/arrangement: {kind: perturbed, perturbation: 0.1}, &/'
+refused "crack_fluid: needs particles on the lattice" \
+  's/shape: rectangle/arrangement: {kind: perturbed, perturbation: 0.1}, &/'
 refused "crack_fluid: cannot go with solid.refinement" 's/^solid:/&\n  refinement: {levels: 1}/'
 refused "crack_fluid.viscosity = 0: must be greater than 0" 's/viscosity: 1.0e-3/viscosity: 0/'
 refused "crack_fluid.injections[0].time[1] = [0, 1]: must be later" 's/5.0e-5, 1/0, 1/'
