@@ -112,14 +112,18 @@ struct run *run_new(const struct scene *scene) {
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
         solid_surface_area_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
-        if (!r->needs.bonds) solid_forget_bonds(r->solid);
+        if (!r->needs.bonds) {
+            solid_forget_bonds(r->solid);
+            solid_surface_settle(r->surface);
+        }
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3 && r->needs.bonds; c++)
             r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         check_medium(r);
         run_deposit(r);
         leave_inside(r);
+        if (!r->needs.bonds) medium_settle(r->medium);
         if (fluid_input_of(r->fluid)->implicit) ibm_implicit_slip(r->ibm, leak_slip_time(r));
         r->reaction = reaction_new(r);
         if (r->needs.bonds && !r->reaction)
@@ -136,10 +140,15 @@ struct run *run_new(const struct scene *scene) {
 
 void run_deposit(struct run *r) {
     const struct solid *s = r->solid;
+    double *x[3];
     if (r->deposited >= r->moved) return;
+    for (int c = 0; c < 3; c++) {
+        x[c] = r->position[c] ? r->position[c] : memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof *x[c]);
+        for (int h = 0; h < s->n; h++) x[c][h] = s->x0[c][h] + s->d[c][h];
+    }
+    medium_deposit(r->medium, s->n, (const double *const *)x, s->volume);
     for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
-    medium_deposit(r->medium, s->n, (const double *const *)r->position, s->volume);
+        if (x[c] != r->position[c]) memory_free(x[c]);
     r->deposited = r->step;
 }
 

@@ -104,7 +104,7 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
                                           soft.s_e,
                                           soft.s_c,
                                           m->fracture_energy};
-            f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b]);
+            f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
             int sides;
@@ -136,8 +136,9 @@ static void arrays_new(struct solid *s) {
         s->x0[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
         s->d[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
         s->v[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
-        s->a[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
         s->load[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
+        if (s->in.rigid) continue;
+        s->a[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
         s->v_old[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
         s->a_old[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
     }
