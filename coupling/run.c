@@ -6,6 +6,7 @@
 #include "coupling/interface.h"
 #include "coupling/leak.h"
 #include "coupling/reaction.h"
+#include "coupling/setup/forecast.h"
 #include "coupling/setup/given.h"
 #include "solid/solid.h"
 
@@ -91,6 +92,7 @@ static void check_steps(const struct run *r) {
 
 struct run *run_new(const struct scene *scene) {
     struct run *r = calloc(1, sizeof *r);
+    forecast_check(scene);
     r->scene = scene;
     r->needs = setup_needs_of(scene);
     r->wall_start = par_seconds();

@@ -253,6 +253,7 @@ static int check_stages(struct run *r, char (*sentence)[OVERSTEP_SENTENCE]) {
 static void begin(struct program *p) {
     const struct command *c = p->command;
     const int here = c->resume && !c->resume_file;
+    if (c->resume) checkpoint_look(c->out, c->resume_file);
     if (here) folder_hold(c->out);
     refuse_to_overwrite(c, here);
     signals_begin(c->max_wall);
