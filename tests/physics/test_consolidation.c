@@ -82,15 +82,15 @@ static void mandel_ends(void **state) {
     (void)state;
     check_close(physics_consolidation_mandel(0.25, 0.5, 1, 0.1), 0, 1e-14);
     check_close(physics_consolidation_mandel(0.25, 0.5, 0.2, 1e-6), 1, 3e-3);
-    check_relative(physics_consolidation_mandel(0.25, 0.5, -0.3, 0.1), physics_consolidation_mandel(0.25, 0.5, 0.3, 0.1),
-                   1e-14);
+    check_relative(physics_consolidation_mandel(0.25, 0.5, -0.3, 0.1),
+                   physics_consolidation_mandel(0.25, 0.5, 0.3, 0.1), 1e-14);
     /* nu_u -> nu: the slab is a column that drains at both sides, p/p0 = Terzaghi's */
     check_close(physics_consolidation_mandel(0.25, 0.25 + 1e-9, 0.4, 0.2), physics_consolidation_terzaghi(0.6, 0.2),
                 1e-8);
     /* eta -> 1, nu = 0 and nu_u -> 1: the first root goes to 0 as sqrt(3 (eta - 1)) */
     const double eta = 1.0001, T = 100, rate = 3 * (eta - 1);
-    const double decay = log(physics_consolidation_mandel(0, 1 / eta, 0, T) /
-                             physics_consolidation_mandel(0, 1 / eta, 0, 2 * T)) / T;
+    const double decay =
+        log(physics_consolidation_mandel(0, 1 / eta, 0, T) / physics_consolidation_mandel(0, 1 / eta, 0, 2 * T)) / T;
     check_relative(decay, rate, 1e-3);
 }
 

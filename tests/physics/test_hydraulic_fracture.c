@@ -13,8 +13,8 @@
  *     penny  X O^3 p' = -(integral of Y O from X to 1) - 4/9 X^2 O ,     O = -8/pi integral of sqrt(S^2 - X^2) g(S) dS
  *            from X to 1,   g(S) = integral of sin^2(a) p'(S sin a) da from 0 to pi/2
  * and the volume Q0 t gives gamma: 2 gamma^2 times the integral of O is 1; 2 pi gamma^3 times that of X O is 1.
- * Both forms of elasticity hold K_I = 0. The unknowns stand at the middles of N parts of a parameter s with the distance
- * from the tip y = 1 - X = s^4 (5 - 4 s); the error falls as 1/N^2. */
+ * Both forms of elasticity hold K_I = 0. The unknowns stand at the middles of N parts of a parameter s with the
+ * distance from the tip y = 1 - X = s^4 (5 - 4 s); the error falls as 1/N^2. */
 enum { N = 400, FINE = 240 };
 
 struct similar {
@@ -217,10 +217,10 @@ static void units(void **state) {
     const double m = 3, s = 7, kg = 0.4, pascal = kg / (m * s * s);
     for (int shape = 0; shape < 2; shape++)
         for (int regime = 0; regime < 2; regime++) {
-            const struct physics_hydraulic_fracture
-                in = {shape, 3e4, 14, 1e-3, 2e-4},
-                other = {shape, 3e4 * pascal, 14 * pascal * sqrt(m), 1e-3 * pascal * s,
-                         2e-4 * (shape == PHYSICS_KGD ? m * m : m * m * m) / s};
+            const struct physics_hydraulic_fracture in = {shape, 3e4, 14, 1e-3, 2e-4},
+                                                    other = {shape, 3e4 * pascal, 14 * pascal * sqrt(m),
+                                                             1e-3 * pascal * s,
+                                                             2e-4 * (shape == PHYSICS_KGD ? m * m : m * m * m) / s};
             const struct physics_hydraulic_state now = physics_hydraulic_fracture_at(&in, regime, 5),
                                                  then = physics_hydraulic_fracture_at(&other, regime, 5 * s);
             check_relative(then.length, now.length * m, 1e-12);
@@ -268,9 +268,12 @@ static void transition(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(kgd_with_viscosity), cmocka_unit_test(penny_with_viscosity),
-                                       cmocka_unit_test(with_toughness),     cmocka_unit_test(units),
-                                       cmocka_unit_test(in_time),            cmocka_unit_test(transition)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(kgd_with_viscosity),
+                                       cmocka_unit_test(penny_with_viscosity),
+                                       cmocka_unit_test(with_toughness),
+                                       cmocka_unit_test(units),
+                                       cmocka_unit_test(in_time),
+                                       cmocka_unit_test(transition)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

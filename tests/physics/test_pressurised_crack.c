@@ -28,8 +28,8 @@ static void printed(void **state) {
     check_relative(physics_pressurised_crack_hole(e, NU, p, a), 1.25 * p * a / e, 1e-14);
 }
 
-/* The volume is the integral of the opening; and the energy that a longer crack releases at constant pressure, half of p
- * dV, is K_I^2/E' times the new area. */
+/* The volume is the integral of the opening; and the energy that a longer crack releases at constant pressure, half of
+ * p dV, is K_I^2/E' times the new area. */
 static void consistent(void **state) {
     (void)state;
     enum { PARTS = 4000 };
