@@ -19,11 +19,10 @@ struct events {
 };
 
 struct events *events_new(struct run *r) {
-    if (!r->needs.breakage || !r->scene->output.events) return NULL;
+    if (!r->solid || !r->solid->breaks) return NULL;
     struct events *e = calloc(1, sizeof *e);
     ENSURE(e, "no memory for events");
     e->dim = r->solid->dim;
-    solid_breaks_begin(r->solid);
     return e;
 }
 

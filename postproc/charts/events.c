@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MOST = 20000 }; /* events that are drawn: those with the most energy */
+enum { MOST = 20000 };                            /* events that are drawn: those with the most energy */
 static const double LARGEST = 4, SMALLEST = 0.35; /* point sizes */
 
 struct one {
@@ -53,7 +53,7 @@ static void put_style(FILE *f, const struct postproc_events_plot *p, const struc
     fputs("set label 1 ", f);
     postproc_gnuplot_text(f, p->title);
     fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
-    fprintf(f, "set xlabel '%c  [%s]'\nset ylabel '%c  [%s]'\nset rmargin 18\nset label 2 ", p->across[0], name,
+    fprintf(f, "set xlabel '%c  [%s]'\nset ylabel '%c  [%s]'\nset rmargin 13\nset label 2 ", p->across[0], name,
             p->across[1], name);
     postproc_gnuplot_text(f, p->time);
     fprintf(f, " at graph 1, graph 1 left offset 1,%g tc rgb '#23282e'\n", power ? 2.3 : 0.9);
@@ -63,8 +63,7 @@ static void put_style(FILE *f, const struct postproc_events_plot *p, const struc
         fprintf(f, "set %crange [%.10g:%.10g]\n", "xy"[c], (range[c].low - least) / unit,
                 (range[c].high + least) / unit);
     const double scale = pow(10, -power), some = range[2].high > range[2].low ? 0 : fmax(fabs(range[2].high), 1) * 0.5;
-    fprintf(f, "set cbrange [%.10g:%.10g]\n", scale * (range[2].low - some),
-            scale * (range[2].high + some));
+    fprintf(f, "set cbrange [%.10g:%.10g]\n", scale * (range[2].low - some), scale * (range[2].high + some));
     fprintf(f,
             "plot $events using 1:2:4:($3*1e%d) with points pt 7 ps variable lc palette notitle, \\\n"
             "     $events using 1:2:4 with points pt 6 ps variable lw 0.5 lc rgb '#a0000000' notitle\n",

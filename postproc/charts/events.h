@@ -6,8 +6,8 @@
 struct postproc_events_plot {
     const char *folder, *name; /* folder/name.gp, .png, .svg, .pdf */
     const char *title;
-    const char *time;  /* label of the colour bar */
-    char across[2];    /* letters of the axes */
+    const char *time;                    /* label of the colour bar */
+    char across[2];                      /* letters of the axes */
     const double *at[2], *when, *energy; /* [n] m, as in `time`, J */
     long n;
 };

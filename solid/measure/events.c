@@ -64,7 +64,9 @@ struct end {
     long at; /* 2 bond + which */
 };
 
-static int by_place(const void *a, const void *b) { return by_numbers(((const struct end *)a)->x, ((const struct end *)b)->x, 3); }
+static int by_place(const void *a, const void *b) {
+    return by_numbers(((const struct end *)a)->x, ((const struct end *)b)->x, 3);
+}
 
 struct period {
     const int *is;

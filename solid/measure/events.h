@@ -18,8 +18,8 @@ struct solid_event {
     double area, energy; /* sums, m2, J */
 };
 
-/* All ranks' records, which are dropped there: a bond is in the list once, in the order of its step, place and xi, which
- * is the same on any number of ranks. Returns how many; the list is malloc'ed. Collective. */
+/* All ranks' records, which are dropped there: a bond is in the list once, in the order of its step, place and xi,
+ * which is the same on any number of ranks. Returns how many; the list is malloc'ed. Collective. */
 long solid_events_take(struct solid *s, struct solid_break **list);
 /* Sorts n records and puts the halves of each bond together. Returns how many bonds there are. */
 long solid_events_join(struct solid_break *list, long n);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# events.csv: the books close, the same on any number of ranks, continued by a resumed run; asking for it changes nothing.
+# events.csv: the books close, the same on any number of ranks, continued by a resumed run; it changes nothing else.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'EOS'
@@ -33,12 +33,17 @@ books() {
     END { printf "%d %.14g %.14g %.14g\n", events, bonds / broken, area / crack, energy / fracture }' \
     "$1/events.csv" "$1/series.csv"
 }
-is_one() { for v in "$@"; do awk "BEGIN { exit !(($v - 1) ^ 2 < 1e-24) }" || fail "books: $v of what the series has"; done; }
+is_one() {
+  for v in "$@"; do
+    awk "BEGIN { exit !(($v - 1) ^ 2 < 1e-24) }" || fail "books: $v of what the series has"
+  done
+}
 # Steps, numbers and bonds agree; places, normals, areas and energies to 1e-9 of the largest in the column. A normal is
 # compared where its direction stands out.
 alike() {
   diff <(cut -d, -f1-4 "$1") <(cut -d, -f1-4 "$2") >/dev/null || fail "$1 and $2 have other events"
-  paste -d, "$1" "$2" | awk -F, 'NR == 1 { for (i = NF / 2; i; i--) { if ($i == "alignment") sure = i; if ($i == "normal_x") normal = i } }
+  paste -d, "$1" "$2" | awk -F, 'NR == 1 { for (i = 1; i <= NF / 2; i++) at[$i] = i
+      normal = at["normal_x"]; sure = at["alignment"] }
     NR > 2 { n = NF / 2
     for (i = 5; i <= n; i++) { if (i >= normal && i < sure && $sure < 0.6) continue
       d = $i - $(i + n); if (d < 0) d = -d; v = $i < 0 ? -$i : $i

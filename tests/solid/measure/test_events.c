@@ -43,7 +43,7 @@ static void halves(void **state) {
 /* A chain whose links are as far apart as the reach, a bond just out of its reach, and one of another step. */
 static void chains(void **state) {
     (void)state;
-    struct solid_break list[6] = {bond_of(7, 1, 1, 1, 1),       bond_of(7, 3.5, 1, 1, 1), bond_of(7, 6, 1, 1, 1),
+    struct solid_break list[6] = {bond_of(7, 1, 1, 1, 1),          bond_of(7, 3.5, 1, 1, 1), bond_of(7, 6, 1, 1, 1),
                                   bond_of(7, 6, 2.5 + 1e-9, 1, 1), bond_of(8, 3, 1, 1, 1),   bond_of(9, 1, 1, 1, 2)};
     struct solid_event *event;
     for (uint64_t turn = 0; turn < 6; turn++) {
