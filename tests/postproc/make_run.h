@@ -20,6 +20,7 @@ struct make_run {
     int cells;                        /* over the height: 64 is the main case */
     long stop;                        /* the last step written */
     int no_solid, no_fields, at_rest; /* at_rest: the fluid has neither velocity nor pressure */
+    int events;                       /* events.csv */
 };
 
 /* The stretch's scale in the fields: a made-up mean of a known law, at a place. */
@@ -130,7 +131,7 @@ static void make_events(const struct make_run *in) {
     static const char *const name[] = {"step", "t", "event", "bonds", "x", "y", "z", "area", "energy"};
     static const char *const unit[] = {"1", "s", "1", "1", "m", "m", "m", "m2", "J"};
     char path[FOLDER_PATH];
-    if (in->stop < 300) return;
+    if (!in->events) return;
     struct table *t = table_new(folder_path(path, in->folder, "events.csv"), 9, name, unit, -1);
     for (int k = 0; k < 100; k++) {
         const int size = k < 98 ? k + 1 : 198 - k;

@@ -115,7 +115,8 @@ static double integral(const char *run, const char *file, const char *field) {
 static void whole_run(void **state) {
     (void)state;
     const char *cells = getenv("FRANA_TEST_CELLS"); /* 64 to look at the pictures of the main case */
-    make_run(&(struct make_run){.folder = named("whole"), .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS});
+    make_run(&(struct make_run){
+        .folder = named("whole"), .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS, .events = 1});
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     for (int k = 0; k < FILES; k++)
         if (size_of(folder, files_of_whole_run[k]) < 100) fail_msg("%s is missing or empty", files_of_whole_run[k]);
