@@ -8,6 +8,7 @@
 #include "coupling/reaction.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/given.h"
+#include "solid/bonds/breaks.h"
 #include "solid/solid.h"
 
 #include <math.h>
@@ -107,6 +108,7 @@ struct run *run_new(const struct scene *scene) {
         given_add(scene, in);
         if (r->fluid) in->speed = fluid_limits_speed(r->fluid);
         r->solid = solid_new(in);
+        if (r->needs.breakage && scene->output.events) solid_breaks_begin(r->solid); /* before a state is kept */
         given_free(in);
         setup_solid_free(in);
         check_steps(r);
