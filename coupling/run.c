@@ -7,7 +7,9 @@
 #include "coupling/leak.h"
 #include "coupling/reaction.h"
 #include "coupling/setup/crack_fluid.h"
+#include "coupling/setup/forecast.h"
 #include "coupling/setup/given.h"
+#include "solid/bonds/breaks.h"
 #include "solid/solid.h"
 
 #include <math.h>
@@ -92,6 +94,7 @@ static void check_steps(const struct run *r) {
 
 struct run *run_new(const struct scene *scene) {
     struct run *r = calloc(1, sizeof *r);
+    forecast_check(scene);
     r->scene = scene;
     r->needs = setup_needs_of(scene);
     r->wall_start = par_seconds();
@@ -106,6 +109,7 @@ struct run *run_new(const struct scene *scene) {
         given_add(scene, in);
         if (r->fluid) in->speed = fluid_limits_speed(r->fluid);
         r->solid = solid_new(in);
+        if (r->needs.breakage && scene->output.events) solid_breaks_begin(r->solid); /* before a state is kept */
         given_free(in);
         setup_solid_free(in);
         check_steps(r);
@@ -114,14 +118,18 @@ struct run *run_new(const struct scene *scene) {
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
         solid_surface_area_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
-        if (!r->needs.bonds) solid_forget_bonds(r->solid);
+        if (!r->needs.bonds) {
+            solid_forget_bonds(r->solid);
+            solid_surface_settle(r->surface);
+        }
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3 && r->needs.bonds; c++)
             r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         check_medium(r);
         run_deposit(r);
         leave_inside(r);
+        if (!r->needs.bonds) medium_settle(r->medium);
         if (fluid_input_of(r->fluid)->implicit) ibm_implicit_slip(r->ibm, leak_slip_time(r));
         r->reaction = reaction_new(r);
         if (r->needs.bonds && !r->reaction)
@@ -138,10 +146,15 @@ struct run *run_new(const struct scene *scene) {
 
 void run_deposit(struct run *r) {
     const struct solid *s = r->solid;
+    double *x[3];
     if (r->deposited >= r->moved) return;
+    for (int c = 0; c < 3; c++) {
+        x[c] = r->position[c] ? r->position[c] : memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof *x[c]);
+        for (int h = 0; h < s->n; h++) x[c][h] = s->x0[c][h] + s->d[c][h];
+    }
+    medium_deposit(r->medium, s->n, (const double *const *)x, s->volume);
     for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
-    medium_deposit(r->medium, s->n, (const double *const *)r->position, s->volume);
+        if (x[c] != r->position[c]) memory_free(x[c]);
     r->deposited = r->step;
 }
 

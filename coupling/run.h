@@ -90,7 +90,7 @@ struct run {
 
     /* Work: found anew from the state. */
     struct run_markers markers;
-    double *position[3]; /* [n] of the deposit, m */
+    double *position[3]; /* [n] of the deposit, m; NULL: the solid is rigid in every stage */
     long deposited;      /* step of the last deposit, -1: none */
 
     /* Counters and clocks: no step depends on them. */

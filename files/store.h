@@ -36,6 +36,8 @@ void store_end(struct store *s);
 /* All of the file is verified by its seal (files/seal.h). NULL: the file is missing, truncated, damaged outside its
  * arrays, or no checkpoint of this version. */
 struct store *store_read_open(const char *path);
+/* Whether the folder has a checkpoint, intact or not. Collective. */
+int store_read_is_there(const char *folder);
 /* Opens the newest intact checkpoint and verifies its arrays: the one that `latest` names or, if that is damaged or
  * missing, another. Each file that is passed over is reported on stderr. */
 struct store *store_read_open_latest(const char *folder);

@@ -57,6 +57,18 @@ static int check_arrays(struct store *s) {
     return 0;
 }
 
+int store_read_is_there(const char *folder) {
+    char checkpoint[FOLDER_PATH];
+    char(*name)[256] = NULL;
+    int n = 0;
+    folder_path(checkpoint, folder, "checkpoint");
+    if (par_rank() == 0) n = store_candidates(checkpoint, &name);
+    par_bcast(&n, sizeof n, 0);
+    free(name);
+    if (n == 0) snprintf(error, sizeof error, "%s holds no checkpoint", checkpoint);
+    return n > 0;
+}
+
 struct store *store_read_open_latest(const char *folder) {
     char checkpoint[FOLDER_PATH], path[FOLDER_PATH], first[sizeof error] = "";
     char(*name)[256] = NULL;

@@ -1,12 +1,12 @@
 /* frana check: prints parts of the run, stable steps and their limits, memory, dimensionless groups. Takes no step. */
 #include "base/die.h"
 #include "base/ensure.h"
-#include "base/machine.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/blocked.h"
 #include "coupling/overstep.h"
 #include "coupling/run.h"
+#include "coupling/setup/forecast.h"
 #include "coupling/step.h"
 #include "physics/waves.h"
 #include "program/check_sizes.h"
@@ -325,17 +325,17 @@ static void say_groups(const struct run *r) {
     }
 }
 
-/* Memory of a run by its size, GB: 464 bytes a particle with its bonds, measured with a sample of sandstone, and 260 a
- * cell of the fluid, an estimate. */
+/* Memory of a run by its size, GB: 464 bytes a particle with its bonds, 200 a particle at rest while it is made,
+ * measured with a sample of sandstone, and 260 a cell of the fluid, an estimate. */
 static double gigabytes_of(const struct scene *scene, double particles) {
     double cells = scene->fluid ? 1 : 0;
     for (int c = 0; c < 3; c++) cells *= scene->domain.cells[c];
-    return 1e-9 * (464 * particles + 260 * cells);
+    return 1e-9 * ((setup_needs_of(scene).bonds ? 464 : 200) * particles + 260 * cells);
 }
 
 /* Whether a body of an image makes the run larger than this machine's memory for so many ranks; if so, says it. */
 static int is_too_large(const struct scene *scene, double particles) {
-    const double share = (double)machine_memory() * 1e-9 / fmin(par_size(), machine_cores());
+    const double share = 1e-9 * forecast_share();
     const double needed = gigabytes_of(scene, particles) / par_size();
     if (particles == 0 || par_min(share) >= needed) return 0;
     say("\nThe run needs some %.3g GB a rank on %d ranks; this machine has %.3g GB a rank. Stable steps and what else "

@@ -56,6 +56,12 @@ static _Noreturn void refuse(enum exit_code code, const char *path, const char *
     die_all(code, "%s", why);
 }
 
+void checkpoint_look(const char *folder, const char *file) {
+    struct store *s = file ? store_read_open(file) : NULL;
+    if (file ? !s : !store_read_is_there(folder)) refuse(EXIT_CODE_FILE, file, store_read_error());
+    store_read_close(s);
+}
+
 void checkpoint_read(struct run *r, const char *folder, const char *file) {
     struct store *s = file ? store_read_open(file) : store_read_open_latest(folder);
     if (!s) refuse(EXIT_CODE_FILE, file, store_read_error());

@@ -6,6 +6,8 @@
 void checkpoint_write(struct run *r, const char *folder);
 /* Writes checkpoint/stage_<name>.h5 at the end of a stage. It is kept: other runs may start from it. Collective. */
 void checkpoint_write_stage(struct run *r, const char *folder);
+/* Dies with exit code 4 if there is no such file, or no checkpoint in the folder. Collective. */
+void checkpoint_look(const char *folder, const char *file);
 /* Reads a file, or the newest checkpoint of the folder if file is NULL. Dies with exit code 4 if none can be read, 5 if
  * it does not fit the scene. The run is then at the beginning of, or within, the stage that it had reached.
  * Collective. */

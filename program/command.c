@@ -28,6 +28,8 @@ const char *command_usage(void) {
            "run, check, permeability, calibrate and bench under mpiexec -n N where they should run in parallel.\n";
 }
 
+static const double LONGEST = 1e9; /* of --max-wall, s */
+
 /* Seconds from HH:MM:SS, MM:SS or seconds. */
 static double seconds_of(const char *text) {
     double total = 0;
@@ -37,11 +39,11 @@ static double seconds_of(const char *text) {
         const double value = strtod(at, &end);
         if (end == at || value < 0 || (field > 0 && value >= 60)) break;
         total = 60 * total + value;
-        if (*end == '\0' && total > 0) return total;
+        if (*end == '\0' && total > 0 && total <= LONGEST) return total;
         if (*end != ':') break;
         at = end + 1;
     }
-    die_all(EXIT_CODE_SCENE, "--max-wall %s: must be HH:MM:SS and more than nothing", text);
+    die_all(EXIT_CODE_SCENE, "--max-wall %s: must be HH:MM:SS, more than nothing and at most %g s", text, LONGEST);
 }
 
 static enum command_verb verb_of(const char *word) {

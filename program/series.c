@@ -186,14 +186,15 @@ static void sample_fluid(struct series *s, struct run *r) {
     s->now.dissipation = fluid_dissipation(r->fluid);
 }
 
-/* Number of particles outside the domain, at the positions computed by run_deposit. */
+/* Number of particles outside the domain. */
 static double particles_outside(const struct run *r) {
     const struct scene_domain *domain = &r->scene->domain;
     long outside = 0;
     for (int h = 0; h < r->solid->n; h++) {
+        double x[3];
         int is_in = 1;
-        for (int c = 0; c < 3; c++)
-            is_in &= domain->periodic[c] || (r->position[c][h] >= 0 && r->position[c][h] <= domain->size[c]);
+        solid_position(r->solid, h, x);
+        for (int c = 0; c < 3; c++) is_in &= domain->periodic[c] || (x[c] >= 0 && x[c] <= domain->size[c]);
         outside += !is_in;
     }
     return (double)par_sum_long(outside);

@@ -9,15 +9,22 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum { BYTES_MAX = 16 << 20, LINES_MAX = 100 };
 
 /* The whole file, malloc'ed; NULL and a problem if it cannot be read. */
 static char *text_of(const char *path, size_t *bytes, struct scene_problems *problems) {
+    struct stat info;
     problems->file = path;
+    *bytes = 0;
+    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode)) { /* one would wait for a pipe */
+        scene_problem_line(problems, 0, "the scene cannot be read: %s",
+                           S_ISDIR(info.st_mode) ? strerror(EISDIR) : "it is not a file");
+        return NULL;
+    }
     FILE *in = fopen(path, "rb");
     char *text = in ? malloc(BYTES_MAX + 1) : NULL;
-    *bytes = 0;
     errno = in ? 0 : errno;
     if (text) *bytes = fread(text, 1, BYTES_MAX + 1, in);
     if (errno != 0 || !text)

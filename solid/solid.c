@@ -10,6 +10,7 @@
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
 #include "solid/bonds/across.h"
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/cut_shapes.h"
 #include "solid/bonds/family.h"
@@ -104,7 +105,7 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
                                           soft.s_e,
                                           soft.s_c,
                                           m->fracture_energy};
-            f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b]);
+            f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
             int sides;
@@ -136,8 +137,9 @@ static void arrays_new(struct solid *s) {
         s->x0[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
         s->d[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
         s->v[c] = memory_new(MEMORY_SOLID, all, sizeof(double));
-        s->a[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
         s->load[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
+        if (s->in.rigid) continue;
+        s->a[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
         s->v_old[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
         s->a_old[c] = memory_new(MEMORY_SOLID, owned, sizeof(double));
     }
@@ -272,6 +274,7 @@ void solid_free(struct solid *s) {
     struct solid_family *f = s->family;
     solid_contact_free(s);
     solid_soft_free(s->soft);
+    solid_breaks_free(s->breaks);
     solid_forget_bonds(s);
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};

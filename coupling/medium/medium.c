@@ -91,6 +91,17 @@ void medium_pores_only(struct medium *m) { m->pores_only = 1; }
 
 void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }
 
+void medium_settle(struct medium *m) {
+    par_exchange_free(m->exchange);
+    memory_free(m->dest);
+    memory_free(m->mine);
+    memory_free(m->served);
+    m->exchange = NULL;
+    m->dest = NULL;
+    m->mine = m->served = NULL;
+    m->capacity = m->served_capacity = 0;
+}
+
 void medium_free(struct medium *m) {
     if (!m) return;
     par_exchange_free(m->exchange);

@@ -1,6 +1,8 @@
 /* Reads text files of numbers, line by line. */
 #include "coupling/setup/lines.h"
 #include "base/die.h"
+#include "base/par.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,13 +22,12 @@ static int numbers_of(const char *line, double value[SETUP_LINES_MOST]) {
 
 long setup_lines_read(const char *path, const char *what, setup_lines_taker *take, void *with, char **why) {
     FILE *file = fopen(path, "r");
-    if (!file) die(EXIT_CODE_FILE, "%s: the %s can't be opened", path, what);
     double value[SETUP_LINES_MOST];
     char *line = NULL;
     size_t size = 0;
     ssize_t bytes;
     long taken = 0;
-    *why = NULL;
+    *why = file ? NULL : text_new("the %s can't be opened", what);
     for (long at = 1; !*why && (bytes = getline(&line, &size, file)) > 0; at++) {
         const int n = strlen(line) == (size_t)bytes ? numbers_of(line, value) : -1; /* a zero byte does not end a
                                                                                      * line */
@@ -35,14 +36,14 @@ long setup_lines_read(const char *path, const char *what, setup_lines_taker *tak
         taken += !*why;
     }
     free(line);
-    fclose(file);
+    if (file) fclose(file);
     return taken;
 }
 
 void setup_lines_die(const char *path, char *why) {
-    if (!why) return;
-    char text[256];
-    snprintf(text, sizeof text, "%s", why);
+    char text[256] = "";
+    if (why) snprintf(text, sizeof text, "%s", why);
     free(why);
-    die(EXIT_CODE_FILE, "%s: %s", path, text);
+    par_bcast(text, sizeof text, 0);
+    if (text[0]) die_all(EXIT_CODE_SCENE, "%s: %s", path, text);
 }

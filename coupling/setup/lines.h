@@ -8,8 +8,8 @@ enum { SETUP_LINES_MOST = 8 }; /* numbers of a line */
 typedef char *setup_lines_taker(void *with, long at, int n, const double *value);
 
 /* Gives every line that is not empty or a comment (#) to `take`, until one is wrong. Returns how many were taken. *why:
- * NULL, or the reason, malloc'ed. Dies (exit 4) if the file cannot be opened; what: "point file of body rock". Not
- * collective. */
+ * NULL, or the reason, malloc'ed; also if the file cannot be opened. what: "point file of body rock". Not collective.
+ */
 long setup_lines_read(const char *path, const char *what, setup_lines_taker *take, void *with, char **why);
-/* Dies (exit 4) with "path: why" and frees why, unless it is NULL. Not collective. */
+/* Dies (exit 2) with "path: why" unless rank 0's why is NULL; frees why. Collective. */
 void setup_lines_die(const char *path, char *why);

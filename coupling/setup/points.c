@@ -11,7 +11,8 @@
 #include <string.h>
 
 static const char *what_of(int dim) {
-    return dim == 2 ? "x y area, or x y area horizon" : "x y z volume, or x y z volume horizon";
+    return dim == 2 ? "x y area, or x y area horizon (as in 0.01 0.02 1e-6)"
+                    : "x y z volume, or x y z volume horizon (as in 0.01 0.02 0.03 1e-9)";
 }
 
 /* Whether position, volume and horizon are valid for a particle. */
@@ -48,21 +49,21 @@ static char *take(void *with, long at, int n, const double *value) {
     return NULL;
 }
 
-/* Reads all lines; dies on a line that is no particle. */
-static struct rows read_rows(const struct scene_body *from, int dim) {
+/* Reads all lines. *why: NULL, or why a line is no particle. */
+static struct rows read_rows(const struct scene_body *from, int dim, char **why) {
     struct rows rows = {.dim = dim};
-    char what[SCENE_NAME + 32], *why;
+    char what[SCENE_NAME + 32];
     snprintf(what, sizeof what, "point file of body %s", from->name);
-    const long lines = setup_lines_read(from->file, what, take, &rows, &why);
-    if (!why && lines == 0) why = text_new("holds no line %s", what_of(dim));
-    if (why) free(rows.row);
-    setup_lines_die(from->file, why);
+    const long lines = setup_lines_read(from->file, what, take, &rows, why);
+    if (!*why && lines == 0) *why = text_new("holds no line %s", what_of(dim));
     return rows;
 }
 
 void setup_points(const struct scene_body *from, int dim, struct solid_body *to) {
     struct rows rows = {0};
-    if (par_rank() == 0) rows = read_rows(from, dim);
+    char *why = NULL;
+    if (par_rank() == 0) rows = read_rows(from, dim, &why);
+    setup_lines_die(from->file, why);
     long lines = rows.lines;
     int columns = rows.columns;
     par_bcast(&lines, sizeof lines, 0);

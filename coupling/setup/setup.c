@@ -116,6 +116,7 @@ static struct solid_indenter *indenters_of(const struct scene_solid *s) {
 
 struct solid_input *setup_solid(const struct scene *scene) {
     const struct scene_solid *s = scene->solid;
+    const struct setup_needs needs = setup_needs_of(scene);
     setup_check(scene);
     struct solid_input *in = array_of(1, sizeof *in);
     struct solid_body *body = array_of(s->bodies, sizeof *body);
@@ -162,7 +163,8 @@ struct solid_input *setup_solid(const struct scene *scene) {
                              .contact_stiffness = s->contact_stiffness,
                              .contact_exponent = s->contact_exponent,
                              .contact_radius = s->contact_radius,
-                             .depth = scene->coupling ? setup_kinds_depth(scene->coupling->surface) : SOLID_DEPTH_HALF};
+                             .depth = scene->coupling ? setup_kinds_depth(scene->coupling->surface) : SOLID_DEPTH_HALF,
+                             .rigid = needs.immersed && !needs.bonds};
     for (int d = 0; d < scene->dimension; d++) in->origin[d] = s->lattice_offset[d] * s->spacing;
     copy3(in->body_force, s->body_force);
     copy3(in->length, scene->domain.size);

@@ -29,7 +29,7 @@ static void add(struct entries *to, const double centre[3], const double radii[3
 }
 
 static char *take(void *with, long at, int n, const double *value) {
-    if (n != 4 && n != 6) return text_new("line %ld is not the numbers " WHAT, at);
+    if (n != 4 && n != 6) return text_new("line %ld is not the numbers " WHAT " (as in 0.01 0.02 0.03 0.004)", at);
     const double radii[3] = {value[3], value[n == 6 ? 4 : 3], value[n == 6 ? 5 : 3]};
     for (int c = 0; c < 3; c++)
         if (!isfinite(value[c]) || !isfinite(radii[c]) || !(radii[c] > 0))
@@ -38,18 +38,20 @@ static char *take(void *with, long at, int n, const double *value) {
     return NULL;
 }
 
-static void read_file(const struct scene_part *from, const char *name, struct entries *to) {
+/* Returns NULL, or why a line is wrong. */
+static char *read_file(const struct scene_part *from, const char *name, struct entries *to) {
     char what[SCENE_NAME + 32], *why;
     snprintf(what, sizeof what, "list of spheres of body %s", name);
     const long lines = setup_lines_read(from->file, what, take, to, &why);
     if (!why && lines == 0) why = text_new("holds no line " WHAT);
-    if (why) free(to->entry);
-    setup_lines_die(from->file, why);
+    return why;
 }
 
 void setup_spheres(const struct scene_part *from, const char *name, struct solid_body *to) {
     struct entries list = {0};
-    if (from->spheres == 0 && par_rank() == 0) read_file(from, name, &list);
+    char *why = NULL;
+    if (from->spheres == 0 && par_rank() == 0) why = read_file(from, name, &list);
+    setup_lines_die(from->file, why);
     for (int k = 0; k < from->spheres; k++) {
         const double *of = from->sphere[k], radii[3] = {of[3], of[3], of[3]};
         add(&list, of, radii);

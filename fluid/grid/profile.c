@@ -82,7 +82,7 @@ void fluid_profile_developed(const struct fluid_input *in, int direction, double
 
 /* Text, one velocity a line, b fastest. */
 static void read_file(const char *path, int na, int nb, double *profile) {
-    int read = 0, more = 0;
+    int read = 0, more = 0, wrong = 0;
     if (par_rank() == 0) {
         FILE *file = fopen(path, "r");
         double value;
@@ -90,6 +90,7 @@ static void read_file(const char *path, int na, int nb, double *profile) {
         while (file && read < na * nb && fscanf(file, "%lf", &value) == 1) {
             profile[(read % nb) * na + read / nb] = value;
             read++;
+            if (!isfinite(value) && wrong == 0) wrong = read;
         }
         if (file) {
             more = fscanf(file, "%lf", &value) == 1;
@@ -98,10 +99,12 @@ static void read_file(const char *path, int na, int nb, double *profile) {
     }
     par_bcast(&read, sizeof read, 0);
     par_bcast(&more, sizeof more, 0);
+    par_bcast(&wrong, sizeof wrong, 0);
     if (read < 0) die_all(EXIT_CODE_FILE, "%s: cannot be read", path);
+    if (wrong > 0) die_all(EXIT_CODE_SCENE, "%s: number %d of the inflow's velocities is not finite", path, wrong);
     if (read < na * nb || more)
-        die_all(EXIT_CODE_FILE, "%s: holds %s than the %d x %d velocities of the inflow", path, more ? "more" : "fewer",
-                na, nb);
+        die_all(EXIT_CODE_SCENE, "%s: holds %s than the %d x %d velocities of the inflow", path,
+                more ? "more" : "fewer", na, nb);
     par_bcast(profile, (size_t)na * (size_t)nb * sizeof *profile, 0);
 }
 

@@ -3,11 +3,19 @@
 #include "base/ensure.h"
 #include "base/text.h"
 
-#include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Products of a few numbers up to this one, and their inverses, are doubles. */
+static const double LARGEST = 1e50;
+
+/* Whether all digits of a number, but for those of its power, are 0. */
+static int is_zero(const char *s) {
+    const char *end = s + strspn(s, "+-0.");
+    return !*end || *end == 'e' || *end == 'E';
+}
 
 static int is_whole(const char *s) {
     if (*s == '+' || *s == '-') s++;
@@ -52,23 +60,28 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
     const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
     const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
     const double value = form ? strtod(node->value, NULL) : 0;
-    const double largest = !whole                        ? DBL_MAX
+    const double largest = !whole                        ? LARGEST
                            : v->data_size == sizeof(int) ? INT_MAX
                                                          : 9e15; /* integers that a double
                                                                   * holds exactly */
     const int admitted = !rule || scene_rule_admits(rule, value);
+    const int is_tiny = form && !whole && fabs(value) < 1 / LARGEST && !is_zero(node->value);
     char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_rule_in_units(rule);
     if (!form)
         SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
                        range ? ", " : "", range ? range : "", unit, word);
     else if (!admitted)
         SCENE_WALK_SAY(value, w, node, path, "must be %s%s", range, word);
-    else if (fabs(value) > largest)
+    else if (fabs(value) > largest && whole)
         SCENE_WALK_SAY(value, w, node, path, "is too large");
+    else if (fabs(value) > largest)
+        SCENE_WALK_SAY(value, w, node, path, "is too large: at most %g", largest);
+    else if (is_tiny)
+        SCENE_WALK_SAY(value, w, node, path, "is too small: must be 0 or at least %g in magnitude", 1 / LARGEST);
     free(word);
     free(range);
     free(unit);
-    return form && admitted && fabs(value) <= largest;
+    return form && admitted && fabs(value) <= largest && !is_tiny;
 }
 
 char *scene_walk_joined(int n, const char *const *word) {
@@ -106,11 +119,18 @@ int scene_walk_choice(struct scene_walk *w, struct scene_node *node, const cyaml
     return 0;
 }
 
+static int has_control(const char *s) {
+    while (*s && (unsigned char)*s >= ' ' && *s != 0x7f) s++;
+    return *s != '\0';
+}
+
 int scene_walk_text(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v, const char *path) {
     const size_t length = node->kind == SCENE_NODE_SCALAR ? strlen(node->value) : 0;
     if (node->kind != SCENE_NODE_SCALAR || length < v->string.min)
         SCENE_WALK_SAY(value, w, node, path, "must be a text%s",
                        length < v->string.min && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
+    else if (has_control(node->value))
+        SCENE_WALK_SAY(value, w, node, path, "must be one line without control characters");
     else if (length > v->string.max)
         SCENE_WALK_SAY(value, w, node, path, "is too long: %zu characters, at most %u", length, v->string.max);
     else

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHOWN = 60, WORD = 48 };
+enum { SHOWN = 60, PATH = 160, WORD = 48 };
 
 void scene_problem_free(struct scene_problems *p) {
     for (int i = 0; i < p->n; i++) free(p->text[i]);
@@ -57,6 +57,14 @@ static int can_show(const struct scene_node *node) {
     return 1;
 }
 
+/* A copy of at most so many bytes, the last of them dots if it was longer. */
+static char *shortened(const char *text, int bytes) {
+    if ((int)strlen(text) <= bytes) return text_new("%s", text);
+    int end = bytes - 3;
+    while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not inside a UTF-8 character */
+    return text_new("%.*s...", end, text);
+}
+
 /* A scalar, or a list of scalars, as written; a long one is shortened. */
 static char *shown(const struct scene_node *node) {
     char *text;
@@ -75,14 +83,9 @@ static char *shown(const struct scene_node *node) {
     }
     for (char *c = text; *c; c++)
         if ((unsigned char)*c < ' ') *c = ' ';
-    if (strlen(text) > SHOWN) {
-        int end = SHOWN - 3;
-        while (((unsigned char)text[end] & 0xc0) == 0x80) end--; /* not inside a UTF-8 character */
-        char *cut = text_new("%.*s...", end, text);
-        free(text);
-        text = cut;
-    }
-    return text;
+    char *cut = shortened(text, SHOWN);
+    free(text);
+    return cut;
 }
 
 /* Takes ownership of the message. */
@@ -91,16 +94,18 @@ static void say(struct scene_problems *p, const struct scene_node *node, const c
     const int has_value = with_value && can_show(node);
     char *const value = has_value ? shown(node) : text_new("%s", "");
     char *where, *name;
+    char *const brief = shortened(path, PATH);
     if (node->set) {
         where = text_new("--set ");
-        name = node->set_inner ? text_new("%s: %s", node->set, path) : text_new("%s", node->set);
+        name = node->set_inner ? text_new("%s: %s", node->set, brief) : text_new("%s", node->set);
     } else {
         where = node->line ? text_new("%s:%d: ", p->file, node->line) : text_new("%s: ", p->file);
-        name = text_new("%s", path);
+        name = text_new("%s", brief);
     }
     add(p, node->set ? 0 : node->line, text_new("%s%s%s%s: %s", where, name, has_value ? " = " : "", value, message));
     free(where);
     free(name);
+    free(brief);
     free(value);
     free(message);
 }

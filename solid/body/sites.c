@@ -2,7 +2,9 @@
 #include "solid/body/sites.h"
 #include "solid/body/bricks.h"
 #include "base/die.h"
+#include "base/machine.h"
 #include "base/memory.h"
+#include "base/par.h"
 #include "solid/geometry/compound.h"
 #include "solid/geometry/curve.h"
 #include "solid/geometry/on_surface.h"
@@ -107,6 +109,17 @@ static void period_set(const struct solid_input *in, const struct solid_body *b,
                 in->length[c]);
 }
 
+/* Dies if a byte a site of the body's bounds, on each rank, is more than the machine has. */
+static void room_check(const struct solid_input *in, const struct solid_body *body, const int n[3]) {
+    const double sites = (double)n[0] * n[1] * n[2], has = (double)machine_memory();
+    if (sites * fmin(par_size(), machine_cores()) > has)
+        die_all(
+            EXIT_CODE_SCENE,
+            "solid body %s: its bounds hold %.3g sites of spacing %g m; a byte for each on every rank takes %.3g GB, "
+            "and this machine has %.3g GB",
+            body->name, sites, in->spacing, 1e-9 * sites * fmin(par_size(), machine_cores()), 1e-9 * has);
+}
+
 static void cut_from_lattice(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
                              int reach) {
     struct solid_compound *compound = solid_compound_new(in, body);
@@ -120,6 +133,7 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
         }
         sites->rows[c] = n[c];
     }
+    room_check(in, body, n);
     uint8_t *inside = sites_inside(in, compound, sites->low, n, sites, top);
     sites->tested = compound->tested;
     solid_compound_free(compound);

@@ -154,7 +154,7 @@ static void fields_new(struct solid_lattice *lattice) {
 }
 
 struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struct solid_stencil *stencil,
-                                        struct solid_law law, long from, long to, int first) {
+                                        struct solid_law law, long from, long to, int first, int rigid) {
     struct solid_lattice *lattice = memory_new(MEMORY_SOLID, 1, sizeof *lattice);
     lattice->stencil = stencil;
     lattice->law = law;
@@ -174,7 +174,10 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     rows_new(lattice, t, from, to);
     bonds_new(lattice, t);
     places_new(lattice);
-    fields_new(lattice);
+    if (rigid)
+        lattice->w = lattice->field = solid_store_array((size_t)lattice->places + SOLID_ROW, sizeof *lattice->field);
+    else
+        fields_new(lattice);
     active_new(lattice);
     return lattice;
 }
@@ -226,7 +229,7 @@ void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites 
     ENSURE(home == lattice->copies, "%d places for %d particles", home, lattice->n);
     ENSURE(image == lattice->ghosts, "%d places for %d ghosts", image, lattice->ghosts);
     lattice->away = lattice->copies - lattice->n;
-    lattice->segments = solid_segments_new(lattice);
+    if (lattice->d[0]) lattice->segments = solid_segments_new(lattice);
 }
 
 void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda) {
@@ -262,7 +265,7 @@ void solid_lattice_weights(struct solid_lattice *lattice, const double *w) {
             }
         }
     }
-    solid_segments_weigh(lattice);
+    if (lattice->segments) solid_segments_weigh(lattice);
 }
 
 void solid_lattice_cut(struct solid_lattice *lattice, int h, int o) {
@@ -278,6 +281,10 @@ void solid_lattice_soften(struct solid_lattice *lattice, int h, int o, int softe
     solid_lattice_changed(lattice, h);
 }
 
-void solid_lattice_changed(struct solid_lattice *b, int h) { b->segments->stale[b->segments->of[h - b->first]] = 1; }
+void solid_lattice_changed(struct solid_lattice *b, int h) {
+    if (b->segments) b->segments->stale[b->segments->of[h - b->first]] = 1;
+}
 
-void solid_lattice_changed_all(struct solid_lattice *b) { memset(b->segments->stale, 1, (size_t)b->segments->n); }
+void solid_lattice_changed_all(struct solid_lattice *b) {
+    if (b->segments) memset(b->segments->stale, 1, (size_t)b->segments->n);
+}

@@ -53,10 +53,11 @@ struct solid_lattice {
                                       * row continues */
     long places;                     /* index of the end of the last row */
     double *field;                   /* memory of the arrays below */
-    double *d[3], *v[3];             /* [places + 8] copies for a sweep, 0 at sites without a particle */
-    double *f[3];                    /* [places + 8] the sweep's accelerations, m/s2 */
+    double *d[3], *v[3];             /* [places + 8] copies for a sweep, 0 at sites without a particle; NULL: rigid */
+    double *f[3];                    /* [places + 8] the sweep's accelerations, m/s2; NULL: rigid */
     double *w;                       /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
-    struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), made from lambda */
+    struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), of lambda; NULL:
+                                      * rigid */
 };
 
 /* The index in the field arrays of eight sites that begin at the cell. */
@@ -68,8 +69,9 @@ static inline double *solid_lattice_w(const struct solid_lattice *lattice, long 
     return lattice->w + solid_lattice_place(lattice, cell);
 }
 
+/* rigid: the bonds are never swept. Not collective. */
 struct solid_lattice *solid_lattice_new(const struct solid_sites *sites, const struct solid_stencil *stencil,
-                                        struct solid_law law, long from, long to, int first);
+                                        struct solid_law law, long from, long to, int first, int rigid);
 void solid_lattice_free(struct solid_lattice *lattice);
 /* The ids needed here and owned by other ranks; id may be NULL. Returns how many (with repetitions). Not collective. */
 long solid_lattice_wanted(const struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to,

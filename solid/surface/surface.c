@@ -127,24 +127,56 @@ struct solid_surface *solid_surface_new(struct solid *s) {
     return f;
 }
 
-void solid_surface_free(struct solid_surface *f) {
-    if (!f) return;
-    memory_free(f->h);
-    for (int c = 0; c < 3; c++) memory_free(f->normal[c]);
-    memory_free(f->two_sided);
-    memory_free(f->depth);
-    memory_free(f->area);
+/* Frees what only an update reads. */
+static void forget(struct solid_surface *f) {
     memory_free(f->facing);
     memory_free(f->bare);
     memory_free(f->share);
     memory_free(f->faces);
     memory_free(f->counted);
-    memory_free(f->curvature);
     memory_free(f->watch);
     memory_free(f->watch_of);
     solid_lost_free(f->lost);
-    memory_free(f->near);
     solid_shaped_free(f->shaped);
+    f->facing = NULL;
+    f->bare = f->faces = NULL;
+    f->share = NULL;
+    f->counted = NULL;
+    f->watch = NULL;
+    f->watch_of = NULL;
+    f->watched = f->watch_capacity = 0;
+    f->lost = NULL;
+    f->shaped = NULL;
+}
+
+/* Only the first f->n items of an array, which is freed. */
+static void *shrunk(const struct solid_surface *f, void *array, size_t size) {
+    void *items = memory_copy(MEMORY_SOLID, array, (size_t)f->n, size);
+    memory_free(array);
+    return items;
+}
+
+void solid_surface_settle(struct solid_surface *f) {
+    forget(f);
+    f->h = shrunk(f, f->h, sizeof *f->h);
+    for (int c = 0; c < 3; c++) f->normal[c] = shrunk(f, f->normal[c], sizeof *f->normal[c]);
+    f->two_sided = shrunk(f, f->two_sided, sizeof *f->two_sided);
+    f->depth = shrunk(f, f->depth, sizeof *f->depth);
+    if (f->curvature) f->curvature = shrunk(f, f->curvature, sizeof *f->curvature);
+    f->area = shrunk(f, f->area, sizeof *f->area);
+    f->capacity = f->n;
+}
+
+void solid_surface_free(struct solid_surface *f) {
+    if (!f) return;
+    forget(f);
+    memory_free(f->h);
+    for (int c = 0; c < 3; c++) memory_free(f->normal[c]);
+    memory_free(f->two_sided);
+    memory_free(f->depth);
+    memory_free(f->area);
+    memory_free(f->curvature);
+    memory_free(f->near);
     memory_free(f);
 }
 

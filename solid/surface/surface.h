@@ -28,7 +28,7 @@ enum solid_faces {
 
 struct solid_surface {
     int n;                /* interface particles owned here, by rising local index */
-    int capacity;         /* s->n: the arrays below never grow */
+    int capacity;         /* s->n: the arrays below never grow; n once settled */
     int *h;               /* [n] local index of the particle */
     double *normal[3];    /* [n] unit, out of the material; for a wall one particle thick its axis, either sign */
     uint8_t *two_sided;   /* [n] enum solid_faces */
@@ -39,7 +39,7 @@ struct solid_surface {
     double immersed_area; /* whole solid, at the start, m2 */
     long total;           /* interface particles of all ranks */
     long set_free;        /* of these, without any intact bond */
-    /* by owned particle, [s->n] */
+    /* by owned particle, [s->n]; NULL once settled */
     struct solid_facing *facing; /* the normal, and the data that it was computed from */
     uint8_t *bare;               /* bit f: the nearest site in direction f was void at the start */
     double *share;               /* of immersed_area, m2; 0 off the interface */
@@ -57,6 +57,8 @@ struct solid_surface {
 struct solid_surface *
 solid_surface_new(struct solid *s); /* Detects from scratch; sets SOLID_INTERFACE, SOLID_FIRST. Collective. */
 void solid_surface_free(struct solid_surface *surface);
+/* Of a solid that never moves: keeps the interface's particles, and frees what only an update reads. Not collective. */
+void solid_surface_settle(struct solid_surface *surface);
 /* To be called after the solid has moved or bonds have broken. Tests particles again only if a bond has broken, and
  * recomputes a normal only if its family has rotated enough. Almost free while no bond breaks. Returns 1 if the set of
  * interface particles has changed. Collective. */

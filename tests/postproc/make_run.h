@@ -20,6 +20,7 @@ struct make_run {
     int cells;                        /* over the height: 64 is the main case */
     long stop;                        /* the last step written */
     int no_solid, no_fields, at_rest; /* at_rest: the fluid has neither velocity nor pressure */
+    int events;                       /* events.csv */
 };
 
 /* The stretch's scale in the fields: a made-up mean of a known law, at a place. */
@@ -122,6 +123,21 @@ static void make_breaking(const struct make_run *in) {
         for (int k = 0; k < 2; k++)
             table_row(t, (double[]){(double)step, make_time(step), 0, k, 0, (k ? 1 : -1) * 5. * (double)step, 0,
                                     (k ? 1 : -1) * 1e-6 * (double)step});
+    table_free(t);
+}
+
+/* A hundred events from step 255 on, the k-th of k bonds with k^2 J, along a line; the largest is the last but one. */
+static void make_events(const struct make_run *in) {
+    static const char *const name[] = {"step", "t", "event", "bonds", "x", "y", "z", "area", "energy"};
+    static const char *const unit[] = {"1", "s", "1", "1", "m", "m", "m", "m2", "J"};
+    char path[FOLDER_PATH];
+    if (!in->events) return;
+    struct table *t = table_new(folder_path(path, in->folder, "events.csv"), 9, name, unit, -1);
+    for (int k = 0; k < 100; k++) {
+        const int size = k < 98 ? k + 1 : 198 - k;
+        table_row(t, (double[]){255 + k / 5, make_time(255 + k / 5), k, size, 0.05 + 1e-4 * k, 0.02 + 2e-4 * k, 0.025,
+                                1e-6 * size, (double)size * size});
+    }
     table_free(t);
 }
 
@@ -286,6 +302,7 @@ static void make_run(const struct make_run *in) {
     make_scene(in);
     make_series(in);
     if (!in->no_solid) make_breaking(in);
+    make_events(in);
     if (!in->no_solid) make_texture(in);
     make_record(in);
     for (long step = 2 * MAKE_STEPS - MAKE_FIELDS; step <= in->stop && !in->no_fields; step += MAKE_FIELDS) {

@@ -55,6 +55,10 @@ forces whole/reactions.csv stopped/reactions.csv
 cut -d, -f1-8 whole/fragments.csv | diff - <(cut -d, -f1-8 stopped/fragments.csv) ||
   fail "other fragments after resuming"
 
+# nothing to go on from: no folder is made
+code 4 ranks 1 run scene.yaml --out nothing --resume
+[ ! -e nothing ] || fail "a failed --resume has made a folder"
+
 # another run starts from a stage's checkpoint
 code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5
 sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 120' whole/series.csv >>tail.csv

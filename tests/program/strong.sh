@@ -7,7 +7,7 @@ scene | sed -e 's/^coupling:/&\n  scheme: strong\n  tolerance: 1.0e-10/' \
   -e '/name: settle/s/steps: [0-9]*/steps: 20/; /name: fracture/s/steps: [0-9]*/steps: 25/' \
   -e '/name: flow/s/steps: [0-9]*/steps: 30/' \
   -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 0/' \
-  -e 's/checkpoint_every: .*/checkpoint_every: 20/' >scene.yaml
+  -e 's/checkpoint_every: .*/checkpoint_every: 20\n  events: true/' >scene.yaml
 code 0 ranks 1 run scene.yaml --out whole
 number() { sed -n "s/.*\"$1\": *\([0-9.]*\).*/\1/p" whole/run.json | head -n 1; }
 [ "$(number steps_not_converged)" = 0 ] || fail "$(number steps_not_converged) steps have not converged"
@@ -16,6 +16,13 @@ awk -v m="$(number mean)" -v n="$(number most)" 'BEGIN { exit !(m > 1.5 && m < 1
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   NR > 2 { b = $at["bonds_broken"]; if ($at["momentum_residual"] > 1e-9) bad = 1 }
   END { exit bad || !(b > 100) }' whole/series.csv || fail "the momentum does not close, or nothing has broken"
+
+# a bond that breaks in several iterations of a step is one event
+awk -F, 'FNR == 1 { for (i = 1; i <= NF; i++) at[FILENAME, $i] = i }
+  FNR > 2 && FILENAME ~ /events/ { bonds += $at[FILENAME, "bonds"]; energy += $at[FILENAME, "energy"] }
+  FNR > 2 && FILENAME ~ /series/ { broken = $at[FILENAME, "bonds_broken"]; all = $at[FILENAME, "e_fracture"] }
+  END { exit !(bonds == broken && (energy / all - 1) ^ 2 < 1e-24) }' whole/events.csv whole/series.csv ||
+  fail "the events are not the bonds that broke"
 
 # values that are zero by symmetry are round-off, which the iteration may amplify up to its tolerance (that of same
 # here); all others agree to the digits of same

@@ -42,7 +42,7 @@ static const struct sample_broken table[] = {
      "it.yaml:6: fluid.density = 0x10: must be a number, greater than 0 (kg/m3)"},
     {"coupled", "density: 1000", "density: .nan",
      "it.yaml:6: fluid.density = .nan: must be a number, greater than 0 (kg/m3)"},
-    {"coupled", "density: 1000", "density: 1e999", "it.yaml:6: fluid.density = 1e999: is too large"},
+    {"coupled", "density: 1000", "density: 1e999", "it.yaml:6: fluid.density = 1e999: is too large: at most 1e+50"},
     {"coupled", "density: 1000", "density:", "it.yaml:6: fluid.density: must be a number, greater than 0 (kg/m3)"},
     {"coupled", "size: [0.04, 0.02, 0.02]", "size: [0.04, 0.02]",
      "it.yaml:3: domain.size = [0.04, 0.02]: must be a list of 3 numbers (m): a plate, of 2, has no fluid yet"},
@@ -434,6 +434,9 @@ static const struct sample_broken table[] = {
      "it.yaml:14: output.probes.at[0] = [0, 0, 0]: must be a list of 2 numbers (m) in a plate"},
     {"pulled", "crack: {", "probes: {at: [[0, 0]], every: 0}, crack: {",
      "it.yaml:14: output.probes.every = 0: must be at least 1"},
+    {"pulled", ", fracture_energy: 135", "",
+     "it.yaml:14: output.events = true: no bond can break: a material with a fracture energy is needed, and a stage of "
+     "an elastic solid with breakage"},
     {"fluid", "stages:", "output: {crack: {}}\nstages:", "it.yaml:12: output.crack: only in a scene with a solid"},
     {"block", "[0.01, 0.005, 0.01], ", "",
      "it.yaml:11: solid.cracks[0].points: must be the four corners of a plane quadrilateral in 3D"},
@@ -574,6 +577,8 @@ static void test_leaves_with_code_2(void **state) {
     assert_string_equal(said, "frana: " SCENES "none.yaml: the scene cannot be read: No such file or directory\n");
     assert_int_equal(leaves_with(SCENES, 0, NULL, said, sizeof said), 2);
     assert_string_equal(said, "frana: " SCENES ": the scene cannot be read: Is a directory\n");
+    assert_int_equal(leaves_with("/dev/null", 0, NULL, said, sizeof said), 2);
+    assert_string_equal(said, "frana: /dev/null: the scene cannot be read: it is not a file\n");
     assert_int_equal(leaves_with(SCENES "coupled.yaml", 1, good, said, sizeof said), 0);
     assert_string_equal(said, "");
 }

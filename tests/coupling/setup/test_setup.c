@@ -2,6 +2,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "coupling/setup/kinds.h"
+#include "coupling/setup/forecast.h"
 #include "coupling/setup/setup.h"
 #include "fluid/grid/side.h"
 #include "physics/micromodulus.h"
@@ -274,6 +275,7 @@ static int leaves_with(const char *path, int n, const char *const *set, int whol
         dup2(pipes[1], STDERR_FILENO);
         struct scene *s = scene_new(path, n, set);
         setup_check(s);
+        forecast_check(s);
         if (whole) setup_solid(s);
         _exit(0);
     }
@@ -310,13 +312,29 @@ static void test_plates_that_bound_no_body(void **state) {
     assert_string_equal(said, "");
 }
 
+static void test_more_than_the_memory(void **state) {
+    (void)state;
+    static const char *const fault[][3] = {
+        {SCENES "coupled.yaml", "domain.cells=[40000, 20000, 20000]",
+         "domain.cells: 1.6e+13 cells take 1.02e+06 GB of"},
+        {SCENES "plate.yaml", "solid.spacing=1e-9", "particles of spacing 1e-09 m take"}};
+    char said[4096];
+    for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
+        const int code = leaves_with(fault[i][0], 1, &fault[i][1], 0, said, sizeof said);
+        if (code != EXIT_CODE_SCENE || !strstr(said, fault[i][2]) || strchr(said, '\n') != strrchr(said, '\n'))
+            fail_msg("%s: exit %d, \"%s\"", fault[i][1], code, said);
+    }
+}
+
 static void test_broken_point_files(void **state) {
     (void)state;
     static const char *const file[][2] = {
-        {"", "holds no line x y area, or x y area horizon"},
-        {"0.06 0.03 1e-6\n0.07 0.03\n", "line 2 is not the numbers x y area, or x y area horizon"},
-        {"0.06 0.03 1e-6 1 1\n", "line 1 is not the numbers x y area, or x y area horizon"},
-        {"0.06 0.03 1e-6\n\n0.07 0.03 much\n", "line 3 is not the numbers x y area, or x y area horizon"},
+        {"", "holds no line x y area, or x y area horizon (as in 0.01 0.02 1e-6)"},
+        {"0.06 0.03 1e-6\n0.07 0.03\n",
+         "line 2 is not the numbers x y area, or x y area horizon (as in 0.01 0.02 1e-6)"},
+        {"0.06 0.03 1e-6 1 1\n", "line 1 is not the numbers x y area, or x y area horizon (as in 0.01 0.02 1e-6)"},
+        {"0.06 0.03 1e-6\n\n0.07 0.03 much\n",
+         "line 3 is not the numbers x y area, or x y area horizon (as in 0.01 0.02 1e-6)"},
         {"0.06 0.03 1e-6 3e-3\n0.07 0.03 1e-6\n", "line 2 has no horizon, unlike those before it"},
         {"0.06 0.03 1e-6\n0.07 0.03 1e-6 3e-3\n", "line 2 has a horizon, unlike those before it"},
         {"0.06 0.03 0\n", "line 1: area and horizon must be greater than 0 and everything finite"},
@@ -329,7 +347,7 @@ static void test_broken_point_files(void **state) {
         fputs(file[i][0], out);
         fclose(out);
         const int code = leaves_with(SCENES "plate.yaml", 1, (const char *const[]){set}, 1, said, sizeof said);
-        if (code != EXIT_CODE_FILE || !strstr(said, file[i][1])) {
+        if (code != EXIT_CODE_SCENE || strchr(said, '\n') != strrchr(said, '\n') || !strstr(said, file[i][1])) {
             unlink(path);
             fail_msg("%s: exit %d, \"%s\"", file[i][0], code, said);
         }
@@ -342,11 +360,15 @@ static void test_broken_lists(void **state) {
     static const char *const file[][2] = {
         {"", "holds no line x y z radius, or x y z and three radii"},
         {"# nothing\n\n", "holds no line x y z radius, or x y z and three radii"},
-        {"0.03 0.01 0.01 0.001\n0.03 0.01 0.001\n", "line 2 is not the numbers x y z radius, or x y z and three radii"},
-        {"0.03 0.01 0.01 0.001 0.001\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
-        {"0.03 0.01 0.01 1 2 3 4\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
-        {"1 2 3 4 5 6 7 8 9 10\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
-        {"x y z r\n", "line 1 is not the numbers x y z radius, or x y z and three radii"},
+        {"0.03 0.01 0.01 0.001\n0.03 0.01 0.001\n",
+         "line 2 is not the numbers x y z radius, or x y z and three radii (as in 0.01 0.02 0.03 0.004)"},
+        {"0.03 0.01 0.01 0.001 0.001\n",
+         "line 1 is not the numbers x y z radius, or x y z and three radii (as in 0.01 0.02 0.03 0.004)"},
+        {"0.03 0.01 0.01 1 2 3 4\n",
+         "line 1 is not the numbers x y z radius, or x y z and three radii (as in 0.01 0.02 0.03 0.004)"},
+        {"1 2 3 4 5 6 7 8 9 10\n",
+         "line 1 is not the numbers x y z radius, or x y z and three radii (as in 0.01 0.02 0.03 0.004)"},
+        {"x y z r\n", "line 1 is not the numbers x y z radius, or x y z and three radii (as in 0.01 0.02 0.03 0.004)"},
         {"\n0.03 0.01 0.01 -0.001\n", "line 2: radii must be greater than 0 and everything finite"},
         {"0.03 0.01 0.01 0.001 0 0.001\n", "line 1: radii must be greater than 0 and everything finite"},
         {"0.03 nan 0.01 0.001\n", "line 1: radii must be greater than 0 and everything finite"},
@@ -360,7 +382,7 @@ static void test_broken_lists(void **state) {
         fclose(out);
         const int code = leaves_with(SCENES "coupled.yaml", 1, (const char *const[]){set}, 1, said, sizeof said);
         snprintf(sentence, sizeof sentence, "%s: %s\n", path, file[i][1]);
-        if (code != EXIT_CODE_FILE || !strstr(said, sentence) || strchr(said, '\n') != strrchr(said, '\n')) {
+        if (code != EXIT_CODE_SCENE || !strstr(said, sentence) || strchr(said, '\n') != strrchr(said, '\n')) {
             unlink(path);
             fail_msg("%s: exit %d, \"%s\"", file[i][0], code, said);
         }
@@ -375,9 +397,9 @@ int main(int argc, char **argv) {
     const char *ranks = getenv("OMPI_COMM_WORLD_SIZE");
     int failed = 0;
     if (!ranks || atoi(ranks) == 1) {
-        const struct CMUnitTest leaving[] = {cmocka_unit_test(test_plates_that_bound_no_body),
-                                             cmocka_unit_test(test_broken_point_files),
-                                             cmocka_unit_test(test_broken_lists)};
+        const struct CMUnitTest leaving[] = {
+            cmocka_unit_test(test_plates_that_bound_no_body), cmocka_unit_test(test_more_than_the_memory),
+            cmocka_unit_test(test_broken_point_files), cmocka_unit_test(test_broken_lists)};
         failed = cmocka_run_group_tests(leaving, NULL, NULL);
     }
     par_begin(&argc, &argv);

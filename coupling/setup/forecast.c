@@ -1,0 +1,64 @@
+/* Least memory of a scene's fluid and bodies, from their numbers in the scene alone. */
+#include "coupling/setup/forecast.h"
+#include "base/die.h"
+#include "base/machine.h"
+#include "base/par.h"
+#include "coupling/setup/setup.h"
+
+#include <math.h>
+
+/* Bytes that no scene goes below: the fluid's u, v, w, p and their right-hand sides; of a particle its places,
+ * displacements, velocities and loads, and with bonds two accelerations, volumes and the bits of its bonds. */
+enum { CELL = 64, AT_REST = 80, WITH_BONDS = 150 };
+
+double forecast_share(void) { return (double)machine_memory() / fmin(par_size(), machine_cores()); }
+
+static double product(const double low[3], const double high[3], int dimension) {
+    double volume = 1;
+    for (int c = 0; c < dimension; c++) volume *= high[c] - low[c];
+    return volume;
+}
+
+/* m3, in a plate m2; 0: not known. */
+static double volume_of(const struct scene_body *b) {
+    if (b->holes > 0 || b->has_cavities) return 0;
+    switch (b->shape) {
+    case SCENE_BOX:
+        return product(b->low, b->high, 3);
+    case SCENE_RECTANGLE:
+        return product(b->low, b->high, 2);
+    case SCENE_SPHERE:
+        return 4 * M_PI / 3 * pow(b->radius, 3);
+    case SCENE_DISC:
+        return M_PI * b->radius * b->radius;
+    case SCENE_CYLINDER:
+        return M_PI * b->radius * b->radius * b->length;
+    case SCENE_ELLIPSOID:
+        return 4 * M_PI / 3 * b->radii[0] * b->radii[1] * b->radii[2];
+    case SCENE_SPHERES:
+    case SCENE_POINTS:
+    case SCENE_IMAGE:
+    case SCENE_POLYGON:
+        return 0;
+    }
+    return 0;
+}
+
+void forecast_check(const struct scene *scene) {
+    const double has = par_sum(forecast_share());
+    double cells = scene->fluid ? 1 : 0;
+    for (int c = 0; c < 3; c++) cells *= scene->domain.cells[c];
+    if (cells * CELL > has)
+        die_all(EXIT_CODE_SCENE, "domain.cells: %.3g cells take %.3g GB of memory at least, and there are %.3g GB",
+                cells, 1e-9 * cells * CELL, 1e-9 * has);
+    const double each = setup_needs_of(scene).bonds ? WITH_BONDS : AT_REST;
+    for (int b = 0; scene->solid && b < scene->solid->bodies; b++) {
+        const struct scene_body *body = &scene->solid->body[b];
+        const double n = volume_of(body) / pow(scene->solid->spacing, scene->dimension);
+        if (n * each > has)
+            die_all(EXIT_CODE_SCENE,
+                    "solid.bodies.%s: %.3g particles of spacing %g m take %.3g GB of memory at least, and there are "
+                    "%.3g GB",
+                    body->name, n, scene->solid->spacing, 1e-9 * n * each, 1e-9 * has);
+    }
+}
