@@ -17,9 +17,10 @@ set(frana_mpi_environment
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
 set(frana_test_environment ${frana_mpi_environment} ASAN_OPTIONS=detect_leaks=0)
-# A process that runs alone starts in a third of the time without mpiexec and without Open MPI's daemon. Not for a
-# process that starts mpiexec itself.
-set(frana_alone_environment ${frana_test_environment} OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated)
+# A process that runs alone starts in a third of the time without mpiexec and without Open MPI's daemon. All such
+# processes have the same job number, so they must not make a folder for the job. Not for a process that starts mpiexec.
+set(frana_alone_environment ${frana_test_environment} OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated
+  OMPI_MCA_orte_create_session_dirs=0)
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])
 # One executable of cmocka tests, run by ctest once for each number of ranks; on one rank without mpiexec.

@@ -8,11 +8,11 @@ export OMPI_MCA_pml=ob1 OMPI_MCA_odls_base_sigkill_timeout=0 # no sleep at the s
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
-# ranks N ARGUMENTS...: frana on N ranks; one rank runs without mpiexec and without Open MPI's daemon
+# ranks N ARGUMENTS...: frana on N ranks; one rank as in frana_alone_environment of cmake/test.cmake
 ranks() {
   local n=$1; shift
   if [ "$n" = 1 ]; then
-    OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated "$frana" "$@"
+    OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_orte_create_session_dirs=0 "$frana" "$@"
   else
     mpiexec --oversubscribe -n "$n" "$frana" "$@"
   fi
