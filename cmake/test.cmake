@@ -30,8 +30,6 @@ function(frana_test source)
   string(REGEX REPLACE "_c$" "" name ${name})
   add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
   target_link_libraries(${name} PRIVATE frana_${T_ROOM} PkgConfig::CMOCKA)
-  # compiled in half the time; a test spends its own in the library
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Debug>:-O0>)
   target_compile_definitions(${name} PRIVATE
     FRANA_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FRANA_BINARY_DIR="${CMAKE_BINARY_DIR}")
   if(NOT T_RANKS)
