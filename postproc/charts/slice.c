@@ -28,13 +28,22 @@ static int repeat_of(const struct postproc_slice *s) {
     return n < SHARP ? (SHARP + n - 1) / n : 1;
 }
 
+/* Power of ten of the numbers at the colour bar. */
+static int power_of(const struct postproc_slice_plot *p) {
+    return postproc_gnuplot_power(fmax(fabs(p->low), fabs(p->high)));
+}
+
+/* The values over the power of ten: gnuplot reads plain values in a third of the time that `using` with a formula
+ * takes. */
 static int values_write(const struct postproc_slice_plot *p, const char *path) {
     FILE *f = fopen(path, "wb");
     if (!f) return -1;
     const int repeat = repeat_of(p->slice), n = p->slice->n[0] * repeat;
+    const double unit = pow(10, power_of(p));
     float *row = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *row);
     for (int j = 0; j < p->slice->n[1]; j++) {
-        for (int i = 0; i < n; i++) row[i] = (float)p->value[(size_t)j * (size_t)p->slice->n[0] + (size_t)(i / repeat)];
+        for (int i = 0; i < n; i++)
+            row[i] = (float)(p->value[(size_t)j * (size_t)p->slice->n[0] + (size_t)(i / repeat)] / unit);
         for (int k = 0; k < repeat; k++) fwrite(row, sizeof *row, (size_t)n, f);
     }
     memory_free(row);
@@ -75,7 +84,7 @@ void postproc_slice_palette(FILE *f, enum postproc_map map) {
 static void put_style(FILE *f, const struct postproc_slice_plot *p, const char *unit, const double size[2],
                       const struct layout *at) {
     static const char *const name[3] = {"x", "y", "z"};
-    const int power = postproc_gnuplot_power(fmax(fabs(p->low), fabs(p->high)));
+    const int power = power_of(p);
     fputs("set encoding utf8\nset border 15 lw 1 lc rgb '#5a6068'\nset tics nomirror out scale 0.6 textcolor rgb "
           "'#23282e'\nunset key\n"
           "set size ratio -1\nset object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb '#b9bdc2' fs solid "
@@ -103,10 +112,8 @@ static void put_style(FILE *f, const struct postproc_slice_plot *p, const char *
             p->low / pow(10, power), p->high / pow(10, power));
     const int repeat = repeat_of(p->slice), n[2] = {repeat * p->slice->n[0], repeat * p->slice->n[1]};
     const double d[2] = {size[0] / n[0], size[1] / n[1]};
-    fprintf(f,
-            "plot '%s.bin' binary array=(%d,%d) format='%%float' dx=%.10g dy=%.10g origin=(%.10g,%.10g) using "
-            "($1*1e%d) with image",
-            p->name, n[0], n[1], d[0], d[1], 0.5 * d[0], 0.5 * d[1], -power);
+    fprintf(f, "plot '%s.bin' binary array=(%d,%d) format='%%float' dx=%.10g dy=%.10g origin=(%.10g,%.10g) with image",
+            p->name, n[0], n[1], d[0], d[1], 0.5 * d[0], 0.5 * d[1]);
     if (p->lines && p->lines->lines > 0)
         for (int k = 0; k < 2; k++) { /* white on a dark rim, to be seen on all colours */
             const char *colour = k ? "#20ffffff" : "#80000000";
@@ -135,7 +142,7 @@ static int script_write(const struct postproc_slice_plot *p, const char *path) {
         if (k == 0)
             put_style(f, p, unit, size, &at);
         else
-            fputs("replot\n", f);
+            fputs("refresh\n", f); /* without reading the values again */
     }
     fputs("set output\n", f);
     const int bad = ferror(f);

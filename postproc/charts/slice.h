@@ -1,6 +1,6 @@
 /* A plane of the fluid as a plot: colours of a quantity, the solid in grey, streamlines in the plane, axes in units of
- * length. Drawn by gnuplot from NAME.gp and the values in NAME.bin (float32, row by row; a cell
- * of a small plane is several values). */
+ * length. Drawn by gnuplot from NAME.gp and the values in NAME.bin (float32, row by row, over the power of ten of the
+ * colour bar; a cell of a small plane is several values). */
 #pragma once
 #include "postproc/data/slice.h"
 #include "postproc/draw/colour.h"

@@ -112,12 +112,21 @@ static double integral(const char *run, const char *file, const char *field) {
     return sum;
 }
 
+/* Sets the folder to that of a whole run with its post/, made by whichever test is the first. */
+static void whole(void) {
+    static int made;
+    const char *cells = getenv("FRANA_TEST_CELLS"); /* 64 to look at the pictures of the main case */
+    named("whole");
+    if (made) return;
+    make_run(&(struct make_run){
+        .folder = folder, .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS, .events = 1});
+    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    made = 1;
+}
+
 static void whole_run(void **state) {
     (void)state;
-    const char *cells = getenv("FRANA_TEST_CELLS"); /* 64 to look at the pictures of the main case */
-    make_run(&(struct make_run){
-        .folder = named("whole"), .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS, .events = 1});
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    whole();
     for (int k = 0; k < FILES; k++)
         if (size_of(folder, files_of_whole_run[k]) < 100) fail_msg("%s is missing or empty", files_of_whole_run[k]);
     /* rho U^2 = 10 Pa; settled to 1900 Pa at step 200, half of it at the end; t0 = 0.1 m / 0.1 m/s */
@@ -162,8 +171,7 @@ static void broken_run(void **state) {
     static const char *const pdf[] = {"post/pdf_strain.csv",        "post/pdf_stress.csv",
                                       "post/pdf_stress_middle.csv", "post/pdf_stress_least.csv",
                                       "post/pdf_von_mises.csv",     "post/pdf_griffith.csv"};
-    make_run(&(struct make_run){.folder = named("breaking"), .cells = 32, .stop = 3 * MAKE_STEPS});
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    whole();
     for (size_t k = 0; k < sizeof pdf / sizeof *pdf; k++) {
         check_close(integral(folder, pdf[k], "before"), 1, 1e-6); /* ten digits of each number */
         check_close(integral(folder, pdf[k], "after"), 1, 1e-6);

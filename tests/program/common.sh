@@ -4,10 +4,19 @@ set -euo pipefail
 frana=$(realpath "$1") source=$(realpath "$2") work=$3
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
+export OMPI_MCA_pml=ob1 OMPI_MCA_odls_base_sigkill_timeout=0 # no sleep at the start and at the end: cmake/test.cmake
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
-ranks() { local n=$1; shift; mpiexec --oversubscribe -n "$n" "$frana" "$@"; }
+# ranks N ARGUMENTS...: frana on N ranks; one rank as in frana_alone_environment of cmake/test.cmake
+ranks() {
+  local n=$1; shift
+  if [ "$n" = 1 ]; then
+    OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_orte_create_session_dirs=0 "$frana" "$@"
+  else
+    mpiexec --oversubscribe -n "$n" "$frana" "$@"
+  fi
+}
 # code N command...: the command must end with this exit code; its output goes to out and err
 code() {
   local want=$1 got=0; shift
