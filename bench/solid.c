@@ -9,16 +9,17 @@
 
 static const double SPACING = 1.5625e-3; /* m */
 
-/* The image of a solid's particles between two corners of the lattice: a voxel a site, as all ranks read it from a
- * file. */
+/* The image of a solid's particles between two corners of the lattice: a voxel a site, as the ranks read it from a
+ * file.
+ */
 static struct solid_voxels *image_of(const struct solid *s, const int low[3], const int high[3]) {
     struct solid_voxels *v = solid_voxels_new((int[]){high[0] - low[0], high[1] - low[1], high[2] - low[2]}, 1, low);
     for (int h = 0; h < s->n; h++) {
         int at[3];
         for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING) - low[c];
-        solid_voxels_set(v, v->bits, at[0], at[1], at[2]);
+        solid_voxels_join(&v->bits[solid_voxels_line(v, at[1], at[2]) + at[0] / 64], (uint64_t)1 << at[0] % 64);
     }
-    if (par_size() > 1) par_sum_long_array((long *)v->bits, (int)((long)v->n[2] * v->n[1] * v->words));
+    par_shared_unite(v->of_bits);
     return v;
 }
 
