@@ -1,6 +1,7 @@
 /* Reads boxes of a dataset of HDF5, each rank by itself. The last of HDF5's dimensions varies first. */
 #include "files/image/hdf5.h"
 #include "files/h5.h"
+#include "files/image/hdf5_check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -160,7 +161,9 @@ static hid_t open_file(struct image_source *s, const char *path) {
     long long bytes;
     const int fd = image_source_file(s, path, &bytes);
     if (fd < 0) return -1;
+    const int fault = image_hdf5_check(s, fd, bytes);
     close(fd);
+    if (fault) return -1;
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     if (H5Fis_hdf5(path) <= 0) return image_source_refuse(s, "it is no HDF5 file"), -1;
     const hid_t file = h5_open_alone(path);
