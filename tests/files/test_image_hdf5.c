@@ -277,6 +277,41 @@ static void superblocks(void **state) {
         }
 }
 
+/* Numbers that HDF5 takes as they are, and then reads beyond its memory. */
+static void damaged_datasets(void **state) {
+    (void)state;
+    static const unsigned char chunk[16] = {3, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0}, /* z, y, x, bytes */
+        type[12] = {0x10, 0, 0, 0, 1, 0, 0, 0, 0, 0, 8, 0}; /* unsigned, one byte, from bit 0, 8 bits */
+    static const struct {
+        const unsigned char *in;
+        size_t bytes, at;
+        unsigned char value;
+        int deflate;
+        const char *why;
+    } table[] = {
+        {chunk, sizeof chunk, 5, 9, 1, "its dataset is damaged: it has 5 voxels in a direction, and its chunks 2307"},
+        {chunk, sizeof chunk, 5, 9, 0, "its dataset is damaged: it has 5 voxels in a direction, and its chunks 2307"},
+        {chunk, sizeof chunk, 0, 4, 1, "its dataset is damaged: its chunks do not make it up"},
+        {chunk, sizeof chunk, 4, 4, 0, "its dataset is damaged: its chunks do not make it up"},
+        {type, sizeof type, 10, 16, 0, "its dataset is damaged: its numbers have bits beyond their bytes"},
+        {type, sizeof type, 8, 1, 0, "its dataset is damaged: its numbers have bits beyond their bytes"}};
+    static unsigned char data[1 << 16];
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+        const char *path =
+            written("damaged.h5", (struct how){.type = H5T_STD_U8LE, .chunk = {3, 3, 2}, .deflate = table[k].deflate});
+        struct files_image_input input = {.file = path};
+        check_file(&input);
+        FILE *in = fopen(path, "rb");
+        const size_t bytes = fread(data, 1, sizeof data, in);
+        fclose(in);
+        unsigned char *found = memmem(data, bytes, table[k].in, table[k].bytes);
+        assert_non_null(found);
+        found[table[k].at] = table[k].value;
+        image_write(path, data, bytes, "", 0);
+        check_refused(&input, table[k].why);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     folder = files_folder("image_hdf5");
@@ -286,7 +321,8 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(truth_values),
                                        cmocka_unit_test(the_dataset_that_is_meant),
                                        cmocka_unit_test(odd_files_are_refused),
-                                       cmocka_unit_test(superblocks)};
+                                       cmocka_unit_test(superblocks),
+                                       cmocka_unit_test(damaged_datasets)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
