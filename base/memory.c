@@ -69,6 +69,8 @@ void *memory_renew(enum memory_part part, void *old, size_t room, size_t size) {
     return memory_new(part, room, size);
 }
 
+void memory_count(enum memory_part part, long bytes) { held[part] += (size_t)bytes; }
+
 size_t memory_bytes(enum memory_part part) { return held[part]; }
 
 size_t memory_peak(void) {

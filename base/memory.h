@@ -16,6 +16,8 @@ void *memory_grown(enum memory_part part, void *old, size_t used, size_t room, s
 /* The same without keeping what old held. Not collective. */
 void *memory_renew(enum memory_part part, void *old, size_t room, size_t size);
 void memory_free(void *p);
+/* Counts bytes that were not allocated here, or, with a minus, that were given back. Not collective. */
+void memory_count(enum memory_part part, long bytes);
 size_t memory_bytes(enum memory_part part); /* now held by this rank */
 size_t memory_peak(void);                   /* the process's largest resident size, bytes */
 const char *memory_name(enum memory_part part);

@@ -9,16 +9,17 @@
 
 static const double SPACING = 1.5625e-3; /* m */
 
-/* The image of a solid's particles between two corners of the lattice: a voxel a site, as all ranks read it from a
- * file. */
+/* The image of a solid's particles between two corners of the lattice: a voxel a site, as the ranks read it from a
+ * file.
+ */
 static struct solid_voxels *image_of(const struct solid *s, const int low[3], const int high[3]) {
     struct solid_voxels *v = solid_voxels_new((int[]){high[0] - low[0], high[1] - low[1], high[2] - low[2]}, 1, low);
     for (int h = 0; h < s->n; h++) {
         int at[3];
         for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING) - low[c];
-        solid_voxels_set(v, v->bits, at[0], at[1], at[2]);
+        solid_voxels_join(&v->bits[solid_voxels_line(v, at[1], at[2]) + at[0] / 64], (uint64_t)1 << at[0] % 64);
     }
-    if (par_size() > 1) par_sum_long_array((long *)v->bits, (int)((long)v->n[2] * v->n[1] * v->words));
+    par_shared_unite(v->of_bits);
     return v;
 }
 
@@ -75,38 +76,60 @@ static void count(struct bench_row *row, double particles, int list, int damped)
     row->bytes = (list ? 4 + 12 + 8 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
 }
 
-static void measure(struct bench *bench, const char *part, const struct bench_block *block, double damping) {
-    struct bench_sample of[1][BENCH_CHANNELS];
+static struct solid *solid_of(const struct bench_block *block, double damping) {
     struct solid *s = bench_solid_block_new(block);
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
-    struct bench_row row = {.part = part,
-                            .time = of[0][BENCH_WALL],
-                            .units = (double)par_sum_long(solid_family_directed(s)),
-                            .unit = "directed bond"};
+    return s;
+}
+
+static void write_row(struct bench *bench, const char *part, const struct bench_block *block, double damping,
+                      struct solid *s, struct bench_sample time) {
+    struct bench_row row = {
+        .part = part, .time = time, .units = (double)par_sum_long(solid_family_directed(s)), .unit = "directed bond"};
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     count(&row, (double)s->n_global, block->list, damping > 0);
     bench_row_write(&bench->table, &row);
     if (!block->list) bench_row_traffic(&bench->table, part, row.size, bench_sweep, s, 4);
+}
+
+static void measure(struct bench *bench, const char *part, const struct bench_block *block, double damping) {
+    struct bench_sample of[1][BENCH_CHANNELS];
+    struct solid *s = solid_of(block, damping);
+    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
+    write_row(bench, part, block, damping, s, of[0][BENCH_WALL]);
     solid_free(s);
 }
 
-/* The lattice blocks of bench_solid as images. */
+/* A lattice block and an image of the same particles, in turn. */
+static void measure_image(struct bench *bench, const char *const part[2], struct bench_block block, double damping) {
+    struct bench_sample of[2][BENCH_CHANNELS];
+    struct solid *s[2];
+    for (int k = 0; k < 2; k++) {
+        block.image = k;
+        s[k] = solid_of(&block, damping);
+    }
+    bench_measure(&bench->effort, bench_sweep, 2, (void *[]){s[0], s[1]}, of);
+    for (int k = 0; k < 2; k++) {
+        write_row(bench, part[k], &block, damping, s[k], of[k][BENCH_WALL]);
+        solid_free(s[k]);
+    }
+}
+
 void bench_solid_image(struct bench *bench) {
-    static const char *const name[2][2] = {{"sweep_full_image", "sweep_full_image_damped"},
-                                           {"sweep_porous_image", "sweep_porous_image_damped"}};
+    static const char *const name[2][2][2] = {
+        {{"sweep_full_box", "sweep_full_image"}, {"sweep_full_box_damped", "sweep_full_image_damped"}},
+        {{"sweep_porous_box", "sweep_porous_image"}, {"sweep_porous_box_damped", "sweep_porous_image_damped"}}};
     if (bench->sizes) {
         for (int k = 0; k < bench->sizes; k++)
             if (bench->size[k].side)
-                measure(bench, name[0][0], &(struct bench_block){.side = bench->size[k].side, .image = 1}, 0);
+                measure_image(bench, name[0][0], (struct bench_block){.side = bench->size[k].side}, 0);
         return;
     }
     const int side = bench->quick ? 12 : 38;
     for (int porous = 0; porous < 2; porous++)
         for (int damped = 0; damped < 2; damped++)
-            measure(bench, name[porous][damped],
-                    &(struct bench_block){.side = porous ? 0 : side, .half = bench->quick, .image = 1},
-                    damped ? 1e15 : 0);
+            measure_image(bench, name[porous][damped],
+                          (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, damped ? 1e15 : 0);
 }
 
 void bench_solid(struct bench *bench) {

@@ -87,6 +87,32 @@ static double share(const struct page *p) {
     return 100 * sum / bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", size, 2), "median_ms");
 }
 
+/* What an image's body costs beside a box of the same particles. */
+static void images(const struct page *p) {
+    const char *const which[2][3] = {{"full", "sweep_full_box", "sweep_full_image"},
+                                     {"porous", "sweep_porous_box", "sweep_porous_image"}};
+    for (int ranks = 1; ranks <= 2; ranks++)
+        for (int k = 0; k < 2; k++) {
+            const int box = bench_cells_find(p->rows, which[k][1], "", ranks),
+                      image = bench_cells_find(p->rows, which[k][2], "", ranks);
+            const double ours = bench_cells_number(p->rows, image, "ns_per_unit"),
+                         theirs = bench_cells_number(p->rows, box, "ns_per_unit");
+            if (isnan(ours / theirs)) continue;
+            printf("\nThe %s block as an image, and as a box, in turn, %d rank%s: %.3g and %.3g ns a directed bond, "
+                   "ratio %.3f.\n",
+                   which[k][0], ranks, ranks > 1 ? "s" : "", ours, theirs, ours / theirs);
+        }
+    const char *const bytes[2][2] = {{"memory_image_particle", "memory_lattice_particle"},
+                                     {"memory_image_bond", "memory_lattice_bond"}};
+    double held[2][2];
+    for (int k = 0; k < 4; k++)
+        held[k / 2][k % 2] =
+            bench_cells_number(p->rows, bench_cells_find(p->rows, bytes[k / 2][k % 2], "", 1), "bytes_per_unit");
+    if (!isnan(held[0][0] + held[0][1] + held[1][0] + held[1][1]))
+        printf("\nAn image holds %.4g bytes a particle and %.4g a directed bond, a box %.4g and %.4g.\n", held[0][0],
+               held[1][0], held[0][1], held[1][1]);
+}
+
 static void targets(const struct page *p) {
     printf("## To reach\n\nThe peers were measured on a machine of two cores with AVX-512, 32 MB of L3, "
            "triad 42 GB/s on "
@@ -124,6 +150,7 @@ static void targets(const struct page *p) {
                "off (2 ranks, "
                "taken in turn).\n",
                on / off);
+    images(p);
     for (int row = 0; p->peer && row < p->peer->rows; row++)
         printf("%sLAMMPS and frana in one go, in turn, 1 rank, %s directed bonds each: %s and %s ns a bond, "
                "ratio %s (%s).\n",

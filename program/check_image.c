@@ -99,9 +99,9 @@ static void say_labels(const struct setup_image *image) {
 /* Voxels that a cube of CELLS_WIDE lengths reaches into along an edge. */
 static int edge_of(double length, double voxel) { return (int)ceil(CELLS_WIDE * length / voxel - 1e-6); }
 
-/* loose: of the solid, its loose pieces; may be NULL. */
+/* loose: the bits of the solid's loose pieces, if there are any; may be NULL. */
 static void measure(const struct scene *scene, const struct setup_image *image, int of, struct phase *phase,
-                    uint64_t *loose) {
+                    uint64_t **loose) {
     const struct solid_voxels *v = image->voxels;
     const double spacing = scene->solid->spacing, voxel = v->sites * spacing;
     const double cell = scene->fluid ? scene->domain.size[0] / scene->domain.cells[0] : spacing;
@@ -117,7 +117,7 @@ static void measure(const struct scene *scene, const struct setup_image *image, 
                             c->loose_largest,
                             0,
                             edge_of(of ? spacing : cell, voxel)};
-    if (loose && c->loose_pieces > 0) solid_components_loose(c, v, loose);
+    if (loose && c->loose_pieces > 0) solid_components_loose(c, v, *loose = solid_voxels_array(v));
     solid_components_free(c);
     if (phase->edge > 1 && phase->edge < 64) phase->thin = solid_opening_thin(v, of, phase->edge);
 }
@@ -169,9 +169,9 @@ static int draw(const char *path, const struct solid_voxels *v, const uint64_t *
             at[a] = x / zoom * skip;
             at[b] = (height - 1 - y) / zoom * skip;
             at[d] = v->n[d] / 2;
-            const int what = !solid_voxels_is(v, v->bits, at[0], at[1], at[2]) ? 0
-                             : solid_voxels_is(v, loose, at[0], at[1], at[2])  ? 2
-                                                                               : 1;
+            const int what = !solid_voxels_is(v, v->bits, at[0], at[1], at[2])         ? 0
+                             : loose && solid_voxels_is(v, loose, at[0], at[1], at[2]) ? 2
+                                                                                       : 1;
             memcpy(to, colour[what], 3);
         }
     const int failed = postproc_png_write(path, width, height, rgb);
@@ -196,22 +196,28 @@ static void write_slices(const char *folder, const struct setup_image *image, co
         folder, name);
 }
 
+static void say_memory(const struct solid_voxels *v) {
+    const char *why = v->of_bits->why;
+    say("  memory     %.1f MB of bits a %s%s%s; at most %.1f MB in use on a rank so far\n",
+        1e-6 * (double)solid_voxels_bytes(v), why[0] ? "rank, because those of a node cannot share memory (" : "node",
+        why, why[0] ? ")" : "", 1e-6 * par_max((double)memory_peak()));
+}
+
 /* Particles of the body. */
 static double check_one(const struct command *c, const struct scene *scene, int b) {
     struct setup_image *image = setup_image_read(scene, b);
     const struct solid_voxels *v = image->voxels;
     struct phase of[2] = {{0}};
-    uint64_t *loose = par_rank() == 0 ? solid_voxels_array(v) : NULL;
+    uint64_t *loose = NULL;
     say_understood(scene, image);
     say_labels(image);
     /* one rank measures the solid, another one the pores */
     for (int q = 0; q < 2; q++)
-        if (par_rank() == (1 - q) % par_size()) measure(scene, image, q, &of[q], q ? loose : NULL);
+        if (par_rank() == (1 - q) % par_size()) measure(scene, image, q, &of[q], q ? &loose : NULL);
     for (int q = 0; q < 2; q++) par_bcast(&of[q], sizeof of[q], (1 - q) % par_size());
     say_phases(image, of);
     if (par_rank() == 0) write_slices(c->out, image, loose);
-    say("  memory     %.1f MB of bits a rank; at most %.1f MB in use on a rank so far\n",
-        1e-6 * (double)v->words * 8 * v->n[1] * v->n[2], 1e-6 * par_max((double)memory_peak()));
+    say_memory(v);
     const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? of[1].loose_voxels : 0;
     const double particles = (double)(of[1].voxels - gone) * v->sites * v->sites * v->sites;
     memory_free(loose);

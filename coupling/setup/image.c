@@ -1,4 +1,4 @@
-/* Reads a body's image: each rank a piece of its slices, slab by slab, into bits that every rank then holds. */
+/* Reads a body's image: each rank a piece of its slices, slab by slab, into bits that each node then holds. */
 #include "coupling/setup/image.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -100,17 +100,24 @@ static void take_slab(struct reader *r, const int low[3], const int high[3]) {
     for (int k = low[2]; k < high[2]; k++)
         for (int j = low[1]; j < high[1]; j++) {
             const int tj = turned(r, 1, j), tk = turned(r, 2, k);
-            uint64_t *line = v->bits + (m == 1 ? solid_voxels_line(v, tj, tk) : 0);
+            uint64_t *line = v->bits + (m == 1 ? solid_voxels_line(v, tj, tk) : 0), word = 0;
+            int w = turned(r, 0, low[0]) / 64;
             for (int i = low[0]; i < high[0]; i++, at++) {
                 const int is = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]);
                 const int ti = turned(r, 0, i);
                 r->solid += is;
-                if (m == 1)
-                    line[ti / 64] |= (uint64_t)is << ti % 64;
-                else
+                if (m == 1) {
+                    if (ti / 64 != w) {
+                        solid_voxels_join(&line[w], word);
+                        w = ti / 64;
+                        word = 0;
+                    }
+                    word |= (uint64_t)is << ti % 64;
+                } else
                     r->in_cell[((long)((tk - r->first[2]) / m) * r->cells[1] + (tj - r->first[1]) / m) * r->cells[0] +
                                (ti - r->first[0]) / m] += (unsigned)is;
             }
+            if (m == 1) solid_voxels_join(&line[w], word);
         }
 }
 
@@ -120,10 +127,11 @@ static void set_cells(struct reader *r) {
     const int m = r->image->per_cell;
     const uint32_t half = (uint32_t)m * (uint32_t)m * (uint32_t)m / 2, *cell = r->in_cell;
     for (int k = 0; k < r->cells[2]; k++)
-        for (int j = 0; j < r->cells[1]; j++)
-            for (int i = 0; i < r->cells[0]; i++)
-                if (*cell++ > half)
-                    solid_voxels_set(v, v->bits, r->first[0] / m + i, r->first[1] / m + j, r->first[2] / m + k);
+        for (int j = 0; j < r->cells[1]; j++) {
+            uint64_t *line = v->bits + solid_voxels_line(v, r->first[1] / m + j, r->first[2] / m + k);
+            for (int i = r->first[0] / m; i < r->first[0] / m + r->cells[0]; i++)
+                if (*cell++ > half) solid_voxels_join(&line[i / 64], (uint64_t)1 << i % 64);
+        }
     memset(r->in_cell, 0, (size_t)(cell - r->in_cell) * sizeof *cell);
 }
 
@@ -177,15 +185,13 @@ static void mirror(struct solid_voxels *v, const int cells[3], int c) {
             }
 }
 
-/* Gives every rank the bits of all, and adds mirror images. Bits that one rank sets no other one does, so their sum is
- * their union. */
+/* Gives every node the bits of all, and adds mirror images. */
 static void share(struct setup_image *image, const struct scene_image *s, const int cells[3]) {
     struct solid_voxels *v = image->voxels;
-    const long words = (long)v->n[2] * v->n[1] * v->words;
-    for (long w = 0; par_size() > 1 && w < words; w += SLAB)
-        par_sum_long_array((long *)v->bits + w, (int)(words - w < SLAB ? words - w : SLAB));
+    par_shared_unite(v->of_bits);
     for (int c = 0; c < 3; c++)
-        if (s->mirrors[c]) mirror(v, cells, c);
+        if (s->mirrors[c] && v->of_bits->is_writer) mirror(v, cells, c);
+    par_shared_fence(v->of_bits);
 }
 
 /* "0, 1 and 7": the first few values that occur. */
@@ -341,35 +347,37 @@ struct solid_components *setup_image_solid(const struct scene *scene, const stru
     return c;
 }
 
+static void remove_loose(const struct solid_components *c, struct solid_voxels *v) {
+    uint64_t *loose = solid_voxels_array(v);
+    solid_components_loose(c, v, loose);
+    for (size_t w = 0; w < solid_voxels_bytes(v) / sizeof *loose; w++) v->bits[w] &= ~loose[w];
+    memory_free(loose);
+}
+
 void setup_image_loose(const struct scene *scene, struct setup_image *image) {
     static const char *const done[] = {"kept", "removed", "held"};
     struct solid_voxels *v = image->voxels;
     const enum scene_floating floating = image->body->image.floating;
-    const size_t bytes = (size_t)v->n[2] * (size_t)v->n[1] * (size_t)v->words * sizeof *v->bits;
     long found[3] = {0};
-    uint64_t *loose = NULL;
-    if (par_rank() == 0) {
-        struct solid_components *c = setup_image_solid(scene, image);
-        found[0] = c->loose_pieces;
-        found[1] = c->loose_voxels;
-        found[2] = c->loose_largest;
-        if (floating != SCENE_FLOATING_KEEP && found[0] > 0) {
-            loose = solid_voxels_array(v);
-            solid_components_loose(c, v, loose);
-        }
-        solid_components_free(c);
-    }
+    struct solid_components *c = par_rank() == 0 ? setup_image_solid(scene, image) : NULL;
+    if (c) memcpy(found, (long[3]){c->loose_pieces, c->loose_voxels, c->loose_largest}, sizeof found);
     par_bcast(found, sizeof found, 0);
-    if (found[0] == 0) return;
-    log_line("%s: %ld floating piece%s of solid in %ld of %ld voxels, the largest of %ld voxels: %s", image->body->name,
-             found[0], found[0] == 1 ? "" : "s", found[1], solid_voxels_count(v, v->bits), found[2], done[floating]);
-    if (floating == SCENE_FLOATING_KEEP) return;
-    if (!loose) loose = solid_voxels_array(v);
-    par_bcast(loose, bytes, 0);
-    if (floating == SCENE_FLOATING_HOLD) {
-        v->held = loose;
-        return;
+    if (v->of_bits->why[0])
+        log_line("%s: the ranks of a node cannot share memory (%s): each of them holds %.1f MB of bits of the image",
+                 image->body->name, v->of_bits->why, 1e-6 * (double)solid_voxels_bytes(v));
+    if (found[0] > 0)
+        log_line("%s: %ld floating piece%s of solid in %ld of %ld voxels, the largest of %ld voxels: %s",
+                 image->body->name, found[0], found[0] == 1 ? "" : "s", found[1], solid_voxels_count(v, v->bits),
+                 found[2], done[floating]);
+    if (found[0] > 0 && floating == SCENE_FLOATING_HOLD) {
+        solid_voxels_hold(v);
+        if (c) solid_components_loose(c, v, v->held);
+        par_shared_spread(v->of_held);
     }
-    for (size_t w = 0; w < bytes / sizeof *loose; w++) v->bits[w] &= ~loose[w];
-    memory_free(loose);
+    if (found[0] > 0 && floating == SCENE_FLOATING_REMOVE) {
+        par_shared_fence(v->of_bits); /* the others have counted */
+        if (c) remove_loose(c, v);
+        par_shared_spread(v->of_bits);
+    }
+    solid_components_free(c);
 }

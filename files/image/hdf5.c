@@ -1,6 +1,8 @@
 /* Reads boxes of a dataset of HDF5, each rank by itself. The last of HDF5's dimensions varies first. */
 #include "files/image/hdf5.h"
 #include "files/h5.h"
+#include "files/image/hdf5_check.h"
+#include "files/image/number.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,6 +67,17 @@ static int find_size(struct image_source *s, const struct hdf5 *h) {
     return 0;
 }
 
+/* Whether all bits of a number are within its bytes: HDF5 converts without looking. */
+static int is_within(hid_t type) {
+    const size_t bits = 8 * H5Tget_size(type), precision = H5Tget_precision(type);
+    size_t sign, exponent, exponents, mantissa, mantissas;
+    const int offset = H5Tget_offset(type);
+    if (precision == 0 || offset < 0 || precision + (size_t)offset > bits) return 0;
+    if (H5Tget_class(type) != H5T_FLOAT) return 1;
+    return H5Tget_fields(type, &sign, &exponent, &exponents, &mantissa, &mantissas) >= 0 && sign < bits &&
+           exponents <= bits && exponent <= bits - exponents && mantissas <= bits && mantissa <= bits - mantissas;
+}
+
 /* Truth values of h5py are an enumeration. */
 static int find_type(struct image_source *s, const struct hdf5 *h) {
     static const enum files_image_type integers[9][2] = {[1] = {FILES_IMAGE_UINT8, FILES_IMAGE_INT8},
@@ -82,7 +95,10 @@ static int find_type(struct image_source *s, const struct hdf5 *h) {
     if (class == H5T_INTEGER && bytes <= 8) s->type = integers[bytes][H5Tget_sign(type) == H5T_SGN_2];
     if (class == H5T_FLOAT)
         s->type = bytes == 4 ? FILES_IMAGE_FLOAT32 : bytes == 8 ? FILES_IMAGE_FLOAT64 : FILES_IMAGE_HEADER;
+    const int within = is_within(type);
     H5Tclose(type);
+    if (s->type != FILES_IMAGE_HEADER && !within)
+        return image_source_refuse(s, "its dataset is damaged: its numbers have bits beyond their bytes");
     return s->type == FILES_IMAGE_HEADER &&
            image_source_refuse(s,
                                "its dataset holds no integers of 1, 2, 4 or 8 bytes and no floating point of 4 or 8");
@@ -98,6 +114,31 @@ static int check_filters(struct image_source *s, hid_t how) {
             return image_source_refuse(s, "its dataset is compressed by filter %d (%s), which HDF5 lacks here", filter,
                                        name);
     }
+    return 0;
+}
+
+/* HDF5 copies as many bytes as a chunk should have, wherever fewer were decoded. So chunks that the dataset cannot have
+ * are refused: those that are larger than it may become, too many of them, and, where nothing compresses them, too few
+ * bytes. */
+static int check_chunks(struct image_source *s, const struct hdf5 *h, hid_t how) {
+    hsize_t chunk[3], n[3], most[3], chunks = 1, bytes = (hsize_t)image_number_bytes(s->type);
+    if (H5Pget_layout(how) != H5D_CHUNKED) return 0;
+    if (H5Pget_chunk(how, 3, chunk) != 3) return image_source_refuse(s, "its dataset has chunks of other dimensions");
+    H5Sget_simple_extent_dims(h->space, n, most);
+    for (int c = 0; c < 3; c++) {
+        if (chunk[c] < 1 || (most[c] != H5S_UNLIMITED && chunk[c] > most[c]))
+            return image_source_refuse(s,
+                                       "its dataset is damaged: it has %llu voxels in a direction, and its chunks %llu",
+                                       (unsigned long long)n[c], (unsigned long long)chunk[c]);
+        chunks *= (n[c] + chunk[c] - 1) / chunk[c];
+        bytes *= chunk[c];
+    }
+#if H5_VERSION_GE(1, 10, 5)
+    hsize_t found = 0;
+    if (H5Dget_num_chunks(h->set, h->space, &found) < 0 || found > chunks ||
+        (H5Pget_nfilters(how) == 0 && H5Dget_storage_size(h->set) < found * bytes))
+        return image_source_refuse(s, "its dataset is damaged: its chunks do not make it up");
+#endif
     return 0;
 }
 
@@ -160,7 +201,9 @@ static hid_t open_file(struct image_source *s, const char *path) {
     long long bytes;
     const int fd = image_source_file(s, path, &bytes);
     if (fd < 0) return -1;
+    const int fault = image_hdf5_check(s, fd, bytes);
     close(fd);
+    if (fault) return -1;
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     if (H5Fis_hdf5(path) <= 0) return image_source_refuse(s, "it is no HDF5 file"), -1;
     const hid_t file = h5_open_alone(path);
@@ -185,7 +228,7 @@ int image_hdf5_open(struct image_source *s, const struct files_image_input *inpu
     h->space = H5Dget_space(h->set);
     if (find_size(s, h) || find_type(s, h) || image_source_bytes(s, &bytes)) return 1;
     const hid_t how = H5Dget_create_plist(h->set);
-    const int fault = check_filters(s, how);
+    const int fault = check_filters(s, how) || check_chunks(s, h, how);
     if (!fault) choose_block(s, how);
     H5Pclose(how);
     find_voxel(s, h);

@@ -2,8 +2,11 @@
 #pragma once
 #include "solid/body/sites.h"
 
-/* Makes the bricks of the box, all empty; its rows are known. Not collective, as all functions here. */
+/* Makes the bricks of the box, all empty; its rows are known. Not collective, as all functions here but those that say
+ * so. */
 void solid_bricks_new(struct solid_sites *sites);
+/* The same, once a node. Collective, as then is the numbering. */
+void solid_bricks_share(struct solid_sites *sites);
 /* Numbers the rows along a space-filling curve through the bricks, once the bits are set. */
 void solid_bricks_number(struct solid_sites *sites);
 /* The global id of the site at this place in the box; -1: not in the body. */

@@ -233,9 +233,13 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
 
 void solid_sites_free(struct solid_sites *sites) {
     if (!sites) return;
-    memory_free(sites->bits);
-    memory_free(sites->start);
-    memory_free(sites->order);
+    if (!sites->map) memory_free(sites->bits);
+    if (!sites->numbers) {
+        memory_free(sites->start);
+        memory_free(sites->order);
+    }
+    par_shared_free(sites->map);
+    par_shared_free(sites->numbers);
     memory_free(sites->point);
     memory_free(sites->cell);
     memory_free(sites->area);

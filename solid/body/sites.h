@@ -1,6 +1,7 @@
 /* The particles of a body and the order of their numbers. Every rank holds this for the whole body during the set-up:
  * one bit per lattice site, and one number per brick of 8 x 8 x 8 sites. */
 #pragma once
+#include "base/par_shared.h"
 #include "solid/state.h"
 
 enum { SOLID_ROW = 8, SOLID_BRICK = 64 }; /* sites of a row; rows of a brick (solid/body/bricks.h) */
@@ -21,7 +22,8 @@ struct solid_sites {
     long *start;   /* [bricks] global id of the brick's first particle */
     int ordered;   /* number of bricks with a particle */
     int *order;    /* [ordered] bricks in the order of their numbers; the rows of a brick are numbered in turn */
-    long tested;   /* depths below a shape that were computed to cut the body */
+    struct par_shared *map, *numbers; /* that hold bits, and start and order, once a node; NULL: this rank holds them */
+    long tested;                      /* depths below a shape that were computed to cut the body */
     /* points, and the cells of a polygon */
     long *point; /* [count] index of the particle numbered first+i, among the body's points or solid_outline_cells' */
     int (*cell)[2]; /* polygon: [count] lattice indices, by number */

@@ -1,10 +1,13 @@
-/* Finds the lattice sites in the voxels of an image. All indices are whole numbers: a site's voxel is
- * (site - corner)/sites, rounded down. */
+/* Finds the lattice sites in the voxels of an image, each rank in its slices. All indices are whole numbers: a site's
+ * voxel is (site - corner)/sites, rounded down. */
 #include "solid/body/bricks.h"
 #include "solid/body/sites_image.h"
 #include "base/memory.h"
+#include "base/par.h"
+#include "base/par_piece.h"
 #include "solid/voxels/voxels.h"
 
+#include <math.h>
 #include <string.h>
 
 /* sites without a particle before and behind the image, as other shapes have them */
@@ -46,15 +49,16 @@ static uint8_t row_of(const uint8_t *line, int r, int shift) {
 static int rows_of(int sites, int shift) { return (sites + shift - 1) / SOLID_ROW + 1; }
 
 /* The shift that gives the fewest rows with a site, of equals the least. */
-static int best_shift(const struct solid_voxels *v, uint8_t *line, size_t bytes, int along) {
+static int best_shift(const struct solid_voxels *v, const int slices[2], uint8_t *line, size_t bytes, int along) {
     long rows[SOLID_ROW] = {0};
     int best = 0;
-    for (int k = 0; k < v->n[2]; k++)
+    for (int k = slices[0]; k < slices[1]; k++)
         for (int j = 0; j < v->n[1]; j++) {
             if (!sites_of(v, j, k, line, bytes)) continue;
             for (int shift = 0; shift < SOLID_ROW; shift++)
                 for (int r = 0; r < rows_of(along, shift); r++) rows[shift] += row_of(line, r, shift) != 0;
         }
+    par_sum_long_array(rows, SOLID_ROW);
     for (int shift = 1; shift < SOLID_ROW; shift++)
         if (rows[shift] < rows[best]) best = shift;
     return best;
@@ -78,19 +82,38 @@ static void note_line(const struct solid_voxels *v, int j, int k, struct solid_s
                  sites->count == 0);
 }
 
+/* The count and the extent of all ranks' sites, and the map of all on every node. */
+static void unite(struct solid_sites *sites, int top[3]) {
+    double low[3], high[3];
+    for (int c = 0; c < 3; c++) {
+        low[c] = sites->count > 0 ? sites->base[c] : INFINITY;
+        high[c] = sites->count > 0 ? top[c] : -INFINITY;
+    }
+    par_min_array(low, 3);
+    par_max_array(high, 3);
+    sites->count = par_sum_long(sites->count);
+    for (int c = 0; c < 3 && sites->count > 0; c++) {
+        sites->base[c] = (int)low[c];
+        top[c] = (int)high[c];
+    }
+    par_shared_unite(sites->map);
+}
+
 void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, int top[3]) {
     const int along = v->n[0] * v->sites + MARGIN;
+    const int slices[2] = {par_piece_low(v->n[2], par_size(), par_rank()),
+                           par_piece_low(v->n[2], par_size(), par_rank() + 1)};
     const size_t bytes = (size_t)(along + 4 * SOLID_ROW) / 8;
     uint8_t *line = memory_new(MEMORY_SOLID, bytes, 1);
-    const int shift = best_shift(v, line, bytes, along);
+    const int shift = best_shift(v, slices, line, bytes, along);
     for (int c = 0; c < 3; c++) {
         sites->low[c] = v->corner[c] - BEFORE;
         sites->rows[c] = v->n[c] * v->sites + MARGIN;
     }
     sites->low[0] -= shift;
     sites->rows[0] = rows_of(along, shift);
-    solid_bricks_new(sites);
-    for (int k = 0; k < v->n[2]; k++)
+    solid_bricks_share(sites);
+    for (int k = slices[0]; k < slices[1]; k++)
         for (int j = 0; j < v->n[1]; j++) {
             if (!sites_of(v, j, k, line, bytes)) continue;
             note_line(v, j, k, sites, top);
@@ -103,5 +126,6 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
                 }
             }
         }
+    unite(sites, top);
     memory_free(line);
 }

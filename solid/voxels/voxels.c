@@ -6,6 +6,8 @@
 
 static size_t words_of(const struct solid_voxels *v) { return (size_t)v->n[2] * (size_t)v->n[1] * (size_t)v->words; }
 
+size_t solid_voxels_bytes(const struct solid_voxels *v) { return words_of(v) * sizeof(uint64_t); }
+
 uint64_t *solid_voxels_array(const struct solid_voxels *v) {
     return memory_new(MEMORY_SOLID, words_of(v), sizeof(uint64_t));
 }
@@ -16,14 +18,20 @@ struct solid_voxels *solid_voxels_new(const int n[3], int sites, const int corne
     memcpy(v->corner, corner, sizeof v->corner);
     v->sites = sites;
     v->words = (n[0] + 63) / 64;
-    v->bits = solid_voxels_array(v);
+    v->of_bits = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
+    v->bits = v->of_bits->data;
     return v;
+}
+
+void solid_voxels_hold(struct solid_voxels *v) {
+    v->of_held = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
+    v->held = v->of_held->data;
 }
 
 void solid_voxels_free(struct solid_voxels *v) {
     if (!v) return;
-    memory_free(v->bits);
-    memory_free(v->held);
+    par_shared_free(v->of_bits);
+    par_shared_free(v->of_held);
     memory_free(v);
 }
 

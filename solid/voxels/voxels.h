@@ -1,5 +1,8 @@
-/* The solid of an image: one bit a voxel, in lines along x. Every rank holds the whole of it while a solid is made. */
+/* The solid of an image: one bit a voxel, in lines along x. Each node holds the whole of it once while a solid is made
+ * (base/par_shared.h). */
 #pragma once
+#include "base/par_shared.h"
+
 #include <stdint.h>
 
 struct solid_voxels {
@@ -9,12 +12,17 @@ struct solid_voxels {
     long words;     /* words of 64 voxels in a line */
     uint64_t *bits; /* [n[2]][n[1]][words] 1: solid; 0 past the end of a line */
     uint64_t *held; /* the same: voxels whose particles are held during the whole run; NULL: none */
+    struct par_shared *of_bits, *of_held; /* which hold them; owned */
 };
 
-/* All pore. Not collective, as all functions here. */
+/* All pore. Collective. */
 struct solid_voxels *solid_voxels_new(const int n[3], int sites, const int corner[3]);
+/* Makes the array of held voxels, all 0. Collective. */
+void solid_voxels_hold(struct solid_voxels *v);
+/* Not collective, as all below. */
 void solid_voxels_free(struct solid_voxels *v);             /* may be NULL */
-uint64_t *solid_voxels_array(const struct solid_voxels *v); /* of as many bits, all 0 */
+uint64_t *solid_voxels_array(const struct solid_voxels *v); /* of as many bits, all 0; of this rank alone */
+size_t solid_voxels_bytes(const struct solid_voxels *v);    /* of the bits */
 
 static inline long solid_voxels_line(const struct solid_voxels *v, int j, int k) {
     return ((long)k * v->n[1] + j) * v->words;
@@ -24,6 +32,10 @@ static inline int solid_voxels_is(const struct solid_voxels *v, const uint64_t *
 }
 static inline void solid_voxels_set(const struct solid_voxels *v, uint64_t *bits, int i, int j, int k) {
     bits[solid_voxels_line(v, j, k) + i / 64] |= (uint64_t)1 << i % 64;
+}
+/* Sets bits of a word while other ranks of the node may set others. */
+static inline void solid_voxels_join(uint64_t *word, uint64_t bits) {
+    if (bits) __atomic_fetch_or(word, bits, __ATOMIC_RELAXED);
 }
 long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits);
 /* Copies a line of the solid, or with of = 0 of its pores, to line [words]. */

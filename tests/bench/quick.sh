@@ -33,7 +33,8 @@ awk -F, '
     n = split("triad_one_rank triad multiply_add fluid_step fluid_momentum fluid_poisson fluid_poisson_forward " \
       "fluid_poisson_columns fluid_poisson_backward fluid_halo halo_fill channel_step sweep_full sweep_full_damped " \
       "sweep_porous sweep_porous_damped sweep_full_list sweep_full_list_damped sweep_porous_list " \
-      "sweep_porous_list_damped sweep_full_image sweep_full_image_damped sweep_porous_image " \
+      "sweep_porous_list_damped sweep_full_box sweep_full_box_damped sweep_porous_box sweep_porous_box_damped " \
+      "sweep_full_image sweep_full_image_damped sweep_porous_image " \
       "sweep_porous_image_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken markers " \
       "forcing probe interface interface_broken contact contact_broken solid_substeps memory_fluid " \
       "memory_lattice_bond memory_lattice_particle memory_list_bond " \
@@ -45,7 +46,9 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
   !($1 in size) { size[$1] = $at["size"]; units[$1] = $at["units"]; bytes[$1] = $at["bytes_per_unit"] }
   END {
     n = split("sweep_full sweep_full_image sweep_full_damped sweep_full_image_damped sweep_porous " \
-      "sweep_porous_image sweep_porous_damped sweep_porous_image_damped memory_lattice_bond memory_image_bond " \
+      "sweep_porous_image sweep_porous_damped sweep_porous_image_damped sweep_full_box sweep_full_image " \
+      "sweep_full_box_damped sweep_full_image_damped sweep_porous_box sweep_porous_image " \
+      "sweep_porous_box_damped sweep_porous_image_damped memory_lattice_bond memory_image_bond " \
       "memory_lattice_particle memory_image_particle", pair, " ")
     for (k = 1; k < n; k += 2) {
       a = pair[k]; b = pair[k + 1]
@@ -66,5 +69,11 @@ printf '{"status": "done",\n"wall_seconds": 120,\n"resumed_at_step": 5000\n}\n' 
 "$frana" bench --table=performance out/*.csv whole/run.json >page
 grep -q '^## To reach' page && grep -q '| sweep_porous |' page || fail "the page of times"
 grep -q '^| the whole S3, 2 ranks, RK3, from step 5000 on |.*| 2 min |' page || fail "the page's whole runs"
+for block in full porous; do
+  grep -q "^The $block block as an image, and as a box, in turn, $ranks rank.*ns a directed bond, ratio" page ||
+    fail "the page's image of a $block block"
+done
+[ "$ranks" -gt 1 ] || grep -q '^An image holds .* bytes a particle and .* a directed bond, a box ' page ||
+  fail "the page's memory of an image"
 "$frana" bench --table=growth out/*.csv >page
 grep -q '^| 32x16x16 |' page || fail "the page of growth"

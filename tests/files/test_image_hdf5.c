@@ -1,7 +1,10 @@
 /* HDF5: contiguous, chunked and compressed datasets of every type; the one that is meant; refusals. */
+#include "files/image/hdf5_check.h"
 #include "tests/files/image.h"
 
+#include <fcntl.h>
 #include <hdf5.h>
+#include <unistd.h>
 
 static const char *folder;
 
@@ -193,7 +196,120 @@ static void odd_files_are_refused(void **state) {
     const size_t bytes = fread(data, 1, sizeof data, in);
     fclose(in);
     image_write(path, data, bytes - 200, "", 0);
-    check_refused(&input, "it is truncated or damaged");
+    char why[128];
+    snprintf(why, sizeof why, "it is truncated or damaged: its superblock says %zu bytes, and it has %zu", bytes,
+             bytes - 200);
+    check_refused(&input, why);
+}
+
+/* A small file with others' bytes before it; returns its length. */
+static size_t small(const char *path, int latest, hsize_t before, unsigned char *data, size_t room) {
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), create = H5Pcreate(H5P_FILE_CREATE);
+    if (latest) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+    H5Pset_userblock(create, before);
+    const hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, create, access);
+    H5Dclose(put(file, (struct how){.type = H5T_STD_U8LE}));
+    H5Fclose(file);
+    H5Pclose(access);
+    H5Pclose(create);
+    FILE *in = fopen(path, "rb");
+    const size_t bytes = fread(data, 1, room, in);
+    fclose(in);
+    return bytes;
+}
+
+/* What the check says of the first bytes of the data. */
+static int check_of(const char *path, const unsigned char *data, size_t bytes, struct image_source *s) {
+    image_write(path, data, bytes, "", 0);
+    const int fd = open(path, O_RDONLY), fault = image_hdf5_check(s, fd, (long long)bytes);
+    close(fd);
+    return fault;
+}
+
+/* All kinds of superblocks are read; cut off anywhere, none is; nor with impossible numbers. */
+static void superblocks(void **state) {
+    (void)state;
+    static unsigned char data[1 << 16], more[1 << 16];
+    const char *path = image_path(folder, "small.h5"), *other = image_path(folder, "damaged.h5");
+    for (int latest = 0; latest < 2; latest++)
+        for (hsize_t before = 0; before <= 2048; before = before ? 4 * before : 512) {
+            struct image_source s = {.subject = "it"};
+            const size_t bytes = small(path, latest, before, data, sizeof data), from = (size_t)before;
+            check_file(&(struct files_image_input){.file = path});
+            check_equal(data[from + 8], latest ? 3 : 0);
+            check_equal(check_of(other, data, bytes, &s), 0);
+            for (size_t n = 0; n < bytes; n += n < from + 200 ? 1 : 97)
+                if (!check_of(other, data, n, &s)) fail_msg("%zu of %zu bytes are taken", n, bytes);
+            /* with bytes put before it, as HDF5 takes it */
+            memset(more, 0, 1024);
+            memcpy(more + 1024, data, bytes);
+            if (before == 0) {
+                check_equal(check_of(other, more, bytes + 1024, &s), 0);
+                check_file(&(struct files_image_input){.file = other, .format = FILES_IMAGE_HDF5});
+            }
+            const struct {
+                size_t at;
+                unsigned char value;
+                const char *sentence;
+            } wrong[] = {
+                {8, 4, "its superblock has version 4, and 0 to 3 are known"},
+                {latest ? 9 : 13, 7, "its superblock is damaged: it has addresses of 7 and lengths of 8 bytes"},
+                {latest ? 10 : 14, 0, "its superblock is damaged: it has addresses of 8 and lengths of 0 bytes"},
+                {latest ? 28 + 7 : 40 + 7, 1, "it is truncated or damaged: its superblock says 72057594037"},
+                {latest ? 36 + 6 : 64 + 6, 9, "its superblock is damaged: its root group is beyond its end"},
+                {latest ? 48 : 96, 7, "its root group is damaged"},
+                {0, 'x', "it is no HDF5 file"}};
+            for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+                memcpy(more, data, bytes);
+                more[from + wrong[k].at] = wrong[k].value;
+                check_equal(check_of(other, more, bytes, &s), 1);
+                if (!strstr(s.why, wrong[k].sentence)) fail_msg("says \"%s\", not \"%s\"", s.why, wrong[k].sentence);
+            }
+            /* any byte of the superblock: taken or refused in a sentence */
+            for (size_t at = from; at < from + 96; at++)
+                for (int value = 0; value < 256; value += 17) {
+                    memcpy(more, data, bytes);
+                    more[at] = (unsigned char)value;
+                    s.why[0] = '\0';
+                    const int fault = check_of(other, more, bytes, &s);
+                    check_equal(fault, s.why[0] != '\0');
+                }
+        }
+}
+
+/* Numbers that HDF5 takes as they are, and then reads beyond its memory. */
+static void damaged_datasets(void **state) {
+    (void)state;
+    static const unsigned char chunk[16] = {3, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0}, /* z, y, x, bytes */
+        type[12] = {0x10, 0, 0, 0, 1, 0, 0, 0, 0, 0, 8, 0}; /* unsigned, one byte, from bit 0, 8 bits */
+    static const struct {
+        const unsigned char *in;
+        size_t bytes, at;
+        unsigned char value;
+        int deflate;
+        const char *why;
+    } table[] = {
+        {chunk, sizeof chunk, 5, 9, 1, "its dataset is damaged: it has 5 voxels in a direction, and its chunks 2307"},
+        {chunk, sizeof chunk, 5, 9, 0, "its dataset is damaged: it has 5 voxels in a direction, and its chunks 2307"},
+        {chunk, sizeof chunk, 0, 4, 1, "its dataset is damaged: its chunks do not make it up"},
+        {chunk, sizeof chunk, 4, 4, 0, "its dataset is damaged: its chunks do not make it up"},
+        {type, sizeof type, 10, 16, 0, "its dataset is damaged: its numbers have bits beyond their bytes"},
+        {type, sizeof type, 8, 1, 0, "its dataset is damaged: its numbers have bits beyond their bytes"}};
+    static unsigned char data[1 << 16];
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+        const char *path =
+            written("damaged.h5", (struct how){.type = H5T_STD_U8LE, .chunk = {3, 3, 2}, .deflate = table[k].deflate});
+        struct files_image_input input = {.file = path};
+        check_file(&input);
+        FILE *in = fopen(path, "rb");
+        const size_t bytes = fread(data, 1, sizeof data, in);
+        fclose(in);
+        unsigned char *found = memmem(data, bytes, table[k].in, table[k].bytes);
+        assert_non_null(found);
+        found[table[k].at] = table[k].value;
+        image_write(path, data, bytes, "", 0);
+        check_refused(&input, table[k].why);
+    }
 }
 
 int main(int argc, char **argv) {
@@ -204,7 +320,9 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(axes_in_c_order),
                                        cmocka_unit_test(truth_values),
                                        cmocka_unit_test(the_dataset_that_is_meant),
-                                       cmocka_unit_test(odd_files_are_refused)};
+                                       cmocka_unit_test(odd_files_are_refused),
+                                       cmocka_unit_test(superblocks),
+                                       cmocka_unit_test(damaged_datasets)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -17,7 +17,7 @@ while getopts n:t:b: option; do
   esac
 done
 shift $((OPTIND - 1))
-[ $# -gt 0 ] || set -- scene study points spheres checkpoint mhd nrrd tiff
+[ $# -gt 0 ] || set -- scene study points spheres checkpoint mhd nrrd tiff hdf5
 busy=${BUSY:-}
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_opal_signal=
 # recording the stacks of allocations would take half of the time; a crash can be repeated with them

@@ -4,9 +4,11 @@
 #include "base/par.h"
 #include "coupling/setup/image.h"
 #include "coupling/setup/setup.h"
+#include "files/log.h"
 #include "solid/solid.h"
 #include "tests/check.h"
 
+#include <errno.h>
 #include <hdf5.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -298,6 +300,46 @@ static void floating(void **state) {
     scene_free(scene);
 }
 
+/* The node's memory cannot be shared while this is set. */
+static int cannot_share;
+int __wrap_memfd_create(const char *name, unsigned flags);
+int __real_memfd_create(const char *name, unsigned flags);
+int __wrap_memfd_create(const char *name, unsigned flags) {
+    if (!cannot_share) return __real_memfd_create(name, flags);
+    errno = ENOSPC;
+    return -1;
+}
+
+/* As on several nodes, each of which has a copy of the bits: the same particles. */
+static void nodes(void **state) {
+    par_shared_limit(par_size() > 2 ? 2 : 1);
+    keys(state);
+    par_shared_limit(1);
+    floating(state);
+    par_shared_limit(0);
+}
+
+static void without_shared_memory(void **state) {
+    static const char *const sentence =
+        "ball: the ranks of a node cannot share memory (memfd_create: No space left on device): each of them holds 0.0 "
+        "MB of bits of the image";
+    char text[4096] = "";
+    cannot_share = 1;
+    floating(state);
+    log_begin(FOLDER, 1, 0);
+    particles_of(PIECES ", name: ball", 1, 0);
+    log_end();
+    if (par_rank() == 0) {
+        FILE *file = fopen(FOLDER "/run.log", "r");
+        assert_non_null(file);
+        check_above(fread(text, 1, sizeof text - 1, file), 0);
+        fclose(file);
+        check_equal(strstr(text, sentence) != NULL, par_size() > 1);
+    }
+    cannot_share = 0;
+    par_barrier();
+}
+
 /* A piece that a constraint holds does not float. */
 static void constrained(void **state) {
     (void)state;
@@ -437,12 +479,13 @@ static void surface(void **state) {
 
 int main(int argc, char **argv) {
     const struct CMUnitTest all[] = {
-        cmocka_unit_test(keys),        cmocka_unit_test(formats), cmocka_unit_test(shapes), cmocka_unit_test(floating),
+        cmocka_unit_test(keys),        cmocka_unit_test(formats), cmocka_unit_test(shapes),
+        cmocka_unit_test(floating),    cmocka_unit_test(nodes),   cmocka_unit_test(without_shared_memory),
         cmocka_unit_test(constrained), cmocka_unit_test(refused), cmocka_unit_test(surface)};
     par_begin(&argc, &argv);
     /* the refusals end a process and are tried on one rank */
     const int failed = par_size() == 1 ? cmocka_run_group_tests(all, write_all, NULL)
-                                       : _cmocka_run_group_tests("ranks", all, 5, write_all, NULL);
+                                       : _cmocka_run_group_tests("ranks", all, 7, write_all, NULL);
     par_end();
     return failed;
 }
