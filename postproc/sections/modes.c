@@ -70,15 +70,14 @@ void postproc_sections_modes(struct postproc_output *out, const struct postproc_
         rings++;
     }
     if (rings > 0)
-        postproc_charts_add(&out->charts,
-                            &(struct postproc_plot){.folder = folder_path(folder, out->folder, "plots"),
-                                                    .name = "modes",
-                                                    .title = "Azimuthal modes of the damage, by ring",
-                                                    .xlabel = "mode",
-                                                    .ylabel = "amplitude",
-                                                    .curves = rings,
-                                                    .curve = curve,
-                                                    .x_low = NAN,
-                                                    .x_high = NAN});
+        postproc_charts_add(&out->charts, &(struct postproc_plot){.folder = folder_path(folder, out->folder, "plots"),
+                                                                  .name = "modes",
+                                                                  .title = "Azimuthal modes of the damage, by ring",
+                                                                  .xlabel = "mode",
+                                                                  .ylabel = "amplitude",
+                                                                  .curves = rings,
+                                                                  .curve = curve,
+                                                                  .x_low = NAN,
+                                                                  .x_high = NAN});
     rows_free(&r);
 }
