@@ -81,4 +81,5 @@ code 0 ranks 1 run none.yaml --out none
 
 # the report has the modes of the last sample
 code 0 "$frana" post whole
-grep -q '^"damage from 0.006 to 0.01 m, largest mode",1,3$' whole/post/summary.csv || fail "$(cat whole/post/summary.csv)"
+grep -q '^"damage from 0.006 to 0.01 m, largest mode",1,3$' whole/post/summary.csv ||
+  fail "$(cat whole/post/summary.csv)"
