@@ -76,6 +76,8 @@ done
 # A small disc: ensembles, and points with axes
 study study_axes
 study study_seeds
+# one level a method: no curves of error against run time
+[ "$again" ] || { rm -f "$out"/study_*.png "$out"/study_*.md && sed -i '/^# advice on/d' "$out"/study_*.csv; }
 [ "$again" ] || awk -v angle=20 -f "$here/turned.awk" >"$runs/turned.txt"
 go turned small --set "solid.bodies=[{shape: points, file: $(realpath -m "$runs/turned.txt")}]"
 straight=$runs/runs/study_axes/lattice/small/1
