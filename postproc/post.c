@@ -94,6 +94,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"Fracture", postproc_sections_fracture},
         {"Fragments", postproc_sections_fragments},
         {"Events", postproc_sections_events},
+        {"Azimuthal modes of the damage", postproc_sections_modes},
         {"The crack", postproc_sections_crack},
         {"Strain and stress", postproc_sections_pdf},
         {"Where the time went", postproc_sections_wall},

@@ -23,6 +23,7 @@
 #include "program/fluid_probes.h"
 #include "program/fragments.h"
 #include "program/intensity.h"
+#include "program/modes.h"
 #include "program/probes.h"
 #include "program/reactions.h"
 #include "program/record.h"
@@ -43,6 +44,7 @@ struct program {
     struct series *series;
     struct crack *crack;               /* NULL: no crack is tracked */
     struct intensity *intensity;       /* NULL: not asked for */
+    struct modes *modes;               /* NULL: not asked for */
     struct texture *texture;           /* NULL: nothing is immersed */
     struct probes *probes;             /* NULL: none */
     struct fluid_probes *fluid_probes; /* NULL: none */
@@ -202,6 +204,7 @@ static int step(struct program *p) {
     if (sampled || drawn || last) events_write(p->events, r);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (intensity_is_due(p->intensity, now) || (last && p->intensity)) intensity_sample(p->intensity, r);
+    if (modes_are_due(p->modes, now) || (last && p->modes)) modes_sample(p->modes, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
     if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
     march_settle(p->march);
@@ -272,6 +275,7 @@ static void begin(struct program *p) {
     p->run = run_new(p->scene); /* all mistakes of the scene are found here at the latest, before any file is written */
     p->crack = crack_series_new(p->run);
     p->intensity = intensity_new(p->run);
+    p->modes = modes_new(p->run);
     p->probes = probes_new(p->run);
     p->fluid_probes = fluid_probes_new(p->run);
     p->fragments = fragments_new(p->run);
@@ -296,6 +300,7 @@ static void begin(struct program *p) {
     p->texture = texture_new(p->run, c->out, here ? p->run->step : -1);
     if (p->crack) crack_series_open(p->crack, p->run, c->out, here ? p->run->step : -1);
     if (p->intensity) intensity_open(p->intensity, c->out, here ? p->run->step : -1);
+    if (p->modes) modes_open(p->modes, c->out, here ? p->run->step : -1);
     if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
     if (p->fragments) fragments_open(p->fragments, p->run, c->out, here ? p->run->step : -1);
@@ -326,6 +331,7 @@ int program_run(const struct command *c, const struct scene *scene) {
     texture_free(p.texture);
     crack_series_free(p.crack);
     intensity_free(p.intensity);
+    modes_free(p.modes);
     probes_free(p.probes);
     fluid_probes_free(p.fluid_probes);
     fragments_free(p.fragments);

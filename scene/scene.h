@@ -443,6 +443,13 @@ struct scene_fluid_probes {
     struct scene_probe_line *line; /* lines: [...] */
     long every;                    /* steps, default 10 */
 };
+struct scene_modes {           /* Azimuthal modes of the damage in rings about an axis. */
+    double centre[3], axis[3]; /* m, a point of the axis; its direction, default z; a plate's is across it */
+    int radii;
+    double *radius; /* m, of the rings' borders, ascending */
+    int highest;    /* mode, default 12 */
+    long every;     /* steps, default 10 */
+};
 struct scene_output {
     long series_every, fields_every, checkpoint_every; /* steps; 0: never. Defaults 10, auto, 1000; auto: a twentieth
                                                         * of all stages' steps */
@@ -454,6 +461,7 @@ struct scene_output {
     int events;                                        /* events.csv of the bonds that break, default false */
     struct scene_crack_output *crack;                  /* NULL: no crack is tracked */
     struct scene_intensity *intensity;                 /* NULL: none */
+    struct scene_modes *modes;                         /* NULL: none */
     struct scene_probes *probes;                       /* NULL: none */
     struct scene_fluid_probes *fluid_probes;           /* NULL: none */
 };

@@ -87,7 +87,9 @@ case_section() {
         cell[2] == "1" || cell[2] == "" ? "" : " " cell[2], cell[4], cell[6] }' "$summary"
   [ "$missed" = 0 ] || { echo; paragraph "$dir" 'Missed' | moved "$dir"; }
   for csv in "$dir"/results/*.csv; do
-    if grep -qs '^method,level' "$csv"; then study "$csv"; fi
+    if grep -qs '^method,level' "$csv" && { grep -q '^# advice on' "$csv" || [ -n "$(plot "$csv")" ]; }; then
+      study "$csv"
+    fi
   done
   [ -z "$(paragraph "$dir" 'Limitations')" ] || { echo; paragraph "$dir" 'Limitations' | moved "$dir"; }
 }

@@ -150,91 +150,113 @@ static long best_of(const struct cells *k, const double at[3], int n, const long
     return best;
 }
 
-static void middle_of(const struct meshless_pixels *g, const long index[3], double x, double at[3]) {
-    at[0] = g->low[0] + (x + 0.5) * g->width[0];
-    for (int c = 1; c < g->dim; c++) at[c] = g->low[c] + ((double)index[c] + 0.5) * g->width[c];
+/* A block of pixels that share their candidates: from[c] <= index < to[c]. */
+struct block {
+    int from[3], to[3];
+};
+
+static void place_of(const struct meshless_pixels *g, const double index[3], double at[3]) {
+    for (int c = 0; c < g->dim; c++) at[c] = g->low[c] + (index[c] + 0.5) * g->width[c];
 }
 
-/* All points that can be the nearest one to some pixel of a run along x: those no farther from its middle than the
- * nearest one, and twice half the run. More than NEAR of them: 0. */
-static int candidates(const struct cells *k, const double middle[3], double half, double spacing, long near[NEAR]) {
+/* All points that can be the nearest one to some pixel of a block: those no farther from its middle than the nearest
+ * one, and twice the distance from the middle to its farthest pixel. More than NEAR of them: 0. */
+static int candidates(const struct cells *k, const struct block *b, double spacing, double middle[3], long near[NEAR]) {
+    const struct meshless_pixels *g = k->g;
+    const double index[3] = {0.5 * (b->from[0] + b->to[0] - 1), 0.5 * (b->from[1] + b->to[1] - 1),
+                             0.5 * (b->from[2] + b->to[2] - 1)};
+    double half = 0;
     int n = 0;
+    place_of(g, index, middle);
+    for (int c = 0; c < g->dim; c++) half += pow(0.5 * (b->to[c] - b->from[c] - 1) * g->width[c], 2);
     for (double reach = spacing; n == 0; reach *= 1.5) n = near_of(k, middle, reach, near);
     if (n > NEAR) return 0;
     const double nearest = sqrt(distance2(k, best_of(k, middle, n, near), middle));
-    n = near_of(k, middle, nearest + 2 * half, near);
+    n = near_of(k, middle, nearest + 2 * sqrt(half), near);
     return n > NEAR ? 0 : n;
 }
 
-/* The points of a run of pixels: their places, in three directions, and their own pixels. */
+/* The points of a block of pixels: their places, in three directions, and their own pixels. */
 struct choice {
     int n;
     long number[NEAR], home[NEAR][3];
-    double x[NEAR][3];
+    double x[3][NEAR];
 };
 
-static void choice_fill(struct choice *few, const struct cells *k, const double middle[3], double half,
-                        double spacing) {
-    few->n = candidates(k, middle, half, spacing, few->number);
+static void choice_fill(struct choice *few, const struct cells *k, const struct block *b, double spacing) {
+    double middle[3] = {0};
+    few->n = candidates(k, b, spacing, middle, few->number);
+    if (few->n == 0)
+        die(EXIT_CODE_SCENE,
+            "more than %d points of the arrangement lie within some spacings of %g m about (%g, %g, %g): another seed "
+            "spreads them",
+            NEAR, spacing, middle[0], middle[1], middle[2]);
     for (int q = 0; q < few->n; q++)
         for (int c = 0; c < k->g->dim; c++) {
-            few->x[q][c] = k->x[c][few->number[q]];
-            few->home[q][c] = meshless_pixels_at(k->g, c, few->x[q][c]);
+            few->x[c][q] = k->x[c][few->number[q]];
+            few->home[q][c] = meshless_pixels_at(k->g, c, few->x[c][q]);
         }
 }
 
 /* The nearest one; of several equally near the lowest number. */
 static int choice_best(const struct choice *few, const double at[3]) {
-    double least = INFINITY;
-    int best = -1;
+    double d[NEAR];
+    int best = 0;
     for (int q = 0; q < few->n; q++) {
-        const double *x = few->x[q], a = x[0] - at[0], b = x[1] - at[1], c = x[2] - at[2], d = a * a + b * b + c * c;
-        if (d > least || (d == least && few->number[q] > few->number[best])) continue;
-        least = d;
-        best = q;
+        const double a = few->x[0][q] - at[0], b = few->x[1][q] - at[1], c = few->x[2][q] - at[2];
+        d[q] = a * a + b * b + c * c;
     }
+    for (int q = 1; q < few->n; q++)
+        if (d[q] < d[best] || (d[q] == d[best] && few->number[q] < few->number[best])) best = q;
     return best;
+}
+
+/* Gives the block's pixels on this rank to their nearest points. */
+static void assign_block(struct meshless_pixels *g, const struct cells *k, const struct block *b, double spacing,
+                         struct choice *few, struct meshless_moments *m) {
+    few->n = 0;
+    for (int z = b->from[2]; z < b->to[2]; z++)
+        for (int y = b->from[1]; y < b->to[1]; y++) {
+            const long line = (long)z * g->n[1] + y;
+            if (line < g->from || line >= g->to) continue;
+            int *owner = g->owner + (line - g->from) * g->n[0];
+            for (int x = b->from[0]; x < b->to[0]; x++) {
+                if (owner[x] < 0) continue;
+                if (few->n == 0) choice_fill(few, k, b, spacing);
+                const int pixel[3] = {x, y, z};
+                double at[3] = {0};
+                place_of(g, (const double[3]){x, y, z}, at);
+                const int best = choice_best(few, at);
+                const long p = few->number[best];
+                owner[x] = (int)p;
+                m->count[p]++;
+                for (int c = 0; c < g->dim; c++) {
+                    const long off = pixel[c] - few->home[best][c];
+                    m->first[p * g->dim + c] += off;
+                    m->second[p * g->dim + c] += off * off;
+                }
+            }
+        }
 }
 
 void meshless_pixels_assign(struct meshless_pixels *g, long n, double *const x[3], double spacing,
                             struct meshless_moments *m) {
     struct cells k;
     struct choice few = {0};
+    const int edge = fine[g->dim] / 2; /* of a block, in pixels */
     cells_new(&k, g, n, x, spacing);
     memset(m->count, 0, (size_t)n * (size_t)(1 + 2 * g->dim) * sizeof *m->count);
-    int *owner = g->owner;
-    const int run = fine[g->dim] / 2; /* pixels that share their candidates */
-    for (long line = g->from; line < g->to; line++) {
-        const long index[3] = {0, line % g->n[1], line / g->n[1]};
-        for (int from = 0; from < g->n[0]; from += run) {
-            const int to = from + run < g->n[0] ? from + run : g->n[0];
-            double at[3] = {0};
-            few.n = 0;
-            for (int i = from; i < to; i++, owner++) {
-                if (*owner < 0) continue;
-                if (few.n == 0) {
-                    middle_of(g, index, 0.5 * (from + to - 1), at);
-                    choice_fill(&few, &k, at, 0.5 * (to - from) * g->width[0], spacing);
-                    if (few.n == 0)
-                        die(EXIT_CODE_SCENE,
-                            "more than %d points of the arrangement lie within some spacings of %g m about (%g, %g, "
-                            "%g): "
-                            "another seed spreads them",
-                            NEAR, spacing, at[0], at[1], at[2]);
+    const int first = (int)(g->from / g->n[1]), last = (int)((g->to + g->n[1] - 1) / g->n[1]); /* planes of this rank */
+    for (int z = first; z < last; z += edge)
+        for (int y = 0; y < g->n[1]; y += edge)
+            for (int from = 0; from < g->n[0]; from += edge) {
+                struct block b = {.from = {from, y, z}};
+                for (int c = 0; c < 3; c++) {
+                    const int end = c == 2 ? last : g->n[c];
+                    b.to[c] = b.from[c] + edge < end ? b.from[c] + edge : end;
                 }
-                middle_of(g, index, i, at);
-                const int best = choice_best(&few, at);
-                const long p = few.number[best];
-                *owner = (int)p;
-                m->count[p]++;
-                for (int c = 0; c < g->dim; c++) {
-                    const long off = (c == 0 ? i : index[c]) - few.home[best][c];
-                    m->first[p * g->dim + c] += off;
-                    m->second[p * g->dim + c] += off * off;
-                }
+                assign_block(g, &k, &b, spacing, &few, m);
             }
-        }
-    }
     cells_free(&k);
     par_sum_long_array(m->count, (int)(n * (1 + 2 * g->dim)));
 }

@@ -152,6 +152,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
     h->reactions = table_read(folder_path(path, folder, "reactions.csv"), NULL);
     h->events = table_read(folder_path(path, folder, "events.csv"), NULL);
     h->slices = table_read(folder_path(path, folder, "slices.csv"), NULL);
+    h->modes = table_read(folder_path(path, folder, "modes.csv"), NULL);
     h->rev = table_read(folder_path(path, folder, "rev.csv"), NULL);
     h->record = postproc_tree_new(folder_path(path, folder, "run.json"));
     h->scene = scene_new(folder_path(path, folder, "scene.resolved.yaml"), 0, NULL);
@@ -171,6 +172,7 @@ void postproc_history_free(struct postproc_history *h) {
     table_read_free(h->reactions);
     table_read_free(h->events);
     table_read_free(h->slices);
+    table_read_free(h->modes);
     table_read_free(h->rev);
     free(h->solid.entry);
     free(h->fluid.entry);

@@ -21,6 +21,7 @@ struct postproc_history {
     struct table_data *fragments; /* fragments.csv, or NULL */
     struct table_data *reactions; /* reactions.csv, or NULL */
     struct table_data *events;    /* events.csv, or NULL */
+    struct table_data *modes;     /* modes.csv, or NULL */
     struct table_data *slices;    /* slices.csv, or NULL */
     struct table_data *rev;       /* rev.csv, or NULL */
     struct postproc_fields solid, fluid;

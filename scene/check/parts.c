@@ -114,6 +114,19 @@ static void check_events(const struct scene_check *c) {
                      "with breakage");
 }
 
+static void check_modes(const struct scene_check *c) {
+    const struct scene_modes *m = c->scene->output.modes;
+    if (!m) return;
+    if (scene_node_is_clean(c->root, "output.modes.axis") && c->scene->dimension == 3 && m->axis[0] == 0 &&
+        m->axis[1] == 0 && m->axis[2] == 0)
+        scene_problem_at(c->problems, c->root, "output.modes.axis", "must not be 0 in every direction");
+    if (!scene_node_is_clean(c->root, "output.modes.radii")) return;
+    for (int k = 0; k + 1 < m->radii; k++)
+        if (m->radius[k + 1] <= m->radius[k])
+            scene_problem_at(c->problems, c->root, scene_check_parts_path("output.modes.radii[%d]", k + 1).text,
+                             "must be larger than the radius before it, %g m", m->radius[k]);
+}
+
 static void check_place(const struct scene_check *c, struct scene_path path, const double place[3]) {
     const double *size = c->scene->domain.size;
     for (int d = 0; d < 3 && scene_check_parts_clean(c, path); d++)
@@ -158,6 +171,7 @@ void scene_check_parts(const struct scene_check *c) {
     check_nonlocal(c);
     check_crack_output(c);
     check_events(c);
+    check_modes(c);
     check_fluid_probes(c);
     check_cells(c);
     check_load(c);

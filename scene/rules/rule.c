@@ -28,6 +28,7 @@ enum {
 #define BOTH (FLUID | SOLID)
 #define CELLS_MAX 1e6
 #define PROBES_MAX 10000
+#define MODES_MAX 64
 
 #define RULE(its_path, its_unit, ...)                                                                                  \
     { .path = its_path, .unit = its_unit, ##__VA_ARGS__ }
@@ -363,6 +364,12 @@ const struct scene_rule scene_rule_table[] = {
     RULE("output.intensity.crack", "1", "all", FROM(0), .word = "all", .load = "-1", .only = SOLID | STEPPED),
     RULE("output.intensity.tip", "1", "all", WITHIN(0, 1), .word = "all", .load = "-1", .only = SOLID | STEPPED),
     RULE("output.intensity.every", "steps", "10", FROM(1), .only = SOLID | STEPPED),
+    RULE("output.modes", "section", .only = SOLID | STEPPED),
+    RULE("output.modes.centre", "m"),
+    RULE("output.modes.axis", "1", "[0, 0, 1]", .only = SPACE),
+    RULE("output.modes.radii", "m", FROM(0)),
+    RULE("output.modes.highest", "1", "12", WITHIN(1, MODES_MAX)),
+    RULE("output.modes.every", "steps", "10", FROM(1)),
     RULE("output.probes", "section", .only = SOLID | STEPPED),
     RULE("output.probes.at", "m"),
     RULE("output.probes.every", "steps", "10", FROM(1)),

@@ -172,6 +172,13 @@ static const cyaml_schema_field_t intensity_fields[] = {
     ENTRIES("radii", NEEDED, scene_intensity, radius, radii, &scene_schema_parts_real, 1, LIST_MAX),
     WHOLE("crack", OPTIONAL, scene_intensity, crack), WHOLE("tip", OPTIONAL, scene_intensity, tip),
     WHOLE("every", OPTIONAL, scene_intensity, every), CYAML_FIELD_END};
+static const cyaml_schema_field_t modes_fields[] = {
+    VECTOR("centre", NEEDED, scene_modes, centre),
+    VECTOR("axis", OPTIONAL, scene_modes, axis),
+    ENTRIES("radii", NEEDED, scene_modes, radius, radii, &scene_schema_parts_real, 2, LIST_MAX),
+    WHOLE("highest", OPTIONAL, scene_modes, highest),
+    WHOLE("every", OPTIONAL, scene_modes, every),
+    CYAML_FIELD_END};
 static const cyaml_schema_field_t probes_fields[] = {
     ENTRIES("at", NEEDED, scene_probes, at, places, &place, 1, LIST_MAX), WHOLE("every", OPTIONAL, scene_probes, every),
     CYAML_FIELD_END};
@@ -197,6 +204,7 @@ static const cyaml_schema_field_t output_fields[] = {
     BOOLEAN("events", OPTIONAL, scene_output, events),
     CYAML_FIELD_MAPPING_PTR("crack", OPTIONAL, struct scene_output, crack, crack_fields),
     CYAML_FIELD_MAPPING_PTR("intensity", OPTIONAL, struct scene_output, intensity, intensity_fields),
+    CYAML_FIELD_MAPPING_PTR("modes", OPTIONAL, struct scene_output, modes, modes_fields),
     CYAML_FIELD_MAPPING_PTR("probes", OPTIONAL, struct scene_output, probes, probes_fields),
     CYAML_FIELD_MAPPING_PTR("fluid_probes", OPTIONAL, struct scene_output, fluid_probes, fluid_probes_fields),
     CYAML_FIELD_END};

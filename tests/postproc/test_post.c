@@ -118,8 +118,8 @@ static void whole(void) {
     const char *cells = getenv("FRANA_TEST_CELLS"); /* 64 to look at the pictures of the main case */
     named("whole");
     if (made) return;
-    make_run(&(struct make_run){
-        .folder = folder, .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS, .events = 1});
+    make_run(
+        &(struct make_run){.folder = folder, .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS, .events = 1});
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
     made = 1;
 }

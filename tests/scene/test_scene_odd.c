@@ -209,6 +209,8 @@ static const struct sample_broken table[] = {
      "it.yaml:5: fluid.body_force = 9.81: must be a list of 3 numbers (m/s2)"},
     /* parts that are not there */
     {"solid", "stages:", "output: {events: 1}\nstages:", "it.yaml:12: output.events = 1: must be true or false"},
+    {"fluid", "stages:", "output: {modes: {centre: [0, 0, 0], radii: [0.1, 0.2]}}\nstages:",
+     "it.yaml:12: output.modes: only in a scene with a solid"},
     {"fluid", "stages:", "output: {probes: {at: [[0, 0, 0]]}}\nstages:",
      "it.yaml:12: output.probes: only in a scene with a solid"},
     {"fluid", "steps: 10", "steps: 10, substeps: 2",
