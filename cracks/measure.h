@@ -11,7 +11,7 @@ struct cracks_values {
     double injection_pressure; /* mean over the first injection's particles by their parts, Pa */
     double injection_rate;     /* of all injections in the last substep, m3/s */
     double pressure_mean;      /* by area, Pa */
-    double area;               /* one face, m2 */
+    double area;               /* of the cracks, m2: half of it on either side */
     double aperture_max;       /* m */
     double aperture_mean;      /* by area, m */
     long wet_particles;

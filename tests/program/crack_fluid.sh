@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A notch that fluid is pumped into, in a plate and in a block: the same series on other ranks, and resumed in the middle
-# on another number of ranks; volumes add up; mistakes are refused with sentences.
+# A notch that fluid is pumped into, in a plate and in a block: the same series on other ranks, and resumed in the
+# middle on another number of ranks; volumes add up; mistakes are refused with sentences.
 # usage: crack_fluid.sh FRANA SOURCE WORK
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
@@ -46,6 +46,9 @@ for kind in plate block; do
   awk -F, -v from="$middle" 'NR > 2 && $1 > from' $kind/series.csv >>tail.csv
   same tail.csv ${kind}_again/series.csv
 done
+code 0 "$frana" check plate.yaml
+grep -q 'crack fluid  in 96 particles' out || fail "check does not say the wet particles"
+grep -q 'injection  of 2e-05 m3/s by 12 of them' out || fail "check does not say the injection"
 # a scene without the section has none of its columns
 sed -e '/^crack_fluid/,/injections/d; s/, crack_fluid: true//' plate.yaml >dry.yaml
 code 0 ranks 1 run dry.yaml --out dry --set stages.pump.steps=10
