@@ -5,10 +5,9 @@
 #include "coupling/setup/element_free.h"
 #include "files/folder.h"
 #include "files/table.h"
-#include "files/vtkhdf.h"
-#include "meshless/galerkin/field.h"
 #include "meshless/galerkin/intensity.h"
 #include "meshless/galerkin/solve.h"
+#include "program/element_free_fields.h"
 #include "program/solution.h"
 #include "program/solve.h"
 
@@ -91,51 +90,6 @@ static void write_intensity(const struct problem *p, const char *folder) {
     table_free(table);
 }
 
-/* Displacement, stress and strain at the nodes, each rank a part of them. */
-static void write_fields(const struct galerkin *g, const char *folder) {
-    const long n = g->in.nodes, from = n * par_rank() / par_size(), to = n * (par_rank() + 1) / par_size();
-    const size_t room = (size_t)(to - from) + 1;
-    double(*x)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *x), (*u)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *u),
-    (*stress)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *stress),
-    (*strain)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *strain),
-    *size = memory_new(MEMORY_OUTPUT, room, sizeof *size);
-    const double nu = g->in.poisson_ratio;
-    for (long i = from; i < to; i++) {
-        struct galerkin_place at;
-        double grad[2][2], s[3];
-        const long k = i - from;
-        for (int c = 0; c < 2; c++) x[k][c] = at.x[c] = at.see[c] = g->in.node[i][c];
-        meshless_field_at(g, &at, u[k], grad);
-        meshless_field_stress(g, grad, s);
-        const double across = g->in.plane_strain ? nu * (s[0] + s[1]) : 0;
-        const double values[6] = {s[0], s[1], across, s[2], 0, 0};
-        const double strains[6] = {grad[0][0],
-                                   grad[1][1],
-                                   g->in.plane_strain ? 0 : -nu * (s[0] + s[1]) / g->in.youngs_modulus,
-                                   0.5 * (grad[0][1] + grad[1][0]),
-                                   0,
-                                   0};
-        for (int c = 0; c < 6; c++) stress[k][c] = values[c], strain[k][c] = strains[c];
-        size[k] = g->radius[i] / g->in.support;
-    }
-    char path[FOLDER_PATH];
-    struct vtkhdf *f =
-        vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, folder, "fields/solution.hdf"),
-                                                          .n = to - from,
-                                                          .x = (const double(*)[3])x,
-                                                          .wide = 1});
-    vtkhdf_add(f, "displacement", 3, u[0]);
-    vtkhdf_add(f, "stress", 6, stress[0]);
-    vtkhdf_add(f, "strain", 6, strain[0]);
-    vtkhdf_add(f, "spacing", 1, size);
-    vtkhdf_end(f);
-    memory_free(x);
-    memory_free(u);
-    memory_free(stress);
-    memory_free(strain);
-    memory_free(size);
-}
-
 /* Numbers of the solution, with K of the last tip by the last radius. */
 static void write(const void *problem, const struct scene *scene, const char *folder) {
     const struct problem *p = problem;
@@ -159,7 +113,7 @@ static void write(const void *problem, const struct scene *scene, const char *fo
         write_intensity(p, folder);
     }
     solution_write(n, fact, folder);
-    if (scene->output.fields_every > 0) write_fields(g, folder);
+    if (scene->output.fields_every > 0) element_free_fields_write(g, folder);
 }
 
 static void record(const void *problem, struct json *j) {

@@ -13,7 +13,8 @@ static struct physics_crack_tip material_of(const struct galerkin_input *in) {
 
 double meshless_intensity_widest(const struct galerkin *g, int tip) {
     const struct galerkin_tip *its = &g->tip[tip];
-    double widest = fmin(meshless_cut_depth(&g->in, its->x), g->line[its->line].length);
+    double widest = fmin(meshless_cut_depth(&g->in, its->x), meshless_cut_part(g, its)->length);
+    widest = fmin(widest, meshless_cut_from_bends(g, its, its->x));
     for (int c = 0; c < g->lines; c++)
         if (c != its->line) widest = fmin(widest, meshless_cut_from_line(&g->line[c], its->x));
     return widest;
