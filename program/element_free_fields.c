@@ -174,7 +174,6 @@ static void write_lines(const struct galerkin *g, const char *folder) {
     for (int t = 0; t < g->tips; t++) {
         const struct galerkin_tip *tip = &g->tip[t];
         const double reach = g->line[tip->line].reach[tip->end];
-        if (g->in.method != GALERKIN_VIRTUAL) continue;
         table_row(table, (const double[]){tip->line, 1, tip->x[0], tip->x[1], tip->x[0] + reach * tip->along[0],
                                           tip->x[1] + reach * tip->along[1]});
     }

@@ -8,6 +8,7 @@
 #include "meshless/galerkin/intensity.h"
 #include "meshless/galerkin/solve.h"
 #include "program/element_free_fields.h"
+#include "program/element_free_growth.h"
 #include "program/solution.h"
 #include "program/solve.h"
 
@@ -17,6 +18,7 @@ struct problem {
     const struct scene *scene;
     struct setup_element_free setup;
     struct galerkin *g; /* NULL before its phase */
+    struct element_free_growth growth;
 };
 
 static int is_of(const struct scene *scene) { return scene->solid && scene->solid->method == SCENE_ELEMENT_FREE; }
@@ -31,6 +33,7 @@ static void arrange(void *problem) {
     struct problem *p = problem;
     setup_element_free(p->scene, &p->setup);
     p->g = meshless_galerkin_new(&p->setup.in);
+    if (p->scene->solid->element_free->growth) element_free_growth_check(p->scene, p->g);
     const struct scene_intensity *wanted = p->scene->output.intensity;
     if (wanted && p->g->tips == 0) die_all(EXIT_CODE_SCENE, "output.intensity: no end of a crack is inside the body");
     for (int t = 0; wanted && t < p->g->tips; t++)
@@ -44,14 +47,21 @@ static void arrange(void *problem) {
         }
 }
 
-static void solve(void *problem) {
-    struct galerkin *g = ((struct problem *)problem)->g;
+static void solve_plate(struct galerkin *g) {
     meshless_galerkin_solve(g);
     if (!g->solution.converged)
         die_all(EXIT_CODE_UNSTABLE,
                 "solid.element_free.iterations = %d: the constraints are still violated by %.3g of the largest "
                 "displacement, more than tolerance = %g: take more iterations, a larger penalty or a larger tolerance",
                 g->in.iterations, g->solution.violation, g->in.tolerance);
+}
+
+static void solve(void *problem) {
+    struct problem *p = problem;
+    if (p->scene->solid->element_free->growth)
+        element_free_growth_run(&p->growth, p->scene, &p->setup, &p->g, solve_plate);
+    else
+        solve_plate(p->g);
 }
 
 static int rows_of(const struct galerkin *g, enum galerkin_row kind) {
@@ -112,6 +122,7 @@ static void write(const void *problem, const struct scene *scene, const char *fo
         fact[n++] = (struct solution_fact){"K_J", "Pa m^0.5", is.k_j};
         write_intensity(p, folder);
     }
+    if (scene->solid->element_free->growth) element_free_growth_write(&p->growth, folder);
     solution_write(n, fact, folder);
     if (scene->output.fields_every > 0) element_free_fields_write(g, folder);
 }
@@ -130,11 +141,14 @@ static void record(const void *problem, struct json *j) {
     json_array(j, "violations");
     for (int k = 0; k < g->solution.iterations; k++) json_number(j, NULL, g->solution.history[k]);
     json_close(j);
+    if (((const struct problem *)problem)->growth.rows > 0)
+        element_free_growth_record(&((const struct problem *)problem)->growth, j);
 }
 
 static void free_problem(void *problem) {
     struct problem *p = problem;
     meshless_galerkin_free(p->g);
+    element_free_growth_free(&p->growth);
     setup_element_free_end(&p->setup);
     memory_free(p);
 }

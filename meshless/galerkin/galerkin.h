@@ -1,9 +1,9 @@
 /* Element-free Galerkin: plane elasticity of a cracked plate on scattered nodes.  (002; docs/design/meshless.md)
  *
  * The displacement is u(x) = sum phi_I(x) u_I with shape functions of moving least squares (mls.h). A crack is a line
- * of straight parts; nodes near it are cut off from points on its other side (cut.h). The equilibrium is integrated over
- * background cells (cells.h). Given displacements and the continuity across a virtual crack are linear constraints on
- * the nodal values (constraint.h), met by an augmented Lagrangian (solve.h). Stress-intensity factors follow from
+ * of straight parts; nodes near it are cut off from points on its other side (cut.h). The equilibrium is integrated
+ * over background cells (cells.h). Given displacements and the continuity across a virtual crack are linear constraints
+ * on the nodal values (constraint.h), met by an augmented Lagrangian (solve.h). Stress-intensity factors follow from
  * domain integrals (intensity.h).
  *
  * All ranks hold the whole problem and do the same arithmetic. */

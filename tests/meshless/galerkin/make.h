@@ -39,7 +39,7 @@ static inline struct galerkin_input make_input(double width, double height, int 
 
 /* Adds the nodes: columns on the sides, rows between them, as far from each other as the spacing. */
 static inline struct meshless_nodes make_nodes(struct galerkin_input *in, int tips, const double (*tip)[2]) {
-    struct meshless_nodes nodes = meshless_nodes_new(in, (const double[2]){0.5, 0}, tips, tip);
+    struct meshless_nodes nodes = meshless_nodes_new(in, (const double[2]){0.5, 0}, tips, tip, NULL);
     in->nodes = nodes.n;
     in->node = (const double(*)[2])nodes.x;
     in->size = nodes.size;
