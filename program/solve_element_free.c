@@ -86,16 +86,16 @@ static void check(const void *problem) {
 }
 
 static void write_intensity(const struct problem *p, const char *folder) {
-    static const char *const name[] = {"tip", "x", "y", "radius", "K_I", "K_II", "J", "K_J"};
-    static const char *const unit[] = {"1", "m", "m", "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5"};
+    static const char *const name[] = {"tip", "x", "y", "radius", "K_I", "K_II", "J", "K_J", "T"};
+    static const char *const unit[] = {"1", "m", "m", "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5", "Pa"};
     const struct scene_intensity *wanted = p->scene->output.intensity;
     char path[FOLDER_PATH];
-    struct table *table = table_new(folder_path(path, folder, "intensity.csv"), 8, name, unit, -1);
+    struct table *table = table_new(folder_path(path, folder, "intensity.csv"), 9, name, unit, -1);
     for (int t = 0; t < p->g->tips; t++)
         for (int k = 0; k < wanted->radii; k++) {
             const struct galerkin_intensity is = meshless_intensity_of(p->g, t, wanted->radius[k]);
             table_row(table, (const double[]){t, p->g->tip[t].x[0], p->g->tip[t].x[1], wanted->radius[k], is.k[0],
-                                              is.k[1], is.j, is.k_j});
+                                              is.k[1], is.j, is.k_j, is.t});
         }
     table_free(table);
 }
@@ -120,6 +120,7 @@ static void write(const void *problem, const struct scene *scene, const char *fo
         fact[n++] = (struct solution_fact){"K_II", "Pa m^0.5", is.k[1]};
         fact[n++] = (struct solution_fact){"J", "J/m2", is.j};
         fact[n++] = (struct solution_fact){"K_J", "Pa m^0.5", is.k_j};
+        fact[n++] = (struct solution_fact){"T", "Pa", is.t};
         write_intensity(p, folder);
     }
     if (scene->solid->element_free->growth) element_free_growth_write(&p->growth, folder);
