@@ -1,4 +1,4 @@
-/* Section of the report with pictures of an element-free plate: nodes and cells, stress, deformed shape, K. */
+/* Section of the report with pictures of an element-free plate: nodes and cells, stress, deformed shape, K, growth. */
 #include "base/memory.h"
 #include "files/folder.h"
 #include "postproc/charts/patches.h"
@@ -222,48 +222,104 @@ static void shape_draw(struct postproc_output *out, const struct postproc_histor
     memory_free(value);
 }
 
-/* K_I, K_II and the root of J E' over the radius of the ring, a curve a tip. */
-static void intensity_draw(struct postproc_output *out, const struct postproc_history *h, const char *plots) {
-    static const struct { const char *column, *title; } of[] = {{"K_I", "K_I"}, {"K_II", "K_II"}, {"K_J", "√(J E')"}};
-    enum { OF = sizeof of / sizeof *of };
-    char path[FOLDER_PATH], title[OF * TIPS][64];
-    struct table_data *d = table_read(folder_path(path, h->folder, "intensity.csv"), NULL);
-    struct postproc_curve curve[OF * TIPS];
-    const int tip = d ? table_read_column(d, "tip") : -1, radius = d ? table_read_column(d, "radius") : -1;
+/* A curve of a table: rows of one tip, or all where tip is -1. */
+struct series {
+    const char *column, *title;
+};
+
+/* Draws columns of a table over another one, a curve a column and tip, and adds the plot if a curve has two points. */
+static void series_draw(struct postproc_output *out, const struct table_data *d, const char *over, int kinds,
+                        const struct series *kind, struct postproc_plot plot) {
+    enum { CURVES = 3 * TIPS };
+    char title[CURVES][64];
+    struct postproc_curve curve[CURVES];
+    const int tip = table_read_column(d, "tip"), x_column = table_read_column(d, over);
     int curves = 0, tips = 0;
     long most = 0;
-    for (long r = 0; tip >= 0 && r < d->rows; r++) tips = (int)fmax(tips, d->value[r * d->columns + tip] + 1);
-    for (int t = 0; radius >= 0 && t < tips && t < TIPS; t++)
-        for (int k = 0; k < OF; k++) {
-            const int column = table_read_column(d, of[k].column);
+    if (tip < 0 || x_column < 0) return;
+    for (long r = 0; r < d->rows; r++) tips = (int)fmax(tips, d->value[r * d->columns + tip] + 1);
+    for (int t = 0; t < tips && t < TIPS; t++)
+        for (int k = 0; k < kinds && k < 3; k++) {
+            const int column = table_read_column(d, kind[k].column);
             double *x = memory_new(MEMORY_OUTPUT, (size_t)d->rows + 1, sizeof *x);
             double *y = memory_new(MEMORY_OUTPUT, (size_t)d->rows + 1, sizeof *y);
             long n = 0;
             for (long r = 0; column >= 0 && r < d->rows; r++) {
                 const double *v = d->value + r * d->columns;
                 if ((int)v[tip] != t) continue;
-                x[n] = v[radius];
+                x[n] = v[x_column];
                 y[n++] = v[column];
             }
-            snprintf(title[curves], sizeof *title, tips > 1 ? "%s, tip %d" : "%s", of[k].title, t);
+            snprintf(title[curves], sizeof *title, tips > 1 ? "%s, tip %d" : "%s", kind[k].title, t);
             curve[curves] = (struct postproc_curve){.title = title[curves], .n = n, .x = x, .y = y, .points = 1};
             curves++;
             most = n > most ? n : most;
         }
-    if (most > 1)
-        postproc_charts_add(&out->charts, &(struct postproc_plot){.folder = plots,
-                                                                  .name = "intensity_radius",
-                                                                  .title = "Stress-intensity factors over the radius "
-                                                                           "of the integral's ring",
-                                                                  .xlabel = "radius  [m]",
-                                                                  .ylabel = "K  [Pa √m]",
-                                                                  .curves = curves,
-                                                                  .curve = curve,
-                                                                  .x_low = NAN,
-                                                                  .x_high = NAN});
+    plot.curves = most > 1 ? curves : 0;
+    plot.curve = curve;
+    plot.x_low = plot.x_high = NAN;
+    postproc_charts_add(&out->charts, &plot);
     for (int k = 0; k < curves; k++) {
         memory_free((void *)(size_t)curve[k].x);
         memory_free((void *)(size_t)curve[k].y);
+    }
+}
+
+/* K_I, K_II and the root of J E' over the radius of the ring, a curve a tip. */
+static void intensity_draw(struct postproc_output *out, const struct postproc_history *h, const char *plots) {
+    static const struct series of[] = {{"K_I", "K_I"}, {"K_II", "K_II"}, {"K_J", "√(J E')"}};
+    char path[FOLDER_PATH];
+    struct table_data *d = table_read(folder_path(path, h->folder, "intensity.csv"), NULL);
+    if (d)
+        series_draw(out, d, "radius", 3, of,
+                    (struct postproc_plot){.folder = plots,
+                                           .name = "intensity_radius",
+                                           .title = "Stress-intensity factors over the radius of the integral's ring",
+                                           .xlabel = "radius  [m]",
+                                           .ylabel = "K  [Pa √m]"});
+    table_read_free(d);
+}
+
+/* The way of the tips, K and the load over the length that a tip has grown by. */
+static void growth_draw(struct postproc_output *out, const struct postproc_history *h, const struct plate *p,
+                        const char *plots) {
+    static const struct series of[] = {{"K_I", "K_I"}, {"K_II", "K_II"}}, load = {"load", "load"};
+    char path[FOLDER_PATH], subtitle[160];
+    struct table_data *d = table_read(folder_path(path, h->folder, "growth.csv"), NULL);
+    const int x = d ? table_read_column(d, "x") : -1, y = d ? table_read_column(d, "y") : -1;
+    if (x >= 0 && y >= 0) {
+        series_draw(out, d, "length", 2, of,
+                    (struct postproc_plot){.folder = plots,
+                                           .name = "growth_k",
+                                           .title = "Stress-intensity factors of the growing crack under the scene's "
+                                                    "loads",
+                                           .xlabel = "length grown  [m]",
+                                           .ylabel = "K  [Pa √m]"});
+        series_draw(out, d, "length", 1, &load,
+                    (struct postproc_plot){.folder = plots,
+                                           .name = "growth_load",
+                                           .title = "Factor of the loads at which the crack grows",
+                                           .xlabel = "length grown  [m]",
+                                           .ylabel = "factor"});
+    }
+    if (x >= 0 && y >= 0 && p->outlines > 0) {
+        double(*tip)[2] = room(d->rows);
+        for (long r = 0; r < d->rows; r++) {
+            tip[r][0] = d->value[r * d->columns + x];
+            tip[r][1] = d->value[r * d->columns + y];
+        }
+        const struct postproc_patches_line line[] = {
+            {p->outlines, (const double(*)[2])p->outline, "with lines lw 0.5 lc rgb '#e4e7ea'", 0},
+            {p->cracks, (const double(*)[2])p->crack, "with lines lw 2.5 lc rgb '#D55E00'", 0},
+            {d->rows, (const double(*)[2])tip, "with points pt 7 ps 0.6 lc rgb '#23282e'", 0}};
+        struct plate whole = *p;
+        whole.half = 0;
+        struct postproc_patches map = view(&whole, 0.01);
+        map.lines = sizeof line / sizeof *line;
+        map.line = line;
+        snprintf(subtitle, sizeof subtitle, "crack (red), tips at each step (black), cells of the last step (grey)");
+        map_draw(out, h, p, "growth", "The way of the crack", subtitle, map);
+        memory_free(tip);
     }
     table_read_free(d);
 }
@@ -281,6 +337,8 @@ void postproc_sections_element_free(struct postproc_output *out, const struct po
         stress_draw(out, h, &p, 1);
         shape_draw(out, h, &p);
     }
+    folder_path(plots, out->folder, "plots");
+    intensity_draw(out, h, plots);
+    growth_draw(out, h, &p, plots);
     plate_free(&p);
-    intensity_draw(out, h, folder_path(plots, out->folder, "plots"));
 }

@@ -53,7 +53,7 @@ static inline struct galerkin *make_edge_crack(struct galerkin_input *in, double
     static struct galerkin_pull pull[2];
     const double width = in->corner[2][0], height = in->corner[2][1];
     const double tip[1][2] = {{a, height / 2}};
-    crack = (struct galerkin_crack){{{0, height / 2}, {a, height / 2}}};
+    crack = (struct galerkin_crack){.end = {{0, height / 2}, {a, height / 2}}};
     fix[0] = (struct galerkin_fixed){.direction = {1, 1}};
     fix[1] = (struct galerkin_fixed){.from = {width, 0}, .to = {width, 0}, .direction = {0, 1}};
     pull[0] = (struct galerkin_pull){.to = {width, 0}, .traction = {0, -1}};
