@@ -281,6 +281,7 @@ void setup_element_free(const struct scene *scene, struct setup_element_free *to
                                              .tip_radius = free->tip_radius,
                                              .levels = free->tip_levels,
                                              .patch = free->tip_patch,
+                                             .turned = free->growth != NULL,
                                              .cells = {free->cells[0], free->cells[1]},
                                              .gauss = free->gauss,
                                              .gauss_tip = free->gauss_tip,

@@ -233,7 +233,7 @@ static int lines_of(const struct galerkin *g, int c, double low, double high, do
     double *line = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *line);
     for (int i = 0; i <= n; i++) line[i] = low + (high - low) * i / n;
     for (int level = 0; level < g->in.levels; level++) {
-        const double reach = g->in.patch * ldexp(g->in.spacing, -level);
+        const double reach = (g->in.turned ? sqrt(2) : 1) * g->in.patch * ldexp(g->in.spacing, -level);
         double *finer = memory_new(MEMORY_SOLID, 2 * (size_t)n + 1, sizeof *finer);
         int m = 0;
         for (int i = 0; i <= n; i++) {

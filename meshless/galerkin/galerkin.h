@@ -77,6 +77,7 @@ struct galerkin_input {
     int cells[2];      /* background cells along x and y */
     int levels;        /* rows of cells next to a tip are halved so many times, as the nodes are (nodes.h) */
     double patch;      /* half width of a level about a tip, spacings of the level before */
+    int turned;        /* the nodes' levels lie along the tips (nodes.h), and their corners reach farther */
     int gauss;         /* points of a cell along each direction */
     int gauss_tip;     /* the same within a support of a tip */
     enum galerkin_method method;
