@@ -168,14 +168,10 @@ void meshless_cut_mark(struct galerkin *g) {
             const double ahead =
                 (g->in.node[i][0] - tip->x[0]) * tip->along[0] + (g->in.node[i][1] - tip->x[1]) * tip->along[1];
             double *reach = &g->line[tip->line].reach[tip->end];
-            if (g->line[tip->line].parts == 1) {
-                *reach = fmax(*reach, ahead + g->radius[i]);
-                continue;
-            }
             const double aside =
                 (g->in.node[i][1] - tip->x[1]) * tip->along[0] - (g->in.node[i][0] - tip->x[0]) * tip->along[1];
-            const double within = g->radius[i] * g->radius[i] - aside * aside;
-            if (within > 0) *reach = fmax(*reach, ahead + sqrt(within));
+            if (g->line[tip->line].parts > 1 && fabs(aside) >= g->radius[i]) continue; /* past a bend */
+            *reach = fmax(*reach, ahead + g->radius[i]);
         }
 }
 
@@ -183,21 +179,35 @@ static double turn(const double a[2], const double b[2], const double c[2]) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
+/* The ends of a part of a crack, the crack's first and last ones with the extension. They end a little short of it: a
+ * line that touches the end does not cross. */
+static void part_ends(const struct galerkin *g, const struct galerkin_line *line, int p, double a[2], double b[2]) {
+    const struct galerkin_part *part = &line->part[p];
+    const double from = p ? 0 : 1e-9 * g->widest - meshless_cut_reach(g, line, 0);
+    const double to = part->length + meshless_cut_reach(g, line, 1) - 1e-9 * g->widest;
+    for (int c = 0; c < 2; c++) {
+        a[c] = part->origin[c] + from * part->along[c];
+        /* the next part's first point to the bit, so that a line through a bend crosses one of the two */
+        b[c] = p + 1 < line->parts ? line->part[p + 1].origin[c] : part->origin[c] + to * part->along[c];
+    }
+}
+
 /* Whether the line from the place to the node crosses the crack and its extensions an odd number of times: the crack
- * divides the body, and twice across it is back on the same side. */
-static int is_across(const struct galerkin *g, const struct galerkin_line *line, const double x[2],
+ * divides the body, and twice across it is back on the same side. Only a place on the crack is taken beside it: both
+ * pieces at an edge see the same nodes. */
+static int is_across(const struct galerkin *g, const struct galerkin_line *line, const struct galerkin_place *at,
                      const double node[2]) {
+    const double *x = at->x;
+    double a[2], b[2];
     int odd = 0;
+    for (int p = 0; p < line->parts && x == at->x; p++) {
+        part_ends(g, line, p, a, b);
+        const double tx = b[0] - a[0], ty = b[1] - a[1], along = (x[0] - a[0]) * tx + (x[1] - a[1]) * ty;
+        const double length = hypot(tx, ty);
+        if (fabs(turn(a, b, x)) < 1e-9 * g->widest * length && along > 0 && along < length * length) x = at->see;
+    }
     for (int p = 0; p < line->parts; p++) {
-        const struct galerkin_part *part = &line->part[p];
-        const double from = p ? 0 : -meshless_cut_reach(g, line, 0);
-        const double to = part->length + meshless_cut_reach(g, line, 1);
-        double a[2], b[2];
-        for (int c = 0; c < 2; c++) {
-            a[c] = part->origin[c] + from * part->along[c];
-            /* the next part's first point to the bit, so that a line through a bend crosses one of the two */
-            b[c] = p + 1 < line->parts ? line->part[p + 1].origin[c] : part->origin[c] + to * part->along[c];
-        }
+        part_ends(g, line, p, a, b);
         if ((turn(x, node, a) >= 0) == (turn(x, node, b) >= 0)) continue;
         odd ^= (turn(a, b, x) >= 0) != (turn(a, b, node) >= 0);
     }
@@ -208,7 +218,7 @@ static int is_across(const struct galerkin *g, const struct galerkin_line *line,
 static int is_hidden(const struct galerkin *g, const struct galerkin_line *line, const struct galerkin_place *at,
                      const double node[2]) {
     double xi, eta, xi_see, eta_see, xi_node, eta_node;
-    if (line->parts > 1) return is_across(g, line, at->see, node);
+    if (line->parts > 1) return is_across(g, line, at, node);
     const struct galerkin_part *part = line->part;
     local(part, at->x, &xi, &eta);
     local(part, at->see, &xi_see, &eta_see);
