@@ -7,7 +7,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 awk -F, 'NR > 2 { print 1e3 * $3, 1e3 * $4 }' "$runs/hole/growth.csv" >"$work/hole"
 for name in bonds pulled; do
-  awk -F, 'NR > 2 { p = 1e3 * $3 " " 1e3 * $4; if (p != last) print p; last = p }' "$runs/$name/crack.csv" >"$work/$name"
+  awk -F, 'NR > 2 { p = 1e3 * $3 " " 1e3 * $4; if (p != last) print p; last = p }' \
+    "$runs/$name/crack.csv" >"$work/$name"
 done
 gnuplot <<GP
 set terminal pngcairo size 860,700 font 'DejaVu Sans,12'

@@ -58,7 +58,8 @@ if [ ! "$quick" ]; then
   run_of hole hole.yaml
   run_of bonds bonds.yaml
   run_of pulled ../../plate_hole/a.yaml solid.spacing=5.0e-4 'solid.constraints[0].high=[0.03, 5.0e-4]'
-  same "crack near a hole by the maximum hoop stress: why it ends" "" "$(kept "hole: end" text "$runs/hole/run.json" growth_end)" \
+  same "crack near a hole by the maximum hoop stress: why it ends" "" \
+    "$(kept "hole: end" text "$runs/hole/run.json" growth_end)" \
     "a tip is next to the border or to a hole" "expected: it is drawn in"
   # from the hole, and from the element-free path at the same x, of each tip of the bonds' crack.csv; mm
   off() {
