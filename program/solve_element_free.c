@@ -72,6 +72,7 @@ static int rows_of(const struct galerkin *g, enum galerkin_row kind) {
 
 static void check(const void *problem) {
     const struct galerkin *g = ((const struct problem *)problem)->g;
+    const struct scene_growth *growth = ((const struct problem *)problem)->scene->solid->element_free->growth;
     solution_say("  nodes      %d, supports up to %.6g m\n", g->in.nodes, g->widest);
     solution_say("  unknowns   %d, half bandwidth %d\n", 2 * g->in.nodes, g->half_band);
     solution_say("  constraints %d: %d of given displacements, %d of jumps and %d of strains across extensions\n",
@@ -81,6 +82,9 @@ static void check(const void *problem) {
     for (int t = 0; t < g->tips; t++)
         solution_say("  tip        (%.6g, %.6g) m, extension %.6g m, radii up to %.6g m\n", g->tip[t].x[0],
                      g->tip[t].x[1], g->line[g->tip[t].line].reach[g->tip[t].end], meshless_intensity_widest(g, t));
+    if (growth)
+        solution_say("  growth     at most %d steps of %.6g m, %.3g nodal spacings at the tip\n", growth->steps,
+                     growth->step, growth->step / ldexp(g->in.spacing, -g->in.levels));
     solution_say("  band       %.3g MB, allocated when it is solved\n",
                  2e-6 * g->in.nodes * (g->half_band + 1.0) * sizeof(double));
 }

@@ -33,6 +33,8 @@ fi
 
 # a crack that grows: one step, the same on two ranks, whose K and load follow from the first
 cp scene.yaml kept.yaml && sed -i 's/, intensity: {radii: \[0.4\]}//' scene.yaml
+code 0 "$frana" check scene.yaml --set solid.element_free.growth='{step: 0.1, steps: 4, toughness: 7}'
+grep -q '  growth     at most 4 steps of 0.1 m, 6.4 nodal spacings at the tip' out || fail "$(cat out)"
 code 0 "$frana" run scene.yaml --out grown --set output='{fields_every: 1}' \
   --set solid.element_free='{tip_levels: 2, growth: {step: 0.1, steps: 1, toughness: 7}}'
 code 0 ranks 2 run scene.yaml --out grown_2 --set output='{fields_every: 0}' \
