@@ -179,7 +179,7 @@ static void put_legend(FILE *f, const struct postproc_plot *p) {
     const int is_below = longest > 36, columns = longest > 60 ? 1 : 2;
     fprintf(f, "set key %s vertical Left reverse samplen 2 textcolor rgb '#23282e'",
             is_below ? "outside center bottom" : "outside right top");
-    if (is_below) fprintf(f, " maxrows %d", (p->curves + columns - 1) / columns);
+    if (is_below) fprintf(f, " maxrows %d height 1.5", (p->curves + columns - 1) / columns);
     fputc('\n', f);
     if (p->curves < 2 || is_below) fputs("set rmargin 5\n", f);
 }
