@@ -102,6 +102,8 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {NULL, postproc_sections_pictures},
         {NULL, postproc_sections_flow},
         {NULL, postproc_sections_plate},
+        {NULL, postproc_sections_element_free},
+        {NULL, postproc_sections_arrangement},
     };
     enum { SECTIONS = sizeof section / sizeof *section };
     char error[FOLDER_PATH + 256], post[FOLDER_PATH], plots[FOLDER_PATH], path[FOLDER_PATH];

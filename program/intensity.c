@@ -13,10 +13,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { STEP, T, CRACK, TIP, X, RADIUS = X + 2, K_I, K_II, J, K_J, COLUMNS };
-static const char *const name[COLUMNS] = {"step", "t", "crack", "tip", "x", "y", "radius", "K_I", "K_II", "J", "K_J"};
-static const char *const unit[COLUMNS] = {"1", "s",        "1",        "1",    "m",       "m",
-                                          "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5"};
+enum { STEP, T, CRACK, TIP, X, RADIUS = X + 2, K_I, K_II, J, K_J, T_STRESS, COLUMNS };
+static const char *const name[COLUMNS] = {"step",   "t",   "crack", "tip", "x",   "y",
+                                          "radius", "K_I", "K_II",  "J",   "K_J", "T"};
+static const char *const unit[COLUMNS] = {"1", "s",        "1",        "1",    "m",        "m",
+                                          "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5", "Pa"};
 
 struct tip {
     struct solid_tip is;
@@ -147,7 +148,8 @@ void intensity_sample(struct intensity *a, struct run *r) {
                                                         [K_I] = a->is[i].k[0],
                                                         [K_II] = a->is[i].k[1],
                                                         [J] = a->is[i].j,
-                                                        [K_J] = a->is[i].k_j});
+                                                        [K_J] = a->is[i].k_j,
+                                                        [T_STRESS] = a->is[i].t});
     }
     clock_end(CLOCK_OUTPUT);
 }

@@ -5,10 +5,10 @@
 #include "coupling/setup/element_free.h"
 #include "files/folder.h"
 #include "files/table.h"
-#include "files/vtkhdf.h"
-#include "meshless/galerkin/field.h"
 #include "meshless/galerkin/intensity.h"
 #include "meshless/galerkin/solve.h"
+#include "program/element_free_fields.h"
+#include "program/element_free_growth.h"
 #include "program/solution.h"
 #include "program/solve.h"
 
@@ -18,6 +18,7 @@ struct problem {
     const struct scene *scene;
     struct setup_element_free setup;
     struct galerkin *g; /* NULL before its phase */
+    struct element_free_growth growth;
 };
 
 static int is_of(const struct scene *scene) { return scene->solid && scene->solid->method == SCENE_ELEMENT_FREE; }
@@ -32,6 +33,7 @@ static void arrange(void *problem) {
     struct problem *p = problem;
     setup_element_free(p->scene, &p->setup);
     p->g = meshless_galerkin_new(&p->setup.in);
+    if (p->scene->solid->element_free->growth) element_free_growth_check(p->scene, p->g);
     const struct scene_intensity *wanted = p->scene->output.intensity;
     if (wanted && p->g->tips == 0) die_all(EXIT_CODE_SCENE, "output.intensity: no end of a crack is inside the body");
     for (int t = 0; wanted && t < p->g->tips; t++)
@@ -45,14 +47,21 @@ static void arrange(void *problem) {
         }
 }
 
-static void solve(void *problem) {
-    struct galerkin *g = ((struct problem *)problem)->g;
+static void solve_plate(struct galerkin *g) {
     meshless_galerkin_solve(g);
     if (!g->solution.converged)
         die_all(EXIT_CODE_UNSTABLE,
                 "solid.element_free.iterations = %d: the constraints are still violated by %.3g of the largest "
                 "displacement, more than tolerance = %g: take more iterations, a larger penalty or a larger tolerance",
                 g->in.iterations, g->solution.violation, g->in.tolerance);
+}
+
+static void solve(void *problem) {
+    struct problem *p = problem;
+    if (p->scene->solid->element_free->growth)
+        element_free_growth_run(&p->growth, p->scene, &p->setup, &p->g, solve_plate);
+    else
+        solve_plate(p->g);
 }
 
 static int rows_of(const struct galerkin *g, enum galerkin_row kind) {
@@ -63,6 +72,7 @@ static int rows_of(const struct galerkin *g, enum galerkin_row kind) {
 
 static void check(const void *problem) {
     const struct galerkin *g = ((const struct problem *)problem)->g;
+    const struct scene_growth *growth = ((const struct problem *)problem)->scene->solid->element_free->growth;
     solution_say("  nodes      %d, supports up to %.6g m\n", g->in.nodes, g->widest);
     solution_say("  unknowns   %d, half bandwidth %d\n", 2 * g->in.nodes, g->half_band);
     solution_say("  constraints %d: %d of given displacements, %d of jumps and %d of strains across extensions\n",
@@ -72,68 +82,26 @@ static void check(const void *problem) {
     for (int t = 0; t < g->tips; t++)
         solution_say("  tip        (%.6g, %.6g) m, extension %.6g m, radii up to %.6g m\n", g->tip[t].x[0],
                      g->tip[t].x[1], g->line[g->tip[t].line].reach[g->tip[t].end], meshless_intensity_widest(g, t));
+    if (growth)
+        solution_say("  growth     at most %d steps of %.6g m, %.3g nodal spacings at the tip\n", growth->steps,
+                     growth->step, growth->step / ldexp(g->in.spacing, -g->in.levels));
     solution_say("  band       %.3g MB, allocated when it is solved\n",
                  2e-6 * g->in.nodes * (g->half_band + 1.0) * sizeof(double));
 }
 
 static void write_intensity(const struct problem *p, const char *folder) {
-    static const char *const name[] = {"tip", "x", "y", "radius", "K_I", "K_II", "J", "K_J"};
-    static const char *const unit[] = {"1", "m", "m", "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5"};
+    static const char *const name[] = {"tip", "x", "y", "radius", "K_I", "K_II", "J", "K_J", "T"};
+    static const char *const unit[] = {"1", "m", "m", "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5", "Pa"};
     const struct scene_intensity *wanted = p->scene->output.intensity;
     char path[FOLDER_PATH];
-    struct table *table = table_new(folder_path(path, folder, "intensity.csv"), 8, name, unit, -1);
+    struct table *table = table_new(folder_path(path, folder, "intensity.csv"), 9, name, unit, -1);
     for (int t = 0; t < p->g->tips; t++)
         for (int k = 0; k < wanted->radii; k++) {
             const struct galerkin_intensity is = meshless_intensity_of(p->g, t, wanted->radius[k]);
             table_row(table, (const double[]){t, p->g->tip[t].x[0], p->g->tip[t].x[1], wanted->radius[k], is.k[0],
-                                              is.k[1], is.j, is.k_j});
+                                              is.k[1], is.j, is.k_j, is.t});
         }
     table_free(table);
-}
-
-/* Displacement, stress and strain at the nodes, each rank a part of them. */
-static void write_fields(const struct galerkin *g, const char *folder) {
-    const long n = g->in.nodes, from = n * par_rank() / par_size(), to = n * (par_rank() + 1) / par_size();
-    const size_t room = (size_t)(to - from) + 1;
-    double(*x)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *x), (*u)[3] = memory_new(MEMORY_OUTPUT, room, sizeof *u),
-    (*stress)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *stress),
-    (*strain)[6] = memory_new(MEMORY_OUTPUT, room, sizeof *strain),
-    *size = memory_new(MEMORY_OUTPUT, room, sizeof *size);
-    const double nu = g->in.poisson_ratio;
-    for (long i = from; i < to; i++) {
-        struct galerkin_place at;
-        double grad[2][2], s[3];
-        const long k = i - from;
-        for (int c = 0; c < 2; c++) x[k][c] = at.x[c] = at.see[c] = g->in.node[i][c];
-        meshless_field_at(g, &at, u[k], grad);
-        meshless_field_stress(g, grad, s);
-        const double across = g->in.plane_strain ? nu * (s[0] + s[1]) : 0;
-        const double values[6] = {s[0], s[1], across, s[2], 0, 0};
-        const double strains[6] = {grad[0][0],
-                                   grad[1][1],
-                                   g->in.plane_strain ? 0 : -nu * (s[0] + s[1]) / g->in.youngs_modulus,
-                                   0.5 * (grad[0][1] + grad[1][0]),
-                                   0,
-                                   0};
-        for (int c = 0; c < 6; c++) stress[k][c] = values[c], strain[k][c] = strains[c];
-        size[k] = g->radius[i] / g->in.support;
-    }
-    char path[FOLDER_PATH];
-    struct vtkhdf *f =
-        vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, folder, "fields/solution.hdf"),
-                                                          .n = to - from,
-                                                          .x = (const double(*)[3])x,
-                                                          .wide = 1});
-    vtkhdf_add(f, "displacement", 3, u[0]);
-    vtkhdf_add(f, "stress", 6, stress[0]);
-    vtkhdf_add(f, "strain", 6, strain[0]);
-    vtkhdf_add(f, "spacing", 1, size);
-    vtkhdf_end(f);
-    memory_free(x);
-    memory_free(u);
-    memory_free(stress);
-    memory_free(strain);
-    memory_free(size);
 }
 
 /* Numbers of the solution, with K of the last tip by the last radius. */
@@ -156,10 +124,12 @@ static void write(const void *problem, const struct scene *scene, const char *fo
         fact[n++] = (struct solution_fact){"K_II", "Pa m^0.5", is.k[1]};
         fact[n++] = (struct solution_fact){"J", "J/m2", is.j};
         fact[n++] = (struct solution_fact){"K_J", "Pa m^0.5", is.k_j};
+        fact[n++] = (struct solution_fact){"T", "Pa", is.t};
         write_intensity(p, folder);
     }
+    if (scene->solid->element_free->growth) element_free_growth_write(&p->growth, folder);
     solution_write(n, fact, folder);
-    if (scene->output.fields_every > 0) write_fields(g, folder);
+    if (scene->output.fields_every > 0) element_free_fields_write(g, folder);
 }
 
 static void record(const void *problem, struct json *j) {
@@ -176,11 +146,14 @@ static void record(const void *problem, struct json *j) {
     json_array(j, "violations");
     for (int k = 0; k < g->solution.iterations; k++) json_number(j, NULL, g->solution.history[k]);
     json_close(j);
+    if (((const struct problem *)problem)->growth.rows > 0)
+        element_free_growth_record(&((const struct problem *)problem)->growth, j);
 }
 
 static void free_problem(void *problem) {
     struct problem *p = problem;
     meshless_galerkin_free(p->g);
+    element_free_growth_free(&p->growth);
     setup_element_free_end(&p->setup);
     memory_free(p);
 }

@@ -291,6 +291,13 @@ enum scene_free_basis { SCENE_FREE_LINEAR, SCENE_FREE_SQRT_R, SCENE_FREE_TIP };
 enum scene_free_weight { SCENE_FREE_CUBIC, SCENE_FREE_QUARTIC };
 enum scene_free_crack { SCENE_FREE_VIRTUAL, SCENE_FREE_DIFFRACTION, SCENE_FREE_VISIBILITY };
 enum scene_free_update { SCENE_FREE_CONJUGATE, SCENE_FREE_HESTENES_POWELL };
+struct scene_growth { /* Quasi-static growth of the cracks by the maximum hoop stress. */
+    double step;      /* m */
+    int steps;        /* at most, default 1000 */
+    double until;     /* length that a tip has grown by, m, default INFINITY */
+    double radius;    /* of the ring of the interaction integral, m; 0: the step */
+    double toughness; /* Pa m^1/2; 0: by the material's fracture energy */
+};
 struct scene_element_free {
     enum scene_free_basis basis;   /* linear (default), sqrt_r, tip */
     enum scene_free_weight weight; /* cubic (default), quartic */
@@ -306,6 +313,7 @@ struct scene_element_free {
     double tolerance;              /* default 1e-10 */
     int iterations;                /* at most, default 1000 */
     enum scene_free_update update; /* conjugate (default), hestenes_powell */
+    struct scene_growth *growth;   /* NULL: the cracks stand still */
 };
 struct scene_solid {
     double spacing;                          /* m; default the fluid's cell */

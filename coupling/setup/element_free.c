@@ -70,6 +70,66 @@ static void set_outline(const struct scene_body *body, struct setup_element_free
     to->in.corner = (const double(*)[2])to->corner;
 }
 
+/* The corners of a hole, counterclockwise; arcs become chords. Returns how many; corner may be NULL. */
+static int hole_corners(const struct scene_outline *o, double spacing, double (*corner)[2]) {
+    int n = 0;
+    for (int k = 0; k < o->corners; k++) {
+        const struct scene_corner *p = &o->corner[k], *q = &o->corner[(k + 1) % o->corners];
+        const double pi = acos(-1), radius = hypot(p->at[0] - p->centre[0], p->at[1] - p->centre[1]);
+        int chords = 1;
+        double from = 0, way = 0;
+        if (p->turn != 0) {
+            from = atan2(p->at[1] - p->centre[1], p->at[0] - p->centre[0]);
+            way = atan2(q->at[1] - p->centre[1], q->at[0] - p->centre[0]) - from;
+            if (p->turn > 0 && way <= 0) way += 2 * pi;
+            if (p->turn < 0 && way >= 0) way -= 2 * pi;
+            chords = (int)ceil(fabs(way) / fmin(pi / 24, 0.5 * spacing / radius));
+        }
+        for (int i = 0; i < chords; i++, n++) {
+            const double angle = from + way * i / chords;
+            if (!corner) continue;
+            corner[n][0] = i ? p->centre[0] + radius * cos(angle) : p->at[0];
+            corner[n][1] = i ? p->centre[1] + radius * sin(angle) : p->at[1];
+        }
+    }
+    double twice = 0;
+    for (int k = 0; k < n && corner; k++)
+        twice += corner[k][0] * corner[(k + 1) % n][1] - corner[k][1] * corner[(k + 1) % n][0];
+    for (int k = 0; twice < 0 && k < n / 2; k++)
+        for (int c = 0; c < 2; c++) {
+            const double kept = corner[k][c];
+            corner[k][c] = corner[n - 1 - k][c];
+            corner[n - 1 - k][c] = kept;
+        }
+    return n;
+}
+
+/* Holes: convex, a nodal spacing from the border and from each other. */
+static void set_holes(const struct scene_body *body, struct setup_element_free *to) {
+    struct galerkin_input *in = &to->in;
+    to->hole = memory_new(MEMORY_SOLID, (size_t)body->holes + 1, sizeof *to->hole);
+    to->edge = memory_new(MEMORY_SOLID, (size_t)body->holes + 1, sizeof *to->edge);
+    in->hole = to->hole;
+    for (int i = 1; i < body->outlines; i++) {
+        const int h = in->holes, n = hole_corners(&body->outline[i], in->spacing, NULL);
+        to->edge[h] = memory_new(MEMORY_SOLID, (size_t)n, sizeof **to->edge);
+        hole_corners(&body->outline[i], in->spacing, to->edge[h]);
+        const double(*corner)[2] = (const double(*)[2])to->edge[h];
+        for (int k = 0; k < n; k++) {
+            const double *p = corner[k], *q = corner[(k + 1) % n], *r = corner[(k + 2) % n];
+            if ((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]) < -1e-12 * in->spacing * in->spacing)
+                die_all(EXIT_CODE_SCENE, "solid.bodies[0].holes[%d]: a hole of an element-free plate is convex", h);
+            if (meshless_cut_depth(in, p) < in->spacing * (1 - 1e-9))
+                die_all(EXIT_CODE_SCENE,
+                        "solid.bodies[0].holes[%d]: its edge at (%.6g, %.6g) is nearer than a nodal spacing, %g m, to "
+                        "the body's border or to another hole: move it, or take a smaller solid.spacing",
+                        h, p[0], p[1], in->spacing);
+        }
+        to->hole[h] = (struct galerkin_hole){n, corner};
+        in->holes++;
+    }
+}
+
 static int is_inside(const void *with, const double x[3]) {
     const struct galerkin_input *in = with;
     return meshless_cut_depth(in, x) >= -1e-9 * in->spacing;
@@ -102,24 +162,41 @@ static void arrange(const struct scene_solid *s, struct setup_element_free *to) 
 }
 
 static void set_nodes(const struct scene_solid *s, struct setup_element_free *to) {
-    double tip[GALERKIN_TIPS][2];
+    const int grows = s->element_free->growth != NULL; /* nodes as the tips lie, which may turn */
+    double tip[GALERKIN_TIPS][2], along[GALERKIN_TIPS][2];
     int tips = 0;
     for (int k = 0; k < to->in.cracks && k < GALERKIN_CRACKS; k++)
         for (int e = 0; e < 2; e++)
-            if (meshless_cut_depth(&to->in, to->crack[k].end[e]) > 1e-6 * s->spacing)
-                memcpy(tip[tips++], to->crack[k].end[e], sizeof tip[0]);
+            if (meshless_cut_depth(&to->in, to->crack[k].end[e]) > 1e-6 * s->spacing) {
+                const struct galerkin_crack *crack = &to->crack[k];
+                const double *at = crack->end[e];
+                const double *from = crack->bends == 0 ? crack->end[!e] : crack->bend[e ? crack->bends - 1 : 0];
+                const double length = hypot(at[0] - from[0], at[1] - from[1]);
+                for (int c = 0; c < 2; c++) along[tips][c] = (at[c] - from[c]) / length;
+                memcpy(tip[tips++], at, sizeof tip[0]);
+            }
     if (s->body[0].arrangement != SCENE_ARRANGED_LATTICE) {
         to->in.levels = 0;
         arrange(s, to);
     } else {
-        const struct meshless_nodes nodes =
-            meshless_nodes_new(&to->in, s->lattice_offset, tips, (const double(*)[2])tip);
+        const struct meshless_nodes nodes = meshless_nodes_new(
+            &to->in, s->lattice_offset, tips, (const double(*)[2])tip, grows ? (const double(*)[2])along : NULL);
         to->in.nodes = nodes.n;
         to->node = nodes.x;
         to->size = nodes.size;
     }
     to->in.node = (const double(*)[2])to->node;
     to->in.size = to->size;
+}
+
+static void set_crack(const struct scene_crack *crack, int k, struct setup_element_free *to) {
+    const int bends = crack->points - 2;
+    to->bend[k] = memory_new(MEMORY_SOLID, (size_t)bends + 1, sizeof **to->bend);
+    for (int p = 0; p < bends; p++) memcpy(to->bend[k][p], crack->point[1 + p], sizeof **to->bend);
+    for (int e = 0; e < 2; e++)
+        memcpy(to->crack[k].end[e], crack->point[e ? crack->points - 1 : 0], sizeof to->crack[k].end[e]);
+    to->crack[k].bends = bends;
+    to->crack[k].bend = (const double(*)[2])to->bend[k];
 }
 
 /* The part of the segment from a to b in the box: 0 if there is none. */
@@ -204,6 +281,7 @@ void setup_element_free(const struct scene *scene, struct setup_element_free *to
                                              .tip_radius = free->tip_radius,
                                              .levels = free->tip_levels,
                                              .patch = free->tip_patch,
+                                             .turned = free->growth != NULL,
                                              .cells = {free->cells[0], free->cells[1]},
                                              .gauss = free->gauss,
                                              .gauss_tip = free->gauss_tip,
@@ -214,6 +292,7 @@ void setup_element_free(const struct scene *scene, struct setup_element_free *to
                                              .iterations = free->iterations,
                                              .update = update_of(free->update)}};
     set_outline(&s->body[0], to);
+    set_holes(&s->body[0], to);
     for (int c = 0; c < 2; c++) {
         double low = INFINITY, high = -INFINITY;
         to->in.body_force[c] = material->density * s->body_force[c];
@@ -224,11 +303,11 @@ void setup_element_free(const struct scene *scene, struct setup_element_free *to
         if (to->in.cells[c] == 0) to->in.cells[c] = (int)fmax(1, lround((high - low) / s->spacing));
     }
     to->crack = memory_new(MEMORY_SOLID, (size_t)s->cracks + 1, sizeof *to->crack);
+    to->bend = memory_new(MEMORY_SOLID, (size_t)s->cracks + 1, sizeof *to->bend);
     to->fix = memory_new(MEMORY_SOLID, (size_t)(s->constraints * to->in.corners) + 1, sizeof *to->fix);
     to->pull = memory_new(MEMORY_SOLID, (size_t)s->loads + 1, sizeof *to->pull);
     to->in.cracks = s->cracks;
-    for (int k = 0; k < s->cracks; k++)
-        for (int e = 0; e < 2; e++) memcpy(to->crack[k].end[e], s->crack[k].point[e], sizeof to->crack[k].end[e]);
+    for (int k = 0; k < s->cracks; k++) set_crack(&s->crack[k], k, to);
     to->in.crack = to->crack;
     to->in.fix = to->fix;
     to->in.pull = to->pull;
@@ -237,7 +316,29 @@ void setup_element_free(const struct scene *scene, struct setup_element_free *to
     set_nodes(s, to);
 }
 
+void setup_element_free_grow(const struct scene *scene, struct setup_element_free *to, int crack, int end,
+                             const double x[2]) {
+    struct galerkin_crack *its = &to->crack[crack];
+    double(*bend)[2] = memory_new(MEMORY_SOLID, (size_t)its->bends + 1, sizeof *bend);
+    memcpy(bend + !end, to->bend[crack], (size_t)its->bends * sizeof *bend);
+    memcpy(bend[end ? its->bends : 0], its->end[end], sizeof *bend);
+    memcpy(its->end[end], x, sizeof its->end[end]);
+    memory_free(to->bend[crack]);
+    to->bend[crack] = bend;
+    its->bend = (const double(*)[2])bend;
+    its->bends++;
+    if (scene->solid->body[0].arrangement != SCENE_ARRANGED_LATTICE) return;
+    memory_free(to->node);
+    memory_free(to->size);
+    set_nodes(scene->solid, to);
+}
+
 void setup_element_free_end(struct setup_element_free *to) {
+    for (int k = 0; k < to->in.cracks; k++) memory_free(to->bend[k]);
+    for (int k = 0; k < to->in.holes; k++) memory_free(to->edge[k]);
+    memory_free(to->bend);
+    memory_free(to->hole);
+    memory_free(to->edge);
     memory_free(to->corner);
     memory_free(to->node);
     memory_free(to->size);

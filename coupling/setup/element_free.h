@@ -8,10 +8,16 @@ struct setup_element_free {
     struct galerkin_input in;
     double (*corner)[2], (*node)[2], *size;
     struct galerkin_crack *crack;
+    double (**bend)[2];         /* [cracks] the points of each crack between its ends */
+    struct galerkin_hole *hole; /* [holes] */
+    double (**edge)[2];         /* [holes] the corners of each hole */
     struct galerkin_fixed *fix;
     struct galerkin_pull *pull;
 };
 
 /* Dies (exit 2) where a constraint or load reaches no part of the outline. Collective. */
 void setup_element_free(const struct scene *scene, struct setup_element_free *to);
+/* An end of a crack moves to x by a straight part; nodes of a lattice are placed anew. Collective. */
+void setup_element_free_grow(const struct scene *scene, struct setup_element_free *to, int crack, int end,
+                             const double x[2]);
 void setup_element_free_end(struct setup_element_free *to);

@@ -83,6 +83,17 @@ static void gather_edges(const struct galerkin *g, int piece, struct gathered *t
 /* Receives weight times B^T D B of n nodes with gradients d. */
 typedef void add_products(void *to, const struct galerkin *g, int n, const int *node, double (*d)[2], double weight);
 
+/* Whether a piece is so thin that the quadrature along its edges, over its area, is no gradient. Its own area is next
+ * to nothing, so that it needs no correction. */
+static int is_sliver(const struct galerkin *g, int piece, double area) {
+    const struct galerkin_piece *p = &g->cells.piece[piece];
+    const double(*x)[2] = (const double(*)[2])(g->cells.corner + p->first);
+    double longest = 0;
+    for (int k = 0; k < p->corners; k++)
+        for (int l = 0; l < k; l++) longest = fmax(longest, hypot(x[k][0] - x[l][0], x[k][1] - x[l][1]));
+    return area < 1e-3 * longest * longest;
+}
+
 static void sweep_piece(const struct galerkin *g, int piece, struct gathered *t, add_products *add, void *to) {
     static struct galerkin_place at[INSIDE];
     static double weight[INSIDE];
@@ -100,6 +111,7 @@ static void sweep_piece(const struct galerkin *g, int piece, struct gathered *t,
         }
         add(to, g, shape.n, shape.node, shape.d, weight[q]);
     }
+    if (is_sliver(g, piece, area)) return;
     /* sum of w (B + T - M)^T D (B + T - M), where M is the mean of B and T is that of the edges */
     add(to, g, t->n, t->node, t->mean, -area);
     add(to, g, t->n, t->node, t->target, area);

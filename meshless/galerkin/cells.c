@@ -114,20 +114,117 @@ static void keep(struct galerkin *g, struct polygon *p, int cell) {
     c->corners += p->n;
 }
 
-/* Cuts the polygon by the lines of the cracks from `line` on, and keeps the pieces. */
-static void cut(struct galerkin *g, const struct polygon *p, int line, int cell) {
+/* Whether more than the slack of the line from a to b is inside the polygon. */
+static int meets(const struct polygon *p, const double a[2], const double b[2], double slack) {
+    const double tx = b[0] - a[0], ty = b[1] - a[1];
+    double first = 0, last = 1;
+    for (int k = 0; k < p->n; k++) {
+        const double *x = p->x[k], *y = p->x[(k + 1) % p->n], ex = y[0] - x[0], ey = y[1] - x[1];
+        const double depth = ex * (a[1] - x[1]) - ey * (a[0] - x[0]), rate = ex * ty - ey * tx;
+        if (depth <= slack * hypot(ex, ey) && depth + rate <= slack * hypot(ex, ey)) return 0;
+        if (depth < 0) first = fmax(first, -depth / rate);
+        if (depth + rate < 0) last = fmin(last, -depth / rate);
+    }
+    return (last - first) * hypot(tx, ty) > slack;
+}
+
+/* Whether a part of a crack cuts the polygon: a straight crack does from side to side of the body. */
+static int is_cut(const struct galerkin *g, const struct galerkin_line *line, int number, const struct polygon *p,
+                  double slack) {
+    const struct galerkin_part *part = &line->part[number];
+    if (line->parts == 1) return 1;
+    const double from = number ? 0 : -meshless_cut_reach(g, line, 0);
+    const double to = part->length + (number + 1 < line->parts ? 0 : meshless_cut_reach(g, line, 1));
+    double end[2][2];
+    for (int c = 0; c < 2; c++) {
+        end[0][c] = part->origin[c] + from * part->along[c];
+        end[1][c] = part->origin[c] + to * part->along[c];
+    }
+    return meets(p, end[0], end[1], slack);
+}
+
+/* Cuts the polygon by the parts of the cracks from these on, and keeps the pieces. */
+static void cut(struct galerkin *g, const struct polygon *p, int line, int part, int cell) {
     const double slack = 1e-7 * g->in.spacing;
     if (p->n == 0) return;
+    while (line < g->lines && (part == g->line[line].parts || !is_cut(g, &g->line[line], part, p, slack))) {
+        const int is_last = part >= g->line[line].parts - 1;
+        line += is_last;
+        part = is_last ? 0 : part + 1;
+    }
     if (line == g->lines) {
         struct polygon whole = *p;
         keep(g, &whole, cell);
         return;
     }
-    const struct galerkin_line *l = &g->line[line];
+    const struct galerkin_part *l = &g->line[line].part[part];
     const struct polygon left = left_of(p, l->origin, l->along, slack);
     const struct polygon right = left_of(p, l->origin, (const double[2]){-l->along[0], -l->along[1]}, slack);
-    cut(g, &left, line + 1, cell);
-    cut(g, &right, line + 1, cell);
+    cut(g, &left, line, part + 1, cell);
+    cut(g, &right, line, part + 1, cell);
+}
+
+/* Takes the holes from this one on out of the polygon: what is outside one of its edges stays. */
+static void take_out(struct galerkin *g, const struct polygon *p, int number, int cell) {
+    const double slack = 1e-7 * g->in.spacing;
+    if (p->n == 0) return;
+    if (number == g->in.holes) {
+        cut(g, p, 0, 0, cell);
+        return;
+    }
+    const struct galerkin_hole *hole = &g->in.hole[number];
+    struct polygon common = *p;
+    double along[2];
+    for (int turn = 0; turn < 2; turn++) {
+        struct polygon rest = *p;
+        for (int k = 0; k < hole->corners && rest.n > 0; k++) {
+            const double *a = hole->corner[k], *b = hole->corner[(k + 1) % hole->corners];
+            const double length = hypot(b[0] - a[0], b[1] - a[1]);
+            for (int c = 0; c < 2; c++) along[c] = (b[c] - a[c]) / length;
+            if (turn == 1) {
+                const struct polygon out = left_of(&rest, a, (const double[2]){-along[0], -along[1]}, slack);
+                take_out(g, &out, number + 1, cell);
+            }
+            rest = left_of(&rest, a, along, slack);
+        }
+        if (turn == 0) common = rest;
+        if (turn == 0 && common.n == 0) {
+            take_out(g, p, number + 1, cell);
+            return;
+        }
+    }
+}
+
+/* Corners of pieces that lie on an edge of another piece become corners of that one too, so that both integrate the
+ * same parts of the edge. */
+static void fit(struct galerkin *g) {
+    struct galerkin_cells *c = &g->cells;
+    const double slack = 1e-7 * g->in.spacing;
+    const struct galerkin_cells old = *c;
+    c->corner = NULL;
+    c->corners = 0;
+    for (int k = 0; k < c->pieces; k++) {
+        struct galerkin_piece *piece = &c->piece[k];
+        struct polygon p = {.n = piece->corners};
+        memcpy(p.x, old.corner[piece->first], (size_t)p.n * sizeof p.x[0]);
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (int i = 0; i < p.n; i++)
+            for (int d = 0; d < 2; d++) {
+                low[d] = fmin(low[d], p.x[i][d] - slack);
+                high[d] = fmax(high[d], p.x[i][d] + slack);
+            }
+        for (int i = 0; i < old.corners; i++) {
+            const double *x = old.corner[i];
+            if (x[0] >= low[0] && x[0] <= high[0] && x[1] >= low[1] && x[1] <= high[1]) insert_tip(&p, x, slack);
+        }
+        c->corner =
+            memory_grown(MEMORY_SOLID, c->corner, (size_t)c->corners, (size_t)(c->corners + p.n), sizeof *c->corner);
+        piece->first = c->corners;
+        piece->corners = p.n;
+        memcpy(c->corner[c->corners], p.x, (size_t)p.n * sizeof p.x[0]);
+        c->corners += p.n;
+    }
+    memory_free(old.corner);
 }
 
 /* Lines between the cells along a direction: even ones, halved next to the tips level by level. Returns the cells. */
@@ -136,7 +233,7 @@ static int lines_of(const struct galerkin *g, int c, double low, double high, do
     double *line = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *line);
     for (int i = 0; i <= n; i++) line[i] = low + (high - low) * i / n;
     for (int level = 0; level < g->in.levels; level++) {
-        const double reach = g->in.patch * ldexp(g->in.spacing, -level);
+        const double reach = (g->in.turned ? sqrt(2) : 1) * g->in.patch * ldexp(g->in.spacing, -level);
         double *finer = memory_new(MEMORY_SOLID, 2 * (size_t)n + 1, sizeof *finer);
         int m = 0;
         for (int i = 0; i <= n; i++) {
@@ -177,9 +274,12 @@ void meshless_cells_new(struct galerkin *g) {
                 const double t[2] = {(b[0] - a[0]) / length, (b[1] - a[1]) / length};
                 p = left_of(&p, a, t, 1e-7 * in->spacing);
             }
-            cut(g, &p, 0, j * cells[0] + i);
+            take_out(g, &p, 0, j * cells[0] + i);
         }
     for (int c = 0; c < 2; c++) memory_free(line[c]);
+    int unfit = in->holes;
+    for (int k = 0; k < g->lines; k++) unfit += g->line[k].parts > 1;
+    if (unfit) fit(g);
     double area = 0;
     for (int k = 0; k < g->cells.pieces; k++) {
         struct galerkin_place at[MESHLESS_CELLS_CORNERS * MESHLESS_CELLS_GAUSS * MESHLESS_CELLS_GAUSS];
@@ -187,7 +287,8 @@ void meshless_cells_new(struct galerkin *g) {
         area += meshless_cells_area(g, k);
         g->cells.points += meshless_cells_inside(g, k, at, weight);
     }
-    const double whole = area_of(in->corners, in->corner);
+    double whole = area_of(in->corners, in->corner);
+    for (int k = 0; k < in->holes; k++) whole -= area_of(in->hole[k].corners, in->hole[k].corner);
     ENSURE(fabs(area - whole) < 1e-6 * whole, "the cells cover %g m2 of %g m2", area, whole);
 }
 

@@ -1,8 +1,9 @@
 /* Background cells: convex pieces, and quadrature in them and along their edges.
  *
- * A grid of cells over the body's bounds is clipped by the outline and cut by the straight lines of the cracks. A tip
- * becomes a corner of the pieces that it touches. There the quadrature is that of triangles collapsed at the tip, whose
- * Jacobian takes the singularity 1/r of the energy away.
+ * A grid of cells over the body's bounds is clipped by the outline and the holes and cut by the straight lines of the
+ * cracks; a crack of several parts cuts only the cells that it or its extension crosses. A tip becomes a corner of the
+ * pieces that it touches, and so do corners of pieces on their neighbours' edges. At a tip the quadrature is that of
+ * triangles collapsed at the tip, whose Jacobian takes the singularity 1/r of the energy away.
  *
  * Points along an edge depend on the edge alone, so that two pieces that share it have the same ones. */
 #pragma once

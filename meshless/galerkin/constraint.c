@@ -152,7 +152,7 @@ static double size_at(const struct galerkin *g, const double x[2]) {
 
 static void join_ahead(struct galerkin *g, const struct galerkin_tip *tip) {
     const struct galerkin_line *line = &g->line[tip->line];
-    const double normal[2] = {-line->along[1], line->along[0]};
+    const double *along = meshless_cut_part(g, tip)->along, normal[2] = {-along[1], along[0]};
     for (double from = 0;;) {
         const double begin[2] = {tip->x[0] + from * tip->along[0], tip->x[1] + from * tip->along[1]};
         const double h = size_at(g, begin), step = g->in.interface_spacing * h, ahead = from + 0.5 * step;

@@ -2,6 +2,7 @@
 #include "meshless/galerkin/cut.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/memory.h"
 
 #include <math.h>
 
@@ -12,19 +13,48 @@ double meshless_cut_depth(const struct galerkin_input *in, const double x[2]) {
         const double tx = b[0] - a[0], ty = b[1] - a[1];
         depth = fmin(depth, (tx * (x[1] - a[1]) - ty * (x[0] - a[0])) / hypot(tx, ty));
     }
+    for (int h = 0; h < in->holes; h++) {
+        const struct galerkin_hole *hole = &in->hole[h];
+        double outside = -INFINITY;
+        for (int k = 0; k < hole->corners; k++) {
+            const double *a = hole->corner[k], *b = hole->corner[(k + 1) % hole->corners];
+            const double tx = b[0] - a[0], ty = b[1] - a[1];
+            outside = fmax(outside, (ty * (x[0] - a[0]) - tx * (x[1] - a[1])) / hypot(tx, ty));
+        }
+        depth = fmin(depth, outside);
+    }
     return depth;
 }
 
-static void local(const struct galerkin_line *line, const double x[2], double *xi, double *eta) {
-    const double dx = x[0] - line->origin[0], dy = x[1] - line->origin[1];
-    *xi = dx * line->along[0] + dy * line->along[1];
-    *eta = dy * line->along[0] - dx * line->along[1];
+static void local(const struct galerkin_part *part, const double x[2], double *xi, double *eta) {
+    const double dx = x[0] - part->origin[0], dy = x[1] - part->origin[1];
+    *xi = dx * part->along[0] + dy * part->along[1];
+    *eta = dy * part->along[0] - dx * part->along[1];
+}
+
+static double from_part(const struct galerkin_part *part, const double x[2]) {
+    double xi, eta;
+    local(part, x, &xi, &eta);
+    return hypot(xi < 0 ? xi : xi > part->length ? xi - part->length : 0, eta);
 }
 
 double meshless_cut_from_line(const struct galerkin_line *line, const double x[2]) {
-    double xi, eta;
-    local(line, x, &xi, &eta);
-    return hypot(xi < 0 ? xi : xi > line->length ? xi - line->length : 0, eta);
+    double least = INFINITY;
+    for (int p = 0; p < line->parts; p++) least = fmin(least, from_part(&line->part[p], x));
+    return least;
+}
+
+const struct galerkin_part *meshless_cut_part(const struct galerkin *g, const struct galerkin_tip *tip) {
+    const struct galerkin_line *line = &g->line[tip->line];
+    return &line->part[tip->end ? line->parts - 1 : 0];
+}
+
+double meshless_cut_from_bends(const struct galerkin *g, const struct galerkin_tip *tip, const double x[2]) {
+    const struct galerkin_line *line = &g->line[tip->line];
+    double least = INFINITY;
+    for (int p = 0; p < line->parts; p++)
+        if (&line->part[p] != meshless_cut_part(g, tip)) least = fmin(least, from_part(&line->part[p], x));
+    return least;
 }
 
 double meshless_cut_nearest(const struct galerkin *g, const double x[2], int *tip) {
@@ -50,15 +80,50 @@ void meshless_cut_polar(const struct galerkin_tip *tip, const double x[2], const
 }
 
 static void add_tip(struct galerkin *g, int line, int end) {
-    const struct galerkin_line *l = &g->line[line];
-    const double sign = end ? 1 : -1, at = end ? l->length : 0;
     struct galerkin_tip *tip = &g->tip[g->tips++];
     tip->line = line;
     tip->end = end;
+    const struct galerkin_part *l = meshless_cut_part(g, tip);
+    const double sign = end ? 1 : -1, at = end ? l->length : 0;
     for (int c = 0; c < 2; c++) {
         tip->x[c] = l->origin[c] + at * l->along[c];
         tip->along[c] = sign * l->along[c];
     }
+}
+
+static void set_parts(struct galerkin *g, int number) {
+    const struct galerkin_crack *crack = &g->in.crack[number];
+    struct galerkin_line *line = &g->line[number];
+    line->parts = 1 + crack->bends;
+    line->part = memory_new(MEMORY_SOLID, (size_t)line->parts, sizeof *line->part);
+    for (int p = 0; p < line->parts; p++) {
+        const double *from = p ? crack->bend[p - 1] : crack->end[0];
+        const double *to = p < crack->bends ? crack->bend[p] : crack->end[1];
+        struct galerkin_part *part = &line->part[p];
+        part->length = hypot(to[0] - from[0], to[1] - from[1]);
+        if (!(part->length > 0.5 * g->in.spacing) && line->parts == 1)
+            die_all(EXIT_CODE_SCENE,
+                    "solid.cracks[%d]: %.6g m long; it must be longer than half a nodal spacing, %.6g m", number,
+                    part->length, 0.5 * g->in.spacing);
+        if (!(part->length > 0))
+            die_all(EXIT_CODE_SCENE, "solid.cracks[%d]: its points %d and %d are at the same place, (%.6g, %.6g)",
+                    number, p, p + 1, to[0], to[1]);
+        for (int c = 0; c < 2; c++) {
+            part->origin[c] = from[c];
+            part->along[c] = (to[c] - from[c]) / part->length;
+        }
+        if (p < crack->bends && meshless_cut_depth(&g->in, to) <= 0)
+            die_all(EXIT_CODE_SCENE, "solid.cracks[%d]: its point %d, (%.6g, %.6g), is not inside the body", number,
+                    p + 1, to[0], to[1]);
+    }
+}
+
+double meshless_cut_reach(const struct galerkin *g, const struct galerkin_line *line, int end) {
+    return isfinite(line->reach[end]) ? line->reach[end] : 2 * g->widest;
+}
+
+void meshless_cut_end(struct galerkin *g) {
+    for (int k = 0; k < g->lines; k++) memory_free(g->line[k].part);
 }
 
 void meshless_cut_begin(struct galerkin *g) {
@@ -70,15 +135,7 @@ void meshless_cut_begin(struct galerkin *g) {
     for (int k = 0; k < in->cracks; k++) {
         const double(*end)[2] = in->crack[k].end;
         struct galerkin_line *line = &g->line[g->lines++];
-        line->length = hypot(end[1][0] - end[0][0], end[1][1] - end[0][1]);
-        if (!(line->length > 0.5 * in->spacing))
-            die_all(EXIT_CODE_SCENE,
-                    "solid.cracks[%d]: %.6g m long; it must be longer than half a nodal spacing, %.6g m", k,
-                    line->length, 0.5 * in->spacing);
-        for (int c = 0; c < 2; c++) {
-            line->origin[c] = end[0][c];
-            line->along[c] = (end[1][c] - end[0][c]) / line->length;
-        }
+        set_parts(g, k);
         for (int e = 0; e < 2; e++) {
             const double depth = meshless_cut_depth(in, end[e]);
             if (depth < -slack)
@@ -111,20 +168,65 @@ void meshless_cut_mark(struct galerkin *g) {
             const double ahead =
                 (g->in.node[i][0] - tip->x[0]) * tip->along[0] + (g->in.node[i][1] - tip->x[1]) * tip->along[1];
             double *reach = &g->line[tip->line].reach[tip->end];
+            const double aside =
+                (g->in.node[i][1] - tip->x[1]) * tip->along[0] - (g->in.node[i][0] - tip->x[0]) * tip->along[1];
+            if (g->line[tip->line].parts > 1 && fabs(aside) >= g->radius[i]) continue; /* past a bend */
             *reach = fmax(*reach, ahead + g->radius[i]);
         }
 }
 
+static double turn(const double a[2], const double b[2], const double c[2]) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* The ends of a part of a crack, the crack's first and last ones with the extension. They end a little short of it: a
+ * line that touches the end does not cross. */
+static void part_ends(const struct galerkin *g, const struct galerkin_line *line, int p, double a[2], double b[2]) {
+    const struct galerkin_part *part = &line->part[p];
+    const double from = p ? 0 : 1e-9 * g->widest - meshless_cut_reach(g, line, 0);
+    const double to = part->length + meshless_cut_reach(g, line, 1) - 1e-9 * g->widest;
+    for (int c = 0; c < 2; c++) {
+        a[c] = part->origin[c] + from * part->along[c];
+        /* the next part's first point to the bit, so that a line through a bend crosses one of the two */
+        b[c] = p + 1 < line->parts ? line->part[p + 1].origin[c] : part->origin[c] + to * part->along[c];
+    }
+}
+
+/* Whether the line from the place to the node crosses the crack and its extensions an odd number of times: the crack
+ * divides the body, and twice across it is back on the same side. Only a place on the crack is taken beside it: both
+ * pieces at an edge see the same nodes. */
+static int is_across(const struct galerkin *g, const struct galerkin_line *line, const struct galerkin_place *at,
+                     const double node[2]) {
+    const double *x = at->x;
+    double a[2], b[2];
+    int odd = 0;
+    for (int p = 0; p < line->parts && x == at->x; p++) {
+        part_ends(g, line, p, a, b);
+        const double tx = b[0] - a[0], ty = b[1] - a[1], along = (x[0] - a[0]) * tx + (x[1] - a[1]) * ty;
+        const double length = hypot(tx, ty);
+        if (fabs(turn(a, b, x)) < 1e-9 * g->widest * length && along > 0 && along < length * length) x = at->see;
+    }
+    for (int p = 0; p < line->parts; p++) {
+        part_ends(g, line, p, a, b);
+        if ((turn(x, node, a) >= 0) == (turn(x, node, b) >= 0)) continue;
+        odd ^= (turn(a, b, x) >= 0) != (turn(a, b, node) >= 0);
+    }
+    return odd;
+}
+
 /* Whether the line from the place to the node crosses the crack or its extension. */
-static int is_hidden(const struct galerkin_line *line, const struct galerkin_place *at, const double node[2]) {
+static int is_hidden(const struct galerkin *g, const struct galerkin_line *line, const struct galerkin_place *at,
+                     const double node[2]) {
     double xi, eta, xi_see, eta_see, xi_node, eta_node;
-    local(line, at->x, &xi, &eta);
-    local(line, at->see, &xi_see, &eta_see);
-    local(line, node, &xi_node, &eta_node);
+    if (line->parts > 1) return is_across(g, line, at, node);
+    const struct galerkin_part *part = line->part;
+    local(part, at->x, &xi, &eta);
+    local(part, at->see, &xi_see, &eta_see);
+    local(part, node, &xi_node, &eta_node);
     if ((eta_see >= 0) == (eta_node >= 0)) return 0;
     const double apart = fabs(eta) + fabs(eta_node);
     const double crossing = apart > 0 ? xi + (xi_node - xi) * fabs(eta) / apart : xi;
-    return crossing > -line->reach[0] && crossing < line->length + line->reach[1];
+    return crossing > -line->reach[0] && crossing < part->length + line->reach[1];
 }
 
 /* The shortest way round the tips of the crack. */
@@ -149,7 +251,7 @@ double meshless_cut_distance(const struct galerkin *g, const struct galerkin_pla
     gradient[1] = direct > 0 ? dy / direct : 0;
     if (!(direct < g->radius[node])) return INFINITY;
     for (int c = 0; c < g->lines; c++) {
-        if (!(g->near_line[node] & 1U << c) || !is_hidden(&g->line[c], at, x)) continue;
+        if (!(g->near_line[node] & 1U << c) || !is_hidden(g, &g->line[c], at, x)) continue;
         switch (g->in.method) {
         case GALERKIN_VIRTUAL:
         case GALERKIN_VISIBILITY:

@@ -12,9 +12,16 @@ double meshless_cut_distance(const struct galerkin *g, const struct galerkin_pla
 /* Polar coordinates of x about a tip; the angle is from straight ahead, its sign on the crack is that of `see`. */
 void meshless_cut_polar(const struct galerkin_tip *tip, const double x[2], const double see[2], double *r,
                         double *angle);
-/* Distance of x from the crack's segment. */
+/* Distance of x from the crack. */
 double meshless_cut_from_line(const struct galerkin_line *line, const double x[2]);
 /* Distance from x to the nearest tip, and which; INFINITY and -1 without one. */
 double meshless_cut_nearest(const struct galerkin *g, const double x[2], int *tip);
-/* Distance of x from the body's outline, positive inside. */
+/* The last straight part of the crack before a tip. */
+const struct galerkin_part *meshless_cut_part(const struct galerkin *g, const struct galerkin_tip *tip);
+/* Distance of x from the other parts of the tip's crack; INFINITY for a straight one. */
+double meshless_cut_from_bends(const struct galerkin *g, const struct galerkin_tip *tip, const double x[2]);
+/* How far a crack of several parts is cut beyond its end: by reach, or two supports where it leaves the body. */
+double meshless_cut_reach(const struct galerkin *g, const struct galerkin_line *line, int end);
+void meshless_cut_end(struct galerkin *g); /* Not collective. */
+/* Distance of x from the body's outline and holes (at most that from their corners), positive inside. */
 double meshless_cut_depth(const struct galerkin_input *in, const double x[2]);

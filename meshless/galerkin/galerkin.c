@@ -57,6 +57,7 @@ struct galerkin *meshless_galerkin_new(const struct galerkin_input *in) {
 
 void meshless_galerkin_free(struct galerkin *g) {
     if (!g) return;
+    meshless_cut_end(g);
     meshless_cells_free(g);
     meshless_constraint_free(g);
     memory_free(g->radius);

@@ -1,9 +1,9 @@
 /* Element-free Galerkin: plane elasticity of a cracked plate on scattered nodes.  (002; docs/design/meshless.md)
  *
- * The displacement is u(x) = sum phi_I(x) u_I with shape functions of moving least squares (mls.h). A crack is a
- * straight line; nodes near it are cut off from points on its other side (cut.h). The equilibrium is integrated over
- * background cells (cells.h). Given displacements and the continuity across a virtual crack are linear constraints on
- * the nodal values (constraint.h), met by an augmented Lagrangian (solve.h). Stress-intensity factors follow from
+ * The displacement is u(x) = sum phi_I(x) u_I with shape functions of moving least squares (mls.h). A crack is a line
+ * of straight parts; nodes near it are cut off from points on its other side (cut.h). The equilibrium is integrated
+ * over background cells (cells.h). Given displacements and the continuity across a virtual crack are linear constraints
+ * on the nodal values (constraint.h), met by an augmented Lagrangian (solve.h). Stress-intensity factors follow from
  * domain integrals (intensity.h).
  *
  * All ranks hold the whole problem and do the same arithmetic. */
@@ -23,9 +23,17 @@ enum galerkin_method {
 };
 enum galerkin_update { GALERKIN_CONJUGATE, GALERKIN_HESTENES_POWELL };
 
-/* A straight crack; an end that is inside the body is a tip. */
+/* A crack from end 0 over the bends to end 1; an end that is inside the body is a tip. */
 struct galerkin_crack {
     double end[2][2]; /* m */
+    int bends;
+    const double (*bend)[2]; /* [bends] m */
+};
+
+/* A hole in the body. */
+struct galerkin_hole {
+    int corners;
+    const double (*corner)[2]; /* [corners] convex, counterclockwise, m */
 };
 
 /* Given displacement along the part of the body's outline between `from` and `to` (its mean over each cell's edge), or
@@ -53,6 +61,8 @@ struct galerkin_input {
     const double *size;      /* [nodes] nodal spacing about each node, m; NULL: spacing */
     int corners;
     const double (*corner)[2]; /* [corners] of the body, convex, counterclockwise, m */
+    int holes;
+    const struct galerkin_hole *hole; /* [holes] inside the body */
     int cracks;
     const struct galerkin_crack *crack;
     int fixed, pulls;
@@ -67,6 +77,7 @@ struct galerkin_input {
     int cells[2];      /* background cells along x and y */
     int levels;        /* rows of cells next to a tip are halved so many times, as the nodes are (nodes.h) */
     double patch;      /* half width of a level about a tip, spacings of the level before */
+    int turned;        /* the nodes' levels lie along the tips (nodes.h), and their corners reach farther */
     int gauss;         /* points of a cell along each direction */
     int gauss_tip;     /* the same within a support of a tip */
     enum galerkin_method method;
@@ -78,9 +89,13 @@ struct galerkin_input {
 };
 
 enum { GALERKIN_CRACKS = 8, GALERKIN_TIPS = 2 * GALERKIN_CRACKS };
-/* A crack in its own frame: (xi, eta) with the origin at end 0, xi along it. */
-struct galerkin_line {
+/* A straight part of a crack and its own frame: (xi, eta) with the origin at its first point, xi along it. */
+struct galerkin_part {
     double origin[2], along[2], length;
+};
+struct galerkin_line {
+    int parts; /* in order from end 0 to end 1 */
+    struct galerkin_part *part;
     int is_tip[2];   /* [end] inside the body */
     double reach[2]; /* [end] the cut goes on by this beyond a tip, m; 0 without an extension */
 };

@@ -13,7 +13,8 @@ static struct physics_crack_tip material_of(const struct galerkin_input *in) {
 
 double meshless_intensity_widest(const struct galerkin *g, int tip) {
     const struct galerkin_tip *its = &g->tip[tip];
-    double widest = fmin(meshless_cut_depth(&g->in, its->x), g->line[its->line].length);
+    double widest = fmin(meshless_cut_depth(&g->in, its->x), meshless_cut_part(g, its)->length);
+    widest = fmin(widest, meshless_cut_from_bends(g, its, its->x));
     for (int c = 0; c < g->lines; c++)
         if (c != its->line) widest = fmin(widest, meshless_cut_from_line(&g->line[c], its->x));
     return widest;
@@ -41,7 +42,7 @@ struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int nu
     const double pi = acos(-1), inner = 0.5 * radius;
     const int sectors = 4 + (int)ceil(pi * radius / (0.5 * g->in.spacing)); /* a half circle's, two a spacing */
     const int layers = 1 + (int)ceil((radius - inner) / (0.5 * g->in.spacing));
-    double x[POINTS], w[POINTS], mixed[2] = {0, 0}, j = 0;
+    double x[POINTS], w[POINTS], mixed[3] = {0, 0, 0}, j = 0;
     meshless_cells_gauss(POINTS, x, w);
     for (int sector = -sectors; sector < sectors; sector++)
         for (int layer = 0; layer < layers; layer++)
@@ -61,7 +62,7 @@ struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int nu
                     const double energy = 0.5 * (stress[0] * grad[0][0] + stress[1] * grad[1][1] + stress[2] * shear);
                     j += area * ((stress[0] * grad[0][0] + stress[2] * grad[1][0] - energy) * q[0] +
                                  (stress[2] * grad[0][0] + stress[1] * grad[1][0]) * q[1]);
-                    for (int mode = 0; mode < 2; mode++) {
+                    for (int mode = 0; mode < 3; mode++) {
                         double own[3], u[2], slope[2];
                         physics_crack_tip_field(&material, mode, r, t, own, u, slope);
                         const double work = own[0] * grad[0][0] + own[1] * grad[1][1] + own[2] * shear;
@@ -75,6 +76,8 @@ struct galerkin_intensity meshless_intensity_of(const struct galerkin *g, int nu
                     }
                 }
     const double modulus = physics_crack_tip_modulus(&material);
-    return (struct galerkin_intensity){
-        .k = {0.5 * modulus * mixed[0], 0.5 * modulus * mixed[1]}, .j = j, .k_j = sqrt(fmax(j, 0) * modulus)};
+    return (struct galerkin_intensity){.k = {0.5 * modulus * mixed[0], 0.5 * modulus * mixed[1]},
+                                       .j = j,
+                                       .k_j = sqrt(fmax(j, 0) * modulus),
+                                       .t = modulus * mixed[2]};
 }

@@ -170,18 +170,31 @@ static void put_log_ranges(FILE *f, const struct postproc_plot *p) {
     put_log_range(f, 'y', low[1], high[1], 1);
 }
 
+/* The legend beside the plot, where gnuplot leaves it its room; below, if its titles are so long that they would take
+ * the plot's. */
+static void put_legend(FILE *f, const struct postproc_plot *p) {
+    size_t longest = 0;
+    for (int k = 0; k < p->curves && p->curves > 1; k++)
+        if (strlen(p->curve[k].title) > longest) longest = strlen(p->curve[k].title);
+    const int is_below = longest > 36, columns = longest > 60 ? 1 : 2;
+    fprintf(f, "set key %s vertical Left reverse samplen 2 textcolor rgb '#23282e'",
+            is_below ? "outside center bottom" : "outside right top");
+    if (is_below) fprintf(f, " maxrows %d height 1.5", (p->curves + columns - 1) / columns);
+    fputc('\n', f);
+    if (p->curves < 2 || is_below) fputs("set rmargin 5\n", f);
+}
+
 static void put_style(FILE *f, const struct postproc_plot *p, const struct axes *a) {
     fputs("set encoding utf8\nset border 3 lw 1 lc rgb '#5a6068'\n"
           "set tics nomirror out scale 0.6 textcolor rgb '#23282e'\n"
           "set grid back lt 1 lw 0.6 lc rgb '#e4e7ea'\n"
-          "set key outside right top vertical Left reverse samplen 2 textcolor rgb '#23282e'\n"
           "set lmargin 11\nset tmargin 5\n"
           "set datafile missing 'nan'\n",
           f);
     fputs("set label 1 ", f);
     postproc_gnuplot_text(f, p->title);
     fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
-    if (p->curves < 2) fputs("set rmargin 5\n", f); /* else gnuplot leaves the legend its room */
+    put_legend(f, p);
     fputs("set xlabel ", f);
     postproc_gnuplot_text(f, p->xlabel);
     fputs("\nset ylabel ", f);

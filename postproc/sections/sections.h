@@ -26,6 +26,10 @@ struct postproc_output {
 void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h); /* scene and scales */
 /* solution.csv and the field of errors of a scene that is solved at once. */
 void postproc_sections_solution(struct postproc_output *out, const struct postproc_history *h);
+void postproc_sections_element_free(struct postproc_output *out,
+                                    const struct postproc_history *h); /* pictures of such a plate */
+/* The points of a plate, or of a nonlocal problem in a plane, that are no lattice. */
+void postproc_sections_arrangement(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h); /* dp, porosity, k */
 void postproc_sections_fracture(struct postproc_output *out,
                                 const struct postproc_history *h); /* bonds, fragments, onset */

@@ -113,7 +113,24 @@ static void check_period(const struct scene_check *c, int d) {
     }
 }
 
-/* What an element-free plate can be: one convex body with straight sides and straight cracks. */
+/* Cracks that grow need a toughness, and a cut that follows their bends. */
+static void check_growth(const struct scene_check *c) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_growth *growth = s->element_free->growth;
+    static const char path[] = "solid.element_free.growth";
+    if (!growth) return;
+    if (s->cracks == 0) scene_problem_at(c->problems, c->root, path, "the scene has no crack");
+    if (s->element_free->crack == SCENE_FREE_DIFFRACTION)
+        scene_problem_at(c->problems, c->root, path,
+                         "not with crack: diffraction, which is for straight cracks: take virtual or visibility");
+    if (!(growth->toughness > 0) && !isfinite(s->material[s->body[0].material_index].fracture_energy))
+        scene_problem_at(c->problems, c->root, path, "needs a toughness, or the material's fracture_energy");
+    if (c->scene->output.intensity)
+        scene_problem_at(c->problems, c->root, "output.intensity",
+                         "not with solid.element_free.growth, whose growth.csv has K at every step");
+}
+
+/* What an element-free plate can be: one convex body with straight sides. */
 static void check_element_free(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_body *body = s->body;
@@ -141,10 +158,12 @@ static void check_element_free(const struct scene_check *c) {
             scene_problem_at(c->problems, c->root, "domain.periodic",
                              "an element-free plate has no periodic directions");
     for (int k = 0; k < s->cracks; k++)
-        if (s->crack[k].points != 2)
+        if (s->crack[k].points != 2 &&
+            (s->element_free->basis == SCENE_FREE_TIP || s->element_free->crack == SCENE_FREE_DIFFRACTION))
             scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.cracks[%d].points", k).text,
-                             "a crack of an element-free plate is straight: two points, here are %d",
+                             "basis: tip and crack: diffraction are for straight cracks, two points; here are %d",
                              s->crack[k].points);
+    check_growth(c);
     if (c->scene->output.intensity && s->cracks == 0)
         scene_problem_at(c->problems, c->root, "output.intensity", "the scene has no crack");
 }

@@ -255,6 +255,13 @@ static const cyaml_schema_field_t contact_fields[] = {
     NUMBER("exponent", OPTIONAL, scene_solid, contact_exponent),
     NUMBER("radius", OPTIONAL, scene_solid, contact_radius), CYAML_FIELD_END};
 
+static const cyaml_schema_field_t growth_fields[] = {NUMBER("step", NEEDED, scene_growth, step),
+                                                     WHOLE("steps", OPTIONAL, scene_growth, steps),
+                                                     NUMBER("until", OPTIONAL, scene_growth, until),
+                                                     NUMBER("radius", OPTIONAL, scene_growth, radius),
+                                                     NUMBER("toughness", OPTIONAL, scene_growth, toughness),
+                                                     CYAML_FIELD_END};
+
 static const cyaml_schema_field_t element_free_fields[] = {
     CHOICE("basis", OPTIONAL, scene_element_free, basis, free_bases),
     CHOICE("weight", OPTIONAL, scene_element_free, weight, free_weights),
@@ -271,6 +278,7 @@ static const cyaml_schema_field_t element_free_fields[] = {
     NUMBER("tolerance", OPTIONAL, scene_element_free, tolerance),
     WHOLE("iterations", OPTIONAL, scene_element_free, iterations),
     CHOICE("update", OPTIONAL, scene_element_free, update, free_updates),
+    CYAML_FIELD_MAPPING_PTR("growth", OPTIONAL, struct scene_element_free, growth, growth_fields),
     CYAML_FIELD_END};
 
 const cyaml_schema_field_t scene_schema_solid[] = {

@@ -8,14 +8,14 @@
 
 #include <math.h>
 
-enum { MODES = 2 };
+enum { MODES = 3 }; /* I, II, and a force on the tip */
 
 /* Particles near the tip, owned and ghosts, in the tip's frame. */
 struct near {
     const struct solid *s; /* borrowed */
     const struct solid_tip *tip;
     double (*x)[2];                           /* [n + n_ghost] m */
-    double (*own)[MODES][2];                  /* [n + n_ghost] displacement of the crack's own field, K = 1, m */
+    double (*own)[MODES][2];                  /* [n + n_ghost] displacement of the crack's own fields, m */
     double (*own_slope)[MODES][2], *slope[2]; /* [n + n_ghost] derivatives along the crack; of the own field, of d */
     double widest;                            /* only particles within twice this count */
 };
@@ -188,7 +188,8 @@ void solid_intensity_measure(const struct solid *s, const struct solid_tip *tip,
         const double *its = sum + (ptrdiff_t)k * (1 + MODES);
         is[k].j = its[0] / s->in.thickness;
         is[k].k_j = sqrt(fmax(is[k].j, 0) * modulus);
-        for (int m = 0; m < MODES; m++) is[k].k[m] = 0.5 * modulus * its[1 + m] / s->in.thickness;
+        for (int m = 0; m < 2; m++) is[k].k[m] = 0.5 * modulus * its[1 + m] / s->in.thickness;
+        is[k].t = modulus * its[3] / s->in.thickness;
     }
     memory_free(sum);
 }

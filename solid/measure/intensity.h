@@ -14,7 +14,8 @@
  * which fits the displacements of a particle's intact bonds best, so that it never looks across the crack.
  *
  * J is quadratic in u. K of a mode is E'/2 times the same sum in mixed form, for u and the field of a crack in an
- * infinite plate with K = 1 in this mode (Yau et al. 1980; physics/crack_tip.h). */
+ * infinite plate with K = 1 in this mode (Yau et al. 1980; physics/crack_tip.h). T is E' times the mixed form with the
+ * field of a force on the tip (Kfouri 1986). */
 #pragma once
 #include "solid/state.h"
 
@@ -24,6 +25,7 @@ struct solid_tip {
 struct solid_intensity {
     double k[2];   /* K_I, K_II, Pa m^1/2 */
     double j, k_j; /* J/m2; root of J E', Pa m^1/2 */
+    double t;      /* T-stress, Pa */
 };
 /* Of each radius, [radii], ascending or not, each at least two horizons. All particles near the tip are of the material
  * given. The ghosts' displacements must be current. Collective. */

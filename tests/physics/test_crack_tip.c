@@ -6,7 +6,7 @@
 static void own_field(void **state) {
     (void)state;
     for (int strain = 0; strain < 2; strain++)
-        for (int mode = 0; mode < 2; mode++) {
+        for (int mode = 0; mode < 3; mode++) {
             const struct physics_crack_tip in = {7, 0.2, strain};
             const double r = 0.3, t = 0.8, step = 1e-5;
             double s[3], u[2], slope[2], side[2][3], at[2][2], unused[2];

@@ -19,6 +19,40 @@ awk -F, 'NR == 3 { k = $5 / sqrt(atan2(1, 1) * 2) / 2.8246 } END { exit !(k > 0.
   fail "K: $(cat one/intensity.csv)"
 grep -q '"violations": \[' one/run.json || fail "no violations in run.json"
 
+# fields and pictures
+for field in cells gauss_points solution; do [ -s "one/fields/$field.hdf" ] || fail "no fields/$field.hdf"; done
+awk -F, 'NR > 2 { n[$2]++; if ($2 == 1 && $3 != 0.5) exit 1 } END { exit !(n[0] == 1 && n[1] == 1) }' \
+  one/crack_lines.csv || fail "$(cat one/crack_lines.csv)"
+if command -v gnuplot >/dev/null; then
+  code 0 "$frana" post one
+  for picture in nodes stress_yy stress_mises shape; do
+    [ -s "one/post/pictures/$picture.png" ] || fail "no picture $picture"
+    grep -q "pictures/$picture.png" one/post/report.md || fail "$picture is not in the report"
+  done
+fi
+
+# a crack that grows: one step, the same on two ranks, whose K and load follow from the first
+cp scene.yaml kept.yaml && sed -i 's/, intensity: {radii: \[0.4\]}//' scene.yaml
+code 0 "$frana" check scene.yaml --set solid.element_free.growth='{step: 0.1, steps: 4, toughness: 7}'
+grep -q '  growth     at most 4 steps of 0.1 m, 6.4 nodal spacings at the tip' out || fail "$(cat out)"
+code 0 "$frana" run scene.yaml --out grown --set output='{fields_every: 1}' \
+  --set solid.element_free='{tip_levels: 2, growth: {step: 0.1, steps: 1, toughness: 7}}'
+code 0 ranks 2 run scene.yaml --out grown_2 --set output='{fields_every: 0}' \
+  --set solid.element_free='{tip_levels: 2, growth: {step: 0.1, steps: 1, toughness: 7}}'
+cmp grown/growth.csv grown_2/growth.csv || fail "growth depends on the ranks"
+awk -F, 'NR > 2 { n++; k = $9 * $10 - 7; y = $4 - 1.5; if (k ^ 2 > 1e-12 || y ^ 2 > 1e-14) exit 1
+    if (n == 2) e = $9 / 5.537 }
+  END { exit !(n == 2 && e > 0.97 && e < 1.03) }' grown/growth.csv || fail "$(cat grown/growth.csv)"
+grep -q '"growth_end": "all steps are done"' grown/run.json || fail "$(grep growth grown/run.json)"
+if command -v gnuplot >/dev/null; then
+  code 0 "$frana" post grown
+  for plot in pictures/growth plots/growth_k plots/growth_load; do
+    [ -s "grown/post/$plot.png" ] || fail "no $plot"
+  done
+fi
+
+cp kept.yaml scene.yaml
+
 # a plate without a crack, pulled: the energy s^2/(2 E') V is exact, with perturbed and with centroidal nodes too
 cat >plain.yaml <<'EOS'
 domain: {size: [2, 1]}
@@ -54,7 +88,9 @@ refused "its end (1.2, 1.5) is 0.2 m outside the body: move it" "$crack=[[0.5, 1
 refused "its tip (0.95, 1.5) is 0.05 m from the body's border; .*a nodal spacing away, 0.125 m" \
   "$crack=[[0, 1.5], [0.95, 1.5]]"
 refused "0.02 m long; it must be longer than half a nodal spacing" "$crack=[[0.4, 1.5], [0.42, 1.5]]"
-refused 'two points, here are 3' "$crack=[[0, 1.5], [0.2, 1.5], [0.5, 1.5]]"
+refused 'are for straight cracks, two points; here are 3' "$crack=[[0, 1.5], [0.2, 1.5], [0.5, 1.5]]" \
+  solid.element_free.basis=tip solid.element_free.support=3
+refused 'solid.cracks\[0\]: its point 1, (0.2, 3.5), is not inside the body' "$crack=[[0, 1.5], [0.2, 3.5], [0.5, 1.5]]"
 refused 'node [0-9]* at (.*) is in no quadrature point.s support: take more cells' \
   'solid.element_free.cells=[1, 1]' solid.element_free.gauss=1 solid.element_free.gauss_tip=1
 refused 'leave the body free to turn; hold it' 'solid.constraints[1].low=[-0.01, -0.01]' \
@@ -68,5 +104,18 @@ refused 'solid.contact: only in a scene that is stepped' 'solid.contact={enabled
 refused 'output.intensity.every = 1: only in a scene that is stepped' output.intensity.every=1
 refused 'convex and has straight sides' \
   'solid.bodies=[{shape: polygon, outline: [[0, 0], [1, 0], [0.3, 1], [1, 3], [0, 3]]}]'
+growth=solid.element_free.growth
+refused 'needs a toughness, or the material' "$growth={step: 0.3}"
+refused 'growth.csv has K at every step' "$growth={step: 0.3, toughness: 1}"
+sed -i 's/, intensity: {radii: \[0.4\]}//' scene.yaml
+refused 'growth.step = 0.1: must be at least two nodal spacings at the tip, 0.25 m' "$growth={step: 0.1, toughness: 1}"
+refused 'growth.radius = 0.4: must be at most the step, 0.3 m' "$growth={step: 0.3, radius: 0.4, toughness: 1}"
+refused 'must be at most 0.5 m about the tip' "$growth={step: 0.6, toughness: 1}"
+refused 'only with basis linear or sqrt_r' "$growth={step: 0.3, toughness: 1}" solid.element_free.basis=tip
+refused 'not with crack: diffraction' "$growth={step: 0.3, toughness: 1}" solid.element_free.crack=diffraction
+refused 'its edge at (.*) is nearer than a nodal spacing' \
+  'solid.bodies[0].holes=[{shape: disc, centre: [0.5, 0.5], radius: 0.45}]'
+refused 'a hole of an element-free plate is convex' \
+  'solid.bodies[0].holes=[{shape: polygon, outline: [[0.3, 0.4], [0.7, 0.4], [0.5, 0.5], [0.5, 0.8]]}]'
 code 3 "$frana" run scene.yaml --out few --set solid.element_free.iterations=2
 grep -q 'iterations = 2: the constraints are still violated by .* take more iterations' err || fail "$(cat err)"

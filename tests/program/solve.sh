@@ -29,6 +29,9 @@ awk -v a="$(value run1 error_l2)" 'BEGIN { exit !(a > 0.001 && a < 0.2) }' || fa
 code 0 ranks 1 post run3
 grep -q '^error_l2,' run3/post/summary.csv || fail "no error in the summary"
 [ -f run3/post/plots/solution_map.gp ] || fail "no map"
+[ "$(awk '/^EOD/ { exit } n { points++ } /points << EOD/ { n = 1 } END { print points }' \
+  run3/post/pictures/arrangement.gp)" = "$(awk -F, '$1 == "points" { print $3 }' run3/solution.csv)" ] ||
+  fail "not all points in the picture of the arrangement"
 
 # a folder that holds a run; what such a scene has not
 code 4 ranks 1 run "$scene" --out run1

@@ -51,8 +51,19 @@ static void assert_same_refinement(const struct scene_refinement *a, const struc
     assert_same_array(a->start, b->start, a->starts, sizeof *a->start);
 }
 
+static void assert_same_element_free(const struct scene_element_free *a, const struct scene_element_free *b) {
+    assert_true(!a == !b);
+    if (!a) return;
+    assert_memory_equal(a, b, offsetof(struct scene_element_free, growth));
+    assert_true(!a->growth == !b->growth);
+    if (a->growth) assert_memory_equal(a->growth, b->growth, sizeof *a->growth);
+}
+
 static void assert_same_solid(const struct scene_solid *s, const struct scene_solid *t) {
-    assert_memory_equal(s, t, offsetof(struct scene_solid, material)); /* numbers, and how many of each */
+    assert_memory_equal(s, t, offsetof(struct scene_solid, element_free));
+    assert_same_element_free(s->element_free, t->element_free);
+    assert_memory_equal(&s->thickness, &t->thickness, /* numbers, and how many of each */
+                        offsetof(struct scene_solid, material) - offsetof(struct scene_solid, thickness));
     assert_same_array(s->material, t->material, s->materials, sizeof *s->material);
     for (int b = 0; b < s->bodies; b++) assert_same_body(&s->body[b], &t->body[b]);
     for (int i = 0; i < s->cracks; i++) {
@@ -112,6 +123,7 @@ static void test_resolved_says_the_same(void **state) {
                                 SCENES "fluid.yaml",
                                 SCENES "solid.yaml",
                                 SCENES "plate.yaml",
+                                SCENES "growing.yaml",
                                 SCENES "pulled.yaml",
                                 SCENES "block.yaml",
                                 FRANA_SOURCE_DIR "/cases/porous_channel/s1.yaml",

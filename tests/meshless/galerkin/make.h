@@ -39,7 +39,7 @@ static inline struct galerkin_input make_input(double width, double height, int 
 
 /* Adds the nodes: columns on the sides, rows between them, as far from each other as the spacing. */
 static inline struct meshless_nodes make_nodes(struct galerkin_input *in, int tips, const double (*tip)[2]) {
-    struct meshless_nodes nodes = meshless_nodes_new(in, (const double[2]){0.5, 0}, tips, tip);
+    struct meshless_nodes nodes = meshless_nodes_new(in, (const double[2]){0.5, 0}, tips, tip, NULL);
     in->nodes = nodes.n;
     in->node = (const double(*)[2])nodes.x;
     in->size = nodes.size;
@@ -53,7 +53,7 @@ static inline struct galerkin *make_edge_crack(struct galerkin_input *in, double
     static struct galerkin_pull pull[2];
     const double width = in->corner[2][0], height = in->corner[2][1];
     const double tip[1][2] = {{a, height / 2}};
-    crack = (struct galerkin_crack){{{0, height / 2}, {a, height / 2}}};
+    crack = (struct galerkin_crack){.end = {{0, height / 2}, {a, height / 2}}};
     fix[0] = (struct galerkin_fixed){.direction = {1, 1}};
     fix[1] = (struct galerkin_fixed){.from = {width, 0}, .to = {width, 0}, .direction = {0, 1}};
     pull[0] = (struct galerkin_pull){.to = {width, 0}, .traction = {0, -1}};

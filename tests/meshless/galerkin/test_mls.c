@@ -20,7 +20,7 @@ static void plate_new(struct plate *p, enum galerkin_basis basis, enum galerkin_
     p->in.support = support;
     p->in.method = method;
     p->in.tip_radius = zone;
-    p->crack = (struct galerkin_crack){{{0, 0.42}, {0.513, 0.537}}};
+    p->crack = (struct galerkin_crack){.end = {{0, 0.42}, {0.513, 0.537}}};
     p->fix = (struct galerkin_fixed){.to = {1, 0}, .direction = {1, 1}};
     p->in.cracks = 1;
     p->in.crack = &p->crack;

@@ -78,8 +78,13 @@ static void powers_of_ten(void **state) {
     assert_false(says("powers", "set yrange"));
     assert_false(says("powers", "title 'a wave'")); /* one curve needs no legend */
     draw("legend", 2, two);
-    assert_true(says("legend", "set key outside"));
+    assert_true(says("legend", "set key outside right"));
     assert_true(says("legend", "title 'a wave'"));
+    struct postproc_curve longer[2] = {one, one};
+    longer[1].title = "a wave with a title that would take the plot's room";
+    draw("long", 2, longer);
+    assert_true(says("long", "set key outside center bottom"));
+    assert_false(says("long", "outside right"));
     for (int i = 0; i < N; i++) {
         x[i] *= 1e5;
         y[i] *= 1e-5;

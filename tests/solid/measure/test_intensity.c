@@ -32,6 +32,7 @@ static void uniform(void **state) {
             check_close(is[k].j / (w * radius[k]), 0, kind ? 5e-2 : 1e-11);
             if (kind) assert_true(fabs(is[k].j / (w * radius[k])) > 1e-6); /* no zero by accident */
             for (int m = 0; m < 2 && kind == 2; m++) check_close(is[k].k[m] / (sqrt(radius[k]) * YOUNG * e), 0, 2e-2);
+            if (kind == 2) check_relative(is[k].t, YOUNG * e, 0.1);
         }
         if (kind == 2) {
             check_relative(is[0].j, is[1].j, 0.05);
