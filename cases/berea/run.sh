@@ -23,7 +23,7 @@ for axis in z y x; do
     "$([ $axis != z ] || echo 0.4087)" "LBPM, MRT, along z, over the sample's length"
   shown "1 cell a voxel, along $axis: wall time" s "$(cell study wall_median_s "along $axis" 1 permeability)" "" ""
 done
-for axis in z x; do
+for axis in z y x; do
   shown "2 cells a voxel, along $axis: permeability" voxel2 "$(cell study_fine value "along $axis" 2 permeability)" \
     "$([ $axis != z ] || echo 0.4087)" "LBPM, MRT, along z, over the sample's length"
   shown "2 cells a voxel, along $axis: wall time" s \
