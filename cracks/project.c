@@ -3,6 +3,8 @@
 #include "base/par.h"
 #include "cracks/aperture.h"
 #include "cracks/inject.h"
+#include "cracks/leak.h"
+#include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
 
@@ -51,6 +53,7 @@ static double source(struct cracks *c, double dt) {
         size += fabs(w->b[i]) + fabs(c->content[i]);
         w->b[i] = c->content[i] - w->b[i];
     }
+    if (c->leak) size += cracks_leak_source(c, c->solid->t, dt, w->b);
     size = par_sum(size);
     return size + cracks_inject_source(c, c->solid->t, dt, w->b);
 }
@@ -81,6 +84,7 @@ static void fill(struct cracks *c, double dt) {
     cracks_struts_update(t, sizeof *c->p, c->p);
     cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, dt, c->p, flow);
     cracks_inject_fill(c, dt, w->residual, flow);
+    if (c->leak) cracks_leak_book(c, c->solid->t + dt);
     for (int i = 0; i < t->n; i++) {
         c->content[i] -= flow[i];
         const double left = w->set[i] == CRACKS_GIVEN ? 0 : w->residual[i];
@@ -94,9 +98,12 @@ void cracks_project(struct solid *s, double dt, void *cracks) {
     (void)s;
     cracks_project_settle(c);
     if (c->status.failed) return;
+    if (c->open) cracks_aperture_open(c);
     cracks_aperture_conductance(c);
+    const double *open = cracks_aperture_cracks(c);
     for (int i = 0; i < c->struts.n; i++) {
-        c->storage[i] = c->in.compressibility * fmax(c->volume[i] - c->cavity[i], 0);
+        c->storage[i] = c->in.compressibility * fmax(open[i] - c->cavity[i], 0);
+        if (c->open) c->storage[i] += cracks_pores_storage(c, i);
         c->work->set[i] = c->p[i] > c->in.least_pressure ? CRACKS_FULL : CRACKS_CAVITY;
     }
     const double size = source(c, dt);

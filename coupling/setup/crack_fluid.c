@@ -22,6 +22,11 @@ struct cracks *setup_crack_fluid(const struct scene *scene, struct solid *s) {
                                     .compressibility = f->compressibility,
                                     .least_pressure = f->least_pressure,
                                     .least_aperture = f->least_aperture,
+                                    .leak_off = f->leak_off,
+                                    .porous = f->pores != NULL,
+                                    .pores = f->pores ? (struct cracks_pores){f->pores->permeability, f->pores->biot,
+                                                                              f->pores->modulus}
+                                                      : (struct cracks_pores){0},
                                     .injections = f->injections,
                                     .injection = to};
     struct cracks *c = cracks_new(&in, s);
