@@ -13,6 +13,7 @@
 #include "coupling/step.h"
 #include "cracks/project.h"
 #include "files/log.h"
+#include "solid/bonds/breaks.h"
 #include "solid/contact/contact.h"
 #include "solid/imposed/reactions.h"
 #include "solid/refine/refine.h"
@@ -162,6 +163,7 @@ void step_advance(struct run *r) {
     r->t += r->dt;
     r->step++;
     r->stage_step++;
+    if (r->solid && solid_breaks_is_due(r->solid->breaks)) solid_breaks_stamp(r->solid->breaks, r->step, r->t);
     r->fluid_cell_steps += r->fluid ? (long)fluid_cells(r->fluid) : 0;
     r->solid_sweeps += r->solid ? solid_integrate_sweeps(r->solid, r->substeps) : 0;
 }

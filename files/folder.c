@@ -14,8 +14,9 @@ static const char *const part_folder[] = {"fields", "checkpoint"};
 static const char *const part_file[] = {
     "series.csv",    "crack.csv",     "crack_particles.csv", "probes.csv",   "fluid_probes.csv",
     "fragments.csv", "reactions.csv", "slices.csv",          "rev.csv",      "bodies.csv",
-    "run.json",      "run.log",       "scene.resolved.yaml", "solution.csv", "intensity.csv"};
-enum { FOLDERS = 2, FILES = 15 };
+    "run.json",      "run.log",       "scene.resolved.yaml", "solution.csv", "intensity.csv",
+    "events.csv"};
+enum { FOLDERS = 2, FILES = 16 };
 
 char *folder_path(char *path, const char *folder, const char *name) {
     if (snprintf(path, FOLDER_PATH, "%s/%s", folder, name) >= FOLDER_PATH)

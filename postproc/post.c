@@ -93,6 +93,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"The medium", postproc_sections_medium},
         {"Fracture", postproc_sections_fracture},
         {"Fragments", postproc_sections_fragments},
+        {"Events", postproc_sections_events},
         {"The crack", postproc_sections_crack},
         {"Strain and stress", postproc_sections_pdf},
         {"Where the time went", postproc_sections_wall},

@@ -17,6 +17,7 @@
 #include "program/bodies.h"
 #include "program/checkpoint.h"
 #include "program/crack_series.h"
+#include "program/events.h"
 #include "program/fields.h"
 #include "program/fluid_probes.h"
 #include "program/fragments.h"
@@ -47,6 +48,7 @@ struct program {
     struct fragments *fragments;       /* NULL: nothing can break */
     struct reactions *reactions;       /* NULL: no constraint, no load */
     struct bodies *bodies;             /* NULL: one body */
+    struct events *events;             /* NULL: not asked for */
     struct march *march;
     enum signals_reason reason; /* to stop after the present step */
     struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
@@ -68,6 +70,7 @@ static void write_resolved(const struct program *p) {
 static void checkpoint(struct program *p) {
     if (p->checked == p->run->step) return;
     const double start = par_seconds();
+    events_write(p->events, p->run);
     checkpoint_write(p->run, p->command->out);
     record_write(p->run, p->command->out, "running", 0);
     p->checked = p->run->step;
@@ -95,6 +98,7 @@ static void progress(struct program *p) {
  * code 3. status: this rank's. */
 static int unstable(struct program *p, struct step_status *status) {
     const struct march_loss loss = march_give_up(p->march, status);
+    if (loss.step >= 0) events_write(p->events, p->run);
     if (loss.step >= 0 && loss.step != p->checked) checkpoint_write(p->run, p->command->out);
     log_line("%s; %s", loss.what, loss.why);
     if (par_rank() == 0) fprintf(stderr, "frana: %s; %s\n", loss.what, loss.why);
@@ -194,6 +198,7 @@ static int step(struct program *p) {
     if (sampled) reactions_sample(p->reactions, r);
     if (sampled) bodies_sample(p->bodies, r);
     if (sampled || drawn) fragments_sample(p->fragments, r, drawn || last);
+    if (sampled || drawn || last) events_write(p->events, r);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (intensity_is_due(p->intensity, now) || (last && p->intensity)) intensity_sample(p->intensity, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
@@ -266,6 +271,7 @@ static void begin(struct program *p) {
     p->fragments = fragments_new(p->run);
     p->reactions = reactions_new(p->run);
     p->bodies = bodies_new(p->run);
+    p->events = events_new(p->run);
     char(*too_long)[OVERSTEP_SENTENCE] = calloc((size_t)p->scene->stages * OVERSTEP_MAX, sizeof *too_long);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
     folder_make(c->out);
@@ -289,6 +295,7 @@ static void begin(struct program *p) {
     if (p->fragments) fragments_open(p->fragments, p->run, c->out, here ? p->run->step : -1);
     if (p->reactions) reactions_open(p->reactions, p->run, c->out, here ? p->run->step : -1);
     if (p->bodies) bodies_open(p->bodies, p->run, c->out, here ? p->run->step : -1);
+    if (p->events) events_open(p->events, p->run, c->out, here ? p->run->step : -1);
     p->march = march_new(p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
@@ -318,6 +325,7 @@ int program_run(const struct command *c, const struct scene *scene) {
     fragments_free(p.fragments);
     reactions_free(p.reactions);
     bodies_free(p.bodies);
+    events_free(p.events);
     run_free(p.run);
     log_end();
     folder_hold_release();

@@ -458,6 +458,7 @@ struct scene_output {
     int fragments;                                     /* fragments.csv where bonds may break, default true */
     int reactions;                                     /* reactions.csv of constraints and loads, default true */
     int bodies;                                        /* bodies.csv of several bodies, default true */
+    int events;                                        /* events.csv of the bonds that break, default false */
     struct scene_crack_output *crack;                  /* NULL: no crack is tracked */
     struct scene_intensity *intensity;                 /* NULL: none */
     struct scene_probes *probes;                       /* NULL: none */

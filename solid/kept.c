@@ -3,6 +3,7 @@
 #include "base/bits.h"
 #include "base/memory.h"
 #include "files/state_copy.h"
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -129,13 +130,27 @@ static void soft_restore(void *keep, void *owner) {
     const struct solid_keep *k = keep;
     struct solid *s = solid_of(owner);
     solid_soft_clear(s);
-    for (int i = 0; i < k->softens; i++) solid_soft_add(s, k->soft[i].h, k->soft[i].at, k->soft[i].most);
+    for (int i = 0; i < k->softens; i++) {
+        solid_soft_add(s, k->soft[i].h, k->soft[i].at, k->soft[i].most);
+        s->soft->bond[i].released = k->soft[i].released;
+    }
     solid_soft_order(s->soft);
 }
 
 static void soft_drop(void *keep) { memory_free(((struct solid_keep *)keep)->soft); }
 
 const struct state_kept solid_kept_soft = {soft_make, soft_take, soft_restore, soft_drop};
+
+static void breaks_make(void *keep, void *owner) { (void)keep, (void)owner; /* one number */ }
+static void breaks_take(void *keep, void *owner) {
+    ((struct solid_keep *)keep)->breaks = solid_of(owner)->breaks->made;
+}
+static void breaks_restore(void *keep, void *owner) {
+    solid_breaks_restore(solid_of(owner)->breaks, ((struct solid_keep *)keep)->breaks);
+}
+static void breaks_drop(void *keep) { (void)keep; }
+
+const struct state_kept solid_kept_breaks = {breaks_make, breaks_take, breaks_restore, breaks_drop};
 
 static void given_make(void *keep, void *owner) {
     struct solid_keep *k = keep;

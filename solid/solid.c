@@ -10,6 +10,7 @@
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
 #include "solid/bonds/across.h"
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/cut_shapes.h"
 #include "solid/bonds/family.h"
@@ -272,6 +273,7 @@ void solid_free(struct solid *s) {
     struct solid_family *f = s->family;
     solid_contact_free(s);
     solid_soft_free(s->soft);
+    solid_breaks_free(s->breaks);
     solid_forget_bonds(s);
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};

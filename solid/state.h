@@ -10,6 +10,7 @@
 struct par_ghost;
 struct solid_family; /* opaque: the bonds, solid/bonds/family.h */
 struct solid_soft;   /* opaque: solid/bonds/soft.h */
+struct solid_breaks; /* opaque: solid/bonds/breaks.h */
 struct solid_contact;
 struct solid_added_mass;
 struct solid_drag;
@@ -75,6 +76,7 @@ struct solid {
     long *piece;                   /* [n] number of the fragment at the last look at them, -1: none yet; NULL: they
                                     * are not followed (solid/measure/detachment.h) */
     double *piece_since;           /* [n] when that fragment came off, s */
+    struct solid_breaks *breaks;   /* the bonds that broke and wait to be read; NULL: nobody asks for them */
     double t;                      /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */
     double e_damped;       /* energy dissipated by damping so far, J */

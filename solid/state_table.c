@@ -22,6 +22,8 @@ static struct solid_surface *surface_of(const void *owner) {
 static int is_refined(const void *owner) { return solid_of(owner)->refine != NULL; }
 static int is_loaded(const void *owner) { return solid_of(owner)->given != NULL; }
 static int is_in_contact(const void *owner) { return solid_of(owner)->in.contact; }
+static int is_recorded(const void *owner) { return solid_of(owner)->breaks != NULL; }
+static int is_recorded_soft(const void *owner) { return is_recorded(owner) && solid_of(owner)->soft; }
 static int is_immersed(const void *owner) { return surface_of(owner) != NULL; }
 
 static void save_level(void *owner, void *value) {
@@ -96,6 +98,24 @@ static int load_soft(void *owner, long n, const void *value) {
     return 0;
 }
 
+/* The same bonds' energies released so far, J, which only events.csv needs: the third number is the energy. */
+static void save_released(void *owner, void *value) {
+    const struct solid *s = solid_of(owner);
+    double(*row)[SOFT_COMPS] = value;
+    save_soft(owner, value);
+    for (int i = 0; i < s->soft->n; i++) row[i][2] = s->soft->bond[i].released;
+}
+
+static int load_released(void *owner, long n, const void *value) {
+    struct solid *s = solid_of(owner);
+    const double(*row)[SOFT_COMPS] = value;
+    for (long i = 0; i < n; i++) {
+        const long h = (long)row[i][0] - s->first[par_rank()];
+        if (h >= 0 && h < s->n) solid_soft_set_released(s, (int)h, (int)row[i][1], row[i][2]);
+    }
+    return 0;
+}
+
 #define OF(member) STATE_MEMBER(struct solid, member)
 
 const struct state_item solid_state_table[] = {
@@ -118,10 +138,15 @@ const struct state_item solid_state_table[] = {
     /* after `bonds`, whose load makes all intact bonds elastic */
     {"softening", STATE_DOUBLE, STATE_ROWS, OF(soft), .comps = SOFT_COMPS, .in = STATE_BOTH, .rows_of = soft_rows,
      .save = save_soft, .load_rows = load_soft, .kept = &solid_kept_soft},
+    {"softening_released", STATE_DOUBLE, STATE_ROWS, .comps = SOFT_COMPS, .in = STATE_STORED, .missing = STATE_LEFT,
+     .is_part = is_recorded_soft, .rows_of = soft_rows, .save = save_released, .load_rows = load_released,
+     .why = "it is kept with the list of the softening bonds"},
     {"stretch_limit", STATE_DOUBLE, STATE_PARTICLE, OF(limit), .comps = 1, .in = STATE_BOTH},
     /* what fragments.csv goes on from */
     {"piece", STATE_LONG, STATE_PARTICLE, OF(piece), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
     {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(piece_since), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
+    {"breaks", STATE_LONG, STATE_PARTICLE, OF(breaks), .in = STATE_KEPT, .is_part = is_recorded,
+     .kept = &solid_kept_breaks, .why = "events.csv is written before a checkpoint is"},
     /* energies */
     {"e_damped", STATE_DOUBLE, STATE_SHARE, OF(e_damped), .in = STATE_BOTH},
     {"e_fracture", STATE_DOUBLE, STATE_SHARE, OF(e_fracture), .in = STATE_BOTH},

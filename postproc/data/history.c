@@ -150,6 +150,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
     h->particles = table_read(folder_path(path, folder, "crack_particles.csv"), NULL);
     h->fragments = table_read(folder_path(path, folder, "fragments.csv"), NULL);
     h->reactions = table_read(folder_path(path, folder, "reactions.csv"), NULL);
+    h->events = table_read(folder_path(path, folder, "events.csv"), NULL);
     h->slices = table_read(folder_path(path, folder, "slices.csv"), NULL);
     h->rev = table_read(folder_path(path, folder, "rev.csv"), NULL);
     h->record = postproc_tree_new(folder_path(path, folder, "run.json"));
@@ -168,6 +169,7 @@ void postproc_history_free(struct postproc_history *h) {
     table_read_free(h->crack);
     table_read_free(h->fragments);
     table_read_free(h->reactions);
+    table_read_free(h->events);
     table_read_free(h->slices);
     table_read_free(h->rev);
     free(h->solid.entry);

@@ -20,6 +20,7 @@ struct postproc_history {
     struct table_data *particles; /* crack_particles.csv, or NULL */
     struct table_data *fragments; /* fragments.csv, or NULL */
     struct table_data *reactions; /* reactions.csv, or NULL */
+    struct table_data *events;    /* events.csv, or NULL */
     struct table_data *slices;    /* slices.csv, or NULL */
     struct table_data *rev;       /* rev.csv, or NULL */
     struct postproc_fields solid, fluid;

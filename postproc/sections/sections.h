@@ -30,6 +30,7 @@ void postproc_sections_medium(struct postproc_output *out, const struct postproc
 void postproc_sections_fracture(struct postproc_output *out,
                                 const struct postproc_history *h); /* bonds, fragments, onset */
 void postproc_sections_fragments(struct postproc_output *out, const struct postproc_history *h); /* what came off */
+void postproc_sections_events(struct postproc_output *out, const struct postproc_history *h);    /* of events.csv */
 void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);      /* seconds by part */
 void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h);       /* strain and stress */
 void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h);   /* pressure along x */

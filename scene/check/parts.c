@@ -96,6 +96,24 @@ static void check_crack_output(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "output.crack.direction", "must not be 0 in every direction");
 }
 
+/* Whether a bond may break in some stage. */
+static int may_break(const struct scene *s) {
+    int elastic = 0, breaks = 0;
+    for (int k = 0; k < s->stages; k++) elastic |= s->stage[k].solid == SCENE_SOLID_ELASTIC && s->stage[k].breakage;
+    for (int m = 0; m < s->solid->materials; m++)
+        breaks |= isfinite(s->solid->material[m].fracture_energy) || s->solid->material[m].s00 > 0;
+    for (int i = 0; i < s->solid->interfaces; i++) breaks |= isfinite(s->solid->interface[i].fracture_energy);
+    return elastic && breaks;
+}
+
+static void check_events(const struct scene_check *c) {
+    const struct scene *s = c->scene;
+    if (!s->output.events || !s->solid || c->problems->n > 0 || may_break(s)) return;
+    scene_problem_at(c->problems, c->root, "output.events",
+                     "no bond can break: a material with a fracture energy is needed, and a stage of an elastic solid "
+                     "with breakage");
+}
+
 static void check_place(const struct scene_check *c, struct scene_path path, const double place[3]) {
     const double *size = c->scene->domain.size;
     for (int d = 0; d < 3 && scene_check_parts_clean(c, path); d++)
@@ -139,6 +157,7 @@ void scene_check_parts(const struct scene_check *c) {
                                                     : "there is nothing to run: give a section fluid, solid or both");
     check_nonlocal(c);
     check_crack_output(c);
+    check_events(c);
     check_fluid_probes(c);
     check_cells(c);
     check_load(c);

@@ -357,6 +357,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("output.fragments", "bool", "true", .only = SOLID | STEPPED),
     RULE("output.reactions", "bool", "true", .only = SOLID | STEPPED),
     RULE("output.bodies", "bool", "true", .only = SOLID | STEPPED),
+    RULE("output.events", "bool", "false", .only = SOLID | STEPPED),
     RULE("output.crack", "section", .only = SOLID | STEPPED),
     RULE("output.crack.damage", "1", "0.35", WITHIN(0, 1), .open = 3),
     RULE("output.crack.direction", "1", "[1, 0, 0]"),

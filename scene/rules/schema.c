@@ -201,6 +201,7 @@ static const cyaml_schema_field_t output_fields[] = {
     BOOLEAN("fragments", OPTIONAL, scene_output, fragments),
     BOOLEAN("reactions", OPTIONAL, scene_output, reactions),
     BOOLEAN("bodies", OPTIONAL, scene_output, bodies),
+    BOOLEAN("events", OPTIONAL, scene_output, events),
     CYAML_FIELD_MAPPING_PTR("crack", OPTIONAL, struct scene_output, crack, crack_fields),
     CYAML_FIELD_MAPPING_PTR("intensity", OPTIONAL, struct scene_output, intensity, intensity_fields),
     CYAML_FIELD_MAPPING_PTR("probes", OPTIONAL, struct scene_output, probes, probes_fields),

@@ -92,6 +92,10 @@ void solid_soft_add_placed(struct solid *s, int h, int place, double most) {
         ENSURE(at < list->end[h - list->first], "particle %d has no bond %d", h, place);
     }
     solid_soft_add(s, h, at, most);
+    struct solid_soft_bond *bond = &s->soft->bond[s->soft->n - 1];
+    double s_e, s_c;
+    solid_soft_limits(s, h, &s_e, &s_c); /* 1/2 k times the sum of s_1 s_2 (f_1 - f_2), from s_e to `most` */
+    bond->released = 0.25 * bond->elastic * s_e * s_c * (most - s_e) / (s_c - s_e) * bond->length * s->volume[bond->h];
 }
 
 static int compare(const void *a, const void *b) {
@@ -145,6 +149,11 @@ static int first_of(const struct solid_soft *soft, int h) {
 }
 
 static int is_empty(const struct solid *s) { return !s->soft || s->soft->n == 0 || s->soft->is_hidden; }
+
+void solid_soft_set_released(struct solid *s, int h, int place, double released) {
+    for (int i = first_of(s->soft, h); i < s->soft->n && s->soft->bond[i].h == h; i++)
+        if (s->soft->bond[i].place == place) s->soft->bond[i].released = released;
+}
 
 double solid_soft_share(const struct solid *s, int h, int place) {
     double s_e, s_c;

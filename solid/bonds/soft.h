@@ -10,14 +10,15 @@
 #include "solid/state.h"
 
 struct solid_soft_bond {
-    int h, l;       /* local indices: an owned particle, and the other end (owned or ghost) */
-    int place;      /* its number in h's view (solid/bonds/family.h) */
-    long at;        /* lattice: offset of the stencil; list: number of the bond */
-    double xi[3];   /* X0_l - X0_h, across periodic sides, m; z of a plate is 0 */
-    double length;  /* |xi|, m */
-    double weight;  /* Gamma_hl V_l, m3 */
-    double elastic; /* alpha c Gamma V_l, N/m3: the force per volume on h is elastic times share times stretch */
-    double most;    /* the largest stretch so far: its history */
+    int h, l;        /* local indices: an owned particle, and the other end (owned or ghost) */
+    int place;       /* its number in h's view (solid/bonds/family.h) */
+    long at;         /* lattice: offset of the stencil; list: number of the bond */
+    double xi[3];    /* X0_l - X0_h, across periodic sides, m; z of a plate is 0 */
+    double length;   /* |xi|, m */
+    double weight;   /* Gamma_hl V_l, m3 */
+    double elastic;  /* alpha c Gamma V_l, N/m3: the force per volume on h is elastic times share times stretch */
+    double most;     /* the largest stretch so far: its history */
+    double released; /* energy that this end's half has released so far, J */
 };
 
 struct solid_soft {
@@ -37,12 +38,15 @@ void solid_soft_limits(const struct solid *s, int h, double *s_e, double *s_c);
  * by the bond's number. The list must be put in order before it is read. */
 void solid_soft_add(struct solid *s, int h, long at, double most);
 void solid_soft_order(struct solid_soft *soft);
-/* The same by the bond's number in h's view, for a state that is read or restored. */
+/* The same by the bond's number in h's view, for a state that is read or restored. What the bond has released is taken
+ * from the law, which Verlet's steps follow. */
 void solid_soft_add_placed(struct solid *s, int h, int place, double most);
 /* Breaks the bond for h. The caller takes it off the list. */
 void solid_soft_break(struct solid *s, const struct solid_soft_bond *bond);
 /* Makes all its bonds elastic again and empties the list. */
 void solid_soft_clear(struct solid *s);
+/* Sets what the bond of h has released, by its number in h's view; without effect if it does not soften. */
+void solid_soft_set_released(struct solid *s, int h, int place, double released);
 /* The part of its stiffness that the bond of h has kept: 1 if it does not soften. */
 double solid_soft_share(const struct solid *s, int h, int place);
 /* Multiplies the values of the bonds of h's view by these parts. */

@@ -1,5 +1,6 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/vec.h"
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/segment.h"
@@ -94,6 +95,7 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;
     s->crack_area += area;
+    if (s->breaks) solid_breaks_add(s, h, l, t->xi, (1 + home) * energy, (1 + home) * area);
     if (!home) return 1;
     solid_lattice_cut(lattice, l, lattice->stencil->n - 1 - o);
     s->flag[l] |= SOLID_BROKEN;

@@ -1,6 +1,7 @@
 /* Breaks bonds by limits of the stretch that follow the other bonds of the step before. */
 #include "solid/force/sweep_limit.h"
 #include "base/par_ghost.h"
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
 
@@ -88,11 +89,21 @@ static double energy_of(const struct solid *s, const struct bonds *of, long j) {
     return 0.25 * t->law.c0 * alpha * offset->length * offset->weight * s->volume[of->h];
 }
 
+static void record(struct solid *s, const struct bonds *of, long j, double energy, double area) {
+    double xi[3];
+    if (of->lattice)
+        memcpy(xi, of->lattice->stencil->offset[j].xi, sizeof xi);
+    else
+        solid_list_xi(of->list, j, xi);
+    solid_breaks_add(s, of->h, other_of(of, j), xi, energy, area);
+}
+
 /* Breaks the bond on this side; the particle at the other end does the same. */
 static void cut(struct solid *s, const struct bonds *of, long j, double stretch, const struct solid_limit *limit) {
-    const double energy = energy_of(s, of, j);
+    const double energy = energy_of(s, of, j), area = energy * limit->s00 * limit->s00 / limit->fracture_energy;
     s->e_fracture += energy * stretch * stretch;
-    s->crack_area += energy * limit->s00 * limit->s00 / limit->fracture_energy;
+    s->crack_area += area;
+    if (s->breaks) record(s, of, j, energy * stretch * stretch, area);
     if (of->lattice)
         solid_lattice_cut(of->lattice, of->h, (int)j);
     else

@@ -1,5 +1,6 @@
 /* Force sweep over the bonds of a body in the list store: one kernel per dimension, series and damping; breaks
  * bonds. */
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
@@ -66,6 +67,18 @@ static __attribute__((noinline)) double bond_eps(const double *xi, const double 
     return q / xi2;
 }
 
+/* Not inlined, so that the sums of the sweep are rounded the same whether somebody asks for a record or not. */
+static __attribute__((noinline)) void record(struct solid *s, const struct solid_list *list, int h, long j,
+                                             double stretch, double s0) {
+    double xi[3];
+    const double length = solid_list_steps(list, j, xi);
+    const double energy = 0.25 * list->law.density * list->stiffness[j] * length * (length * list->spacing) *
+                          s->volume[h]; /* of this end's half, over the square of the stretch */
+    for (int c = 0; c < 3; c++) xi[c] *= list->spacing;
+    solid_breaks_add(s, h, solid_list_other(list, j), xi, energy * stretch * stretch,
+                     energy * s0 * s0 / solid_list_fracture_energy(list, j));
+}
+
 /* Breaks the bonds of the particle that are stretched beyond their limits, on its side (those that soften leave this
  * sweep for another). Returns how many. */
 static int break_bonds(struct solid *s, struct solid_list *list, int i) {
@@ -94,6 +107,7 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
         const double s0 = limit / (1 + sqrt(1 + limit));
         s->crack_area += 0.25 * list->law.density * list->stiffness[j] * length * s0 * s0 * (length * list->spacing) *
                          s->volume[h] / solid_list_fracture_energy(list, j);
+        if (s->breaks) record(s, list, h, j, stretch, s0);
         solid_list_set(list, j, 0);
     }
     if (broken && !list->soft) {

@@ -1,6 +1,7 @@
 /* Force sweep over the bonds that soften: history, breaking, forces, energy. */
 #include "solid/force/sweep_soft.h"
 #include "base/ensure.h"
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
 #include "solid/law/softening.h"
@@ -50,7 +51,9 @@ static double bring_up(struct solid *s, struct solid_soft_bond *bond, double str
     if (!(stretch > most)) return before;
     bond->most = stretch;
     const double now = solid_softening_share(s_e, s_c, stretch);
-    s->e_fracture += energy_of(s, bond, square_of(s->stage.integrator, most, stretch)) * (before - now);
+    const double energy = energy_of(s, bond, square_of(s->stage.integrator, most, stretch)) * (before - now);
+    s->e_fracture += energy;
+    bond->released += energy;
     return now;
 }
 
@@ -117,7 +120,9 @@ double solid_sweep_soft(struct solid *s, const struct solid_sweep *sweep) {
             const double share =
                 sweep->may_break ? bring_up(s, &bond, e.stretch, s_e, s_c) : solid_softening_share(s_e, s_c, bond.most);
             if (share == 0) {
-                s->crack_area += energy_of(s, &bond, s_e * s_c) / fracture_energy_of(s, h);
+                const double area = energy_of(s, &bond, s_e * s_c) / fracture_energy_of(s, h);
+                s->crack_area += area;
+                if (s->breaks) solid_breaks_add(s, h, bond.l, bond.xi, bond.released, area);
                 solid_soft_break(s, &bond);
                 continue;
             }

@@ -8,6 +8,7 @@
 #include "files/state_file.h"
 #include "fluid/state_table.h"
 #include "tests/coupling/scene_of.h"
+#include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -89,10 +90,11 @@ static const char *const indented =
     "  - {name: first, steps: 100, time_step: 0.3, integrator: verlet}\n"
     "  - {name: second, steps: 100, time_step: 0.3, integrator: verlet}\n";
 
-/* A run whose fragments are followed. */
+/* A run whose fragments are followed and whose bonds that break are recorded. */
 static struct run *run_followed(const struct scene *scene) {
     struct run *r = run_new(scene);
     if (r->solid) solid_detachment_begin(r->solid);
+    if (r->solid && r->needs.breakage) solid_breaks_begin(r->solid);
     return r;
 }
 
@@ -255,12 +257,49 @@ static size_t read_soft(struct run *r, void *bytes) {
     return (size_t)((char *)to - (char *)bytes);
 }
 
-static const struct special special[] = {
-    {"stage", fill_stage, NULL},       {"spacing", fill_nothing, NULL},    {"body", fill_nothing, NULL},
-    {"level", fill_nothing, NULL},     {"place", fill_nothing, NULL},      {"bonds", fill_bonds, NULL},
-    {"flag", fill_flag, NULL},         {"surface", fill_surface, NULL},    {"demand", fill_demand, NULL},
-    {"given", fill_given, read_given}, {"paths", fill_paths, read_paths},  {"contact", fill_contact, read_contact},
-    {"piece", fill_piece, NULL},       {"softening", fill_soft, read_soft}};
+static void fill_released(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    for (int i = 0; i < r->solid->soft->n; i++) {
+        struct solid_soft_bond *bond = &r->solid->soft->bond[i];
+        bond->released = seed + 1e-3 * bond->place;
+    }
+}
+
+static size_t read_released(struct run *r, void *bytes) {
+    double *to = bytes;
+    for (int i = 0; i < r->solid->soft->n; i++) *to++ = r->solid->soft->bond[i].released;
+    return (size_t)((char *)to - (char *)bytes);
+}
+
+static void fill_breaks(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    const double xi[3] = {1, 0, 0};
+    (void)item, (void)part;
+    for (int k = 0; k < seed; k++) solid_breaks_add(r->solid, 0, 0, xi, 1, 1);
+}
+
+static size_t read_breaks(struct run *r, void *bytes) {
+    const struct solid_breaks *b = r->solid->breaks;
+    const long number[2] = {b->made, b->n};
+    memcpy(bytes, number, sizeof number);
+    return sizeof number;
+}
+
+static const struct special special[] = {{"stage", fill_stage, NULL},
+                                         {"spacing", fill_nothing, NULL},
+                                         {"body", fill_nothing, NULL},
+                                         {"level", fill_nothing, NULL},
+                                         {"place", fill_nothing, NULL},
+                                         {"bonds", fill_bonds, NULL},
+                                         {"flag", fill_flag, NULL},
+                                         {"surface", fill_surface, NULL},
+                                         {"demand", fill_demand, NULL},
+                                         {"given", fill_given, read_given},
+                                         {"paths", fill_paths, read_paths},
+                                         {"contact", fill_contact, read_contact},
+                                         {"piece", fill_piece, NULL},
+                                         {"softening", fill_soft, read_soft},
+                                         {"breaks", fill_breaks, read_breaks},
+                                         {"softening_released", fill_released, read_released}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)

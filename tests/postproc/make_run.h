@@ -125,6 +125,21 @@ static void make_breaking(const struct make_run *in) {
     table_free(t);
 }
 
+/* A hundred events from step 255 on, the k-th of k bonds with k^2 J, along a line; the largest is the last but one. */
+static void make_events(const struct make_run *in) {
+    static const char *const name[] = {"step", "t", "event", "bonds", "x", "y", "z", "area", "energy"};
+    static const char *const unit[] = {"1", "s", "1", "1", "m", "m", "m", "m2", "J"};
+    char path[FOLDER_PATH];
+    if (in->stop < 300) return;
+    struct table *t = table_new(folder_path(path, in->folder, "events.csv"), 9, name, unit, -1);
+    for (int k = 0; k < 100; k++) {
+        const int size = k < 98 ? k + 1 : 198 - k;
+        table_row(t, (double[]){255 + k / 5, make_time(255 + k / 5), k, size, 0.05 + 1e-4 * k, 0.02 + 2e-4 * k, 0.025,
+                                1e-6 * size, (double)size * size});
+    }
+    table_free(t);
+}
+
 /* At the end of each stage: slices of 12.5 mm, of porosity 0.5 and 0.05 more each, and in the last stage 0.03 more; and
  * sub-volumes of 12.5 to 100 mm, the smallest of which do not all have a surface. */
 static void make_texture(const struct make_run *in) {
@@ -286,6 +301,7 @@ static void make_run(const struct make_run *in) {
     make_scene(in);
     make_series(in);
     if (!in->no_solid) make_breaking(in);
+    make_events(in);
     if (!in->no_solid) make_texture(in);
     make_record(in);
     for (long step = 2 * MAKE_STEPS - MAKE_FIELDS; step <= in->stop && !in->no_fields; step += MAKE_FIELDS) {

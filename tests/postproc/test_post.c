@@ -70,6 +70,10 @@ static const char *const files_of_whole_run[] = {"post/report.md",
                                                  "post/plots/rev_permeability.png",
                                                  "post/plots/load_displacement.png",
                                                  "post/plots/detached_mass.png",
+                                                 "post/plots/events.png",
+                                                 "post/plots/events.pdf",
+                                                 "post/plots/events_count.svg",
+                                                 "post/plots/events_energy.png",
                                                  "post/pressure.csv",
                                                  "post/plots/pressure_drop.png",
                                                  "post/plots/pressure_drop.svg",
@@ -126,6 +130,13 @@ static void whole_run(void **state) {
     check_close(summary(folder, "permeability, after"), 7.8e-6, 1e-12);
     check_close(summary(folder, "bonds broken"), 1e5, 0);
     check_close(summary(folder, "fragments"), 51, 0);
+    check_close(summary(folder, "events of fracture"), 100, 0);
+    check_close(summary(folder, "first event, t"), make_time(255), 1e-9);
+    check_close(summary(folder, "bonds broken in events"), 5050, 0);
+    check_close(summary(folder, "energy released by events"), 338350, 0);
+    check_close(summary(folder, "largest event, energy"), 1e4, 0);
+    check_close(summary(folder, "largest event, t"), make_time(274), 1e-9);
+    check_close(summary(folder, "largest event, y"), 0.0396, 1e-12);
     check_close(summary(folder, "wall time, momentum"), 20.25, 1e-9);
     check_close(summary(folder, "first bond broken, t"), make_time(255), 1e-9);
     /* only the last field is damaged; positions are stored in single precision */

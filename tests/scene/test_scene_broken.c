@@ -434,6 +434,9 @@ static const struct sample_broken table[] = {
      "it.yaml:14: output.probes.at[0] = [0, 0, 0]: must be a list of 2 numbers (m) in a plate"},
     {"pulled", "crack: {", "probes: {at: [[0, 0]], every: 0}, crack: {",
      "it.yaml:14: output.probes.every = 0: must be at least 1"},
+    {"pulled", ", fracture_energy: 135", "",
+     "it.yaml:14: output.events = true: no bond can break: a material with a fracture energy is needed, and a stage of "
+     "an elastic solid with breakage"},
     {"fluid", "stages:", "output: {crack: {}}\nstages:", "it.yaml:12: output.crack: only in a scene with a solid"},
     {"block", "[0.01, 0.005, 0.01], ", "",
      "it.yaml:11: solid.cracks[0].points: must be the four corners of a plane quadrilateral in 3D"},

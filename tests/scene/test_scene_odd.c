@@ -205,6 +205,7 @@ static const struct sample_broken table[] = {
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  body_force: 9.81",
      "it.yaml:5: fluid.body_force = 9.81: must be a list of 3 numbers (m/s2)"},
     /* parts that are not there */
+    {"solid", "stages:", "output: {events: 1}\nstages:", "it.yaml:12: output.events = 1: must be true or false"},
     {"fluid", "stages:", "output: {probes: {at: [[0, 0, 0]]}}\nstages:",
      "it.yaml:12: output.probes: only in a scene with a solid"},
     {"fluid", "steps: 10", "steps: 10, substeps: 2",

@@ -3,6 +3,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
+#include "solid/measure/events.h"
 #include "solid/solid.h"
 #include "tests/check.h"
 
@@ -193,6 +194,7 @@ static void test_books(void **state) {
                                        .general_bonds = list,
                                        .limit = &constant};
         struct solid *s = solid_new(&in);
+        solid_breaks_begin(s);
         solid_force(s, 1);
         s->d[0][1] = 1.9e-3 * SPACING;
         solid_force(s, 1);
@@ -206,6 +208,13 @@ static void test_books(void **state) {
         assert_true(force > 0);
         check_relative(s->e_fracture, energy, 1e-9);
         check_relative(s->crack_area, energy / (1.1 * 1.1) / constant.fracture_energy, 1e-9);
+        struct solid_break *bond;
+        assert_int_equal(solid_events_take(s, &bond), 1);
+        check_relative(bond->energy, s->e_fracture, 1e-14);
+        check_relative(bond->area, s->crack_area, 1e-14);
+        check_relative(bond->xi[0], SPACING, 1e-14);
+        check_close(bond->x[0], 0.5 * SPACING, 1e-12 * SPACING);
+        free(bond);
         solid_force(s, 1);
         check_equal(s->a[0][0], 0);
         assert_true(isinf(s->limit[0]));

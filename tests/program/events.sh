@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# events.csv: the books close, the same on any number of ranks, continued by a resumed run; asking for it changes nothing.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+cat >scene.yaml <<'EOS'
+title: A notched bar is pulled apart
+domain: {size: [0.04, 0.02, 0.02]}
+solid:
+  spacing: 1.0e-3
+  materials:
+    - {name: ceramic, youngs_modulus: 1.0e8, density: 3000, fracture_energy: 0.05}
+  bodies:
+    - {name: bar, material: ceramic, shape: box, low: [0.01, 0.006, 0.006], high: [0.03, 0.012, 0.012]}
+  cracks:
+    - {points: [[0.0202, 0.004, 0.004], [0.0202, 0.0085, 0.004], [0.0202, 0.0085, 0.016], [0.0202, 0.004, 0.016]]}
+  constraints:
+    - {low: [0, 0, 0], high: [0.013, 0.02, 0.02], directions: xyz, velocity: [-0.005, 0, 0]}
+    - {low: [0.027, 0, 0], high: [0.04, 0.02, 0.02], directions: x, velocity: [0.01, 0, 0]}
+stages:
+  - {name: pull, steps: 20, integrator: verlet, time_step: 8.0e-6, substeps: 1, breakage: false}
+  - {name: break, steps: 100, time_step: 8.0e-6, substeps: 2}
+output: {series_every: 10, fields_every: 0, checkpoint_every: 43, events: true}
+EOS
+# books RUN: the sums of the events over what the series has at the end: bonds, area, energy
+books() {
+  awk -F, 'FNR == 1 { for (i = 1; i <= NF; i++) at[FILENAME == ARGV[1] ? "e" : "s", $i] = i; next }
+    FNR == 2 { next }
+    FILENAME == ARGV[1] { bonds += $at["e", "bonds"]; area += $at["e", "area"]; energy += $at["e", "energy"]
+      if ($at["e", "event"] != events++ || $1 + 0 < last) { print "row", FNR > "/dev/stderr"; exit 1 }
+      last = $1; next }
+    FNR == 3 { cut = $at["s", "bonds_broken"] }
+    { broken = $at["s", "bonds_broken"] - cut; crack = $at["s", "crack_area"]; fracture = $at["s", "e_fracture"] }
+    END { printf "%d %.14g %.14g %.14g\n", events, bonds / broken, area / crack, energy / fracture }' \
+    "$1/events.csv" "$1/series.csv"
+}
+is_one() { for v in "$@"; do awk "BEGIN { exit !(($v - 1) ^ 2 < 1e-24) }" || fail "books: $v of what the series has"; done; }
+# Steps, numbers and bonds agree; places, normals, areas and energies to 1e-9 of the largest in the column. A normal is
+# compared where its direction stands out.
+alike() {
+  diff <(cut -d, -f1-4 "$1") <(cut -d, -f1-4 "$2") >/dev/null || fail "$1 and $2 have other events"
+  paste -d, "$1" "$2" | awk -F, 'NR == 1 { for (i = NF / 2; i; i--) { if ($i == "alignment") sure = i; if ($i == "normal_x") normal = i } }
+    NR > 2 { n = NF / 2
+    for (i = 5; i <= n; i++) { if (i >= normal && i < sure && $sure < 0.6) continue
+      d = $i - $(i + n); if (d < 0) d = -d; v = $i < 0 ? -$i : $i
+      if (v > big[i]) big[i] = v
+      if (d > off[i]) off[i] = d } }
+    END { for (i in off) if (!(off[i] <= 1e-9 * big[i])) { print "column", i, off[i], big[i] > "/dev/stderr"; exit 1 }
+      exit NR < 15 }' || fail "$1 and $2 differ"
+}
+
+code 0 ranks 1 run scene.yaml --out whole
+read -r events bonds area energy < <(books whole)
+[ "$events" -gt 20 ] || fail "$events events: the bar has not broken"
+is_one "$bonds" "$area" "$energy"
+# the bar is pulled along x: over all events the normals weighted with the area point there
+awk -F, 'NR > 2 { along += $8 * $8 * $12; all += $12 } END { exit !(along > 0.6 * all) }' whole/events.csv ||
+  fail "normals do not point along the pull"
+for n in 2 4; do # 3: below
+  code 0 ranks $n run scene.yaml --out ranks$n
+  alike whole/events.csv ranks$n/events.csv
+done
+
+# stopped between two samples while it breaks, and resumed on other ranks from an earlier step
+code 0 ranks 2 run scene.yaml --out stopped --set stages.break.steps=76
+cp stopped/events.csv before.csv
+echo step_00000043.h5 >stopped/checkpoint/latest
+code 0 ranks 3 run scene.yaml --out stopped --resume --set stages.break.steps=100
+alike whole/events.csv stopped/events.csv
+cmp -s before.csv stopped/events.csv && fail "the run was not resumed"
+awk -F, 'NR > 2 && $1 > 40 && $1 <= 43' whole/events.csv | grep -q . || fail "no event between sample and checkpoint"
+
+# asking for it changes no bit of the run, and without it there is no file
+code 0 ranks 1 run scene.yaml --out none --set output.events=false
+[ ! -e none/events.csv ] || fail "a file that the scene does not want"
+cmp none/series.csv whole/series.csv || fail "events change the run"
+code 2 ranks 1 run scene.yaml --out refused --set stages.break.breakage=false
+grep -q "output.events = true: no bond can break: a material with a fracture energy is needed" err || fail "$(cat err)"
+
+# bonds that soften: their whole energy comes when they are torn; the book of areas closes at once
+soft=("--set" "solid.materials[0].breakage={law: bilinear, tensile_strength: 14000}" "--set" stages.break.steps=110)
+code 0 ranks 1 run scene.yaml --out soft "${soft[@]}"
+read -r events bonds area energy < <(books soft)
+[ "$events" -gt 20 ] || fail "$events events with bonds that soften"
+is_one "$bonds" "$area"
+awk "BEGIN { exit !($energy > 0.2 && $energy < 1 - 1e-6) }" || fail "$energy of the energy, with bonds that soften"
+code 0 ranks 3 run scene.yaml --out soft3 "${soft[@]}" --set stages.break.steps=100
+code 0 ranks 2 run scene.yaml --out soft3 --resume "${soft[@]}"
+alike soft/events.csv soft3/events.csv
+
+# a plate that is refined while it breaks
+cat >plate.yaml <<'EOS'
+domain: {size: [0.03, 0.03]}
+solid:
+  spacing: 1.0e-3
+  model: plane_stress
+  thickness: 1.0e-3
+  materials:
+    - {name: glass, youngs_modulus: 72.0e9, density: 2440, fracture_energy: 0.02}
+  bodies:
+    - {shape: rectangle, low: [0.005, 0.005], high: [0.02, 0.025]}
+  cracks:
+    - {points: [[0.004, 0.0153], [0.0105, 0.0153]]}
+  constraints:
+    - {low: [0, 0], high: [0.03, 0.008], directions: xy, velocity: [0, -0.3]}
+    - {low: [0, 0.022], high: [0.03, 0.03], directions: xy, velocity: [0, 0.3]}
+  refinement: {energy: 0.5, every: 5}
+stages:
+  - {name: pull, steps: 240, integrator: verlet, time_step: 3.0e-8, substeps: 1}
+output: {series_every: 60, fields_every: 0, checkpoint_every: 0, events: true}
+EOS
+code 0 ranks 1 run plate.yaml --out plate
+grep -q "particles refined" plate/run.log || fail "nothing is refined: the rest would test nothing"
+read -r events bonds area energy < <(books plate)
+[ "$events" -gt 15 ] || fail "$events events of the plate"
+is_one "$area" "$energy"
+code 0 ranks 3 run plate.yaml --out plate3
+alike plate/events.csv plate3/events.csv
+echo ok
