@@ -12,7 +12,8 @@ double cracks_leak_source(struct cracks *c, double t, double dt, double *b) {
         c->leak[i] = 0;
         if (c->since[i] < 0) continue;
         const double wet = fmax(t - c->since[i], 0), root = sqrt(wet + dt) - sqrt(wet);
-        c->leak[i] = fmin(2 * c->in.leak_off * root * 2 * c->struts.area_size[i], fmax(c->content[i], 0));
+        c->leak[i] = 2 * c->in.leak_off * root * 2 * c->struts.area_size[i];
+        if (c->work->set[i] == CRACKS_CAVITY) c->leak[i] = fmin(c->leak[i], fmax(c->content[i], 0));
         b[i] -= c->leak[i];
         sum += c->leak[i];
     }

@@ -17,24 +17,25 @@ static inline double porous_dt(void) { return 0.5 * SPACING / sqrt(YOUNG / DENSI
 /* Critical for the lowest mode of a column that is free at both ends, 1/s. */
 static inline double porous_damping(int n) { return 2 * acos(-1) * sqrt(1.2 * YOUNG / DENSITY) / (n * SPACING); }
 
-/* The lattice's modulus of compression along y without strain along x, from the bonds of a whole family:
+/* The lattice's modulus of compression along y without strain along x, from the bonds of a particle in its
+ * middle:
  *     K = 1/2 sum of alpha c Gamma V xi_y^4/|xi|^3 */
 static inline double porous_confined(const struct solid *s) {
     static struct solid_family_view view;
-    double most[2] = {0, 0};
+    double most = 0;
     for (int h = 0; h < s->n; h++) {
+        const double *high = s->in.body[0].high;
+        if (fmax(fabs(s->x0[0][h] - 0.5 * high[0]), fabs(s->x0[1][h] - 0.5 * high[1])) > 0.75 * SPACING) continue;
         double sum = 0;
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) {
             const double *xi = view.xi[b], length = sqrt(xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]);
             sum += 0.5 * view.alpha[b] * view.micro[b] * view.weight[b] * pow(xi[1], 4) / pow(length, 3);
         }
-        if (view.n < most[0]) continue;
-        most[0] = view.n;
-        most[1] = sum;
+        most = fmax(most, sum);
     }
-    par_max_array(most, 2);
-    return most[1];
+    par_max_array(&most, 1);
+    return most;
 }
 
 /* The mean pressure of a layer along x. */

@@ -4,7 +4,7 @@
 #include "cracks/project.h"
 #include "cracks/solve.h"
 #include "solid/step/integrate.h"
-#include "tests/cracks/porous.h"
+#include "tests/cracks/terzaghi.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -141,7 +141,7 @@ static void darcy(void **state) {
  * with the lattice's modulus K of confined compression. */
 static void undrained(void **state) {
     (void)state;
-    const double load = 3e6, biot = 0.7, modulus = 1.5 * YOUNG;
+    const double load = 3e4, biot = 0.7, modulus = 1.5 * YOUNG;
     const int n = 40;
     struct solid *s = porous_column(n, load, 3);
     const struct cracks_input input = {.viscosity = 1e-3,
@@ -153,7 +153,7 @@ static void undrained(void **state) {
     struct cracks *c = cracks_new(&input, s);
     cracks_begin(c, 1);
     const double K = porous_confined(s), expected = load * biot / K / (1 / modulus + biot * biot / K);
-    check_relative(K / (1.2 * YOUNG), 1.0204, 1e-4);
+    check_relative(K / (1.2 * YOUNG), 1.0204, 2e-3); /* found elsewhere, with partial areas of less precision */
     solid_integrate(s, porous_dt(), 1600);
     assert_int_equal(c->status.failed, 0);
     check_relative(porous_pressure(c, n / 2), expected, 1e-6);
@@ -164,7 +164,7 @@ static void undrained(void **state) {
 /* A crack at rest, filled at a constant rate: its volume is what was injected less 4 C A sqrt(t). */
 static void carter(void **state) {
     (void)state;
-    const double mid = 12 * SPACING, half = 4 * SPACING, rate = 1e-2, coefficient = 1e-6;
+    const double mid = 12 * SPACING, half = 4 * SPACING, rate = 4e-6, coefficient = 4e-6;
     const double line[2][3] = {{mid - half, mid, 0}, {mid + half, mid, 0}};
     const struct solid_cut flat = {2, line};
     double missed[2];
@@ -173,8 +173,9 @@ static void carter(void **state) {
         struct solid *s = make((struct make){.sites = {24, 24, 0}, .cuts = 1, .cut = &flat});
         const struct cracks_injection in = {
             .low = {mid - half, 0, 0}, .high = {mid + half, 1, 0}, .value = rate};
-        const struct cracks_input input = {.viscosity = 1e-3,
+        const struct cracks_input input = {.viscosity = 1e-7, /* no particle runs dry */
                                            .least_aperture = 1e-8,
+                                           .least_pressure = -1e9, /* all of it is full at once */
                                            .leak_off = coefficient,
                                            .injections = 1,
                                            .injection = &in};
@@ -184,19 +185,25 @@ static void carter(void **state) {
         solid_integrate(s, dt, fine ? 400 : 100);
         const struct cracks_values v = cracks_measure(c);
         const double leaked = 4 * coefficient * v.area * sqrt(s->t);
-        check_above(leaked, 0.05 * v.injected);
+        check_above(leaked, 0.01 * v.injected);
         missed[fine] = fabs(v.volume - (rate * s->t - leaked)) / leaked;
-        check_below(missed[fine], 1.01 * dt / s->t); /* wet from the end of the first substep on: sqrt(t - dt) */
+        check_below(missed[fine], 0.51 * dt / s->t); /* wet from the end of the first substep on: sqrt(t - dt) */
         cracks_free(c);
         solid_free(s);
     }
     check_between(missed[0] / missed[1], 3.5, 4.5);
 }
 
+/* Inertia is less small than in the test by night (tests/cracks/test_consolidation.c). */
+static void consolidation(void **state) {
+    (void)state;
+    terzaghi(0.8, 2 * YOUNG, 40, 0.05, 0.2);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(darcy), cmocka_unit_test(undrained),
-                                       cmocka_unit_test(carter)};
+                                       cmocka_unit_test(carter), cmocka_unit_test(consolidation)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
