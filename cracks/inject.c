@@ -52,31 +52,38 @@ void cracks_inject_check(const struct cracks *c) {
                     q);
 }
 
-double cracks_inject_source(struct cracks *c, double time, double dt, double *b) {
+double cracks_inject_begin(struct cracks *c, double time, double dt) {
     const struct cracks_struts *t = &c->struts;
     double sum = 0;
     for (int q = 0; q < c->in.injections; q++) {
         const struct cracks_injection *in = &c->in.injection[q];
         const double *weight = c->weight + ((size_t)t->n + 1) * (size_t)q;
-        if (in->is_pressure) {
-            const double p = fmax(in->value * solid_time_factor(&in->time, time + dt), c->in.least_pressure);
-            for (int i = 0; i < t->n; i++) {
-                if (!(weight[i] > 0)) continue;
-                c->p[i] = p;
-                c->work->set[i] = CRACKS_GIVEN;
-            }
-        } else {
+        if (!in->is_pressure) {
             c->rate[q] = in->value * solid_time_mean(&in->time, time, time + dt);
-            for (int i = 0; i < t->n; i++) b[i] += dt * c->rate[q] * weight[i];
             sum += dt * fabs(c->rate[q]);
+            continue;
+        }
+        const double p = fmax(in->value * solid_time_factor(&in->time, time + dt), c->in.least_pressure);
+        c->work->force_holds = 0;
+        for (int i = 0; i < t->n; i++) {
+            if (!(weight[i] > 0)) continue;
+            c->p[i] = p;
+            c->work->set[i] = CRACKS_GIVEN;
         }
     }
     return sum;
 }
 
-void cracks_inject_fill(struct cracks *c, double dt, const double *residual, const double *flow) {
+void cracks_inject_source(const struct cracks *c, double dt, double *source) {
     const struct cracks_struts *t = &c->struts;
-    (void)flow;
+    for (int q = 0; q < c->in.injections; q++) {
+        const double *weight = c->weight + ((size_t)t->n + 1) * (size_t)q;
+        for (int i = 0; i < t->n && !c->in.injection[q].is_pressure; i++) source[i] += dt * c->rate[q] * weight[i];
+    }
+}
+
+void cracks_inject_fill(struct cracks *c, double dt, const double *residual) {
+    const struct cracks_struts *t = &c->struts;
     for (int q = 0; q < c->in.injections; q++) {
         const struct cracks_injection *in = &c->in.injection[q];
         const double *weight = c->weight + ((size_t)t->n + 1) * (size_t)q;

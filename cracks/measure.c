@@ -5,6 +5,19 @@
 #include "cracks/solve.h"
 
 #include <math.h>
+#include <string.h>
+
+const char *const cracks_measure_field_name[CRACKS_FIELDS] = {"crack_pressure", "crack_aperture", "crack_area",
+                                                              "crack_cavity"};
+
+void cracks_measure_field(const struct cracks *c, int field, double *value) {
+    const struct cracks_struts *t = &c->struts;
+    memset(value, 0, (size_t)c->solid->n * sizeof *value);
+    for (int i = 0; i < t->n; i++) {
+        const double of[CRACKS_FIELDS] = {c->p[i], cracks_aperture_of(c, i), t->area_size[i], c->cavity[i]};
+        value[t->h[i]] = of[field];
+    }
+}
 
 struct cracks_values cracks_measure(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;

@@ -13,11 +13,16 @@ struct cracks_values {
     double injection_pressure; /* mean over the first injection's particles by their parts, Pa */
     double injection_rate;     /* of all injections in the last substep, m3/s */
     double pressure_mean;      /* by area, Pa */
-    double area;               /* one face, m2 */
+    double area;               /* of the cracks, m2: half of it on either side */
     double aperture_max;       /* m */
     double aperture_mean;      /* by area, m */
     long wet_particles;
 };
 
+/* The fields of the solid's particles, [the solid's n]: pressure, Pa; aperture, m; |a_h|, m2; void that is not filled,
+ * m3. 0 where a particle is not wet. Not collective. */
+enum { CRACKS_FIELDS = 4 };
+extern const char *const cracks_measure_field_name[CRACKS_FIELDS];
+void cracks_measure_field(const struct cracks *c, int field, double *value);
 /* Ghosts of the solid's displacements need not be current. Collective. */
 struct cracks_values cracks_measure(const struct cracks *c);

@@ -27,35 +27,53 @@ void cracks_project_settle(struct cracks *c) {
     }
 }
 
-/* u = d + dt v-, with v- the velocity in the middle of the last substep and the other loads' acceleration since:
- *     v- = v + dt/2 a - dt M^-1 share          a and v include the last share, of which v has taken half a step */
+/* force = B p of the pressures to begin with: those of the last substep, with what injections have set. */
+static void force_begin(struct cracks *c) {
+    const struct cracks_struts *t = &c->struts;
+    struct cracks_work *w = c->work;
+    if (w->force_holds) return;
+    cracks_struts_update(t, sizeof *c->p, c->p);
+    cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, c->p, w->force);
+    w->force_holds = 1;
+}
+
+/* u = d + dt v- + dt^2 M^-1 force, with v- the velocity in the middle of the last substep and the other loads'
+ * acceleration since:
+ *     v- = v + dt/2 a - dt M^-1 share          a and v include the last share, of which v has taken half a step
+ * So u is the displacement at the end of the substep if the pressures stay. */
 static void predict(struct cracks *c, double dt) {
     const struct solid *s = c->solid;
     const struct cracks_struts *t = &c->struts;
     for (int i = 0; i < t->n; i++) {
         const int h = t->h[i];
-        const cracks_vec pushed = dt * s->volume[h] * t->mobility[i] * c->share[i];
+        const cracks_vec pushed = dt * t->mobility[i] * (c->work->force[i] - s->volume[h] * c->share[i]);
         for (int k = 0; k < s->dim; k++)
-            c->work->u[i][k] = s->d[k][h] + dt * ((s->v[k][h] + 0.5 * dt * s->a[k][h]) - pushed[k]);
+            c->work->u[i][k] = s->d[k][h] + dt * ((s->v[k][h] + 0.5 * dt * s->a[k][h]) + pushed[k]);
         for (int k = s->dim; k < 4; k++) c->work->u[i][k] = 0;
     }
     cracks_struts_update(t, sizeof *c->work->u, c->work->u);
 }
 
-/* b = content + dt Q - B^T u. Returns the volume to which errors are compared. */
-static double source(struct cracks *c, double dt) {
+/* The residual of the pressures to begin with, content + dt (Q - L p) - S p - B^T u. Returns the sum of dt |Q|; size:
+ * volume that rounding is compared to. */
+static double residual_begin(struct cracks *c, double dt, double *size) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_work *w = c->work;
-    double size = 0;
+    const double injected = cracks_inject_begin(c, c->solid->t, dt);
+    force_begin(c);
     predict(c, dt);
     cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, w->u, w->b);
+    cracks_struts_update(t, sizeof *c->p, c->p);
+    *size = 0;
     for (int i = 0; i < t->n; i++) {
-        size += fabs(w->b[i]) + fabs(c->content[i]);
-        w->b[i] = c->content[i] - w->b[i];
+        *size += fabs(w->b[i]) + fabs(c->content[i]);
+        w->residual[i] = c->content[i] - w->b[i] - c->storage[i] * c->p[i];
     }
-    if (c->leak) size += cracks_leak_source(c, c->solid->t, dt, w->b);
-    size = par_sum(size);
-    return size + cracks_inject_source(c, c->solid->t, dt, w->b);
+    cracks_inject_source(c, dt, w->residual);
+    cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, -dt, c->p, w->residual);
+    if (c->leak) *size += cracks_leak_source(c, c->solid->t, dt, w->residual);
+    *size = par_sum(*size);
+    return injected;
 }
 
 /* The pressures' load in the solid: the new share instead of the last one. */
@@ -83,7 +101,7 @@ static void fill(struct cracks *c, double dt) {
     for (int i = 0; i < t->n; i++) flow[i] = 0;
     cracks_struts_update(t, sizeof *c->p, c->p);
     cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, dt, c->p, flow);
-    cracks_inject_fill(c, dt, w->residual, flow);
+    cracks_inject_fill(c, dt, w->residual);
     if (c->leak) cracks_leak_book(c, c->solid->t + dt);
     for (int i = 0; i < t->n; i++) {
         c->content[i] -= flow[i];
@@ -106,8 +124,9 @@ void cracks_project(struct solid *s, double dt, void *cracks) {
         if (c->open) c->storage[i] += cracks_pores_storage(c, i);
         c->work->set[i] = c->p[i] > c->in.least_pressure ? CRACKS_FULL : CRACKS_CAVITY;
     }
-    const double size = source(c, dt);
-    if (!cracks_solve(c, dt, size)) return;
+    double size;
+    const double injected = residual_begin(c, dt, &size);
+    if (!cracks_solve(c, dt, injected, size)) return;
     load(c, dt);
     fill(c, dt);
     c->steps++;

@@ -8,6 +8,7 @@
 #include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "cracks/measure.h"
 #include "physics/waves.h"
 #include "program/check_sizes.h"
 #include "program/program.h"
@@ -103,6 +104,18 @@ static void say_interfaces(const struct solid_input *in) {
             in->interface[k].fracture_energy);
 }
 
+/* The fluid in cracks, and the particles that each injection enters by. */
+static void say_crack_fluid(const struct run *r) {
+    const struct cracks *c = r->cracks;
+    if (!c) return;
+    const struct cracks_values v = cracks_measure(c);
+    say("  crack fluid  in %ld particles with broken bonds, %.4g m2 of cracks; least aperture %.3g m\n",
+        v.wet_particles, v.area, c->least_aperture);
+    for (int q = 0; q < c->in.injections; q++)
+        say("  injection  %s %g %s by %ld of them\n", c->in.injection[q].is_pressure ? "at a pressure of" : "of",
+            c->in.injection[q].value, c->in.injection[q].is_pressure ? "Pa" : "m3/s", c->particles[q]);
+}
+
 /* The bodies that move at the start. */
 static void say_moving(const struct solid_input *in) {
     for (int b = 0; b < in->bodies; b++) {
@@ -158,6 +171,7 @@ static void say_holdings(struct run *r) {
     }
     if (r->solid) say_interfaces(&r->solid->in);
     if (r->solid) say_moving(&r->solid->in);
+    say_crack_fluid(r);
     if (r->solid) say_on_surface(r->solid);
     if (r->solid) say_perturbed(r->solid);
     if (r->surface)

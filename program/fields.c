@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "cracks/measure.h"
 #include "files/folder.h"
 #include "files/vtkhdf.h"
 #include "solid/bonds/ghosts.h"
@@ -112,6 +113,10 @@ static void write_solid(struct run *r, const char *folder, const char *name, con
         vtkhdf_add(f, "damage", 1, work);
         solid_fragments_measure(s, whole, NULL);
         vtkhdf_add_long(f, "fragment", 1, whole);
+    }
+    for (int k = 0; r->cracks && k < CRACKS_FIELDS; k++) {
+        cracks_measure_field(r->cracks, k, work);
+        vtkhdf_add(f, cracks_measure_field_name[k], 1, work);
     }
     if (r->needs.bonds && !r->fluid) {
         solid_ghosts_update(s);

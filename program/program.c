@@ -11,6 +11,7 @@
 #include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "cracks/cracks.h"
 #include "files/aside.h"
 #include "files/folder.h"
 #include "files/log.h"
@@ -234,6 +235,10 @@ static int stages(struct program *p) {
             const int code = step(p);
             if (code >= 0) return code;
         }
+        if (stage->crack_fluid && r->cracks->steps > 0)
+            log_line("stage %s: crack fluid: %.3g solves and %.3g iterations a substep, struts made %ld times",
+                     stage->name, (double)r->cracks->solves / (double)r->cracks->steps,
+                     (double)r->cracks->iterations / (double)r->cracks->steps, r->cracks->renewals);
         if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;
     }
 }

@@ -5,19 +5,22 @@
 static void check_bodies(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     if (s->method != SCENE_PERIDYNAMIC) {
-        scene_problem_at(c->problems, c->root, "crack_fluid", "needs solid.method: peridynamic, whose cracks are broken "
-                                                              "bonds");
+        scene_problem_at(c->problems, c->root, "crack_fluid",
+                         "needs solid.method: peridynamic, whose cracks are broken "
+                         "bonds");
         return;
     }
     if (s->refinement)
-        scene_problem_at(c->problems, c->root, "crack_fluid", "cannot go with solid.refinement: struts need one spacing");
+        scene_problem_at(c->problems, c->root, "crack_fluid",
+                         "cannot go with solid.refinement: struts need one spacing");
     for (int b = 0; b < s->bodies; b++) {
         const struct scene_body *body = &s->body[b];
         if (body->shape == SCENE_POINTS || body->arrangement != SCENE_ARRANGED_LATTICE) {
-            scene_problem_at(c->problems, c->root, "crack_fluid",
-                             "needs particles on the lattice, whose bonds are alike in all directions: solid.bodies[%d] "
-                             "has others",
-                             b);
+            scene_problem_at(
+                c->problems, c->root, "crack_fluid",
+                "needs particles on the lattice, whose bonds are alike in all directions: solid.bodies[%d] "
+                "has others",
+                b);
             return;
         }
         if (body->material_index < 0 || s->body[0].material_index < 0) return; /* reported with the body */

@@ -33,6 +33,13 @@ static void ghosts_are_the_owners_values(void **state) {
             b[i] = -2 * a[i];
         }
         par_ghost_update(g, 1 + turn % 2, field, d.own); /* one field and two in turn */
+        struct record {
+            long id;
+            char letter;
+        } record[ALL_MAX];
+        for (int i = 0; i < d.own; i++) record[i] = (struct record){d.first[par_rank()] + i, (char)('a' + i % 7)};
+        par_ghost_update_records(g, sizeof *record, record, d.own);
+        for (int k = 0; k < d.n && par_size() > 1; k++) check_equal(record[d.own + k].id, d.id[k]);
         for (int k = 0; k < d.n; k++) {
             check_equal(a[d.own + k], 100 * turn + (double)d.id[k]);
             if (turn % 2) check_equal(b[d.own + k], -2 * a[d.own + k]);

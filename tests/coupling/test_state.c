@@ -3,6 +3,8 @@
 #include "coupling/guard.h"
 #include "coupling/run_state.h"
 #include "coupling/step.h"
+#include "cracks/project.h"
+#include "cracks/state_table.h"
 #include "files/folder.h"
 #include "files/seal.h"
 #include "files/state_file.h"
@@ -75,6 +77,24 @@ static const char *const plate =
     "stages:\n"
     "  - {name: first, steps: 1000, time_step: 5.0e-8, integrator: verlet}\n"
     "  - {name: second, steps: 1000, time_step: 5.0e-8, integrator: verlet}\n";
+
+/* A plate with a notch that fluid is pumped into. */
+static const char *const cracked = "title: test\n"
+                                   "domain: {size: [0.03, 0.03]}\n"
+                                   "solid:\n"
+                                   "  spacing: 1.0e-3\n"
+                                   "  model: plane_strain\n"
+                                   "  thickness: 1.0e-3\n"
+                                   "  materials: [{name: rock, youngs_modulus: 2.0e10, density: 2500}]\n"
+                                   "  bodies: [{shape: rectangle, low: [0, 0], high: [0.03, 0.03]}]\n"
+                                   "  cracks: [{points: [[0.01, 0.015], [0.02, 0.015]]}]\n"
+                                   "crack_fluid:\n"
+                                   "  viscosity: 1.0e-3\n"
+                                   "  least_aperture: 1.0e-8\n"
+                                   "  injections: [{low: [0.014, 0.012], high: [0.016, 0.018], rate: 1.0e-5}]\n"
+                                   "stages:\n"
+                                   "  - {name: first, steps: 1000, integrator: verlet, crack_fluid: true}\n"
+                                   "  - {name: second, steps: 1000, integrator: verlet, crack_fluid: true}\n";
 
 /* A block that an indenter moves into, whose limits of the stretch follow the other bonds. */
 static const char *const indented =
@@ -284,6 +304,35 @@ static size_t read_breaks(struct run *r, void *bytes) {
     return sizeof number;
 }
 
+/* Values by global id. */
+static void fill_wet(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    struct cracks *c = r->cracks;
+    (void)item, (void)part;
+    cracks_project_settle(c);
+    for (int i = 0; i < c->struts.n; i++) {
+        const double base = 100 * seed + 1e-3 * (double)(r->solid->first[par_rank()] + c->struts.h[i]);
+        c->p[i] = base;
+        c->content[i] = base + 1;
+        c->cavity[i] = base + 2;
+        c->volume[i] = base + 3;
+        c->storage[i] = base + 4;
+        c->share[i] = (cracks_vec){base + 5, base + 6, 0, 0};
+    }
+}
+
+static void fill_injected(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    r->cracks->injected[0] = seed;
+    r->cracks->rate[0] = 10 * seed;
+}
+
+static void fill_totals(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    r->cracks->leaked = seed;
+    r->cracks->filled = 10 * seed;
+    r->cracks->began = 1;
+}
+
 static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"spacing", fill_nothing, NULL},
                                          {"body", fill_nothing, NULL},
@@ -299,7 +348,10 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"piece", fill_piece, NULL},
                                          {"softening", fill_soft, read_soft},
                                          {"breaks", fill_breaks, read_breaks},
-                                         {"softening_released", fill_released, read_released}};
+                                         {"softening_released", fill_released, read_released},
+                                         {"crack_fluid", fill_wet, NULL},
+                                         {"crack_injected", fill_injected, NULL},
+                                         {"crack_totals", fill_totals, NULL}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)
@@ -589,6 +641,11 @@ static void test_indented(void **state) {
     go(indented, 30, 0, NULL);
 }
 
+static void test_cracked(void **state) {
+    (void)state;
+    go(cracked, 10, 0, NULL);
+}
+
 static void test_blocks(void **state) {
     (void)state;
     go(blocks, 30, 0, NULL);
@@ -629,7 +686,14 @@ static void test_covered(void **state) {
          offsetof(struct solid, a)},
         {"fluid_state", "fluid/state_table.c", fluid_state_table_part(r->fluid), 0,
          offsetof(struct fluid_state, driven)}};
-    int gaps = 0;
+    struct scene *wet = scene_of(cracked, "", 0, NULL);
+    struct run *of_wet = run_new(wet);
+    const struct group cracks = {"cracks", "cracks/state_table.c", cracks_state_table_part(of_wet->cracks),
+                                 offsetof(struct cracks, p), offsetof(struct cracks, struts)};
+    int gaps = state_item_uncovered(cracks.part.item, cracks.part.items, cracks.from, cracks.to) < cracks.to;
+    if (gaps) print_message("struct %s has state that is in no line of %s\n", cracks.name, cracks.table);
+    run_free(of_wet);
+    scene_free(wet);
     for (size_t k = 0; k < sizeof group / sizeof group[0]; k++) {
         const struct group *g = &group[k];
         size_t at = g->from;
@@ -679,10 +743,10 @@ static void test_lines(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest all[] = {cmocka_unit_test(test_covered), cmocka_unit_test(test_flow),
-                                     cmocka_unit_test(test_blocks),  cmocka_unit_test(test_indented),
-                                     cmocka_unit_test(test_plate),   cmocka_unit_test(test_without_predictor),
-                                     cmocka_unit_test(test_lines)};
+    const struct CMUnitTest all[] = {
+        cmocka_unit_test(test_covered),           cmocka_unit_test(test_flow),    cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_indented),          cmocka_unit_test(test_cracked), cmocka_unit_test(test_plate),
+        cmocka_unit_test(test_without_predictor), cmocka_unit_test(test_lines)};
     const int failed = cmocka_run_group_tests(all, NULL, NULL);
     par_end();
     return failed;

@@ -7,7 +7,8 @@
 #include "solid/step/relax.h"
 #include "tests/cracks/make.h"
 
-/* Breaks the bonds through the circle, in a plate the line, of a radius about the middle of the body, between layers. */
+/* Breaks the bonds through the circle, in a plate the line, of a radius about the middle of the body, between layers.
+ */
 static inline void cut_about_middle(struct solid *s, const int sites[3], double radius) {
     static struct solid_family_view view;
     const int normal = s->dim - 1;
@@ -79,12 +80,11 @@ static inline struct found at_rest(const int sites[3], double a) {
     material.fracture_energy = 1;
     const double s0 = solid_material_constants(s->in.model, s->in.thickness, &material, 3 * SPACING).s0;
     const double columns = plate ? 2 : 4, area = columns * SPACING * (plate ? THICKNESS : SPACING);
-    const double of_volume = plate ? 5.8905 * p * radius * radius / YOUNG * THICKNESS
-                                   : 5.0 * p * radius * radius * radius / YOUNG;
+    const double of_volume =
+        plate ? 5.8905 * p * radius * radius / YOUNG * THICKNESS : 5.0 * p * radius * radius * radius / YOUNG;
     struct found found = {sum[0] / of_volume, sum[1] / area / ((plate ? 3.75 : 2.3873) * p * radius / YOUNG),
                           p * s0 / most / sqrt(YOUNG * 1 / radius)};
     cracks_free(c);
     solid_free(s);
     return found;
 }
-

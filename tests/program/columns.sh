@@ -6,7 +6,8 @@ scenes=$source/tests/scene/scenes
 code 0 ranks 1 run "$scenes/coupled.yaml" --out coupled --set stages.flow.steps=1 --set stages.settle.steps=1 \
   --set stages.fracture.steps=0
 code 0 ranks 1 run "$scenes/plate.yaml" --out plate --set stages.pull.steps=1
-for run in coupled plate; do
+code 0 ranks 1 run "$scenes/crack_fluid.yaml" --out cracks --set stages.pump.steps=1
+for run in coupled plate cracks; do
   paste -d' ' <(sed -n 1p $run/series.csv | tr , '\n') <(sed -n '2s/^#//p' $run/series.csv | tr , '\n')
 done | sort -u >columns
 [ "$(wc -l <columns)" -gt 30 ] || fail "only $(wc -l <columns) columns"

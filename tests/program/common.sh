@@ -56,7 +56,7 @@ same() {
       next }
     { other = FNR
       for (i = 1; i <= NF; i++) {
-        scale = name[i] ~ /^(load|forcing)_/ ? big[x] : name[i] ~ /div_max|momentum_residual/ ? 1 : big[i]
+        scale = name[i] ~ /^(load|forcing)_/ ? big[x] : name[i] ~ /div_max|_residual$/ ? 1 : big[i]
         if (i in u) scale = fastest
         if (name[i] == "e_contact") scale = 1e5 * big[i]
         if (scale < floor[i]) scale = floor[i]

@@ -120,10 +120,50 @@ static void saved_and_loaded(void **state) {
     }
 }
 
+/* On the lattice: struts are the broken bonds of the view, with steps in spacings; the nearest particles are those at
+ * one spacing along an axis, across periodic sides too. */
+static void struts_and_nearest(void **state) {
+    (void)state;
+    static struct solid_family_view view;
+    static signed char step[SOLID_FAMILY_MAX][3];
+    int other[SOLID_FAMILY_MAX], nearest[6];
+    for (int list = 0; list < 2; list++) {
+        struct solid *s = block(list);
+        long struts = 0, missing = 0;
+        break_some(s);
+        for (int h = 0; h < s->n; h++) {
+            int found[6] = {-1, -1, -1, -1, -1, -1}, k = 0;
+            const int n = solid_family_struts(s, h, other, step);
+            solid_family_view(s, h, &view);
+            solid_family_nearest(s, h, nearest);
+            for (int b = 0; b < view.n; b++) {
+                double length2 = 0;
+                for (int c = 0; c < 3; c++) length2 += view.xi[b][c] * view.xi[b][c];
+                for (int c = 0; c < 3 && length2 < 1.5 * SPACING * SPACING; c++)
+                    if (fabs(view.xi[b][c]) > 0.5 * SPACING) found[2 * c + (view.xi[b][c] > 0)] = view.l[b];
+                if (view.intact[b]) continue;
+                check_below(k, n);
+                check_equal(other[k], view.l[b]);
+                for (int c = 0; c < 3; c++) check_close(step[k][c] - view.xi[b][c] / SPACING, 0, 1e-6);
+                k++;
+            }
+            check_equal(k, n);
+            struts += n;
+            for (int f = 0; f < 6; f++) {
+                check_equal(nearest[f], found[f]);
+                missing += found[f] < 0;
+            }
+        }
+        check_above(struts, 200);
+        check_equal(missing, 2 * (5 * 6 + 7 * 5)); /* the sides that are not periodic */
+        solid_free(s);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(both_ends), cmocka_unit_test(broken_bonds),
-                                       cmocka_unit_test(saved_and_loaded)};
+                                       cmocka_unit_test(saved_and_loaded), cmocka_unit_test(struts_and_nearest)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

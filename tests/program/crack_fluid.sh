@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# A notch that fluid is pumped into, in a plate and in a block: the same series on other ranks, and resumed in the
+# middle on another number of ranks; volumes add up; mistakes are refused with sentences.
+# usage: crack_fluid.sh FRANA SOURCE WORK
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+cat >plate.yaml <<'E2'
+title: Fluid is pumped into a notch
+domain: {size: [0.04, 0.04]}
+solid:
+  spacing: 1.0e-3
+  model: plane_strain
+  thickness: 1.0e-3
+  materials: [{name: rock, youngs_modulus: 2.0e10, density: 2500, fracture_energy: 50}]
+  bodies: [{shape: rectangle, low: [0, 0], high: [0.04, 0.04]}]
+  cracks: [{points: [[0.014, 0.02], [0.026, 0.02]]}]
+  loads: [{low: [0, 0], high: [0.04, 0.001], force: [0, 1.0e3], time: [[0, 0], [1.0e-4, 1]]}]
+crack_fluid:
+  viscosity: 1.0e-3
+  injections: [{low: [0.019, 0.017], high: [0.021, 0.023], rate: 2.0e-5, time: [[0, 0], [5.0e-5, 1]]}]
+stages: [{name: pump, steps: 80, integrator: verlet, crack_fluid: true}]
+output: {series_every: 10, checkpoint_every: 50, fields_every: 80}
+E2
+crack='[[0.005, 0.005, 0.008], [0.015, 0.005, 0.008], [0.015, 0.015, 0.008], [0.005, 0.015, 0.008]]'
+given='{low: [0.008, 0.008, 0.006], high: [0.012, 0.012, 0.01], pressure: 3.0e7, time: [[0, 0], [1.0e-5, 1]]}'
+sed -e 's/\[0.04, 0.04\]/[0.02, 0.02, 0.016]/g; s/  model.*//; s/  thickness.*//; s/  loads:.*//' \
+  -e "s/rectangle, low: \[0, 0\]/box, low: [0, 0, 0]/; s/  cracks:.*/  cracks: [{points: $crack}]/" \
+  -e "s/injections:.*/injections: [$given]/; s/steps: 80/steps: 40/; s/every: 50/every: 25/" \
+  -e 's/fields_every: 80/fields_every: 0/' plate.yaml >block.yaml
+# books: crack_volume - cavity_volume = injected_volume, which is above 0
+books() {
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+    NR > 2 { r = $at["volume_residual"]; v = $at["crack_volume"]; n++; last = $at["injected_volume"]
+      if (r < 0) r = -r
+      if (r > 1e-12 * v) exit 1 }
+    END { exit !(n > 2 && last > 0) }' "$1" || fail "$1: the volumes do not add up"
+}
+for kind in plate block; do
+  code 0 ranks 2 run $kind.yaml --out $kind
+  books $kind/series.csv
+  code 0 ranks 3 run $kind.yaml --out ${kind}_3
+  same $kind/series.csv ${kind}_3/series.csv
+  middle=$([ $kind = plate ] && echo 50 || echo 25)
+  code 0 ranks 1 run $kind.yaml --out ${kind}_again --resume=$kind/checkpoint/step_000000$middle.h5
+  sed -n '1,2p' $kind/series.csv >tail.csv
+  awk -F, -v from="$middle" 'NR > 2 && $1 > from' $kind/series.csv >>tail.csv
+  same tail.csv ${kind}_again/series.csv
+done
+code 0 "$frana" check plate.yaml
+grep -q 'crack fluid  in 96 particles' out || fail "check does not say the wet particles"
+grep -q 'injection  of 2e-05 m3/s by 12 of them' out || fail "check does not say the injection"
+# a scene without the section has none of its columns
+sed -e '/^crack_fluid/,/injections/d; s/, crack_fluid: true//' plate.yaml >dry.yaml
+code 0 ranks 1 run dry.yaml --out dry --set stages.pump.steps=10
+! grep -qE 'injected_volume|wet_particles' dry/series.csv || fail "columns of a fluid that the scene does not have"
+# refused SENTENCE SED: the plate, changed by sed, is refused with the sentence
+refused() {
+  sed "$2" plate.yaml >bad.yaml
+  code 2 "$frana" check bad.yaml
+  grep -qF -- "$1" err || { cat err >&2; fail "not said: $1"; }
+}
+refused "crack_fluid.injections[0]: no particle with a broken bond stands between low and high" \
+  's/low: \[0.019, 0.017\], high: \[0.021, 0.023\]/low: [0.001, 0.001], high: [0.004, 0.004]/'
+refused "stages[0].crack_fluid = true: needs integrator: verlet" 's/integrator: verlet/integrator: rk3/'
+refused "stages[0].crack_fluid = true: cannot go with relax" 's/steps: 80/steps: 80, relax: true/'
+refused "stages[0].crack_fluid = true: needs the section crack_fluid" '/^crack_fluid/,/injections/d'
+refused "crack_fluid: flows in no stage" 's/, crack_fluid: true//'
+refused "crack_fluid: needs particles on the lattice" \
+  's/shape: rectangle/arrangement: {kind: perturbed, perturbation: 0.1}, &/'
+refused "crack_fluid: cannot go with solid.refinement" 's/^solid:/&\n  refinement: {levels: 1}/'
+refused "crack_fluid.viscosity = 0: must be greater than 0" 's/viscosity: 1.0e-3/viscosity: 0/'
+refused "crack_fluid.injections[0].time[1] = [0, 1]: must be later" 's/5.0e-5, 1/0, 1/'
+echo ok
