@@ -34,8 +34,9 @@ double cracks_aperture_of(const struct cracks *c, int i) {
     return c->struts.area_size[i] > 0 ? cracks_aperture_cracks(c)[i] / c->struts.area_size[i] : 0;
 }
 
-/* T_hl = (V/h^2)/mu (k0 + (|a_h|/V + |a_l|/V)/2 w^3/12),  w = (w_h + w_l)/2,  V the volume of a whole cell, h the spacing. The
- * layers of a column share the area of the crack, so that a flat crack conducts w^3/(12 mu) along the lattice. */
+/* T_hl = (V/h^2)/mu (k0 + (|a_h|/V + |a_l|/V)/2 w^3/12),  w = (w_h + w_l)/2,  V the volume of a whole cell, h the
+ * spacing. The layers of a column share the area of the crack, so that a flat crack conducts w^3/(12 mu) along the
+ * lattice. */
 void cracks_aperture_conductance(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     const double spacing = c->solid->in.spacing, factor = 0.5 / (spacing * spacing * c->in.viscosity * 12),

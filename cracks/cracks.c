@@ -77,7 +77,8 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
     cracks_inject_check(c);
     if (in->porous) cracks_aperture_open(c);
     for (int i = 0; i < c->struts.n; i++) {
-        if (!(cracks_aperture_cracks(c)[i] > 0)) c->p[i] = fmax(c->in.least_pressure, 0); /* one that is open is empty */
+        if (!(cracks_aperture_cracks(c)[i] > 0))
+            c->p[i] = fmax(c->in.least_pressure, 0); /* one that is open is empty */
     }
     return c;
 }

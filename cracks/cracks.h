@@ -1,7 +1,8 @@
 /* Fluid in cracks below the grid: every broken bond is a strut that a pressure acts on.  (docs/design/cracks.md)
  *
- * A wet particle is one with a broken bond; with pores every particle is wet. Each has one pressure. A rank numbers its wet particles 0..n-1 by ascending
- * local index; after them come ghosts: copies of other ranks' wet particles that a strut or a link here needs. */
+ * A wet particle is one with a broken bond; with pores every particle is wet. Each has one pressure. A rank numbers its
+ * wet particles 0..n-1 by ascending local index; after them come ghosts: copies of other ranks' wet particles that a
+ * strut or a link here needs. */
 #pragma once
 #include "base/step_status.h"
 #include "cracks/kernel.h"
@@ -33,8 +34,8 @@ struct cracks_input {
     double least_pressure;  /* Pa; below it a crack is not full */
     double least_aperture;  /* m, of the conductance; 0: CRACKS_LEAST_STRETCH times the largest critical stretch times
                              * the spacing */
-    double leak_off; /* Carter's coefficient of one face, m/s^(1/2); not with pores */
-    int porous;      /* 1: the intact solid holds fluid too */
+    double leak_off;        /* Carter's coefficient of one face, m/s^(1/2); not with pores */
+    int porous;             /* 1: the intact solid holds fluid too */
     struct cracks_pores pores;
     int injections;
     const struct cracks_injection *injection; /* borrowed during cracks_new */
@@ -83,9 +84,9 @@ struct cracks {
     double *injected;  /* [injections] volume so far, m3, the same on all ranks */
     double *rate;      /* [injections] of the last substep, m3/s */
 
-    double leaked;     /* volume that leaked off so far, m3, the same on all ranks */
-    double filled;     /* volume in the pores when the fluid first flowed, m3, the same on all ranks */
-    int began;         /* 1: it has flowed */
+    double leaked; /* volume that leaked off so far, m3, the same on all ranks */
+    double filled; /* volume in the pores when the fluid first flowed, m3, the same on all ranks */
+    int began;     /* 1: it has flowed */
 
     /* Work */
     struct cracks_struts struts;

@@ -5,7 +5,8 @@
 #pragma once
 #include "cracks/cracks.h"
 
-/* The losses from t to t + dt, in c->leak, subtracted from the residual; the sets are those of the start. Returns their sum on this rank. Not collective. */
+/* The losses from t to t + dt, in c->leak, subtracted from the residual; the sets are those of the start. Returns their
+ * sum on this rank. Not collective. */
 double cracks_leak_source(struct cracks *c, double t, double dt, double *b);
 /* Books them, and the particles that are full since now = t + dt. Collective. */
 void cracks_leak_book(struct cracks *c, double now);

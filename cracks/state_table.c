@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-/* A row of a wet particle: global id, p, content, cavity, volume, storage, share, since (0 if nothing leaks off). The row
- * of the totals: leaked, filled, began. */
+/* A row of a wet particle: global id, p, content, cavity, volume, storage, share, since (0 if nothing leaks off). The
+ * row of the totals: leaked, filled, began. */
 enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3 };
 
 static struct cracks *cracks_of(const void *owner) { return (struct cracks *)(uintptr_t)owner; }

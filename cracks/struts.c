@@ -27,8 +27,8 @@ void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *rec
 }
 
 void cracks_struts_free(struct cracks_struts *t) {
-    void *const own[] = {t->h,        t->start, t->middle,    t->other,    t->kind, t->link_start, t->link,
-                         t->mobility, t->area,  t->area_size, t->diagonal, t->id};
+    void *const own[] = {t->h,    t->start,    t->middle, t->other,     t->kind,     t->link_start,
+                         t->link, t->mobility, t->area,   t->area_size, t->diagonal, t->id};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     par_ghost_free(t->plan);
     *t = (struct cracks_struts){0};
@@ -184,8 +184,8 @@ static void mobilities(const struct solid *s, struct cracks_struts *t) {
     }
 }
 
-/* Area vector, area, and the diagonal of B^T M^-1 B, where a_h and the sum are those of all struts, intact bonds included:
- *     sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l */
+/* Area vector, area, and the diagonal of B^T M^-1 B, where a_h and the sum are those of all struts, intact bonds
+ * included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l */
 static void area_of(struct cracks_struts *t, const struct cracks_table *table, int i) {
     const long broken = t->middle ? t->middle[i] : t->start[i + 1];
     cracks_vec area = {0}, others = {0};

@@ -10,8 +10,8 @@
 static const double SPACING = 1e-3, YOUNG = 2e10, DENSITY = 2500, THICKNESS = 2e-3;
 
 struct make {
-    int sites[3]; /* sites[2] = 0: a plate, plane strain */
-    int periodic, list; /* periodic 1: in all directions, 2: in x alone */
+    int sites[3];           /* sites[2] = 0: a plate, plane strain */
+    int periodic, list;     /* periodic 1: in all directions, 2: in x alone */
     double ratio;           /* m, default 3 */
     double fracture_energy; /* 0: never breaks */
     int cuts, constraints, contact;

