@@ -100,6 +100,11 @@ static long total_rows(const void *owner) {
     return par_rank() == 0;
 }
 
+static int has_totals(const void *owner) {
+    const struct cracks *c = owner;
+    return c->in.porous || c->in.leak_off > 0;
+}
+
 static void save_totals(void *owner, void *value) {
     const struct cracks *c = cracks_of(owner);
     const double row[TOTAL_ROW] = {c->leaked, c->filled, c->began};
@@ -205,7 +210,8 @@ const struct state_item cracks_state_table[] = {
      .in = STATE_BOTH, .missing = STATE_LEFT, .rows_of = injection_rows, .save = save_injections,
      .load_rows = load_injections, .kept = &injections_kept},
     {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, struts), .comps = TOTAL_ROW, .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .rows_of = total_rows, .save = save_totals, .load_rows = load_totals, .kept = &totals_kept},
+     .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals, .load_rows = load_totals,
+     .kept = &totals_kept},
 };
 
 #undef MEMBERS

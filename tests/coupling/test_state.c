@@ -317,6 +317,7 @@ static void fill_wet(struct run *r, const struct state_item *item, const struct 
         c->volume[i] = base + 3;
         c->storage[i] = base + 4;
         c->share[i] = (cracks_vec){base + 5, base + 6, 0, 0};
+        c->since[i] = base + 7;
     }
 }
 

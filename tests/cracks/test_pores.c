@@ -196,7 +196,9 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(darcy), cmocka_unit_test(undrained),
                                        cmocka_unit_test(carter), cmocka_unit_test(consolidation)};
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    const struct CMUnitTest quick[] = {cmocka_unit_test(books), cmocka_unit_test(darcy)};
+    const int failed =
+        par_size() > 2 ? cmocka_run_group_tests(quick, NULL, NULL) : cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
 }
