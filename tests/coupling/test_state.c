@@ -90,6 +90,7 @@ static const char *const cracked = "title: test\n"
                                    "  cracks: [{points: [[0.01, 0.015], [0.02, 0.015]]}]\n"
                                    "crack_fluid:\n"
                                    "  viscosity: 1.0e-3\n"
+                                   "  leak_off: 1.0e-6\n"
                                    "  least_aperture: 1.0e-8\n"
                                    "  injections: [{low: [0.014, 0.012], high: [0.016, 0.018], rate: 1.0e-5}]\n"
                                    "stages:\n"
@@ -317,7 +318,7 @@ static void fill_wet(struct run *r, const struct state_item *item, const struct 
         c->volume[i] = base + 3;
         c->storage[i] = base + 4;
         c->share[i] = (cracks_vec){base + 5, base + 6, 0, 0};
-        c->since[i] = base + 7;
+        if (c->since) c->since[i] = base + 7;
     }
 }
 
