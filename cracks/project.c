@@ -93,7 +93,8 @@ static void load(struct cracks *c, double dt) {
     }
 }
 
-/* content += dt (Q - L p); volume and void at the end of the substep:  v + S p - void = content + residual. */
+/* content += dt (Q - L p); volume and void at the end of the substep:  v + S p - void = content + residual. A void is
+ * at least 0 but for the tolerance of the set. */
 static void fill(struct cracks *c, double dt) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_work *w = c->work;
@@ -107,7 +108,7 @@ static void fill(struct cracks *c, double dt) {
         c->content[i] -= flow[i];
         const double left = w->set[i] == CRACKS_GIVEN ? 0 : w->residual[i];
         c->volume[i] = c->content[i] - c->storage[i] * c->p[i] - left;
-        c->cavity[i] = w->set[i] == CRACKS_CAVITY ? fmax(-left, 0) : 0;
+        c->cavity[i] = w->set[i] == CRACKS_CAVITY ? -left : 0;
     }
 }
 

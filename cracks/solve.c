@@ -16,7 +16,7 @@ enum {
 /* The sum of the full particles' |residual|, over that at the start of the substep and what is injected. What is left
  * is a source of the next substep, and its sum is 0. A larger number would do for the volume, but pressures that hardly
  * push (one sign above a crack, the other below) would be noise. */
-static const double TOLERANCE = 1e-9;
+static const double TOLERANCE = 1e-7;
 /* The same over the volumes whose difference it is: what rounding leaves. */
 static const double ROUNDING = 1e-15;
 /* The preconditioner's polynomial is made for eigenvalues over a span of at most this, with sqrt(span) terms. */

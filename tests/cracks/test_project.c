@@ -67,7 +67,7 @@ static double work_of(const struct cracks *c, const double *before) {
 static void check_void(const struct cracks *c) {
     for (int i = 0; i < c->struts.n; i++) {
         check_at_least(c->p[i], c->in.least_pressure);
-        if (c->volume[i] == 0) continue;
+        check_at_least(c->cavity[i], -1e-6 * fabs(c->volume[i]) - 1e-15);
         if (c->p[i] > c->in.least_pressure) check_equal(c->cavity[i], 0);
     }
 }

@@ -169,7 +169,7 @@ static double conductance_of(const struct planes *p, double w) {
     cracks_aperture_volume(c, c->volume);
     for (int i = 0; i < t->n; i++) c->volume[i] = fabs(c->volume[i]); /* the second cut closes by w: count it as open */
     cracks_aperture_conductance(c);
-    for (int turn = 0; turn < 400; turn++) {
+    for (int turn = 0; turn < 200; turn++) {
         cracks_struts_update(t, sizeof *q, q);
         flow[0] = flow[1] = 0;
         for (int i = 0; i < t->n; i++) {
