@@ -1,9 +1,6 @@
 /* Consolidation of porous plates: Terzaghi's column, Mandel's slab. */
 #include "tests/cracks/terzaghi.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-
 static void incompressible(void **state) {
     (void)state;
     terzaghi(1, INFINITY, 200, 0.01, 2);
@@ -105,15 +102,11 @@ static void mandel(double biot, double modulus) {
     press(c, load, wave, sealed);
     c->in.pores.permeability = input.pores.permeability;
     s->stage.damping_absolute /= 4;
-    fprintf(stderr, "first %g %g load %g\n", centre_of(c), first, compression(c) / load);
     check_relative(centre_of(c), first, 0.03);
     const double start = s->t + 0.5 * wave, T[] = {0.05, 0.1, 0.2, 0.5};
     for (size_t k = 0; k < sizeof T / sizeof T[0]; k++) {
         press(c, load, wave, (int)lrint((start + T[k] * period - s->t) / dt));
         const double now = (s->t - start) / period, p = centre_of(c) / first;
-        fprintf(stderr, "T %.3f p %.5f %.5f load %.5f it %.1f\n", now, p,
-                physics_consolidation_mandel(0.25, later, 0, now), compression(c) / load,
-                (double)c->iterations / (double)c->steps);
         check_close(compression(c) / load, 1, 0.01);
         check_close(p, physics_consolidation_mandel(0.25, later, 0, now), 0.03);
     }
