@@ -1,11 +1,13 @@
 /* Volumes, apertures and conductances of the wet particles. */
 #include "cracks/aperture.h"
+#include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
 
 #include <math.h>
 
-void cracks_aperture_volume(const struct cracks *c, double *volume) {
+/* The present displacements of wet particles and ghosts, in the work. Collective. */
+static const cracks_vec *displacements(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     cracks_vec *u = c->work->u;
     for (int i = 0; i < t->n; i++) {
@@ -13,18 +15,32 @@ void cracks_aperture_volume(const struct cracks *c, double *volume) {
         for (int k = 0; k < c->solid->dim; k++) u[i][k] = c->solid->d[k][t->h[i]];
     }
     cracks_struts_update(t, sizeof *u, u);
-    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, u, volume);
+    return u;
 }
+
+void cracks_aperture_volume(const struct cracks *c, double *volume) {
+    const struct cracks_struts *t = &c->struts;
+    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, displacements(c), volume);
+}
+
+void cracks_aperture_open(const struct cracks *c) {
+    const struct cracks_struts *t = &c->struts;
+    cracks_kernel_volume_part(t->n, t->start, t->middle, t->other, t->kind, c->table.half, displacements(c), c->open);
+}
+
+const double *cracks_aperture_cracks(const struct cracks *c) { return c->open ? c->open : c->volume; }
 
 double cracks_aperture_of(const struct cracks *c, int i) {
-    return c->struts.area_size[i] > 0 ? c->volume[i] / c->struts.area_size[i] : 0;
+    return c->struts.area_size[i] > 0 ? cracks_aperture_cracks(c)[i] / c->struts.area_size[i] : 0;
 }
 
-/* T_hl = (V/h^2)/mu (|a_h|/V + |a_l|/V)/2 w^3/12,  w = (w_h + w_l)/2,  V the volume of a whole cell, h the spacing. The
- * layers of a column share the area of the crack, so that a flat crack conducts w^3/(12 mu) along the lattice. */
+/* T_hl = (V/h^2)/mu (k0 + (|a_h|/V + |a_l|/V)/2 w^3/12),  w = (w_h + w_l)/2,  V the volume of a whole cell, h the
+ * spacing. The layers of a column share the area of the crack, so that a flat crack conducts w^3/(12 mu) along the
+ * lattice. */
 void cracks_aperture_conductance(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
-    const double spacing = c->solid->in.spacing, factor = 0.5 / (spacing * spacing * c->in.viscosity * 12);
+    const double spacing = c->solid->in.spacing, factor = 0.5 / (spacing * spacing * c->in.viscosity * 12),
+                 pores = c->in.porous ? cracks_pores_conductance(c) : 0;
     double *w = c->work->width;
     for (int i = 0; i < t->n; i++) w[i] = fmax(c->least_aperture, cracks_aperture_of(c, i));
     cracks_struts_update(t, sizeof *w, w);
@@ -32,6 +48,6 @@ void cracks_aperture_conductance(const struct cracks *c) {
         for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) {
             const int l = t->link[k];
             const double mean = 0.5 * (w[i] + w[l]);
-            c->work->conductance[k] = factor * (t->area_size[i] + t->area_size[l]) * (mean * mean * mean);
+            c->work->conductance[k] = pores + factor * (t->area_size[i] + t->area_size[l]) * (mean * mean * mean);
         }
 }

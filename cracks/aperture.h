@@ -4,6 +4,10 @@
 
 /* v_h of the present displacements, m3, [n]. Collective. */
 void cracks_aperture_volume(const struct cracks *c, double *volume);
+/* With pores: the broken bonds' part of v_h, in c->open. Collective. */
+void cracks_aperture_open(const struct cracks *c);
+/* The crack volumes of the wet particles: v_h, with pores the broken bonds' part of it, [n]. */
+const double *cracks_aperture_cracks(const struct cracks *c);
 /* v_h/|a_h|, m; may be negative. Not collective. */
 double cracks_aperture_of(const struct cracks *c, int i);
 /* Sets the apertures and conductances of the work from c->volume. Collective. */

@@ -3,7 +3,9 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "cracks/aperture.h"
 #include "cracks/inject.h"
+#include "cracks/pores.h"
 #include "cracks/project.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -51,6 +53,8 @@ static double least_aperture(const struct solid *s) {
 
 struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
     check(s);
+    if (in->porous && in->leak_off > 0)
+        die_all(EXIT_CODE_SCENE, "crack_fluid.leak_off: not with pores, which take what leaks off already");
     struct cracks *c = memory_new(MEMORY_SOLID, 1, sizeof *c);
     const size_t injections = (size_t)in->injections + 1;
     c->in = *in;
@@ -59,6 +63,7 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
         solid_time_copy(&((struct cracks_injection *)(uintptr_t)c->in.injection)[q].time);
     c->solid = s;
     cracks_table_new(&c->table, &s->in, &s->in.material[s->in.body[0].material]);
+    if (in->porous) cracks_table_add_intact(&c->table, in->pores.biot);
     c->least_aperture = in->least_aperture > 0 ? in->least_aperture : least_aperture(s);
     if (!(c->least_aperture > 0))
         die_all(EXIT_CODE_SCENE,
@@ -70,8 +75,10 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
     c->stale = 1;
     cracks_project_settle(c);
     cracks_inject_check(c);
+    if (in->porous) cracks_aperture_open(c);
     for (int i = 0; i < c->struts.n; i++) {
-        if (!(c->volume[i] > 0)) c->p[i] = fmax(c->in.least_pressure, 0); /* one that is open is empty */
+        if (!(cracks_aperture_cracks(c)[i] > 0))
+            c->p[i] = fmax(c->in.least_pressure, 0); /* one that is open is empty */
     }
     return c;
 }
@@ -87,6 +94,9 @@ void cracks_free(struct cracks *c) {
                          c->volume,
                          c->storage,
                          c->share,
+                         c->since,
+                         c->open,
+                         c->leak,
                          c->injected,
                          c->rate,
                          c->particles,
@@ -98,6 +108,22 @@ void cracks_free(struct cracks *c) {
     memory_free(c);
 }
 
+/* When the fluid flows for the first time: the pores are full at the present pressures and displacements, and the
+ * cracks are as they were. */
+static void fill_pores(struct cracks *c) {
+    double filled = 0;
+    cracks_project_settle(c);
+    cracks_aperture_open(c);
+    for (int i = 0; i < c->struts.n; i++) {
+        const double pores = c->volume[i] - c->open[i];
+        c->storage[i] = cracks_pores_storage(c, i);
+        c->cavity[i] -= pores;
+        c->content[i] += pores + c->storage[i] * c->p[i];
+        filled += pores + c->storage[i] * c->p[i];
+    }
+    c->filled += par_sum(filled);
+}
+
 void cracks_begin(struct cracks *c, int flows) {
     struct solid *s = c->solid;
     const int flowed = s->push != NULL;
@@ -105,6 +131,8 @@ void cracks_begin(struct cracks *c, int flows) {
     s->push = flows ? &c->push : NULL;
     if (flows) {
         c->stale = 1;
+        if (c->in.porous && !c->began) fill_pores(c);
+        c->began = 1;
         return;
     }
     for (int i = 0; i < c->struts.n; i++) {

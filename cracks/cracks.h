@@ -1,7 +1,8 @@
 /* Fluid in cracks below the grid: every broken bond is a strut that a pressure acts on.  (docs/design/cracks.md)
  *
- * A wet particle is one with a broken bond. Each has one pressure. A rank numbers its wet particles 0..n-1 by ascending
- * local index; after them come ghosts: copies of other ranks' wet particles that a strut or a link here needs. */
+ * A wet particle is one with a broken bond; with pores every particle is wet. Each has one pressure. A rank numbers its
+ * wet particles 0..n-1 by ascending local index; after them come ghosts: copies of other ranks' wet particles that a
+ * strut or a link here needs. */
 #pragma once
 #include "base/step_status.h"
 #include "cracks/kernel.h"
@@ -20,12 +21,22 @@ struct cracks_injection {
     struct solid_time time; /* borrowed during cracks_new */
 };
 
+/* The fluid in the intact solid. */
+struct cracks_pores {
+    double permeability; /* k0, m2 */
+    double biot;         /* alpha, 0 to 1 */
+    double modulus;      /* Biot's M, Pa; INFINITY: neither the fluid nor the grains are compressible */
+};
+
 struct cracks_input {
     double viscosity;       /* Pa s */
     double compressibility; /* 1/Pa */
     double least_pressure;  /* Pa; below it a crack is not full */
     double least_aperture;  /* m, of the conductance; 0: CRACKS_LEAST_STRETCH times the largest critical stretch times
                              * the spacing */
+    double leak_off;        /* Carter's coefficient of one face, m/s^(1/2); not with pores */
+    int porous;             /* 1: the intact solid holds fluid too */
+    struct cracks_pores pores;
     int injections;
     const struct cracks_injection *injection; /* borrowed during cracks_new */
 };
@@ -38,6 +49,7 @@ struct cracks_struts {
     int room;             /* of the arrays below, n + ghosts at least */
     int *h;               /* [n + ghosts] local index in the solid, ascending in each of the two parts */
     long *start;          /* [n + 1] struts of a wet particle: start[i] .. start[i+1]-1 */
+    long *middle;         /* [n] with pores the intact bonds of a wet particle: middle[i] .. start[i+1]-1; else NULL */
     int *other;           /* [start[n]] wet index of the other end */
     uint16_t *kind;       /* [start[n]] offset in the table */
     long strut_room;      /* of other and kind */
@@ -68,11 +80,18 @@ struct cracks {
     double *volume;    /* [n] crack volume at the end of the last substep, m3 */
     double *storage;   /* [n] S_h of the last substep, m3/Pa */
     cracks_vec *share; /* [n] the pressure's force per volume in solid->load, N/m3 */
+    double *since;     /* [n] when a particle was full for the first time, s; -1: not yet. NULL: nothing leaks off */
     double *injected;  /* [injections] volume so far, m3, the same on all ranks */
     double *rate;      /* [injections] of the last substep, m3/s */
 
+    double leaked; /* volume that leaked off so far, m3, the same on all ranks */
+    double filled; /* volume in the pores when the fluid first flowed, m3, the same on all ranks */
+    int began;     /* 1: it has flowed */
+
     /* Work */
     struct cracks_struts struts;
+    double *open;    /* [n] with pores: the part of the volume that broken bonds hold, m3; else NULL */
+    double *leak;    /* [n] volume that leaks off in the substep, m3; NULL: nothing leaks off */
     int restored;    /* 1: the state was restored: the struts are to be made anew, and no void comes with them */
     int stale;       /* 1: the struts are to be made anew although no bond has broken */
     double *weight;  /* [injections][n] part of an injection that a particle takes */

@@ -9,7 +9,19 @@
 
 #include <math.h>
 
-/* Parts by area; where all areas are 0, equal ones. */
+/* The volumes of the particles in the box. Returns their sum. Collective. */
+static double weigh_by_volume(const struct cracks *c, const struct cracks_injection *in, double *weight) {
+    const struct solid_turn unturned = {0};
+    double sum = 0;
+    for (int i = 0; i < c->struts.n; i++) {
+        const int h = c->struts.h[i], inside = solid_constraint_inside(c->solid, h, in->low, in->high, &unturned);
+        weight[i] = inside ? c->solid->volume[h] : 0;
+        sum += weight[i];
+    }
+    return par_sum(sum);
+}
+
+/* Parts by area. With pores the parts of a pressure, and of a rate where all areas are 0, by the particles' volume. */
 void cracks_inject_renew(struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     const struct solid_turn unturned = {0};
@@ -25,6 +37,7 @@ void cracks_inject_renew(struct cracks *c) {
             sum[1]++;
         }
         par_sum_array(sum, 2);
+        if (c->in.porous && (in->is_pressure || sum[0] == 0)) sum[0] = weigh_by_volume(c, in, weight);
         c->particles[q] = (long)sum[1];
         for (int i = 0; i < t->n; i++) weight[i] = sum[0] > 0 ? weight[i] / sum[0] : 0;
     }

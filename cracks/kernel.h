@@ -18,6 +18,9 @@ void cracks_kernel_force(int n, const long *start, const int *other, const uint1
  * u     [all]    m                       volume  [n]  m3, written */
 void cracks_kernel_volume(int n, const long *start, const int *other, const uint16_t *kind, const cracks_vec *half,
                           const cracks_vec *u, double *volume);
+/* The same with the struts start[i] .. end[i]-1. */
+void cracks_kernel_volume_part(int n, const long *start, const long *end, const int *other, const uint16_t *kind,
+                               const cracks_vec *half, const cracks_vec *u, double *volume);
 /* y_h += factor sum over links of T_hl (p_h - p_l).  conductance [links] m3/(s Pa) */
 void cracks_kernel_flow(int n, const int *start, const int *link, const double *conductance, double factor,
                         const double *p, double *y);

@@ -23,31 +23,35 @@ struct cracks_values cracks_measure(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_values v = {0};
     double sum[8] = {0}, *volume = c->work->b;
+    const double *cracks = c->open ? c->open : volume;
     cracks_aperture_volume(c, volume);
+    if (c->open) cracks_aperture_open(c);
     for (int i = 0; i < t->n; i++) {
         sum[0] += volume[i];
         sum[1] += c->cavity[i];
         sum[2] += c->storage[i] * c->p[i];
         sum[3] += t->area_size[i];
         sum[4] += t->area_size[i] * c->p[i];
-        sum[5]++;
+        sum[5] += !t->middle || t->middle[i] > t->start[i];
         if (c->in.injections > 0) sum[6] += c->weight[i] * c->p[i];
+        sum[7] += cracks[i];
         v.aperture_max = fmax(v.aperture_max, cracks_aperture_of(c, i));
     }
     par_sum_array(sum, 8);
     par_max_array(&v.aperture_max, 1);
-    v.volume = sum[0];
+    v.volume = sum[7];
     v.cavity = sum[1];
     v.stored = sum[2];
     for (int q = 0; q < c->in.injections; q++) {
         v.injected += c->injected[q];
         v.injection_rate += c->rate[q];
     }
-    v.residual = v.volume - v.cavity + v.stored - v.injected;
+    v.leaked = c->leaked;
+    v.residual = sum[0] - v.cavity + v.stored + v.leaked - v.injected - c->filled;
     v.injection_pressure = sum[6];
     v.area = sum[3];
     v.pressure_mean = sum[3] > 0 ? sum[4] / sum[3] : 0;
-    v.aperture_mean = sum[3] > 0 ? sum[0] / sum[3] : 0;
+    v.aperture_mean = sum[3] > 0 ? sum[7] / sum[3] : 0;
     v.wet_particles = (long)sum[5];
     return v;
 }

@@ -3,6 +3,8 @@
 #include "base/par.h"
 #include "cracks/aperture.h"
 #include "cracks/inject.h"
+#include "cracks/leak.h"
+#include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
 
@@ -69,6 +71,7 @@ static double residual_begin(struct cracks *c, double dt, double *size) {
     }
     cracks_inject_source(c, dt, w->residual);
     cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, -dt, c->p, w->residual);
+    if (c->leak) *size += cracks_leak_source(c, c->solid->t, dt, w->residual);
     *size = par_sum(*size);
     return injected;
 }
@@ -100,6 +103,7 @@ static void fill(struct cracks *c, double dt) {
     cracks_struts_update(t, sizeof *c->p, c->p);
     cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, dt, c->p, flow);
     cracks_inject_fill(c, dt, w->residual);
+    if (c->leak) cracks_leak_book(c, c->solid->t + dt);
     for (int i = 0; i < t->n; i++) {
         c->content[i] -= flow[i];
         const double left = w->set[i] == CRACKS_GIVEN ? 0 : w->residual[i];
@@ -113,9 +117,12 @@ void cracks_project(struct solid *s, double dt, void *cracks) {
     (void)s;
     cracks_project_settle(c);
     if (c->status.failed) return;
+    if (c->open) cracks_aperture_open(c);
     cracks_aperture_conductance(c);
+    const double *open = cracks_aperture_cracks(c);
     for (int i = 0; i < c->struts.n; i++) {
-        c->storage[i] = c->in.compressibility * fmax(c->volume[i] - c->cavity[i], 0);
+        c->storage[i] = c->in.compressibility * fmax(open[i] - c->cavity[i], 0);
+        if (c->open) c->storage[i] += cracks_pores_storage(c, i);
         c->work->set[i] = c->p[i] > c->in.least_pressure ? CRACKS_FULL : CRACKS_CAVITY;
     }
     double size;

@@ -7,8 +7,9 @@
 
 #include <string.h>
 
-/* A row of a wet particle: global id, p, content, cavity, volume, storage, share. */
-enum { WET_ROW = 9, INJECTION_ROW = 2 };
+/* A row of a wet particle: global id, p, content, cavity, volume, storage, share, since (0 if nothing leaks off). The
+ * row of the totals: leaked, filled, began. */
+enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3 };
 
 static struct cracks *cracks_of(const void *owner) { return (struct cracks *)(uintptr_t)owner; }
 
@@ -26,7 +27,8 @@ static void save_wet(void *owner, void *value) {
                                     c->storage[i],
                                     c->share[i][0],
                                     c->share[i][1],
-                                    c->share[i][2]};
+                                    c->share[i][2],
+                                    c->since ? c->since[i] : 0};
         memcpy(row[i], of, sizeof of);
     }
 }
@@ -40,14 +42,17 @@ static void set_wet(struct cracks *c, int n, const double (*row)[WET_ROW]) {
         t->room = n + 1;
         t->h = memory_renew(MEMORY_SOLID, t->h, (size_t)t->room, sizeof *t->h);
         t->start = memory_renew(MEMORY_SOLID, t->start, (size_t)t->room, sizeof *t->start);
+        if (c->in.porous) t->middle = memory_renew(MEMORY_SOLID, t->middle, (size_t)t->room, sizeof *t->middle);
     }
     double **const array[] = {&c->p, &c->content, &c->cavity, &c->volume, &c->storage};
     for (int a = 0; a < 5; a++) *array[a] = memory_renew(MEMORY_SOLID, *array[a], (size_t)n + 1, sizeof **array[a]);
     c->share = memory_renew(MEMORY_SOLID, c->share, (size_t)n + 1, sizeof *c->share);
+    if (c->since) c->since = memory_renew(MEMORY_SOLID, c->since, (size_t)n + 1, sizeof *c->since);
     for (int i = 0; i < n; i++) {
         t->h[i] = (int)((long)row[i][0] - first);
         for (int a = 0; a < 5; a++) (*array[a])[i] = row[i][1 + a];
         c->share[i] = (cracks_vec){row[i][6], row[i][7], row[i][8], 0};
+        if (c->since) c->since[i] = row[i][9];
     }
     t->n = n;
     t->ghosts = 0;
@@ -90,10 +95,37 @@ static int load_injections(void *owner, long n, const void *value) {
     return 0;
 }
 
+static long total_rows(const void *owner) {
+    (void)owner;
+    return par_rank() == 0;
+}
+
+static int has_totals(const void *owner) {
+    const struct cracks *c = owner;
+    return c->in.porous || c->in.leak_off > 0;
+}
+
+static void save_totals(void *owner, void *value) {
+    const struct cracks *c = cracks_of(owner);
+    const double row[TOTAL_ROW] = {c->leaked, c->filled, c->began};
+    if (par_rank() == 0) memcpy(value, row, sizeof row);
+}
+
+static int load_totals(void *owner, long n, const void *value) {
+    struct cracks *c = cracks_of(owner);
+    const double *row = value;
+    if (n != 1) return 1;
+    c->leaked = row[0];
+    c->filled = row[1];
+    c->began = row[2] > 0;
+    return 0;
+}
+
 struct cracks_keep {
     int n, room;
     double (*wet)[WET_ROW];
     double (*injection)[INJECTION_ROW];
+    double total[TOTAL_ROW];
 };
 
 static void wet_make(void *keep, void *owner) {
@@ -143,9 +175,27 @@ static void injections_restore(void *keep, void *owner) {
 
 static void injections_drop(void *keep) { (void)keep; /* with the wet particles */ }
 
+static void totals_make(void *keep, void *owner) {
+    (void)keep;
+    (void)owner;
+}
+
+static void totals_take(void *keep, void *owner) {
+    const struct cracks *c = cracks_of(owner);
+    const double row[TOTAL_ROW] = {c->leaked, c->filled, c->began};
+    memcpy((*(struct cracks_keep **)keep)->total, row, sizeof row);
+}
+
+static void totals_restore(void *keep, void *owner) {
+    load_totals(cracks_of(owner), 1, (*(struct cracks_keep **)keep)->total);
+}
+
+static void totals_drop(void *keep) { (void)keep; /* with the wet particles */ }
+
 static const struct state_kept wet_kept = {wet_make, wet_take, wet_restore, wet_drop};
 static const struct state_kept injections_kept = {injections_make, injections_take, injections_restore,
                                                   injections_drop};
+static const struct state_kept totals_kept = {totals_make, totals_take, totals_restore, totals_drop};
 
 /* The members from one up to another. */
 #define MEMBERS(from, to)                                                                                              \
@@ -156,9 +206,12 @@ static const struct state_kept injections_kept = {injections_make, injections_ta
 const struct state_item cracks_state_table[] = {
     {"crack_fluid", STATE_DOUBLE, STATE_ROWS, MEMBERS(p, injected), .comps = WET_ROW, .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .rows_of = wet_rows, .save = save_wet, .load_rows = load_wet, .kept = &wet_kept},
-    {"crack_injected", STATE_DOUBLE, STATE_ROWS, MEMBERS(injected, struts), .comps = INJECTION_ROW, .last = 1,
+    {"crack_injected", STATE_DOUBLE, STATE_ROWS, MEMBERS(injected, leaked), .comps = INJECTION_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .rows_of = injection_rows, .save = save_injections,
      .load_rows = load_injections, .kept = &injections_kept},
+    {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, struts), .comps = TOTAL_ROW, .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals, .load_rows = load_totals,
+     .kept = &totals_kept},
 };
 
 #undef MEMBERS

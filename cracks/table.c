@@ -55,10 +55,10 @@ void cracks_table_new(struct cracks_table *t, const struct solid_input *in, cons
     const double volume = pow(in->spacing, dim) * solid_depth(in);
     const size_t side = 2 * (size_t)reach + 1, places = side * side * side;
     *t = (struct cracks_table){.dim = dim, .reach = reach};
-    t->omega = memory_new(MEMORY_SOLID, SOLID_FAMILY_MAX, sizeof *t->omega);
-    t->length = memory_new(MEMORY_SOLID, SOLID_FAMILY_MAX, sizeof *t->length);
-    t->step = memory_new(MEMORY_SOLID, SOLID_FAMILY_MAX, sizeof *t->step);
-    t->half = memory_new(MEMORY_SOLID, SOLID_FAMILY_MAX, sizeof *t->half);
+    t->omega = memory_new(MEMORY_SOLID, 2 * (size_t)SOLID_FAMILY_MAX, sizeof *t->omega);
+    t->length = memory_new(MEMORY_SOLID, 2 * (size_t)SOLID_FAMILY_MAX, sizeof *t->length);
+    t->step = memory_new(MEMORY_SOLID, 2 * (size_t)SOLID_FAMILY_MAX, sizeof *t->step);
+    t->half = memory_new(MEMORY_SOLID, 2 * (size_t)SOLID_FAMILY_MAX, sizeof *t->half);
     t->number = memory_new(MEMORY_SOLID, places, sizeof *t->number);
     memset(t->number, 0xff, places * sizeof *t->number);
     double sum = 0;
@@ -78,6 +78,16 @@ void cracks_table_new(struct cracks_table *t, const struct solid_input *in, cons
         for (int c = 0; c < 3; c++) t->half[k][c] = 0.5 * t->omega[k] * (t->step[k][c] * in->spacing / t->length[k]);
     }
     solid_stencil_free(stencil);
+}
+
+void cracks_table_add_intact(struct cracks_table *t, double biot) {
+    for (int k = 0; k < t->kinds; k++) {
+        const int to = t->kinds + k;
+        t->omega[to] = biot * t->omega[k];
+        t->length[to] = t->length[k];
+        t->half[to] = biot * t->half[k];
+        memcpy(t->step[to], t->step[k], sizeof t->step[to]);
+    }
 }
 
 void cracks_table_free(struct cracks_table *t) {

@@ -9,6 +9,7 @@
 #include "coupling/setup/forecast.h"
 #include "coupling/step.h"
 #include "cracks/measure.h"
+#include "physics/consolidation.h"
 #include "physics/waves.h"
 #include "program/check_sizes.h"
 #include "program/program.h"
@@ -104,6 +105,16 @@ static void say_interfaces(const struct solid_input *in) {
             in->interface[k].fracture_energy);
 }
 
+/* The pores, by the first body's material. */
+static void say_pores(const struct cracks *c) {
+    const struct solid *s = c->solid;
+    const struct cracks_pores *p = &c->in.pores;
+    const struct physics_consolidation rock = {s->in.material[s->in.body[0].material].youngs_modulus, 0.25, p->biot,
+                                               p->modulus, p->permeability / c->in.viscosity};
+    say("  pores      in all %ld particles; pressure spreads by %.4g m2/s\n", s->n_global,
+        physics_consolidation_coefficient(&rock));
+}
+
 /* The fluid in cracks, and the particles that each injection enters by. */
 static void say_crack_fluid(const struct run *r) {
     const struct cracks *c = r->cracks;
@@ -111,6 +122,7 @@ static void say_crack_fluid(const struct run *r) {
     const struct cracks_values v = cracks_measure(c);
     say("  crack fluid  in %ld particles with broken bonds, %.4g m2 of cracks; least aperture %.3g m\n",
         v.wet_particles, v.area, c->least_aperture);
+    if (c->in.porous) say_pores(c);
     for (int q = 0; q < c->in.injections; q++)
         say("  injection  %s %g %s by %ld of them\n", c->in.injection[q].is_pressure ? "at a pressure of" : "of",
             c->in.injection[q].value, c->in.injection[q].is_pressure ? "Pa" : "m3/s", c->particles[q]);

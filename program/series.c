@@ -86,6 +86,7 @@ static const struct column {
     COLUMN("injected_volume", "m3", NEED_CRACKS, injected_volume),
     COLUMN("crack_volume", "m3", NEED_CRACKS, crack_volume),
     COLUMN("cavity_volume", "m3", NEED_CRACKS, cavity_volume),
+    COLUMN("leaked_volume", "m3", NEED_CRACKS, leaked_volume),
     COLUMN("volume_residual", "m3", NEED_CRACKS, volume_residual),
     COLUMN("injection_pressure", "Pa", NEED_CRACKS, injection_pressure),
     COLUMN("injection_rate", "m3/s", NEED_CRACKS, injection_rate),
@@ -290,6 +291,7 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.injected_volume = v.injected;
     s->now.crack_volume = v.volume;
     s->now.cavity_volume = v.cavity;
+    s->now.leaked_volume = v.leaked;
     s->now.volume_residual = v.residual;
     s->now.injection_pressure = v.injection_pressure;
     s->now.injection_rate = v.injection_rate;

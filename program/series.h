@@ -24,7 +24,7 @@ struct series_sample {
         work_fluid, work_load, e_constraint, e_contact, momentum[3], given[3], slip_loss, inner_power;
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
         interface_particles, particles_outside;
-    double injected_volume, crack_volume, cavity_volume, volume_residual, injection_pressure, injection_rate,
-        crack_pressure_mean, crack_area_wet, aperture_max, aperture_mean, wet_particles;
+    double injected_volume, crack_volume, cavity_volume, leaked_volume, volume_residual, injection_pressure,
+        injection_rate, crack_pressure_mean, crack_area_wet, aperture_max, aperture_mean, wet_particles;
 };
 const struct series_sample *series_last(const struct series *s);

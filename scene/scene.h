@@ -392,11 +392,18 @@ struct scene_injection {
     double rate, pressure;  /* m3/s; Pa */
     struct scene_time time; /* of the rate or the pressure */
 };
+struct scene_pores {
+    double permeability; /* m2 */
+    double biot;         /* 1 */
+    double modulus;      /* Pa; INFINITY by default */
+};
 struct scene_crack_fluid {
-    double viscosity;       /* Pa s */
-    double compressibility; /* 1/Pa, default 0 */
-    double least_pressure;  /* Pa, default 0 */
-    double least_aperture;  /* m; 0: auto */
+    double viscosity;          /* Pa s */
+    double compressibility;    /* 1/Pa, default 0 */
+    double least_pressure;     /* Pa, default 0 */
+    double least_aperture;     /* m; 0: auto */
+    double leak_off;           /* m/s^(1/2), default 0 */
+    struct scene_pores *pores; /* NULL: none */
     int injections;
     struct scene_injection *injection; /* injections: [...] */
 };

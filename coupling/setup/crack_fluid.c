@@ -18,12 +18,17 @@ struct cracks *setup_crack_fluid(const struct scene *scene, struct solid *s) {
         memcpy(to[q].low, from->low, sizeof to[q].low);
         memcpy(to[q].high, from->high, sizeof to[q].high);
     }
-    const struct cracks_input in = {.viscosity = f->viscosity,
-                                    .compressibility = f->compressibility,
-                                    .least_pressure = f->least_pressure,
-                                    .least_aperture = f->least_aperture,
-                                    .injections = f->injections,
-                                    .injection = to};
+    const struct cracks_input in = {
+        .viscosity = f->viscosity,
+        .compressibility = f->compressibility,
+        .least_pressure = f->least_pressure,
+        .least_aperture = f->least_aperture,
+        .leak_off = f->leak_off,
+        .porous = f->pores != NULL,
+        .pores = f->pores ? (struct cracks_pores){f->pores->permeability, f->pores->biot, f->pores->modulus}
+                          : (struct cracks_pores){0},
+        .injections = f->injections,
+        .injection = to};
     struct cracks *c = cracks_new(&in, s);
     free(to);
     return c;

@@ -111,11 +111,16 @@ static const cyaml_schema_field_t injection_fields[] = {
     ENTRIES("time", LIST, scene_injection, time.point, time.n, &pair, 1, LIST_MAX),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t injection = {CYAML_VALUE_MAPPING(NEEDED, struct scene_injection, injection_fields)};
+static const cyaml_schema_field_t pores_fields[] = {NUMBER("permeability", NEEDED, scene_pores, permeability),
+                                                    NUMBER("biot", NEEDED, scene_pores, biot),
+                                                    NUMBER("modulus", OPTIONAL, scene_pores, modulus), CYAML_FIELD_END};
 static const cyaml_schema_field_t crack_fluid_fields[] = {
     NUMBER("viscosity", NEEDED, scene_crack_fluid, viscosity),
     NUMBER("compressibility", OPTIONAL, scene_crack_fluid, compressibility),
     NUMBER("least_pressure", OPTIONAL, scene_crack_fluid, least_pressure),
     NUMBER("least_aperture", OPTIONAL, scene_crack_fluid, least_aperture),
+    NUMBER("leak_off", OPTIONAL, scene_crack_fluid, leak_off),
+    CYAML_FIELD_MAPPING_PTR("pores", OPTIONAL, struct scene_crack_fluid, pores, pores_fields),
     ENTRIES("injections", LIST, scene_crack_fluid, injection, injections, &injection, 1, LIST_MAX),
     CYAML_FIELD_END};
 

@@ -91,12 +91,13 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
     return n;
 }
 
-static int struts_of_lattice(const struct solid_lattice *lattice, int h, int *other, signed char (*step)[3]) {
+/* Bonds whose lambda is `intact`, 0 or 1. */
+static int of_lattice(const struct solid_lattice *lattice, int h, unsigned intact, int *other, signed char (*step)[3]) {
     const int cell = lattice->cell[h - lattice->first];
     const uint8_t *lambda = lambda_of(lattice, h);
     int n = 0;
     for (int o = 0; o < lattice->stencil->n; o++) {
-        if (lambda[o] >> cell % SOLID_ROW & 1) continue;
+        if ((lambda[o] >> cell % SOLID_ROW & 1u) != intact) continue;
         other[n] = lattice->local[cell + lattice->offset[o].shift];
         for (int c = 0; c < 3; c++) step[n][c] = (signed char)lattice->stencil->offset[o].step[c];
         n += other[n] >= 0;
@@ -104,16 +105,28 @@ static int struts_of_lattice(const struct solid_lattice *lattice, int h, int *ot
     return n;
 }
 
+static void step_of_list(const struct solid_list *list, long j, signed char step[3]) {
+    for (int c = 0; c < 3; c++) step[c] = c < list->dim ? (signed char)rintf(*solid_list_step(list, j, c)) : 0;
+}
+
 int solid_family_struts(const struct solid *s, int h, int *other, signed char (*step)[3]) {
     const struct solid_list *list = s->family->list[s->body[h]];
     int place[SOLID_FAMILY_MAX];
-    if (!list) return struts_of_lattice(s->family->lattice[s->body[h]], h, other, step);
+    if (!list) return of_lattice(s->family->lattice[s->body[h]], h, 0, other, step);
     const int n = solid_family_broken(s, h, place, other);
-    for (int k = 0; k < n; k++)
-        for (int c = 0; c < 3; c++)
-            step[k][c] = c < list->dim
-                             ? (signed char)rintf(*solid_list_step(list, list->start[h - list->first] + place[k], c))
-                             : 0;
+    for (int k = 0; k < n; k++) step_of_list(list, list->start[h - list->first] + place[k], step[k]);
+    return n;
+}
+
+int solid_family_intact(const struct solid *s, int h, int *other, signed char (*step)[3]) {
+    const struct solid_list *list = s->family->list[s->body[h]];
+    int n = 0;
+    if (!list) return of_lattice(s->family->lattice[s->body[h]], h, 1, other, step);
+    for (long j = list->start[h - list->first]; j < list->end[h - list->first]; j++) {
+        if (!solid_list_is_intact(list, j)) continue;
+        other[n] = solid_list_other(list, j);
+        step_of_list(list, j, step[n++]);
+    }
     return n;
 }
 

@@ -26,6 +26,8 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other);
 /* On a lattice: the broken bonds of h, the particles at their other ends and X0_l - X0_h in spacings,
  * [SOLID_FAMILY_MAX]. Returns how many. Not collective. */
 int solid_family_struts(const struct solid *s, int h, int *other, signed char (*step)[3]);
+/* The same of the intact bonds. */
+int solid_family_intact(const struct solid *s, int h, int *other, signed char (*step)[3]);
 /* On a lattice: the nearest particles in the directions -x, x, -y, y, -z, z, whether or not the bond is broken; -1:
  * none, or one of another body without a bond. Not collective. */
 void solid_family_nearest(const struct solid *s, int h, int nearest[6]);

@@ -90,6 +90,7 @@ static const char *const cracked = "title: test\n"
                                    "  cracks: [{points: [[0.01, 0.015], [0.02, 0.015]]}]\n"
                                    "crack_fluid:\n"
                                    "  viscosity: 1.0e-3\n"
+                                   "  leak_off: 1.0e-6\n"
                                    "  least_aperture: 1.0e-8\n"
                                    "  injections: [{low: [0.014, 0.012], high: [0.016, 0.018], rate: 1.0e-5}]\n"
                                    "stages:\n"
@@ -277,28 +278,6 @@ static size_t read_soft(struct run *r, void *bytes) {
     return (size_t)((char *)to - (char *)bytes);
 }
 
-/* Values by global id. */
-static void fill_wet(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
-    struct cracks *c = r->cracks;
-    (void)item, (void)part;
-    cracks_project_settle(c);
-    for (int i = 0; i < c->struts.n; i++) {
-        const double base = 100 * seed + 1e-3 * (double)(r->solid->first[par_rank()] + c->struts.h[i]);
-        c->p[i] = base;
-        c->content[i] = base + 1;
-        c->cavity[i] = base + 2;
-        c->volume[i] = base + 3;
-        c->storage[i] = base + 4;
-        c->share[i] = (cracks_vec){base + 5, base + 6, 0, 0};
-    }
-}
-
-static void fill_injected(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
-    (void)item, (void)part;
-    r->cracks->injected[0] = seed;
-    r->cracks->rate[0] = 10 * seed;
-}
-
 static void fill_released(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
     (void)item, (void)part;
     for (int i = 0; i < r->solid->soft->n; i++) {
@@ -326,6 +305,36 @@ static size_t read_breaks(struct run *r, void *bytes) {
     return sizeof number;
 }
 
+/* Values by global id. */
+static void fill_wet(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    struct cracks *c = r->cracks;
+    (void)item, (void)part;
+    cracks_project_settle(c);
+    for (int i = 0; i < c->struts.n; i++) {
+        const double base = 100 * seed + 1e-3 * (double)(r->solid->first[par_rank()] + c->struts.h[i]);
+        c->p[i] = base;
+        c->content[i] = base + 1;
+        c->cavity[i] = base + 2;
+        c->volume[i] = base + 3;
+        c->storage[i] = base + 4;
+        c->share[i] = (cracks_vec){base + 5, base + 6, 0, 0};
+        if (c->since) c->since[i] = base + 7;
+    }
+}
+
+static void fill_injected(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    r->cracks->injected[0] = seed;
+    r->cracks->rate[0] = 10 * seed;
+}
+
+static void fill_totals(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    r->cracks->leaked = seed;
+    r->cracks->filled = 10 * seed;
+    r->cracks->began = 1;
+}
+
 static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"spacing", fill_nothing, NULL},
                                          {"body", fill_nothing, NULL},
@@ -343,7 +352,8 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"breaks", fill_breaks, read_breaks},
                                          {"softening_released", fill_released, read_released},
                                          {"crack_fluid", fill_wet, NULL},
-                                         {"crack_injected", fill_injected, NULL}};
+                                         {"crack_injected", fill_injected, NULL},
+                                         {"crack_totals", fill_totals, NULL}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)

@@ -10,13 +10,15 @@
 static const double SPACING = 1e-3, YOUNG = 2e10, DENSITY = 2500, THICKNESS = 2e-3;
 
 struct make {
-    int sites[3]; /* sites[2] = 0: a plate, plane strain */
-    int periodic, list;
+    int sites[3];           /* sites[2] = 0: a plate, plane strain */
+    int periodic, list;     /* periodic 1: in all directions, 2: in x alone */
     double ratio;           /* m, default 3 */
     double fracture_energy; /* 0: never breaks */
     int cuts, constraints, contact;
     const struct solid_cut *cut;
     const struct solid_constraint *constraint;
+    int loads;
+    const struct solid_load *load;
 };
 
 static inline struct solid *make(struct make m) {
@@ -42,6 +44,8 @@ static inline struct solid *make(struct make m) {
                              .cut = m.cut,
                              .constraints = m.constraints,
                              .constraint = m.constraint,
+                             .loads = m.loads,
+                             .load = m.load,
                              .contact = m.contact,
                              .contact_stiffness = 15,
                              .contact_exponent = 1,
@@ -50,7 +54,7 @@ static inline struct solid *make(struct make m) {
                              .general_bonds = m.list};
     for (int c = 0; c < 3; c++) {
         body.high[c] = m.sites[c] * SPACING;
-        in.periodic[c] = m.periodic && !(plate && c == 2);
+        in.periodic[c] = m.periodic == 2 ? c == 0 : m.periodic && !(plate && c == 2);
         in.length[c] = body.high[c];
     }
     return solid_new(&in);

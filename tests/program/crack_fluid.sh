@@ -30,17 +30,21 @@ sed -e 's/\[0.04, 0.04\]/[0.02, 0.02, 0.016]/g; s/  model.*//; s/  thickness.*//
 # books: crack_volume - cavity_volume = injected_volume, which is above 0
 books() {
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
-    NR > 2 { r = $at["volume_residual"]; v = $at["crack_volume"]; n++; last = $at["injected_volume"]
+    NR > 2 { r = $at["volume_residual"]; v = $at["crack_volume"] + $at["injected_volume"]
+      n++; last = $at["injected_volume"]
       if (r < 0) r = -r
       if (r > 1e-12 * v) exit 1 }
     END { exit !(n > 2 && last > 0) }' "$1" || fail "$1: the volumes do not add up"
 }
-for kind in plate block; do
+sed -e 's/steps: 80/steps: 40/; s/every: 50/every: 20/; s/fields_every: 80/fields_every: 0/' plate.yaml >short.yaml
+sed -e 's/^  viscosity.*/&\n  pores: {permeability: 1.0e-13, biot: 0.7, modulus: 2.0e10}/' short.yaml >porous.yaml
+sed -e 's/^  viscosity.*/&\n  leak_off: 1.0e-6/' short.yaml >leaky.yaml
+for kind in plate block porous leaky; do
   code 0 ranks 2 run $kind.yaml --out $kind
   books $kind/series.csv
   code 0 ranks 3 run $kind.yaml --out ${kind}_3
   same $kind/series.csv ${kind}_3/series.csv
-  middle=$([ $kind = plate ] && echo 50 || echo 25)
+  middle=$(awk -v kind=$kind 'BEGIN { print kind == "plate" ? 50 : kind == "block" ? 25 : 20 }')
   code 0 ranks 1 run $kind.yaml --out ${kind}_again --resume=$kind/checkpoint/step_000000$middle.h5
   sed -n '1,2p' $kind/series.csv >tail.csv
   awk -F, -v from="$middle" 'NR > 2 && $1 > from' $kind/series.csv >>tail.csv
@@ -49,6 +53,8 @@ done
 code 0 "$frana" check plate.yaml
 grep -q 'crack fluid  in 96 particles' out || fail "check does not say the wet particles"
 grep -q 'injection  of 2e-05 m3/s by 12 of them' out || fail "check does not say the injection"
+code 0 "$frana" check porous.yaml
+grep -q 'pores      in all 1600 particles; pressure spreads by' out || fail "check does not say the pores"
 # a scene without the section has none of its columns
 sed -e '/^crack_fluid/,/injections/d; s/, crack_fluid: true//' plate.yaml >dry.yaml
 code 0 ranks 1 run dry.yaml --out dry --set stages.pump.steps=10
@@ -61,6 +67,9 @@ refused() {
 }
 refused "crack_fluid.injections[0]: no particle with a broken bond stands between low and high" \
   's/low: \[0.019, 0.017\], high: \[0.021, 0.023\]/low: [0.001, 0.001], high: [0.004, 0.004]/'
+refused "crack_fluid.leak_off = 1.0e-6: not together with pores" \
+  's/^  viscosity.*/&\n  leak_off: 1.0e-6\n  pores: {permeability: 1.0e-13, biot: 0.7}/'
+refused "crack_fluid.pores.biot = 1.2: must be" 's/^  viscosity.*/&\n  pores: {permeability: 1.0e-13, biot: 1.2}/'
 refused "stages[0].crack_fluid = true: needs integrator: verlet" 's/integrator: verlet/integrator: rk3/'
 refused "stages[0].crack_fluid = true: cannot go with relax" 's/steps: 80/steps: 80, relax: true/'
 refused "stages[0].crack_fluid = true: needs the section crack_fluid" '/^crack_fluid/,/injections/d'

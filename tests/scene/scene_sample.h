@@ -18,8 +18,8 @@
 static inline char *sample_text(const char *path) {
     FILE *in = fopen(path, "rb");
     assert_non_null(in);
-    char *text = calloc(1, 1 << 16);
-    check_above(fread(text, 1, (1 << 16) - 1, in), 0);
+    char *text = calloc(1, 1 << 18);
+    check_above(fread(text, 1, (1 << 18) - 1, in), 0);
     fclose(in);
     return text;
 }

@@ -26,7 +26,7 @@ static const struct sample_broken table[] = {
     {"coupled", "damping_absolute", "dampng_absolute",
      "it.yaml:43: stages[1].dampng_absolute: unknown key; did you mean damping_absolute?"},
     {"coupled", "title: A", "weather: A",
-     "it.yaml:1: weather: unknown key; known here: title, domain, fluid, solid, coupling, nonlocal, stages, output"},
+     "it.yaml:1: weather: unknown key; known here: title, domain, fluid, solid, coupling, crack_fluid, nonlocal, stages, output"},
     {"coupled", "  density: 1000\n", "", "it.yaml:5: fluid.density: missing (kg/m3)"},
     {"coupled", "    x_high: {type: outflow}\n", "", "it.yaml:9: fluid.sides.x_high: missing"},
     {"coupled", "  cells: [40, 20, 20]\n", "", "it.yaml:2: domain.cells: missing; a scene with a fluid needs it"},
