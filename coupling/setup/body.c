@@ -44,6 +44,8 @@ static void setup_voxels(const struct scene *scene, int b, struct solid_body *to
     struct setup_image *image = setup_image_read(scene, b);
     setup_image_loose(scene, image);
     to->voxels = image->voxels;
+    to->kinds = image->body->image.kinds;
+    for (int k = 0; k < to->kinds; k++) to->kind[k] = image->body->image.kind[k];
     for (int c = 0; c < 3; c++)
         to->high[c] = to->low[c] + image->voxels->n[c] * image->voxels->sites * scene->solid->spacing;
     image->voxels = NULL;

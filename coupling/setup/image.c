@@ -19,7 +19,7 @@ static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"}; /* by 
 
 struct counts {
     long of[VALUES + 1]; /* the last one: all other values */
-    uint8_t is_solid[VALUES];
+    uint8_t solid[VALUES]; /* 0: pore, else 1 + the kind of the solid */
     long *found; /* [labels] voxels with each label of the scene */
 };
 
@@ -31,7 +31,7 @@ struct reader {
     int *value;             /* [slab], or */
     double *real;           /* for a threshold */
     int first[3], cells[3]; /* the slab's first voxel, once turned, and its cells */
-    uint32_t *in_cell;      /* [cells] voxels of the solid in each cell of the slab, if it takes several */
+    uint32_t *in_cell;      /* [cells][kinds] voxels of each kind in each cell of the slab, if it takes several */
     double least, most, sum;
     long solid;
 };
@@ -58,28 +58,38 @@ static struct files_image *file_open(const struct scene_body *body) {
     return file;
 }
 
-static int is_solid(struct reader *r, int value) {
+/* The kind of the solid with a label: the place of its material among those of the image. */
+static int kind_of(const struct scene_image *image, int label) {
+    for (int l = 0; l < image->materials; l++)
+        for (int k = 0; image->material[l].label == label && k < image->kinds; k++)
+            if (image->kind[k] == image->material[l].index) return k;
+    return 0;
+}
+
+static int kinds_of(const struct scene_image *image) { return image->kinds > 1 ? image->kinds : 1; }
+
+static int solid_of(struct reader *r, int value) {
     const struct scene_image *image = r->scene;
     for (int l = 0; l < image->labels; l++)
         if (image->label[l] == value) {
             r->counts->found[l]++;
-            return 1;
+            return 1 + kind_of(image, value);
         }
     return 0;
 }
 
-/* Counts a value; whether it is one of the solid. */
+/* Counts a value. Returns 0 for one of the pores, else 1 + the kind of the solid. */
 static inline int take_value(struct reader *r, int value) {
     const long at = (long)value - LEAST;
     if (at >= 0 && at < VALUES) {
         r->counts->of[at]++;
-        return r->counts->is_solid[at];
+        return r->counts->solid[at];
     }
     r->counts->of[VALUES]++;
     r->least = fmin(r->least, value);
     r->most = fmax(r->most, value);
     r->sum += value;
-    return is_solid(r, value);
+    return solid_of(r, value);
 }
 
 static inline int take_real(struct reader *r, double value) {
@@ -95,35 +105,50 @@ static int turned(const struct reader *r, int d, int i) { return r->scene->flips
 /* Takes the voxels of a slab, low <= i < high of those used. */
 static void take_slab(struct reader *r, const int low[3], const int high[3]) {
     struct solid_voxels *v = r->image->voxels;
-    const int m = r->image->per_cell;
+    const int m = r->image->per_cell, kinds = kinds_of(r->scene);
     long at = 0;
     for (int k = low[2]; k < high[2]; k++)
         for (int j = low[1]; j < high[1]; j++) {
             const int tj = turned(r, 1, j), tk = turned(r, 2, k);
             uint64_t *line = v->bits + (m == 1 ? solid_voxels_line(v, tj, tk) : 0);
             for (int i = low[0]; i < high[0]; i++, at++) {
-                const int is = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]);
+                const int of = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]), is = of > 0;
                 const int ti = turned(r, 0, i);
                 r->solid += is;
-                if (m == 1)
+                if (m == 1) {
                     line[ti / 64] |= (uint64_t)is << ti % 64;
-                else
-                    r->in_cell[((long)((tk - r->first[2]) / m) * r->cells[1] + (tj - r->first[1]) / m) * r->cells[0] +
-                               (ti - r->first[0]) / m] += (unsigned)is;
+                    if (of > 1) solid_voxels_set_kind(v, of - 1, ti, tj, tk);
+                    continue;
+                }
+                const long cell =
+                    ((long)((tk - r->first[2]) / m) * r->cells[1] + (tj - r->first[1]) / m) * r->cells[0] +
+                    (ti - r->first[0]) / m;
+                r->in_cell[cell * kinds + (is ? of - 1 : 0)] += (unsigned)is;
             }
         }
 }
 
-/* Sets the bits of the slab's cells that are solid for more than a half. */
+/* Sets the bits of the slab's cells that are solid for more than a half. Its kind is the one with the most voxels, of
+ * equals the first. */
 static void set_cells(struct reader *r) {
     struct solid_voxels *v = r->image->voxels;
     const int m = r->image->per_cell;
+    const int kinds = kinds_of(r->scene);
     const uint32_t half = (uint32_t)m * (uint32_t)m * (uint32_t)m / 2, *cell = r->in_cell;
     for (int k = 0; k < r->cells[2]; k++)
         for (int j = 0; j < r->cells[1]; j++)
-            for (int i = 0; i < r->cells[0]; i++)
-                if (*cell++ > half)
-                    solid_voxels_set(v, v->bits, r->first[0] / m + i, r->first[1] / m + j, r->first[2] / m + k);
+            for (int i = 0; i < r->cells[0]; i++, cell += kinds) {
+                const int at[3] = {r->first[0] / m + i, r->first[1] / m + j, r->first[2] / m + k};
+                uint32_t solid = 0;
+                int most = 0;
+                for (int q = 0; q < kinds; q++) {
+                    solid += cell[q];
+                    if (cell[q] > cell[most]) most = q;
+                }
+                if (solid <= half) continue;
+                solid_voxels_set(v, v->bits, at[0], at[1], at[2]);
+                solid_voxels_set_kind(v, most, at[0], at[1], at[2]);
+            }
     memset(r->in_cell, 0, (size_t)(cell - r->in_cell) * sizeof *cell);
 }
 
@@ -140,7 +165,7 @@ static void read_slabs(struct reader *r, int slow, int from, int to) {
         r->real = memory_new(MEMORY_COUPLING, room, sizeof *r->real);
     else
         r->value = memory_new(MEMORY_COUPLING, room, sizeof *r->value);
-    if (m > 1) r->in_cell = memory_new(MEMORY_COUPLING, room, sizeof *r->in_cell);
+    if (m > 1) r->in_cell = memory_new(MEMORY_COUPLING, room * (size_t)kinds_of(s), sizeof *r->in_cell);
     for (int q = from; q < to; q += (int)fits) {
         const int end = q + fits < to ? q + (int)fits : to;
         int low[3] = {0}, high[3] = {n[0], n[1], n[2]};
@@ -173,7 +198,9 @@ static void mirror(struct solid_voxels *v, const int cells[3], int c) {
             for (int i = 0; i < n[0]; i++) {
                 int to[3] = {i, j, k};
                 to[c] = 2 * n[c] - 1 - to[c];
-                if (solid_voxels_is(v, v->bits, i, j, k)) solid_voxels_set(v, v->bits, to[0], to[1], to[2]);
+                if (!solid_voxels_is(v, v->bits, i, j, k)) continue;
+                solid_voxels_set(v, v->bits, to[0], to[1], to[2]);
+                solid_voxels_set_kind(v, solid_voxels_kind(v, i, j, k), to[0], to[1], to[2]);
             }
 }
 
@@ -182,8 +209,10 @@ static void mirror(struct solid_voxels *v, const int cells[3], int c) {
 static void share(struct setup_image *image, const struct scene_image *s, const int cells[3]) {
     struct solid_voxels *v = image->voxels;
     const long words = (long)v->n[2] * v->n[1] * v->words;
-    for (long w = 0; par_size() > 1 && w < words; w += SLAB)
-        par_sum_long_array((long *)v->bits + w, (int)(words - w < SLAB ? words - w : SLAB));
+    for (int p = -1; p < v->planes; p++)
+        for (long w = 0; par_size() > 1 && w < words; w += SLAB)
+            par_sum_long_array((long *)(p < 0 ? v->bits : v->plane[p]) + w,
+                               (int)(words - w < SLAB ? words - w : SLAB));
     for (int c = 0; c < 3; c++)
         if (s->mirrors[c]) mirror(v, cells, c);
 }
@@ -252,7 +281,8 @@ static struct counts *counts_new(const struct scene_image *s) {
     struct counts *counts = memory_new(MEMORY_COUPLING, 1, sizeof *counts);
     counts->found = memory_new(MEMORY_COUPLING, (size_t)s->labels + 1, sizeof *counts->found);
     for (int l = 0; l < s->labels; l++)
-        if (s->label[l] >= LEAST && s->label[l] < LEAST + VALUES) counts->is_solid[s->label[l] - LEAST] = 1;
+        if (s->label[l] >= LEAST && s->label[l] < LEAST + VALUES)
+            counts->solid[s->label[l] - LEAST] = (uint8_t)(1 + kind_of(s, s->label[l]));
     return counts;
 }
 
@@ -276,6 +306,7 @@ static struct setup_image *image_new(const struct scene *scene, int b, struct fi
         corner[d] = (int)lrint(body->low[d] / spacing - scene->solid->lattice_offset[d]);
     }
     image->voxels = solid_voxels_new(n, ratio < 1 ? 1 : (int)lrint(ratio), corner);
+    solid_voxels_kinds(image->voxels, kinds_of(s));
     return image;
 }
 

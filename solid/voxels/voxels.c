@@ -1,5 +1,6 @@
 /* Makes, frees and counts the bits of an image's solid. */
 #include "solid/voxels/voxels.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 
 #include <string.h>
@@ -24,7 +25,15 @@ void solid_voxels_free(struct solid_voxels *v) {
     if (!v) return;
     memory_free(v->bits);
     memory_free(v->held);
+    for (int p = 0; p < v->planes; p++) memory_free(v->plane[p]);
     memory_free(v);
+}
+
+void solid_voxels_kinds(struct solid_voxels *v, int kinds) {
+    for (; kinds > 1 << v->planes; v->planes++) {
+        ENSURE(v->planes < SOLID_VOXELS_PLANES, "%d kinds of voxels", kinds);
+        v->plane[v->planes] = solid_voxels_array(v);
+    }
 }
 
 long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits) {

@@ -1,6 +1,9 @@
-/* The solid of an image: one bit a voxel, in lines along x. Every rank holds the whole of it while a solid is made. */
+/* The solid of an image: one bit a voxel, in lines along x. Every rank holds the whole of it while a solid is made. With
+ * several materials, or kinds, the kind of a voxel takes further bits: bit p is in plane p. */
 #pragma once
 #include <stdint.h>
+
+enum { SOLID_VOXELS_PLANES = 4 }; /* for SOLID_KINDS_MAX kinds (solid/input.h) */
 
 struct solid_voxels {
     int n[3];       /* voxels along x, y, z */
@@ -9,6 +12,8 @@ struct solid_voxels {
     long words;     /* words of 64 voxels in a line */
     uint64_t *bits; /* [n[2]][n[1]][words] 1: solid; 0 past the end of a line */
     uint64_t *held; /* the same: voxels whose particles are held during the whole run; NULL: none */
+    int planes;     /* 0: all voxels are of kind 0 */
+    uint64_t *plane[SOLID_VOXELS_PLANES]; /* the same; 0 where bits is 0 */
 };
 
 /* All pore. Not collective, as all functions here. */
@@ -24,6 +29,18 @@ static inline int solid_voxels_is(const struct solid_voxels *v, const uint64_t *
 }
 static inline void solid_voxels_set(const struct solid_voxels *v, uint64_t *bits, int i, int j, int k) {
     bits[solid_voxels_line(v, j, k) + i / 64] |= (uint64_t)1 << i % 64;
+}
+/* Makes room for so many kinds; all voxels are of kind 0. */
+void solid_voxels_kinds(struct solid_voxels *v, int kinds);
+static inline int solid_voxels_kind(const struct solid_voxels *v, int i, int j, int k) {
+    int kind = 0;
+    for (int p = 0; p < v->planes; p++) kind |= solid_voxels_is(v, v->plane[p], i, j, k) << p;
+    return kind;
+}
+/* Of a voxel of kind 0 so far. */
+static inline void solid_voxels_set_kind(struct solid_voxels *v, int kind, int i, int j, int k) {
+    for (int p = 0; p < v->planes; p++)
+        if (kind >> p & 1) solid_voxels_set(v, v->plane[p], i, j, k);
 }
 long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits);
 /* Copies a line of the solid, or with of = 0 of its pores, to line [words]. */
