@@ -130,9 +130,9 @@ static void bond_of(const struct mix *m, int a, int b, double *c0, double *s0) {
 }
 
 static const struct mix table[] = {
-    {.sites = {21, 13, 12}, .pattern = GRAINS, .material = {quartz, clay, ore}, .kinds = 3},
-    {.sites = {17, 9, 11}, .pattern = RANDOM, .periodic = {1, 1, 0}, .material = {clay, ore, quartz}, .kinds = 3},
-    {.sites = {30, 8, 9}, .pattern = HALVES, .at = 13, .material = {quartz, clay, ore}, .kinds = 2}};
+    {.sites = {17, 11, 10}, .pattern = GRAINS, .material = {quartz, clay, ore}, .kinds = 3},
+    {.sites = {13, 8, 9}, .pattern = RANDOM, .periodic = {1, 1, 0}, .material = {clay, ore, quartz}, .kinds = 3},
+    {.sites = {24, 7, 8}, .pattern = HALVES, .at = 11, .material = {quartz, clay, ore}, .kinds = 2}};
 enum { TABLE = sizeof table / sizeof *table };
 
 /* Accelerations, damping's power and strain energy by scalar sums over each family. */
@@ -144,6 +144,7 @@ static void sums_over_families(void **state) {
             const struct mix *m = &table[t];
             struct solid *s = mixed(m);
             const double damping = 1e9;
+            s->stage.damping_relative = damping; /* so that the ghosts' velocities are current */
             shake(s, large ? 3e-2 : 1e-4);
             solid_force_bonds(s, 0, damping);
             double worst = 0, most = 0, strain = 0, power = 0, net[3] = {0}, all = 0;
@@ -238,7 +239,7 @@ static void equal_numbers(void **state) {
 static void segments_of_a_kind(void **state) {
     (void)state;
     const struct mix m = {
-        .sites = {64, 20, 20}, .pattern = HALVES, .at = 29, .material = {quartz, clay, ore}, .kinds = 2};
+        .sites = {64, 16, 12}, .pattern = HALVES, .at = 29, .material = {quartz, clay, ore}, .kinds = 2};
     struct solid *s = mixed(&m);
     const struct solid_lattice *t = s->family->lattice[0];
     int count[3] = {0};
@@ -276,8 +277,8 @@ static void limits(void **state) {
             }
             double energy = 0, area = 0;
             long broken = 0;
-            for (int turn = 0; turn < 8; turn++) {
-                const double stretch = 0.9 * low + turn / 7. * (1.1 * high - 0.9 * low);
+            for (int turn = 0; turn < 5; turn++) {
+                const double stretch = 0.87 * low + turn / 4. * (1.11 * high - 0.87 * low);
                 for (int h = 0; h < s->n; h++) s->d[0][h] = stretch * s->x0[0][h];
                 solid_ghosts_update(s);
                 for (int h = 0; h < s->n; h++) {
@@ -364,15 +365,24 @@ static double strain_of_bar(enum pattern pattern, double stiffer, int sites, int
     return (d[1] - d[0]) / ((to - from) * SPACING);
 }
 
-/* Two layers in series: the strain is the mean of both layers'. What is left is an error of the border, in spacings. */
+/* Two layers in series: the strain is the mean of both layers'. What differs belongs to the border, some tenths of a
+ * spacing of the softer layer whatever the length: with the length the stiffness converges to the analytic one. */
 static void layers_in_series(void **state) {
     (void)state;
     const double stiffer[] = {3, 0.25};
     for (int k = 0; k < 2; k++) {
-        const double one = strain_of_bar(ONE, 1, 48, 12, 35), two = strain_of_bar(HALVES, stiffer[k], 48, 12, 35);
-        const double expected = one * 0.5 * (1 + 1 / stiffer[k]);
-        print_message("two layers, %.2f times as stiff: strain over expected %.5f\n", stiffer[k], two / expected);
-        check_close(two / expected, 1, 0.012);
+        double border[2];
+        for (int q = 0; q < 2; q++) {
+            const int sites = q ? 48 : 24, from = sites / 4, to = sites - 1 - from;
+            const double one = strain_of_bar(ONE, 1, sites, from, to),
+                         two = strain_of_bar(HALVES, stiffer[k], sites, from, to);
+            border[q] = (two / one - 0.5 * (1 + 1 / stiffer[k])) * (to - from) * fmin(stiffer[k], 1);
+            print_message("two layers of %d spacings, %.2f times as stiff: %.5f of the analytic strain, the border "
+                          "%.4f spacings\n",
+                          sites, stiffer[k], two / one / (0.5 * (1 + 1 / stiffer[k])), border[q]);
+        }
+        check_close(border[0], 0, 0.6);
+        check_close(border[1], border[0], 1e-3);
     }
 }
 
@@ -421,10 +431,10 @@ static void books(void **state) {
         double net[4] = {0};
         s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .breakage = 1};
         for (int h = 0; h < s->n; h++)
-            for (int c = 0; c < 3; c++) s->v[c][h] = 0.12 * noise(s, h, c);
+            for (int c = 0; c < 3; c++) s->v[c][h] = 0.05 * noise(s, h, c);
         solid_ghosts_update(s);
-        const double start = solid_energy_measure(s).kinetic, dt = 0.15 * solid_rates_stable_step(s, s->stage.integrator);
-        for (int k = 0; k < 60; k++) {
+        const double start = solid_energy_measure(s).kinetic, dt = 0.05 * solid_rates_stable_step(s, s->stage.integrator);
+        for (int k = 0; k < 120; k++) {
             solid_contact_update(s);
             solid_integrate(s, dt, 1);
         }
@@ -435,10 +445,10 @@ static void books(void **state) {
                       verlet ? "Verlet" : "RK3", s->bonds_broken, s->bonds_total, par_sum(s->e_fracture) / start,
                       e.contact / start, now / start - 1);
         check_above(s->bonds_broken, 1000);
-        check_close(now / start, 1, verlet ? 5e-3 : 1e-3);
+        check_close(now / start, 1, verlet ? 8e-3 : 5e-4); /* of one material 6e-3 and 3e-4 */
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) {
-                net[c] += solid_density(s, h) * s->volume[h] * (s->v[c][h] - 0.12 * noise(s, h, c));
+                net[c] += solid_density(s, h) * s->volume[h] * (s->v[c][h] - 0.05 * noise(s, h, c));
                 net[3] += solid_density(s, h) * s->volume[h] * fabs(s->v[c][h]);
             }
         par_sum_array(net, 4);
@@ -452,8 +462,8 @@ static void crack_in_the_layer(void **state) {
     (void)state;
     static struct solid_family_view view;
     const struct solid_constraint end[] = {
-        {.low = {-1, -1, -1}, .high = {1, 3 * SPACING, 1}, .direction = {1, 1, 1}, .velocity = {0, -0.4, 0}},
-        {.low = {-1, 21 * SPACING, -1}, .high = {1, 1, 1}, .direction = {1, 1, 1}, .velocity = {0, 0.4, 0}}};
+        {.low = {-1, -1, -1}, .high = {1, 3 * SPACING, 1}, .direction = {1, 1, 1}, .velocity = {0, -0.008, 0}},
+        {.low = {-1, 21 * SPACING, -1}, .high = {1, 1, 1}, .direction = {1, 1, 1}, .velocity = {0, 0.008, 0}}};
     struct mix m = {.sites = {16, 24, 4},
                     .periodic = {0, 0, 1},
                     .pattern = LAYER,
@@ -465,7 +475,7 @@ static void crack_in_the_layer(void **state) {
     m.material[1].fracture_energy = 0.3 * G0;
     struct solid *s = mixed(&m);
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1};
-    for (int h = 0; h < s->n; h++) s->v[1][h] = 0.8 * (s->x0[1][h] / (24 * SPACING) - 0.5);
+    for (int h = 0; h < s->n; h++) s->v[1][h] = 0.016 * (s->x0[1][h] / (24 * SPACING) - 0.5);
     solid_ghosts_update(s);
     const double dt = 0.5 * solid_rates_stable_step(s, SOLID_VERLET);
     long outside = 0;
