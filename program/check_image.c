@@ -192,8 +192,9 @@ static void say_phases(const struct setup_image *image, const struct phase of[2]
 static const struct {
     const char *name;
     unsigned char rgb[3];
-} colour_of[] = {{"grey", {90, 90, 90}},           {"blue", {0, 114, 178}},   {"sky blue", {86, 180, 233}},
-                 {"bluish green", {0, 158, 115}}, {"yellow", {240, 228, 66}}, {"purple", {204, 121, 167}},
+} colour_of[] = {{"grey", {90, 90, 90}},       {"blue", {0, 114, 178}},
+                 {"sky blue", {86, 180, 233}}, {"bluish green", {0, 158, 115}},
+                 {"yellow", {240, 228, 66}},   {"purple", {204, 121, 167}},
                  {"black", {0, 0, 0}}};
 enum { COLOURS = sizeof colour_of / sizeof *colour_of };
 

@@ -157,7 +157,7 @@ enum scene_image_axes {
 };
 enum scene_floating { SCENE_FLOATING_KEEP, SCENE_FLOATING_REMOVE, SCENE_FLOATING_HOLD };
 enum { SCENE_KINDS_MAX = 16 }; /* materials of one image */
-struct scene_image_material { /* of the voxels with a label */
+struct scene_image_material {  /* of the voxels with a label */
     int label;
     char material[SCENE_NAME];
     int index; /* in solid.materials */

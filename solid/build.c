@@ -85,8 +85,7 @@ static void materials_set(struct solid *s, const struct solid_sites *sites, int 
         int h = (int)(row.id - from);
         for (int k = 0; k < 8; k++) {
             const int site[3] = {row.site[0] + k, row.site[1], row.site[2]};
-            if (row.bits >> k & 1)
-                s->material[h++] = (uint8_t)body->kind[solid_sites_image_kind(body->voxels, site)];
+            if (row.bits >> k & 1) s->material[h++] = (uint8_t)body->kind[solid_sites_image_kind(body->voxels, site)];
         }
     }
 }

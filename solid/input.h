@@ -126,8 +126,8 @@ struct solid_body {
     double perturbation;
     int perturbation_seed;
     int material; /* of several: that of kind 0 */
-    /* SOLID_IMAGE of several materials: their number, and the material of each kind of voxel; 0: one material. They have
-     * one horizon and a constant micromodulus, and are brittle (solid/bonds/kinds.h). */
+    /* SOLID_IMAGE of several materials: their number, and the material of each kind of voxel; 0: one material. They
+     * have one horizon and a constant micromodulus, and are brittle (solid/bonds/kinds.h). */
     int kinds, kind[SOLID_KINDS_MAX];
     double velocity[3]; /* at the start, m/s */
     /* set by solid_new */

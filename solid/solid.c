@@ -272,7 +272,8 @@ void solid_free(struct solid *s) {
         void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
         for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
     }
-    void *const own[] = {s->volume, s->body, s->material, s->flag, s->first, s->piece, s->piece_since, s->limit, s->limit_next};
+    void *const own[] = {s->volume, s->body,        s->material, s->flag,      s->first,
+                         s->piece,  s->piece_since, s->limit,    s->limit_next};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);

@@ -18,9 +18,9 @@ enum { LEAST = -32768, VALUES = 32768 + 65536, SLAB = 1 << 23 /* voxels read at 
 static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"}; /* by enum scene_image_axes */
 
 struct counts {
-    long of[VALUES + 1]; /* the last one: all other values */
+    long of[VALUES + 1];   /* the last one: all other values */
     uint8_t solid[VALUES]; /* 0: pore, else 1 + the kind of the solid */
-    long *found; /* [labels] voxels with each label of the scene */
+    long *found;           /* [labels] voxels with each label of the scene */
 };
 
 struct reader {
@@ -211,8 +211,7 @@ static void share(struct setup_image *image, const struct scene_image *s, const 
     const long words = (long)v->n[2] * v->n[1] * v->words;
     for (int p = -1; p < v->planes; p++)
         for (long w = 0; par_size() > 1 && w < words; w += SLAB)
-            par_sum_long_array((long *)(p < 0 ? v->bits : v->plane[p]) + w,
-                               (int)(words - w < SLAB ? words - w : SLAB));
+            par_sum_long_array((long *)(p < 0 ? v->bits : v->plane[p]) + w, (int)(words - w < SLAB ? words - w : SLAB));
     for (int c = 0; c < 3; c++)
         if (s->mirrors[c]) mirror(v, cells, c);
 }

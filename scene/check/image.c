@@ -180,13 +180,13 @@ static int check_labels(const struct scene_check *c, int b) {
         while (image->material[first].label != of->label) first++;
         for (int q = 0; q < image->labels; q++) is_solid |= image->label[q] == of->label;
         if (first < l) {
-            scene_problem_at(c->problems, c->root, of_materials(b, l, "label").text,
-                             "%d has a material already, %s", of->label, image->material[first].material);
+            scene_problem_at(c->problems, c->root, of_materials(b, l, "label").text, "has a material already, %s",
+                             image->material[first].material);
             return 0;
         }
         if (!is_solid) {
             scene_problem_at(c->problems, c->root, of_materials(b, l, "label").text,
-                             "%d is not among the labels of the solid, solid.bodies[%d].solid", of->label, b);
+                             "is not among the labels of the solid, solid.bodies[%d].solid", b);
             return 0;
         }
         if (of->index < 0) {

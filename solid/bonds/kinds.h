@@ -5,9 +5,9 @@
  *
  *     K = (c_h + c_l)/2 Gamma      s0^2 = (c_h s_h^2 + c_l s_l^2)/(c_h + c_l)      G = (G_h + G_l)/2
  *
- * The sweep's arrays hold forces per volume over the density of kind 0. Most segments (solid/bonds/segments.h) have bonds
- * of one kind only: they take the ordinary kernel with that kind's constants. The others are mixed: their kernel also
- * loads c/(2 c of kind 0) of both ends. Bodies of one material have none of this, and lattice->kinds is NULL. */
+ * The sweep's arrays hold forces per volume over the density of kind 0. Most segments (solid/bonds/segments.h) have
+ * bonds of one kind only: they take the ordinary kernel with that kind's constants. The others are mixed: their kernel
+ * also loads c/(2 c of kind 0) of both ends. Bodies of one material have none of this, and lattice->kinds is NULL. */
 #pragma once
 #include "solid/bonds/lattice.h"
 
@@ -34,7 +34,9 @@ struct solid_kinds *solid_kinds_new(const struct solid_lattice *lattice, const s
                                     const int *kind, const uint8_t *material);
 void solid_kinds_free(struct solid_kinds *kinds); /* may be NULL */
 
-static inline int solid_kinds_of(const struct solid_kinds *kinds, int h) { return kinds->of_material[kinds->material[h]]; }
+static inline int solid_kinds_of(const struct solid_kinds *kinds, int h) {
+    return kinds->of_material[kinds->material[h]];
+}
 
 /* The law of the bond between two particles of the lattice. */
 static inline const struct solid_law *solid_kinds_law(const struct solid_lattice *lattice, int h, int l) {

@@ -29,7 +29,8 @@ static inline __attribute__((always_inline)) void NAME(strip)(const struct solid
         REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
         REAL high = out->high, low = out->low;
         if (!bulk) w = OF(load)(box.w + at);
-        const REAL half = mixed && !judge ? OF(load)(box.half + at) : w, look = mixed && judge ? OF(load)(box.look + at) : w;
+        const REAL half = mixed && !judge ? OF(load)(box.half + at) : w,
+                   look = mixed && judge ? OF(load)(box.look + at) : w;
         if (damped) {
             vx = OF(load)(box.v[0] + at);
             vy = OF(load)(box.v[1] + at);

@@ -154,12 +154,12 @@ static void sweep_segment(struct sweep *w, int g) {
     if (segments->stale[g]) solid_segments_pack(lattice, g);
     if (judged && is_beyond(w, g) && break_segment(w->s, lattice, g)) solid_segments_pack(lattice, g);
 
-    const enum solid_kernel plain = w->damped | w->mixed | (segments->bulk[g] ? KERNEL_BULK : 0), exact = plain | KERNEL_EXACT,
-                            first = segments->large[g] ? exact : plain;
+    const enum solid_kernel plain = w->damped | w->mixed | (segments->bulk[g] ? KERNEL_BULK : 0),
+                            exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
     struct solid_range range = solid_segment_force(&w->box, segments, g, first, &w->power);
     const int too_large = first == plain && fmax(range.high, -range.low) > SOLID_SERIES_LIMIT;
-    const int breaks = !judged && range.high > w->look && (!w->mixed || is_beyond(w, g)) &&
-                       break_segment(w->s, lattice, g);
+    const int breaks =
+        !judged && range.high > w->look && (!w->mixed || is_beyond(w, g)) && break_segment(w->s, lattice, g);
     if (too_large || breaks) {
         solid_segment_force(&w->undo, segments, g, first, &w->power);
         if (breaks) solid_segments_pack(lattice, g);

@@ -1,5 +1,5 @@
-/* The solid of an image: one bit a voxel, in lines along x. Every rank holds the whole of it while a solid is made. With
- * several materials, or kinds, the kind of a voxel takes further bits: bit p is in plane p. */
+/* The solid of an image: one bit a voxel, in lines along x. Every rank holds the whole of it while a solid is made.
+ * With several materials, or kinds, the kind of a voxel takes further bits: bit p is in plane p. */
 #pragma once
 #include <stdint.h>
 

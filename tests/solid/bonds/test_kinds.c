@@ -1,5 +1,5 @@
-/* Several materials in one lattice body: forces, energies, limits and densities of both ends of each bond; the same bits
- * as one material where the numbers are the same. */
+/* Several materials in one lattice body: forces, energies, limits and densities of both ends of each bond; the same
+ * bits as one material where the numbers are the same. */
 #include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/kinds.h"
@@ -291,8 +291,8 @@ static void limits(void **state) {
                         const double held =
                             0.25 * view.alpha[b] * c0 * length_of(view.xi[b]) * view.weight[b] * s->volume[h];
                         energy += held * now * now;
-                        area += held * s0 * s0 * 2 /
-                                (m.material[own].fracture_energy + m.material[other].fracture_energy);
+                        area +=
+                            held * s0 * s0 * 2 / (m.material[own].fracture_energy + m.material[other].fracture_energy);
                         broken++;
                     }
                 }
@@ -433,7 +433,8 @@ static void books(void **state) {
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) s->v[c][h] = 0.05 * noise(s, h, c);
         solid_ghosts_update(s);
-        const double start = solid_energy_measure(s).kinetic, dt = 0.05 * solid_rates_stable_step(s, s->stage.integrator);
+        const double start = solid_energy_measure(s).kinetic,
+                     dt = 0.05 * solid_rates_stable_step(s, s->stage.integrator);
         for (int k = 0; k < 120; k++) {
             solid_contact_update(s);
             solid_integrate(s, dt, 1);
@@ -441,9 +442,10 @@ static void books(void **state) {
         const struct solid_energy e = solid_energy_measure(s);
         solid_family_count(s);
         const double now = e.kinetic + e.strain + e.contact + par_sum(s->e_fracture);
-        print_message("%s: %ld of %ld bonds broken, fracture %.3f, contact %.5f of the energy; the books are open by %.2e\n",
-                      verlet ? "Verlet" : "RK3", s->bonds_broken, s->bonds_total, par_sum(s->e_fracture) / start,
-                      e.contact / start, now / start - 1);
+        print_message(
+            "%s: %ld of %ld bonds broken, fracture %.3f, contact %.5f of the energy; the books are open by %.2e\n",
+            verlet ? "Verlet" : "RK3", s->bonds_broken, s->bonds_total, par_sum(s->e_fracture) / start,
+            e.contact / start, now / start - 1);
         check_above(s->bonds_broken, 1000);
         check_close(now / start, 1, verlet ? 8e-3 : 5e-4); /* of one material 6e-3 and 3e-4 */
         for (int h = 0; h < s->n; h++)
@@ -496,10 +498,15 @@ static void crack_in_the_layer(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sums_over_families), cmocka_unit_test(equal_numbers), cmocka_unit_test(segments_of_a_kind),
-        cmocka_unit_test(limits),             cmocka_unit_test(border),        cmocka_unit_test(layers_in_series),
-        cmocka_unit_test(densities),          cmocka_unit_test(books),         cmocka_unit_test(crack_in_the_layer)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sums_over_families),
+                                       cmocka_unit_test(equal_numbers),
+                                       cmocka_unit_test(segments_of_a_kind),
+                                       cmocka_unit_test(limits),
+                                       cmocka_unit_test(border),
+                                       cmocka_unit_test(layers_in_series),
+                                       cmocka_unit_test(densities),
+                                       cmocka_unit_test(books),
+                                       cmocka_unit_test(crack_in_the_layer)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
