@@ -124,14 +124,13 @@ static inline void solid_relative(const struct solid *s, int h, int l, double ze
     }
 }
 
-static inline int solid_material_number(const struct solid *s, int h) {
+/* The index of its material. */
+static inline int solid_made_of(const struct solid *s, int h) {
     return s->material ? s->material[h] : s->in.body[s->body[h]].material;
 }
 
 /* Of the particle's material, kg/m3. */
-static inline double solid_density(const struct solid *s, int h) {
-    return s->in.material[solid_material_number(s, h)].density;
-}
+static inline double solid_density(const struct solid *s, int h) { return s->in.material[solid_made_of(s, h)].density; }
 
 /* The end of those particles h, h + 1, ... below `to`, all of one body, that have the density of h. */
 static inline int solid_density_end(const struct solid *s, int h, int to) {

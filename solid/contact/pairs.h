@@ -56,7 +56,7 @@ static inline int solid_contact_pairs_other_body(const struct solid *s, const st
 
 static inline int solid_contact_pairs_other_material(const struct solid *s, const struct solid_contact *c, int kind,
                                                      int l) {
-    return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].material : solid_material_number(s, l);
+    return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].material : solid_made_of(s, l);
 }
 
 static inline double solid_contact_pairs_other_volume(const struct solid *s, const struct solid_contact *c, int kind,
@@ -89,7 +89,7 @@ static inline struct solid_contact_touch solid_contact_pairs_touch_of(const stru
               material = solid_contact_pairs_other_material(s, c, kind, t.l);
     solid_contact_pairs_x(p, s->d, solid_contact_pairs_other_d(s, c, kind), k, t.x);
     t.r = fmax(sqrt(t.x[0] * t.x[0] + t.x[1] * t.x[1] + t.x[2] * t.x[2]), 1e-6 * c->radius);
-    t.k = s->in.contact_stiffness * 0.5 * (c->c0[solid_material_number(s, t.h)] + c->c0[material]);
+    t.k = s->in.contact_stiffness * 0.5 * (c->c0[solid_made_of(s, t.h)] + c->c0[material]);
     t.volume = solid_contact_pairs_other_volume(s, c, kind, t.l);
     t.density = c->density[material];
     t.radius = c->radius;

@@ -298,7 +298,7 @@ static void minerals(void **state) {
         for (int h = 0; h < s->n + s->n_ghost; h++) {
             int at[3];
             for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / (1e-3 * table[t].spacing) - 3 + c);
-            const int label = table[t].label(at[0], at[1], at[2]), m = solid_material_number(s, h);
+            const int label = table[t].label(at[0], at[1], at[2]), m = solid_made_of(s, h);
             assert_true(label == 1 || label == 2);
             assert_string_equal(scene->solid->material[m].name, label == 1 ? "quartz" : "clay");
             if (h < s->n) count[label - 1]++;

@@ -151,7 +151,7 @@ static void sums_over_families(void **state) {
             for (int h = 0; h < s->n; h++) {
                 const int own = kind_of(m, s, h);
                 double a[3] = {0};
-                check_equal(solid_material_number(s, h), own);
+                check_equal(solid_made_of(s, h), own);
                 check_close(solid_density(s, h), m->material[own].density, 0);
                 solid_family_view(s, h, &view);
                 for (int b = 0; b < view.n; b++) {
