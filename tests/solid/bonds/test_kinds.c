@@ -361,6 +361,21 @@ static double strain_of_bar(enum pattern pattern, double stiffer, int sites, int
         for (int e = 0; e < 2; e++)
             if (fabs(s->x0[0][h] / SPACING - 0.5 - (e ? to : from)) < 0.1) d[e] += s->d[0][h] / 16;
     par_sum_array(d, 2);
+    double(*stress)[6] = calloc((size_t)s->n + 1, sizeof *stress), far = 0, near = 0;
+    solid_ghosts_update(s);
+    solid_stress_measure(s, stress);
+    for (int h = 0; h < s->n; h++) {
+        const double x = s->x0[0][h] / SPACING, off = stress[h][0] / 1e3 - 1;
+        if (x < 7 || x > sites - 7) continue;
+        if (fabs(x - sites / 2) > 7)
+            far = check_worst(far, off);
+        else
+            near = check_worst(near, off);
+    }
+    check_below(far, 0.01);
+    check_below(near, 0.25); /* a mean over the family */
+    print_message("stress: off by at most %.4f far from the border, %.4f near to it\n", far, near);
+    free(stress);
     solid_free(s);
     return (d[1] - d[0]) / ((to - from) * SPACING);
 }
