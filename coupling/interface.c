@@ -98,7 +98,7 @@ static double set_free_volume(const struct run *r, int h) {
     const struct fluid_input *fluid = fluid_input_of(r->fluid);
     const double diameter = cbrt(6 / M_PI * s->volume[h]);
     const double drag = 3 * M_PI * fluid->viscosity * diameter * r->dt;
-    const double half = 0.5 * s->in.material[s->in.body[s->body[h]].material].density / fluid->density * s->volume[h];
+    const double half = 0.5 * solid_density(s, h) / fluid->density * s->volume[h];
     double times = 3 * r->scene->coupling->forcing_iterations;
     if (r->reaction) times = reaction_weights(r);
     return fmin(drag, half) / times;

@@ -172,7 +172,7 @@ static int is_converged(const struct run *r) {
     double sum[SUMS] = {0};
     for (int i = 0; i < k->n; i++) {
         const int h = k->h[i];
-        const double per_density = r->dt / s->in.material[s->in.body[s->body[h]].material].density;
+        const double per_density = r->dt / solid_density(s, h);
         for (int c = 0; c < 3; c++) {
             const double image = k->image[c * k->n + i];
             sum[RESIDUAL] += pow(image - k->guess[c * k->n + i], 2);

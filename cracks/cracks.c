@@ -15,7 +15,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Struts need all particles on one lattice, with one family. */
+/* Struts need all particles on one lattice, with one family; the materials of an image have one
+ * (solid/bonds/kinds.h). */
 static void check(const struct solid *s) {
     const struct solid_material *first = &s->in.material[s->in.body[0].material];
     if (s->in.refinement || s->refine)
@@ -39,14 +40,17 @@ static void check(const struct solid *s) {
     }
 }
 
-/* Of the largest critical stretch of a material that breaks. */
+/* Of the largest critical stretch of a material that breaks. The bonds between two materials have one in between. */
 static double least_aperture(const struct solid *s) {
     double most = 0;
     for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_material *m = &s->in.material[s->in.body[b].material];
-        const double s0 =
-            solid_material_constants(s->in.model, s->in.thickness, m, m->horizon_ratio * s->in.spacing).s0;
-        if (isfinite(s0)) most = fmax(most, s0);
+        const struct solid_body *body = &s->in.body[b];
+        for (int k = 0; k < (body->kinds > 1 ? body->kinds : 1); k++) {
+            const struct solid_material *m = &s->in.material[body->kinds > 1 ? body->kind[k] : body->material];
+            const double s0 =
+                solid_material_constants(s->in.model, s->in.thickness, m, m->horizon_ratio * s->in.spacing).s0;
+            if (isfinite(s0)) most = fmax(most, s0);
+        }
     }
     return CRACKS_LEAST_STRETCH * most * s->in.spacing;
 }

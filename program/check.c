@@ -351,12 +351,16 @@ static void say_groups(const struct run *r) {
     }
 }
 
-/* Memory of a run by its size, GB: 464 bytes a particle with its bonds, 200 a particle at rest while it is made,
- * measured with a sample of sandstone, and 260 a cell of the fluid, an estimate. */
+/* Memory of a run by its size, GB: 464 bytes a particle with its bonds, and 18 more where a body is of several
+ * materials; 200 a particle at rest while it is made, measured with samples of rock; 260 a cell of the fluid, an
+ * estimate. */
 static double gigabytes_of(const struct scene *scene, double particles) {
-    double cells = scene->fluid ? 1 : 0;
+    const int bonds = setup_needs_of(scene).bonds;
+    double cells = scene->fluid ? 1 : 0, bytes = bonds ? 464 : 200;
     for (int c = 0; c < 3; c++) cells *= scene->domain.cells[c];
-    return 1e-9 * ((setup_needs_of(scene).bonds ? 464 : 200) * particles + 260 * cells);
+    for (int b = 0; scene->solid && b < scene->solid->bodies; b++)
+        if (bonds && scene->solid->body[b].image.kinds > 1) bytes = 464 + 18;
+    return 1e-9 * (bytes * particles + 260 * cells);
 }
 
 /* Whether a body of an image makes the run larger than this machine's memory for so many ranks; if so, says it. */

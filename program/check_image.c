@@ -6,6 +6,7 @@
 #include "files/folder.h"
 #include "postproc/draw/png.h"
 #include "program/program.h"
+#include "solid/voxels/borders.h"
 #include "solid/voxels/opening.h"
 
 #include <ctype.h>
@@ -72,6 +73,22 @@ static void say_understood(const struct scene *scene, const struct setup_image *
         image->body->low[2] + v->n[2] * v->sites * scene->solid->spacing);
 }
 
+/* The name of a material of the image. */
+static const char *name_of(const struct scene *scene, const struct scene_image *s, int kind) {
+    return scene->solid->material[s->kind[kind]].name;
+}
+
+/* The material of a label, behind a comma; nothing where the body has one. */
+static const char *material_of(const struct scene_image *s, int label) {
+    static char text[SCENE_NAME + 3];
+    for (int l = 0; l < s->materials; l++)
+        if (s->material[l].label == label) {
+            snprintf(text, sizeof text, ", %s", s->material[l].material);
+            return text;
+        }
+    return "";
+}
+
 static int is_label(const struct scene_image *s, int value) {
     if (s->has_threshold) return value >= s->threshold;
     for (int l = 0; l < s->labels; l++)
@@ -88,12 +105,28 @@ static void say_labels(const struct setup_image *image) {
         return;
     }
     for (int l = 0; l < image->labels && image->labels <= SETUP_IMAGE_LABELS; l++)
-        say("    %-6d %-5s  %ld voxels, %.4f %%\n", image->label[l].value,
+        say("    %-6d %-5s  %ld voxels, %.4f %%%s\n", image->label[l].value,
             is_label(s, image->label[l].value) ? "solid" : "pore", image->label[l].voxels,
-            share(image->label[l].voxels, all));
+            share(image->label[l].voxels, all), material_of(s, image->label[l].value));
     if (image->labels > SETUP_IMAGE_LABELS)
         say("    more than %d labels; solid: %ld voxels, %.4f %%\n", SETUP_IMAGE_LABELS, image->solid,
             share(image->solid, all));
+}
+
+/* Voxels of each material of the body, and the area of the borders between two of them. */
+static void say_materials(const struct scene *scene, const struct setup_image *image) {
+    const struct scene_image *s = &image->body->image;
+    const struct solid_voxels *v = image->voxels;
+    const double edge = v->sites * scene->solid->spacing;
+    long of[1 << SOLID_VOXELS_PLANES], solid = 0;
+    if (v->planes == 0) return;
+    const long faces = solid_borders_count(v, of);
+    for (int k = 0; k < s->kinds; k++) solid += of[k];
+    for (int k = 0; k < s->kinds; k++)
+        say("  %-10s %s: %ld %s, %.4f %% of the solid\n", k ? "" : "materials", name_of(scene, s, k), of[k],
+            image->per_cell > 1 ? "cells" : "voxels", share(of[k], solid));
+    say("  borders    %ld faces between voxels of two materials: %.6g m2, %.6g m2 a m3 of solid\n", faces,
+        (double)faces * edge * edge, (double)faces / (double)solid / edge);
 }
 
 /* Voxels that a cube of CELLS_WIDE lengths reaches into along an edge. */
@@ -155,10 +188,19 @@ static void say_phases(const struct setup_image *image, const struct phase of[2]
         say("  warning: no piece of solid reaches from face to face in any direction\n");
 }
 
+/* Of the materials, in turn. Colour-blind readers can tell them apart (Okabe and Ito 2008). */
+static const struct {
+    const char *name;
+    unsigned char rgb[3];
+} colour_of[] = {{"grey", {90, 90, 90}},       {"blue", {0, 114, 178}},
+                 {"sky blue", {86, 180, 233}}, {"bluish green", {0, 158, 115}},
+                 {"yellow", {240, 228, 66}},   {"purple", {204, 121, 167}},
+                 {"black", {0, 0, 0}}};
+enum { COLOURS = sizeof colour_of / sizeof *colour_of };
+
 /* Slice d through the middle: columns along the first other direction, rows along the second, from below. */
 static int draw(const char *path, const struct solid_voxels *v, const uint64_t *loose, int d) {
-    static const unsigned char colour[3][3] = {
-        {255, 255, 255}, {90, 90, 90}, {230, 120, 0}}; /* pore, solid, floating */
+    static const unsigned char pore[3] = {255, 255, 255}, floating[3] = {230, 120, 0};
     const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2, n = v->n[a] > v->n[b] ? v->n[a] : v->n[b];
     const int zoom = n < PICTURE ? (PICTURE + n - 1) / n : 1, skip = (n + 4 * PICTURE - 1) / (4 * PICTURE);
     const int width = v->n[a] / skip * zoom, height = v->n[b] / skip * zoom;
@@ -169,17 +211,31 @@ static int draw(const char *path, const struct solid_voxels *v, const uint64_t *
             at[a] = x / zoom * skip;
             at[b] = (height - 1 - y) / zoom * skip;
             at[d] = v->n[d] / 2;
-            const int what = !solid_voxels_is(v, v->bits, at[0], at[1], at[2])         ? 0
-                             : loose && solid_voxels_is(v, loose, at[0], at[1], at[2]) ? 2
-                                                                                       : 1;
-            memcpy(to, colour[what], 3);
+            const unsigned char *colour = colour_of[solid_voxels_kind(v, at[0], at[1], at[2]) % COLOURS].rgb;
+            if (!solid_voxels_is(v, v->bits, at[0], at[1], at[2]))
+                colour = pore;
+            else if (loose && solid_voxels_is(v, loose, at[0], at[1], at[2]))
+                colour = floating;
+            memcpy(to, colour, 3);
         }
     const int failed = postproc_png_write(path, width, height, rgb);
     memory_free(rgb);
     return failed;
 }
 
-static void write_slices(const char *folder, const struct setup_image *image, const uint64_t *loose) {
+/* "solid grey", or "quartz grey, clay blue". */
+static void name_colours(const struct scene *scene, const struct setup_image *image, char *text, size_t room) {
+    const struct scene_image *s = &image->body->image;
+    const int kinds = image->voxels->planes > 0 ? s->kinds : 1;
+    text[0] = '\0';
+    for (int k = 0; k < kinds; k++)
+        snprintf(text + strlen(text), room - strlen(text), "%s%s %s", k ? ", " : "",
+                 kinds > 1 ? name_of(scene, s, k) : "solid", colour_of[k % COLOURS].name);
+}
+
+static void write_slices(const char *folder, const struct scene *scene, const struct setup_image *image,
+                         const uint64_t *loose) {
+    char colours[SCENE_KINDS_MAX * (SCENE_NAME + 16)];
     char name[SCENE_NAME], path[FOLDER_PATH + SCENE_NAME + 8];
     const int fault = folder_make_path(folder);
     if (fault) die(EXIT_CODE_FILE, "%s: the folder for pictures cannot be made: %s", folder, strerror(fault));
@@ -191,16 +247,18 @@ static void write_slices(const char *folder, const struct setup_image *image, co
         if (draw(path, image->voxels, loose, d))
             die(EXIT_CODE_FILE, "%s: cannot be written: %s", path, strerror(errno));
     }
-    say("  slices     %s/%s_x.png, _y.png, _z.png through the middle, across x, y and z: pores white, solid grey, "
+    name_colours(scene, image, colours, sizeof colours);
+    say("  slices     %s/%s_x.png, _y.png, _z.png through the middle, across x, y and z: pores white, %s, "
         "floating pieces orange; to the right y, x, x, upwards z, z, y\n",
-        folder, name);
+        folder, name, colours);
 }
 
 static void say_memory(const struct solid_voxels *v) {
-    const char *why = v->of_bits->why;
+    const char *why = solid_voxels_why(v);
     say("  memory     %.1f MB of bits a %s%s%s; at most %.1f MB in use on a rank so far\n",
-        1e-6 * (double)solid_voxels_bytes(v), why[0] ? "rank, because those of a node cannot share memory (" : "node",
-        why, why[0] ? ")" : "", 1e-6 * par_max((double)memory_peak()));
+        1e-6 * (double)solid_voxels_bytes(v) * (1 + v->planes),
+        why[0] ? "rank, because those of a node cannot share memory (" : "node", why, why[0] ? ")" : "",
+        1e-6 * par_max((double)memory_peak()));
 }
 
 /* Particles of the body. */
@@ -211,12 +269,13 @@ static double check_one(const struct command *c, const struct scene *scene, int 
     uint64_t *loose = NULL;
     say_understood(scene, image);
     say_labels(image);
+    if (par_rank() == 0) say_materials(scene, image);
     /* one rank measures the solid, another one the pores */
     for (int q = 0; q < 2; q++)
         if (par_rank() == (1 - q) % par_size()) measure(scene, image, q, &of[q], q ? &loose : NULL);
     for (int q = 0; q < 2; q++) par_bcast(&of[q], sizeof of[q], (1 - q) % par_size());
     say_phases(image, of);
-    if (par_rank() == 0) write_slices(c->out, image, loose);
+    if (par_rank() == 0) write_slices(c->out, scene, image, loose);
     say_memory(v);
     const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? of[1].loose_voxels : 0;
     const double particles = (double)(of[1].voxels - gone) * v->sites * v->sites * v->sites;

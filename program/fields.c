@@ -101,6 +101,7 @@ static void write_solid(struct run *r, const char *folder, const char *name, con
     for (int h = 0; h < n; h++) whole[h] = s->first[par_rank()] + h;
     vtkhdf_add_long(f, "id", 1, whole);
     vtkhdf_add_byte(f, "body", 1, s->body);
+    if (s->material) vtkhdf_add_byte(f, "material", 1, s->material);
     for (int h = 0; h < n; h++) byte[h] = (s->flag[h] & SOLID_INTERFACE) != 0;
     if (r->surface) vtkhdf_add_byte(f, "interface", 1, byte);
     for (int h = 0; h < n; h++) byte[h] = (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) != 0;

@@ -105,8 +105,8 @@ struct intensity *intensity_new(struct run *r) {
     if (scene->crack >= solid->cracks)
         die_all(EXIT_CODE_SCENE, "%s: output.intensity.crack = %d: the scene has %d cracks, the first is 0",
                 r->scene->path, scene->crack, solid->cracks);
-    for (int b = 1; b < r->solid->in.bodies; b++)
-        if (r->solid->in.body[b].material != a->material)
+    for (int b = 0; b < r->solid->in.bodies; b++)
+        if (r->solid->in.body[b].material != a->material || r->solid->in.body[b].kinds > 1)
             die_all(EXIT_CODE_SCENE, "%s: output.intensity: the bodies must be of one material", r->scene->path);
     for (int k = 0; k < solid->cracks; k++)
         for (int e = 0; e < 2; e++) {

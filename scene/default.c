@@ -99,7 +99,7 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
         snprintf(body->name, sizeof body->name, "body%d", b + 1);
         scene_node_insert(node, 0, scalar(node, "name", body->name));
     }
-    if (!scene_node_child(node, "material")) {
+    if (!scene_node_child(node, "material") && !scene_node_child(node, "materials")) {
         if (s->solid->materials == 1) {
             memcpy(body->material, s->solid->material[0].name, sizeof body->material);
             scene_node_insert(node, 1, scalar(node, "material", body->material));

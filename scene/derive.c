@@ -12,6 +12,23 @@ static int is_given(const struct scene_node *root, struct scene_path path) {
     return scene_node_find(root, path.text) != NULL;
 }
 
+/* The different materials of an image. */
+static void derive_kinds(const struct scene_solid *s, struct scene_body *body) {
+    struct scene_image *image = &body->image;
+    for (int l = 0; l < image->materials; l++) {
+        struct scene_image_material *of = &image->material[l];
+        int known = 0;
+        of->index = -1;
+        for (int m = s->materials - 1; m >= 0; m--)
+            if (!strcmp(of->material, s->material[m].name)) of->index = m;
+        for (int k = 0; k < image->kinds && k < SCENE_KINDS_MAX; k++) known |= image->kind[k] == of->index;
+        if (known || of->index < 0) continue;
+        if (image->kinds < SCENE_KINDS_MAX) image->kind[image->kinds] = of->index;
+        image->kinds++;
+    }
+    if (image->kinds > 0) body->material_index = image->kind[0];
+}
+
 static void derive_body(const struct scene_solid *s, const struct scene_node *root, int b) {
     struct scene_body *body = &s->body[b];
     body->has_cavities = is_given(root, scene_check_parts_path("solid.bodies[%d].cavities", b));
@@ -23,6 +40,7 @@ static void derive_body(const struct scene_solid *s, const struct scene_node *ro
     }
     for (int m = s->materials - 1; m >= 0; m--)
         if (!strcmp(body->material, s->material[m].name)) body->material_index = m;
+    derive_kinds(s, body);
     scene_outline_make(body);
 }
 

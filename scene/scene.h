@@ -156,6 +156,12 @@ enum scene_image_axes {
     SCENE_IMAGE_ZYX
 };
 enum scene_floating { SCENE_FLOATING_KEEP, SCENE_FLOATING_REMOVE, SCENE_FLOATING_HOLD };
+enum { SCENE_KINDS_MAX = 16 }; /* materials of one image */
+struct scene_image_material {  /* of the voxels with a label */
+    int label;
+    char material[SCENE_NAME];
+    int index; /* in solid.materials */
+};
 /* The voxels of a body of shape image (docs/images.md). Directions are those of the scene. */
 struct scene_image {
     enum files_image_format format;    /* default auto */
@@ -170,6 +176,10 @@ struct scene_image {
     int crop_low[3], crop_high[3];
     int labels;
     int *label; /* solid: [...]: values of the solid's voxels */
+    int materials;
+    struct scene_image_material *material; /* materials: {label: name}; none: the body's material */
+    int kinds;                             /* different ones among them; 0: the body's material */
+    int kind[SCENE_KINDS_MAX];             /* their indices in solid.materials, in the order of the list */
     int has_threshold;
     double threshold; /* instead of labels: solid where the value is not below */
     char flip[4];     /* directions in which the image is turned round; default none */

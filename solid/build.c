@@ -5,10 +5,13 @@
 #include "base/par.h"
 #include "base/par_ghost.h"
 #include "solid/body/number.h"
+#include "solid/body/sites_image.h"
 #include "solid/bonds/correction.h"
 #include "solid/bonds/family.h"
+#include "solid/bonds/kinds.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/law/material.h"
 
 #include <math.h>
 
@@ -56,6 +59,49 @@ static void lattice_place(struct solid *s, const struct solid_sites *sites) {
                 s->x0[c][h] = s->in.origin[c] + (row.site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
             s->volume[h++] = spacing * spacing * spacing;
         }
+    }
+}
+
+struct solid_law solid_build_law(const struct solid_input *in, int material) {
+    const struct solid_material *m = &in->material[material];
+    const struct physics_softening soft =
+        solid_material_softening(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
+    const double limit = soft.s_c > 0 ? soft.s_e : solid_material_critical_stretch(m, in->spacing);
+    return (struct solid_law){solid_material_micromodulus(m, in->spacing),
+                              m->density,
+                              limit * (2 + limit),
+                              soft.s_e,
+                              soft.s_c,
+                              m->fracture_energy};
+}
+
+/* The materials of a body's particles. sites: of a body of several. */
+static void materials_set(struct solid *s, const struct solid_sites *sites, int b) {
+    const struct solid_body *body = &s->in.body[b];
+    const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
+    for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++) s->material[h] = (uint8_t)body->material;
+    for (struct solid_bricks_walk row = {0}; body->kinds > 1 && solid_bricks_next(sites, &row);) {
+        if (row.id < from || row.id >= to) continue;
+        int h = (int)(row.id - from);
+        for (int k = 0; k < 8; k++) {
+            const int site[3] = {row.site[0] + k, row.site[1], row.site[2]};
+            if (row.bits >> k & 1) s->material[h++] = (uint8_t)body->kind[solid_sites_image_kind(body->voxels, site)];
+        }
+    }
+}
+
+void solid_build_materials(struct solid *s, struct solid_sites *const *sites) {
+    const struct solid_input *in = &s->in;
+    if (!s->material) return;
+    for (int b = 0; b < in->bodies; b++) materials_set(s, sites[b], b);
+    par_ghost_update_bytes(s->ghost, s->material, s->n);
+    for (int b = 0; b < in->bodies; b++) {
+        const struct solid_body *body = &in->body[b];
+        struct solid_law law[SOLID_KINDS_MAX];
+        if (body->kinds < 2 || in->rigid) continue;
+        for (int k = 0; k < body->kinds; k++) law[k] = solid_build_law(in, body->kind[k]);
+        s->family->lattice[b]->kinds =
+            solid_kinds_new(s->family->lattice[b], law, body->kinds, body->kind, s->material);
     }
 }
 

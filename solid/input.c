@@ -105,6 +105,29 @@ static void check_interface(const struct solid_input *in, int k) {
                 "solid.interfaces[%d]: needs a fracture_energy above 0, dual horizons and no refinement", k);
 }
 
+/* The lattice store has one stencil a body, and takes bonds of several materials as long as they are brittle. */
+static void check_kinds(const struct solid_input *in, int b) {
+    const struct solid_body *body = &in->body[b];
+    const double ratio = in->material[body->material].horizon_ratio;
+    for (int k = 0; k < body->kinds; k++) {
+        const int m = body->kind[k];
+        if (m < 0 || m >= in->materials || body->kind[0] != body->material || body->kinds > SOLID_KINDS_MAX)
+            die_all(EXIT_CODE_SCENE, "solid body %s: material %d of %d, %d kinds", body->name, m, in->materials,
+                    body->kinds);
+        if (body->kinds < 2) continue;
+        if (!body->voxels || in->general_bonds || in->partial != SOLID_PARTIAL_EXACT ||
+            in->material[m].micromodulus != SOLID_CONSTANT || in->material[m].horizon_ratio != ratio ||
+            in->material[m].tensile_strength > 0 || (in->limit && in->limit[m].s00 > 0))
+            die_all(EXIT_CODE_SCENE,
+                    "solid body %s: several materials in a body need an image, exact partial volumes, one horizon, a "
+                    "constant micromodulus and brittle bonds",
+                    body->name);
+    }
+    for (int k = 0; body->kinds > 1 && k < in->interfaces; k++)
+        if (in->interface[k].body[0] == b || in->interface[k].body[1] == b)
+            die_all(EXIT_CODE_SCENE, "solid.interfaces[%d]: body %s is of several materials", k, body->name);
+}
+
 void solid_input_check(const struct solid_input *in) {
     if (!(in->spacing > 0)) die_all(EXIT_CODE_SCENE, "solid.spacing = %g: must be above 0", in->spacing);
     if (in->model != SOLID_3D && !(in->thickness > 0))
@@ -126,6 +149,7 @@ void solid_input_check(const struct solid_input *in) {
                     m, k->youngs_modulus, k->density, k->fracture_energy, k->horizon_ratio);
         if (k->tensile_strength > 0) check_softening(in, m);
     }
+    for (int b = 0; b < in->bodies; b++) check_kinds(in, b);
     for (int k = 0; k < in->interfaces; k++) check_interface(in, k);
     for (int m = 0; in->limit && m < in->materials; m++)
         if (in->limit[m].s00 > 0) check_limit(in, m);

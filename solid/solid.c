@@ -25,7 +25,6 @@
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/input.h"
-#include "solid/law/material.h"
 #include "solid/law/stencil.h"
 #include "solid/refine/refine.h"
 
@@ -92,19 +91,9 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
     f->first = memory_new(MEMORY_SOLID, (size_t)f->bodies + 1, sizeof *f->first);
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_body *body = &in->body[b];
-        const struct solid_material *m = &in->material[body->material];
         if (!cloud[b]) {
             const struct solid_stencil *stencil = f->stencil[body->material];
-            const double s0 = solid_material_critical_stretch(m, in->spacing);
-            const struct physics_softening soft =
-                solid_material_softening(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
-            const double limit = soft.s_c > 0 ? soft.s_e : s0;
-            const struct solid_law law = {solid_material_micromodulus(m, in->spacing),
-                                          m->density,
-                                          limit * (2 + limit),
-                                          soft.s_e,
-                                          soft.s_c,
-                                          m->fracture_energy};
+            const struct solid_law law = solid_build_law(in, body->material);
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
@@ -147,6 +136,8 @@ static void arrays_new(struct solid *s) {
     s->family_volume = memory_new(MEMORY_SOLID, all, sizeof(double));
     s->body = memory_new(MEMORY_SOLID, all, 1);
     s->flag = memory_new(MEMORY_SOLID, all, 1);
+    for (int b = 0; b < s->in.bodies && !s->material; b++)
+        if (s->in.body[b].kinds > 1) s->material = memory_new(MEMORY_SOLID, all, 1);
     if (!s->in.limit) return;
     s->limit = memory_new(MEMORY_SOLID, all, sizeof(double));
     s->limit_next = memory_new(MEMORY_SOLID, owned, sizeof(double));
@@ -217,6 +208,7 @@ struct solid *solid_new(const struct solid_input *in) {
     family_new(s, sites, cloud);
     solid_build_ghosts(s, sites, cloud);
     arrays_new(s);
+    solid_build_materials(s, sites);
     solid_build_places(s, sites, cloud);
     points_check(s, sites, cloud);
     interfaces_check(s);
@@ -283,7 +275,8 @@ void solid_free(struct solid *s) {
         void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
         for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
     }
-    void *const own[] = {s->volume, s->body, s->flag, s->first, s->piece, s->piece_since, s->limit, s->limit_next};
+    void *const own[] = {s->volume, s->body,        s->material, s->flag,      s->first,
+                         s->piece,  s->piece_since, s->limit,    s->limit_next};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);

@@ -53,6 +53,7 @@ struct solid {
     double *volume;                       /* [n + n_ghost] m3 */
     double *family_volume;                /* [n + n_ghost] V_h = sum Gamma V of the unbroken family, m3 */
     uint8_t *body;                        /* [n + n_ghost] */
+    uint8_t *material;                    /* [n + n_ghost]; NULL: each body is of one material */
     const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
     const struct solid_drag *drag;        /* borrowed, NULL: none (solid/force/drag.h) */
     const struct solid_push *push;        /* borrowed, NULL: none (solid/step/push.h) */
@@ -127,7 +128,18 @@ static inline void solid_relative(const struct solid *s, int h, int l, double ze
     }
 }
 
+/* The index of its material. */
+static inline int solid_made_of(const struct solid *s, int h) {
+    return s->material ? s->material[h] : s->in.body[s->body[h]].material;
+}
+
 /* Of the particle's material, kg/m3. */
-static inline double solid_density(const struct solid *s, int h) {
-    return s->in.material[s->in.body[s->body[h]].material].density;
+static inline double solid_density(const struct solid *s, int h) { return s->in.material[solid_made_of(s, h)].density; }
+
+/* The end of those particles h, h + 1, ... below `to`, all of one body, that have the density of h. */
+static inline int solid_density_end(const struct solid *s, int h, int to) {
+    if (!s->material) return to;
+    const double density = solid_density(s, h);
+    while (h < to && solid_density(s, h) == density) h++;
+    return h;
 }

@@ -18,9 +18,9 @@ enum { LEAST = -32768, VALUES = 32768 + 65536, SLAB = 1 << 23 /* voxels read at 
 static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"}; /* by enum scene_image_axes */
 
 struct counts {
-    long of[VALUES + 1]; /* the last one: all other values */
-    uint8_t is_solid[VALUES];
-    long *found; /* [labels] voxels with each label of the scene */
+    long of[VALUES + 1];   /* the last one: all other values */
+    uint8_t solid[VALUES]; /* 0: pore, else 1 + the kind of the solid */
+    long *found;           /* [labels] voxels with each label of the scene */
 };
 
 struct reader {
@@ -31,7 +31,7 @@ struct reader {
     int *value;             /* [slab], or */
     double *real;           /* for a threshold */
     int first[3], cells[3]; /* the slab's first voxel, once turned, and its cells */
-    uint32_t *in_cell;      /* [cells] voxels of the solid in each cell of the slab, if it takes several */
+    uint32_t *in_cell;      /* [cells][kinds] voxels of each kind in each cell of the slab, if it takes several */
     double least, most, sum;
     long solid;
 };
@@ -58,28 +58,38 @@ static struct files_image *file_open(const struct scene_body *body) {
     return file;
 }
 
-static int is_solid(struct reader *r, int value) {
+/* The kind of the solid with a label: the place of its material among those of the image. */
+static int kind_of(const struct scene_image *image, int label) {
+    for (int l = 0; l < image->materials; l++)
+        for (int k = 0; image->material[l].label == label && k < image->kinds; k++)
+            if (image->kind[k] == image->material[l].index) return k;
+    return 0;
+}
+
+static int kinds_of(const struct scene_image *image) { return image->kinds > 1 ? image->kinds : 1; }
+
+static int solid_of(struct reader *r, int value) {
     const struct scene_image *image = r->scene;
     for (int l = 0; l < image->labels; l++)
         if (image->label[l] == value) {
             r->counts->found[l]++;
-            return 1;
+            return 1 + kind_of(image, value);
         }
     return 0;
 }
 
-/* Counts a value; whether it is one of the solid. */
+/* Counts a value. Returns 0 for one of the pores, else 1 + the kind of the solid. */
 static inline int take_value(struct reader *r, int value) {
     const long at = (long)value - LEAST;
     if (at >= 0 && at < VALUES) {
         r->counts->of[at]++;
-        return r->counts->is_solid[at];
+        return r->counts->solid[at];
     }
     r->counts->of[VALUES]++;
     r->least = fmin(r->least, value);
     r->most = fmax(r->most, value);
     r->sum += value;
-    return is_solid(r, value);
+    return solid_of(r, value);
 }
 
 static inline int take_real(struct reader *r, double value) {
@@ -92,45 +102,71 @@ static inline int take_real(struct reader *r, double value) {
 /* Where a voxel of the file stands along direction d, once the image is turned. */
 static int turned(const struct reader *r, int d, int i) { return r->scene->flips[d] ? r->image->used[d] - 1 - i : i; }
 
+/* Of a voxel with the kind `of` - 1, or of a pore with 0: bit 0 is whether it is solid, bit 1 + p the kind's bit p. */
+static inline int marks_of(int of) { return of > 0 ? 1 | (of - 1) << 1 : 0; }
+
+/* Joins a word of the bits, and one of each plane, to those of number `at`; clears them. */
+static inline void join(const struct solid_voxels *v, long at, uint64_t *word) {
+    for (int p = 0; p <= v->planes; p++) {
+        solid_voxels_join((p ? v->plane[p - 1] : v->bits) + at, word[p]);
+        word[p] = 0;
+    }
+}
+
 /* Takes the voxels of a slab, low <= i < high of those used. */
 static void take_slab(struct reader *r, const int low[3], const int high[3]) {
     struct solid_voxels *v = r->image->voxels;
-    const int m = r->image->per_cell;
+    const int m = r->image->per_cell, kinds = kinds_of(r->scene);
     long at = 0;
     for (int k = low[2]; k < high[2]; k++)
         for (int j = low[1]; j < high[1]; j++) {
             const int tj = turned(r, 1, j), tk = turned(r, 2, k);
-            uint64_t *line = v->bits + (m == 1 ? solid_voxels_line(v, tj, tk) : 0), word = 0;
+            const long line = m == 1 ? solid_voxels_line(v, tj, tk) : 0;
+            uint64_t word[1 + SOLID_VOXELS_PLANES] = {0};
             int w = turned(r, 0, low[0]) / 64;
             for (int i = low[0]; i < high[0]; i++, at++) {
-                const int is = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]);
+                const int of = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]), is = of > 0;
                 const int ti = turned(r, 0, i);
                 r->solid += is;
                 if (m == 1) {
                     if (ti / 64 != w) {
-                        solid_voxels_join(&line[w], word);
+                        join(v, line + w, word);
                         w = ti / 64;
-                        word = 0;
                     }
-                    word |= (uint64_t)is << ti % 64;
-                } else
-                    r->in_cell[((long)((tk - r->first[2]) / m) * r->cells[1] + (tj - r->first[1]) / m) * r->cells[0] +
-                               (ti - r->first[0]) / m] += (unsigned)is;
+                    for (int p = 0; p <= v->planes; p++) word[p] |= (uint64_t)(marks_of(of) >> p & 1) << ti % 64;
+                    continue;
+                }
+                const long cell =
+                    ((long)((tk - r->first[2]) / m) * r->cells[1] + (tj - r->first[1]) / m) * r->cells[0] +
+                    (ti - r->first[0]) / m;
+                r->in_cell[cell * kinds + (is ? of - 1 : 0)] += (unsigned)is;
             }
-            if (m == 1) solid_voxels_join(&line[w], word);
+            if (m == 1) join(v, line + w, word);
         }
 }
 
-/* Sets the bits of the slab's cells that are solid for more than a half. */
+/* Sets the bits of the slab's cells that are solid for more than a half. Its kind is the one with the most voxels, of
+ * equals the first. */
 static void set_cells(struct reader *r) {
     struct solid_voxels *v = r->image->voxels;
     const int m = r->image->per_cell;
+    const int kinds = kinds_of(r->scene);
     const uint32_t half = (uint32_t)m * (uint32_t)m * (uint32_t)m / 2, *cell = r->in_cell;
     for (int k = 0; k < r->cells[2]; k++)
         for (int j = 0; j < r->cells[1]; j++) {
-            uint64_t *line = v->bits + solid_voxels_line(v, r->first[1] / m + j, r->first[2] / m + k);
-            for (int i = r->first[0] / m; i < r->first[0] / m + r->cells[0]; i++)
-                if (*cell++ > half) solid_voxels_join(&line[i / 64], (uint64_t)1 << i % 64);
+            const long line = solid_voxels_line(v, r->first[1] / m + j, r->first[2] / m + k);
+            for (int i = r->first[0] / m; i < r->first[0] / m + r->cells[0]; i++, cell += kinds) {
+                uint64_t word[1 + SOLID_VOXELS_PLANES];
+                uint32_t solid = 0;
+                int most = 0;
+                for (int q = 0; q < kinds; q++) {
+                    solid += cell[q];
+                    if (cell[q] > cell[most]) most = q;
+                }
+                if (solid <= half) continue;
+                for (int p = 0; p <= v->planes; p++) word[p] = (uint64_t)(marks_of(1 + most) >> p & 1) << i % 64;
+                join(v, line + i / 64, word);
+            }
         }
     memset(r->in_cell, 0, (size_t)(cell - r->in_cell) * sizeof *cell);
 }
@@ -148,7 +184,7 @@ static void read_slabs(struct reader *r, int slow, int from, int to) {
         r->real = memory_new(MEMORY_COUPLING, room, sizeof *r->real);
     else
         r->value = memory_new(MEMORY_COUPLING, room, sizeof *r->value);
-    if (m > 1) r->in_cell = memory_new(MEMORY_COUPLING, room, sizeof *r->in_cell);
+    if (m > 1) r->in_cell = memory_new(MEMORY_COUPLING, room * (size_t)kinds_of(s), sizeof *r->in_cell);
     for (int q = from; q < to; q += (int)fits) {
         const int end = q + fits < to ? q + (int)fits : to;
         int low[3] = {0}, high[3] = {n[0], n[1], n[2]};
@@ -172,8 +208,8 @@ static void read_slabs(struct reader *r, int slow, int from, int to) {
     memory_free(r->in_cell);
 }
 
-/* Repeats the first `cells` voxels along c in reverse behind themselves. */
-static void mirror(struct solid_voxels *v, const int cells[3], int c) {
+/* Repeats the bits of the first `cells` voxels along c in reverse behind themselves. */
+static void mirror(const struct solid_voxels *v, uint64_t *bits, const int cells[3], int c) {
     int n[3];
     for (int d = 0; d < 3; d++) n[d] = d == c ? cells[d] : v->n[d];
     for (int k = 0; k < n[2]; k++)
@@ -181,17 +217,20 @@ static void mirror(struct solid_voxels *v, const int cells[3], int c) {
             for (int i = 0; i < n[0]; i++) {
                 int to[3] = {i, j, k};
                 to[c] = 2 * n[c] - 1 - to[c];
-                if (solid_voxels_is(v, v->bits, i, j, k)) solid_voxels_set(v, v->bits, to[0], to[1], to[2]);
+                if (solid_voxels_is(v, bits, i, j, k)) solid_voxels_set(v, bits, to[0], to[1], to[2]);
             }
 }
 
 /* Gives every node the bits of all, and adds mirror images. */
 static void share(struct setup_image *image, const struct scene_image *s, const int cells[3]) {
     struct solid_voxels *v = image->voxels;
-    par_shared_unite(v->of_bits);
-    for (int c = 0; c < 3; c++)
-        if (s->mirrors[c] && v->of_bits->is_writer) mirror(v, cells, c);
-    par_shared_fence(v->of_bits);
+    for (int p = -1; p < v->planes; p++) {
+        struct par_shared *of = p < 0 ? v->of_bits : v->of_plane[p];
+        par_shared_unite(of);
+        for (int c = 0; c < 3; c++)
+            if (s->mirrors[c] && of->is_writer) mirror(v, of->data, cells, c);
+        par_shared_fence(of);
+    }
 }
 
 /* "0, 1 and 7": the first few values that occur. */
@@ -258,7 +297,8 @@ static struct counts *counts_new(const struct scene_image *s) {
     struct counts *counts = memory_new(MEMORY_COUPLING, 1, sizeof *counts);
     counts->found = memory_new(MEMORY_COUPLING, (size_t)s->labels + 1, sizeof *counts->found);
     for (int l = 0; l < s->labels; l++)
-        if (s->label[l] >= LEAST && s->label[l] < LEAST + VALUES) counts->is_solid[s->label[l] - LEAST] = 1;
+        if (s->label[l] >= LEAST && s->label[l] < LEAST + VALUES)
+            counts->solid[s->label[l] - LEAST] = (uint8_t)(1 + kind_of(s, s->label[l]));
     return counts;
 }
 
@@ -282,6 +322,7 @@ static struct setup_image *image_new(const struct scene *scene, int b, struct fi
         corner[d] = (int)lrint(body->low[d] / spacing - scene->solid->lattice_offset[d]);
     }
     image->voxels = solid_voxels_new(n, ratio < 1 ? 1 : (int)lrint(ratio), corner);
+    solid_voxels_kinds(image->voxels, kinds_of(s));
     return image;
 }
 
@@ -362,9 +403,9 @@ void setup_image_loose(const struct scene *scene, struct setup_image *image) {
     struct solid_components *c = par_rank() == 0 ? setup_image_solid(scene, image) : NULL;
     if (c) memcpy(found, (long[3]){c->loose_pieces, c->loose_voxels, c->loose_largest}, sizeof found);
     par_bcast(found, sizeof found, 0);
-    if (v->of_bits->why[0])
+    if (solid_voxels_why(v)[0])
         log_line("%s: the ranks of a node cannot share memory (%s): each of them holds %.1f MB of bits of the image",
-                 image->body->name, v->of_bits->why, 1e-6 * (double)solid_voxels_bytes(v));
+                 image->body->name, solid_voxels_why(v), 1e-6 * (double)solid_voxels_bytes(v) * (1 + v->planes));
     if (found[0] > 0)
         log_line("%s: %ld floating piece%s of solid in %ld of %ld voxels, the largest of %ld voxels: %s",
                  image->body->name, found[0], found[0] == 1 ? "" : "s", found[1], solid_voxels_count(v, v->bits),

@@ -290,7 +290,7 @@ static void check_arrangement(const struct scene_check *c, int b) {
 void scene_check_body(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     double low[3], high[3];
-    check_body_material(c, b);
+    if (body->image.materials == 0) check_body_material(c, b);
     check_velocity(c, b);
     check_arrangement(c, b);
     for (int k = 0; k < b; k++)

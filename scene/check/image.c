@@ -1,6 +1,7 @@
 /* Checks the bodies that are cut from images: the file's header, the crop, voxels and cells that fit each other. */
 #include "base/text.h"
 #include "files/image.h"
+#include "physics/limits.h"
 #include "scene/check/check.h"
 
 #include <math.h>
@@ -163,6 +164,90 @@ static int check_place(const struct scene_check *c, struct scene_path body, cons
     return 1;
 }
 
+static struct scene_path of_materials(int b, int l, const char *key) {
+    return scene_check_parts_path("solid.bodies[%d].materials[%d].%s", b, l, key);
+}
+
+/* Each label of the solid needs one material, and each material is of a label of the solid. */
+static int check_labels(const struct scene_check *c, int b) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_image *image = &s->body[b].image;
+    const char *name[PHYSICS_BODIES_MAX];
+    for (int m = 0; m < s->materials; m++) name[m] = s->material[m].name;
+    for (int l = 0; l < image->materials; l++) {
+        const struct scene_image_material *of = &image->material[l];
+        int first = 0, is_solid = 0;
+        while (image->material[first].label != of->label) first++;
+        for (int q = 0; q < image->labels; q++) is_solid |= image->label[q] == of->label;
+        if (first < l) {
+            scene_problem_at(c->problems, c->root, of_materials(b, l, "label").text, "has a material already, %s",
+                             image->material[first].material);
+            return 0;
+        }
+        if (!is_solid) {
+            scene_problem_at(c->problems, c->root, of_materials(b, l, "label").text,
+                             "is not among the labels of the solid, solid.bodies[%d].solid", b);
+            return 0;
+        }
+        if (of->index < 0) {
+            const char *nearest = scene_problem_nearest(of->material, s->materials, name);
+            scene_problem_at(c->problems, c->root, of_materials(b, l, "material").text,
+                             "is no name in solid.materials%s%s%s", nearest ? "; did you mean " : "",
+                             nearest ? nearest : "", nearest ? "?" : "");
+            return 0;
+        }
+    }
+    for (int q = 0; q < image->labels; q++) {
+        int has = 0;
+        for (int l = 0; l < image->materials; l++) has |= image->material[l].label == image->label[q];
+        if (has) continue;
+        scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].solid", b).text,
+                         "label %d has no material in solid.bodies[%d].materials", image->label[q], b);
+        return 0;
+    }
+    return 1;
+}
+
+/* Why bonds of this material cannot stand in one lattice with those of another one; NULL: they can. */
+static const char *why_not(const struct scene_material *k) {
+    if (k->micromodulus != SCENE_CONSTANT) return "needs micromodulus: constant";
+    if (k->breakage == SCENE_BILINEAR) return "must be brittle; it has the bilinear law";
+    return k->s00 > 0 ? "must have a constant limit of the stretch; it has s00 and alpha" : NULL;
+}
+
+/* Several materials in one body: bonds on the lattice that differ in stiffness, density and limit only. */
+static void check_kinds(const struct scene_check *c, int b) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_image *image = &s->body[b].image;
+    const struct scene_path list = scene_check_parts_path("solid.bodies[%d].materials", b);
+    if (image->kinds > SCENE_KINDS_MAX)
+        scene_problem_at(c->problems, c->root, list.text, "has %d different materials, at most %d are possible",
+                         image->kinds, SCENE_KINDS_MAX);
+    if (image->kinds < 2 || image->kinds > SCENE_KINDS_MAX) return;
+    for (int l = 0; l < image->materials; l++) {
+        const struct scene_material *k = &s->material[image->material[l].index], *first = &s->material[image->kind[0]];
+        const char *why = why_not(k);
+        if (why)
+            scene_problem_at(c->problems, c->root, of_materials(b, l, "material").text,
+                             "in a body of several materials each %s", why);
+        else if (k->horizon_ratio != first->horizon_ratio)
+            scene_problem_at(c->problems, c->root, of_materials(b, l, "material").text,
+                             "has a horizon_ratio of %g, and %s of %g: a body of several materials needs one",
+                             k->horizon_ratio, first->name, first->horizon_ratio);
+        else
+            continue;
+        return;
+    }
+    if (s->partial_volume != SCENE_PARTIAL_EXACT)
+        scene_problem_at(c->problems, c->root, list.text, "several materials need solid.partial_volume: exact");
+    for (int i = 0; i < s->interfaces; i++)
+        if (s->interface[i].body[0] == b || s->interface[i].body[1] == b) {
+            scene_problem_at(c->problems, c->root, list.text,
+                             "several materials do not go with an interface of the body, solid.interfaces[%d]", i);
+            return;
+        }
+}
+
 int scene_check_image(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
@@ -174,6 +259,9 @@ int scene_check_image(const struct scene_check *c, int b) {
                          path.text);
     int good = check_letters(c, scene_check_parts_path("%s.flip", path.text), body->image.flip) &
                check_letters(c, scene_check_parts_path("%s.mirror", path.text), body->image.mirror);
+    if (body->image.materials > 0 && scene_check_parts_clean(c, scene_check_parts_path("solid.materials")) &&
+        check_labels(c, b))
+        check_kinds(c, b);
     good &= check_crop(c, path, &body->image);
     return good && check_voxel(c, path, &body->image) && check_place(c, path, body->low);
 }

@@ -54,9 +54,27 @@ static void wrap(struct scene_node *node, const char *key) {
     scene_node_append(node, list);
 }
 
+/* Turns a mapping into a list: {1: quartz} becomes [{label: 1, material: quartz}]. */
+static void list_named(struct scene_node *node, const char *const named[2]) {
+    node->kind = SCENE_NODE_LIST;
+    for (int i = 0; i < node->n; i++) {
+        struct scene_node *value = node->child[i], *entry = scene_node_new(SCENE_NODE_MAPPING, NULL, NULL),
+                          *key = scene_node_new(SCENE_NODE_SCALAR, named[0], value->key);
+        entry->line = key->line = value->line;
+        if (value->set || node->set) entry->set = text_new("%s", value->set ? value->set : node->set);
+        entry->set_inner = key->set_inner = value->set_inner = 1;
+        free(value->key);
+        value->key = text_new("%s", named[1]);
+        scene_node_append(entry, key);
+        scene_node_append(entry, value);
+        node->child[i] = entry;
+    }
+}
+
 static int check_list(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
                       const struct scene_rule *rule, const char *path) {
     const cyaml_schema_value_t *entry = v->sequence.entry;
+    if (rule && rule->named[0] && node->kind == SCENE_NODE_MAPPING) list_named(node, rule->named);
     const int fixed = v->type == CYAML_SEQUENCE_FIXED, is_list = node->kind == SCENE_NODE_LIST;
     const int entries = fixed ? scene_walk_place_entries(w, v, path) : 0;
     if (fixed && (!is_list || (entries ? node->n != entries : node->n != 2 && node->n != 3))) {

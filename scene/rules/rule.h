@@ -31,8 +31,10 @@ struct scene_rule {
     const char *in_plate;   /* the default in a plate, if it differs (vectors lose the third number in any case) */
     double plate_high;      /* upper end of the range in a plate, itself allowed; 0: the same as high */
     const char *choices[2]; /* the words of a choice in a plate and in a solid in 3D; NULL: all */
-    const char *bare;       /* for a list whose entries may be bare lists: the key that such a list stands for, [x, y]
-                             * for {at: [x, y]} */
+    const char *named[2]; /* for a list that may be written as a mapping: the keys of its entries that such a mapping's
+                           * keys and values stand for, {1: quartz} for [{label: 1, material: quartz}] */
+    const char *bare;     /* for a list whose entries may be bare lists: the key that such a list stands for, [x, y]
+                           * for {at: [x, y]} */
 };
 
 extern const struct scene_rule scene_rule_table[]; /* ends with path NULL */

@@ -128,6 +128,12 @@ static const cyaml_schema_field_t crop_fields[] = {VOXELS("low", NEEDED, scene_b
                                                    VOXELS("high", NEEDED, scene_body, image.crop_high),
                                                    CYAML_FIELD_END};
 
+static const cyaml_schema_field_t image_material_fields[] = {WHOLE("label", NEEDED, scene_image_material, label),
+                                                             TEXT("material", NEEDED, scene_image_material, material),
+                                                             CYAML_FIELD_END};
+static const cyaml_schema_value_t image_material = {
+    CYAML_VALUE_MAPPING(NEEDED, struct scene_image_material, image_material_fields)};
+
 static const cyaml_schema_field_t body_fields[] = {
     TEXT("name", OPTIONAL, scene_body, name),
     TEXT("material", OPTIONAL, scene_body, material),
@@ -159,6 +165,7 @@ static const cyaml_schema_field_t body_fields[] = {
     NUMBER("voxel", OPTIONAL, scene_body, image.voxel),
     PART("crop", OPTIONAL, scene_body, crop_fields),
     ENTRIES("solid", LIST, scene_body, image.label, image.labels, &whole, 1, LIST_MAX),
+    ENTRIES("materials", LIST, scene_body, image.material, image.materials, &image_material, 1, LIST_MAX),
     NUMBER("threshold", OPTIONAL, scene_body, image.threshold),
     TEXT("flip", OPTIONAL, scene_body, image.flip),
     TEXT("mirror", OPTIONAL, scene_body, image.mirror),

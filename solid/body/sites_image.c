@@ -13,14 +13,24 @@
 /* sites without a particle before and behind the image, as other shapes have them */
 enum { BEFORE = 1, MARGIN = 3 };
 
-int solid_sites_image_is(const struct solid_voxels *v, const uint64_t *bits, const int site[3]) {
-    int at[3];
+/* Whether the site is in the image; its voxel. */
+static int voxel_of(const struct solid_voxels *v, const int site[3], int at[3]) {
     for (int c = 0; c < 3; c++) {
         at[c] = site[c] - v->corner[c];
         if (at[c] < 0 || at[c] >= v->n[c] * v->sites) return 0;
         at[c] /= v->sites;
     }
-    return solid_voxels_is(v, bits, at[0], at[1], at[2]);
+    return 1;
+}
+
+int solid_sites_image_is(const struct solid_voxels *v, const uint64_t *bits, const int site[3]) {
+    int at[3];
+    return voxel_of(v, site, at) && solid_voxels_is(v, bits, at[0], at[1], at[2]);
+}
+
+int solid_sites_image_kind(const struct solid_voxels *v, const int site[3]) {
+    int at[3];
+    return voxel_of(v, site, at) ? solid_voxels_kind(v, at[0], at[1], at[2]) : 0;
 }
 
 /* A line of voxels as sites: bit b is site b - SOLID_ROW - BEFORE. Returns whether there is any. */

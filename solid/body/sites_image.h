@@ -9,3 +9,5 @@ struct solid_voxels;
 void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, int top[3]);
 /* Whether a site belongs to a voxel whose bit is set in bits. */
 int solid_sites_image_is(const struct solid_voxels *v, const uint64_t *bits, const int site[3]);
+/* The kind of the voxel of a site of the solid. */
+int solid_sites_image_kind(const struct solid_voxels *v, const int site[3]);

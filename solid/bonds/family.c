@@ -3,7 +3,7 @@
 #include "base/bits.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "solid/bonds/lattice.h"
+#include "solid/bonds/kinds.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/soft.h"
 
@@ -35,7 +35,7 @@ static void view_lattice(const struct solid_lattice *lattice, int h, struct soli
         for (int c = 0; c < 3; c++) view->xi[n][c] = bond->xi[c];
         view->weight[n] = bond->weight;
         view->alpha[n] = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, other));
-        view->micro[n] = lattice->law.c0;
+        view->micro[n] = solid_kinds_law(lattice, h, lattice->local[other])->c0;
         view->intact[n] = lambda[o] >> cell % SOLID_ROW & 1;
         n++;
     }

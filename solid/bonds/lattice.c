@@ -3,6 +3,7 @@
 #include "solid/bonds/lattice.h"
 #include "base/ensure.h"
 #include "base/memory.h"
+#include "solid/bonds/kinds.h"
 #include "solid/bonds/segments.h"
 
 #include <string.h>
@@ -185,6 +186,7 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
 void solid_lattice_free(struct solid_lattice *lattice) {
     if (!lattice) return;
     solid_segments_free(lattice->segments);
+    solid_kinds_free(lattice->kinds);
     void *owned[] = {lattice->row_active, lattice->active, lattice->row_cell, lattice->row_first, lattice->row_owned,
                      lattice->row_bulk,   lattice->lambda, lattice->offset,   lattice->row_of,    lattice->cell,
                      lattice->local,      lattice->field,  lattice->place,    lattice->copy_at,   lattice->copy_local,

@@ -24,11 +24,13 @@ struct solid_lattice_offset {
     double elastic_twice;
 };
 
+struct solid_kinds;
 struct solid_segments;
 
 struct solid_lattice {
     const struct solid_stencil *stencil; /* borrowed */
-    struct solid_law law;
+    struct solid_law law;                /* of several materials: of kind 0 */
+    struct solid_kinds *kinds;           /* several materials (solid/bonds/kinds.h), once they are known; NULL: one */
     int low[3], size[3]; /* dense box: lattice index of its corner, number of sites; whole rows along x */
     long sites;
     int rows;

@@ -23,7 +23,8 @@ static const double skin = 0.5, rebuild = 0.2; /* in spacings */
 static double quantum_of(const struct solid *s, const struct solid_contact *c) {
     double most = 0, volume = 0;
     for (int h = 0; h < s->n; h++) volume = fmax(volume, s->volume[h]);
-    for (int b = 0; b < s->in.bodies; b++) most = fmax(most, s->in.contact_stiffness * c->c0[b] / c->density[b]);
+    for (int m = 0; m < s->in.materials; m++)
+        if (c->density[m] > 0) most = fmax(most, s->in.contact_stiffness * c->c0[m] / c->density[m]);
     most *= par_max(volume);
     return most > 0 ? ldexp(1, ilogb(most) - 46) : 1;
 }
@@ -35,10 +36,13 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->skin = skin * s->in.spacing;
     c->begins_near = s->in.contact_radius > 1;
     for (int b = 0; b < s->in.bodies; b++) {
-        const struct solid_material *m = &s->in.material[s->in.body[b].material];
-        c->begins_near |= solid_shape_of(&s->in.body[b])->places == SOLID_PLACES_POINTS;
-        c->c0[b] = solid_material_c0(&s->in, m);
-        c->density[b] = m->density;
+        const struct solid_body *body = &s->in.body[b];
+        c->begins_near |= solid_shape_of(body)->places == SOLID_PLACES_POINTS;
+        for (int k = 0; k < (body->kinds > 0 ? body->kinds : 1); k++) {
+            const int m = body->kinds > 0 ? body->kind[k] : body->material;
+            c->c0[m] = solid_material_c0(&s->in, &s->in.material[m]);
+            c->density[m] = s->in.material[m].density;
+        }
     }
     for (int k = 0; k < s->dim; k++) {
         c->built[k] = memory_new(MEMORY_SOLID, n, sizeof(double));

@@ -9,7 +9,8 @@ struct solid_other {
     double x0[3], x[3]; /* m */
     double volume;      /* m3 */
     long id;
-    int body, seeks;
+    short body, material;
+    int seeks;
 };
 
 struct solid_crossing {

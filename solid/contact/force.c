@@ -30,7 +30,7 @@ static void push(struct solid *s, const struct solid_contact *c, int kind) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
             const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
-            const double on_h = f * t.volume / c->density[s->body[t.h]];
+            const double on_h = f * t.volume / solid_density(s, t.h);
             for (int i = 0; i < s->dim; i++) c->push[i][t.h] += rounded(on_h * t.x[i], c->quantum);
             if (kind != SOLID_CONTACT_OWNED) continue;
             const double on_l = f * s->volume[t.h] / t.density;

@@ -12,7 +12,7 @@ struct solid_strangers;
 struct solid_contact_springs;  /* opaque */
 struct solid_contact_put_away; /* opaque */
 
-enum { SOLID_CONTACT_BODIES = 256 }; /* solid.body is a byte */
+enum { SOLID_CONTACT_BODIES = 256 }; /* solid.body is a byte, and solid.material */
 
 /* Where the ends of a pair are, which decides who computes it. */
 enum solid_contact_kind {
@@ -35,7 +35,7 @@ typedef double solid_contact_bounds[14];
 struct solid_contact {
     int begins_near;     /* 1: particles of one body may stand nearer than r_c at the start */
     double radius, skin; /* r_c; the distance beyond r_c up to which pairs are listed, m */
-    double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by body: N/m6, kg/m3 */
+    double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by material: N/m6, kg/m3; 0: of no particle */
     double *built[3];                                               /* [s->n] d when the lists were made, m */
     solid_contact_bounds *bounds;                                   /* [bodies] */
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];

@@ -48,10 +48,15 @@ static inline int solid_contact_pairs_touching(const struct solid_contact_pairs 
     return touching;
 }
 
-/* Body and volume of the other end. */
+/* Body, material and volume of the other end. */
 static inline int solid_contact_pairs_other_body(const struct solid *s, const struct solid_contact *c, int kind,
                                                  int l) {
     return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].body : s->body[l];
+}
+
+static inline int solid_contact_pairs_other_material(const struct solid *s, const struct solid_contact *c, int kind,
+                                                     int l) {
+    return kind == SOLID_CONTACT_SERVED ? c->crossing.other[l].material : solid_made_of(s, l);
 }
 
 static inline double solid_contact_pairs_other_volume(const struct solid *s, const struct solid_contact *c, int kind,
@@ -80,12 +85,13 @@ static inline struct solid_contact_touch solid_contact_pairs_touch_of(const stru
                                                                       const struct solid_contact *c, int kind, int k) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     struct solid_contact_touch t = {.h = p->h[k], .l = p->l[k]};
-    const int body = solid_contact_pairs_other_body(s, c, kind, t.l);
+    const int body = solid_contact_pairs_other_body(s, c, kind, t.l),
+              material = solid_contact_pairs_other_material(s, c, kind, t.l);
     solid_contact_pairs_x(p, s->d, solid_contact_pairs_other_d(s, c, kind), k, t.x);
     t.r = fmax(sqrt(t.x[0] * t.x[0] + t.x[1] * t.x[1] + t.x[2] * t.x[2]), 1e-6 * c->radius);
-    t.k = s->in.contact_stiffness * 0.5 * (c->c0[s->body[t.h]] + c->c0[body]);
+    t.k = s->in.contact_stiffness * 0.5 * (c->c0[solid_made_of(s, t.h)] + c->c0[material]);
     t.volume = solid_contact_pairs_other_volume(s, c, kind, t.l);
-    t.density = c->density[body];
+    t.density = c->density[material];
     t.radius = c->radius;
     if (c->begins_near && (s->body[t.h] == body || solid_across_joins(&s->in, s->body[t.h], body)))
         t.radius = fmin(t.radius, solid_contact_pairs_start(p, k));

@@ -109,7 +109,7 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
             const double rate = weight * t.k * exponent * pow(t.radius / t.r, exponent) / t.r;
             to->of[kind][to->n[kind]++] = (struct spring){.h = t.h,
                                                           .l = t.l,
-                                                          .on_h = rate * t.volume / c->density[s->body[t.h]],
+                                                          .on_h = rate * t.volume / solid_density(s, t.h),
                                                           .on_l = rate * s->volume[t.h] / t.density,
                                                           .e = {t.x[0] / t.r, t.x[1] / t.r, t.x[2] / t.r}};
             touch(to, t.h);

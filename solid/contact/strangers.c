@@ -164,6 +164,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
                                            .volume = s->volume[h],
                                            .id = (long)t->id[h],
                                            .body = s->body[h],
+                                           .material = (short)solid_made_of(s, h),
                                            .seeks = t->seeks[h]};
             solid_contact_crossing_send(&c->crossing, h, r, &it);
         }

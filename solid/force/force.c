@@ -61,16 +61,18 @@ static struct powers add_loads(int n, double density, double gravity, double dam
 void solid_force_loads(struct solid *s, double *const bonds[3], double damping_absolute) {
     const struct solid_family *f = s->family;
     s->power_load = 0;
-    for (int b = 0; b < f->bodies; b++) {
-        const double density = s->in.material[s->in.body[b].material].density;
-        const int from = f->first[b], n = f->first[b + 1] - from;
-        for (int c = 0; c < s->dim; c++) {
-            const struct powers power = add_loads(n, density, s->in.body_force[c], damping_absolute, s->volume + from,
-                                                  s->load[c] + from, s->v[c] + from, bonds[c] + from, s->a[c] + from);
-            s->power_load += power.load;
-            s->power_damped += power.damping;
+    for (int b = 0; b < f->bodies; b++)
+        for (int from = f->first[b], n; from < f->first[b + 1]; from += n) {
+            n = solid_density_end(s, from, f->first[b + 1]) - from;
+            const double density = solid_density(s, from);
+            for (int c = 0; c < s->dim; c++) {
+                const struct powers power =
+                    add_loads(n, density, s->in.body_force[c], damping_absolute, s->volume + from, s->load[c] + from,
+                              s->v[c] + from, bonds[c] + from, s->a[c] + from);
+                s->power_load += power.load;
+                s->power_damped += power.damping;
+            }
         }
-    }
 }
 
 void solid_force_rest(struct solid *s, double *const pairs[3]) {

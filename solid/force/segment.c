@@ -76,12 +76,25 @@ SEGMENT_KERNEL(5)
 SEGMENT_KERNEL(6)
 SEGMENT_KERNEL(7)
 SEGMENT_KERNEL(8)
+SEGMENT_KERNEL(16)
+SEGMENT_KERNEL(17)
+SEGMENT_KERNEL(18)
+SEGMENT_KERNEL(19)
+SEGMENT_KERNEL(20)
+SEGMENT_KERNEL(21)
+SEGMENT_KERNEL(22)
+SEGMENT_KERNEL(23)
+SEGMENT_KERNEL(24)
 
-static segment_kernel *const kernels[] = {segment_0, segment_1, segment_2, segment_3, segment_4,
-                                          segment_5, segment_6, segment_7, segment_8};
-static_assert(sizeof kernels / sizeof *kernels == KERNEL_JUDGE + 1, "every kernel of enum solid_kernel needs its line");
+/* [mixed] */
+static segment_kernel *const kernels[][KERNEL_JUDGE + 1] = {
+    {segment_0, segment_1, segment_2, segment_3, segment_4, segment_5, segment_6, segment_7, segment_8},
+    {segment_16, segment_17, segment_18, segment_19, segment_20, segment_21, segment_22, segment_23, segment_24}};
+static_assert(sizeof kernels / sizeof **kernels == 2 * (KERNEL_JUDGE + 1) && KERNEL_MIXED == 2 * KERNEL_JUDGE,
+              "every kernel of enum solid_kernel needs its line");
 
 struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *segments, int g,
                                        enum solid_kernel kernel, double *power) {
-    return kernels[kernel & KERNEL_JUDGE ? KERNEL_JUDGE : kernel](in, segments, g, power);
+    const int mixed = (kernel & KERNEL_MIXED) != 0, kind = (int)kernel & (KERNEL_MIXED - 1);
+    return kernels[mixed][kind & KERNEL_JUDGE ? KERNEL_JUDGE : kind](in, segments, g, power);
 }

@@ -6,6 +6,7 @@
 /* The field arrays that the kernels use, from their first element. */
 struct solid_boxes {
     const double *d[3], *v[3], *w;             /* displacement m, velocity m/s, V/V0 */
+    const double *half, *look;                 /* of several materials (solid/bonds/kinds.h) */
     double *a[3];                              /* m/s2, added to */
     const struct solid_lattice_offset *offset; /* [all offsets], viscous includes k_d */
 };
@@ -14,11 +15,12 @@ enum solid_kernel {
     KERNEL_BULK = 1,   /* alpha = 1 for all its bonds */
     KERNEL_EXACT = 2,  /* square roots, for any eps */
     KERNEL_DAMPED = 4, /* with pairwise damping */
-    KERNEL_JUDGE = 8   /* computes only high and low */
+    KERNEL_JUDGE = 8,  /* computes only high and low */
+    KERNEL_MIXED = 16  /* bonds of several materials */
 };
 
 struct solid_range {
-    double high, low; /* of eps */
+    double high, low; /* of eps; with KERNEL_JUDGE and KERNEL_MIXED high: of eps less the lower `look` of both ends */
 };
 
 /* Pure. Adds to *power the sum of viscous bond forces times closing speeds, over directed bonds, m2/s3. */

@@ -14,19 +14,23 @@ struct NAME(result) {
  *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
  *     a_l -= the same                                   the reaction of paired bonds
+ * With several materials c0 is (c_h + c_l)/2, and rho the density of kind 0 (solid/bonds/kinds.h).
  * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [n]  of the strip at `at`: its entries, and their other ends */
 static inline __attribute__((always_inline)) void NAME(strip)(const struct solid_boxes *in, long at,
                                                               const uint32_t *entry, const int *other, int n,
                                                               struct NAME(result) * out, const enum solid_kernel kernel,
                                                               const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
-              damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0;
+              damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0,
+              mixed = (kernel & KERNEL_MIXED) != 0;
     const struct solid_boxes box = *in; /* a copy, so that the compiler knows that no store changes it */
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
         const REAL dx = OF(load)(box.d[0] + at), dy = OF(load)(box.d[1] + at), dz = OF(load)(box.d[2] + at);
         REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
         REAL high = out->high, low = out->low;
         if (!bulk) w = OF(load)(box.w + at);
+        const REAL half = mixed && !judge ? OF(load)(box.half + at) : w,
+                   look = mixed && judge ? OF(load)(box.look + at) : w;
         if (damped) {
             vx = OF(load)(box.v[0] + at);
             vy = OF(load)(box.v[1] + at);
@@ -42,11 +46,15 @@ static inline __attribute__((always_inline)) void NAME(strip)(const struct solid
             const REAL zx = t->xi[0] + ex, zy = t->xi[1] + ey, zz = t->xi[2] + ez;
             const REAL q = ex * (t->xi2[0] + ex) + ey * (t->xi2[1] + ey) + ez * (t->xi2[2] + ez);
             const REAL eps = OF(where)(lambda, q * t->inv_length2);
-            high = OF(max)(high, eps);
+            if (judge && mixed)
+                high = OF(max)(high, eps - OF(min)(look, OF(load)(box.look + far)));
+            else
+                high = OF(max)(high, eps);
             low = OF(min)(low, eps);
             if (judge) continue;
             REAL stiff = OF(set)(t->elastic);
             if (!bulk) stiff = t->elastic_twice / (w + OF(load)(box.w + far));
+            if (mixed) stiff *= half + OF(load)(box.half + far);
             REAL f = NAME(g_times)(eps, stiff, exact);
             if (damped) {
                 const REAL closing = (OF(load)(box.v[0] + far) - vx) * zx + (OF(load)(box.v[1] + far) - vy) * zy +

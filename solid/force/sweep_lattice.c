@@ -2,6 +2,7 @@
 #include "base/vec.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
+#include "solid/bonds/kinds.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/segment.h"
 #include "solid/force/series.h"
@@ -17,8 +18,9 @@ struct sweep {
     struct solid *s;
     struct solid_lattice *b;
     struct solid_boxes box, undo; /* undo: the same with all forces negated, to undo a segment */
-    double look;                  /* eps from which on single bonds are tested */
-    enum solid_kernel damped;
+    double look;                  /* eps from which on single bonds are tested; of several materials: in this segment */
+    enum solid_kernel damped, mixed; /* mixed: of several materials, whether this segment has bonds of several */
+    int may_break;
     double power; /* m2/s3 */
 };
 
@@ -47,11 +49,16 @@ static void clear(const struct solid_lattice *lattice, double *restrict box) {
     for (int i = 0; i < lattice->away; i++) box[lattice->copy_at[i]] = 0;
 }
 
-/* The offsets' constants with damping and, behind them, the same with all forces negated. */
-static void fill_offsets(const struct solid_lattice *lattice, double damping, struct solid_lattice_offset *to) {
+/* The offsets' constants with damping and, behind them, the same with all forces negated. stiffer: the factor of
+ * elastic forces. */
+static void fill_offsets(const struct solid_lattice *lattice, double damping, double stiffer,
+                         struct solid_lattice_offset *to) {
     const int n = lattice->stencil->n;
     for (int o = 0; o < n; o++) {
-        to[o] = to[n + o] = lattice->offset[o];
+        to[o] = lattice->offset[o];
+        to[o].elastic *= stiffer;
+        to[o].elastic_twice *= stiffer;
+        to[n + o] = to[o];
         to[o].viscous *= damping;
         to[n + o].viscous *= -damping;
         to[n + o].elastic *= -1;
@@ -78,7 +85,8 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     for (int c = 0; c < 3; c++)
         eta[c] = lattice->d[c][solid_lattice_place(lattice, far)] - lattice->d[c][solid_lattice_place(lattice, cell)];
     const double eps = bond_eps(t->xi, eta, t->inv_length2);
-    if (!(eps > lattice->law.eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
+    const struct solid_law *law = solid_kinds_law(lattice, h, l);
+    if (!(eps > law->eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
     const int home = l >= lattice->first && l < lattice->first + lattice->n && lattice->cell[l - lattice->first] == far;
     if (lattice->soft) {
         solid_soft_add(s, h, o, lattice->law.s_e);
@@ -88,9 +96,9 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const double stretch = eps / (1 + sqrt(1 + eps)),
                  alpha = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, far));
     const double volume = lattice->stencil->spacing * lattice->stencil->spacing * lattice->stencil->spacing;
-    const double s0 = lattice->law.eps_limit / (1 + sqrt(1 + lattice->law.eps_limit));
-    const double energy = 0.25 * lattice->law.c0 * alpha * stretch * stretch * t->length * t->weight * volume;
-    const double area = energy * (s0 * s0 / (stretch * stretch)) / lattice->law.fracture_energy;
+    const double s0 = law->eps_limit / (1 + sqrt(1 + law->eps_limit));
+    const double energy = 0.25 * law->c0 * alpha * stretch * stretch * t->length * t->weight * volume;
+    const double area = energy * (s0 * s0 / (stretch * stretch)) / law->fracture_energy;
     solid_lattice_cut(lattice, h, o);
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;
@@ -121,6 +129,24 @@ static int break_segment(struct solid *s, struct solid_lattice *lattice, int g) 
     return broken;
 }
 
+/* Whether some bond of the segment may be stretched beyond its limit. */
+static int is_beyond(struct sweep *w, int g) {
+    const enum solid_kernel judge = KERNEL_JUDGE | w->mixed;
+    return solid_segment_force(&w->box, w->b->segments, g, judge, &w->power).high > (w->mixed ? 0 : w->look);
+}
+
+/* Of several materials: takes the constants of the segment's bonds. */
+static void turn_to(struct sweep *w, int g) {
+    const struct solid_kinds *kinds = w->b->kinds;
+    const int n = w->b->stencil->n, is_mixed = kinds->segment[g] == SOLID_KINDS_MIXED,
+              kind = is_mixed ? 0 : kinds->segment[g];
+    const double limit = is_mixed ? kinds->least : kinds->pair[kind][kind].eps_limit;
+    w->box.offset = kinds->table + 2 * n * kind;
+    w->undo.offset = w->box.offset + n;
+    w->mixed = is_mixed ? KERNEL_MIXED : 0;
+    w->look = w->may_break ? limit * (1 - 1e-9) : INFINITY;
+}
+
 /* Computes the forces of segment g. If bonds must break or the series does not hold, the forces are undone and computed
  * again. That is rare, because segments near either limit are tested first. */
 static void sweep_segment(struct sweep *w, int g) {
@@ -128,15 +154,14 @@ static void sweep_segment(struct sweep *w, int g) {
     struct solid_segments *segments = lattice->segments;
     const int judged = segments->high[g] > NEAR_LIMIT * w->look;
     if (segments->stale[g]) solid_segments_pack(lattice, g);
-    if (judged && solid_segment_force(&w->box, segments, g, KERNEL_JUDGE, &w->power).high > w->look &&
-        break_segment(w->s, lattice, g))
-        solid_segments_pack(lattice, g);
+    if (judged && is_beyond(w, g) && break_segment(w->s, lattice, g)) solid_segments_pack(lattice, g);
 
-    const enum solid_kernel plain = w->damped | (segments->bulk[g] ? KERNEL_BULK : 0), exact = plain | KERNEL_EXACT,
-                            first = segments->large[g] ? exact : plain;
+    const enum solid_kernel plain = w->damped | w->mixed | (segments->bulk[g] ? KERNEL_BULK : 0),
+                            exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
     struct solid_range range = solid_segment_force(&w->box, segments, g, first, &w->power);
     const int too_large = first == plain && fmax(range.high, -range.low) > SOLID_SERIES_LIMIT;
-    const int breaks = !judged && range.high > w->look && break_segment(w->s, lattice, g);
+    const int breaks =
+        !judged && range.high > w->look && (!w->mixed || is_beyond(w, g)) && break_segment(w->s, lattice, g);
     if (too_large || breaks) {
         solid_segment_force(&w->undo, segments, g, first, &w->power);
         if (breaks) solid_segments_pack(lattice, g);
@@ -154,9 +179,17 @@ static double sweep_segments(struct solid *s, struct solid_lattice *lattice, con
     struct sweep w = {.s = s,
                       .b = lattice,
                       .look = sweep->may_break ? lattice->law.eps_limit * (1 - 1e-9) : INFINITY,
-                      .damped = sweep->damping > 0 ? KERNEL_DAMPED : 0};
-    fill_offsets(lattice, sweep->damping, offset);
+                      .damped = sweep->damping > 0 ? KERNEL_DAMPED : 0,
+                      .may_break = sweep->may_break};
+    const struct solid_kinds *kinds = lattice->kinds;
+    if (!kinds) fill_offsets(lattice, sweep->damping, 1, offset);
+    for (int k = 0; kinds && k < kinds->n; k++)
+        fill_offsets(lattice, sweep->damping, kinds->stiffer[k], kinds->table + 2 * lattice->stencil->n * k);
     w.box = (struct solid_boxes){.w = lattice->w, .offset = offset};
+    if (kinds) {
+        w.box.half = kinds->half;
+        w.box.look = kinds->look;
+    }
     for (int c = 0; c < 3; c++) {
         w.box.d[c] = lattice->d[c];
         w.box.v[c] = lattice->v[c];
@@ -164,7 +197,10 @@ static double sweep_segments(struct solid *s, struct solid_lattice *lattice, con
     }
     w.undo = w.box;
     w.undo.offset = offset + lattice->stencil->n;
-    for (int g = from; g < to; g++) sweep_segment(&w, g);
+    for (int g = from; g < to; g++) {
+        if (kinds) turn_to(&w, g);
+        sweep_segment(&w, g);
+    }
     const double spacing = lattice->stencil->spacing;
     return 0.5 * lattice->law.density * (spacing * spacing * spacing) * w.power;
 }
@@ -189,5 +225,9 @@ double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, c
             vec_press(lattice->row_owned[r],
                       vec_load(lattice->f[c] + solid_lattice_place(lattice, lattice->row_cell[r])),
                       s->a[c] + lattice->row_first[r]);
+    const struct solid_kinds *kinds = lattice->kinds;
+    for (int c = 0; c < 3 && kinds && !kinds->is_even; c++)
+        for (int h = lattice->first; h < lattice->first + lattice->n; h++)
+            s->a[c][h] *= kinds->lighter[solid_kinds_of(kinds, h)];
     return power;
 }

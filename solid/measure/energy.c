@@ -2,6 +2,7 @@
 #include "base/par.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
+#include "solid/bonds/kinds.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/row.h"
 #include "solid/bonds/segments.h"
@@ -109,12 +110,13 @@ static double of_list(const struct solid_list *list, int i) {
 }
 
 /* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), from the displacements in
- * its dense box. *largest: of |eps|. */
+ * its dense box, over c of the segment's kind or, where it is mixed, over c of kind 0. *largest: of |eps|. */
 static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *lattice, long cell, int n,
-                                                          const uint32_t *entry, int bulk, int small, vec *largest) {
+                                                          const uint32_t *entry, int bulk, int small, int mixed,
+                                                          vec *largest) {
     const long at = solid_lattice_place(lattice, cell);
     const vec x = vec_load(lattice->d[0] + at), y = vec_load(lattice->d[1] + at), z = vec_load(lattice->d[2] + at);
-    const vec w = vec_load(lattice->w + at);
+    const vec w = vec_load(lattice->w + at), half = mixed ? vec_load(lattice->kinds->half + at) : w;
     vec sum = vec_set(0);
     for (int i = 0; i < n; i++) {
         const struct solid_lattice_offset *bond = &lattice->offset[entry[i] >> 8];
@@ -124,31 +126,37 @@ static inline __attribute__((always_inline)) vec of_strip(const struct solid_lat
                   ez = vec_load(lattice->d[2] + far) - z;
         const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
         const vec eps = vec_where(entry[i] & 0xffu, q * bond->inv_length2);
-        const vec e = square_of_stretch(eps, small) * (from->length * from->weight);
+        vec e = square_of_stretch(eps, small) * (from->length * from->weight);
+        if (mixed) e *= half + vec_load(lattice->kinds->half + far);
         *largest = vec_max(*largest, vec_max(eps, -eps));
         sum += bulk ? e : vec_where(entry[i] & 0xffu, 2 * e * vec_reciprocal(w + vec_load(lattice->w + far)));
     }
     return sum;
 }
 
-/* The energy of a segment: bonds between particles owned here count in full, the others by half. */
+/* The energy of a segment over c of kind 0: bonds between particles owned here count in full, the others by half. */
 static double of_segment(const struct solid_lattice *lattice, int g, int small, vec *largest) {
     const struct solid_segments *all = lattice->segments;
     const uint32_t *entry = all->entry + all->first[g];
+    const int kind = lattice->kinds ? lattice->kinds->segment[g] : 0;
     vec sum[2] = {vec_set(0), vec_set(0)};
     for (int strip = 0; strip < SOLID_STRIPS; strip++) {
         const int n = all->count[g][strip];
         const long cell = all->cell[g] + solid_segments_strip_site(strip);
         if (n == 0) continue;
-        if (small && all->bulk[g])
-            sum[strip % 2] += of_strip(lattice, cell, n, entry, 1, 1, largest);
+        if (kind == SOLID_KINDS_MIXED)
+            sum[strip % 2] += small ? of_strip(lattice, cell, n, entry, 0, 1, 1, largest)
+                                    : of_strip(lattice, cell, n, entry, 0, 0, 1, largest);
+        else if (small && all->bulk[g])
+            sum[strip % 2] += of_strip(lattice, cell, n, entry, 1, 1, 0, largest);
         else if (small)
-            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 1, largest);
+            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 1, 0, largest);
         else
-            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 0, largest);
+            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 0, 0, largest);
         entry += n;
     }
-    return vec_sum(sum[0] + 0.5 * sum[1]);
+    const double all_bonds = vec_sum(sum[0] + 0.5 * sum[1]);
+    return kind == 0 || kind == SOLID_KINDS_MIXED ? all_bonds : lattice->kinds->stiffer[kind] * all_bonds;
 }
 
 /* J */
@@ -169,14 +177,13 @@ struct solid_energy solid_energy_measure(struct solid *s) {
     double sum[2] = {0, 0};
     solid_ghosts_update(s);
     for (int b = 0; b < s->family->bodies; b++) {
-        const struct solid_material *material = &s->in.material[s->in.body[b].material];
         const struct solid_list *list = s->family->list[b];
         if (s->family->lattice[b]) sum[1] += of_lattice(s, s->family->lattice[b]);
         if (list) solid_sweep_list_fill(s, list);
         for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++) {
             double v2 = 0;
             for (int c = 0; c < s->dim; c++) v2 += s->v[c][h] * s->v[c][h];
-            sum[0] += 0.5 * material->density * s->volume[h] * v2;
+            sum[0] += 0.5 * solid_density(s, h) * s->volume[h] * v2;
             if (!list) continue;
             sum[1] += s->volume[h] * of_list(list, h - list->first);
         }

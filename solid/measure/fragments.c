@@ -151,7 +151,7 @@ static struct solid_fragment *parts(const struct solid *s, const double *label, 
         if (m == 0 || id != last) list[m++].id = id;
         last = id;
         struct solid_fragment *f = &list[m - 1];
-        const double mass = s->in.material[s->in.body[s->body[h]].material].density * s->volume[h];
+        const double mass = solid_density(s, h) * s->volume[h];
         f->particles++;
         f->mass += mass;
         f->held |= (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) != 0;

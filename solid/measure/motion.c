@@ -10,10 +10,9 @@
 
 enum { NUMBERS = sizeof(struct solid_motion) / sizeof(double) };
 
-/* The sums over a body's particles of this rank; of the displacement times the mass. */
-static void add(const struct solid *s, int b, struct solid_motion *m) {
-    const double density = s->in.material[s->in.body[b].material].density;
-    const int from = s->family->first[b], to = s->family->first[b + 1];
+/* Adds the sums over particles of one density; of the displacement times the mass. */
+static void add(const struct solid *s, int from, int to, struct solid_motion *m) {
+    const double density = solid_density(s, from);
     const double *restrict volume = s->volume;
     for (int h = from; h < to; h++) m->mass += density * volume[h];
     for (int c = 0; c < s->dim; c++) {
@@ -25,9 +24,9 @@ static void add(const struct solid *s, int b, struct solid_motion *m) {
             v2 += volume[h] * v[h] * v[h];
             force += volume[h] * (load[h] + density * s->in.body_force[c]);
         }
-        m->momentum[c] = density * momentum;
-        m->displacement[c] = density * moved;
-        m->load[c] = force;
+        m->momentum[c] += density * momentum;
+        m->displacement[c] += density * moved;
+        m->load[c] += force;
         m->kinetic += 0.5 * density * v2;
     }
 }
@@ -39,7 +38,10 @@ void solid_motion_measure(struct solid *s, struct solid_motion *motion) {
     solid_ghosts_update(s);
     solid_contact_force_on_bodies(s, contact);
     for (int b = 0; b < bodies; b++) {
-        add(s, b, &motion[b]);
+        for (int h = s->family->first[b], end; h < s->family->first[b + 1]; h = end) {
+            end = solid_density_end(s, h, s->family->first[b + 1]);
+            add(s, h, end, &motion[b]);
+        }
         memcpy(motion[b].contact, contact[b], sizeof contact[b]);
     }
     par_sum_array(&motion[0].mass, bodies * NUMBERS);

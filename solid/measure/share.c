@@ -1,11 +1,12 @@
 /* The part of a full family's stress that a particle's unbroken family bears, by which the flux is divided. */
 #include "solid/measure/share.h"
 #include "physics/micromodulus.h"
+#include "solid/bonds/kinds.h"
 
 #include <math.h>
 
 struct solid_share_full solid_share_of_lattice(const struct solid_lattice *lattice) {
-    struct solid_share_full full = {.nu = 1. / 4, .dim = 3};
+    struct solid_share_full full = {.nu = 1. / 4, .dim = 3, .micro = lattice->kinds ? lattice->law.c0 : 0};
     for (int o = 0; o < lattice->stencil->n; o++) {
         const struct solid_offset *bond = &lattice->stencil->offset[o];
         const double f = 0.5 * lattice->law.c0 * bond->weight / (bond->length * bond->length * bond->length),
@@ -51,7 +52,8 @@ double solid_share_view(const struct solid_share_full *full, const struct solid_
     }
     for (int b = 0; b < view->n; b++) {
         const double *xi = view->xi[b], xi2 = (xi[0] * xi[0] + xi[1] * xi[1]) + xi[2] * xi[2];
-        own += view->alpha[b] * view->micro[b] * view->weight[b] * SOLID_SHARE_ALONG(s, xi) * SOLID_SHARE_ALONG(e, xi) /
+        const double micro = full->micro > 0 ? full->micro : view->micro[b];
+        own += view->alpha[b] * micro * view->weight[b] * SOLID_SHARE_ALONG(s, xi) * SOLID_SHARE_ALONG(e, xi) /
                (xi2 * sqrt(xi2));
     }
     if (!(whole > 0)) return 1;

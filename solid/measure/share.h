@@ -18,6 +18,8 @@
 struct solid_share_full {
     double c11, c12, nu;
     double size, horizon; /* of the cells of a list, spacings */
+    double micro; /* > 0: the micromodulus of all bonds, whatever the family's; what the family lacks is then a matter
+                   * of its places only */
     int dim;
 };
 

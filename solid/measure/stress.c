@@ -1,5 +1,6 @@
 /* Stress from the flux of bond forces and strain by least squares over the family.  (Lehoucq and Silling 2008) */
 #include "solid/bonds/family.h"
+#include "solid/bonds/kinds.h"
 #include "solid/bonds/row.h"
 #include "solid/bonds/soft.h"
 #include "solid/measure/share.h"
@@ -52,10 +53,14 @@ static void stress_of_row(const struct solid_row *row, vec t[6]) {
         const int o = *bond;
         const struct solid_offset *from = &row->t->stencil->offset[o];
         const double factor = 0.5 * row->t->law.c0 * from->weight / from->length;
+        const long far = row->cell + row->t->offset[o].shift;
         vec z[3];
         solid_row_eta(row, o, z);
         const vec eps = solid_row_eps(row, o, z), r = vec_sqrt(vec_max(1 + eps, vec_set(1e-300)));
-        const vec f = vec_where(row->lambda[o], factor * eps / (r * (1 + r)));
+        vec f = vec_where(row->lambda[o], factor * eps / (r * (1 + r)));
+        if (row->t->kinds)
+            f *= vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell)) +
+                 vec_load(row->t->kinds->half + solid_lattice_place(row->t, far));
         for (int c = 0; c < 3; c++) z[c] += from->xi[c];
         for (int c = 0; c < 3; c++) {
             const vec along = f * z[c];

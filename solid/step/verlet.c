@@ -78,13 +78,14 @@ void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;
     const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
-    for (int b = 0; b < s->in.bodies; b++) {
-        const int from = first[b], n = first[b + 1] - from;
-        const double density = s->in.material[s->in.body[b].material].density;
-        for (int c = 0; c < s->dim; c++)
-            s->work_load += predict(n, dt, theta, density * s->in.body_force[c], s->volume + from, s->load[c] + from,
-                                    s->a[c] + from, s->d[c] + from, s->v[c] + from);
-    }
+    for (int b = 0; b < s->in.bodies; b++)
+        for (int from = first[b], n; from < first[b + 1]; from += n) {
+            n = solid_density_end(s, from, first[b + 1]) - from;
+            const double density = solid_density(s, from);
+            for (int c = 0; c < s->dim; c++)
+                s->work_load += predict(n, dt, theta, density * s->in.body_force[c], s->volume + from,
+                                        s->load[c] + from, s->a[c] + from, s->d[c] + from, s->v[c] + from);
+        }
     solid_constraint_displacement(s, s->t + dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);

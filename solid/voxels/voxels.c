@@ -1,5 +1,6 @@
 /* Makes, frees and counts the bits of an image's solid. */
 #include "solid/voxels/voxels.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 
 #include <string.h>
@@ -32,7 +33,22 @@ void solid_voxels_free(struct solid_voxels *v) {
     if (!v) return;
     par_shared_free(v->of_bits);
     par_shared_free(v->of_held);
+    for (int p = 0; p < v->planes; p++) par_shared_free(v->of_plane[p]);
     memory_free(v);
+}
+
+void solid_voxels_kinds(struct solid_voxels *v, int kinds) {
+    for (; kinds > 1 << v->planes; v->planes++) {
+        ENSURE(v->planes < SOLID_VOXELS_PLANES, "%d kinds of voxels", kinds);
+        v->of_plane[v->planes] = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
+        v->plane[v->planes] = v->of_plane[v->planes]->data;
+    }
+}
+
+const char *solid_voxels_why(const struct solid_voxels *v) {
+    const char *why = v->of_bits->why;
+    for (int p = 0; p < v->planes && !why[0]; p++) why = v->of_plane[p]->why;
+    return why;
 }
 
 long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits) {

@@ -5,11 +5,14 @@
 #include "coupling/setup/image.h"
 #include "coupling/setup/setup.h"
 #include "files/log.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/lattice.h"
 #include "solid/solid.h"
 #include "tests/check.h"
 
 #include <errno.h>
 #include <hdf5.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -115,6 +118,9 @@ static int write_all(void **state) {
     return 0;
 }
 
+#define QUARTZ "{name: quartz, youngs_modulus: 7.0e+10, density: 2650}"
+static const char *materials = QUARTZ, *more = ""; /* of the scenes to come */
+
 /* The scene with the keys of its body; spacing in mm. */
 static void write_scene(const char *keys, double spacing) {
     char text[2048];
@@ -122,10 +128,11 @@ static void write_scene(const char *keys, double spacing) {
              "domain: {size: [0.04, 0.04, 0.04]}\n"
              "solid:\n"
              "  spacing: %g\n"
-             "  materials: [{name: quartz, youngs_modulus: 7.0e+10, density: 2650}]\n"
+             "  materials: [%s]\n"
              "  bodies: [{%s}]\n"
+             "%s"
              "stages: [{name: rest, steps: 1}]\n",
-             spacing * 1e-3, keys);
+             spacing * 1e-3, materials, keys, more);
     if (par_rank() == 0) write_text("scene.yaml", text, "", 0);
     par_barrier();
 }
@@ -247,6 +254,88 @@ static void keys(void **state) {
         check_same(particles_of(table[i].keys, table[i].spacing, 0), expected(table[i].n, table[i].is_in));
 }
 
+/* The label of a cell of 2 x 2 x 2 voxels: the one with the most voxels, of equals that of clay. */
+static int label_of_cell(int i, int j, int k) {
+    int of[3] = {0};
+    for (int q = 0; q < 8; q++) of[sample(2 * i + q % 2, 2 * j + q / 2 % 2, 2 * k + q / 4)]++;
+    return of[1] > of[2] ? 1 : 2;
+}
+static int label_plain(int i, int j, int k) { return sample(i, j, k); }
+static int label_flipped(int i, int j, int k) { return sample(NX - 1 - i, j, NZ - 1 - k); }
+static int label_mirrored(int i, int j, int k) { return sample(i, j < NY ? j : 2 * NY - 1 - j, k); }
+static int label_refined(int i, int j, int k) { return sample(i / 3, j / 3, k / 3); }
+
+#define MINERALS                                                                                                       \
+    QUARTZ ", {name: clay, youngs_modulus: 2.0e+10, density: 2500, fracture_energy: 3}, "                              \
+           "{name: ore, youngs_modulus: 9.0e+10, density: 5000, micromodulus: conical}, "                              \
+           "{name: wide, youngs_modulus: 9.0e+10, density: 5000, horizon_ratio: 4}, "                                  \
+           "{name: paste, youngs_modulus: 2.0e+10, density: 2500, fracture_energy: 3, "                                \
+           "breakage: {law: bilinear, tensile_strength: 1.0e6}}, "                                                     \
+           "{name: grain, youngs_modulus: 2.0e+10, density: 2500, breakage: {law: brittle, s00: 1.0e-3, alpha: 0.2}}"
+
+/* Each particle is of the material that the map gives the label of its voxel. Label 1 is quartz, 2 clay. A solid that
+ * is rigid in every stage has the same particles and nothing for sweeps. */
+static void minerals(void **state) {
+    (void)state;
+    static const struct {
+        const char *keys;
+        double spacing;
+        int (*label)(int i, int j, int k);
+    } table[] = {
+        {RAW "file: sample.raw, solid: [1, 2], materials: {2: clay, 1: quartz}", 1, label_plain},
+        {RAW "file: sample.tif, solid: [1, 2], materials: [{label: 1, material: quartz}, {label: 2, material: clay}]",
+         1, label_plain},
+        {RAW "file: turned.raw, axes: zyx, solid: [1, 2], materials: {1: quartz, 2: clay}, flip: xz", 1, label_flipped},
+        {RAW "file: sample.raw, solid: [1, 2], materials: {1: quartz, 2: clay}, mirror: y", 1, label_mirrored},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: 1.5e-3, low: [0.0015, 0.001, 0.0005], file: sample.raw, "
+         "solid: [1, 2], materials: {1: quartz, 2: clay}",
+         0.5, label_refined},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: 0.5e-3, low: [0.003, 0.002, 0.001], file: sample.raw, "
+         "solid: [1, 2], crop: {low: [0, 0, 0], high: [12, 8, 6]}, materials: {2: clay, 1: quartz}",
+         1, label_of_cell}};
+    materials = MINERALS;
+    for (size_t t = 0; t < 2 * sizeof table / sizeof *table; t++) {
+        const int rigid = t % 2;
+        write_scene(table[t / 2].keys, table[t / 2].spacing);
+        struct scene *scene = scene_new(SCENE, 0, NULL);
+        struct solid_input *in = setup_solid(scene);
+        in->rigid = rigid;
+        struct solid *s = solid_new(in);
+        long count[2] = {0};
+        check_equal(s->family->lattice[0]->kinds == NULL, rigid);
+        for (int h = 0; h < s->n + s->n_ghost; h++) {
+            int at[3];
+            for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / (1e-3 * table[t / 2].spacing) - 3 + c);
+            const int label = table[t / 2].label(at[0], at[1], at[2]), m = solid_made_of(s, h);
+            assert_true(label == 1 || label == 2);
+            assert_string_equal(scene->solid->material[m].name, label == 1 ? "quartz" : "clay");
+            if (h < s->n) count[label - 1]++;
+        }
+        for (int l = 0; l < 2; l++) check_above(par_sum_long(count[l]), 10);
+        solid_free(s);
+        setup_solid_free(in);
+        scene_free(scene);
+    }
+    materials = QUARTZ;
+}
+
+/* Two labels of one material are one label. */
+static void one_material(void **state) {
+    (void)state;
+    check_same(particles_of(RAW "file: sample.raw, solid: [1, 2], materials: {1: quartz, 2: quartz}", 1, 1),
+               particles_of(RAW "file: sample.raw, solid: [1, 2]", 1, 1));
+    struct scene *scene;
+    write_scene(RAW "file: sample.raw, solid: [1, 2], materials: {1: quartz, 2: quartz}", 1);
+    scene = scene_new(SCENE, 0, NULL);
+    struct solid_input *in = setup_solid(scene);
+    struct solid *s = solid_new(in);
+    check_equal(in->body[0].voxels->planes, 0);
+    assert_null(s->material);
+    solid_free(s);
+    setup_solid_free(in);
+    scene_free(scene);
+}
+
 /* The same sample in all formats gives the same particles with the same numbers. */
 static void formats(void **state) {
     (void)state;
@@ -319,6 +408,12 @@ static void nodes(void **state) {
     par_shared_limit(0);
 }
 
+static void minerals_on_nodes(void **state) {
+    par_shared_limit(1);
+    minerals(state);
+    par_shared_limit(0);
+}
+
 static void without_shared_memory(void **state) {
     static const char *const sentence =
         "ball: the ranks of a node cannot share memory (memfd_create: No space left on device): each of them holds 0.0 "
@@ -326,6 +421,7 @@ static void without_shared_memory(void **state) {
     char text[4096] = "";
     cannot_share = 1;
     floating(state);
+    minerals(state);
     log_begin(FOLDER, 1, 0);
     particles_of(PIECES ", name: ball", 1, 0);
     log_end();
@@ -414,6 +510,10 @@ static void refused(void **state) {
         {RAW "file: sample.raw", 1, "scene.yaml:5: solid.bodies[0].solid: missing; shape image needs it"},
         {RAW "file: sample.raw, solid: [1], threshold: 1", 1,
          "solid.bodies[0].solid = [1]: not together with threshold"},
+        {RAW "file: sample.raw, threshold: 1, materials: {1: quartz}", 1,
+         "scene.yaml:5: solid.bodies[0].materials: not together with threshold"},
+        {"shape: box, low: [0, 0, 0], high: [0.01, 0.01, 0.01], materials: {1: quartz}", 1,
+         "solid.bodies[0].materials: only with shape image, here it is box"},
         {RAW "file: sample.raw, solid: [1]", 0.7, "solid.bodies[0].voxel = 1.0e-3: must be solid.spacing (0.0007 m)"},
         {RAW "file: sample.raw, solid: [1]", 2,
          "13 voxels along x do not make whole cells of 2 voxels; crop the image to 12"},
@@ -449,6 +549,59 @@ static void refused(void **state) {
     }
 }
 
+#define TWO RAW "file: sample.raw, solid: [1, 2], "
+static void refused_materials(void **state) {
+    (void)state;
+    static const struct {
+        const char *keys, *more, *sentence;
+    } table[] = {
+        {TWO "materials: {1: quartz}", "",
+         "scene.yaml:5: solid.bodies[0].solid = [1, 2]: label 2 has no material in solid.bodies[0].materials"},
+        {TWO "materials: {1: quartz, 2: clai}", "",
+         "scene.yaml:5: solid.bodies[0].materials[1].material = clai: is no name in solid.materials; did you mean "
+         "clay?"},
+        {TWO "materials: {1: quartz, 2: clay, 1: clay}", "",
+         "scene.yaml:5: solid.bodies[0].materials[2].label = 1: has a material already, quartz"},
+        {TWO "materials: {1: quartz, 2: clay, 3: clay}", "",
+         "solid.bodies[0].materials[2].label = 3: is not among the labels of the solid, solid.bodies[0].solid"},
+        {TWO "materials: {1: quartz, two: clay}", "",
+         "solid.bodies[0].materials[1].label = two: must be a whole number"},
+        {TWO "materials: {1: quartz, 2: [clay]}", "", "solid.bodies[0].materials[1].material = [clay]: must be a text"},
+        {TWO "materials: quartz", "", "solid.bodies[0].materials = quartz: must be a list of mappings"},
+        {TWO "materials: {1: quartz, 2: clay}, material: clay", "",
+         "solid.bodies[0].material = clay: not together with materials"},
+        {TWO "materials: {1: quartz, 2: ore}", "",
+         "materials[1].material = ore: in a body of several materials each needs micromodulus: constant"},
+        {TWO "materials: {1: quartz, 2: wide}", "",
+         "materials[1].material = wide: has a horizon_ratio of 4, and quartz of 3: a body of several materials needs "
+         "one"},
+        {TWO "materials: {1: paste, 2: quartz}", "",
+         "materials[0].material = paste: in a body of several materials each must be brittle; it has the bilinear law"},
+        {TWO "materials: {1: quartz, 2: grain}", "",
+         "materials[1].material = grain: in a body of several materials each must have a constant limit of the "
+         "stretch"},
+        {TWO "materials: {1: quartz, 2: clay}", "  partial_volume: ramp_cut\n",
+         "several materials need solid.partial_volume: exact"},
+        {TWO
+         "materials: {1: quartz, 2: clay}}, {name: base, material: clay, shape: box, low: [0.003, 0.002, 0.008], high: "
+         "[0.016, 0.011, 0.009]",
+         "  interfaces: [{between: [body1, base], fracture_energy: 3}]\n",
+         "several materials do not go with an interface of the body, solid.interfaces[0]"},
+        {RAW "file: sample.raw, solid: [1, 7], materials: {1: quartz, 7: clay}", "",
+         "solid.bodies[0].solid: label 7 does not occur in"}};
+    char said[4096];
+    materials = MINERALS;
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        more = table[i].more;
+        assert_int_equal(leaves_with(table[i].keys, 1, said, sizeof said), EXIT_CODE_SCENE);
+        if (!strstr(said, table[i].sentence))
+            fail_msg("%s\nshould say: %s\nand says: %s", table[i].keys, table[i].sentence, said);
+        if (strchr(said, '\n') != said + strlen(said) - 1) fail_msg("%s\nis not one sentence: %s", table[i].keys, said);
+    }
+    materials = QUARTZ;
+    more = "";
+}
+
 /* Of a fluid's scene: the surface of an image is found from the lattice only. */
 static void surface(void **state) {
     (void)state;
@@ -479,9 +632,11 @@ static void surface(void **state) {
 
 int main(int argc, char **argv) {
     const struct CMUnitTest all[] = {
-        cmocka_unit_test(keys),        cmocka_unit_test(formats), cmocka_unit_test(shapes),
-        cmocka_unit_test(floating),    cmocka_unit_test(nodes),   cmocka_unit_test(without_shared_memory),
-        cmocka_unit_test(constrained), cmocka_unit_test(refused), cmocka_unit_test(surface)};
+        cmocka_unit_test(keys),         cmocka_unit_test(formats),  cmocka_unit_test(shapes),
+        cmocka_unit_test(floating),     cmocka_unit_test(nodes),    cmocka_unit_test(without_shared_memory),
+        cmocka_unit_test(constrained),  cmocka_unit_test(minerals), cmocka_unit_test(minerals_on_nodes),
+        cmocka_unit_test(one_material), cmocka_unit_test(refused),  cmocka_unit_test(refused_materials),
+        cmocka_unit_test(surface)};
     par_begin(&argc, &argv);
     /* the refusals end a process and are tried on one rank */
     const int failed = par_size() == 1 ? cmocka_run_group_tests(all, write_all, NULL)
