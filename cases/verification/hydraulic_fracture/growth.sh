@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Prints, in a run folder, one number of a crack's growth under injection, and writes growth.csv: half length, opening in
-# the middle and pressure at the well beside the similarity solution of the scene's regime (physics/hydraulic_fracture.h).
+# Prints, in a run folder, one number of a crack's growth under injection, and writes growth.csv: half length, opening
+# in the middle and pressure at the well beside the similarity solution of the scene's regime
+# (physics/hydraulic_fracture.h).
 # The fracture energy is that of a creeping crack, $creeping G0 (1.4377: frana calibrate, m = 3 in a plate).
 # The time of the reference is the injected volume over the rate, so that the ramp of the injection does not count.
 # usage: growth.sh length|opening|pressure          mean deviation from the reference

@@ -51,8 +51,8 @@ for quantity in length opening pressure; do
     exact "${limits[i]}"
   i=$((i + 1))
 done
-at_most "toughness regime, $level mm: volume residual over the injected volume" 1 "$(number_of $name m---3 $level books)" \
-  0 exact 1e-12
+at_most "toughness regime, $level mm: volume residual over the injected volume" 1 \
+  "$(number_of $name m---3 $level books)" 0 exact 1e-12
 if [ "$quick" ]; then
   finish
   exit
@@ -93,8 +93,10 @@ row "viscosity regime, p_cav = -E s0: length: exponent" 1 "$(cell $name value "-
 row "viscosity regime, p_cav = -E s0: opening: exponent" 1 "$(cell $name value "-E s0" 1 "opening exponent")" \
   0.333333333333 1/3 "$(calc 1/3-0.03)" "$(calc 1/3+0.03)"
 shown "viscosity regime, p_cav = 0: opening: mean deviation" 1 "$(cell $name value 0 1 opening)" 0 "no toughness"
-shown "viscosity regime, p_cav = 0: length: exponent" 1 "$(cell $name value 0 1 "length exponent")" 0.666666666667 2/3
-shown "viscosity regime, p_cav = 0: opening: exponent" 1 "$(cell $name value 0 1 "opening exponent")" 0.333333333333 1/3
+shown "viscosity regime, p_cav = 0: length: exponent" 1 "$(cell $name value 0 1 "length exponent")" 0.666666666667 \
+  2/3
+shown "viscosity regime, p_cav = 0: opening: exponent" 1 "$(cell $name value 0 1 "opening exponent")" 0.333333333333 \
+  1/3
 for method in -E-s0 0; do
   word=$([ $method = 0 ] && echo 0 || echo "-E s0")
   at_most "viscosity regime, p_cav = $word: volume residual over the injected volume" 1 \
