@@ -92,24 +92,29 @@ row "viscosity regime, p_cav = -E s0: length: exponent" 1 "$(cell $name value "-
   0.666666666667 2/3 "$(calc 2/3-0.03)" "$(calc 2/3+0.03)"
 row "viscosity regime, p_cav = -E s0: opening: exponent" 1 "$(cell $name value "-E s0" 1 "opening exponent")" \
   0.333333333333 1/3 "$(calc 1/3-0.03)" "$(calc 1/3+0.03)"
-shown "viscosity regime, p_cav = 0: opening: mean deviation" 1 "$(cell $name value 0 1 opening)" 0 "no toughness"
-shown "viscosity regime, p_cav = 0: length: exponent" 1 "$(cell $name value 0 1 "length exponent")" 0.666666666667 \
-  2/3
-shown "viscosity regime, p_cav = 0: opening: exponent" 1 "$(cell $name value 0 1 "opening exponent")" 0.333333333333 \
-  1/3
-for method in -E-s0 0; do
-  word=$([ $method = 0 ] && echo 0 || echo "-E s0")
-  at_most "viscosity regime, p_cav = $word: volume residual over the injected volume" 1 \
-    "$(number_of $name $method 1 books)" 0 exact 1e-12
+# viscous WHAT METHOD FOLDER: numbers of a run; the folder is the method's name with - for other characters
+viscous() {
+  local quantity
+  at_most "viscosity regime, $1: volume residual over the injected volume" 1 "$(number_of $name "$3" 1 books)" 0 exact \
+    1e-12
   for quantity in length opening pressure; do
-    shown "viscosity regime, p_cav = $word: $quantity: mean of the ratio" 1 \
-      "$(number_of $name $method 1 ${quantity}_ratio)" 1 "no toughness"
+    shown "viscosity regime, $1: $quantity: mean of the ratio" 1 "$(number_of $name "$3" 1 ${quantity}_ratio)" 1 \
+      "no toughness"
   done
-  shown "viscosity regime, p_cav = $word: pressure at the well: exponent" 1 \
-    "$(number_of $name $method 1 pressure_exponent)" -0.333333333333 -1/3
-  shown "viscosity regime, p_cav = $word: bonds broken a spacing" 1 "$(number_of $name $method 1 broken)" 36 \
-    "a clean plane"
-done
+  if [ "$2" != "-E s0" ]; then
+    shown "viscosity regime, $1: opening: mean deviation" 1 "$(cell $name value "$2" 1 opening)" 0 "no toughness"
+    shown "viscosity regime, $1: length: exponent" 1 "$(cell $name value "$2" 1 "length exponent")" 0.666666666667 2/3
+    shown "viscosity regime, $1: opening: exponent" 1 "$(cell $name value "$2" 1 "opening exponent")" 0.333333333333 \
+      1/3
+  fi
+  shown "viscosity regime, $1: pressure at the well: exponent" 1 "$(number_of $name "$3" 1 pressure_exponent)" \
+    -0.333333333333 -1/3
+  shown "viscosity regime, $1: bonds broken a spacing" 1 "$(number_of $name "$3" 1 broken)" 36 "a clean plane"
+}
+viscous "p_cav = -E s0" "-E s0" -E-s0
+viscous "p_cav = 0" 0 0
+viscous "p_cav = -E s0, plate of 0.36 m" "-E s0 wide" -E-s0-wide
+viscous "p_cav = -E s0, 2/3 mm" "-E s0 2/3 mm" -E-s0-2-3-mm
 shown "viscosity regime: K'/(mu' E'^3 Q0)^(1/4)" 1 "$(number_of $name -E-s0 1 toughness)" "<= 1" "Detournay 2004"
 sparse $name -E-s0 1 viscosity
 finish
