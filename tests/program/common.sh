@@ -65,7 +65,9 @@ same() {
       next }
     { other = FNR
       for (i = 1; i <= NF; i++) {
-        scale = name[i] ~ /^(load|forcing)_/ ? big[x] : name[i] ~ /div_max|momentum_residual|volume_residual/ ? 1 : big[i]
+        scale = big[i]
+        if (name[i] ~ /^(load|forcing)_/) scale = big[x]
+        if (name[i] ~ /div_max|momentum_residual|volume_residual/) scale = 1
         if (i in u) scale = fastest
         if (name[i] == "e_contact") scale = 1e5 * big[i]
         if (scale < floor[i]) scale = floor[i]
