@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # An image of three minerals is pulled apart: what check says of it; the same series on other ranks, and resumed in the
-# middle on another number of ranks.
+# middle on another number of ranks; the same rock at rest in a flow, and with fluid in a crack.
 # usage: minerals.sh FRANA SOURCE WORK
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
@@ -33,7 +33,7 @@ solid:
     - {low: [0, 0, 0], high: [0.003, 0.01, 0.009], velocity: [-0.3, 0, 0]}
     - {low: [0.021, 0, 0], high: [0.024, 0.01, 0.009], velocity: [0.3, 0, 0]}
 stages: [{name: pull, steps: 120, time_step: 2.0e-7, damping_relative: 1.0e15, breakage: true}]
-output: {series_every: 10, fields_every: 60, checkpoint_every: 60, stress: true}
+output: {series_every: 10, fields_every: 60, checkpoint_every: 60, stress: true, events: true}
 YAML
 said() { # said TEXT: the output holds it
   grep -qF -- "$1" out || fail "not said: $1"
@@ -49,6 +49,12 @@ code 0 ranks 2 run scene.yaml --out two
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   NR > 2 && $1 == 60 { half = $at["crack_area"] }
   END { exit !(half > 0 && $at["crack_area"] > half) }' two/series.csv || fail "nothing breaks in one of the halves"
+# what the events have released is the series' e_fracture, with the limits and stiffnesses of each pair
+released=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 { sum += $at["energy"] }
+  END { printf "%.17g", sum }' two/events.csv)
+awk -F, -v sum="$released" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } { last = $at["e_fracture"] }
+  END { d = sum - last; exit !(last > 0 && d * d < 1e-20 * last * last) }' two/series.csv ||
+  fail "the events' energies are $released J in all"
 grep -aq material two/fields/solid_00000060.hdf || fail "no materials in the fields"
 for n in 1 3 4; do
   code 0 ranks $n run scene.yaml --out ranks$n
@@ -63,4 +69,27 @@ code 0 ranks 2 run scene.yaml --out one --set "$one"
 sed '/materials: {1/s/.*/      material: clay/' scene.yaml >plain.yaml
 code 0 ranks 2 run plain.yaml --out plain
 cmp one/series.csv plain/series.csv || fail "labels of one material differ from one label"
+# a rock at rest in a flow: its materials change no bit, and the fields name them
+driving='driving: {type: pressure_gradient, direction: x, value: 1.0e-3}'
+sides=$(for at in x_low x_high y_low y_high z_low z_high; do printf '%s: {type: periodic}, ' $at; done)
+sed -e '/constraints:/,/0.021/d' -e 's/^output.*/output: {series_every: 1, fields_every: 5}/' \
+  -e 's/^domain.*/domain: {size: [0.024, 0.010, 0.018], cells: [24, 10, 18]}/' \
+  -e "s/^solid:/fluid:\n  density: 1000\n  viscosity: 1.0e-3\n  $driving\n  sides: {${sides%, }}\n&/" \
+  -e 's/^stages.*/coupling: {}\nstages: [{name: flow, steps: 5, time_step: 1.0e-3, solid: rigid}]/' \
+  scene.yaml >flow.yaml
+sed '/materials: {1/s/.*/      material: clay/' flow.yaml >flow_plain.yaml
+code 0 ranks 1 run flow.yaml --out flow
+code 0 ranks 1 run flow_plain.yaml --out flow_plain
+cmp flow/series.csv flow_plain/series.csv || fail "the materials of a solid at rest change the flow"
+grep -aq material flow/fields/solid_00000005.hdf || fail "no materials in the fields of a solid at rest"
+# fluid in a crack across the minerals
+crack='[[0.006, 0.003, 0.0045], [0.018, 0.003, 0.0045], [0.018, 0.007, 0.0045], [0.006, 0.007, 0.0045]]'
+pump='stages: [{name: pump, steps: 20, integrator: verlet, crack_fluid: true, breakage: true}]'
+given='{low: [0.009, 0.003, 0.002], high: [0.015, 0.007, 0.007], pressure: 3.0e7, time: [[0, 0], [1.0e-5, 1]]}'
+sed -e '/constraints:/,/0.021/d' -e 's/^output.*/output: {series_every: 10}/' \
+  -e "s/^stages.*/  cracks: [{points: $crack}]\ncrack_fluid:\n  viscosity: 1.0e-3\n  injections: [$given]\n$pump/" \
+  scene.yaml >wet.yaml
+code 0 ranks 1 run wet.yaml --out wet
+code 0 ranks 3 run wet.yaml --out wet_3
+same wet/series.csv wet_3/series.csv
 echo ok
