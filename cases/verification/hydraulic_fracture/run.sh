@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A straight crack that a fluid drives through a plate (KGD), in the toughness and in the viscosity regime, and before
-# it grows, aligned with the lattice and inclined.
+# it grows, aligned with the lattice and inclined; a penny-shaped one in a block, in the toughness regime.
 # usage: cases/verification/hydraulic_fracture/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
@@ -117,4 +117,25 @@ viscous "p_cav = -E s0, plate of 0.36 m" "-E s0 wide" -E-s0-wide
 viscous "p_cav = -E s0, 2/3 mm" "-E s0 2/3 mm" -E-s0-2-3-mm
 shown "viscosity regime: K'/(mu' E'^3 Q0)^(1/4)" 1 "$(number_of $name -E-s0 1 toughness)" "<= 1" "Detournay 2004"
 sparse $name -E-s0 1 viscosity
+
+# penny: runs the penny-shaped crack; a run that this frana has made is not made again
+penny() {
+  local dir=$runs/penny
+  [ ! "$again" ] || return 0
+  ! is_done "$dir" || [ "$dir/run.json" -ot "$frana" ] || return 0
+  rm -rf "$dir"
+  "$frana" run "$here/penny.yaml" --quiet --out "$dir" >"$runs/penny.log" 2>&1 || { cat "$runs/penny.log" >&2; exit 1; }
+}
+in_penny() { (cd "$runs/penny" && "$here/penny.sh" "$1"); }
+of_penny() { kept "penny $1" in_penny "$1"; }
+penny
+at_most "penny, toughness regime: volume residual over the injected volume" 1 "$(of_penny books)" 0 exact 1e-12
+near "penny, a = 4 horizons: opening over Sneddon's" 1 "$(of_penny rest_opening)" 1 "Sneddon 1946" 0.08
+near "penny, a = 4 horizons: volume over Sneddon's" 1 "$(of_penny rest_volume)" 1 "Sneddon 1946" 0.08
+shown "penny, toughness regime: growth" spacings "$(of_penny grown)" "" ""
+for quantity in length opening pressure; do
+  shown "penny, toughness regime: $quantity: mean deviation" 1 "$(of_penny $quantity)" 0 exact
+  shown "penny, toughness regime: $quantity: mean of the ratio" 1 "$(of_penny ${quantity}_ratio)" 1 exact
+done
+shown "penny, toughness regime: 4 p^2 a/(pi E'): energy" G0 "$(of_penny energy)" 1.328 "cases/verification/calibration"
 finish
