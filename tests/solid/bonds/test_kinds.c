@@ -33,9 +33,14 @@ struct mix {
     double body_force[3];
 };
 
-static const struct solid_material quartz = {YOUNG, DENSITY, G0, 3, SOLID_CONSTANT, 0},
-                                   clay = {0.3 * YOUNG, 0.8 * DENSITY, 0.2 * G0, 3, SOLID_CONSTANT, 0},
-                                   ore = {2.2 * YOUNG, 1.9 * DENSITY, 3 * G0, 3, SOLID_CONSTANT, 0};
+/* as macros for the table below, because a struct is no constant in C17 */
+#define QUARTZ                                                                                                         \
+    { YOUNG, DENSITY, G0, 3, SOLID_CONSTANT, 0 }
+#define CLAY                                                                                                           \
+    { 0.3 * YOUNG, 0.8 * DENSITY, 0.2 * G0, 3, SOLID_CONSTANT, 0 }
+#define ORE                                                                                                            \
+    { 2.2 * YOUNG, 1.9 * DENSITY, 3 * G0, 3, SOLID_CONSTANT, 0 }
+static const struct solid_material quartz = QUARTZ, clay = CLAY, ore = ORE;
 
 static int kind_at(const struct mix *m, const int site[3]) {
     const int block[3] = {site[0] / 5, site[1] / 5, site[2] / 5}, *of = m->pattern == RANDOM ? site : block;
@@ -130,9 +135,9 @@ static void bond_of(const struct mix *m, int a, int b, double *c0, double *s0) {
 }
 
 static const struct mix table[] = {
-    {.sites = {17, 11, 10}, .pattern = GRAINS, .material = {quartz, clay, ore}, .kinds = 3},
-    {.sites = {13, 8, 9}, .pattern = RANDOM, .periodic = {1, 1, 0}, .material = {clay, ore, quartz}, .kinds = 3},
-    {.sites = {24, 7, 8}, .pattern = HALVES, .at = 11, .material = {quartz, clay, ore}, .kinds = 2}};
+    {.sites = {17, 11, 10}, .pattern = GRAINS, .material = {QUARTZ, CLAY, ORE}, .kinds = 3},
+    {.sites = {13, 8, 9}, .pattern = RANDOM, .periodic = {1, 1, 0}, .material = {CLAY, ORE, QUARTZ}, .kinds = 3},
+    {.sites = {24, 7, 8}, .pattern = HALVES, .at = 11, .material = {QUARTZ, CLAY, ORE}, .kinds = 2}};
 enum { TABLE = sizeof table / sizeof *table };
 
 /* Accelerations, damping's power and strain energy by scalar sums over each family. */
