@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Products of a few numbers up to this one, and their inverses, are doubles. */
-static const double LARGEST = 1e50;
+/* Numbers between these, and 0, have all digits of a double, and so have their inverses. */
+static const double LARGEST = 1e300, SMALLEST = 1e-300;
 
 /* Whether all digits of a number, but for those of its power, are 0. */
 static int is_zero(const char *s) {
@@ -65,7 +65,7 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
                                                          : 9e15; /* integers that a double
                                                                   * holds exactly */
     const int admitted = !rule || scene_rule_admits(rule, value);
-    const int is_tiny = form && !whole && fabs(value) < 1 / LARGEST && !is_zero(node->value);
+    const int is_tiny = form && !whole && fabs(value) < SMALLEST && !is_zero(node->value);
     char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_rule_in_units(rule);
     if (!form)
         SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
@@ -77,7 +77,7 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
     else if (fabs(value) > largest)
         SCENE_WALK_SAY(value, w, node, path, "is too large: at most %g", largest);
     else if (is_tiny)
-        SCENE_WALK_SAY(value, w, node, path, "is too small: must be 0 or at least %g in magnitude", 1 / LARGEST);
+        SCENE_WALK_SAY(value, w, node, path, "is too small: must be 0 or at least %g in magnitude", SMALLEST);
     free(word);
     free(range);
     free(unit);
