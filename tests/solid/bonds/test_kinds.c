@@ -98,6 +98,7 @@ static struct solid *mixed(const struct mix *m) {
         in.length[c] = body.high[c];
         in.body_force[c] = m->body_force[c];
     }
+    par_barrier(); /* the bits are the node's: all ranks have set them */
     struct solid *s = solid_new(&in);
     solid_voxels_free(v);
     return s;
