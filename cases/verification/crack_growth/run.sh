@@ -5,16 +5,6 @@
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 
-# run_of NAME SCENE SETTING...: runs a scene into $runs/NAME
-run_of() {
-  local name=$1 scene=$2 set=() s
-  [ ! "$again" ] || return 0
-  shift 2
-  for s in "$@"; do set+=(--set "$s"); done
-  rm -rf "${runs:?}/$name"
-  "$frana" run "$here/$scene" "${set[@]}" --out "$runs/$name" >"$runs/$name.log" 2>&1 ||
-    { cat "$runs/$name.log" >&2; exit 1; }
-}
 # grown NAME STEP TIP COLUMN: a number of growth.csv; STEP -1: the last one
 grown() {
   kept "$1: $2 $3 $4" awk -F, -v step="$2" -v tip="$3" -v c="$4" \

@@ -4,15 +4,6 @@
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
 
-# run_of NAME SCENE SETTING...: runs a scene into $runs/NAME
-run_of() {
-  local name=$1 scene=$2 set=() s
-  shift 2
-  for s in "$@"; do set+=(--set "$s"); done
-  rm -rf "${runs:?}/$name"
-  "$frana" run "$here/$scene" "${set[@]}" --out "$runs/$name" >"$runs/$name.log" 2>&1 ||
-    { cat "$runs/$name.log" >&2; exit 1; }
-}
 # fact NAME QUANTITY: a number of solution.csv
 fact() { kept "$1: $2" awk -F, -v q="$2" '$1 == q { printf "%.12g\n", $3 }' "$runs/$1/solution.csv"; }
 # intensity NAME ROW COLUMN: a number of intensity.csv, over s sqrt(pi a) with $half the crack's a
