@@ -10,6 +10,7 @@
 #include "tests/coupling/scene_of.h"
 #include "solid/bonds/family.h"
 #include "tests/check.h"
+#include "tests/one_rank.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -198,23 +199,15 @@ static void resumed_is_the_same(void **state) {
 /* One rank writes its results to a file, more ranks compare with it. */
 static void ranks_agree(void **state) {
     (void)state;
-    const char *const path = FRANA_BINARY_DIR "/coupling_test_reaction_pieces.data";
     struct scene *scene;
     struct run *r = begin(&scene, "3000", "verlet");
     tear(r);
     steps(r, 12);
     check_above(broken(r), 100);
     collect(r, all);
-    FILE *file = fopen(path, par_size() == 1 ? "wb" : "rb");
-    if (!file) fail_msg("%s: run this test on one rank first", path);
-    if (par_size() == 1) {
-        assert_int_equal(fwrite(all, sizeof all, 1, file), 1);
-    } else {
-        assert_int_equal(fread(again, sizeof again, 1, file), 1);
-        print_message("%d ranks against 1: %.3g\n", par_size(), difference());
-        check_below(difference(), 1e-10);
-    }
-    assert_int_equal(fclose(file), 0);
+    one_rank_expects("coupling_test_reaction_pieces", all, sizeof all, again);
+    print_message("%d ranks against 1: %.3g\n", par_size(), difference());
+    check_below(difference(), 1e-10);
     end(r, scene);
 }
 

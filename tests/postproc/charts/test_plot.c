@@ -3,6 +3,7 @@
 #include "files/folder.h"
 #include "postproc/charts/plot.h"
 #include "tests/check.h"
+#include "tests/postproc/charts/script.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,19 +12,6 @@
 
 static const char folder[] = FRANA_BINARY_DIR "/tests/postproc/plots";
 enum { N = 500 };
-
-/* Whether the script NAME.gp has the words. */
-static int says(const char *name, const char *words) {
-    char path[FOLDER_PATH], file[64], *line = NULL;
-    size_t bytes = 0;
-    snprintf(file, sizeof file, "%s.gp", name);
-    FILE *f = fopen(folder_path(path, folder, file), "r");
-    int found = 0;
-    while (f && getline(&line, &bytes, f) > 0) found |= strstr(line, words) != NULL;
-    if (f) fclose(f);
-    free(line);
-    return found;
-}
 
 /* The range that a script sets for an axis; NaN without one. */
 static void range_of(const char *name, char axis, double range[2]) {
@@ -72,26 +60,26 @@ static void powers_of_ten(void **state) {
     double x[N], y[N];
     const struct postproc_curve one = wave(x, y, 0, 0, 0), two[2] = {one, one};
     draw("powers", 1, &one);
-    assert_true(says("powers", "10^{3}' at graph 0, graph 1"));
-    assert_true(says("powers", "10^{-3}' at graph 1, graph 0"));
-    assert_true(says("powers", "using ($1*1e3):($2*1e-3)"));
-    assert_false(says("powers", "set yrange"));
-    assert_false(says("powers", "title 'a wave'")); /* one curve needs no legend */
+    assert_true(script_says(folder, "powers", "10^{3}' at graph 0, graph 1"));
+    assert_true(script_says(folder, "powers", "10^{-3}' at graph 1, graph 0"));
+    assert_true(script_says(folder, "powers", "using ($1*1e3):($2*1e-3)"));
+    assert_false(script_says(folder, "powers", "set yrange"));
+    assert_false(script_says(folder, "powers", "title 'a wave'")); /* one curve needs no legend */
     draw("legend", 2, two);
-    assert_true(says("legend", "set key outside right"));
-    assert_true(says("legend", "title 'a wave'"));
+    assert_true(script_says(folder, "legend", "set key outside right"));
+    assert_true(script_says(folder, "legend", "title 'a wave'"));
     struct postproc_curve longer[2] = {one, one};
     longer[1].title = "a wave with a title that would take the plot's room";
     draw("long", 2, longer);
-    assert_true(says("long", "set key outside center bottom"));
-    assert_false(says("long", "outside right"));
+    assert_true(script_says(folder, "long", "set key outside center bottom"));
+    assert_false(script_says(folder, "long", "outside right"));
     for (int i = 0; i < N; i++) {
         x[i] *= 1e5;
         y[i] *= 1e-5;
     }
     draw("plain", 1, &one);
-    assert_true(says("plain", "using 1:2"));
-    assert_false(says("plain", "10^{"));
+    assert_true(script_says(folder, "plain", "using 1:2"));
+    assert_false(script_says(folder, "plain", "10^{"));
 }
 
 /* A spike at the start does not set the range, and is told of; one in the middle is part of the result. */
@@ -103,7 +91,7 @@ static void spikes(void **state) {
     range_of("spike", 'y', range);
     check_between(range[0], 285, 290);
     check_between(range[1], 310, 315);
-    assert_true(says("spike", "beyond the axis: 4.03e+07"));
+    assert_true(script_says(folder, "spike", "beyond the axis: 4.03e+07"));
     c = wave(x, y, 0, 4, -4e7);
     draw("spike_down", 1, &c);
     range_of("spike_down", 'y', range);
@@ -112,7 +100,7 @@ static void spikes(void **state) {
     draw("event", 1, &c);
     range_of("event", 'y', range);
     assert_true(isnan(range[0]));
-    assert_true(says("event", "10^{6}'"));
+    assert_true(script_says(folder, "event", "10^{6}'"));
 }
 
 int main(int argc, char **argv) {

@@ -3,6 +3,7 @@
 #include "files/folder.h"
 #include "postproc/charts/slice.h"
 #include "tests/check.h"
+#include "tests/postproc/charts/script.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,19 +40,6 @@ static float *draw(const char *name, double unit, long *pixels) {
     return read;
 }
 
-/* Whether the script NAME.gp has the words. */
-static int says(const char *name, const char *words) {
-    char path[FOLDER_PATH], file[64], *line = NULL;
-    size_t bytes = 0;
-    snprintf(file, sizeof file, "%s.gp", name);
-    FILE *f = fopen(folder_path(path, folder, file), "r");
-    int found = 0;
-    while (f && getline(&line, &bytes, f) > 0) found |= strstr(line, words) != NULL;
-    if (f) fclose(f);
-    free(line);
-    return found;
-}
-
 static void values_over_a_power_of_ten(void **state) {
     (void)state;
     static const struct {
@@ -73,8 +61,9 @@ static void values_over_a_power_of_ten(void **state) {
                                 1e-6 * cell * plane[p].unit / plane[p].of_bar); /* a float */
             }
         free(of);
-        assert_true(says(plane[p].name, plane[p].range));
-        assert_int_equal(says(plane[p].name, plane[p].factor ? plane[p].factor : "10^"), plane[p].factor != NULL);
+        assert_true(script_says(folder, plane[p].name, plane[p].range));
+        assert_int_equal(script_says(folder, plane[p].name, plane[p].factor ? plane[p].factor : "10^"),
+                         plane[p].factor != NULL);
     }
     postproc_gnuplot_end();
 }

@@ -11,6 +11,7 @@
 #include "solid/force/force.h"
 #include "solid/solid.h"
 #include "tests/check.h"
+#include "tests/one_rank.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -154,18 +155,12 @@ static void test_mirror(void **state) {
                         check_equal(all[i].lost, all[i + k].lost);
                     }
                 if (!far) {
-                    char path[512];
-                    snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_plane_%d%d.data", large, damped);
-                    const size_t n = (size_t)s->n_global;
-                    struct found *one = calloc(n, sizeof *one);
-                    FILE *file = fopen(path, par_size() == 1 ? "wb" : "rb");
-                    if (!file) fail_msg("%s: run this test on one rank first", path);
-                    if (par_size() == 1)
-                        assert_int_equal(fwrite(all, sizeof *all, n, file), n);
-                    else
-                        assert_int_equal(fread(one, sizeof *one, n, file), n);
-                    fclose(file);
-                    if (par_size() > 1) assert_memory_equal(all, one, n * sizeof *all);
+                    char name[64];
+                    snprintf(name, sizeof name, "solid_test_plane_%d%d", large, damped);
+                    const size_t bytes = (size_t)s->n_global * sizeof *all;
+                    struct found *one = malloc(bytes);
+                    one_rank_expects(name, all, bytes, one);
+                    assert_memory_equal(all, one, bytes);
                     free(one);
                     first[large][damped] = all;
                 } else {

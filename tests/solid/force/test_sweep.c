@@ -9,6 +9,7 @@
 #include "solid/force/force.h"
 #include "solid/solid.h"
 #include "tests/check.h"
+#include "tests/one_rank.h"
 
 #include <stdio.h>
 
@@ -117,16 +118,9 @@ static void assert_balanced(const double *all, double scale) {
 }
 
 static void reference(const char *name, int kind, const double *all, double *expected) {
-    char path[512];
-    snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_sweep_%s_%d.data", name, kind);
-    FILE *file = fopen(path, par_size() == 1 ? "w+b" : "rb");
-    if (!file) fail_msg("%s: run this test on one rank first", path);
-    if (par_size() == 1) {
-        assert_int_equal(fwrite(all, sizeof *all, NUMBERS, file), NUMBERS);
-        rewind(file);
-    }
-    assert_int_equal(fread(expected, sizeof *expected, NUMBERS, file), NUMBERS);
-    fclose(file);
+    char of[64];
+    snprintf(of, sizeof of, "solid_test_sweep_%s_%d", name, kind);
+    one_rank_expects(of, all, NUMBERS * sizeof *all, expected);
 }
 
 /* Bonds that break, within the series; bonds that break, far beyond it; bonds that do not break, far beyond it. */

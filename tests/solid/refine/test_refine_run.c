@@ -11,6 +11,7 @@
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
 #include "tests/check.h"
+#include "tests/one_rank.h"
 
 #include <stdio.h>
 
@@ -129,25 +130,18 @@ static void compare(const struct solid *s, const struct particle *all, long n, c
 static void test_ranks(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
-        char path[512];
+        char name[64];
         struct solid_refinement refinement = levels(2);
         refinement.interface_corrected = kind == 2;
         struct solid *s = torn(&refinement, kind != 1, kind == 2 ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON);
         shake(s, 1e-6, 0);
         tear(s, 0, 12);
         struct particle *all = gather(s);
-        snprintf(path, sizeof path, FRANA_BINARY_DIR "/solid_test_refine_run_%d.data", kind);
-        FILE *file = fopen(path, par_size() == 1 ? "wb" : "rb");
-        if (!file) fail_msg("%s: run this test on one rank first", path);
-        if (par_size() == 1) {
-            assert_int_equal(fwrite(all, sizeof *all, (size_t)s->n_global, file), s->n_global);
-        } else {
-            struct particle *expected = malloc((size_t)s->n_global * sizeof *all);
-            assert_int_equal(fread(expected, sizeof *all, (size_t)s->n_global, file), s->n_global);
-            compare(s, all, s->n_global, expected, 0, 0);
-            free(expected);
-        }
-        fclose(file);
+        snprintf(name, sizeof name, "solid_test_refine_run_%d", kind);
+        struct particle *expected = malloc((size_t)s->n_global * sizeof *all);
+        one_rank_expects(name, all, (size_t)s->n_global * sizeof *all, expected);
+        compare(s, all, s->n_global, expected, 0, 0);
+        free(expected);
         free(all);
         solid_free(s);
     }
