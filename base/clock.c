@@ -2,6 +2,7 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/threads.h"
 
 enum { DEPTH = 16 };
 
@@ -11,6 +12,7 @@ static int depth;
 static double since;
 
 void clock_begin(enum clock_part part) {
+    if (threads_me() > 0) return; /* the first thread's time counts */
     const double now = par_seconds();
     ENSURE(depth < DEPTH, "clocks nest %d deep", depth);
     if (depth > 0) seconds[stack[depth - 1]] += now - since;
@@ -19,6 +21,7 @@ void clock_begin(enum clock_part part) {
 }
 
 void clock_end(enum clock_part part) {
+    if (threads_me() > 0) return;
     const double now = par_seconds();
     ENSURE(depth > 0 && stack[depth - 1] == part, "the %s clock ends out of order", clock_name(part));
     seconds[part] += now - since;

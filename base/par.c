@@ -17,7 +17,8 @@ static int on(void) {
 void par_begin(int *argc, char ***argv) {
     int begun = 0;
     MPI_Initialized(&begun);
-    if (!begun) MPI_Init(argc, argv);
+    int given;
+    if (!begun) MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
 }
 
 void par_end(void) {

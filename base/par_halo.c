@@ -12,7 +12,7 @@
 
 struct par_halo {
     struct par_halo_input in;
-    int coordinate[3];
+    int coordinate[3], rank;
     int neighbour[3][2]; /* [direction][low, high] the neighbour's rank: this rank where it is its own neighbour, -1
                           * beyond a side */
     double *buffer;      /* [4][capacity]: sent low and high, received low and high */
@@ -36,6 +36,7 @@ struct par_halo *par_halo_new(const struct par_halo_input *in) {
     struct par_halo *h = calloc(1, sizeof *h);
     const int rank = par_rank(), size = par_size();
     h->in = *in;
+    h->rank = rank;
     ENSURE(in->ranks[0] == 1 && in->ranks[1] * in->ranks[2] == size, "process grid %d x %d x %d on %d ranks",
            in->ranks[0], in->ranks[1], in->ranks[2], size);
     const int c[3] = {0, rank % in->ranks[1], rank / in->ranks[1]};
@@ -159,7 +160,7 @@ static void wrap(const struct par_halo *h, int direction, int fields, double *co
 static void fill(struct par_halo *h, int direction, int fields, double *const *field,
                  const struct par_halo_part *part) {
     int sends[2], receives[2];
-    if (h->neighbour[direction][0] == par_rank()) {
+    if (h->neighbour[direction][0] == h->rank) {
         wrap(h, direction, fields, field, part);
         return;
     }
@@ -167,6 +168,7 @@ static void fill(struct par_halo *h, int direction, int fields, double *const *f
         sends[side] = part->asked[direction][side] && h->neighbour[direction][side] >= 0;
         receives[side] = part->wanted[direction][side] && h->neighbour[direction][side] >= 0;
     }
+    if (h->neighbour[direction][0] < 0 && h->neighbour[direction][1] < 0) return;
     const struct box any = layers_at(h, direction, 0, part, 1);
     const size_t count = box_cells(&any) * (size_t)fields;
     reserve(h, count);
@@ -197,7 +199,7 @@ static void add(struct par_halo *h, int direction, int fields, double *const *fi
         if (there[side]) pack(h, &from, fields, field, sent[side]);
         clear(h, &from, fields, field);
     }
-    if (h->neighbour[direction][0] == par_rank()) {
+    if (h->neighbour[direction][0] == h->rank) {
         received[0] = sent[1];
         received[1] = sent[0];
     } else {

@@ -1,5 +1,6 @@
 # All libraries that frana uses, as one interface target.
 find_package(MPI REQUIRED COMPONENTS C)
+find_package(OpenMP COMPONENTS C)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)

@@ -2,6 +2,7 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "base/par_halo.h"
+#include "base/threads.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/grid/outflow.h"
 #include "fluid/internal.h"
@@ -47,28 +48,39 @@ static void add_to_pressure(struct fluid *f, int k, double factor, const double 
     }
 }
 
+/* What the threads fill the right-hand side with, plane by plane. */
+struct right_side {
+    struct fluid *f;
+    double c, length2;
+    double bulk[THREADS_MOST]; /* of each thread's planes */
+};
+
+static void fill(void *data, int k, double *divergence) {
+    struct right_side *r = data;
+    struct fluid *f = r->f;
+    const double *const predicted[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
+    low_faces(f, 0, k, k + 1);
+    if (f->grid->ranks[1] == 1) low_faces(f, 1, k, k + 1);
+    if (f->in.driving.type == FLUID_DRIVING_BULK) r->bulk[threads_me()] += bulk_of(f, k);
+    fluid_momentum_kernels_divergence(f->grid, k, 1 / r->c, predicted, divergence);
+    if (r->length2 > 0) add_to_pressure(f, k, -r->length2, divergence);
+}
+
 /* Computes the right-hand side and transforms each of its planes while it is in the cache. Returns this rank's sum of
  * u* along the driving if its mean is to be kept. With implicit diffusion p gets -length2 lap phi, length2 = b dt nu:
  * then p + phi is the pressure that the equation of u* would have needed, and the pressure converges in large steps as
  * well (the rotational form of Timmermans, Minev and van de Vosse 1996). */
 static double forward(struct fluid *f, double c, double length2) {
     const struct fluid_grid *g = f->grid;
-    const double *const predicted[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
     const struct par_halo_part whole = par_halo_whole(g->halos, 1);
+    struct right_side r = {f, c, length2, {0}};
     double bulk = 0;
     clock_begin(CLOCK_FORWARD);
     if (f->in.immersed) fluid_boundary_faces(f->boundary, g, f->predicted, &whole); /* after a forcing */
     low_faces(f, 2, 0, g->m[2]);
     if (g->ranks[1] > 1) low_faces(f, 1, 0, g->m[2]);
-    for (int k = 0; k < g->m[2]; k++) {
-        low_faces(f, 0, k, k + 1);
-        if (g->ranks[1] == 1) low_faces(f, 1, k, k + 1);
-        if (f->in.driving.type == FLUID_DRIVING_BULK) bulk += bulk_of(f, k);
-        double *divergence = fluid_poisson_plane(f->poisson, k);
-        fluid_momentum_kernels_divergence(g, k, 1 / c, predicted, divergence);
-        if (length2 > 0) add_to_pressure(f, k, -length2, divergence);
-        fluid_poisson_plane_forward(f->poisson, k);
-    }
+    fluid_poisson_forward(f->poisson, fill, &r);
+    for (int t = 0; t < threads_count(); t++) bulk += r.bulk[t];
     clock_end(CLOCK_FORWARD);
     return bulk;
 }

@@ -2,6 +2,7 @@
 #include "fluid/momentum/correction.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
+#include "base/threads.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/poisson/poisson.h"
 
@@ -10,23 +11,35 @@ static int cut(const struct fluid_grid *g) { return g->ranks[1] > 1; }
 static ptrdiff_t turn_size(const struct fluid_grid *g) { return g->row * (g->m[1] + 1); }
 
 double *fluid_correction_new(const struct fluid_grid *g) {
-    return memory_new(MEMORY_FLUID, cut(g) ? g->size : 2 * (size_t)turn_size(g), sizeof(double));
+    return memory_new(MEMORY_FLUID, cut(g) ? g->size : (size_t)(threads_count() + 1) * (size_t)turn_size(g),
+                      sizeof(double));
 }
 
 /* Cell (0,0) of plane k; rows are g->row apart. */
 static double *plane_of(const struct fluid *f, int k) {
     return cut(f->grid) ? f->correction + fluid_grid_at(f->grid, 0, 0, k)
-                        : f->correction + (k % 2) * turn_size(f->grid);
+                        : f->correction + (k % (threads_count() + 1)) * turn_size(f->grid);
 }
 
+/* What the threads correct, plane by plane. */
+struct work {
+    struct fluid *f;
+    double c;
+    const struct fluid_momentum_pressure *pressure;
+    double *const *q;
+};
+
+static double *place(void *data, int k) { return plane_of(((const struct work *)data)->f, k); }
+
 /* Computes all planes and gets their rows from the next rank in y. */
-static void collect(struct fluid *f) {
+static void collect(struct work *w) {
+    struct fluid *f = w->f;
     const struct fluid_grid *g = f->grid;
     const struct par_halo_part high = {.layers = 1,
                                        .high = {g->m[0], g->m[1], g->m[2] + 1},
                                        .wanted = {{0, 0}, {0, 1}, {0, 0}},
                                        .asked = {{0, 0}, {1, 0}, {0, 0}}};
-    for (int k = g->m[2]; k >= 0; k--) fluid_poisson_plane_backward(f->poisson, k, plane_of(f, k));
+    fluid_poisson_backward(f->poisson, &(struct fluid_poisson_target){.place = place, .data = w});
     par_halo_fill_part(g->halos, 1, 1, &f->correction, &high);
 }
 
@@ -95,22 +108,37 @@ static void ghosts_between_planes(const struct fluid *f, double *const q[3]) {
     for (int d = cut(f->grid) ? 1 : 2; d < 3; d++) fluid_boundary_ghosts(f->boundary, f->grid, q, d, &whole);
 }
 
+/* Corrects plane k by the planes k and k+1 of phi. */
+static void correct(void *data, int k) {
+    const struct work *w = data;
+    const struct fluid *f = w->f;
+    double *phi = plane_of(f, k);
+    if (k == f->grid->m[2]) {
+        add_above(f->grid, phi, w->pressure);
+        return;
+    }
+    extend(f, phi);
+    fluid_momentum_kernels_correct(f->grid, k, w->c, f->shift, phi, plane_of(f, k + 1), f->predicted, w->q,
+                                   w->pressure);
+    add_beside(f->grid, k, phi, w->pressure);
+    correct_low(f, w->c, k, phi, w->pressure, w->q);
+    ghosts_of_plane(f, k, w->q);
+}
+
+static void correct_planes(int thread, void *data) {
+    int from, to;
+    threads_share(((const struct work *)data)->f->grid->m[2] + 1, 1, thread, &from, &to);
+    for (int k = to - 1; k >= from; k--) correct(data, k);
+}
+
 void fluid_correction_apply(struct fluid *f, double c, const struct fluid_momentum_pressure *pressure,
                             double *const q[3]) {
-    const struct fluid_grid *g = f->grid;
-    if (cut(g)) collect(f);
-    for (int k = g->m[2]; k >= 0; k--) {
-        double *phi = plane_of(f, k);
-        if (!cut(g)) fluid_poisson_plane_backward(f->poisson, k, phi);
-        if (k == g->m[2]) {
-            add_above(g, phi, pressure);
-            continue;
-        }
-        extend(f, phi);
-        fluid_momentum_kernels_correct(g, k, c, f->shift, phi, plane_of(f, k + 1), f->predicted, q, pressure);
-        add_beside(g, k, phi, pressure);
-        correct_low(f, c, k, phi, pressure, q);
-        ghosts_of_plane(f, k, q);
+    struct work w = {f, c, pressure, q};
+    if (cut(f->grid)) {
+        collect(&w);
+        threads_run(correct_planes, &w);
+    } else {
+        fluid_poisson_backward(f->poisson, &(struct fluid_poisson_target){place, correct, &w});
     }
     ghosts_between_planes(f, q);
 }

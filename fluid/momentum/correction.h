@@ -1,6 +1,7 @@
 /* Takes the pressure correction's planes from the Poisson solver, top plane first, and corrects the velocities. The
- * correction is needed at planes k and k+1 only, so slabs keep two planes that swap roles. If y is cut over ranks a
- * whole array is kept, because one row of every plane comes from the next rank. */
+ * correction is needed at planes k and k+1 only, so slabs keep two planes that swap roles (with threads, one more than
+ * there are threads). If y is cut over ranks a whole array is kept, because one row of every plane comes from the next
+ * rank. */
 #pragma once
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"

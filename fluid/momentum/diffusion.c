@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par_halo.h"
 #include "base/side.h"
+#include "base/threads.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 #include "fluid/poisson/poisson.h"
@@ -19,9 +20,11 @@ static const double implicit[3] = {8.0 / 15, 2.0 / 15, 1.0 / 3};
 
 struct fluid_diffusion {
     struct fluid_poisson *solver[3]; /* of u, v, w; components with the same ends share one */
-    double *change;                  /* [m_y][row] u* - u of a plane */
+    double *change;                  /* [threads][m_y][row] u* - u of a plane */
     double *field[3];                /* for an implicit forcing: a field on the faces; zero on the sides */
 };
+
+static size_t change_size(const struct fluid_grid *g) { return (size_t)(g->row * g->m[1]); }
 
 /* Ends of component c: on its own faces along its own direction, at centres along the others. */
 static void ends_of(const struct fluid *f, int c, enum fluid_end end[3][2]) {
@@ -72,7 +75,7 @@ struct fluid_diffusion *fluid_diffusion_new(const struct fluid *f) {
             if (!memcmp(end[c], end[o], sizeof end[c])) diffusion->solver[c] = diffusion->solver[o];
         if (!diffusion->solver[c]) diffusion->solver[c] = new_solver(f, c);
     }
-    diffusion->change = memory_new(MEMORY_FLUID, (size_t)f->grid->row * (size_t)f->grid->m[1], sizeof(double));
+    diffusion->change = memory_new(MEMORY_FLUID, (size_t)threads_count() * change_size(f->grid), sizeof(double));
     for (int c = 0; c < 3 && f->in.immersed; c++)
         diffusion->field[c] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
     return diffusion;
@@ -153,33 +156,52 @@ static void put_plane(const struct fluid_grid *g, int k, const int faces[3], con
     }
 }
 
+/* One component as the threads take it, plane by plane. */
+struct component {
+    struct fluid *f;
+    int c, faces[3];
+    double shift, weight[3];
+    const double *from; /* NULL: 0 */
+    double *to;
+};
+
+static double *change_of(void *data, int k) {
+    const struct component *of = data;
+    (void)k;
+    return of->f->diffusion->change + (size_t)threads_me() * change_size(of->f->grid);
+}
+
+static void put(void *data, int k) {
+    const struct component *of = data;
+    if (k < of->f->grid->m[2]) put_plane(of->f->grid, k, of->faces, change_of(data, k), of->from, of->to);
+}
+
 /* Solves, once all planes have been transformed: to = from + solution. */
-static void finish(struct fluid *f, int c, const int faces[3], const double *from, double *to) {
-    struct fluid_poisson *solver = f->diffusion->solver[c];
-    const struct fluid_grid *g = f->grid;
+static void finish(struct component *of) {
+    struct fluid_poisson *solver = of->f->diffusion->solver[of->c];
     fluid_poisson_solve(solver, 0);
-    for (int k = g->m[2]; k >= 0; k--) {
-        fluid_poisson_plane_backward(solver, k, f->diffusion->change);
-        if (k < g->m[2]) put_plane(g, k, faces, f->diffusion->change, from, to);
-    }
+    fluid_poisson_backward(solver, &(struct fluid_poisson_target){change_of, put, of});
+}
+
+static void fill(void *data, int k, double *rhs) {
+    const struct component *of = data;
+    const struct fluid *f = of->f;
+    fluid_diffusion_plane(f->grid, k, of->shift, of->weight, of->faces, f->predicted[of->c], of->from, rhs);
+    take_sides(f, of->c, k, rhs);
 }
 
 static void diffuse(struct fluid *f, int c, int r, double dt) {
     const struct fluid_grid *g = f->grid;
-    struct fluid_poisson *solver = f->diffusion->solver[c];
-    const double shift = 1 / fluid_diffusion_length2(f, r, dt), *q = fluid_component(&f->state, c);
-    double weight[3];
-    int faces[3];
-    faces_of(g, c, faces);
-    for (int d = 0; d < 3; d++) weight[d] = physics_rk3_gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
-    fluid_poisson_shift(solver, r, shift);
-    for (int k = 0; k < g->m[2]; k++) {
-        double *rhs = fluid_poisson_plane(solver, k);
-        fluid_diffusion_plane(g, k, shift, weight, faces, f->predicted[c], q, rhs);
-        take_sides(f, c, k, rhs);
-        fluid_poisson_plane_forward(solver, k);
-    }
-    finish(f, c, faces, q, f->predicted[c]);
+    struct component of = {.f = f,
+                           .c = c,
+                           .shift = 1 / fluid_diffusion_length2(f, r, dt),
+                           .from = fluid_component(&f->state, c),
+                           .to = f->predicted[c]};
+    faces_of(g, c, of.faces);
+    for (int d = 0; d < 3; d++) of.weight[d] = physics_rk3_gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
+    fluid_poisson_shift(f->diffusion->solver[c], r, of.shift);
+    fluid_poisson_forward(f->diffusion->solver[c], fill, &of);
+    finish(&of);
 }
 
 void fluid_diffusion_stage(struct fluid *f, int r, double dt) {
@@ -207,19 +229,20 @@ static void field_plane(const struct fluid_grid *g, int k, double shift, const i
     }
 }
 
+static void fill_field(void *data, int k, double *rhs) {
+    const struct component *of = data;
+    field_plane(of->f->grid, k, of->shift, of->faces, of->to, rhs);
+}
+
 void fluid_diffusion_solve(struct fluid *f, int r, double dt) {
-    const struct fluid_grid *g = f->grid;
-    const double shift = 1 / fluid_diffusion_length2(f, r, dt);
     for (int c = 0; c < 3; c++) {
         struct fluid_poisson *solver = f->diffusion->solver[c];
-        int faces[3];
-        faces_of(g, c, faces);
-        fluid_poisson_shift(solver, r, shift);
-        for (int k = 0; k < g->m[2]; k++) {
-            field_plane(g, k, shift, faces, f->diffusion->field[c], fluid_poisson_plane(solver, k));
-            fluid_poisson_plane_forward(solver, k);
-        }
-        finish(f, c, faces, NULL, f->diffusion->field[c]);
+        struct component of = {
+            .f = f, .c = c, .shift = 1 / fluid_diffusion_length2(f, r, dt), .to = f->diffusion->field[c]};
+        faces_of(f->grid, c, of.faces);
+        fluid_poisson_shift(solver, r, of.shift);
+        fluid_poisson_forward(solver, fill_field, &of);
+        finish(&of);
     }
 }
 

@@ -1,6 +1,9 @@
 /* Explicit stage of the momentum equation in one pass over the grid.  (001: eqs 3.70, 3.74) */
 #include "fluid/momentum/momentum.h"
+#include "base/threads.h"
 #include "fluid/momentum/flux.h"
+
+#include <string.h>
 
 enum {
     BLOCK = 6144,    /* cells of a block whose fluxes along z are stored for the next plane, in the second-level
@@ -15,6 +18,7 @@ struct pass {
     const struct fluid_momentum_stage *stage;
     const double *q[3], *p;
     double *predicted[3], *rate[3];
+    ptrdiff_t shift; /* of the place of a cell in predicted, in cells */
     struct flux_factors factors;
     double pressure[3], constant[3]; /* c/(rho d), c source */
     ptrdiff_t cells;                 /* of a row, in eights */
@@ -30,8 +34,16 @@ static int block_rows(const struct fluid_grid *g) {
     return rows < g->m[1] ? rows : g->m[1];
 }
 
+static int parts(const struct fluid_grid *g) { return threads_count() < g->m[2] ? threads_count() : g->m[2]; }
+
+/* Fluxes along z and two rows for nowhere; with several threads also the top plane, in whole cache lines. */
+static size_t thread_work(const struct fluid_grid *g) {
+    const size_t rows = (size_t)row_cells(g) * (size_t)(WAITING * block_rows(g) + 2);
+    return rows + (parts(g) > 1 ? 3 * (size_t)g->plane : 0);
+}
+
 size_t fluid_momentum_work(const struct fluid_grid *g) {
-    return (size_t)row_cells(g) * (size_t)(WAITING * (block_rows(g) + g->m[2]) + 2);
+    return (size_t)row_cells(g) * (size_t)(WAITING * g->m[2]) + (size_t)parts(g) * thread_work(g);
 }
 
 /* Computes the fluxes along y through the faces before a row that starts at n; wait_z: those along z. */
@@ -130,14 +142,14 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
     }
 }
 
-/* Rows first .. last-1 of all planes. */
-static inline __attribute__((always_inline)) void predict_block(const struct pass *s, const struct kind kind, int first,
-                                                                int last) {
+/* Rows first .. last-1 of the planes low .. high-1. */
+static inline __attribute__((always_inline)) void predict_block(const struct pass *s, const struct kind kind,
+                                                                const int low, const int high, int first, int last) {
     const struct fluid_grid *g = s->stage->grid;
     const int *faces = s->stage->faces, end = g->m[0] - 1;
     const ptrdiff_t waiting = WAITING * s->cells;
-    for (int j = first; j < last; j++) wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, 0), s->z + (j - first) * waiting);
-    for (int k = 0; k < g->m[2]; k++) {
+    for (int j = first; j < last; j++) wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, low), s->z + (j - first) * waiting);
+    for (int k = low; k < high; k++) {
         double *y = s->y + k * waiting;
         if (first == 0) wait_y(s, (ptrdiff_t)fluid_grid_at(g, 0, 0, k), y);
         for (int j = first; j < last; j++) {
@@ -145,7 +157,7 @@ static inline __attribute__((always_inline)) void predict_block(const struct pas
             double *predicted[3], *rate[3];
             for (int c = 0; c < 3; c++) {
                 const int advanced = c == 0 || (c == 1 ? j : k) < faces[c];
-                predicted[c] = advanced ? s->predicted[c] + n : s->nowhere[0];
+                predicted[c] = advanced ? s->predicted[c] + (n - s->shift) : s->nowhere[0];
                 rate[c] = advanced ? s->rate[c] + n : s->nowhere[1];
             }
             const double side = rate[0][end];
@@ -155,14 +167,68 @@ static inline __attribute__((always_inline)) void predict_block(const struct pas
     }
 }
 
-static inline __attribute__((always_inline)) void predict_stage(const struct pass *s, int stream, int in_place,
-                                                                int first, int last) {
+static inline __attribute__((always_inline)) void predict_stage(const struct pass *s, int stream, int in_place, int low,
+                                                                int high, int first, int last) {
     if (s->stage->b == 0)
-        predict_block(s, (struct kind){0, 1, stream, in_place}, first, last);
+        predict_block(s, (struct kind){0, 1, stream, in_place}, low, high, first, last);
     else if (s->stage->keep)
-        predict_block(s, (struct kind){1, 1, stream, in_place}, first, last);
+        predict_block(s, (struct kind){1, 1, stream, in_place}, low, high, first, last);
     else
-        predict_block(s, (struct kind){1, 0, stream, in_place}, first, last);
+        predict_block(s, (struct kind){1, 0, stream, in_place}, low, high, first, last);
+}
+
+/* The planes low .. high-1. */
+static void predict_planes(const struct pass *s, int low, int high) {
+    const struct fluid_grid *g = s->stage->grid;
+    const int stream = g->size > STREAM, in_place = s->predicted[0] == s->q[0];
+    for (int j = 0; j < g->m[1] && low < high; j += s->rows) {
+        const int last = j + s->rows < g->m[1] ? j + s->rows : g->m[1];
+        if (stream && in_place)
+            predict_stage(s, 1, 1, low, high, j, last);
+        else if (stream)
+            predict_stage(s, 1, 0, low, high, j, last);
+        else
+            predict_stage(s, 0, 0, low, high, j, last);
+    }
+}
+
+/* Copies the advanced faces of plane k from a pass that stored them apart. */
+static void copy_top(const struct pass *s, int k, double *const predicted[3]) {
+    const struct fluid_grid *g = s->stage->grid;
+    for (int c = 0; c < 3; c++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, 0, j, k);
+            if (c == 0 || (c == 1 ? j : k) < s->stage->faces[c])
+                memcpy(predicted[c] + n, s->predicted[c] + (n - s->shift), (size_t)s->cells * sizeof(double));
+        }
+}
+
+/* A thread's planes. Where u* replaces u, a thread still reads the first plane of the next one and the last plane of
+ * the one before. So each computes its last plane first, into memory of its own, and puts it in its place when all are
+ * done. */
+static void predict_part(int thread, void *data) {
+    const struct pass *all = data;
+    const struct fluid_grid *g = all->stage->grid;
+    const int n = parts(g), in_place = all->predicted[0] == all->q[0], apart = in_place && n > 1;
+    struct pass s = *all;
+    double *work = all->z + (size_t)(thread < n ? thread : 0) * thread_work(g);
+    s.z = work + (n > 1 ? 3 * g->plane : 0);
+    s.nowhere[0] = s.z + WAITING * s.rows * s.cells;
+    s.nowhere[1] = s.nowhere[0] + s.cells;
+    const int low = (int)((long)g->m[2] * thread / n), high = (int)((long)g->m[2] * (thread + 1) / n);
+    const int has = thread < n, top = high - 1;
+    if (!apart) {
+        if (has) predict_planes(&s, low, high);
+        return;
+    }
+    struct pass last = s;
+    last.shift = (ptrdiff_t)fluid_grid_at(g, 0, 0, top);
+    for (int c = 0; c < 3; c++) last.predicted[c] = work + c * g->plane;
+    if (has) predict_planes(&last, top, high);
+    threads_wait();
+    if (has) predict_planes(&s, low, top);
+    threads_wait();
+    if (has) copy_top(&last, top, s.predicted);
 }
 
 void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
@@ -178,18 +244,7 @@ void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *
         pass.pressure[c] = s->c * s->inverse_density / g->d[c];
         pass.constant[c] = s->c * s->source[c];
     }
-    pass.z = s->work;
-    pass.y = pass.z + WAITING * pass.rows * pass.cells;
-    pass.nowhere[0] = pass.y + WAITING * g->m[2] * pass.cells;
-    pass.nowhere[1] = pass.nowhere[0] + pass.cells;
-    const int stream = g->size > STREAM, in_place = predicted[0] == q[0];
-    for (int j = 0; j < g->m[1]; j += pass.rows) {
-        const int last = j + pass.rows < g->m[1] ? j + pass.rows : g->m[1];
-        if (stream && in_place)
-            predict_stage(&pass, 1, 1, j, last);
-        else if (stream)
-            predict_stage(&pass, 1, 0, j, last);
-        else
-            predict_stage(&pass, 0, 0, j, last);
-    }
+    pass.y = s->work;
+    pass.z = pass.y + WAITING * g->m[2] * pass.cells;
+    threads_run(predict_part, &pass);
 }

@@ -4,6 +4,7 @@
 #include "base/par.h"
 #include "base/par_column.h"
 #include "base/par_piece.h"
+#include "base/threads.h"
 #include "fluid/poisson/column_ends.h"
 
 #include <math.h>
@@ -18,12 +19,12 @@ struct fluid_column {
     int low, m;      /* this rank's planes */
     int free_column; /* the column whose mean is free, or -1 */
     /* [columns] */
-    double *r, *inverse;    /* r, 1/r */
-    double *power;          /* r^(k+1) during the run up */
-    double *sum;            /* sum over k of r^(k+1) y[k] */
-    double *reach, *end;    /* number of planes, from the first, over which a y below has an effect; r^reach */
-    double *from_below, *q; /* y below times r^(k+1); q of the plane computed last */
-    const double *last;     /* y of the last plane */
+    double *r, *inverse;     /* r, 1/r */
+    double *power;           /* r^(k+1) during the run up */
+    double *sum;             /* sum over k of r^(k+1) y[k] */
+    double *reach, *end;     /* number of planes, from the first, over which a y below has an effect; r^reach */
+    double *from_below;      /* y below times r^(k+1) */
+    double *q[THREADS_MOST]; /* q of the planes computed last, one for each thread: plane k in q[(m - k) % threads] */
     /* of the columns owned here: [own], and [ranks][own] for values by rank */
     int own, own_low;
     struct fluid_column_ends *ends;
@@ -76,8 +77,9 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     const int at = par_column_place(c->exchange);
     c->low = par_piece_low(in->n, in->ranks[2], at);
     c->m = par_piece_low(in->n, in->ranks[2], at + 1) - c->low;
-    double **of_columns[] = {&c->r, &c->inverse, &c->power, &c->sum, &c->reach, &c->end, &c->from_below, &c->q};
+    double **of_columns[] = {&c->r, &c->inverse, &c->power, &c->sum, &c->reach, &c->end, &c->from_below};
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
+    for (int t = 0; t < threads_count(); t++) c->q[t] = array(columns);
     par_column_own(c->exchange, &c->own_low, &c->own);
     const size_t own = (size_t)c->own;
     c->ends = memory_new(MEMORY_FLUID, own + 1, sizeof *c->ends);
@@ -97,9 +99,10 @@ void fluid_column_set(struct fluid_column *c, const double *lambda, double shift
 
 void fluid_column_free(struct fluid_column *c) {
     if (!c) return;
-    double *arrays[] = {c->r, c->inverse, c->power, c->sum,   c->reach, c->end, c->from_below,
-                        c->q, c->decay,   c->feel,  c->place, c->share, c->line};
+    double *arrays[] = {c->r,          c->inverse, c->power, c->sum,   c->reach, c->end,
+                        c->from_below, c->decay,   c->feel,  c->place, c->share, c->line};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memory_free(arrays[i]);
+    for (int t = 0; t < THREADS_MOST; t++) memory_free(c->q[t]);
     memory_free(c->ends);
     par_column_free(c->exchange);
     free(c);
@@ -125,13 +128,13 @@ static void up(int columns, double scale, const double *restrict r, const double
     }
 }
 
-void fluid_column_up(struct fluid_column *c, int k, const double *below, double *b) {
+void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b) {
     const double scale = c->in.scale * c->in.d * c->in.d;
+    const int n = to - from;
     if (k == 0)
-        up_first(c->in.columns, scale, c->r, c->power, c->sum, b);
+        up_first(n, scale, c->r + from, c->power + from, c->sum + from, b + from);
     else
-        up(c->in.columns, scale, c->r, below, c->power, c->sum, b);
-    c->last = b;
+        up(n, scale, c->r + from, below + from, c->power + from, c->sum + from, b + from);
 }
 
 /* From each rank's [Y, S] (its last y, its sum) to its [y below, q above]: up through the ranks, closed by the end
@@ -203,8 +206,8 @@ static void solve_free(struct fluid_column *c, double *y, ptrdiff_t plane, doubl
 
 void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, double mean) {
     double q_above = 0;
-    const double *const known[2] = {c->last, c->sum};
-    double *const found[2] = {c->from_below, c->q};
+    const double *const known[2] = {y + (c->m - 1) * plane, c->sum};
+    double *const found[2] = {c->from_below, c->q[0]};
     par_column_share(c->exchange, known, c->share);
     couple(c->in.ranks[2], c->own, c->ends, c->decay, c->feel, c->place, c->share);
     par_column_return(c->exchange, c->share, found);
@@ -213,12 +216,12 @@ void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, dou
     solve_free(c, y, plane, mean, &q_above);
     if (c->free_column < 0) return;
     c->from_below[c->free_column] = 0;
-    c->q[c->free_column] = q_above;
+    c->q[0][c->free_column] = q_above;
 }
 
-static void down(int columns, double k, const double *restrict r, const double *restrict inverse,
-                 const double *restrict reach, const double *restrict y, double *restrict from_below,
-                 double *restrict q) {
+static void down_in_place(int columns, double k, const double *restrict r, const double *restrict inverse,
+                          const double *restrict reach, const double *restrict y, double *restrict from_below,
+                          double *restrict q) {
     for (int i = 0; i < columns; i++) {
         const double below = from_below[i];
         const int felt = k < reach[i];
@@ -227,7 +230,30 @@ static void down(int columns, double k, const double *restrict r, const double *
     }
 }
 
-const double *fluid_column_down(struct fluid_column *c, int k, const double *y) {
-    if (k < c->m) down(c->in.columns, k, c->r, c->inverse, c->reach, y, c->from_below, c->q);
-    return c->q;
+static void down(int columns, double k, const double *restrict r, const double *restrict inverse,
+                 const double *restrict reach, const double *restrict y, double *restrict from_below,
+                 const double *restrict above, double *restrict q) {
+    for (int i = 0; i < columns; i++) {
+        const double below = from_below[i];
+        const int felt = k < reach[i];
+        q[i] = r[i] * (above[i] - (y[i] + (felt ? below : 0)));
+        from_below[i] = felt ? below * inverse[i] : below;
+    }
 }
+
+static double *found(const struct fluid_column *c, int k) {
+    const int threads = threads_count();
+    return c->q[(c->m - k + threads) % threads];
+}
+
+void fluid_column_down(struct fluid_column *c, int k, int from, int to, const double *y) {
+    const double *above = found(c, k + 1) + from;
+    double *q = found(c, k) + from;
+    if (k >= c->m) return;
+    if (above == q)
+        down_in_place(to - from, k, c->r + from, c->inverse + from, c->reach + from, y + from, c->from_below + from, q);
+    else
+        down(to - from, k, c->r + from, c->inverse + from, c->reach + from, y + from, c->from_below + from, above, q);
+}
+
+const double *fluid_column_found(const struct fluid_column *c, int k) { return found(c, k); }

@@ -32,15 +32,17 @@ void fluid_column_free(struct fluid_column *c);
 /* Sets another lambda and shift, for columns without a free mean. Not collective. */
 void fluid_column_set(struct fluid_column *c, const double *lambda, double shift);
 
-/* Plane k = 0, 1, .. of this rank in turn: replaces b [columns] by the y computed from zero; below is plane k-1 (k >
- * 0). Not collective. */
-void fluid_column_up(struct fluid_column *c, int k, const double *below, double *b);
+/* Plane k = 0, 1, .. of this rank in turn, columns from .. to-1: replaces b [columns] by the y computed from zero;
+ * below is plane k-1 (k > 0). Not collective. */
+void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b);
 /* Once y of all planes (at y, y + plane, ..) is computed: finds the y below and the q above each rank. A free mean of q
  * becomes `mean`; the mean of b is then ignored. Collective. */
 void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, double mean);
 /* Before that call: if the mean is free, q at the last cell of the whole column (side 1) or the first (side 0) for mean
  * zero, on the ranks that hold the column; 0 on others. Collective. */
 double fluid_column_free_end(struct fluid_column *c, const double *y, ptrdiff_t plane, int side);
-/* q of plane k = m, m-1, .. 0 in turn, borrowed until the next call. Plane m lies beyond this rank's last plane: it is
- * the next rank's first, or follows from the end condition, and needs no y. Not collective. */
-const double *fluid_column_down(struct fluid_column *c, int k, const double *y);
+/* Plane k = m, m-1, .. 0 in turn, columns from .. to-1: finds q. Plane m lies beyond this rank's last plane: it is the
+ * next rank's first, or follows from the end condition, and needs no y. Not collective. */
+void fluid_column_down(struct fluid_column *c, int k, int from, int to, const double *y);
+/* q of plane k [columns], borrowed; of as many planes as there are threads. Not collective. */
+const double *fluid_column_found(const struct fluid_column *c, int k);

@@ -3,10 +3,13 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par_pencil.h"
+#include "base/threads.h"
 #include "fluid/poisson/column.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+enum { UNIT = 8 }; /* columns that threads share by */
 
 struct fluid_poisson {
     struct fluid_poisson_input in;
@@ -21,7 +24,7 @@ struct fluid_poisson {
     double *lambda;         /* [columns] of the Laplacian along x and y; NULL without shifts */
     double *home, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed; one
                              * plane more than the rank has */
-    double *plane;          /* [m_y][n_x] a plane during the backward transform */
+    double *plane;          /* [threads][m_y][n_x] planes during the backward transform */
     double *sum[2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x
                      * and z, transformed in y, on the ranks that hold these modes */
     double inverse_scale; /* 1 / (scale of the transforms) */
@@ -122,7 +125,8 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     const size_t planes = (size_t)p->x[2] + 1;
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
-    p->plane = memory_new(MEMORY_FLUID, area(p->x), sizeof(double)); /* rows of a side's faces stay zero */
+    p->plane = memory_new(MEMORY_FLUID, (size_t)threads_count() * area(p->x),
+                          sizeof(double)); /* rows of a side's faces stay zero */
     for (int d = 0; d < 2 && free_mean(in); d++) p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
     plan(p);
     add_columns(p);
@@ -147,55 +151,105 @@ void fluid_poisson_free(struct fluid_poisson *p) {
 
 static double *y_plane(const struct fluid_poisson *p, int k) { return p->y_array + (size_t)k * area(p->y); }
 
-/* Adds plane k to the sums of the modes without variation in y and of those without variation in x. */
-static void add_up(struct fluid_poisson *p, int k, const double *b) {
+double *fluid_poisson_plane(const struct fluid_poisson *p, int k) { return p->home + (size_t)k * area(p->x); }
+
+static int is_same(const struct fluid_poisson *p) { return p->y_array == p->home; }
+
+/* Adds plane k to the sums of the modes without variation in y and of those without variation in x, of the columns from
+ * .. to-1. */
+static void add_up(struct fluid_poisson *p, int k, int from, int to, const double *b) {
     for (int d = 0; d < 2; d++) {
         const int stride = d == 0 ? 1 : p->y[0];
-        for (int i = 0; p->sum[d] && i < p->y[d]; i++) p->sum[d][i] = (k > 0 ? p->sum[d][i] : 0) + b[i * stride];
+        const int first = (from + stride - 1) / stride, end = (to + stride - 1) / stride;
+        for (int i = first; p->sum[d] && i < p->y[d] && i < end; i++)
+            p->sum[d][i] = (k > 0 ? p->sum[d][i] : 0) + b[i * stride];
     }
 }
 
-/* Transforms plane k in y and runs up its columns. */
-static void y_forward(struct fluid_poisson *p, int k) {
-    double *b = y_plane(p, k);
-    fluid_transform_forward(p->t[1], b);
-    add_up(p, k, b);
-    fluid_column_up(p->column, k, k > 0 ? y_plane(p, k - 1) : NULL, b);
+/* Threads transform a plane each; then each runs up its part of these planes' columns. */
+struct forward {
+    struct fluid_poisson *p;
+    void (*fill)(void *data, int k, double *plane); /* NULL: y alone */
+    void *data;
+};
+
+static void forward(int thread, void *data) {
+    const struct forward *f = data;
+    struct fluid_poisson *p = f->p;
+    const int threads = threads_count(), has_y = !f->fill || is_same(p);
+    int from, to;
+    threads_share((int)area(p->y), UNIT, thread, &from, &to);
+    for (int first = 0; first < p->x[2]; first += threads) {
+        const int end = first + threads < p->x[2] ? first + threads : p->x[2], k = first + thread;
+        if (k < end && f->fill) {
+            f->fill(f->data, k, fluid_poisson_plane(p, k));
+            fluid_transform_forward(p->t[0], fluid_poisson_plane(p, k));
+        }
+        if (!has_y) continue;
+        if (k < end) fluid_transform_forward(p->t[1], y_plane(p, k));
+        threads_wait();
+        for (int i = first; i < end; i++) {
+            add_up(p, i, from, to, y_plane(p, i));
+            fluid_column_up(p->column, i, from, to, i > 0 ? y_plane(p, i - 1) : NULL, y_plane(p, i));
+        }
+    }
 }
 
-double *fluid_poisson_plane(struct fluid_poisson *p, int k) { return p->home + (size_t)k * area(p->x); }
-
-void fluid_poisson_plane_forward(struct fluid_poisson *p, int k) {
-    fluid_transform_forward(p->t[0], fluid_poisson_plane(p, k));
-    if (p->y_array == p->home) y_forward(p, k);
+void fluid_poisson_forward(struct fluid_poisson *p, void (*fill)(void *data, int k, double *plane), void *data) {
+    threads_run(forward, &(struct forward){p, fill, data});
 }
 
 /* The transforms in y and the run up, where they have to wait for the transpose. */
 static void rest_forward(struct fluid_poisson *p) {
-    if (p->y_array == p->home || p->whole) return;
+    if (is_same(p) || p->whole) return;
     p->whole = 1;
     par_pencil_forward(p->pencil, p->x[2], p->home, p->y_array);
-    for (int k = 0; k < p->x[2]; k++) y_forward(p, k);
+    threads_run(forward, &(struct forward){p, NULL, NULL});
+}
+
+/* Threads run down their parts of the columns of some planes; then each transforms one of them. */
+struct backward {
+    struct fluid_poisson *p;
+    const struct fluid_poisson_target *to; /* NULL: y alone, in place */
+};
+
+static void backward(int thread, void *data) {
+    const struct backward *b = data;
+    struct fluid_poisson *p = b->p;
+    const int threads = threads_count(), has_y = !b->to || is_same(p);
+    int from, to;
+    threads_share((int)area(p->y), UNIT, thread, &from, &to);
+    for (int first = p->x[2]; first >= 0; first -= threads) {
+        const int k = first - thread;
+        for (int i = first; has_y && i >= 0 && i > first - threads; i--)
+            fluid_column_down(p->column, i, from, to, y_plane(p, i));
+        threads_wait();
+        if (k >= 0 && !b->to) fluid_transform_backward(p->t[1], fluid_column_found(p->column, k), y_plane(p, k));
+        if (k >= 0 && b->to) {
+            const double *plane = fluid_poisson_plane(p, k);
+            if (has_y) {
+                double *mine = p->plane + (size_t)thread * area(p->x);
+                fluid_transform_backward(p->t[1], fluid_column_found(p->column, k), mine);
+                plane = mine;
+            }
+            fluid_transform_backward(p->t[0], plane, b->to->place(b->to->data, k));
+        }
+        threads_wait();
+        if (k >= 0 && b->to && b->to->use) b->to->use(b->to->data, k);
+    }
 }
 
 void fluid_poisson_solve(struct fluid_poisson *p, double mean) {
-    const int planes = p->x[2];
     rest_forward(p);
     fluid_column_couple(p->column, p->y_array, (ptrdiff_t)area(p->y), mean);
     p->whole = 0;
-    if (p->y_array == p->home) return;
-    for (int k = planes; k >= 0; k--)
-        fluid_transform_backward(p->t[1], fluid_column_down(p->column, k, y_plane(p, k)), y_plane(p, k));
-    par_pencil_backward(p->pencil, planes + 1, p->y_array, p->home);
+    if (is_same(p)) return;
+    threads_run(backward, &(struct backward){p, NULL});
+    par_pencil_backward(p->pencil, p->x[2] + 1, p->y_array, p->home);
 }
 
-void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q) {
-    const double *plane = fluid_poisson_plane(p, k);
-    if (p->y_array == p->home) {
-        fluid_transform_backward(p->t[1], fluid_column_down(p->column, k, plane), p->plane);
-        plane = p->plane;
-    }
-    fluid_transform_backward(p->t[0], plane, q);
+void fluid_poisson_backward(struct fluid_poisson *p, const struct fluid_poisson_target *to) {
+    threads_run(backward, &(struct backward){p, to});
 }
 
 /* Summed over the other two directions, the equation of a mode cos(pi k (i+1/2)/n) reads lambda times the sum of q =

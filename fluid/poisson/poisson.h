@@ -21,20 +21,28 @@ struct fluid_poisson; /* opaque: plans, eigenvalues, columns, work */
 
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in); /* Collective. */
 void fluid_poisson_free(struct fluid_poisson *p);
+/* [m_y][n_x] The memory of plane k of the right-hand side: scratch for others between two solutions. */
+double *fluid_poisson_plane(const struct fluid_poisson *p, int k);
 
 /* From this call on the equation is Laplacian(q) - shift q = the right-hand side, shift > 0, 1/m2. which = 0 ..
  * shifts-1: the slot that stores the data of a shift until another shift replaces it. Not collective. */
 void fluid_poisson_shift(struct fluid_poisson *p, int which, double shift);
-/* Plane k of the right-hand side, to be filled by the caller: [m_y][n_x] without padding, borrowed. */
-double *fluid_poisson_plane(struct fluid_poisson *p, int k);
-/* Does the part of the solution that needs plane k of this rank only; k = 0, 1, .. in turn. Not collective. */
-void fluid_poisson_plane_forward(struct fluid_poisson *p, int k);
-/* Solves, once fluid_poisson_plane_forward was called for all planes. With no Dirichlet end q gets the mean `mean`, and
- * the mean of the right-hand side is ignored. Collective. */
+/* Calls fill for each plane k of this rank, which writes its right-hand side to [m_y][n_x] without padding, and does
+ * the part of the solution that needs this rank's planes only. One thread has one plane. Not collective. */
+void fluid_poisson_forward(struct fluid_poisson *p, void (*fill)(void *data, int k, double *plane), void *data);
+/* Solves, after fluid_poisson_forward. With no Dirichlet end q gets the mean `mean`, and the mean of the right-hand
+ * side is ignored. Collective. */
 void fluid_poisson_solve(struct fluid_poisson *p, double mean);
-/* Writes plane k of the solution q to [m_y][n_x] from q on; k = m_z, m_z - 1, .. 0 in turn. Plane m_z is the next
- * rank's first plane, or its image by the end condition. Not collective. */
-void fluid_poisson_plane_backward(struct fluid_poisson *p, int k, double *q);
+/* Who takes the planes of the solution. One thread has one plane at a time. */
+struct fluid_poisson_target {
+    double *(*place)(void *data, int k); /* where plane k is to be written: [m_y] rows of [n_x] */
+    void (*use)(void *data, int k);      /* NULL, or called once the planes k, k+1, .. are written. Of these, k .. k +
+                                          * threads are read at once by the threads, all others may be overwritten */
+    void *data;
+};
+/* Writes the planes k = m_z, m_z - 1, .. 0 of the solution. Plane m_z is the next rank's first plane, or its image by
+ * the end condition. Not collective. */
+void fluid_poisson_backward(struct fluid_poisson *p, const struct fluid_poisson_target *to);
 
 /* With no Dirichlet end, before fluid_poisson_solve: this rank's share of the mean of the solution (that has mean zero)
  * over the last cells in a direction (side 1) or the first (side 0). The direction is not periodic. Collective. */

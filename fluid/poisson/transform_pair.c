@@ -2,6 +2,7 @@
 #include "fluid/poisson/transform_pair.h"
 #include "base/ensure.h"
 #include "base/memory.h"
+#include "base/threads.h"
 
 #include <fftw3.h>
 #include <math.h>
@@ -20,7 +21,8 @@ struct fluid_transform_pair {
     double first, middle, back_middle; /* factors of coefficients 0 and n/2 */
     double back;                       /* backward over forward twiddles */
     double mirror;                     /* 1, or -1 for periodic lines: sign of the cosine for coefficient n-k */
-    double *place, *value;             /* scratch: along [chunk][n], across [n][chunk] */
+    double *place, *value;             /* scratch of each thread: along [chunk][n], across [n][chunk] */
+    size_t room;                       /* of a thread, in whole cache lines */
     fftw_plan forward, backward;
 };
 
@@ -77,8 +79,9 @@ struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transfo
         t->cosine[k] = periodic ? 0.5 : cos(0.5 * M_PI * k / n);
         t->sine[k] = periodic ? 0 : sin(0.5 * M_PI * k / n);
     }
-    t->place = memory_new(MEMORY_FLUID, (size_t)n * (size_t)t->chunk, sizeof(double));
-    t->value = along ? memory_new(MEMORY_FLUID, (size_t)n * (size_t)t->chunk, sizeof(double)) : t->place;
+    t->room = ((size_t)n * (size_t)t->chunk + 7) / 8 * 8;
+    t->place = memory_new(MEMORY_FLUID, t->room * (size_t)threads_count(), sizeof(double));
+    t->value = along ? memory_new(MEMORY_FLUID, t->room * (size_t)threads_count(), sizeof(double)) : t->place;
     plan(t);
     return t;
 }
@@ -156,16 +159,18 @@ static inline __attribute__((always_inline)) void spread_line(const struct fluid
 
 static void along_forward(const struct fluid_transform_pair *t, double *q) {
     const int n = t->in.n;
+    double *const place = t->place + t->room * (size_t)threads_me(), *const value =
+                                                                         t->value + t->room * (size_t)threads_me();
     for (int l = 0; l < t->chunk; l++) {
         if (t->folded)
-            fold_line(n, t->odd, q + (ptrdiff_t)l * t->in.distance, t->place + l * n);
+            fold_line(n, t->odd, q + (ptrdiff_t)l * t->in.distance, place + l * n);
         else
-            memcpy(t->place + l * n, q + (ptrdiff_t)l * t->in.distance, (size_t)n * sizeof *q);
+            memcpy(place + l * n, q + (ptrdiff_t)l * t->in.distance, (size_t)n * sizeof *q);
     }
-    fftw_execute(t->forward);
+    fftw_execute_split_dft(t->forward, place, place + n, value, value + n);
     for (int l = 0; l < t->chunk; l += 2) {
         double *a = q + (ptrdiff_t)l * t->in.distance, *b = a + t->in.distance;
-        const double *re = t->value + l * n, *im = re + n;
+        const double *re = value + l * n, *im = re + n;
         if (t->odd > 0)
             gather_line(t, 1, re, im, a, b);
         else
@@ -175,20 +180,22 @@ static void along_forward(const struct fluid_transform_pair *t, double *q) {
 
 static void along_backward(const struct fluid_transform_pair *t, const double *q, double *to) {
     const int n = t->in.n;
+    double *const place = t->place + t->room * (size_t)threads_me(), *const value =
+                                                                         t->value + t->room * (size_t)threads_me();
     for (int l = 0; l < t->chunk; l += 2) {
         const double *a = q + (ptrdiff_t)l * t->in.distance, *b = a + t->in.distance;
-        double *re = t->value + l * n, *im = re + n;
+        double *re = value + l * n, *im = re + n;
         if (t->odd > 0)
             spread_line(t, 1, a, b, re, im);
         else
             spread_line(t, -1, a + n - 1, b + n - 1, re, im);
     }
-    fftw_execute(t->backward);
+    fftw_execute_split_dft(t->backward, value + n, value, place + n, place);
     for (int l = 0; l < t->chunk; l++) {
         if (t->folded)
-            unfold_line(n, t->odd, t->place + l * n, to + (ptrdiff_t)l * t->in.out_distance);
+            unfold_line(n, t->odd, place + l * n, to + (ptrdiff_t)l * t->in.out_distance);
         else
-            memcpy(to + (ptrdiff_t)l * t->in.out_distance, t->place + l * n, (size_t)n * sizeof *to);
+            memcpy(to + (ptrdiff_t)l * t->in.out_distance, place + l * n, (size_t)n * sizeof *to);
     }
 }
 
@@ -231,27 +238,28 @@ static ptrdiff_t row_of(const struct fluid_transform_pair *t, int k) {
 
 static void across_forward(const struct fluid_transform_pair *t, double *q) {
     const int n = t->in.n, w = t->chunk;
+    double *const place = t->place + t->room * (size_t)threads_me();
     for (int j = 0; j < n; j++)
-        copy_row(w, t->folded && j % 2 ? t->odd : 1, q + (ptrdiff_t)j * t->in.stride,
-                 t->place + folded_place(t, j) * w);
-    fftw_execute(t->forward);
-    copy_row(w, t->first, t->place, q + row_of(t, 0));
+        copy_row(w, t->folded && j % 2 ? t->odd : 1, q + (ptrdiff_t)j * t->in.stride, place + folded_place(t, j) * w);
+    fftw_execute_dft(t->forward, (fftw_complex *)place, (fftw_complex *)place);
+    copy_row(w, t->first, place, q + row_of(t, 0));
     for (int k = 1; k < (n + 1) / 2; k++)
-        gather_rows(w / 2, t->cosine[k], t->sine[k], t->mirror * t->cosine[k], t->place + k * w, t->place + (n - k) * w,
+        gather_rows(w / 2, t->cosine[k], t->sine[k], t->mirror * t->cosine[k], place + k * w, place + (n - k) * w,
                     q + row_of(t, k), q + row_of(t, n - k));
-    if (n % 2 == 0) copy_row(w, t->middle, t->place + n / 2 * w, q + row_of(t, n / 2));
+    if (n % 2 == 0) copy_row(w, t->middle, place + n / 2 * w, q + row_of(t, n / 2));
 }
 
 static void across_backward(const struct fluid_transform_pair *t, const double *q, double *to) {
     const int n = t->in.n, w = t->chunk;
-    copy_row(w, 1, q + row_of(t, 0), t->place);
+    double *const place = t->place + t->room * (size_t)threads_me();
+    copy_row(w, 1, q + row_of(t, 0), place);
     for (int k = 1; k < (n + 1) / 2; k++)
         spread_rows(w / 2, t->back * t->cosine[k], t->back * t->sine[k], t->mirror * t->back * t->cosine[k],
-                    q + row_of(t, k), q + row_of(t, n - k), t->place + k * w, t->place + (n - k) * w);
-    if (n % 2 == 0) copy_row(w, t->back_middle, q + row_of(t, n / 2), t->place + n / 2 * w);
-    fftw_execute(t->backward);
+                    q + row_of(t, k), q + row_of(t, n - k), place + k * w, place + (n - k) * w);
+    if (n % 2 == 0) copy_row(w, t->back_middle, q + row_of(t, n / 2), place + n / 2 * w);
+    fftw_execute_dft(t->backward, (fftw_complex *)place, (fftw_complex *)place);
     for (int j = 0; j < n; j++)
-        copy_row(w, t->folded && j % 2 ? t->odd : 1, t->place + folded_place(t, j) * w,
+        copy_row(w, t->folded && j % 2 ? t->odd : 1, place + folded_place(t, j) * w,
                  to + (ptrdiff_t)j * t->in.out_stride);
 }
 

@@ -1,7 +1,9 @@
-/* The same fields on any number of ranks to 1e-12: one rank writes them, the others compare. */
+/* The same fields on any number of ranks and threads to 1e-12: one rank writes them, the others compare. */
 /* Two fluids exist at the same time. */
 #include "tests/fluid/fluid_case.h"
+#include "base/threads.h"
 #include "tests/check.h"
+#include "tests/one_rank.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,12 +65,10 @@ static void gather(struct fluid *f, double *all) {
     par_sum_array(all, 4 * CELLS);
 }
 
-static void same_on_any_number_of_ranks(void **state) {
-    (void)state;
+/* all[CASES][4][cells] after ten steps. */
+static void step(int threads, double *all) {
     struct fluid *f[CASES];
-    double *all = malloc(4 * CELLS * sizeof *all), *reference = malloc(4 * CELLS * sizeof *reference);
-    FILE *file = fopen(FRANA_BINARY_DIR "/fluid_ranks.bin", par_size() == 1 ? "wb" : "rb");
-    assert_non_null(file);
+    threads_set(threads);
     for (int w = 0; w < CASES; w++) {
         const struct fluid_input in = scene(w);
         f[w] = fluid_new(&in);
@@ -77,26 +77,37 @@ static void same_on_any_number_of_ranks(void **state) {
     for (int s = 0; s < 10; s++)
         for (int w = 0; w < CASES; w++) fluid_step(f[w], 0.02);
     for (int w = 0; w < CASES; w++) {
-        gather(f[w], all);
-        if (par_size() == 1) {
-            assert_int_equal(fwrite(all, sizeof *all, 4 * CELLS, file), 4 * CELLS);
-        } else {
-            assert_int_equal(fread(reference, sizeof *all, 4 * CELLS, file), 4 * CELLS);
-            for (int c = 0; c < 4; c++) {
-                double most = 0, worst = 0;
-                for (int i = c * CELLS; i < (c + 1) * CELLS; i++) {
-                    most = fmax(most, fabs(reference[i]));
-                    worst = check_worst(worst, (reference[i] - all[i]));
-                }
-                check_above(most, 1e-3);
-                assert_true(isfinite(most));
-                if (!(worst < 1e-12 * most)) fail_msg("scene %d, component %d: %g of %g", w, c, worst, most);
-            }
-        }
+        gather(f[w], all + (ptrdiff_t)w * 4 * CELLS);
         check_below(fluid_measures_divergence_max(f[w]), 1e-11);
+        fluid_free(f[w]);
     }
-    fclose(file);
-    for (int w = 0; w < CASES; w++) fluid_free(f[w]);
+    threads_set(1);
+}
+
+static void compare(const double *all, const double *reference) {
+    for (int c = 0; c < CASES * 4; c++) {
+        double most = 0, worst = 0;
+        for (int i = c * CELLS; i < (c + 1) * CELLS; i++) {
+            most = fmax(most, fabs(reference[i]));
+            worst = check_worst(worst, (reference[i] - all[i]));
+        }
+        check_above(most, 1e-3);
+        assert_true(isfinite(most));
+        if (!(worst < 1e-12 * most)) fail_msg("scene %d, component %d: %g of %g", c / 4, c % 4, worst, most);
+    }
+}
+
+static void same_on_any_number_of_ranks_and_threads(void **state) {
+    (void)state;
+    const size_t bytes = (size_t)CASES * 4 * CELLS * sizeof(double);
+    double *all = malloc(bytes), *reference = malloc(bytes);
+    step(1, all);
+    one_rank_expects("fluid_ranks", all, bytes, reference);
+    compare(all, reference);
+    for (int threads = 1 + par_size(); threads <= (par_size() > 2 ? 0 : 5); threads += 3) {
+        step(threads, all);
+        compare(all, reference);
+    }
     free(all);
     free(reference);
 }
@@ -138,4 +149,4 @@ static void state_is_all_there_is(void **state) {
     }
 }
 
-FLUID_TEST_MAIN(cmocka_unit_test(same_on_any_number_of_ranks), cmocka_unit_test(state_is_all_there_is))
+FLUID_TEST_MAIN(cmocka_unit_test(same_on_any_number_of_ranks_and_threads), cmocka_unit_test(state_is_all_there_is))

@@ -28,6 +28,38 @@ static int is_unknown(const int n[3], const int pair[3], const int at[3]) {
     return 1;
 }
 
+struct planes {
+    const struct fluid_grid *g;
+    ptrdiff_t row;
+    const int *pair;
+    const double *b;
+    double *plane, *all; /* [m_y][row]; [n_z][n_y][n_x] */
+};
+
+static void fill(void *data, int k, double *rhs) {
+    const struct planes *of = data;
+    const int *n = of->g->n;
+    for (int j = 0; j < of->g->m[1]; j++)
+        memcpy(rhs + j * n[0], of->b + ((k + of->g->lo[2]) * n[1] + j + of->g->lo[1]) * n[0],
+               (size_t)n[0] * sizeof *rhs);
+}
+
+static double *place(void *data, int k) {
+    (void)k;
+    return ((const struct planes *)data)->plane;
+}
+
+static void use(void *data, int k) {
+    const struct planes *of = data;
+    const struct fluid_grid *g = of->g;
+    const int *n = g->n;
+    for (int j = 0; j < g->m[1] && k < g->m[2]; j++)
+        for (int i = 0; i < n[0]; i++) {
+            const int at[3] = {i, j + g->lo[1], k + g->lo[2]};
+            of->all[(at[2] * n[1] + at[1]) * n[0] + i] = is_unknown(n, of->pair, at) ? of->plane[j * of->row + i] : 0;
+        }
+}
+
 /* Largest residual of lap q - shift q = b over the terms that it is the difference of. */
 static double residual(struct fluid_poisson *p, const struct fluid_poisson_input *in, const struct fluid_grid *g,
                        const int pair[3], int which, double shift) {
@@ -41,21 +73,10 @@ static double residual(struct fluid_poisson *p, const struct fluid_poisson_input
         b[i] = is_unknown(n, pair, at) ? random_at(i, pair[0], pair[1], pair[2]) : 0;
     }
     fluid_poisson_shift(p, which, shift);
-    for (int k = 0; k < g->m[2]; k++) {
-        for (int j = 0; j < g->m[1]; j++)
-            memcpy(fluid_poisson_plane(p, k) + j * n[0], b + ((k + g->lo[2]) * n[1] + j + g->lo[1]) * n[0],
-                   (size_t)n[0] * sizeof *b);
-        fluid_poisson_plane_forward(p, k);
-    }
+    struct planes planes = {g, in->row, pair, b, plane, all};
+    fluid_poisson_forward(p, fill, &planes);
     fluid_poisson_solve(p, 0);
-    for (int k = g->m[2]; k >= 0; k--) {
-        fluid_poisson_plane_backward(p, k, plane);
-        for (int j = 0; j < g->m[1] && k < g->m[2]; j++)
-            for (int i = 0; i < n[0]; i++) {
-                const int at[3] = {i, j + g->lo[1], k + g->lo[2]};
-                all[at[2] * stride[2] + at[1] * stride[1] + i] = is_unknown(n, pair, at) ? plane[j * in->row + i] : 0;
-            }
-    }
+    fluid_poisson_backward(p, &(struct fluid_poisson_target){place, use, &planes});
     par_sum_array(all, count);
     for (int c = 0; c < count; c++) {
         const int at[3] = {c % n[0], c / n[0] % n[1], c / (n[0] * n[1])};

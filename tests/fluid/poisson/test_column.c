@@ -68,11 +68,12 @@ static void against_lapack(int n, double d, int pair) {
     double *b = malloc((size_t)n * sizeof *b), *expected = malloc((size_t)n * sizeof *expected);
     for (int k = 0; k < m; k++) {
         for (int i = 0; i < COLUMNS; i++) y[k * COLUMNS + i] = right_hand_side(i, low + k) / scale;
-        fluid_column_up(c, k, k > 0 ? y + (k - 1) * COLUMNS : NULL, y + k * COLUMNS);
+        fluid_column_up(c, k, 0, COLUMNS, k > 0 ? y + (k - 1) * COLUMNS : NULL, y + k * COLUMNS);
     }
     fluid_column_couple(c, y, COLUMNS, mean);
     for (int k = m; k >= 0; k--) {
-        const double *plane = fluid_column_down(c, k, y + k * COLUMNS);
+        fluid_column_down(c, k, 0, COLUMNS, y + k * COLUMNS);
+        const double *plane = fluid_column_found(c, k);
         for (int i = 0; i < COLUMNS && k < m; i++) q[i * n + low + k] = plane[i];
     }
     par_sum_array(q, n * COLUMNS);

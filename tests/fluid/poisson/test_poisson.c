@@ -32,6 +32,25 @@ static void gather(const struct fluid_grid *g, const double *mine, double *all) 
     par_sum_array(all, (int)count);
 }
 
+struct planes {
+    const struct fluid_grid *g;
+    const double *b; /* [n_z][n_y][n_x] */
+    double *q;
+};
+
+static void fill(void *data, int k, double *rhs) {
+    const struct planes *of = data;
+    const struct fluid_grid *g = of->g;
+    for (int j = 0; j < g->m[1]; j++)
+        for (int i = 0; i < g->n[0]; i++)
+            rhs[j * g->n[0] + i] = of->b[((k + g->lo[2]) * g->n[1] + j + g->lo[1]) * g->n[0] + i];
+}
+
+static double *place(void *data, int k) {
+    const struct planes *of = data;
+    return of->q + fluid_grid_at(of->g, 0, 0, k);
+}
+
 struct error {
     double residual;     /* largest |lap q - b| over largest |b| */
     double mean;         /* if it is free: the mean minus the value asked for, over the largest |q| */
@@ -64,16 +83,12 @@ static struct error solve(const int n[3], const int pair[3]) {
     double *q = calloc(g->size, sizeof *q), *all = malloc(count * sizeof *all), *b = malloc(count * sizeof *b), sum = 0;
     for (size_t i = 0; i < count; i++) sum += b[i] = random_at((long)i, pair[0], pair[1], pair[2]);
     for (size_t i = 0; i < count && free_mean; i++) b[i] -= sum / (double)count;
-    for (int k = 0; k < g->m[2]; k++) {
-        double *plane = fluid_poisson_plane(p, k);
-        for (int j = 0; j < g->m[1]; j++)
-            for (int i = 0; i < n[0]; i++) plane[j * n[0] + i] = b[((k + g->lo[2]) * n[1] + j + g->lo[1]) * n[0] + i];
-        fluid_poisson_plane_forward(p, k);
-    }
+    struct planes planes = {g, b, q};
+    fluid_poisson_forward(p, fill, &planes);
     double foreseen[3][2] = {{0}}, section[3][2] = {{0}};
     if (free_mean) foresee(p, pair, foreseen);
     fluid_poisson_solve(p, wanted);
-    for (int k = g->m[2]; k >= 0; k--) fluid_poisson_plane_backward(p, k, q + fluid_grid_at(g, 0, 0, k));
+    fluid_poisson_backward(p, &(struct fluid_poisson_target){.place = place, .data = &planes});
     gather(g, q, all);
     double most = 0, largest = 0, mean = 0;
     const int stride[3] = {1, n[0], n[0] * n[1]};
