@@ -40,8 +40,12 @@ void threads_run(void (*work)(int thread, void *data), void *data) {
         return;
     }
 #ifdef _OPENMP
+    omp_set_dynamic(0);
 #    pragma omp parallel num_threads(count)
-    work(omp_get_thread_num(), data);
+    {
+        ENSURE(omp_get_num_threads() == count, "%d threads given, %d asked", omp_get_num_threads(), count);
+        work(omp_get_thread_num(), data);
+    }
 #endif
 }
 

@@ -188,11 +188,14 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
     segments->entry = solid_store_array((size_t)segments->first[segments->n], sizeof *segments->entry);
     segments->far = solid_store_array((size_t)segments->first[segments->n], sizeof *segments->far);
     for (int g = 0; g < segments->n; g++) place(lattice, segments, g);
+    segments->slabs[0] = solid_slabs_new(lattice, segments, 0, segments->inner);
+    segments->slabs[1] = solid_slabs_new(lattice, segments, segments->inner, segments->n);
     return segments;
 }
 
 void solid_segments_free(struct solid_segments *segments) {
     if (!segments) return;
+    for (int others = 0; others < 2; others++) solid_slabs_free(&segments->slabs[others]);
     void *owned[] = {segments->cell,  segments->owned, segments->stale, segments->large, segments->bulk,
                      segments->high,  segments->first, segments->entry, segments->count, segments->of,
                      segments->order, segments->at,    segments->far,   segments};

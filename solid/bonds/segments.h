@@ -10,9 +10,11 @@
  * order, and its reaction is added to the other end. Odd strips hold bonds to ghosts and periodic images, without a
  * reaction. All of this follows from lambda; a segment is packed again after one of its bonds has broken. */
 #pragma once
+#include "solid/bonds/slabs.h"
+
 #include <stdint.h>
 
-enum { SOLID_STRIPS = 12 };
+enum { SOLID_STRIPS = 12, SOLID_SEGMENTS_LATER = 2 };
 
 struct solid_lattice;
 
@@ -21,7 +23,8 @@ struct solid_segments {
     int *cell, *at;  /* [n] dense index of the first site, and its index in the field arrays */
     uint8_t *owned;  /* [n] bits of the sites that it covers */
     uint8_t *stale;  /* [n] lambda has changed since it was packed */
-    uint8_t *large;  /* [n] |eps| beyond the series occurred in the last sweep */
+    uint8_t *large;  /* [n] 1: |eps| beyond the series occurred in the last sweep; and SOLID_SEGMENTS_LATER, which
+                      * the first thread clears in the same sweep */
     uint8_t *bulk;   /* [n] alpha = 1 for all its bonds */
     float *high;     /* [n] the largest eps of the last sweep */
     long *first;     /* [n+1] index of its first entry */
@@ -30,6 +33,7 @@ struct solid_segments {
     uint16_t (*count)[SOLID_STRIPS]; /* [n] present number of entries of each strip */
     int *of;                         /* [lattice's n] the segment of a particle */
     uint16_t *order;                 /* [offsets] order of the entries */
+    struct solid_slabs slabs[2];     /* of the inner segments, of the others */
 };
 
 static inline int solid_segments_strip_site(int strip) { return strip < 4 ? 0 : strip / 2 - 1; }

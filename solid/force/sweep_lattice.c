@@ -1,4 +1,5 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
+#include "base/threads.h"
 #include "base/vec.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
@@ -21,14 +22,21 @@ struct sweep {
     double look;                  /* eps from which on single bonds are tested; of several materials: in this segment */
     enum solid_kernel damped, mixed; /* mixed: of several materials, whether this segment has bonds of several */
     int may_break;
+    int defers;   /* 1: beside other threads; segments with bonds that may have to break are left for later */
+    int deferred; /* number of them */
     double power; /* m2/s3 */
 };
 
-/* Copies one component of a field to its array: for owned particles and their periodic images; for ghosts. */
-static void fill_owned(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
-    for (int r = 0; r < lattice->rows; r++)
+/* Copies one component of a field to its array: for owned particles in rows from .. to-1; for their periodic images;
+ * for ghosts. */
+static void fill_rows(const struct solid_lattice *lattice, int from_row, int to_row, const double *restrict from,
+                      double *restrict box) {
+    for (int r = from_row; r < to_row; r++)
         vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]),
                   vec_spread(lattice->row_owned[r], from + lattice->row_first[r]));
+}
+
+static void fill_images(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
     for (int i = lattice->ghosts; i < lattice->away; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
 }
 
@@ -43,9 +51,12 @@ void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattic
     }
 }
 
-static void clear(const struct solid_lattice *lattice, double *restrict box) {
-    for (int r = 0; r < lattice->rows; r++)
+static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box) {
+    for (int r = from_row; r < to_row; r++)
         vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]), vec_set(0));
+}
+
+static void clear_copies(const struct solid_lattice *lattice, double *restrict box) {
     for (int i = 0; i < lattice->away; i++) box[lattice->copy_at[i]] = 0;
 }
 
@@ -147,6 +158,11 @@ static void turn_to(struct sweep *w, int g) {
     w->look = w->may_break ? limit * (1 - 1e-9) : INFINITY;
 }
 
+static void defer(struct sweep *w, int g) {
+    w->b->segments->large[g] |= SOLID_SEGMENTS_LATER;
+    w->deferred++;
+}
+
 /* Computes the forces of segment g. If bonds must break or the series does not hold, the forces are undone and computed
  * again. That is rare, because segments near either limit are tested first. */
 static void sweep_segment(struct sweep *w, int g) {
@@ -154,14 +170,25 @@ static void sweep_segment(struct sweep *w, int g) {
     struct solid_segments *segments = lattice->segments;
     const int judged = segments->high[g] > NEAR_LIMIT * w->look;
     if (segments->stale[g]) solid_segments_pack(lattice, g);
-    if (judged && is_beyond(w, g) && break_segment(w->s, lattice, g)) solid_segments_pack(lattice, g);
+    if (judged && is_beyond(w, g)) {
+        if (w->defers) {
+            defer(w, g);
+            return;
+        }
+        if (break_segment(w->s, lattice, g)) solid_segments_pack(lattice, g);
+    }
 
     const enum solid_kernel plain = w->damped | w->mixed | (segments->bulk[g] ? KERNEL_BULK : 0),
                             exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
     struct solid_range range = solid_segment_force(&w->box, segments, g, first, &w->power);
     const int too_large = first == plain && fmax(range.high, -range.low) > SOLID_SERIES_LIMIT;
-    const int breaks =
-        !judged && range.high > w->look && (!w->mixed || is_beyond(w, g)) && break_segment(w->s, lattice, g);
+    const int may_break = !judged && range.high > w->look && (!w->mixed || is_beyond(w, g));
+    if (may_break && w->defers) {
+        solid_segment_force(&w->undo, segments, g, first, &w->power);
+        defer(w, g);
+        return;
+    }
+    const int breaks = may_break && break_segment(w->s, lattice, g);
     if (too_large || breaks) {
         solid_segment_force(&w->undo, segments, g, first, &w->power);
         if (breaks) solid_segments_pack(lattice, g);
@@ -171,9 +198,54 @@ static void sweep_segment(struct sweep *w, int g) {
     segments->large[g] = fmax(range.high, -range.low) > (segments->large[g] ? 0.5 : 1) * SOLID_SERIES_LIMIT;
 }
 
-/* Computes the forces of the segments from .. to-1; returns the power of damping, W. */
-static double sweep_segments(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep, int from,
-                             int to) {
+static void sweep_one(struct sweep *w, int g) {
+    if (w->b->kinds) turn_to(w, g);
+    sweep_segment(w, g);
+}
+
+struct shared {
+    const struct sweep *w;
+    const struct solid_slabs *slabs;
+    double power[2 * THREADS_MOST];
+    int deferred[2 * THREADS_MOST];
+};
+
+/* Every other slab, then the ones between. */
+static void sweep_every_other(int thread, void *data) {
+    struct shared *all = data;
+    for (int turn = 0; turn < 2; turn++) {
+        for (int i = 2 * thread + turn; i < all->slabs->n; i += 2 * threads_count()) {
+            struct sweep w = *all->w;
+            w.defers = 1;
+            for (int k = all->slabs->first[i]; k < all->slabs->first[i + 1]; k++) sweep_one(&w, all->slabs->segment[k]);
+            all->power[i] = w.power;
+            all->deferred[i] = w.deferred;
+        }
+        threads_wait();
+    }
+}
+
+/* The slabs on all threads; then, on the first, the segments with bonds that may have to break, slab by slab. */
+static void sweep_slabs(struct sweep *w, const struct solid_slabs *slabs) {
+    struct shared all = {.w = w, .slabs = slabs};
+    uint8_t *large = w->b->segments->large;
+    threads_run(sweep_every_other, &all);
+    for (int i = 0; i < slabs->n; i++) w->power += all.power[i];
+    for (int i = 0; i < slabs->n; i++)
+        for (int k = slabs->first[i]; all.deferred[i] && k < slabs->first[i + 1]; k++) {
+            const int g = slabs->segment[k];
+            if (!(large[g] & SOLID_SEGMENTS_LATER)) continue;
+            large[g] &= (uint8_t)~SOLID_SEGMENTS_LATER;
+            sweep_one(w, g);
+        }
+}
+
+/* Computes the forces of the inner segments (0) or the others (1); returns the power of damping, W. */
+static double sweep_segments(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep,
+                             int others) {
+    const struct solid_segments *segments = lattice->segments;
+    const struct solid_slabs *slabs = &segments->slabs[others];
+    const int from = others ? segments->inner : 0, to = others ? segments->n : segments->inner;
     struct solid_lattice_offset offset[2 * SOLID_FAMILY_MAX];
     /* the kernels' eps may differ from bond_eps in its last digit: bonds are tested from slightly below the limit */
     struct sweep w = {.s = s,
@@ -197,21 +269,52 @@ static double sweep_segments(struct solid *s, struct solid_lattice *lattice, con
     }
     w.undo = w.box;
     w.undo.offset = offset + lattice->stencil->n;
-    for (int g = from; g < to; g++) {
-        if (kinds) turn_to(&w, g);
-        sweep_segment(&w, g);
-    }
+    if (slabs->first)
+        sweep_slabs(&w, slabs);
+    else
+        for (int g = from; g < to; g++) sweep_one(&w, g);
     const double spacing = lattice->stencil->spacing;
     return 0.5 * lattice->law.density * (spacing * spacing * spacing) * w.power;
 }
 
-double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
+/* Rows as the threads share them. */
+struct rows {
+    struct solid *s;
+    struct solid_lattice *lattice;
+    int damped;
+};
+
+static void begin_rows(int thread, void *data) {
+    const struct rows *of = data;
+    int from, to;
+    threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
     for (int c = 0; c < 3; c++) {
-        fill_owned(lattice, s->d[c], lattice->d[c]);
-        if (sweep->damping > 0) fill_owned(lattice, s->v[c], lattice->v[c]);
-        clear(lattice, lattice->f[c]);
+        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c]);
+        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c]);
+        clear_rows(of->lattice, from, to, of->lattice->f[c]);
     }
-    return sweep_segments(s, lattice, sweep, 0, lattice->segments->inner);
+}
+
+static void end_rows(int thread, void *data) {
+    const struct rows *of = data;
+    const struct solid_lattice *lattice = of->lattice;
+    int from, to;
+    threads_share(lattice->rows, SOLID_ROW, thread, &from, &to);
+    for (int c = 0; c < 3; c++)
+        for (int r = from; r < to; r++)
+            vec_press(lattice->row_owned[r],
+                      vec_load(lattice->f[c] + solid_lattice_place(lattice, lattice->row_cell[r])),
+                      of->s->a[c] + lattice->row_first[r]);
+}
+
+double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
+    threads_run(begin_rows, &(struct rows){s, lattice, sweep->damping > 0});
+    for (int c = 0; c < 3; c++) {
+        fill_images(lattice, s->d[c], lattice->d[c]);
+        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c]);
+        clear_copies(lattice, lattice->f[c]);
+    }
+    return sweep_segments(s, lattice, sweep, 0);
 }
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
@@ -219,12 +322,8 @@ double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, c
         fill_ghosts(lattice, s->d[c], lattice->d[c]);
         if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c]);
     }
-    const double power = sweep_segments(s, lattice, sweep, lattice->segments->inner, lattice->segments->n);
-    for (int c = 0; c < 3; c++)
-        for (int r = 0; r < lattice->rows; r++)
-            vec_press(lattice->row_owned[r],
-                      vec_load(lattice->f[c] + solid_lattice_place(lattice, lattice->row_cell[r])),
-                      s->a[c] + lattice->row_first[r]);
+    const double power = sweep_segments(s, lattice, sweep, 1);
+    threads_run(end_rows, &(struct rows){s, lattice, 0});
     const struct solid_kinds *kinds = lattice->kinds;
     for (int c = 0; c < 3 && kinds && !kinds->is_even; c++)
         for (int h = lattice->first; h < lattice->first + lattice->n; h++)

@@ -1,5 +1,6 @@
 /* Force sweep over the bonds of a body in the list store: one kernel per dimension, series and damping; breaks
  * bonds. */
+#include "base/threads.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/sweep_family.h"
@@ -129,6 +130,7 @@ struct sweep {
     kernel *const *kernels; /* series, exact */
     double viscous;
     int may_break, damped;
+    int defers; /* 1: beside other threads; particles with bonds that may have to break are left for later */
 };
 
 /* The values that determine the rounding digit of a sum. */
@@ -162,13 +164,21 @@ static __attribute__((noinline)) struct solid_sweep_family judged(const struct s
     return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
 }
 
-static inline __attribute__((always_inline)) double sweep_all(const struct sweep *k, const int dim, const int damped) {
+enum { LATER = 2 }; /* in list->large until the first thread has come to the particle */
+
+/* Particles from .. to-1, or those of them that were left for later. */
+static inline __attribute__((always_inline)) double sweep_run(const struct sweep *k, int from, int to, const int dim,
+                                                              const int damped) {
     struct solid *s = k->s;
     struct solid_list *list = k->b;
     double power = 0;
-    for (int i = 0; i < list->n; i++) {
+    for (int i = from; i < to; i++) {
         const int h = list->first + i;
         struct solid_sweep_family of = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped);
+        if (k->defers && may_break_here(k, i, &of)) {
+            list->large[i] |= LATER;
+            continue;
+        }
         if (list->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
             (dim == 2 && !is_power_below(list->power[i], damped ? of.largest : of.far)))
             of = judged(k, i);
@@ -178,15 +188,45 @@ static inline __attribute__((always_inline)) double sweep_all(const struct sweep
     return power;
 }
 
+static double sweep_part(const struct sweep *k, int from, int to) {
+    if (k->b->dim == 2) return k->damped ? sweep_run(k, from, to, 2, 1) : sweep_run(k, from, to, 2, 0);
+    return k->damped ? sweep_run(k, from, to, 3, 1) : sweep_run(k, from, to, 3, 0);
+}
+
+struct shared {
+    const struct sweep *k;
+    double power[THREADS_MOST];
+};
+
+static void sweep_of_thread(int thread, void *data) {
+    struct shared *all = data;
+    int from, to;
+    threads_share(all->k->b->n, SOLID_LIST_BLOCK, thread, &from, &to);
+    all->power[thread] = sweep_part(all->k, from, to);
+}
+
+/* The particles on all threads; then, in their order, those with bonds that may have to break. */
+static double sweep_shared(struct sweep *k) {
+    struct shared all = {.k = k};
+    uint8_t *large = k->b->large;
+    double power = 0;
+    k->defers = k->may_break;
+    threads_run(sweep_of_thread, &all);
+    for (int t = 0; t < threads_count(); t++) power += all.power[t];
+    k->defers = 0;
+    for (int i = 0; k->may_break && i < k->b->n; i++) {
+        if (!(large[i] & LATER)) continue;
+        large[i] &= (uint8_t)~LATER;
+        power += sweep_part(k, i, i + 1);
+    }
+    return power;
+}
+
 double solid_sweep_list(struct solid *s, struct solid_list *list, const struct solid_sweep *asked) {
     const int damped = asked->damping > 0;
-    const struct sweep k = {
-        s, list, kernels[list->dim - 2][damped], asked->damping / (2 * list->law.c), asked->may_break, damped};
+    struct sweep k = {
+        s, list, kernels[list->dim - 2][damped], asked->damping / (2 * list->law.c), asked->may_break, damped, 0};
     fill(s, list, damped);
-    double power;
-    if (list->dim == 2)
-        power = damped ? sweep_all(&k, 2, 1) : sweep_all(&k, 2, 0);
-    else
-        power = damped ? sweep_all(&k, 3, 1) : sweep_all(&k, 3, 0);
+    const double power = threads_count() > 1 ? sweep_shared(&k) : sweep_part(&k, 0, list->n);
     return 0.5 * list->law.density * power;
 }

@@ -1,10 +1,14 @@
 /* The same motion on any number of ranks and with either bond store. */
-/* The same motion on any number of ranks and in both bond stores: a body that is loaded, damped, driven and breaks. One
- * rank writes its results to a file; more ranks compare with it. */
+/* The same motion on any number of ranks and threads and in both bond stores: a body that is loaded, damped, driven and
+ * breaks. One rank writes its results to a file; more ranks compare with it. */
 #include "tests/solid/make.h"
 #include "solid/bonds/soft.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
+#include "base/threads.h"
+#include "solid/bonds/family.h"
+#include "solid/bonds/lattice.h"
+#include "solid/bonds/segments.h"
 #include "tests/check.h"
 
 #include <stdio.h>
@@ -85,12 +89,13 @@ static void test_same(void **state) {
         for (int list = 0; list < 2; list++) {
             struct solid *s = run(list, verlet, softens);
             check_between(s->bonds_broken, 100, s->bonds_total / 4);
+            if (threads_count() > 1 && !list) check_at_least(s->family->lattice[0]->segments->slabs[0].n, 3);
             if (softens) check_above(par_sum_long(s->soft->n), 1000);
             collect(s, list ? expected : all);
             solid_free(s);
         }
         compare(all, expected); /* lattice and lists */
-        if (par_size() == 1 && !COMPARES) {
+        if (par_size() == 1 && threads_count() == 1 && !COMPARES) {
             FILE *file = fopen(path, "wb");
             assert_non_null(file);
             assert_int_equal(fwrite(all, sizeof all, 1, file), 1);
@@ -108,7 +113,11 @@ static void test_same(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_same)};
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    int failed = 0;
+    for (int threads = 1; threads <= (par_size() > 1 || COMPARES ? 1 : 3); threads += 2) {
+        threads_set(threads);
+        failed |= cmocka_run_group_tests(tests, NULL, NULL);
+    }
     par_end();
     return failed;
 }

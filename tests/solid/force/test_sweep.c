@@ -8,6 +8,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/force/force.h"
 #include "solid/solid.h"
+#include "base/threads.h"
 #include "tests/check.h"
 #include "tests/one_rank.h"
 
@@ -154,7 +155,11 @@ static void test_jumps(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_jumps)};
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    int failed = 0;
+    for (int threads = 1; threads <= (par_size() > 1 ? 1 : 3); threads += 2) {
+        threads_set(threads);
+        failed |= cmocka_run_group_tests(tests, NULL, NULL);
+    }
     par_end();
     return failed;
 }
