@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "base/par_count.h"
+#include "base/threads.h"
 #include "files/folder.h"
 
 #include <errno.h>
@@ -10,8 +11,9 @@
 #include <sys/stat.h>
 
 static FILE *open_file(const struct bench_machine *m, const char *folder, const char *ending) {
-    char path[FOLDER_PATH];
-    snprintf(path, sizeof path, "%s/%s-%d%s.csv", folder, m->slug, par_size(), ending);
+    char path[FOLDER_PATH], threads[16] = "";
+    if (threads_count() > 1) snprintf(threads, sizeof threads, "x%d", threads_count());
+    snprintf(path, sizeof path, "%s/%s-%d%s%s.csv", folder, m->slug, par_size(), threads, ending);
     FILE *file = fopen(path, "w");
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be written (%s)", path, strerror(errno));
     return file;

@@ -7,13 +7,15 @@ endif()
 
 # Environment of tests on several ranks; frana_test_environment also for the sanitizers, because Open MPI leaks memory.
 # With pml=ob1 no drivers of networks are asked, one of which sleeps for 0.2 s at every start. Without the timeout
-# mpiexec sleeps for 2 s when a rank has ended with another exit code than 0.
+# mpiexec sleeps for 2 s when a rank has ended with another exit code than 0. Threads that wait sleep, because there may
+# be more of them than cores.
 set(frana_mpi_environment
   OMPI_MCA_pml=ob1
   OMPI_MCA_odls_base_sigkill_timeout=0
   OMPI_MCA_rmaps_base_oversubscribe=1
   OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_mpi_yield_when_idle=1
+  OMP_WAIT_POLICY=passive
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
 set(frana_test_environment ${frana_mpi_environment} ASAN_OPTIONS=detect_leaks=0)

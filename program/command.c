@@ -2,6 +2,7 @@
 #include "program/command.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/threads.h"
 
 #include <getopt.h>
 #include <math.h>
@@ -25,7 +26,8 @@ const char *command_usage(void) {
            "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
            "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
            "  frana --version\n"
-           "run, check, permeability, calibrate and bench under mpiexec -n N where they should run in parallel.\n";
+           "run, check, permeability, calibrate and bench under mpiexec -n N where they should run in parallel, with\n"
+           "[--threads N] on several cores a rank.\n";
 }
 
 static const double LONGEST = 1e9; /* of --max-wall, s */
@@ -121,21 +123,38 @@ static void check_option(int o, const char *word, enum command_verb verb) {
     if (strchr("ilmx", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
     if (o == 'f' && verb != COMMAND_STUDY && !several)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana study, permeability and calibrate only", word);
+    if (o == 'h' && !runs && verb != COMMAND_CHECK && verb != COMMAND_BENCH)
+        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check, permeability, calibrate and bench only", word);
     if (strchr("kn", o) && verb != COMMAND_BENCH && verb != COMMAND_CALIBRATE)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana bench and calibrate only", word);
     if (strchr("zpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
+static void start_threads(int threads) {
+    if (threads > THREADS_MOST) die_all(EXIT_CODE_SCENE, "--threads %d: at most %d", threads, THREADS_MOST);
+    if (!threads_set(threads))
+        die_all(EXIT_CODE_SCENE, "--threads %d: this frana was built without OpenMP; its ranks have one thread",
+                threads);
+}
+
 static void options(struct command *c, int argc, char **argv) {
-    static const struct option option[] = {
-        {"out", required_argument, NULL, 'o'},    {"set", required_argument, NULL, 's'},
-        {"resume", optional_argument, NULL, 'r'}, {"max-wall", required_argument, NULL, 'w'},
-        {"quiet", no_argument, NULL, 'q'},        {"fresh", no_argument, NULL, 'f'},
-        {"quick", no_argument, NULL, 'k'},        {"only", required_argument, NULL, 'n'},
-        {"sizes", required_argument, NULL, 'z'},  {"repeats", required_argument, NULL, 'p'},
-        {"table", required_argument, NULL, 't'},  {"film", optional_argument, NULL, 'i'},
-        {"level", required_argument, NULL, 'l'},  {"magnify", required_argument, NULL, 'm'},
-        {"slice", required_argument, NULL, 'x'},  {NULL, 0, NULL, 0}};
+    static const struct option option[] = {{"out", required_argument, NULL, 'o'},
+                                           {"set", required_argument, NULL, 's'},
+                                           {"resume", optional_argument, NULL, 'r'},
+                                           {"max-wall", required_argument, NULL, 'w'},
+                                           {"quiet", no_argument, NULL, 'q'},
+                                           {"fresh", no_argument, NULL, 'f'},
+                                           {"quick", no_argument, NULL, 'k'},
+                                           {"only", required_argument, NULL, 'n'},
+                                           {"sizes", required_argument, NULL, 'z'},
+                                           {"repeats", required_argument, NULL, 'p'},
+                                           {"table", required_argument, NULL, 't'},
+                                           {"film", optional_argument, NULL, 'i'},
+                                           {"level", required_argument, NULL, 'l'},
+                                           {"magnify", required_argument, NULL, 'm'},
+                                           {"slice", required_argument, NULL, 'x'},
+                                           {"threads", required_argument, NULL, 'h'},
+                                           {NULL, 0, NULL, 0}};
     opterr = 0;
     for (int o, which; (o = getopt_long(argc, argv, ":", option, &which)) != -1;) {
         const char *word = argv[optind - 1];
@@ -180,6 +199,9 @@ static void options(struct command *c, int argc, char **argv) {
             break;
         case 'n':
             c->only = optarg;
+            break;
+        case 'h':
+            start_threads(whole(optarg, "--threads", 1));
             break;
         case 'z':
             c->sizes = optarg;

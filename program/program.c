@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/par_count.h"
 #include "base/signals.h"
+#include "base/threads.h"
 #include "base/step_status.h"
 #include "coupling/blocked.h"
 #include "coupling/march.h"
@@ -289,6 +290,10 @@ static void begin(struct program *p) {
     refuse_to_overwrite(c, here); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, here);
     log_line("frana: %s", p->scene->title);
+    const int threads = threads_count(), cores = threads_cores();
+    if (cores > 0 && cores < threads)
+        log_line("warning: %d threads of a rank share %d core%s: mpiexec --map-by slot:pe=%d gives them as many",
+                 threads, cores, cores > 1 ? "s" : "", threads);
     if (c->resume) {
         checkpoint_read(p->run, c->out, c->resume_file);
         p->checked = p->run->resumed = p->run->step;

@@ -4,6 +4,7 @@
 #include "base/libraries.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/threads.h"
 #include "base/par_count.h"
 #include "base/version.h"
 #include "files/folder.h"
@@ -135,6 +136,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         if (r->strong) write_iterations(j, strong_count_of(r->strong));
         write_bounds(j, &r->adapt);
         json_long(j, "ranks", size);
+        json_long(j, "threads", threads_count());
         json_number(j, "wall_seconds", wall);
         json_number(j, "setup_seconds", r->setup_seconds); /* part of it, before the first step */
         write_parts(j, seconds);

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# A coupled run whose bonds break is the same on several threads and ranks; what threads a command takes.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+export OMP_WAIT_POLICY=passive # there may be more threads than cores
+scene >scene.yaml
+code 0 ranks 1 run scene.yaml --out one
+for threads in 2 3; do
+  code 0 ranks 1 run scene.yaml --out threads-$threads --threads $threads
+  same one/series.csv threads-$threads/series.csv
+  grep -q "\"threads\": $threads" threads-$threads/run.json || fail "run.json does not tell of $threads threads"
+done
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") k = i } END { exit !($k > 100) }' \
+  one/series.csv || fail "too few bonds break"
+code 0 ranks 2 run scene.yaml --out ranks --threads 2
+same one/series.csv ranks/series.csv
+code 2 ranks 1 run scene.yaml --out none --threads 0
+grep -q 'threads 0: must be a whole number, at least 1' err || fail "0 threads: $(cat err)"
+code 2 ranks 1 run scene.yaml --out none --threads 1000
+grep -q 'at most 256' err || fail "1000 threads: $(cat err)"
+code 2 ranks 1 post one --threads 2
+grep -q 'goes with frana run' err || fail "post takes threads: $(cat err)"
+[ ! -e none ] || fail "a refused run left a folder"
+echo ok
