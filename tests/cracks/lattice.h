@@ -10,8 +10,8 @@ static inline double lattice_part(const double at[3], double m, int dim, int col
     double sum = 0;
     for (int j = 0; j < columns; j++)
         for (int k = 0; k < (dim == 3 ? columns : 1); k++) {
-            const double y = at[1] + (j + 0.5) / columns - 0.5,
-                         z = dim == 3 ? at[2] + (k + 0.5) / columns - 0.5 : 0, left = m * m - y * y - z * z;
+            const double y = at[1] + (j + 0.5) / columns - 0.5, z = dim == 3 ? at[2] + (k + 0.5) / columns - 0.5 : 0,
+                         left = m * m - y * y - z * z;
             if (left > 0) sum += fmax(0, fmin(1, sqrt(left) - at[0] + 0.5));
         }
     return sum / pow(columns, dim - 1);
