@@ -7,7 +7,7 @@
 #include "solid/measure/energy.h"
 #include "solid/step/integrate.h"
 #include "tests/cracks/lattice.h"
-#include "tests/cracks/terzaghi.h"
+#include "tests/cracks/porous.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -338,18 +338,12 @@ static void carter(void **state) {
     check_between(missed[0] / missed[1], 3.5, 4.5);
 }
 
-/* Inertia is less small than in the test by night (tests/cracks/test_consolidation.c). */
-static void consolidation(void **state) {
-    (void)state;
-    terzaghi(0.8, 2 * YOUNG, 40, 0.05, 0.2);
-}
-
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(books),         cmocka_unit_test(darcy),
                                        cmocka_unit_test(permeability),  cmocka_unit_test(supports),
                                        cmocka_unit_test(supports_work), cmocka_unit_test(undrained),
-                                       cmocka_unit_test(carter),        cmocka_unit_test(consolidation)};
+                                       cmocka_unit_test(carter)};
     const struct CMUnitTest quick[] = {cmocka_unit_test(books), cmocka_unit_test(darcy), cmocka_unit_test(supports)};
     const int failed =
         par_size() > 2 ? cmocka_run_group_tests(quick, NULL, NULL) : cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,7 +40,8 @@ sed -e 's/steps: 80/steps: 40/; s/every: 50/every: 20/; s/fields_every: 80/field
 # stretched at the start, and dry for ten steps: the pores' first filling is not 0
 sed -e 's/^  viscosity.*/&\n  pores: {permeability: 1.0e-13, biot: 0.7, modulus: 2.0e10}/' \
   -e 's/^  cracks:.*/&\n  initial: [{shape: sine, along: x, centre: 0.02, width: 0.08, displacement: [4.0e-7, 0]}]/' \
-  -e 's/^stages: \[\(.*\)steps: 40\(.*\)\]$/stages:\n  - {name: dry, steps: 10, integrator: verlet}\n  - \1steps: 30\2/' short.yaml >porous.yaml
+  -e 's/^stages: \[{name: pump, steps: 40/stages: [{name: dry, steps: 10, integrator: verlet}, {name: pump, steps: 30/' \
+  short.yaml >porous.yaml
 sed -e 's/^  viscosity.*/&\n  leak_off: 1.0e-6/' short.yaml >leaky.yaml
 # resumed KIND CHECKPOINT STEP: the run of the kind goes on from its checkpoint after this step to the same series
 resumed() {
