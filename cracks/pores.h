@@ -6,6 +6,3 @@
 double cracks_pores_conductance(const struct cracks *c);
 /* V_h/M of a wet particle, m3/Pa. */
 double cracks_pores_storage(const struct cracks *c, int i);
-/* Before the first substep in which the fluid flows: the pores are full at the present pressures and displacements, and
- * the cracks are empty. Collective. */
-void cracks_pores_fill(struct cracks *c);

@@ -117,12 +117,28 @@ static void fill(struct cracks *c, double dt) {
     }
 }
 
+/* Before the first substep in which the fluid flows: the pores are full at the present pressures and displacements, and
+ * the cracks are empty. */
+static void fill_pores(struct cracks *c) {
+    double filled = 0;
+    cracks_aperture_volume(c, c->volume);
+    cracks_aperture_open(c);
+    for (int i = 0; i < c->struts.n; i++) {
+        const double pores = c->volume[i] - c->open[i];
+        c->storage[i] = cracks_pores_storage(c, i);
+        c->cavity[i] = c->open[i];
+        c->content[i] = pores + c->storage[i] * c->p[i];
+        filled += c->content[i];
+    }
+    c->filled = par_sum(filled);
+}
+
 void cracks_project(struct solid *s, double dt, void *cracks) {
     struct cracks *c = cracks;
     (void)s;
     cracks_project_settle(c);
     if (c->status.failed) return;
-    if (c->in.porous && !c->began) cracks_pores_fill(c);
+    if (c->in.porous && !c->began) fill_pores(c);
     c->began = 1;
     if (c->open) cracks_aperture_open(c);
     cracks_aperture_conductance(c);
