@@ -98,6 +98,6 @@ if [ ! "$again" ]; then
   for name in slab slab_early slab_compressible slab_compressible_early; do
     awk 'NR <= 2 || NR % 2 == 0' "$runs/$name/slab.csv" >"$out/$name.csv"
   done
-  "$here/draw.sh" "$(realpath "$out")"
+  ! command -v gnuplot >/dev/null || "$here/draw.sh" "$(realpath "$out")"
 fi
 finish
