@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Reads a run of terzaghi.yaml in the present folder: writes column.csv, the pressure at the base over that of the sealed
-# column and the part of the settlement that has come, beside Terzaghi's series, and prints them at one T.
+# Reads a run of terzaghi.yaml in the present folder: writes column.csv, the pressure at the base over that of the
+# sealed column and the part of the settlement that has come, beside Terzaghi's series, and prints them at one T.
 # usage: column.sh BIOT MODULUS PERMEABILITY T pressure|settlement|sealed
 # T = c (t - start)/H^2, c = k/mu/(1/M + alpha^2/K), with the lattice's modulus K of confined compression.
 set -euo pipefail
@@ -14,7 +14,8 @@ awk -F, -v biot="$1" -v modulus="$2" -v k0="$3" -v T="$4" -v what="$5" '
     return 1 - sum
   }
   BEGIN {
-    pi = atan2(0, -1); H = 0.032; load = 3e6; K = 1.0220027 * 1.2 * 2e10; S = (modulus == ".inf" ? 0 : 1 / modulus) + biot^2 / K
+    pi = atan2(0, -1); H = 0.032; load = 3e6; K = 1.0220027 * 1.2 * 2e10
+    S = (modulus == ".inf" ? 0 : 1 / modulus) + biot^2 / K
     period = H * H * S * 1e-3 / k0; sealed = 3e-4; start = 3.05e-4; undrained = load * biot / K / S
     print "T,pressure,pressure_reference,settlement,settlement_reference" >"column.csv"
     print "#1,1,1,1,1" >"column.csv"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Prints the scene of Mandel's slab |x| <= a: columns of particles between smooth stiff plates that press it with a
 # constant force, of which the outer two are drained. Each row is moved along y as the plates' exact displacement asks
-# for and is free along x; so the reactions of the rows are a result. The slab is as high as it is wide and a half: its ends,
-# whose families are not whole, hardly count in the middle.
+# for and is free along x; so the reactions of the rows are a result. The height is 1.5 times the width: the ends, whose
+# families are not whole, hardly count in the middle.
 # usage: mandel.sh HALF BIOT MODULUS PERMEABILITY STEPS    HALF: a, spacings; STEPS: of the stage that drains
 # or:    mandel.sh HALF BIOT MODULUS PERMEABILITY number T pressure|reaction|sealed
 #        reads a run in the present folder, writes slab.csv and prints the pressure in the middle at T over that of
