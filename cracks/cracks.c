@@ -2,10 +2,8 @@
 #include "cracks/cracks.h"
 #include "base/die.h"
 #include "base/memory.h"
-#include "base/par.h"
 #include "cracks/aperture.h"
 #include "cracks/inject.h"
-#include "cracks/pores.h"
 #include "cracks/project.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -112,22 +110,6 @@ void cracks_free(struct cracks *c) {
     memory_free(c);
 }
 
-/* When the fluid flows for the first time: the pores are full at the present pressures and displacements, and the
- * cracks are as they were. */
-static void fill_pores(struct cracks *c) {
-    double filled = 0;
-    cracks_project_settle(c);
-    cracks_aperture_open(c);
-    for (int i = 0; i < c->struts.n; i++) {
-        const double pores = c->volume[i] - c->open[i];
-        c->storage[i] = cracks_pores_storage(c, i);
-        c->cavity[i] -= pores;
-        c->content[i] += pores + c->storage[i] * c->p[i];
-        filled += pores + c->storage[i] * c->p[i];
-    }
-    c->filled += par_sum(filled);
-}
-
 void cracks_begin(struct cracks *c, int flows) {
     struct solid *s = c->solid;
     const int flowed = s->push != NULL;
@@ -135,8 +117,6 @@ void cracks_begin(struct cracks *c, int flows) {
     s->push = flows ? &c->push : NULL;
     if (flows) {
         c->stale = 1;
-        if (c->in.porous && !c->began) fill_pores(c);
-        c->began = 1;
         return;
     }
     for (int i = 0; i < c->struts.n; i++) {

@@ -26,9 +26,10 @@ struct cracks_values cracks_measure(const struct cracks *c) {
     const double *cracks = c->open ? c->open : volume;
     cracks_aperture_volume(c, volume);
     if (c->open) cracks_aperture_open(c);
+    const int flows = c->solid->push && c->began; /* while it does not, the voids take what the volumes change by */
     for (int i = 0; i < t->n; i++) {
         sum[0] += volume[i];
-        sum[1] += c->cavity[i];
+        sum[1] += c->cavity[i] + (flows ? 0 : volume[i] - c->volume[i]);
         sum[2] += c->storage[i] * c->p[i];
         sum[3] += t->area_size[i];
         sum[4] += t->area_size[i] * c->p[i];
@@ -40,14 +41,14 @@ struct cracks_values cracks_measure(const struct cracks *c) {
     par_sum_array(sum, 8);
     par_max_array(&v.aperture_max, 1);
     v.volume = sum[7];
-    v.cavity = sum[1];
+    v.cavity = sum[1] - (c->open && !c->began ? sum[0] - sum[7] : 0); /* the pores are no void */
     v.stored = sum[2];
     for (int q = 0; q < c->in.injections; q++) {
         v.injected += c->injected[q];
         v.injection_rate += c->rate[q];
     }
     v.leaked = c->leaked;
-    v.residual = sum[0] - v.cavity + v.stored + v.leaked - v.injected - c->filled;
+    v.residual = sum[0] - sum[1] + v.stored + v.leaked - v.injected - c->filled;
     v.injection_pressure = sum[6];
     v.area = sum[3];
     v.pressure_mean = sum[3] > 0 ? sum[4] / sum[3] : 0;

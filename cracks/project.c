@@ -7,6 +7,7 @@
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
+#include "solid/imposed/reactions.h"
 
 #include <math.h>
 
@@ -76,7 +77,8 @@ static double residual_begin(struct cracks *c, double dt, double *size) {
     return injected;
 }
 
-/* The pressures' load in the solid: the new share instead of the last one. */
+/* The pressures' load in the solid: the new share instead of the last one. The supports of held particles take the
+ * opposite. */
 static void load(struct cracks *c, double dt) {
     struct solid *s = c->solid;
     const struct cracks_struts *t = &c->struts;
@@ -88,7 +90,10 @@ static void load(struct cracks *c, double dt) {
             s->load[k][h] = (s->load[k][h] - c->share[i][k]) + now[k];
             s->a[k][h] += a[k];
             s->v[k][h] += 0.5 * dt * a[k];
+            if (s->flag[h] & SOLID_HELD_X << k) s->power_constraint -= s->volume[h] * change[k] * s->v[k][h];
         }
+        const cracks_vec force = s->volume[h] * change;
+        solid_reactions_push(s, h, (const double[]){force[0], force[1], force[2]}, dt);
         c->share[i] = now;
     }
 }
@@ -112,11 +117,29 @@ static void fill(struct cracks *c, double dt) {
     }
 }
 
+/* Before the first substep in which the fluid flows: the pores are full at the present pressures and displacements, and
+ * the cracks are empty. */
+static void fill_pores(struct cracks *c) {
+    double filled = 0;
+    cracks_aperture_volume(c, c->volume);
+    cracks_aperture_open(c);
+    for (int i = 0; i < c->struts.n; i++) {
+        const double pores = c->volume[i] - c->open[i];
+        c->storage[i] = cracks_pores_storage(c, i);
+        c->cavity[i] = c->open[i];
+        c->content[i] = pores + c->storage[i] * c->p[i];
+        filled += c->content[i];
+    }
+    c->filled = par_sum(filled);
+}
+
 void cracks_project(struct solid *s, double dt, void *cracks) {
     struct cracks *c = cracks;
     (void)s;
     cracks_project_settle(c);
     if (c->status.failed) return;
+    if (c->in.porous && !c->began) fill_pores(c);
+    c->began = 1;
     if (c->open) cracks_aperture_open(c);
     cracks_aperture_conductance(c);
     const double *open = cracks_aperture_cracks(c);

@@ -105,9 +105,8 @@ void solid_reactions_add(struct solid *s, double now, double then) {
     r->time += now + then;
 }
 
-void solid_reactions_give(struct solid *s, int h, const double impulse[3]) {
-    struct solid_reactions *r = s->reactions;
-    if (!is_held(s, h)) return;
+/* The constraints that hold the directions of a held particle. */
+static const int *constraints_of(const struct solid_reactions *r, int h) {
     int low = 0, high = r->held - 1;
     while (low < high) {
         const int middle = (low + high) / 2;
@@ -116,8 +115,26 @@ void solid_reactions_give(struct solid *s, int h, const double impulse[3]) {
         else
             high = middle;
     }
-    for (int c = 0; c < s->dim; c++)
-        if (r->of[low][c] >= 0) r->impulse[r->of[low][c]][c] -= impulse[c];
+    return r->of[low];
+}
+
+void solid_reactions_give(struct solid *s, int h, const double impulse[3]) {
+    struct solid_reactions *r = s->reactions;
+    if (!is_held(s, h)) return;
+    const int *of = constraints_of(r, h);
+    for (int c = 0; c < 3; c++)
+        if (of[c] >= 0) r->impulse[of[c]][c] -= impulse[c];
+}
+
+void solid_reactions_push(struct solid *s, int h, const double change[3], double dt) {
+    struct solid_reactions *r = s->reactions;
+    if (!r || !is_held(s, h)) return;
+    const int *of = constraints_of(r, h);
+    for (int c = 0; c < s->dim; c++) {
+        if (of[c] < 0) continue;
+        r->now[of[c]][c] -= change[c];
+        r->impulse[of[c]][c] -= 0.5 * dt * change[c];
+    }
 }
 
 enum { PARTICLES, VOLUME, FORCE, DISPLACEMENT = FORCE + 3, SUMS = DISPLACEMENT + 3 };

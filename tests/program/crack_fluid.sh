@@ -34,22 +34,32 @@ books() {
       n++; last = $at["injected_volume"]
       if (r < 0) r = -r
       if (r > 1e-12 * v) exit 1 }
-    END { exit !(n > 2 && last > 0) }' "$1" || fail "$1: the volumes do not add up"
+    END { exit !(n > 1 && last > 0) }' "$1" || fail "$1: the volumes do not add up"
 }
 sed -e 's/steps: 80/steps: 40/; s/every: 50/every: 20/; s/fields_every: 80/fields_every: 0/' plate.yaml >short.yaml
-sed -e 's/^  viscosity.*/&\n  pores: {permeability: 1.0e-13, biot: 0.7, modulus: 2.0e10}/' short.yaml >porous.yaml
+# stretched at the start, and dry for nine steps: the pores' first filling is not 0
+sed -e 's/^  viscosity.*/&\n  pores: {permeability: 1.0e-13, biot: 0.7, modulus: 2.0e10}/' \
+  -e 's/^  cracks:.*/&\n  initial: [{shape: sine, along: x, centre: 0.02, width: 0.08, displacement: [4.0e-7, 0]}]/' \
+  -e 's/^stages: \[{name: pump, steps: 40/stages: [{name: dry, steps: 9, integrator: verlet}, {name: pump, steps: 31/' \
+  short.yaml >porous.yaml
 sed -e 's/^  viscosity.*/&\n  leak_off: 1.0e-6/' short.yaml >leaky.yaml
+# resumed KIND CHECKPOINT STEP: the run of the kind goes on from its checkpoint after this step to the same series
+resumed() {
+  code 0 ranks 1 run "$1.yaml" --out "$1_$3" --resume="$1/checkpoint/$2.h5"
+  sed -n '1,2p' "$1/series.csv" >tail.csv
+  awk -F, -v from="$3" 'NR > 2 && $1 > from' "$1/series.csv" >>tail.csv
+  same tail.csv "$1_$3/series.csv"
+  books "$1_$3/series.csv"
+}
 for kind in plate block porous leaky; do
   code 0 ranks 2 run $kind.yaml --out $kind
   books $kind/series.csv
   code 0 ranks 3 run $kind.yaml --out ${kind}_3
   same $kind/series.csv ${kind}_3/series.csv
   middle=$(awk -v kind=$kind 'BEGIN { print kind == "plate" ? 50 : kind == "block" ? 25 : 20 }')
-  code 0 ranks 1 run $kind.yaml --out ${kind}_again --resume=$kind/checkpoint/step_000000$middle.h5
-  sed -n '1,2p' $kind/series.csv >tail.csv
-  awk -F, -v from="$middle" 'NR > 2 && $1 > from' $kind/series.csv >>tail.csv
-  same tail.csv ${kind}_again/series.csv
+  resumed $kind "step_000000$middle" "$middle"
 done
+resumed porous stage_dry 9
 code 0 "$frana" check plate.yaml
 grep -q 'crack fluid  in 96 particles' out || fail "check does not say the wet particles"
 grep -q 'injection  of 2e-05 m3/s by 12 of them' out || fail "check does not say the injection"
