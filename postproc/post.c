@@ -96,6 +96,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"Events", postproc_sections_events},
         {"Azimuthal modes of the damage", postproc_sections_modes},
         {"The crack", postproc_sections_crack},
+        {"Fluid in the cracks", postproc_sections_crack_fluid},
         {"Strain and stress", postproc_sections_pdf},
         {"Where the time went", postproc_sections_wall},
         {NULL, postproc_sections_profile},

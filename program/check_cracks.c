@@ -41,12 +41,14 @@ static void say_regime(const struct scene_notch *n, double spacing) {
     say("  regime     %s = %.3g: %s (below %g viscosity rules, above %g toughness)\n",
         kgd ? "K'/(mu' E'^3 Q0)^(1/4)" : "K'(t^2/(mu'^5 Q0^3 E'^13))^(1/18) as it begins to grow", n->number,
         scene_notch_regime(n), n->over[0], n->over[1]);
-    say("  growth     from %s of %.4g m, %.3g spacings: tip at %.3g m/s, %.3g sqrt(E/rho_s); net pressure %.3g Pa, %.3g "
+    say("  growth     from %s of %.4g m, %.3g spacings: tip at %.3g m/s, %.3g sqrt(E/rho_s); net pressure %.3g Pa, "
+        "%.3g "
         "E s0; without leak-off and inertia\n",
         kgd ? "a half length" : "a radius", n->length, n->length / spacing, n->speed, n->speed / n->wave, n->pressure,
         n->pressure / n->limit);
     if (n->speed > SLOW * n->wave)
-        say("  warning: crack_fluid: the tip runs at %.3g sqrt(E/rho_s) at first, and above %g inertia counts: with time "
+        say("  warning: crack_fluid: the tip runs at %.3g sqrt(E/rho_s) at first, and above %g inertia counts: with "
+            "time "
             "stretched by %.3g, so a lower rate and a viscosity that is higher by as much, it is the same slow crack\n",
             n->speed / n->wave, SLOW, n->speed / (SLOW * n->wave));
     if (n->pressure > n->limit)
@@ -89,11 +91,13 @@ static double load_stress(const struct scene *s) {
 static void say_confined(const struct scene *s, double limit) {
     const double least = s->crack_fluid->least_pressure, load = load_stress(s);
     if (least < 0)
-        say("  confined   least_pressure stands for a confining stress of %.3g Pa: pressures are net of it. As a load on "
+        say("  confined   least_pressure stands for a confining stress of %.3g Pa: pressures are net of it. As a load "
+            "on "
             "the lattice it would raise the fracture energy to %.3g G0\n",
             -least, pow(1 - 0.5 * least / limit, 2));
     if (least < -1.001 * limit)
-        say("  warning: crack_fluid.least_pressure: suction of %.3g Pa is above E s0 = %.3g Pa, and breaks bonds beside "
+        say("  warning: crack_fluid.least_pressure: suction of %.3g Pa is above E s0 = %.3g Pa, and breaks bonds "
+            "beside "
             "the crack: this spacing cannot have so high a confining stress\n",
             -least, limit);
     if (load > 0.01 * limit)
@@ -110,7 +114,8 @@ static void say_lag(const struct scene *s, const struct scene_notch *n) {
     if (n->number >= n->over[1]) return;
     const double least = physics_hydraulic_fracture_lag(&n->in, n->speed, n->limit);
     if (!(stress > 0)) {
-        say("  warning: crack_fluid: without a confining stress the fluid's front stays far behind the tip. The shortest "
+        say("  warning: crack_fluid: without a confining stress the fluid's front stays far behind the tip. The "
+            "shortest "
             "lag that this spacing can have is up to %.3g m, %.3g spacings, with least_pressure: -%.3g, which is "
             "-E s0\n",
             least, least / spacing, n->limit);
@@ -123,7 +128,8 @@ static void say_lag(const struct scene *s, const struct scene_notch *n) {
             "are not resolved\n",
             horizon);
     if (lag > n->length)
-        say("  warning: crack_fluid: the lag is longer than the notch, so the crack is not that of a solution without lag; "
+        say("  warning: crack_fluid: the lag is longer than the notch, so the crack is not that of a solution without "
+            "lag; "
             "with least_pressure: -%.3g, which is -E s0, it is up to %.3g m, the shortest that this spacing can have\n",
             n->limit, least);
 }

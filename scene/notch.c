@@ -117,17 +117,17 @@ int scene_notch_of(const struct scene *s, struct scene_notch *notch) {
     const struct physics_crack_tip tip = {m->youngs_modulus, physics_model_poisson_ratio(model),
                                           model != PHYSICS_PLANE_STRESS};
     const double modulus = physics_crack_tip_modulus(&tip);
-    *notch = (struct scene_notch){
-        .injection = q,
-        .in = {.shape = plate ? PHYSICS_KGD : PHYSICS_PENNY,
-               .modulus = modulus,
-               .toughness = sqrt(modulus * m->fracture_energy),
-               .viscosity = f->viscosity,
-               .rate = f->injection[q].rate * largest_factor(&f->injection[q].time) / (plate ? s->solid->thickness : 1)},
-        .length = plate ? 0.5 * size : sqrt(size / acos(-1)),
-        .over = {1, plate ? 4 : 3.5},
-        .wave = sqrt(m->youngs_modulus / m->density),
-        .limit = scene_notch_limit(s)};
+    *notch = (struct scene_notch){.injection = q,
+                                  .in = {.shape = plate ? PHYSICS_KGD : PHYSICS_PENNY,
+                                         .modulus = modulus,
+                                         .toughness = sqrt(modulus * m->fracture_energy),
+                                         .viscosity = f->viscosity,
+                                         .rate = f->injection[q].rate * largest_factor(&f->injection[q].time) /
+                                                 (plate ? s->solid->thickness : 1)},
+                                  .length = plate ? 0.5 * size : sqrt(size / acos(-1)),
+                                  .over = {1, plate ? 4 : 3.5},
+                                  .wave = sqrt(m->youngs_modulus / m->density),
+                                  .limit = scene_notch_limit(s)};
     grow(notch);
     return 1;
 }
