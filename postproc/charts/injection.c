@@ -14,6 +14,19 @@ static double largest(long n, const double *value) {
     return most;
 }
 
+/* Room above the curves for the marks' labels; the rate lies below the pressure's largest value. */
+static void put_range(FILE *f, const char *axis, long n, const double *value, double scale, double room) {
+    double low = 0, high = 0;
+    for (long i = 0; i < n; i++) {
+        if (!isfinite(value[i])) continue;
+        low = fmin(low, value[i]);
+        high = fmax(high, value[i]);
+    }
+    if (!(high > low)) return;
+    fprintf(f, "set %s [%.10g:%.10g]\n", axis, scale * (low < 0 ? low - 0.05 * (high - low) : 0),
+            scale * (low + room * (high - low)));
+}
+
 /* "rate  [10^{-6} m^3/s]" */
 static void put_label(FILE *f, const char *axis, const char *what, int power, const char *unit) {
     if (power)
@@ -41,9 +54,9 @@ static void put_style(FILE *f, const struct postproc_injection_plot *p, const in
     for (int k = 0; k < p->marks; k++) {
         const double x = p->mark[k].x / pow(10, power[0]);
         fprintf(f,
-                "set arrow %d from first %.10g, graph 0 to first %.10g, graph 1 nohead back dt 2 lw 1.2 lc rgb "
+                "set arrow %d from first %.10g, graph 0 to first %.10g, graph %g nohead back dt 2 lw 1.2 lc rgb "
                 "'#8a9199'\nset label %d ",
-                k + 1, x, x, k + 2);
+                k + 1, x, x, 0.99 - 0.055 * k, k + 2);
         postproc_gnuplot_text(f, p->mark[k].label);
         fprintf(f, " at first %.10g, graph %g left offset 0.6,0 front tc rgb '#5a6068'\n", x, 0.97 - 0.055 * k);
     }
@@ -64,6 +77,8 @@ static int script_write(const struct postproc_injection_plot *p, const char *pat
     const int is_peak = isfinite(p->peak[0]);
     if (is_peak) fprintf(f, "$peak << EOD\n%.10g %.10g\nEOD\n", scale[0] * p->peak[0], scale[1] * p->peak[1]);
     put_style(f, p, power);
+    put_range(f, "yrange", p->n, p->pressure, scale[1], 1.2);
+    put_range(f, "y2range", p->n, p->rate, scale[2], 1.5);
     for (int k = 0; k < POSTPROC_FORMATS; k++) {
         postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, 1200, 760);
         if (k == 0)

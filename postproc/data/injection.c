@@ -27,12 +27,13 @@ static double speed_of(const struct postproc_history *h, const struct postproc_i
     return most > 0 ? most : NAN;
 }
 
-/* The row of the largest pressure, if the first injection has a given rate, bonds broke, and the pressure fell again. */
+/* The row of the largest pressure, if the first injection has a given rate, bonds broke, and the pressure fell again.
+ */
 static long breakdown_of(const struct postproc_history *h, const struct postproc_injection *in, long broke) {
     const struct scene_crack_fluid *f = h->scene->crack_fluid;
     if (broke < 0 || f->injections == 0 || f->injection[0].is_pressure) return -1;
-    long most = 0;
-    for (long i = 0; i < in->n; i++)
+    long most = broke - 1; /* a sudden start has an earlier peak by inertia, which breaks nothing */
+    for (long i = broke; i < in->n; i++)
         if (in->pressure[i] > in->pressure[most]) most = i;
     return most + 1 < in->n ? most : -1;
 }
@@ -49,8 +50,10 @@ struct postproc_injection postproc_injection_new(const struct postproc_history *
     for (long i = 0; i < in.n; i++) {
         most = fmax(most, in.rate[i]);
         if (broke < 0 && broken[i] > broken[0]) broke = i;
-        if (in.rate[i] > STILL * most) stop = closed = -1;
-        else if (most > 0 && stop < 0) stop = i;
+        if (in.rate[i] > STILL * most)
+            stop = closed = -1;
+        else if (most > 0 && stop < 0)
+            stop = i;
         if (stop >= 0 && closed < 0 && wide[i] <= least) closed = i;
     }
     in.first = moment(&in, broke);

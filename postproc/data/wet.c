@@ -143,8 +143,7 @@ static void columns_of(struct postproc_wet *w, const struct fields *f, const int
     }
     for (long k = 0; k < m[0] * m[1]; k++) {
         if (!there[k]) continue;
-        for (int c = 0; c < 2; c++)
-            p->x[p->n][c] = p->low[c] + ((double)(c ? k / m[0] : k % m[0]) + 0.5) * spacing;
+        for (int c = 0; c < 2; c++) p->x[p->n][c] = p->low[c] + ((double)(c ? k / m[0] : k % m[0]) + 0.5) * spacing;
         p->size[p->n] = spacing;
         w->aperture[p->n] = area[k] > 0 ? w->aperture[k] / area[k] : NAN;
         w->pressure[p->n++] = area[k] > 0 ? w->pressure[k] / area[k] : NAN;

@@ -73,9 +73,10 @@ void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const st
     postproc_injection_free(&in);
 }
 
-/* The last field: what the band of particles with broken bonds conducts. */
+/* What the band of particles with broken bonds conducts. */
 static void add_band(struct postproc_facts *f, const struct postproc_wet *w) {
     if (!(w->area > 0)) return;
+    postproc_facts_number(f, "field of the pictures of the cracks, t", "s", w->flat.time);
     postproc_facts_number(f, "band of broken bonds, thickness", "m", w->volume / w->area);
     postproc_facts_number(f, "band of broken bonds, permeability along the crack", "m2", w->conductive / w->volume);
     postproc_facts_number(f, "hydraulic aperture", "m", cbrt(12 * w->conductive / w->area));
@@ -103,18 +104,18 @@ static void record(struct postproc_output *out, const struct postproc_history *h
     }
     for (long i = 0; i < in.n; i++) in.t[i] = postproc_history_when(h, in.t[i]);
     static const char name[] = "injection", title[] = "Pressure and rate of the injection";
-    const enum postproc_plot_status status = postproc_injection_draw(&(struct postproc_injection_plot){
-        .folder = folder_path(folder, out->folder, "plots"),
-        .name = name,
-        .title = title,
-        .time = postproc_history_when_name(h),
-        .n = in.n,
-        .when = in.t,
-        .pressure = in.pressure,
-        .rate = in.rate,
-        .marks = marks,
-        .mark = mark,
-        .peak = {postproc_history_when(h, in.breakdown.t), in.breakdown.pressure}});
+    const enum postproc_plot_status status = postproc_injection_draw(
+        &(struct postproc_injection_plot){.folder = folder_path(folder, out->folder, "plots"),
+                                          .name = name,
+                                          .title = title,
+                                          .time = postproc_history_when_name(h),
+                                          .n = in.n,
+                                          .when = in.t,
+                                          .pressure = in.pressure,
+                                          .rate = in.rate,
+                                          .marks = marks,
+                                          .mark = mark,
+                                          .peak = {postproc_history_when(h, in.breakdown.t), in.breakdown.pressure}});
     postproc_injection_free(&in);
     if (status != POSTPROC_PLOT_DONE) {
         charts->worst = status;
@@ -195,21 +196,21 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
         snprintf(moved, sizeof moved, "; displacements times %.4g", magnify);
     else
         snprintf(moved, sizeof moved, ", mean along %c", "xyz"[w->along]);
-    snprintf(subtitle, sizeof subtitle, "t = %.4g µs, step %ld; %s%s; grey: no crack", 1e6 * w->flat.time,
-             w->flat.step, looks[look].title, moved);
+    snprintf(subtitle, sizeof subtitle, "t = %.4g µs, step %ld; %s%s; grey: no crack", 1e6 * w->flat.time, w->flat.step,
+             looks[look].title, moved);
     if (postproc_flat_draw(&f)) postproc_sections_fail(out, folder);
     memory_free(scaled);
 }
 
 /* The colours are those of all files, for the pressure is highest before the crack grows. */
-static void film(struct postproc_output *out, const struct postproc_history *h, const struct postproc_wet *last,
+static void film(struct postproc_output *out, const struct postproc_history *h, const struct postproc_wet *full,
                  int look, double magnify) {
     const char *word = postproc_options_name(looks[look].quantity);
     double range[2] = {0, 0};
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0, frame = 1; k < h->solid.n; k++) {
             char name[96];
-            struct postproc_wet *w = postproc_wet_new(h, k, last);
+            struct postproc_wet *w = postproc_wet_new(h, k, full);
             if (w && pass == 0) widen(range, w, look);
             if (w && pass == 1) {
                 snprintf(name, sizeof name, "%s_%04d", word, frame);
@@ -230,11 +231,24 @@ static double magnify_of(const struct postproc_output *out, const struct postpro
     return fmax(1, postproc_legend_round(fmin(0.1 * (w->flat.high[0] - w->flat.low[0]) / range[1], 1e6)));
 }
 
+/* The file in which the cracks held most: the last one without a series. */
+static int fullest(const struct postproc_history *h) {
+    int best = h->solid.n - 1;
+    double most = 0;
+    for (int k = 0; k < h->solid.n; k++) {
+        const double volume = postproc_history_value(h, "crack_volume", h->solid.entry[k].time);
+        if (!(volume > most)) continue;
+        most = volume;
+        best = k;
+    }
+    return best;
+}
+
 void postproc_sections_crack_fluid(struct postproc_output *out, const struct postproc_history *h) {
     if (!h->scene->crack_fluid) return;
     postproc_sections_crack_fluid_numbers(out, h);
     if (h->series) record(out, h);
-    struct postproc_wet *w = h->solid.n > 0 ? postproc_wet_new(h, h->solid.n - 1, NULL) : NULL;
+    struct postproc_wet *w = h->solid.n > 0 ? postproc_wet_new(h, fullest(h), NULL) : NULL;
     if (!w) return;
     add_band(&out->facts, w);
     const double magnify = magnify_of(out, w);
