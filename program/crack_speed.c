@@ -51,9 +51,10 @@ void crack_speed_sample(struct crack_speed *c, const struct run *r, double area)
     c->length[c->n] = r->solid->dim == 2 ? 0.5 * area / r->solid->in.thickness : sqrt(area / acos(-1));
     const double speed = physics_growth_speed(c->t, c->length, c->n++, c->advance, &c->first);
     if (speed > SLOW * c->wave && !(c->most > SLOW * c->wave))
-        log_line("warning: crack fluid: the tips run at %.3g m/s, %.3g sqrt(E/rho_s), over %d spacings: above %g inertia "
-                 "counts",
-                 speed, speed / c->wave, ADVANCE, SLOW);
+        log_line(
+            "warning: crack fluid: the tips run at %.3g m/s, %.3g sqrt(E/rho_s), over %d spacings: above %g inertia "
+            "counts",
+            speed, speed / c->wave, ADVANCE, SLOW);
     c->most = fmax(c->most, speed);
 }
 

@@ -20,6 +20,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <sys/stat.h>
+#include <zlib.h>
 
 static const char base[] = FRANA_BINARY_DIR "/tests/postproc/wet";
 static char folder[FOLDER_PATH];
@@ -55,20 +56,29 @@ static void scene_of(int dim) {
 /* A peak of inertia at 5 us; the first bond breaks at 30 us, the pressure is largest at 33 us; nothing is injected from
  * 60 us on, and the aperture falls below 1 um at 80 us. The half length grows by 0.4 mm a us from 40 to 60 us. */
 static void series_of(int dim) {
-    static const char *const name[] = {"step",         "t",
-                                       "bonds_broken", "injected_volume",
-                                       "crack_volume", "volume_residual",
-                                       "injection_pressure", "injection_rate",
-                                       "crack_area_wet",     "aperture_mean"};
+    static const char *const name[] = {"step",
+                                       "t",
+                                       "bonds_broken",
+                                       "injected_volume",
+                                       "crack_volume",
+                                       "volume_residual",
+                                       "injection_pressure",
+                                       "injection_rate",
+                                       "crack_area_wet",
+                                       "aperture_mean"};
     static const char *const unit[] = {"1", "s", "1", "m3", "m3", "m3", "Pa", "m3/s", "m2", "m"};
     char path[FOLDER_PATH];
     struct table *series = table_new(folder_path(path, folder, "series.csv"), 10, name, unit, -1);
     for (int us = 0; us <= ROWS; us++) {
         const double t = 1e-6 * us, length = 4e-3 + 400 * fmin(fmax(t - 40e-6, 0), 20e-6);
-        const double p = us == 5 ? 9e6 : us <= 33 ? 2e5 * us : us < 60 ? 6.6e6 - 1e5 * (us - 33) : 3e6 - 4e4 * (us - 60);
-        table_row(series, (double[]){us, t, us < 30 ? 40 : 11 + us, 1e-6 * t, us < 55 ? 1e-6 * t : 0, us == 7 ? 1e-22 : 0,
-                                     p, us < 60 ? 1e-6 : 0, dim == 2 ? 2 * length * thick : acos(-1) * length * length,
-                                     us < 80 ? wide : 0.5e-6});
+        const double p = us == 5    ? 9e6
+                         : us <= 33 ? 2e5 * us
+                         : us < 60  ? 6.6e6 - 1e5 * (us - 33)
+                                    : 3e6 - 4e4 * (us - 60);
+        table_row(series,
+                  (double[]){us, t, us < 30 ? 40 : 11 + us, 1e-6 * t, us < 55 ? 1e-6 * t : 0, us == 7 ? 1e-22 : 0, p,
+                             us < 60 ? 1e-6 : 0, dim == 2 ? 2 * length * thick : acos(-1) * length * length,
+                             us < 80 ? wide : 0.5e-6});
     }
     table_free(series);
 }
@@ -79,7 +89,8 @@ static void field_of(int dim, int us) {
     static const double share[3] = {0.292, 0.170, 0.038};
     const int deep = dim == 3 ? DEEP : 1;
     const long n = (long)LONG * HIGH * deep;
-    double(*x)[3] = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *x), (*u)[3] = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *u);
+    double(*x)[3] = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *x),
+    (*u)[3] = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *u);
     double *value = memory_new(MEMORY_OUTPUT, 5 * (size_t)n, sizeof *value);
     for (long i = 0; i < n; i++) {
         const int a = (int)(i % LONG), b = (int)(i / LONG % HIGH), c = (int)(i / LONG / HIGH);
@@ -167,15 +178,47 @@ static void record_of_a_plate(void **state) {
     check_relative(summary("field of the pictures of the cracks, t"), 50e-6, 1e-9); /* the crack is emptied later */
     /* K'/(mu' E'^3 Q0)^(1/4) */
     const double e = 2e10 * 16 / 15, k = 4 * sqrt(2 / acos(-1)) * sqrt(50 * e);
-    check_relative(summary("dimensionless toughness K'/(mu' E'^3 Q0)^(1/4)"), k / pow(12e-3 * pow(e, 3) * 1e-6 / thick, 0.25),
-                   1e-9);
-    static const char *const files[] = {"post/plots/injection.png",       "post/plots/injection.pdf",
-                                        "post/plots/crack_pressure.png",  "post/pictures/aperture.png",
+    check_relative(summary("dimensionless toughness K'/(mu' E'^3 Q0)^(1/4)"),
+                   k / pow(12e-3 * pow(e, 3) * 1e-6 / thick, 0.25), 1e-9);
+    static const char *const files[] = {"post/plots/injection.png",         "post/plots/injection.pdf",
+                                        "post/plots/crack_pressure.png",    "post/pictures/aperture.png",
                                         "post/pictures/crack_pressure.svg", "post/film/aperture_0001.png",
                                         "post/film/aperture_0002.png"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         if (size_of(files[i]) < 500) fail_msg("%s is missing or empty", files[i]);
     assert_int_equal(size_of("post/film/aperture_0003.png"), -1);
+}
+
+/* The film that the test before has made is one file of two frames: it holds the first picture's chunks and the second
+ * one's as they are, in a numbered order, with right check sums. */
+static void film_of_a_plate(void **state) {
+    (void)state;
+    char path[FOLDER_PATH], all[64] = "";
+    unsigned char head[8], *data = NULL;
+    long of[2] = {0, 0}, next = 0;
+    FILE *f = fopen(folder_path(path, folder, "post/film/aperture.png"), "rb");
+    assert_non_null(f);
+    assert_int_equal(fread(head, 1, 8, f), 8);
+    while (fread(head, 1, 8, f) == 8) {
+        const size_t n = ((size_t)head[0] << 24) + ((size_t)head[1] << 16) + ((size_t)head[2] << 8) + head[3];
+        data = realloc(data, n + 8);
+        memcpy(data, head + 4, 4);
+        assert_int_equal(fread(data + 4, 1, n + 4, f), n + 4);
+        const unsigned long sum = crc32(0, data, (unsigned)n + 4);
+        for (int k = 0; k < 4; k++) assert_int_equal(data[n + 4 + (size_t)k], sum >> (24 - 8 * k) & 255);
+        if (memcmp(data, "fcTL", 4) == 0 || memcmp(data, "fdAT", 4) == 0) assert_int_equal(data[7], next++);
+        if (memcmp(data, "acTL", 4) == 0) assert_int_equal(data[7], 2);
+        if (memcmp(data, "IDAT", 4) == 0) of[0] += (long)n;
+        if (memcmp(data, "fdAT", 4) == 0) of[1] += (long)n - 4;
+        if (strlen(all) < 40) strncat(all, (char *)data, 1);
+        if (memcmp(data, "IDAT", 4) == 0 && all[strlen(all) - 2] == 'I') all[strlen(all) - 1] = '\0';
+    }
+    fclose(f);
+    free(data);
+    assert_true(strncmp(all, "IafI", 4) == 0 && all[strlen(all) - 1] == 'I');
+    for (int k = 0; k < 2; k++) /* a picture of libpng: signature, IHDR, IDAT, IEND, and perhaps some more */
+        check_between((double)(size_of(k ? "post/film/aperture_0002.png" : "post/film/aperture_0001.png") - of[k]), 57,
+                      400);
 }
 
 /* The columns across the crack's plane: their number, places and means. */
@@ -226,8 +269,8 @@ static void sticks_and_slips(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(record_of_a_plate), cmocka_unit_test(columns_of_a_block),
-                                       cmocka_unit_test(sticks_and_slips)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(record_of_a_plate), cmocka_unit_test(film_of_a_plate),
+                                       cmocka_unit_test(columns_of_a_block), cmocka_unit_test(sticks_and_slips)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
