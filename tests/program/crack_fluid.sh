@@ -59,7 +59,8 @@ said "regime     K'/(mu' E'^3 Q0)^(1/4) = 0.474: viscosity" 'from a half length 
   'tip runs at 0.0902 sqrt(E/rho_s) at first' 'net pressure of 3.83e+07 Pa, above E s0 = 2.09e+07 Pa' \
   'shortest lag that this spacing can have is up to 0.055 m, 55 spacings, with least_pressure: -2.09e+07'
 # slow and confined, with a load as large as a field stress
-sed 's/viscosity: 1.0e-3/&\n  least_pressure: -5.0e6/; s/rate: 2.0e-5/rate: 1.0e-6/; s/0, 1.0e3\]/0, 4.0e9]/' plate.yaml >confined.yaml
+sed -e 's/viscosity: 1.0e-3/&\n  least_pressure: -5.0e6/; s/rate: 2.0e-5/rate: 1.0e-6/' \
+  -e 's/0, 1.0e3\]/0, 4.0e9]/' plate.yaml >confined.yaml
 code 0 "$frana" check confined.yaml
 said 'stands for a confining stress of 5e+06 Pa' 'raise the fracture energy to 1.25 G0' \
   'loads reach 4e+06 Pa. Where they press across the crack its fracture energy is 1.2 G0' \
