@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The commands of every tutorial (blocks of ```sh in docs/tutorials) run as they stand, in an empty folder, and leave the
-# files that the page names.
+# The commands of every tutorial (blocks of ```sh in docs/tutorials) run as they stand, in an empty folder, and leave
+# the files that the page names.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 mkdir bin && ln -s "$frana" bin/frana && export PATH="$work/bin:$PATH"
@@ -12,7 +12,8 @@ for page in "$source"/docs/tutorials/*.md; do
   cd "$name" || fail "no folder $name"
   awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' "$page" >../"$name.sh"
   [ "$(grep -c . ../"$name.sh")" -gt 3 ] || fail "$page: no commands"
-  bash -euo pipefail ../"$name.sh" >../"$name.out" 2>&1 || { tail -20 ../"$name.out" >&2; fail "$page: a command failed"; }
+  bash -euo pipefail ../"$name.sh" >../"$name.out" 2>&1 ||
+    { tail -20 ../"$name.out" >&2; fail "$page: a command failed"; }
   cd ..
   pages=$((pages + 1))
 done
