@@ -52,6 +52,7 @@ void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const st
     struct postproc_facts *f = &out->facts;
     if (!h->scene->crack_fluid || !h->series || h->series->rows == 0) return;
     struct postproc_injection in = postproc_injection_new(h, postproc_wet_least(h));
+    postproc_facts_number(f, "injection pressure, largest", "Pa", largest_of(h, "injection_pressure"));
     add_moment(f, "pressure as the first bond broke", &in.first);
     add_moment(f, "breakdown pressure", &in.breakdown);
     add_moment(f, "shut-in pressure", &in.shut_in);
@@ -196,8 +197,9 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
         snprintf(moved, sizeof moved, "; displacements times %.4g", magnify);
     else
         snprintf(moved, sizeof moved, ", mean along %c", "xyz"[w->along]);
-    snprintf(subtitle, sizeof subtitle, "t = %.4g µs, step %ld; %s%s; grey: no crack", 1e6 * w->flat.time, w->flat.step,
-             looks[look].title, moved);
+    const int all = look && h->scene->dimension == 2 && h->scene->crack_fluid->pores;
+    snprintf(subtitle, sizeof subtitle, "t = %.4g µs, step %ld; %s%s%s", 1e6 * w->flat.time, w->flat.step,
+             all ? "Pressure in cracks and pores" : looks[look].title, moved, all ? "" : "; grey: no crack");
     if (postproc_flat_draw(&f)) postproc_sections_fail(out, folder);
     memory_free(scaled);
 }
