@@ -102,3 +102,33 @@ double physics_hydraulic_fracture_transition(const struct physics_hydraulic_frac
     }
     ENSURE(0, "shape %d", (int)in->shape);
 }
+
+/* The length goes with this power of the time. */
+static double power_of(enum physics_hydraulic_shape shape, enum physics_hydraulic_regime regime) {
+    switch (shape) {
+    case PHYSICS_KGD:
+        return 2.0 / 3;
+    case PHYSICS_PENNY:
+        return regime == PHYSICS_TOUGHNESS ? 2.0 / 5 : 4.0 / 9;
+    }
+    ENSURE(0, "shape %d", (int)shape);
+}
+
+double physics_hydraulic_fracture_reached(const struct physics_hydraulic_fracture *in,
+                                          enum physics_hydraulic_regime regime, double length) {
+    return pow(length / physics_hydraulic_fracture_at(in, regime, 1).length, 1 / power_of(in->shape, regime));
+}
+
+double physics_hydraulic_fracture_speed(const struct physics_hydraulic_fracture *in,
+                                        enum physics_hydraulic_regime regime, double t) {
+    return power_of(in->shape, regime) * physics_hydraulic_fracture_at(in, regime, t).length / t;
+}
+
+/* A semi-infinite crack, steady, K_I = 0: the pressure in the lag is -sigma0, and dp/dx = mu' V/w^2 behind it. The
+ * digits were met by two programs, one of which is tests/physics/test_hydraulic_fracture.c. */
+static const double LAG = 0.3598;
+
+double physics_hydraulic_fracture_lag(const struct physics_hydraulic_fracture *in, double speed, double stress) {
+    const struct scales s = scales_of(in);
+    return LAG * s.mu * speed / stress * pow(s.e / stress, 2);
+}

@@ -42,3 +42,12 @@ double physics_hydraulic_fracture_number(const struct physics_hydraulic_fracture
 /* The time at which that number is 1, s: sqrt(mu'^5 E'^13 Q0^3/K'^18) of a penny. INFINITY of a KGD crack, whose number
  * does not change. */
 double physics_hydraulic_fracture_transition(const struct physics_hydraulic_fracture *in);
+/* The time at which a crack has that length, s, and the speed of its tip at a time, m/s. */
+double physics_hydraulic_fracture_reached(const struct physics_hydraulic_fracture *in,
+                                          enum physics_hydraulic_regime regime, double length);
+double physics_hydraulic_fracture_speed(const struct physics_hydraulic_fracture *in,
+                                        enum physics_hydraulic_regime regime, double t);
+/* The lag between the fluid's front and a tip that runs at a speed V through a solid without toughness under the
+ * confining stress sigma0: 0.3598 mu' V E'^2/sigma0^3, m. With toughness the lag is shorter.  (Garagash and Detournay
+ * 2000) */
+double physics_hydraulic_fracture_lag(const struct physics_hydraulic_fracture *in, double speed, double stress);

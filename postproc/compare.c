@@ -130,6 +130,7 @@ static int compare(int n, struct postproc_history *const *run, const char *const
         postproc_sections_medium(output[r], run[r]);
         postproc_sections_fracture(output[r], run[r]);
         postproc_sections_crack_numbers(output[r], run[r]);
+        postproc_sections_crack_fluid_numbers(output[r], run[r]);
         postproc_sections_wall(output[r], run[r]);
     }
     postproc_gnuplot_end();

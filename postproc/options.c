@@ -3,8 +3,9 @@
 
 #include <string.h>
 
-static const char *const name[POSTPROC_QUANTITIES] = {"damage",         "stretch", "energy", "displacement_x",
-                                                      "displacement_y", "flow",    "speed",  "pressure"};
+static const char *const name[POSTPROC_QUANTITIES] = {"damage",         "stretch",       "energy", "displacement_x",
+                                                      "displacement_y", "flow",          "speed",  "pressure",
+                                                      "aperture",       "crack_pressure"};
 
 int postproc_options_quantity(const char *word) {
     for (int k = 0; k < POSTPROC_QUANTITIES; k++)

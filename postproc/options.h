@@ -10,6 +10,8 @@ enum postproc_quantity {
     POSTPROC_FLOW, /* from here on of space only */
     POSTPROC_SPEED,
     POSTPROC_PRESSURE,
+    POSTPROC_APERTURE, /* from here on of cracks with fluid, in plates and in space */
+    POSTPROC_CRACK_PRESSURE,
     POSTPROC_QUANTITIES
 };
 enum { POSTPROC_PLATE_QUANTITIES = POSTPROC_FLOW };
@@ -24,7 +26,6 @@ struct postproc_options {
     double magnify;  /* factor of the displacements; 0: automatic */
 };
 
-/* The quantity of a name: damage, stretch, energy, displacement_x, displacement_y, flow, speed,
- * pressure; -1: unknown name. */
+/* The quantity of a name; -1: unknown name. */
 int postproc_options_quantity(const char *word);
 const char *postproc_options_name(enum postproc_quantity quantity);

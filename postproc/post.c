@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "files/folder.h"
+#include "postproc/draw/film.h"
 #include "postproc/gnuplot.h"
 #include "postproc/report.h"
 #include "postproc/sections/sections.h"
@@ -52,6 +53,16 @@ static void report_film(struct postproc_report *r, const struct postproc_output 
     postproc_report_film(r, n, all, out->film_title);
 }
 
+/* All pictures of the film as one file, film/NAME.png, twelve a second. */
+static void film_write(struct postproc_output *out) {
+    char folder[FOLDER_PATH], path[FOLDER_PATH], name[96];
+    if (out->frames == 0) return;
+    snprintf(name, sizeof name, "film/%s.png", out->film);
+    if (postproc_film_write(folder_path(path, out->folder, name), folder_path(folder, out->folder, "film"), out->film,
+                            out->frames, 1000 / 12) < 0)
+        postproc_sections_fail(out, path);
+}
+
 static void report_images(struct postproc_report *r, const struct postproc_output *out) {
     char path[128];
     if (out->pictures) postproc_report_heading(r, "Pictures");
@@ -96,6 +107,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"Events", postproc_sections_events},
         {"Azimuthal modes of the damage", postproc_sections_modes},
         {"The crack", postproc_sections_crack},
+        {"Fluid in the cracks", postproc_sections_crack_fluid},
         {"Strain and stress", postproc_sections_pdf},
         {"Where the time went", postproc_sections_wall},
         {NULL, postproc_sections_profile},
@@ -141,6 +153,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         last[k] = out->facts.n;
         if (section[k].heading) report_section(report, out, section[k].heading, k ? last[k - 1] : 0, last[k]);
     }
+    film_write(out);
     report_images(report, out);
     const char *missing = plots_missing(out->charts.worst);
     if (missing) {

@@ -11,6 +11,7 @@
 #include "cracks/measure.h"
 #include "physics/consolidation.h"
 #include "physics/waves.h"
+#include "program/check_cracks.h"
 #include "program/check_sizes.h"
 #include "program/program.h"
 #include "program/fragments.h"
@@ -184,6 +185,7 @@ static void say_holdings(struct run *r) {
     if (r->solid) say_interfaces(&r->solid->in);
     if (r->solid) say_moving(&r->solid->in);
     say_crack_fluid(r);
+    check_cracks_say(r);
     if (r->solid) say_on_surface(r->solid);
     if (r->solid) say_perturbed(r->solid);
     if (r->surface)

@@ -22,8 +22,7 @@ static int post(const struct command *c) {
     if (quantity < 0)
         die(EXIT_CODE_SCENE,
             "--film=%s: must be damage, stretch, energy, displacement_x or displacement_y of a plate; damage, flow, "
-            "speed or "
-            "pressure in space",
+            "speed or pressure in space; aperture or crack_pressure of cracks with fluid",
             c->film_quantity);
     const struct postproc_options options = {.film = c->film,
                                              .film_quantity = (enum postproc_quantity)quantity,

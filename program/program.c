@@ -19,6 +19,7 @@
 #include "program/bodies.h"
 #include "program/checkpoint.h"
 #include "program/crack_series.h"
+#include "program/crack_speed.h"
 #include "program/events.h"
 #include "program/fields.h"
 #include "program/fluid_probes.h"
@@ -53,6 +54,7 @@ struct program {
     struct reactions *reactions;       /* NULL: no constraint, no load */
     struct bodies *bodies;             /* NULL: one body */
     struct events *events;             /* NULL: not asked for */
+    struct crack_speed *crack_speed;   /* NULL: cracks carry no fluid */
     struct march *march;
     enum signals_reason reason; /* to stop after the present step */
     struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
@@ -199,6 +201,7 @@ static int step(struct program *p) {
     drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
     if (!sampled) series_leave(p->series, r);
     if (sampled) series_sample(p->series, r);
+    if (sampled) crack_speed_sample(p->crack_speed, r, series_last(p->series)->crack_area_wet);
     if (sampled) reactions_sample(p->reactions, r);
     if (sampled) bodies_sample(p->bodies, r);
     if (sampled || drawn) fragments_sample(p->fragments, r, drawn || last);
@@ -243,6 +246,7 @@ static int stages(struct program *p) {
             log_line("stage %s: crack fluid: %.3g solves and %.3g iterations a substep, struts made %ld times",
                      stage->name, (double)r->cracks->solves / (double)r->cracks->steps,
                      (double)r->cracks->iterations / (double)r->cracks->steps, r->cracks->renewals);
+        if (stage->crack_fluid) crack_speed_say(p->crack_speed, stage->name);
         if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;
     }
 }
@@ -283,6 +287,7 @@ static void begin(struct program *p) {
     p->reactions = reactions_new(p->run);
     p->bodies = bodies_new(p->run);
     p->events = events_new(p->run);
+    p->crack_speed = crack_speed_new(p->run);
     char(*too_long)[OVERSTEP_SENTENCE] = calloc((size_t)p->scene->stages * OVERSTEP_MAX, sizeof *too_long);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
     folder_make(c->out);
@@ -343,6 +348,7 @@ int program_run(const struct command *c, const struct scene *scene) {
     reactions_free(p.reactions);
     bodies_free(p.bodies);
     events_free(p.events);
+    crack_speed_free(p.crack_speed);
     run_free(p.run);
     log_end();
     folder_hold_release();

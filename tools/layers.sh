@@ -23,7 +23,7 @@ scene
     scene.h
     text
     turn.h turn.c
-    outline.h outline.c medium.h medium.c
+    outline.h outline.c medium.h medium.c notch.h notch.c
     rules
     check
 fluid

@@ -37,8 +37,9 @@ static void squares_draw(struct postproc_canvas *c, const struct postproc_flat *
         const double left = w->x + w->scale * (x - half), right = w->x + w->scale * (x + half);
         const double top = w->y - w->scale * (y + half), bottom = w->y - w->scale * (y - half);
         if (!(right > 0 && bottom > 0 && left < c->width && top < c->height)) continue;
-        postproc_colour_map(
-            p->map, (p->value[(size_t)i * (size_t)p->stride] - p->value_low) / (p->value_high - p->value_low), srgb);
+        const double value = p->value[(size_t)i * (size_t)p->stride];
+        postproc_colour_map(p->map, (value - p->value_low) / (p->value_high - p->value_low), srgb);
+        for (int k = 0; isnan(value) && k < 3; k++) srgb[k] = 0.86;
         postproc_canvas_fill(c, (int)floor(left), (int)floor(top), (int)ceil(right), (int)ceil(bottom), srgb);
     }
 }
@@ -82,7 +83,11 @@ int postproc_flat_draw(const struct postproc_flat *p) {
                                                   .width = (int)(0.018 * w),
                                                   .text = text});
     const double zero[3] = {0, 0, 0}, one[3] = {1, 1, 1}, front[3] = {0, 0, 1};
-    const struct postproc_camera camera = postproc_camera_new(front, zero, one, (double[4]){0, 0, 1, 1});
+    struct postproc_camera camera = postproc_camera_new(front, zero, one, (double[4]){0, 0, 1, 1});
+    for (int k = 0; k < 3; k++) { /* the two axes of the picture */
+        camera.right[k] = k == (p->along == 2 ? 1 : 0);
+        camera.up[k] = k == (p->along == 0 ? 1 : 2);
+    }
     postproc_legend_axes(f, &camera, zero);
     postproc_legend_scale(f, 0.17 * w, h - 0.035 * w, out.scale, 0.16 * w);
     postproc_legend_title(f, p->title, p->subtitle);

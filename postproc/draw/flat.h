@@ -11,10 +11,11 @@ struct postproc_flat {
     const char *title, *subtitle;
     const char *label; /* of the colour bar */
     const struct postproc_plate *plate;
-    const double *value; /* value[i * stride] is particle i's */
+    const double *value; /* value[i * stride] is particle i's; NAN: light grey */
     int stride;
     double value_low, value_high; /* of the colours */
     enum postproc_map map;
+    int along;      /* 0: the picture shows x and y, 1: x and z, 2: y and z */
     double magnify; /* factor of the displacements in the picture */
     /* NULL: none; with the displacement on a grid, which moves the contour */
     const struct postproc_contour *contour;

@@ -244,8 +244,10 @@ static const struct view *film_view(const struct postproc_output *out, const str
     case POSTPROC_ENERGY:
     case POSTPROC_DISPLACEMENT_X:
     case POSTPROC_DISPLACEMENT_Y:
+    case POSTPROC_APERTURE:
+    case POSTPROC_CRACK_PRESSURE:
     case POSTPROC_QUANTITIES:
-        return NULL; /* of plates only */
+        return NULL; /* of plates, or of cracks with fluid (sections/crack_fluid.c) */
     }
     const enum solid_value solid = flow == NO_FLOW && damaged ? DAMAGE : PLAIN;
     for (int k = 0; k < VIEWS; k++)

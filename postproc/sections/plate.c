@@ -39,6 +39,8 @@ static const double *values_of(const struct postproc_plate *p, enum postproc_qua
     case POSTPROC_FLOW:
     case POSTPROC_SPEED:
     case POSTPROC_PRESSURE:
+    case POSTPROC_APERTURE:
+    case POSTPROC_CRACK_PRESSURE:
     case POSTPROC_QUANTITIES:
         break;
     }

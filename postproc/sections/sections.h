@@ -56,6 +56,11 @@ double postproc_sections_crack_level(struct postproc_output *out, const struct p
 void postproc_sections_plate(struct postproc_output *out,
                              const struct postproc_history *h); /* pictures and film of a plate */
 
+/* Fluid in cracks below the grid: record of the injection, pictures and film of the cracks. */
+void postproc_sections_crack_fluid(struct postproc_output *out, const struct postproc_history *h);
+/* Those numbers of that section that need no field; no file is written. */
+void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const struct postproc_history *h);
+
 /* "t/t0 = 1.5" or "t = 2e-06 s": a time after the start of the stage. */
 void postproc_sections_when(const struct postproc_history *h, double t, char text[64]);
 /* The colours for values between two limits: diverging, with limits made symmetric, if both signs are there to more

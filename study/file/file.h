@@ -33,8 +33,8 @@ struct study_reference {
     double order;              /* of the extrapolation; NAN: the observed one */
 };
 
-enum study_at { STUDY_LAST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME };
-enum { STUDY_ATS = STUDY_TIME + 1 };
+enum study_at { STUDY_LAST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME, STUDY_TIME_MAX };
+enum { STUDY_ATS = STUDY_TIME_MAX + 1 };
 
 /* A number from a run folder: from the series, from a table or JSON file, or the last line that a command prints. */
 struct study_quantity {

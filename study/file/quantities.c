@@ -34,7 +34,8 @@ static void read_reference(struct study_reference *r, const struct scene_node *n
 
 static void read_column(struct study_quantity *q, const struct study_key *k) {
     static const char *const words[STUDY_ATS] = {
-        [STUDY_LAST] = "last", [STUDY_MAX] = "max", [STUDY_MIN] = "min", [STUDY_MEAN] = "mean", [STUDY_TIME] = "time"};
+        [STUDY_LAST] = "last", [STUDY_MAX] = "max",   [STUDY_MIN] = "min",
+        [STUDY_MEAN] = "mean", [STUDY_TIME] = "time", [STUDY_TIME_MAX] = "time_max"};
     q->at = (enum study_at)study_key_choice(k, "at", STUDY_ATS, words, STUDY_LAST);
     q->after = study_key_number(k, "after", STUDY_KEY_ANY, -INFINITY);
     q->before = study_key_number(k, "before", STUDY_KEY_ANY, INFINITY);

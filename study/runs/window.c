@@ -5,7 +5,7 @@
 #include <math.h>
 
 double study_window(const struct study_samples *s, enum study_at at, double after, double before, double above) {
-    double last = NAN, most = NAN, least = NAN, time = NAN, area = 0, length = 0, t_last = NAN;
+    double last = NAN, most = NAN, least = NAN, time = NAN, peak = NAN, area = 0, length = 0, t_last = NAN;
     for (long i = 0; i < s->n; i++) {
         const double t = s->t[i * s->stride], x = s->x[i * s->stride];
         if (isnan(x) || !(t >= after && t <= before)) continue;
@@ -14,6 +14,7 @@ double study_window(const struct study_samples *s, enum study_at at, double afte
             length += t - t_last;
         }
         if (isnan(time) && x > above) time = t;
+        if (!(x <= most)) peak = t;
         most = fmax(most, x); /* fmax ignores NAN */
         least = fmin(least, x);
         last = x;
@@ -28,6 +29,8 @@ double study_window(const struct study_samples *s, enum study_at at, double afte
         return length > 0 ? area / length : last;
     case STUDY_TIME:
         return time;
+    case STUDY_TIME_MAX:
+        return peak;
     case STUDY_LAST:
         return last;
     }

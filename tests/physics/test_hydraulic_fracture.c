@@ -266,6 +266,64 @@ static void transition(void **state) {
     check_equal(isinf(physics_hydraulic_fracture_transition(&kgd)), 1);
 }
 
+/* The time is the inverse of the length, and the speed its slope. */
+static void reached(void **state) {
+    (void)state;
+    for (int shape = 0; shape < 2; shape++)
+        for (int regime = 0; regime < 2; regime++) {
+            const struct physics_hydraulic_fracture in = {shape, 3e10, 1e6, 0.1, 1e-3};
+            const double t = 3, length = physics_hydraulic_fracture_at(&in, regime, t).length;
+            check_relative(physics_hydraulic_fracture_reached(&in, regime, length), t, 1e-12);
+            const double slope = (physics_hydraulic_fracture_at(&in, regime, t + 1e-4).length -
+                                  physics_hydraulic_fracture_at(&in, regime, t - 1e-4).length) /
+                                 2e-4;
+            check_relative(physics_hydraulic_fracture_speed(&in, regime, t), slope, 1e-7);
+        }
+}
+
+/* Integral of the opening's kernel of a semi-infinite crack without toughness,
+ *     w(x) = 4/(pi E') int (ln |(x^1/2 + s^1/2)/(x^1/2 - s^1/2)| - 2 (x/s)^1/2) p(s) ds */
+static double lag_kernel(double x, double s) {
+    const double a = sqrt(x), b = sqrt(s);
+    return (s == x ? 0 : (s - x) * log((a + b) / fabs(a - b))) - 2 * a * b;
+}
+
+/* The lag of length 1: p = -1 in it, then p' = M/w^2 up to p = 0 far away; the lag is 1/M mu' V E'^2/sigma0^3. Far from
+ * the tip p goes with x^-1/3 and w with x^2/3. */
+static void lag(void **state) {
+    (void)state;
+    enum { DRY = 60, WET = 260, ALL = DRY + WET };
+    static double edge[ALL + 1], x[ALL], p[ALL], w[ALL], pull[ALL][ALL];
+    const double pi = acos(-1), far = 1e8;
+    for (int i = 0; i <= ALL; i++) edge[i] = i < DRY ? pow((double)i / DRY, 2) : pow(far, (double)(i - DRY) / WET);
+    for (int i = 0; i < ALL; i++) x[i] = i ? sqrt(edge[i] * edge[i + 1]) : edge[1] / 3;
+    for (int i = 0; i < ALL; i++)
+        for (int j = 0; j < ALL; j++) pull[i][j] = 4 / pi * (lag_kernel(x[i], edge[j + 1]) - lag_kernel(x[i], edge[j]));
+    for (int i = 0; i < ALL; i++) p[i] = i < DRY ? -1 : -pow(x[i], -1.0 / 3);
+    double m = 0, before = 1;
+    for (int k = 0; k < 100 && fabs(m - before) > 1e-9; k++) {
+        before = m;
+        const double rest = p[ALL - 1] * cbrt(x[ALL - 1]) * 4 / pi * 2 / 3 * 6 / 5 * pow(far, -5.0 / 6);
+        double beyond = 0;
+        for (int i = ALL - 1; i >= DRY; i--) {
+            w[i] = rest * pow(x[i], 1.5);
+            for (int j = 0; j < ALL; j++) w[i] += pull[i][j] * p[j];
+            if (i == ALL - 1) beyond = 3 * pow(w[i], -2) * pow(x[i], 4.0 / 3) / cbrt(far);
+            w[i] = pow(w[i], -2) * (edge[i + 1] - edge[i]);
+        }
+        double sum = beyond;
+        for (int i = ALL - 1; i >= DRY; i--) sum += w[i];
+        m = 1 / sum;
+        sum = beyond;
+        for (int i = ALL - 1; i >= DRY; i--) {
+            p[i] = 0.5 * p[i] - 0.5 * m * (sum + 0.5 * w[i]);
+            sum += w[i];
+        }
+    }
+    const struct physics_hydraulic_fracture one = {PHYSICS_KGD, 3, 0, 0.5, 1};
+    check_relative(physics_hydraulic_fracture_lag(&one, 2, 5), 1 / m * 6 * 2 * 9 / 125, 5e-4);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(kgd_with_viscosity),
@@ -273,7 +331,9 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(with_toughness),
                                        cmocka_unit_test(units),
                                        cmocka_unit_test(in_time),
-                                       cmocka_unit_test(transition)};
+                                       cmocka_unit_test(transition),
+                                       cmocka_unit_test(reached),
+                                       cmocka_unit_test(lag)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -63,6 +63,25 @@ resumed porous stage_dry 9
 code 0 "$frana" check plate.yaml
 grep -q 'crack fluid  in 96 particles' out || fail "check does not say the wet particles"
 grep -q 'injection  of 2e-05 m3/s by 12 of them' out || fail "check does not say the injection"
+# said SENTENCE...: check says each of these
+said() { for s; do grep -qF -- "$s" out || { cat out >&2; fail "not said: $s"; }; done; }
+said "regime     K'/(mu' E'^3 Q0)^(1/4) = 0.474: viscosity" 'from a half length of 0.006 m, 6 spacings' \
+  'tip runs at 0.0902 sqrt(E/rho_s) at first' 'net pressure of 3.83e+07 Pa, above E s0 = 2.09e+07 Pa' \
+  'shortest lag that this spacing can have is up to 0.055 m, 55 spacings, with least_pressure: -2.09e+07'
+# slow and confined, with a load as large as a field stress
+sed -e 's/viscosity: 1.0e-3/&\n  least_pressure: -5.0e6/; s/rate: 2.0e-5/rate: 1.0e-6/' \
+  -e 's/0, 1.0e3\]/0, 4.0e9]/' plate.yaml >confined.yaml
+code 0 "$frana" check confined.yaml
+said 'stands for a confining stress of 5e+06 Pa' 'raise the fracture energy to 1.25 G0' \
+  'loads reach 4e+06 Pa. Where they press across the crack its fracture energy is 1.2 G0' \
+  "fluid's front is up to 0.424 m, 424 spacings, behind the tip" 'the lag is longer than the notch'
+! grep -qE 'inertia counts|break everywhere' out || fail "warned of a slow crack"
+# a notch through a row of particles, and a pressure above the strength
+sed 's/rate: 2.0e-5/pressure: 3.0e7/; s/0.02\], \[0.026, 0.02\]/0.0195], [0.026, 0.0195]/' plate.yaml >row.yaml
+code 0 "$frana" check row.yaml
+said '12 particles have lost all their bonds' 'a pressure of 3e+07 Pa is above E s0 = 2.09e+07 Pa'
+! grep -qE 'regime|lag' out || fail "a regime of a given pressure"
+grep -q 'warning: crack fluid: the tips run at .* inertia counts' plate/run.log || fail "the run does not say the speed"
 code 0 "$frana" check porous.yaml
 grep -q 'pores      in all 1600 particles; pressure spreads by' out || fail "check does not say the pores"
 # a scene without the section has none of its columns

@@ -15,6 +15,8 @@ static void of_the_whole_curve(void **state) {
     check_equal(value(STUDY_LAST, -INFINITY, INFINITY, 0), 3);
     check_equal(value(STUDY_MAX, -INFINITY, INFINITY, 0), 5);
     check_equal(value(STUDY_MIN, -INFINITY, INFINITY, 0), -4);
+    check_equal(value(STUDY_TIME_MAX, -INFINITY, INFINITY, 0), 0);
+    check_equal(value(STUDY_TIME_MAX, 0.5, INFINITY, 0), 8);
     /* trapezia, across the sample without a value: 3 + 2 (-1.5) - 1 + 4 2.5 over 8 */
     check_close(value(STUDY_MEAN, -INFINITY, INFINITY, 0), (3 - 3 - 1 + 10) / 8., 1e-15);
 }
@@ -39,7 +41,7 @@ static void first_time_above_a_limit(void **state) {
 
 static void no_samples_no_number(void **state) {
     (void)state;
-    for (enum study_at at = STUDY_LAST; at <= STUDY_TIME; at++) {
+    for (enum study_at at = STUDY_LAST; at <= STUDY_TIME_MAX; at++) {
         assert_true(isnan(value(at, 9, INFINITY, -9)));
         assert_true(isnan(value(at, 1.5, 2.5, -9))); /* only a sample without a value */
     }

@@ -1,0 +1,20 @@
+/* The moments of an injection into cracks, by the series. */
+#pragma once
+#include "postproc/data/history.h"
+
+struct postproc_moment {
+    double t, pressure; /* s, Pa; NAN: it did not come */
+};
+struct postproc_injection {
+    long n;                                  /* rows; 0: the series has no such columns */
+    double *t, *pressure, *rate;             /* [n] owned */
+    struct postproc_moment first, breakdown; /* a bond broke; the largest pressure from the sample before that on, after
+                                              * which it fell, of a given rate */
+    struct postproc_moment shut_in, closure; /* nothing is injected any more; the cracks have closed */
+    double speed;                            /* of the tips, the largest, m/s; NAN: they have not run far */
+};
+
+/* The tips' way is that of a crack with two tips, in space of a circular one, of the wet area; a speed is over five
+ * spacings. The cracks have closed when their mean aperture is at most `least`. */
+struct postproc_injection postproc_injection_new(const struct postproc_history *h, double least);
+void postproc_injection_free(struct postproc_injection *in);

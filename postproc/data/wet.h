@@ -1,0 +1,23 @@
+/* The cracks that carry fluid below the grid in a field file: aperture, pressure, and the band that they take. */
+#pragma once
+#include "postproc/data/plate.h"
+
+struct postproc_wet {
+    /* What is drawn: a plate's particles about the cracks; in space the columns of the lattice along `along` about
+     * them, without displacement, each with the means over its cracks by their area. */
+    struct postproc_plate flat;
+    double *aperture, *pressure; /* [flat.n] m, Pa; NAN where there is no crack; with pores the pressure everywhere.
+                                  * Owned */
+    int along;                   /* 2 of a plate; else the axis across which the cracks are flattest */
+    /* Of the particles at the cracks. Each layer of a band counts its part of the cracks' area. */
+    long particles;
+    double area, volume; /* sum of |a_h|, m2; of the particles' volumes, m3 */
+    double conductive;   /* sum of |a_h| w^3/12, m5: w is the aperture, at least the least one */
+};
+
+/* Of the k-th file, in the window and along the axis of `like`, or its own with NULL. NULL: the file has no such field,
+ * or neither a crack nor a pore. */
+struct postproc_wet *postproc_wet_new(const struct postproc_history *h, int k, const struct postproc_wet *like);
+void postproc_wet_free(struct postproc_wet *w);
+/* The aperture below which conductance takes this one instead, m. */
+double postproc_wet_least(const struct postproc_history *h);
