@@ -11,8 +11,8 @@
 
 const char *command_usage(void) {
     return "usage:\n"
-           "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE]] [--max-wall "
-           "HH:MM:SS] [--quiet]\n"
+           "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE] | --resume-or-start]\n"
+           "              [--max-wall HH:MM:SS] [--quiet]\n"
            "  frana check SCENE.yaml [--out DIR] [--set key.path=value]...\n"
            "  frana permeability SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
            "[--fresh]\n"
@@ -113,7 +113,7 @@ static void slice_of(struct command *c, const char *text) {
 static void check_option(int o, const char *word, enum command_verb verb) {
     const int several = verb == COMMAND_PERMEABILITY || verb == COMMAND_CALIBRATE,
               runs = verb == COMMAND_RUN || several;
-    if (o == 'r' && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
+    if (strchr("ra", o) && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
     if (strchr("wq", o) && !runs)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana run, permeability and calibrate only", word);
     if (o == 's' && !runs && verb != COMMAND_CHECK)
@@ -127,15 +127,23 @@ static void check_option(int o, const char *word, enum command_verb verb) {
 }
 
 static void options(struct command *c, int argc, char **argv) {
-    static const struct option option[] = {
-        {"out", required_argument, NULL, 'o'},    {"set", required_argument, NULL, 's'},
-        {"resume", optional_argument, NULL, 'r'}, {"max-wall", required_argument, NULL, 'w'},
-        {"quiet", no_argument, NULL, 'q'},        {"fresh", no_argument, NULL, 'f'},
-        {"quick", no_argument, NULL, 'k'},        {"only", required_argument, NULL, 'n'},
-        {"sizes", required_argument, NULL, 'z'},  {"repeats", required_argument, NULL, 'p'},
-        {"table", required_argument, NULL, 't'},  {"film", optional_argument, NULL, 'i'},
-        {"level", required_argument, NULL, 'l'},  {"magnify", required_argument, NULL, 'm'},
-        {"slice", required_argument, NULL, 'x'},  {NULL, 0, NULL, 0}};
+    static const struct option option[] = {{"out", required_argument, NULL, 'o'},
+                                           {"set", required_argument, NULL, 's'},
+                                           {"resume", optional_argument, NULL, 'r'},
+                                           {"max-wall", required_argument, NULL, 'w'},
+                                           {"quiet", no_argument, NULL, 'q'},
+                                           {"fresh", no_argument, NULL, 'f'},
+                                           {"quick", no_argument, NULL, 'k'},
+                                           {"only", required_argument, NULL, 'n'},
+                                           {"sizes", required_argument, NULL, 'z'},
+                                           {"repeats", required_argument, NULL, 'p'},
+                                           {"table", required_argument, NULL, 't'},
+                                           {"film", optional_argument, NULL, 'i'},
+                                           {"level", required_argument, NULL, 'l'},
+                                           {"magnify", required_argument, NULL, 'm'},
+                                           {"slice", required_argument, NULL, 'x'},
+                                           {"resume-or-start", no_argument, NULL, 'a'},
+                                           {NULL, 0, NULL, 0}};
     opterr = 0;
     for (int o, which; (o = getopt_long(argc, argv, ":", option, &which)) != -1;) {
         const char *word = argv[optind - 1];
@@ -153,6 +161,9 @@ static void options(struct command *c, int argc, char **argv) {
             break;
         case 'r':
             c->resume = 1, c->resume_file = optarg;
+            break;
+        case 'a':
+            c->resume_or_start = 1;
             break;
         case 'w':
             c->max_wall = seconds_of(optarg);
@@ -241,6 +252,7 @@ struct command *command_new(int argc, char **argv) {
     c->set = calloc((size_t)argc, sizeof *c->set);
     if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
     options(c, argc - 1, argv + 1);
+    if (c->resume && c->resume_or_start) die_all(EXIT_CODE_SCENE, "--resume-or-start: does not go with --resume");
     c->file = (const char *const *)(argv + 1 + optind);
     c->files = argc - 1 - optind;
     check_files(c, argv[1]);

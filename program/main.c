@@ -9,6 +9,7 @@
 #include "program/command.h"
 #include "program/program.h"
 #include "program/record.h"
+#include "program/resume.h"
 #include "program/solve.h"
 #include "scene/scene.h"
 #include "study/study.h"
@@ -58,7 +59,10 @@ static struct scene *scene_of(const struct command *c) {
 
 static int run(const struct command *c) {
     struct scene *scene = scene_of(c);
-    const int code = solve_is(scene) ? solve_run(c, scene) : program_run(c, scene);
+    struct command it = *c;
+    int code = EXIT_CODE_DONE;
+    if (!c->resume_or_start || resume_or_start(&it, scene))
+        code = solve_is(scene) ? solve_run(&it, scene) : program_run(&it, scene);
     scene_free(scene);
     return code;
 }
