@@ -21,7 +21,7 @@ const char *command_usage(void) {
            "              [--only PART,...]\n"
            "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--slice x=PLACE]... [--level DAMAGE]\n"
            "              [--magnify FACTOR]\n"
-           "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
+           "  frana study STUDY.yaml [--out DIR] [--fresh] [--list | --run NUMBER | --collect]\n"
            "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
            "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
            "  frana --version\n"
@@ -123,27 +123,28 @@ static void check_option(int o, const char *word, enum command_verb verb) {
         die_all(EXIT_CODE_SCENE, "%s: goes with frana study, permeability and calibrate only", word);
     if (strchr("kn", o) && verb != COMMAND_BENCH && verb != COMMAND_CALIBRATE)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana bench and calibrate only", word);
+    if (strchr("uLC", o) && verb != COMMAND_STUDY) die_all(EXIT_CODE_SCENE, "%s: goes with frana study only", word);
     if (strchr("zpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
+static void task(struct command *c, enum study_task task) {
+    if (c->task != STUDY_ALL && c->task != task)
+        die_all(EXIT_CODE_SCENE, "--list, --run and --collect: only one of them");
+    c->task = task;
+}
+
 static void options(struct command *c, int argc, char **argv) {
-    static const struct option option[] = {{"out", required_argument, NULL, 'o'},
-                                           {"set", required_argument, NULL, 's'},
-                                           {"resume", optional_argument, NULL, 'r'},
-                                           {"max-wall", required_argument, NULL, 'w'},
-                                           {"quiet", no_argument, NULL, 'q'},
-                                           {"fresh", no_argument, NULL, 'f'},
-                                           {"quick", no_argument, NULL, 'k'},
-                                           {"only", required_argument, NULL, 'n'},
-                                           {"sizes", required_argument, NULL, 'z'},
-                                           {"repeats", required_argument, NULL, 'p'},
-                                           {"table", required_argument, NULL, 't'},
-                                           {"film", optional_argument, NULL, 'i'},
-                                           {"level", required_argument, NULL, 'l'},
-                                           {"magnify", required_argument, NULL, 'm'},
-                                           {"slice", required_argument, NULL, 'x'},
-                                           {"resume-or-start", no_argument, NULL, 'a'},
-                                           {NULL, 0, NULL, 0}};
+    static const struct option option[] = {
+        {"out", required_argument, NULL, 'o'},    {"set", required_argument, NULL, 's'},
+        {"resume", optional_argument, NULL, 'r'}, {"max-wall", required_argument, NULL, 'w'},
+        {"quiet", no_argument, NULL, 'q'},        {"fresh", no_argument, NULL, 'f'},
+        {"quick", no_argument, NULL, 'k'},        {"only", required_argument, NULL, 'n'},
+        {"sizes", required_argument, NULL, 'z'},  {"repeats", required_argument, NULL, 'p'},
+        {"table", required_argument, NULL, 't'},  {"film", optional_argument, NULL, 'i'},
+        {"level", required_argument, NULL, 'l'},  {"magnify", required_argument, NULL, 'm'},
+        {"slice", required_argument, NULL, 'x'},  {"resume-or-start", no_argument, NULL, 'a'},
+        {"list", no_argument, NULL, 'L'},         {"run", required_argument, NULL, 'u'},
+        {"collect", no_argument, NULL, 'C'},      {NULL, 0, NULL, 0}};
     opterr = 0;
     for (int o, which; (o = getopt_long(argc, argv, ":", option, &which)) != -1;) {
         const char *word = argv[optind - 1];
@@ -164,6 +165,16 @@ static void options(struct command *c, int argc, char **argv) {
             break;
         case 'a':
             c->resume_or_start = 1;
+            break;
+        case 'L':
+            task(c, STUDY_LIST);
+            break;
+        case 'u':
+            task(c, STUDY_ONE);
+            c->number = whole(optarg, "--run", 1);
+            break;
+        case 'C':
+            task(c, STUDY_COLLECT);
             break;
         case 'w':
             c->max_wall = seconds_of(optarg);
@@ -252,6 +263,8 @@ struct command *command_new(int argc, char **argv) {
     c->set = calloc((size_t)argc, sizeof *c->set);
     if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
     options(c, argc - 1, argv + 1);
+    if (c->fresh && (c->task == STUDY_LIST || c->task == STUDY_COLLECT))
+        die_all(EXIT_CODE_SCENE, "--fresh: does not go with --list or --collect, which make no run");
     if (c->resume && c->resume_or_start) die_all(EXIT_CODE_SCENE, "--resume-or-start: does not go with --resume");
     c->file = (const char *const *)(argv + 1 + optind);
     c->files = argc - 1 - optind;

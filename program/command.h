@@ -1,6 +1,7 @@
 /* The command line. */
 #pragma once
 #include "bench/bench.h"
+#include "study/study.h"
 
 enum command_verb {
     COMMAND_RUN,
@@ -28,7 +29,9 @@ struct command {
     int anew;                /* 1: the folder's unfinished run is moved out of the way first (program/resume.h) */
     double max_wall;         /* s; 0: no limit */
     int quiet;
-    int fresh; /* study, permeability, calibrate: --fresh */
+    enum study_task task; /* study: --list, --run NUMBER, --collect */
+    int number;           /* study: --run NUMBER */
+    int fresh;            /* study, permeability, calibrate: --fresh */
     /* post */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */

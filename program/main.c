@@ -117,7 +117,7 @@ static int obey(const struct command *c) {
     case COMMAND_BENCH:
         return bench(c);
     case COMMAND_STUDY:
-        return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
+        return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh, c->task, c->number});
     case COMMAND_PERMEABILITY:
         return permeability(c);
     case COMMAND_CALIBRATE:

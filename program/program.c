@@ -306,6 +306,7 @@ static void begin(struct program *p) {
         checkpoint_read(p->run, c->out, c->resume_file);
         p->checked = p->run->resumed = p->run->step;
         log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
+        if (here) p->run->wall_earlier = record_earlier(c->out, p->run->step);
         if (here) fields_cut(p->run, c->out);
     }
     write_resolved(p);
