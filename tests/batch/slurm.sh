@@ -75,10 +75,10 @@ tell() { echo "$((SECONDS - begun)) s: $*"; }
 job() { scontrol show job "$1" -o | tr ' ' '\n' | sed -n "s/^$2=//p" | head -n 1; }
 state() { job "$1" JobState; }
 is() { [ "$(state "$1")" = "$2" ]; }
-waits_again() { is "$1" PENDING && [ "$(job "$1" Restarts)" = 1 ]; }
-# Begins a job that waits again now, and not in two minutes. slurmd refuses a job that was allowed to run in the second in
-# which it ended before.
-restart() { sleep 2; scontrol update JobId="$1" StartTime=now; }
+queued_again() { [ "$(job "$1" Restarts)" = 1 ]; }
+# Begins a job that waits again now, and not in two minutes. slurmd refuses a job that was allowed to run in the second
+# in which it ended before.
+restart() { sleep 2; ! is "$1" PENDING || scontrol update JobId="$1" StartTime=now; }
 ended() { case $(state "$1") in COMPLETED | FAILED | CANCELLED | TIMEOUT | NODE_FAIL) ;; *) false ;; esac; }
 # done_ ID OUT: the job ends with exit code 0
 done_() {
@@ -120,6 +120,7 @@ tell "the uninterrupted run is done"
 # 1: with srun, signalled by Slurm ahead of a limit of a minute; 2: with mpiexec; 3: without a signal
 first=$(sbatch --parsable -o first.out -n 2 -t 1 --signal=B:USR1@15 "$batch/run.slurm" scene.yaml first)
 hold first
+{ until pending first; do sleep 0.2; done; go first; } & # its limit does not wait for what is tested meanwhile
 second=$(LAUNCH="mpiexec -n 2" sbatch --parsable -o second.out -n 2 -t 30 "$batch/run.slurm" scene.yaml second)
 hold second
 sed '/^#SBATCH --signal/d' "$batch/run.slurm" >quiet.slurm
@@ -127,12 +128,12 @@ third=$(RESTARTS=0 sbatch --parsable -o third.out -n 2 -t 1 quiet.slurm scene.ya
   --set stages.fracture.steps=100000000)
 hold third
 left() { squeue -h -j "$third" -o %L | awk -F: '{ print 60 * $1 + $2 }'; }
-{ until [ "$(left)" -le 20 ]; do sleep 0.5; done; go third; } & # its limit does not wait for what is tested meanwhile
+{ until [ "$(left)" -le 20 ]; do sleep 0.5; done; go third; } &
 tell "three runs have begun"
 scancel --batch --signal=USR1 "$second" # to the script alone, as --signal=B does
 await $slurmd pending second
 go second
-await $slurmd waits_again "$second"
+await $slurmd queued_again "$second"
 grep -q 'stopped by SIGUSR1' second/run.log || fail "second: $(cat second/run.log)"
 restart "$second"
 done_ "$second" second.out
@@ -165,13 +166,13 @@ hold $run
 scancel --batch --signal=USR1 "${array}_1"
 await $slurmd pending $run
 go $run
-await $slurmd waits_again "${array}_1"
+await $slurmd queued_again "${array}_1"
 [ "$(state "$collect")" = PENDING ] || fail "the study is collected before its runs are done"
 restart "$(job "${array}_1" JobId)"
 done_ "$collect" collect.out
 cp results/bar.csv array.csv
-sed 's/launcher:.*/launcher: mpiexec --oversubscribe -n {ranks}/' bar.yaml >one.yaml && mkdir one && mv one.yaml one/bar.yaml
-sed -i 's/scene: /scene: ..\//' one/bar.yaml
+mkdir one
+sed 's/launcher:.*/launcher: mpiexec --oversubscribe -n {ranks}/; s/scene: /scene: ..\//' bar.yaml >one/bar.yaml
 code 0 "$frana" study one/bar.yaml
 diff <(lasting array.csv) <(lasting one/results/bar.csv) || fail "the array's table is another than that of one go"
 grep -q '^resumed at step' $run/run.log || fail "run 1 of the study did not resume: $(cat $run/run.log)"
@@ -179,10 +180,8 @@ grep -q '^rk3,50,.*,2,1,0,done$' array.csv || fail "rows: $(cat array.csv)"
 tell "the array's study is that of one go"
 
 # Slurm's own signal ahead of the limit
-await $slurmd pending first
+await $slurmd queued_again "$first"
 tell "Slurm has sent SIGUSR1"
-go first
-await $slurmd waits_again "$first"
 grep -q 'stopped by SIGUSR1' first/run.log || fail "first: $(cat first/run.log)"
 grep -Eq 'the batch system ends this job in (0\.[5-9]|1\b)' first/run.log ||
   fail "squeue's answer is not in first/run.log: $(cat first/run.log)"
