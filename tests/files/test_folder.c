@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -44,10 +45,18 @@ static void a_run_is_seen_and_cleared(void **state) {
     assert_int_equal(folder_has_run(folder), 0);
 }
 
+/* Deletes what an earlier run of the test has left in a folder. */
+static void wipe(const char *path) {
+    char command[FOLDER_PATH + 16];
+    snprintf(command, sizeof command, "rm -rf '%s'", path);
+    if (par_rank() == 0) assert_int_equal(system(command), 0);
+    par_barrier();
+}
+
 static void a_foreign_folder_is_known(void **state) {
     (void)state;
     char path[FOLDER_PATH];
-    folder_path(path, folder, "other");
+    wipe(folder_path(path, folder, "other"));
     assert_false(folder_is_foreign(path)); /* there is none */
     if (par_rank() == 0) mkdir(path, 0777);
     assert_false(folder_is_foreign(path)); /* empty */
@@ -63,7 +72,7 @@ static void a_foreign_folder_is_known(void **state) {
 static void an_unfinished_run_is_moved(void **state) {
     (void)state;
     char run[FOLDER_PATH], aside[FOLDER_PATH], path[FOLDER_PATH];
-    folder_path(run, folder, "again");
+    wipe(folder_path(run, folder, "again"));
     for (int k = 1; k <= 2; k++) {
         folder_make(run);
         touch("again/series.csv");
