@@ -2,16 +2,18 @@
 # Installs missing packages, builds, and runs all tests except the nightly ones.
 #   ./test.sh              ./test.sh --nightly     the long ones too
 #   ./test.sh -R fluid     whatever ctest takes: -R, -E, -L, --rerun-failed, ...
+#   ./test.sh --batch      the job scripts of tools/batch alone, with a Slurm, whose packages it installs
 #   ./test.sh --sanitize   under ASan and UBSan, on all numbers of ranks, built in build-debug: half an hour
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 
 select=(-LE nightly)
-options=()
+options=() more=
 folder=build flavour=() patience=600
 for argument in "$@"; do
     case $argument in
     --nightly) select=() ;;
+    --batch) select=(-L batch) more=$packages_of_batch ;;
     --sanitize)
         folder=build-debug patience=6000
         flavour=(-DCMAKE_BUILD_TYPE=Debug -DFRANA_SANITIZE=ON -DFRANA_WERROR=ON)
@@ -21,7 +23,7 @@ for argument in "$@"; do
 done
 
 # shellcheck disable=SC2086 # a list
-setup_install $packages_of_tests
+setup_install $packages_of_tests $more
 setup_build "$folder" "${flavour[@]}"
 setup_mpi 4
 # Open MPI leaks memory; tests/valgrind.sh finds leaks of frana itself

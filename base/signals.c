@@ -1,16 +1,19 @@
 /* Stops a run at a signal, at --max-wall or at the batch system's limit, on all ranks together. */
 #include "base/signals.h"
+#include "base/batch.h"
 #include "base/ensure.h"
 #include "base/par.h"
 
+#include <math.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 static volatile sig_atomic_t caught; /* the signal's number */
 static double wall_deadline;         /* on par_seconds' clock, 0: none */
-static double batch_deadline;        /* seconds since 1970, 0: none */
+
+static const double ENDING = 10; /* s before the batch system's limit: the program and its job script end after the
+                                  * checkpoint */
 
 static void catch (int number) { caught = number; }
 
@@ -28,14 +31,18 @@ void signals_begin(double max_wall) {
     signal(SIGPIPE, SIG_IGN);
     caught = 0;
     wall_deadline = max_wall > 0 ? par_seconds() + max_wall : 0;
-    const char *batch = getenv("SLURM_JOB_END_TIME");
-    batch_deadline = batch ? strtod(batch, NULL) : 0;
+    if (par_rank() == 0) batch_ask();
 }
 
 static double since_1970(void) {
     struct timespec now;
     clock_gettime(CLOCK_REALTIME, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double signals_batch_left(void) {
+    const double end = par_rank() == 0 ? batch_end() : 0;
+    return end > 0 ? end - since_1970() : INFINITY;
 }
 
 /* A signal on any rank is reported before a time limit. One reduction finds all of it. */
@@ -45,7 +52,7 @@ enum signals_reason signals_stop_also(double reserve, double *also, int n) {
     ENSURE(n <= SIGNALS_ALSO, "%d numbers along", n);
     has[0] = caught != 0;
     has[1] = wall_deadline > 0 && par_seconds() + reserve > wall_deadline;
-    has[2] = batch_deadline > 0 && since_1970() + reserve > batch_deadline;
+    has[2] = signals_batch_left() < reserve + ENDING;
     for (int k = 0; k < n; k++) has[REASONS + k] = also[k];
     par_max_array(has, REASONS + n);
     for (int k = 0; k < n; k++) also[k] = has[REASONS + k];

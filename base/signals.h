@@ -5,7 +5,7 @@ enum signals_reason {
     SIGNALS_NONE,
     SIGNALS_SIGNAL,   /* SIGTERM, SIGUSR1 or SIGINT */
     SIGNALS_MAX_WALL, /* --max-wall */
-    SIGNALS_BATCH     /* the batch system's limit, SLURM_JOB_END_TIME (seconds since 1970) */
+    SIGNALS_BATCH     /* the batch system's limit (base/batch.h) */
 };
 
 /* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once. SIGXFSZ and SIGPIPE are
@@ -17,5 +17,7 @@ enum signals_reason signals_stop(double reserve);
 /* The same; each of also[n] becomes the largest of all ranks. Collective. */
 enum { SIGNALS_ALSO = 8 };
 enum signals_reason signals_stop_also(double reserve, double *also, int n);
+/* Seconds until the batch system ends the job; infinite: not known, or no limit. Rank 0 knows. Not collective. */
+double signals_batch_left(void);
 /* The reason's name for the log: "SIGTERM", "--max-wall", ... Not collective. */
 const char *signals_name(enum signals_reason reason);

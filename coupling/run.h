@@ -98,6 +98,8 @@ struct run {
     long resumed;                        /* step of the checkpoint that the run started from, 0: none */
     double wall_start;
     double setup_seconds; /* from wall_start to the first step; 0: no step yet */
+    double wall_earlier;  /* s of the steps before the checkpoint that the run goes on from, in its own folder; NAN: not
+                           * known */
 };
 
 struct run *run_new(const struct scene *scene); /* Dies (exit 2) on mistakes that are found only here. Collective. */

@@ -12,11 +12,11 @@
 
 static const char *const part_folder[] = {"fields", "checkpoint"};
 static const char *const part_file[] = {
-    "series.csv",    "crack.csv",     "crack_particles.csv", "probes.csv",   "fluid_probes.csv",
-    "fragments.csv", "reactions.csv", "slices.csv",          "rev.csv",      "bodies.csv",
-    "run.json",      "run.log",       "scene.resolved.yaml", "solution.csv", "intensity.csv",
-    "events.csv",    "modes.csv"};
-enum { FOLDERS = 2, FILES = 17 };
+    "series.csv",    "crack.csv",     "crack_particles.csv", "probes.csv",     "fluid_probes.csv",
+    "fragments.csv", "reactions.csv", "slices.csv",          "rev.csv",        "bodies.csv",
+    "run.json",      "run.log",       "scene.resolved.yaml", "solution.csv",   "intensity.csv",
+    "events.csv",    "modes.csv",     "growth.csv",          "crack_lines.csv"};
+enum { FOLDERS = 2, FILES = sizeof part_file / sizeof *part_file };
 
 char *folder_path(char *path, const char *folder, const char *name) {
     if (snprintf(path, FOLDER_PATH, "%s/%s", folder, name) >= FOLDER_PATH)
@@ -86,10 +86,63 @@ int folder_has_run(const char *folder) {
     int has = 0;
     if (par_rank() == 0) {
         has = access(folder_path(path, folder, "series.csv"), F_OK) == 0 ||
-              access(folder_path(path, folder, "run.json"), F_OK) == 0;
+              access(folder_path(path, folder, "run.json"), F_OK) == 0 ||
+              access(folder_path(path, folder, "solution.csv"), F_OK) == 0;
         for (int k = 0; k < FOLDERS && !has; k++) has = each_file(folder_path(path, folder, part_folder[k]), NULL) > 0;
     }
     return agree(has);
+}
+
+/* A name in a run folder that a run makes; the names of files that are being written too. */
+static int is_runs(const char *name) {
+    const char *const others[] = {"run.lock", "unfinished_", "screen.log"};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (!strncmp(name, others[k], strlen(others[k]))) return 1;
+    for (int k = 0; k < FOLDERS; k++)
+        if (!strcmp(name, part_folder[k])) return 1;
+    for (int k = 0; k < FILES; k++) {
+        const size_t n = strlen(part_file[k]);
+        if (!strncmp(name, part_file[k], n) && (!name[n] || !strcmp(name + n, ".part"))) return 1;
+    }
+    return 0;
+}
+
+int folder_is_foreign(const char *folder) {
+    int own = 0, other = 0;
+    DIR *dir = par_rank() == 0 ? opendir(folder) : NULL;
+    for (struct dirent *entry; dir && (entry = readdir(dir));) {
+        if (!strcmp(entry->d_name, ".") || !strcmp(entry->d_name, "..")) continue;
+        if (is_runs(entry->d_name))
+            own = 1;
+        else
+            other = 1;
+    }
+    if (dir) closedir(dir);
+    return agree(other && !own);
+}
+
+/* Moves folder/name to aside/name, if there is one; 0 or errno. */
+static int move(const char *folder, const char *aside, const char *name) {
+    char from[FOLDER_PATH], to[FOLDER_PATH];
+    return rename(folder_path(from, folder, name), folder_path(to, aside, name)) == 0 || errno == ENOENT ? 0 : errno;
+}
+
+void folder_set_aside(const char *folder, char *aside) {
+    char name[32];
+    int fault = 0;
+    if (par_rank() == 0) {
+        for (int k = 1; fault == 0 || fault == EEXIST; k++) {
+            snprintf(name, sizeof name, "unfinished_%d", k);
+            fault = mkdir(folder_path(aside, folder, name), 0777) == 0 ? 0 : errno;
+            if (fault == 0) break;
+        }
+        for (int k = 0; k < FOLDERS && !fault; k++) fault = move(folder, aside, part_folder[k]);
+        for (int k = 0; k < FILES && !fault; k++) fault = move(folder, aside, part_file[k]);
+    }
+    fault = agree(fault);
+    par_bcast(aside, FOLDER_PATH, 0);
+    if (fault)
+        die_all(EXIT_CODE_FILE, "%s: the files of an unfinished run cannot be moved: %s", aside, strerror(fault));
 }
 
 static void forget(const char *path) {

@@ -12,8 +12,8 @@
 
 const char *command_usage(void) {
     return "usage:\n"
-           "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE]] [--max-wall "
-           "HH:MM:SS] [--quiet]\n"
+           "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE] | --resume-or-start]\n"
+           "              [--max-wall HH:MM:SS] [--quiet]\n"
            "  frana check SCENE.yaml [--out DIR] [--set key.path=value]...\n"
            "  frana permeability SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
            "[--fresh]\n"
@@ -22,7 +22,7 @@ const char *command_usage(void) {
            "              [--only PART,...]\n"
            "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--slice x=PLACE]... [--level DAMAGE]\n"
            "              [--magnify FACTOR]\n"
-           "  frana study STUDY.yaml [--out DIR] [--fresh]\n"
+           "  frana study STUDY.yaml [--out DIR] [--fresh] [--list | --run NUMBER | --collect]\n"
            "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
            "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
            "  frana --version\n"
@@ -115,7 +115,7 @@ static void slice_of(struct command *c, const char *text) {
 static void check_option(int o, const char *word, enum command_verb verb) {
     const int several = verb == COMMAND_PERMEABILITY || verb == COMMAND_CALIBRATE,
               runs = verb == COMMAND_RUN || several;
-    if (o == 'r' && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
+    if (strchr("ra", o) && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
     if (strchr("wq", o) && !runs)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana run, permeability and calibrate only", word);
     if (o == 's' && !runs && verb != COMMAND_CHECK)
@@ -127,6 +127,7 @@ static void check_option(int o, const char *word, enum command_verb verb) {
         die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check, permeability, calibrate and bench only", word);
     if (strchr("kn", o) && verb != COMMAND_BENCH && verb != COMMAND_CALIBRATE)
         die_all(EXIT_CODE_SCENE, "%s: goes with frana bench and calibrate only", word);
+    if (strchr("uLC", o) && verb != COMMAND_STUDY) die_all(EXIT_CODE_SCENE, "%s: goes with frana study only", word);
     if (strchr("zpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
 }
 
@@ -135,6 +136,12 @@ static void start_threads(int threads) {
     if (!threads_set(threads))
         die_all(EXIT_CODE_SCENE, "--threads %d: this frana was built without OpenMP; its ranks have one thread",
                 threads);
+}
+
+static void task(struct command *c, enum study_task task) {
+    if (c->task != STUDY_ALL && c->task != task)
+        die_all(EXIT_CODE_SCENE, "--list, --run and --collect: only one of them");
+    c->task = task;
 }
 
 static void options(struct command *c, int argc, char **argv) {
@@ -153,6 +160,10 @@ static void options(struct command *c, int argc, char **argv) {
                                            {"level", required_argument, NULL, 'l'},
                                            {"magnify", required_argument, NULL, 'm'},
                                            {"slice", required_argument, NULL, 'x'},
+                                           {"resume-or-start", no_argument, NULL, 'a'},
+                                           {"list", no_argument, NULL, 'L'},
+                                           {"run", required_argument, NULL, 'u'},
+                                           {"collect", no_argument, NULL, 'C'},
                                            {"threads", required_argument, NULL, 'h'},
                                            {NULL, 0, NULL, 0}};
     opterr = 0;
@@ -172,6 +183,19 @@ static void options(struct command *c, int argc, char **argv) {
             break;
         case 'r':
             c->resume = 1, c->resume_file = optarg;
+            break;
+        case 'a':
+            c->resume_or_start = 1;
+            break;
+        case 'L':
+            task(c, STUDY_LIST);
+            break;
+        case 'u':
+            task(c, STUDY_ONE);
+            c->number = whole(optarg, "--run", 1);
+            break;
+        case 'C':
+            task(c, STUDY_COLLECT);
             break;
         case 'w':
             c->max_wall = seconds_of(optarg);
@@ -263,6 +287,9 @@ struct command *command_new(int argc, char **argv) {
     c->set = calloc((size_t)argc, sizeof *c->set);
     if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
     options(c, argc - 1, argv + 1);
+    if (c->fresh && (c->task == STUDY_LIST || c->task == STUDY_COLLECT))
+        die_all(EXIT_CODE_SCENE, "--fresh: does not go with --list or --collect, which make no run");
+    if (c->resume && c->resume_or_start) die_all(EXIT_CODE_SCENE, "--resume-or-start: does not go with --resume");
     c->file = (const char *const *)(argv + 1 + optind);
     c->files = argc - 1 - optind;
     check_files(c, argv[1]);

@@ -1,6 +1,7 @@
 /* The command line. */
 #pragma once
 #include "bench/bench.h"
+#include "study/study.h"
 
 enum command_verb {
     COMMAND_RUN,
@@ -24,9 +25,13 @@ struct command {
     const char **set;        /* owned: --set key.path=value */
     int resume;              /* --resume: 1 */
     const char *resume_file; /* --resume=FILE, or NULL: the run folder's latest */
+    int resume_or_start;     /* --resume-or-start: 1 */
+    int anew;                /* 1: the folder's unfinished run is moved out of the way first (program/resume.h) */
     double max_wall;         /* s; 0: no limit */
     int quiet;
-    int fresh; /* study, permeability, calibrate: --fresh */
+    enum study_task task; /* study: --list, --run NUMBER, --collect */
+    int number;           /* study: --run NUMBER */
+    int fresh;            /* study, permeability, calibrate: --fresh */
     /* post */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */

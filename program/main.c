@@ -9,6 +9,7 @@
 #include "program/command.h"
 #include "program/program.h"
 #include "program/record.h"
+#include "program/resume.h"
 #include "program/solve.h"
 #include "scene/scene.h"
 #include "study/study.h"
@@ -57,7 +58,10 @@ static struct scene *scene_of(const struct command *c) {
 
 static int run(const struct command *c) {
     struct scene *scene = scene_of(c);
-    const int code = solve_is(scene) ? solve_run(c, scene) : program_run(c, scene);
+    struct command it = *c;
+    int code = EXIT_CODE_DONE;
+    if (!c->resume_or_start || resume_or_start(&it, scene))
+        code = solve_is(scene) ? solve_run(&it, scene) : program_run(&it, scene);
     scene_free(scene);
     return code;
 }
@@ -112,7 +116,7 @@ static int obey(const struct command *c) {
     case COMMAND_BENCH:
         return bench(c);
     case COMMAND_STUDY:
-        return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh});
+        return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh, c->task, c->number});
     case COMMAND_PERMEABILITY:
         return permeability(c);
     case COMMAND_CALIBRATE:

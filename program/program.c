@@ -59,6 +59,7 @@ struct program {
     enum signals_reason reason; /* to stop after the present step */
     struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
     long checked;               /* last step with a checkpoint, -1: none */
+    int limit_said;             /* 1: the log has said when the batch system ends the run */
     double slowest_step, checkpoint_seconds;
 };
 
@@ -123,6 +124,14 @@ static int stopped(struct program *p) {
              p->run->step);
     record_write(p->run, p->command->out, "stopped", EXIT_CODE_REQUEUE);
     return EXIT_CODE_REQUEUE;
+}
+
+/* Says once how long the batch system lets the run go on; its answer may arrive some steps after it was asked. */
+static void say_limit(struct program *p) {
+    if (p->limit_said) return;
+    const double left = signals_batch_left();
+    p->limit_said = isfinite(left);
+    if (p->limit_said) log_line("the batch system ends this job in %.4g min", left / 60);
 }
 
 static void prepare_sample(void *program) {
@@ -213,6 +222,7 @@ static int step(struct program *p) {
     if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
     march_settle(p->march);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
+    say_limit(p);
     progress(p);
     if (drawn) fields_write(r, p->command->out);
     if (last) say_flow(p);
@@ -251,8 +261,8 @@ static int stages(struct program *p) {
     }
 }
 
-static void refuse_to_overwrite(const struct command *c, int here) {
-    if (!here && folder_has_run(c->out))
+static void refuse_to_overwrite(const struct command *c, int may) {
+    if (!may && folder_has_run(c->out))
         die_all(EXIT_CODE_FILE, "%s holds a run already: --resume goes on with it, --out DIR writes elsewhere", c->out);
 }
 
@@ -271,9 +281,10 @@ static int check_stages(struct run *r, char (*sentence)[OVERSTEP_SENTENCE]) {
 static void begin(struct program *p) {
     const struct command *c = p->command;
     const int here = c->resume && !c->resume_file;
+    char aside[FOLDER_PATH];
     if (c->resume) checkpoint_look(c->out, c->resume_file);
     if (here) folder_hold(c->out);
-    refuse_to_overwrite(c, here);
+    refuse_to_overwrite(c, here || c->anew);
     signals_begin(c->max_wall);
     clock_clear();
     par_count_clear();
@@ -290,11 +301,13 @@ static void begin(struct program *p) {
     p->crack_speed = crack_speed_new(p->run);
     char(*too_long)[OVERSTEP_SENTENCE] = calloc((size_t)p->scene->stages * OVERSTEP_MAX, sizeof *too_long);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
+    if (c->anew) folder_set_aside(c->out, aside);
     folder_make(c->out);
     folder_hold(c->out);
     refuse_to_overwrite(c, here); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, here);
     log_line("frana: %s", p->scene->title);
+    if (c->anew) log_line("the run that was here had not reached a checkpoint: its files are in %s", aside);
     const int threads = threads_count(), cores = threads_cores();
     if (cores > 0 && cores < threads)
         log_line("warning: %d threads of a rank share %d core%s: mpiexec --map-by slot:pe=%d gives them as many",
@@ -303,6 +316,7 @@ static void begin(struct program *p) {
         checkpoint_read(p->run, c->out, c->resume_file);
         p->checked = p->run->resumed = p->run->step;
         log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
+        if (here) p->run->wall_earlier = record_earlier(c->out, p->run->step);
         if (here) fields_cut(p->run, c->out);
     }
     write_resolved(p);

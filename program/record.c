@@ -9,8 +9,10 @@
 #include "base/version.h"
 #include "files/folder.h"
 #include "files/json.h"
+#include "scene/text/yaml.h"
 #include "solid/bonds/family.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -85,6 +87,28 @@ static void write_bounds(struct json *j, const struct adapt *a) {
     json_long(j, "steps_made_again", a->again);
 }
 
+static double member(const struct scene_node *root, const char *key) {
+    const struct scene_node *node = scene_node_child(root, key);
+    char *end;
+    const double value = node && node->value ? strtod(node->value, &end) : NAN;
+    return node && node->value && *end == '\0' ? value : NAN;
+}
+
+double record_earlier(const char *folder, long step) {
+    double seconds = NAN;
+    if (par_rank() == 0) {
+        char path[FOLDER_PATH];
+        struct scene_node *root = scene_yaml_read(folder_path(path, folder, "run.json"));
+        if (root && member(root, "steps") == (double)step) {
+            seconds = member(root, "wall_seconds") - member(root, "setup_seconds");
+            if (scene_node_child(root, "wall_seconds_earlier")) seconds += member(root, "wall_seconds_earlier");
+        }
+        if (root) scene_node_free(root);
+    }
+    par_bcast(&seconds, sizeof seconds, 0);
+    return seconds;
+}
+
 void record_write_version(struct json *j) {
     char libraries[3][128], host[128] = "";
     libraries_describe(libraries);
@@ -139,6 +163,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         json_long(j, "threads", threads_count());
         json_number(j, "wall_seconds", wall);
         json_number(j, "setup_seconds", r->setup_seconds); /* part of it, before the first step */
+        if (r->wall_earlier != 0) json_number(j, "wall_seconds_earlier", r->wall_earlier);
         write_parts(j, seconds);
         const double fluid = seconds[CLOCK_MOMENTUM] + seconds[CLOCK_POISSON] + seconds[CLOCK_HALO];
         if (r->fluid) json_long(j, "cells", (long)fluid_cells(r->fluid));

@@ -5,6 +5,9 @@
 
 /* status: "running", "done", "stopped", "unstable". Collective. */
 void record_write(struct run *r, const char *folder, const char *status, int exit_code);
+/* Seconds of the steps, set-up left out, that led to the checkpoint of this step, by the folder's run.json; NAN: not
+ * known. Collective. */
+double record_earlier(const char *folder, long step);
 /* Sentences on the parts that the scene leaves out. Returns how many. Not collective. */
 enum { RECORD_LEFT_OUT = 16, RECORD_SENTENCE = 160 };
 int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE]);

@@ -81,22 +81,25 @@ static void write_record(const struct solve *s, const char *folder) {
     free(peaks);
 }
 
-static void refuse_options(const struct command *c) {
+static void refuse_options(const struct command *c, int anew) {
     if (c->resume)
         die_all(EXIT_CODE_SCENE, "--resume: a scene that is solved at once has no checkpoint; run it again without");
-    if (folder_has_run(c->out)) die_all(EXIT_CODE_FILE, "%s holds a run already: --out DIR writes elsewhere", c->out);
+    if (!anew && folder_has_run(c->out))
+        die_all(EXIT_CODE_FILE, "%s holds a run already: --out DIR writes elsewhere", c->out);
 }
 
 int solve_run(const struct command *c, const struct scene *scene) {
     struct solve s;
-    char path[FOLDER_PATH];
-    refuse_options(c);
+    char path[FOLDER_PATH], aside[FOLDER_PATH];
+    refuse_options(c, c->anew);
     begin(&s, scene);
+    if (c->anew) folder_set_aside(c->out, aside);
     folder_make(c->out);
     folder_hold(c->out);
-    refuse_options(c); /* the folder is locked: no other run can write there */
+    refuse_options(c, 0); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, 0);
     log_line("frana: %s", scene->title);
+    if (c->anew) log_line("the run that was here had not ended: its files are in %s", aside);
     if (par_rank() == 0) {
         struct aside a;
         aside_begin(&a, folder_path(path, c->out, "scene.resolved.yaml"));

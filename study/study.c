@@ -1,4 +1,4 @@
-/* frana study: plans the runs, makes them, writes the report. */
+/* frana study: plans the runs, lists them, makes all or one of them, writes the report. */
 #include "study/study.h"
 #include "base/die.h"
 #include "base/text.h"
@@ -54,6 +54,38 @@ static int report(const struct study_plan *p, const char *out) {
     return done ? EXIT_CODE_DONE : EXIT_CODE_UNSTABLE;
 }
 
+/* Writes the report of the runs that are there, and says which are not. */
+static int collect(struct study_plan *p, const char *out) {
+    const int missing = study_runs_collect(p), code = report(p, out);
+    if (!missing) return code;
+    fprintf(stderr, "frana: %s: %d of %d runs are missing: ", p->study->path, missing, p->runs);
+    study_runs_say_missing(p, stderr);
+    return EXIT_CODE_REQUEUE;
+}
+
+static int one(struct study_plan *p, const char *program, const struct study_options *o) {
+    if (o->number > p->runs)
+        die_all(EXIT_CODE_SCENE, "frana study --run %d: %s has %d runs", o->number, o->file, p->runs);
+    return study_runs_make_one(p, program, o->fresh, o->number - 1);
+}
+
+static int obey(struct study_plan *plan, const char *program, const char *out, const struct study_options *o) {
+    int code = EXIT_CODE_DONE;
+    switch (o->task) {
+    case STUDY_LIST:
+        study_runs_list(plan);
+        return code;
+    case STUDY_ONE:
+        return one(plan, program, o);
+    case STUDY_COLLECT:
+        return collect(plan, out);
+    case STUDY_ALL:
+        break;
+    }
+    code = study_runs_make(plan, program, o->fresh);
+    return code == EXIT_CODE_DONE ? report(plan, out) : code;
+}
+
 int study_run(const struct study_options *o) {
     char program[4096];
     if (getenv("OMPI_COMM_WORLD_SIZE") || getenv("PMI_SIZE"))
@@ -64,8 +96,7 @@ int study_run(const struct study_options *o) {
     struct study_plan *plan = study_plan_new(s, out);
     environment(s, program);
     study_child_begin();
-    int code = study_runs_make(plan, program, o->fresh);
-    if (code == EXIT_CODE_DONE) code = report(plan, out);
+    const int code = obey(plan, program, out, o);
     study_plan_free(plan);
     study_file_free(s);
     free(out);

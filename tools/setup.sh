@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # Common to demo.sh, test.sh and .ci/run: installation of missing packages, and building. To be sourced by bash.
 #
-#   setup_install [clang...]  what frana needs (Debian: by apt), and the packages named: $packages_of_tests, clang, ...
+#   setup_install [clang...]  what frana needs (Debian: by apt), and the packages named: $packages_of_tests,
+#                             $packages_of_batch, clang, ...
 #   setup_build DIR [args]    configures (cmake, with args) and builds
 #   setup_mpi                 the environment in which mpiexec runs as any user, in a container, on few cores
 
@@ -13,6 +14,8 @@ packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-
     zlib1g-dev gnuplot-nox"
 # shellcheck disable=SC2034 # for whoever sources this
 packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
+# shellcheck disable=SC2034
+packages_of_batch="munge slurmctld slurmd slurm-client" # a Slurm for the test of the job scripts
 commands="cmake gcc pkg-config mpicc mpiexec gnuplot"
 libraries="hdf5-openmpi fftw3 lapacke libcyaml yaml-0.1 cmocka libpng libtiff-4 zlib"
 

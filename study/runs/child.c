@@ -20,6 +20,7 @@ static sigset_t waited_for(int with_child) {
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
     sigaddset(&set, SIGHUP);
+    sigaddset(&set, SIGUSR1);
     if (with_child) sigaddset(&set, SIGCHLD);
     return set;
 }
@@ -73,7 +74,10 @@ int study_child_run(const struct study_child *c) {
         const int signal = sigwaitinfo(&set, NULL);
         if (signal <= 0 || signal == SIGCHLD) continue;
         stopped = signal;
-        kill(-pid, killed++ ? SIGKILL : SIGTERM);
+        if (signal == SIGUSR1) /* to the launcher alone, which hands it on to its ranks */
+            kill(pid, SIGUSR1);
+        else
+            kill(-pid, killed++ ? SIGKILL : SIGTERM);
     }
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }

@@ -29,6 +29,7 @@ struct study_outcome study_outcome_read(const char *folder) {
     o.exit_code = (int)number(root, "exit_code");
     o.setup = number(root, "setup_seconds");
     o.wall = number(root, "wall_seconds") - (isnan(o.setup) ? 0 : o.setup);
+    if (scene_node_child(root, "wall_seconds_earlier")) o.wall += number(root, "wall_seconds_earlier");
     o.cell_step = number(root, "ns_per_cell_step");
     o.bond_sweep = number(root, "ns_per_directed_bond_sweep");
     o.steps = (long)number(root, "steps");

@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/text.h"
 #include "files/folder.h"
+#include "files/store.h"
 #include "files/whole.h"
 #include "scene/read.h"
 #include "scene/scene.h"
@@ -125,15 +126,24 @@ void study_plan_free(struct study_plan *p) {
     free(p);
 }
 
-void study_plan_look(const struct study_plan *p, struct study_run *run) {
-    const struct study_case *c = &p->at[run->at];
+/* Whether the folder's run is by the build, the ranks and the scene that the plan asks for. */
+static int is_same(const struct study_plan *p, const struct study_run *run, const struct study_outcome *o) {
     char path[FOLDER_PATH];
-    struct study_outcome o = study_outcome_read(run->folder);
     char *resolved = whole_new(folder_path(path, run->folder, "scene.resolved.yaml"));
-    run->kept =
-        o.state != STUDY_TODO && o.same_build && o.ranks == c->ranks && resolved && !strcmp(resolved, run->resolved);
-    if (run->kept) run->outcome = o;
+    const int same = o->same_build && o->ranks == p->at[run->at].ranks && resolved && !strcmp(resolved, run->resolved);
     free(resolved);
+    return same;
+}
+
+void study_plan_look(const struct study_plan *p, struct study_run *run) {
+    const struct study_outcome o = study_outcome_read(run->folder);
+    run->kept = o.state != STUDY_TODO && is_same(p, run, &o);
+    if (run->kept) run->outcome = o;
+}
+
+int study_plan_goes_on(const struct study_plan *p, const struct study_run *run) {
+    const struct study_outcome o = study_outcome_read(run->folder);
+    return o.state == STUDY_TODO && is_same(p, run, &o) && store_read_is_there(run->folder);
 }
 
 static double seconds_of(const struct study_outcome *o) { return o->wall + (isnan(o->setup) ? 0 : o->setup); }

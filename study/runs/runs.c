@@ -1,4 +1,4 @@
-/* Starts the missing runs of a study one after another and measures their quantities. */
+/* Starts the missing runs of a study one after another, or one of them, and measures their quantities. */
 #include "study/runs/runs.h"
 #include "base/die.h"
 #include "base/text.h"
@@ -26,13 +26,14 @@ static int launcher_words(const char *launcher, int ranks, char **word) {
     return n;
 }
 
-/* [launcher] program run SCENE --out FOLDER --quiet --set ...; each word malloc'ed, NULL at the end. */
+/* [launcher] program run SCENE --out FOLDER --quiet --resume-or-start --set ...; each word malloc'ed, NULL at the end.
+ */
 static char **words_of(const struct study_plan *p, const struct study_run *run, const char *program) {
     const struct study_case *c = &p->at[run->at];
     const struct study *s = p->study;
-    char **word = calloc(strlen(s->launcher) + 2 * (size_t)c->sets.n + 10, sizeof *word);
+    char **word = calloc(strlen(s->launcher) + 2 * (size_t)c->sets.n + 11, sizeof *word);
     int n = c->ranks > 1 ? launcher_words(s->launcher, c->ranks, word) : 0;
-    const char *const plain[] = {program, "run", s->scene, "--quiet", "--out", run->folder};
+    const char *const plain[] = {program, "run", s->scene, "--quiet", "--resume-or-start", "--out", run->folder};
     for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = text_new("%s", plain[k]);
     for (int i = 0; i < c->sets.n; i++) {
         word[n++] = text_new("--set");
@@ -45,11 +46,14 @@ static char **words_of(const struct study_plan *p, const struct study_run *run, 
     return word;
 }
 
-static void start(const struct study_plan *p, struct study_run *run, const char *program) {
+/* Starts the run, or goes on with it where it was stopped. Dies with exit code 4 if it is at work. */
+static void start(const struct study_plan *p, struct study_run *run, const char *program, int fresh) {
     char said[FOLDER_PATH];
     char **word = words_of(p, run, program);
     folder_make(run->folder);
-    folder_clear(run->folder);
+    folder_hold(run->folder);
+    if (fresh || !study_plan_goes_on(p, run)) folder_clear(run->folder);
+    folder_hold_release();
     folder_path(said, run->folder, "screen.log");
     const int code = study_child_run(&(struct study_child){word, NULL, said, said});
     if (code == 127)
@@ -114,27 +118,83 @@ static int has_failed(const struct study_plan *p, int i) {
     return 0;
 }
 
-int study_runs_make(struct study_plan *p, const char *program, int fresh) {
+/* Makes run i unless it is kept or left out, measures it, and says so. Returns 1 if it was stopped. */
+static int make(struct study_plan *p, const char *program, int fresh, int i) {
+    struct study_run *run = &p->run[i];
+    if (has_failed(p, i)) {
+        run->outcome.state = STUDY_SKIPPED;
+        say(p, i);
+        return 0;
+    }
+    if (!run->kept && !study_child_stopped()) start(p, run, program, fresh);
+    if (!study_child_stopped() && run->outcome.state == STUDY_DONE) measure(p, run);
+    if (study_child_stopped() || (run->outcome.state == STUDY_FAILED && run->outcome.exit_code == EXIT_CODE_REQUEUE)) {
+        printf("stopped at run %d of %d: the same command goes on from there\n", i + 1, p->runs);
+        return 1;
+    }
+    say(p, i);
+    return 0;
+}
+
+/* Looks which runs are there. Returns how many. */
+static int look(struct study_plan *p) {
     int made = 0;
-    for (int i = 0; i < p->runs && !fresh; i++) {
+    for (int i = 0; i < p->runs; i++) {
         study_plan_look(p, &p->run[i]);
         made += p->run[i].kept;
     }
+    return made;
+}
+
+int study_runs_make(struct study_plan *p, const char *program, int fresh) {
+    const int made = fresh ? 0 : look(p);
     printf("%s: %d runs, %d of them made before\n", p->study->title, p->runs, made);
+    for (int i = 0; i < p->runs; i++)
+        if (make(p, program, fresh, i)) return EXIT_CODE_REQUEUE;
+    return EXIT_CODE_DONE;
+}
+
+int study_runs_make_one(struct study_plan *p, const char *program, int fresh, int i) {
+    struct study_run *run = &p->run[i];
+    for (int j = run->at; j <= i && !fresh; j += p->cases) study_plan_look(p, &p->run[j]);
+    if (make(p, program, fresh, i)) return EXIT_CODE_REQUEUE;
+    return run->outcome.state == STUDY_FAILED ? run->outcome.exit_code : EXIT_CODE_DONE;
+}
+
+int study_runs_collect(struct study_plan *p) {
+    printf("%s: %d runs, %d of them made\n", p->study->title, p->runs, look(p));
+    int missing = 0;
     for (int i = 0; i < p->runs; i++) {
         struct study_run *run = &p->run[i];
-        if (has_failed(p, i)) {
-            run->outcome.state = STUDY_SKIPPED;
+        if (has_failed(p, i)) run->outcome.state = STUDY_SKIPPED;
+        if (run->outcome.state == STUDY_DONE) measure(p, run);
+        if (run->outcome.state == STUDY_TODO)
+            missing++;
+        else
             say(p, i);
-            continue;
-        }
-        if (!run->kept && !study_child_stopped()) start(p, run, program);
-        if (!study_child_stopped() && run->outcome.state == STUDY_DONE) measure(p, run);
-        if (study_child_stopped()) {
-            printf("stopped at run %d of %d: the same command goes on from there\n", i + 1, p->runs);
-            return EXIT_CODE_REQUEUE;
-        }
-        say(p, i);
     }
-    return EXIT_CODE_DONE;
+    return missing;
+}
+
+void study_runs_list(struct study_plan *p) {
+    look(p);
+    for (int i = 0; i < p->runs; i++) {
+        const struct study_run *run = &p->run[i];
+        const enum study_state state = run->outcome.state;
+        printf("%d %s %d %s\n", i + 1,
+               state == STUDY_DONE     ? "done"
+               : state == STUDY_FAILED ? "failed"
+                                       : "missing",
+               p->at[run->at].ranks, run->folder);
+    }
+}
+
+void study_runs_say_missing(const struct study_plan *p, FILE *to) {
+    const char *between = "";
+    for (int i = 0; i < p->runs; i++) {
+        if (p->run[i].outcome.state != STUDY_TODO) continue;
+        fprintf(to, "%s%d", between, i + 1);
+        between = ",";
+    }
+    fputc('\n', to);
 }

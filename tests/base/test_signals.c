@@ -1,4 +1,5 @@
 /* A signal on one rank, --max-wall and the batch limit stop all ranks. */
+#include "base/batch.h"
 #include "base/par.h"
 #include "base/signals.h"
 
@@ -8,6 +9,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -82,10 +84,13 @@ static void the_batch_systems_limit_counts(void **state) {
     char end[32];
     snprintf(end, sizeof end, "%ld", (long)time(NULL) + AGES);
     setenv("SLURM_JOB_END_TIME", end, 1);
+    batch_forget(); /* what the runs before have asked */
     signals_begin(0);
     assert_int_equal(signals_stop(0), SIGNALS_NONE);
     assert_int_equal(signals_stop(AGES + 2), SIGNALS_BATCH);
+    assert_true(par_rank() == 0 ? signals_batch_left() <= AGES + 1 : isinf(signals_batch_left()));
     unsetenv("SLURM_JOB_END_TIME");
+    batch_forget();
     signals_begin(0);
     assert_int_equal(signals_stop(AGES + 2), SIGNALS_NONE);
 }

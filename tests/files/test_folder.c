@@ -8,7 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static const char *folder;
 
@@ -41,6 +43,51 @@ static void a_run_is_seen_and_cleared(void **state) {
     }
     par_barrier();
     assert_int_equal(folder_has_run(folder), 0);
+}
+
+/* Deletes what an earlier run of the test has left in a folder. */
+static void wipe(const char *path) {
+    char command[FOLDER_PATH + 16];
+    snprintf(command, sizeof command, "rm -rf '%s'", path);
+    if (par_rank() == 0) assert_int_equal(system(command), 0);
+    par_barrier();
+}
+
+static void a_foreign_folder_is_known(void **state) {
+    (void)state;
+    char path[FOLDER_PATH];
+    wipe(folder_path(path, folder, "other"));
+    assert_false(folder_is_foreign(path)); /* there is none */
+    if (par_rank() == 0) mkdir(path, 0777);
+    assert_false(folder_is_foreign(path)); /* empty */
+    touch("other/notes");
+    assert_true(folder_is_foreign(path));
+    touch("other/series.csv.bak");
+    assert_true(folder_is_foreign(path));
+    touch("other/series.csv.part");
+    assert_false(folder_is_foreign(path));
+}
+
+/* The files of a run are moved with their folders, the user's stay, and no earlier folder is overwritten. */
+static void an_unfinished_run_is_moved(void **state) {
+    (void)state;
+    char run[FOLDER_PATH], aside[FOLDER_PATH], path[FOLDER_PATH];
+    wipe(folder_path(run, folder, "again"));
+    for (int k = 1; k <= 2; k++) {
+        folder_make(run);
+        touch("again/series.csv");
+        touch("again/run.json");
+        touch("again/fields/fluid_1.hdf");
+        touch("again/notes");
+        folder_set_aside(run, aside);
+        snprintf(path, sizeof path, "%.900s/unfinished_%d", run, k);
+        assert_string_equal(aside, path);
+        assert_true(files_exists(folder_path(path, aside, "series.csv")));
+        assert_true(files_exists(folder_path(path, aside, "run.json")));
+        assert_true(files_exists(folder_path(path, aside, "fields/fluid_1.hdf")));
+        assert_true(files_exists(folder_path(path, run, "notes")));
+        assert_int_equal(folder_has_run(run), 0);
+    }
 }
 
 static void folders_are_made_on_the_way(void **state) {
@@ -94,9 +141,10 @@ static void json_is_as_its_grammar_wants(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     folder = files_folder("folder");
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_run_is_seen_and_cleared),
-                                       cmocka_unit_test(folders_are_made_on_the_way),
-                                       cmocka_unit_test(json_is_as_its_grammar_wants)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_run_is_seen_and_cleared), cmocka_unit_test(a_foreign_folder_is_known),
+        cmocka_unit_test(an_unfinished_run_is_moved), cmocka_unit_test(folders_are_made_on_the_way),
+        cmocka_unit_test(json_is_as_its_grammar_wants)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

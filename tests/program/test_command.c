@@ -81,6 +81,9 @@ static void options_of_run(void **state) {
     check_equal(c->max_wall, 3723);
     command_free(c);
 
+    c = command_of("run it.yaml --resume-or-start");
+    assert_true(c->resume_or_start && !c->resume);
+    command_free(c);
     c = command_of("run it.yaml --resume=old.h5 --max-wall 90:00");
     assert_string_equal(c->resume_file, "old.h5");
     check_equal(c->max_wall, 5400);
@@ -170,6 +173,8 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"run a --max-wall 5s", "--max-wall 5s: must be HH:MM:SS"},
         {"check a --quiet", "--quiet: goes with frana run, permeability and calibrate only"},
         {"check a --resume", "--resume: goes with frana run only"},
+        {"run a --resume --resume-or-start", "--resume-or-start: does not go with --resume"},
+        {"study a --resume-or-start", "--resume-or-start: goes with frana run only"},
         {"post a --set b=1", "--set: goes with frana run, check, permeability and calibrate only"},
         {"run a --film", "--film: goes with frana post only"},
         {"run a --fresh", "--fresh: goes with frana study, permeability and calibrate only"},

@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# --resume-or-start: one command that starts a run, goes on with it, and does nothing once it is done.
+# usage: resume_or_start.sh FRANA SOURCE WORK
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+cat >scene.yaml <<'YAML'
+title: A short bar, pulled
+domain: {size: [0.016, 0.004, 0.004]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: any, youngs_modulus: 1.0e8, density: 3000}]
+  bodies: [{name: bar, shape: box, low: [0, 0, 0], high: [0.016, 0.004, 0.004]}]
+  constraints: [{low: [0, 0, 0], high: [0.003, 0.004, 0.004], directions: xyz}]
+  loads: [{low: [0.013, 0, 0], high: [0.016, 0.004, 0.004], force: [1.0e6, 0, 0]}]
+stages: [{name: pull, steps: 5, time_step: 1.0e-6}]
+output: {series_every: 1, fields_every: 3, checkpoint_every: 0}
+YAML
+again() { ranks 1 run scene.yaml --resume-or-start "$@"; }
+said() { grep -q -e "$1" "$2" || fail "not said: $1: $(cat out err)"; }
+every() { find "$1" -type f -exec stat -c '%n %Y %i %s' {} + | sort; }
+
+# the same command until it is done; every call but the last takes a step or two
+code 0 ranks 1 run scene.yaml --out whole
+calls=0 got=75
+while [ $got = 75 ]; do
+  got=0
+  again --out often --max-wall 1e-9 >out 2>err || got=$?
+  calls=$((calls + 1))
+  [ $calls -le 10 ] || fail "does not end"
+done
+[ $got = 0 ] && [ $calls -ge 3 ] || fail "ended with $got after $calls calls: $(cat out err)"
+same whole/series.csv often/series.csv
+[ "$(ls whole/fields)" = "$(ls often/fields)" ] || fail "other fields: $(ls often/fields)"
+
+# a run that is done: nothing is written; with more steps asked for it goes on
+before=$(every often)
+code 0 again --out often
+said '^often: this run is done, nothing is left to do$' out
+[ "$(every often)" = "$before" ] || fail "files of a run that is done have changed"
+code 0 again --out often --set stages.pull.steps=7
+said 'resumed at step 5' out
+[ "$(tail -n 1 often/series.csv | cut -d, -f1)" = 7 ] || fail "more steps"
+
+# killed before its first checkpoint: refused to another scene; starts anew, and its files are kept
+rows() { # the run of this number is at work: the files of the one before are moved
+  { [ "$1" = 1 ] || [ -e killed/unfinished_1/series.csv ]; } &&
+    [ "$(cat killed/series.csv 2>/dev/null | wc -l)" -gt 9 ]
+}
+long="--set stages.pull.steps=100000000"
+for n in 1 2; do
+  # shellcheck disable=SC2086 # words
+  OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_orte_create_session_dirs=0 \
+    "$frana" run scene.yaml --out killed $long --resume-or-start >first 2>&1 & pid=$!
+  await $pid rows $n || fail "has ended: $(cat first)"
+  # shellcheck disable=SC2086
+  code 4 again --out killed $long
+  said 'another run is at work there' err
+  kill -9 $pid
+  wait $pid 2>/dev/null || true
+  [ -z "$(ls killed/checkpoint)" ] || fail "a checkpoint was made"
+  kept=$(cat killed/series.csv killed/fields/solid_00000003.hdf | cksum)
+  code 4 again --out killed
+  said 'holds a run of another scene, without a checkpoint' err
+  if [ $n = 1 ]; then continue; fi
+  # shellcheck disable=SC2086
+  code 75 again --out killed $long --max-wall 1e-9
+  said 'had not reached a checkpoint: its files are in killed/unfinished_2' killed/run.log
+  [ "$(cat killed/unfinished_2/series.csv killed/unfinished_2/fields/solid_00000003.hdf | cksum)" = "$kept" ] ||
+    fail "a finished file is lost or changed"
+  [ -s killed/unfinished_1/series.csv ] && [ -s killed/unfinished_1/run.log ] || fail "the first killed run's files"
+  [ "$(tail -n 1 killed/series.csv | cut -d, -f1)" -lt 9 ] || fail "has not begun anew"
+done
+
+# a folder of other files, a file, a scene with a mistake: refused, and nothing is written
+mkdir mine && echo notes >mine/notes
+code 4 again --out mine
+said 'mine holds other files and no run' err
+[ "$(ls mine)" = notes ] || fail "something was written: $(ls mine)"
+code 4 again --out scene.yaml
+# shellcheck disable=SC2086
+code 2 again --out killed $long --set stages.pull.time_step=-1
+[ ! -e killed/unfinished_3 ] || fail "moved away for a scene with a mistake"
+code 2 again --out often --resume
+said 'does not go with --resume' err
+mkdir empty
+code 0 ranks 2 run scene.yaml --resume-or-start --out empty
+same whole/series.csv empty/series.csv
+
+# a scene that is solved at once
+once=$source/tests/scene/scenes/nonlocal.yaml
+code 0 ranks 1 run "$once" --resume-or-start --out solved
+rm solved/run.json
+code 0 ranks 1 run "$once" --resume-or-start --out solved
+said 'its files are in solved/unfinished_1' solved/run.log
+[ -s solved/unfinished_1/solution.csv ] || fail "the first solution is lost"
+code 0 ranks 1 run "$once" --resume-or-start --out solved
+said 'this run is done' out
+echo ok
