@@ -10,13 +10,17 @@ enum command_verb {
     COMMAND_STUDY,
     COMMAND_PERMEABILITY,
     COMMAND_CALIBRATE,
+    COMMAND_INIT,
+    COMMAND_SCHEMA,
+    COMMAND_KEYS,
     COMMAND_VERSION,
     COMMAND_HELP
 };
 
 struct command {
     enum command_verb verb;
-    int files;               /* scene; study; run folders for post; tables and run.json for bench --table */
+    enum command_verb about; /* of COMMAND_HELP: the command that is explained, COMMAND_HELP: all */
+    int files; /* scene; study; run folders for post; case and folder; tables and run.json for bench --table */
     const char *const *file; /* borrowed from argv */
     char out[512];           /* run: the run folder; post with several folders: the folder of the comparison; bench,
                               * study: the folder of the tables */
@@ -26,7 +30,9 @@ struct command {
     const char *resume_file; /* --resume=FILE, or NULL: the run folder's latest */
     double max_wall;         /* s; 0: no limit */
     int quiet;
-    int fresh; /* study, permeability, calibrate: --fresh */
+    int measure; /* check: --measure */
+    int help;    /* --help */
+    int fresh;   /* study, permeability, calibrate: --fresh */
     /* post */
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */
@@ -44,4 +50,3 @@ struct command {
 /* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */
 struct command *command_new(int argc, char **argv);
 void command_free(struct command *c);
-const char *command_usage(void);
