@@ -24,13 +24,19 @@ static void write(struct run *r, const char *folder, const char *name, int keep)
 void checkpoint_write(struct run *r, const char *folder) {
     char name[64];
     snprintf(name, sizeof name, "step_%08ld", r->step);
-    write(r, folder, name, 2);
+    write(r, folder, name, CHECKPOINTS_KEPT);
 }
 
 void checkpoint_write_stage(struct run *r, const char *folder) {
     char name[128];
     snprintf(name, sizeof name, "stage_%s", r->scene->stage[r->stage].name);
     write(r, folder, name, 0);
+}
+
+double checkpoint_bytes(struct run *r) {
+    struct run_state state;
+    run_state_of(r, &state);
+    return state_file_bytes(&state.list);
 }
 
 /* Reads the whole checkpoint. Returns 0, or 1 with a sentence in why. */

@@ -72,7 +72,8 @@ static int list(void) {
         if (*title) printf("  %-20s %s\n", scene[k].name, title), n++;
     }
     if (n == 0)
-        die_all(EXIT_CODE_FILE, "the cases are neither in share/frana/examples beside the program nor in %s", FRANA_CASES);
+        die_all(EXIT_CODE_FILE, "the cases are neither in share/frana/examples beside the program nor in %s",
+                FRANA_CASES);
     return EXIT_CODE_DONE;
 }
 
@@ -144,8 +145,13 @@ static void copy_line(FILE *to, struct place *p, const char *line) {
 static void copy(FILE *from, FILE *to, const char *name) {
     char line[LINE];
     struct place p = {.seen = text_new("%s", "")};
-    fprintf(to, "# The scene of the case %s. All lengths are in m, all units SI. Every key: docs/scene.md, or `frana keys`.\n", name);
-    fprintf(to, "#   frana check %s.yaml                      what the run will hold, its steps, memory, files and time\n", name);
+    fprintf(
+        to,
+        "# The scene of the case %s. All lengths are in m, all units SI. Every key: docs/scene.md, or `frana keys`.\n",
+        name);
+    fprintf(to,
+            "#   frana check %s.yaml                      what the run will hold, its steps, memory, files and time\n",
+            name);
     fprintf(to, "#   mpiexec -n 2 frana run %s.yaml           runs it on two ranks into runs/%s\n", name, name);
     fprintf(to, "#   frana post runs/%s                       plots and pictures\n", name);
     while (fgets(line, sizeof line, from)) copy_line(to, &p, line);

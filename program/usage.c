@@ -47,13 +47,15 @@ enum {
 
 const struct usage_option usage_option[] = {
     {"out", required_argument, 'o', "DIR", RUNS | CHECK | POST | STUDY | BENCH, "the folder that is written"},
-    {"set", required_argument, 's', "key.path=value", RUNS | CHECK, "replaces or adds a value of the scene; repeatable"},
+    {"set", required_argument, 's', "key.path=value", RUNS | CHECK,
+     "replaces or adds a value of the scene; repeatable"},
     {"resume", optional_argument, 'r', "FILE", RUN,
      "goes on from the run folder's newest checkpoint, or starts from a checkpoint FILE"},
     {"max-wall", required_argument, 'w', "HH:MM:SS", RUNS, "stops with a checkpoint before so much time has passed"},
     {"quiet", no_argument, 'q', NULL, RUNS, "prints no progress; run.log has it"},
     {"measure", no_argument, 'e', NULL, CHECK,
-     "takes some steps of each stage for about 10 s, writes nothing into a run folder, and forecasts the time from them"},
+     "takes some steps of each stage for about 10 s, writes nothing into a run folder, and forecasts the time from "
+     "them"},
     {"fresh", no_argument, 'f', NULL, STUDY | PERMEABILITY | CALIBRATE, "makes again what is there already"},
     {"quick", no_argument, 'k', NULL, BENCH | CALIBRATE, "few sizes"},
     {"only", required_argument, 'n', "PART,...", BENCH | CALIBRATE, "these parts only"},
@@ -112,7 +114,8 @@ void usage_print(FILE *to) {
         fputs("\n      ", to);
         print_lines(to, c->what, 6, 6);
     }
-    fputs("frana help COMMAND prints a command's options. run, check, permeability, calibrate and bench under mpiexec -n N\n"
+    fputs("frana help COMMAND prints a command's options. run, check, permeability, calibrate and bench under mpiexec "
+          "-n N\n"
           "where they should run in parallel.\n",
           to);
 }
@@ -126,8 +129,11 @@ void usage_print_of(FILE *to, enum command_verb verb) {
     for (const struct usage_option *o = usage_option; o->name; o++) {
         if (!(o->of & 1u << verb)) continue;
         const int optional = o->argument == optional_argument;
-        char *word = text_new("--%s%s%s%s", o->name, optional ? "[=" : o->value ? " " : "", o->value ? o->value : "",
-                              optional ? "]" : "");
+        char *word = text_new("--%s%s%s%s", o->name,
+                              optional   ? "[="
+                              : o->value ? " "
+                                         : "",
+                              o->value ? o->value : "", optional ? "]" : "");
         fprintf(to, "  %-26s ", word);
         print_lines(to, o->what, 29, 29);
         free(word);

@@ -17,9 +17,7 @@
 
 static void write_value(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule, const char *path);
 
-static int is_vector(const cyaml_schema_value_t *v) {
-    return v->type == CYAML_SEQUENCE_FIXED && v->sequence.max == 3;
-}
+static int is_vector(const cyaml_schema_value_t *v) { return v->type == CYAML_SEQUENCE_FIXED && v->sequence.max == 3; }
 
 /* What docs/scene.md says of the key: the last cell of its row; malloc'ed. */
 static char *meaning(const struct scene_rule *rule) {
@@ -39,10 +37,14 @@ static char *places(int parts) {
     static const struct {
         int part;
         const char *text;
-    } place[] = {{SCENE_WITH_FLUID, "with a fluid"},         {SCENE_WITH_SOLID, "with a solid"},
-                 {SCENE_WITHOUT_FLUID, "without fluid"},     {SCENE_IN_3D, "in 3D"},
-                 {SCENE_IN_PLATE, "in a plate"},             {SCENE_STEPPED, "stepped through stages"},
-                 {SCENE_GALERKIN, "solved by element_free"}, {SCENE_ALWAYS, "of any kind"}};
+    } place[] = {{SCENE_WITH_FLUID, "with a fluid"},
+                 {SCENE_WITH_SOLID, "with a solid"},
+                 {SCENE_WITHOUT_FLUID, "without fluid"},
+                 {SCENE_IN_3D, "in 3D"},
+                 {SCENE_IN_PLATE, "in a plate"},
+                 {SCENE_STEPPED, "stepped through stages"},
+                 {SCENE_GALERKIN, "solved by element_free"},
+                 {SCENE_ALWAYS, "of any kind"}};
     char *text = text_new("%s", "");
     for (size_t k = 0; k < sizeof place / sizeof *place; k++) {
         if (!(parts & place[k].part)) continue;
@@ -65,7 +67,8 @@ static void write_description(struct json *j, const struct scene_rule *rule, int
     char *text = meaning(rule), *range = scene_rule_range(rule), *only = places(rule->only);
     char *unit = scene_rule_in_units(rule), *parts = places(rule->needed);
     if (*unit) text = with(text, text_new("Unit: %s", rule->unit));
-    if (range) text = with(text, text_new("Must be %s%s%s", range, rule->word ? ", or " : "", rule->word ? rule->word : ""));
+    if (range)
+        text = with(text, text_new("Must be %s%s%s", range, rule->word ? ", or " : "", rule->word ? rule->word : ""));
     if (rule->plate_high > 0) text = with(text, text_new("In a plate at most %.15g", rule->plate_high));
     if (rule->choices[0]) text = with(text, text_new("In a plate: %s; in 3D: %s", rule->choices[0], rule->choices[1]));
     if (rule->sibling) text = with(text, text_new("Only with %s: %s", rule->sibling, rule->values));
@@ -132,7 +135,8 @@ static void write_words(struct json *j, const char *key, const char *words) {
 
 static void write_number(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule) {
     const int whole = v->type == CYAML_INT, ranged = rule && rule->low != rule->high;
-    const int in_plate = ranged && rule->plate_high > rule->high, or_infinite = rule && rule->word && rule->word[0] == '.';
+    const int in_plate = ranged && rule->plate_high > rule->high,
+              or_infinite = rule && rule->word && rule->word[0] == '.';
     const double most = whole ? v->data_size == sizeof(int) ? INT_MAX : 9e15 : 1e300;
     if (rule && rule->word && !or_infinite) {
         json_array(j, "anyOf");
@@ -189,7 +193,8 @@ static void write_list(struct json *j, const cyaml_schema_value_t *v, const stru
         json_object(j, NULL);
     }
     json_text(j, "type", "array");
-    json_long(j, "minItems", is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID)) ? 2 : v->sequence.min);
+    json_long(j, "minItems",
+              is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID)) ? 2 : v->sequence.min);
     json_long(j, "maxItems", v->sequence.max);
     json_object(j, "items");
     if (rule && rule->bare) { /* [x, y] for {at: [x, y]} */
@@ -340,7 +345,8 @@ static void write_mapping(struct json *j, const cyaml_schema_value_t *v, const c
     if (conditions) json_close(j);
 }
 
-static void write_value(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule, const char *path) {
+static void write_value(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule,
+                        const char *path) {
     switch (v->type) {
     case CYAML_INT:
     case CYAML_FLOAT:

@@ -141,7 +141,8 @@ static void keys_are_those_of_the_rules(void **state) {
     assert_int_equal(*at, '\0');
     free(text);
     text = scene_describe_key("solid.bodies[3].voxel");
-    assert_string_equal(text, "voxel (m): image: the edge of a voxel; the spacing times 1 to 64, or divided by 2 to 64");
+    assert_string_equal(text,
+                        "voxel (m): image: the edge of a voxel; the spacing times 1 to 64, or divided by 2 to 64");
     free(text);
     assert_null(scene_describe_key("solid.no_such_key"));
 }
