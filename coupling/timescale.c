@@ -30,14 +30,15 @@ int timescale_of(struct run *r, char sentence[TIMESCALE_SENTENCE]) {
     for (int m = 0; m < r->scene->solid->materials; m++) {
         const struct scene_material *s = &r->scene->solid->material[m];
         fastest = fmax(
-            fastest, physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density).longitudinal);
+            fastest,
+            physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density).longitudinal);
     }
     snprintf(sentence, TIMESCALE_SENTENCE,
-             "stage %s: %.0f substeps a step%s: the step of %.3g s%s is %.3g times the solid's stable step of %.3g s, which "
-             "%s limit (waves of %.4g m/s cross a spacing of %.3g m in %.3g s). A softer or denser material, a larger "
-             "spacing or a shorter time_step bring the two nearer to each other",
+             "stage %s: %.0f substeps a step%s: the step of %.3g s%s is %.3g times the solid's stable step of %.3g s, "
+             "limited by %s (waves of %.4g m/s cross a spacing of %.3g m in %.3g s). A softer or denser material, a "
+             "larger spacing or a shorter time_step bring the two nearer to each other",
              r->scene->stage[r->stage].name, n, n < HOPELESS ? "" : ": the run is hopeless", dt,
-             r->fluid ? " of the fluid" : "", dt / r->solid_stable, r->solid_stable, solid_stable_bound_name[r->solid_bound],
-             fastest, r->solid->in.spacing, r->solid->in.spacing / fastest);
+             r->fluid ? " of the fluid" : "", dt / r->solid_stable, r->solid_stable,
+             solid_stable_bound_name[r->solid_bound], fastest, r->solid->in.spacing, r->solid->in.spacing / fastest);
     return 1;
 }

@@ -228,7 +228,7 @@ static void say_levels(struct run *r) {
     }
 }
 
-static void say_limits(struct run *r) {
+static void say_limits(struct run *r, struct costs *costs) {
     say("\nstable steps, s\n");
     if (r->fluid) {
         const struct fluid_limits l = fluid_limits_foreseen(r->fluid);
@@ -257,6 +257,7 @@ static void say_limits(struct run *r) {
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
         const struct scene_stage *stage = &r->scene->stage[r->stage];
         step_begin_stage(r);
+        costs_add(costs, r);
         say("  %-10s %ld steps%s", stage->name, stage->steps,
             stage->has_until ? " at most, until the permeability is steady" : "");
         if (r->dt > 0)
@@ -372,16 +373,17 @@ int check_scene(const struct command *c, const struct scene *scene) {
     const double particles = check_image(c, scene);
     if (is_too_large(scene, particles)) return EXIT_CODE_DONE;
     struct run *r = run_new(scene);
+    struct costs costs = {0};
     struct fragments *fragments = fragments_new(r); /* they take memory by particle */
     intensity_free(intensity_new(r));               /* dies on radii that do not fit */
     struct march *march = march_new(r);             /* the kept state takes memory */
     say_holdings(r);
-    say_limits(r);
+    say_limits(r, &costs);
     say_memory();
     march_free(march);
     say_groups(r);
+    costs_say(&costs, r, c->out, c->measure);
     check_sizes_say(r);
-    costs_say(r, c->out, c->measure);
     fragments_free(fragments);
     run_free(r);
     return EXIT_CODE_DONE;

@@ -40,7 +40,11 @@ static const char *duration(double s, char text[BRIEF]) {
     static const struct {
         double most, unit;
         const char *name;
-    } in[] = {{100, 1, "s"}, {100 * 60, 60, "min"}, {48 * 3600, 3600, "h"}, {730 * 86400.0, 86400, "days"}, {INFINITY, 365.25 * 86400, "years"}};
+    } in[] = {{100, 1, "s"},
+              {100 * 60, 60, "min"},
+              {48 * 3600, 3600, "h"},
+              {730 * 86400.0, 86400, "days"},
+              {INFINITY, 365.25 * 86400, "years"}};
     int k = 0;
     while (k < 4 && s >= in[k].most) k++;
     snprintf(text, BRIEF, "%.2g %s", s / in[k].unit, in[k].name);
@@ -56,36 +60,25 @@ static const char *bytes(double n, char text[BRIEF]) {
     return text;
 }
 
-/* Steps and sweeps of a run. */
-struct counts {
-    double steps, elastic, substeps, sweeps; /* elastic: steps in which the solid moves */
-    int at_most, relaxes;                    /* a stage may end earlier; a stage finds an equilibrium */
-};
-
-static struct counts count(struct run *r) {
-    struct counts n = {0};
-    for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
-        const struct scene_stage *stage = &r->scene->stage[r->stage];
-        step_begin_stage(r);
-        n.at_most |= stage->has_until;
-        n.relaxes |= stage->relax;
-        n.steps += (double)stage->steps;
-        if (stage->relax) continue;
-        const double substeps = timescale_substeps(r), most = 1e9;
-        if (!(substeps > 0)) continue;
-        n.elastic += (double)stage->steps;
-        n.substeps += (double)stage->steps * substeps;
-        n.sweeps += (double)stage->steps * (double)solid_integrate_sweeps(r->solid, (int)fmin(substeps, most));
-    }
-    r->stage = 0;
-    return n;
+void costs_add(struct costs *c, struct run *r) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const double most = 1e9;
+    c->at_most |= stage->has_until;
+    c->relaxes |= stage->relax;
+    c->steps += (double)stage->steps;
+    if (stage->relax) return;
+    const double substeps = timescale_substeps(r);
+    if (!(substeps > 0)) return;
+    c->substeps += (double)stage->steps * substeps;
+    c->sweeps += (double)stage->steps * (double)solid_integrate_sweeps(r->solid, (int)fmin(substeps, most));
+    if (c->warnings < COSTS_WARNINGS) c->warnings += timescale_of(r, c->warning[c->warnings]);
 }
 
 static double directed_bonds(const struct run *r) {
     return r->needs.bonds ? (double)par_sum_long(solid_family_directed(r->solid)) : 0;
 }
 
-static void say_steps(const struct run *r, const struct counts *n) {
+static void say_steps(const struct run *r, const struct costs *n) {
     say("  %-10s %.0f%s", "steps", n->steps, n->at_most ? " at most" : "");
     if (n->sweeps > 0)
         say(", %.4g substeps of the solid, %.4g sweeps over %.0f directed bonds", n->substeps, n->sweeps,
@@ -127,7 +120,8 @@ static double numbers(const struct run *r, double steps) {
     if (out->crack) sum += steps / (double)out->crack->every * 10;
     if (out->probes) sum += steps / (double)out->probes->every * out->probes->places * (4 + 3 * dim);
     if (out->modes) sum += steps / (double)out->modes->every * (out->modes->radii - 1) * (out->modes->highest + 1) * 9;
-    if (out->intensity && solid) sum += steps / (double)out->intensity->every * out->intensity->radii * 2 * solid->cracks * 10;
+    if (out->intensity && solid)
+        sum += steps / (double)out->intensity->every * out->intensity->radii * 2 * solid->cracks * 10;
     if (out->fluid_probes) {
         double points = out->fluid_probes->places;
         for (int k = 0; k < out->fluid_probes->lines; k++) points += (double)out->fluid_probes->line[k].points;
@@ -152,17 +146,19 @@ static double free_bytes(const char *folder, char place[512]) {
 }
 
 /* Two checkpoints stay while a third is written; one stays of each stage. */
-static void say_disk(struct run *r, const struct counts *n, const char *out) {
+static void say_disk(struct run *r, const struct costs *n, const char *out) {
     enum { DIGITS = 18 };
     const struct scene_output *o = &r->scene->output;
     const long dumps = costs_dumps(r);
     const double dump = costs_dump_bytes(r), checkpoint = checkpoint_bytes(r), tables = DIGITS * numbers(r, n->steps);
     const double times = o->checkpoint_every > 0 ? floor(n->steps / (double)o->checkpoint_every) + 1 : 0;
     const double kept = r->scene->stages + fmin(times, CHECKPOINTS_KEPT + 1);
-    const double sum = (double)dumps * dump + kept * checkpoint + tables, has = par_min(free_bytes(out, (char[512]){""}));
+    const double sum = (double)dumps * dump + kept * checkpoint + tables,
+                 has = par_min(free_bytes(out, (char[512]){""}));
     char text[5][BRIEF];
     say("  %-10s about %s: fields %s, %.0f checkpoint%s %s, tables %s", "disk", bytes(sum, text[0]),
-        bytes((double)dumps * dump, text[1]), kept, kept > 1 ? "s" : "", bytes(kept * checkpoint, text[2]), bytes(tables, text[3]));
+        bytes((double)dumps * dump, text[1]), kept, kept > 1 ? "s" : "", bytes(kept * checkpoint, text[2]),
+        bytes(tables, text[3]));
     say(has >= 0 ? "; %s are free here\n" : "\n", bytes(has, text[4]));
     if (has >= 0 && sum > has)
         say("  warning: the run writes %s, and %s are free: output.fields_every or another disk\n", text[0], text[4]);
@@ -190,7 +186,8 @@ static int measure(struct run *r, double *seconds) {
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
                 const struct march_loss loss = march_give_up(m, &status);
-                say("  warning: stage %s is unstable from its step %d on: %s; %s\n", stage->name, n + 1, loss.what, loss.why);
+                say("  warning: stage %s is unstable from its step %d on: %s; %s\n", stage->name, n + 1, loss.what,
+                    loss.why);
                 break;
             }
             march_settle(m);
@@ -217,7 +214,9 @@ static void say_measured(struct run *r) {
         for (int k = 0, n = 0; k < r->scene->stages; k++) {
             const double its = seconds[k] * (double)r->scene->stage[k].steps;
             sum += its;
-            if (its > 0) say("%s %s %s (%.3g s a step)", n++ ? "," : "", r->scene->stage[k].name, duration(its, text), seconds[k]);
+            if (its > 0)
+                say("%s %s %s (%.3g s a step)", n++ ? "," : "", r->scene->stage[k].name, duration(its, text),
+                    seconds[k]);
         }
         say("; in all about %s on %d rank%s, without output, measured now\n", duration(sum, text), par_size(),
             par_size() > 1 ? "s" : "");
@@ -226,18 +225,20 @@ static void say_measured(struct run *r) {
     free(seconds);
 }
 
-static void say_known(struct run *r, const struct counts *n) {
+static void say_known(struct run *r, const struct costs *n) {
     static const char *const name[] = {"flow", "interface", "bonds"};
     const struct speed_sample like = speed_of(r);
     const struct speed_known known = speed_recall(&like);
     const int *cells = r->scene->domain.cells;
     const double work[SPEED_REST] = {r->fluid ? n->steps * cells[0] * cells[1] * cells[2] : 0,
-                                     r->surface ? n->steps * (double)r->surface->total : 0, n->sweeps * directed_bonds(r)};
+                                     r->surface ? n->steps * (double)r->surface->total : 0,
+                                     n->sweeps * directed_bonds(r)};
     double seconds[SPEED_REST], sum = 0;
     char text[BRIEF], age[BRIEF];
     int lacks = 0;
     if (known.samples == 0) {
-        say("  %-10s no measurement on this machine yet: a run of 20 s or more, or frana check --measure, makes one\n", "time");
+        say("  %-10s no measurement on this machine yet: a run of 20 s or more, or frana check --measure, makes one\n",
+            "time");
         return;
     }
     for (int p = 0; p < SPEED_REST; p++) {
@@ -250,8 +251,8 @@ static void say_known(struct run *r, const struct counts *n) {
         return;
     }
     const double whole = sum * (1 + known.part[SPEED_REST]);
-    say("  %-10s %s%s on %d rank%s:", "time", lacks || n->relaxes ? "more than " : "about ", duration(whole, text), par_size(),
-        par_size() > 1 ? "s" : "");
+    say("  %-10s %s%s on %d rank%s:", "time", lacks || n->relaxes ? "more than " : "about ", duration(whole, text),
+        par_size(), par_size() > 1 ? "s" : "");
     for (int p = 0; p < SPEED_REST; p++)
         if (work[p] > 0 && !(known.part[p] > 0))
             say(" %s not known,", name[p]);
@@ -265,19 +266,14 @@ static void say_known(struct run *r, const struct counts *n) {
     if (whole > MONTH) say("  warning: the run takes %s\n", duration(whole, text));
 }
 
-void costs_say(struct run *r, const char *out, int measured) {
-    char sentence[TIMESCALE_SENTENCE];
-    const struct counts n = count(r);
-    say("\nforecast\n");
-    say_steps(r, &n);
-    say_disk(r, &n, out);
-    for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
-        step_begin_stage(r);
-        if (timescale_of(r, sentence)) say("  warning: %s\n", sentence);
-    }
+void costs_say(const struct costs *c, struct run *r, const char *out, int measured) {
     r->stage = 0;
+    say("\nforecast\n");
+    say_steps(r, c);
+    say_disk(r, c, out);
+    for (int k = 0; k < c->warnings; k++) say("  warning: %s\n", c->warning[k]);
     if (measured)
         say_measured(r);
     else
-        say_known(r, &n);
+        say_known(r, c);
 }

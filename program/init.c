@@ -175,6 +175,7 @@ int init_scene(const char *name, const char *folder) {
     path_of(k, from);
     FILE *source = fopen(from, "r");
     if (!source) die_all(EXIT_CODE_FILE, "%s: cannot be read: %s", from, strerror(errno));
+    if (strlen(folder) > FOLDER_PATH - sizeof file) die_all(EXIT_CODE_SCENE, "%s: the name is too long", folder);
     const int fault = folder_make_path(folder);
     if (fault) die_all(EXIT_CODE_FILE, "%s: cannot be made: %s", folder, strerror(fault));
     snprintf(file, sizeof file, "%s.yaml", name);

@@ -18,8 +18,9 @@
 
 enum { LINE = 640, LINES = 200, NEWEST = 9 };
 #define NAME "speed.csv"
-#define HEAD "#processor,cores,build,kind,ranks,seconds since 1970,ns a cell and step,ns a particle of the interface and " \
-             "step,ns a directed bond and sweep,the rest over these\n"
+#define HEAD                                                                                                           \
+    "#processor,cores,build,kind,ranks,seconds since 1970,ns a cell and step,ns a particle of the interface and "      \
+    "step,ns a directed bond and sweep,the rest over these\n"
 
 /* A text as a field of the file. */
 static void field(char to[SPEED_TEXT], const char *text) {
@@ -58,9 +59,9 @@ struct speed_work speed_worked(const struct run *r) {
     static const struct {
         enum clock_part clock;
         enum speed_part part;
-    } of[] = {{CLOCK_MOMENTUM, SPEED_CELL},     {CLOCK_POISSON, SPEED_CELL},    {CLOCK_HALO, SPEED_CELL},
-              {CLOCK_FORCING, SPEED_IMMERSED},  {CLOCK_PROBE, SPEED_IMMERSED},  {CLOCK_INTERFACE, SPEED_IMMERSED},
-              {CLOCK_SOLID, SPEED_BOND},        {CLOCK_CONTACT, SPEED_BOND}};
+    } of[] = {{CLOCK_MOMENTUM, SPEED_CELL},    {CLOCK_POISSON, SPEED_CELL},   {CLOCK_HALO, SPEED_CELL},
+              {CLOCK_FORCING, SPEED_IMMERSED}, {CLOCK_PROBE, SPEED_IMMERSED}, {CLOCK_INTERFACE, SPEED_IMMERSED},
+              {CLOCK_SOLID, SPEED_BOND},       {CLOCK_CONTACT, SPEED_BOND}};
     struct speed_work w = {.seconds = par_max(par_seconds() - r->wall_start - r->setup_seconds)};
     const double directed = r->needs.bonds ? (double)par_sum_long(solid_family_directed(r->solid)) : 0;
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) w.seconds_of[of[k].part] += clock_seconds(of[k].clock);

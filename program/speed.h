@@ -23,9 +23,9 @@ struct speed_sample {
 
 /* Work that was done, or will be. */
 struct speed_work {
-    double seconds;                  /* wall, of the steps alone */
-    double amount[SPEED_PARTS];      /* cells x steps, particles x steps, directed bonds x sweeps; SPEED_REST: unused */
-    double seconds_of[SPEED_PARTS];  /* of them, sums over the ranks */
+    double seconds;                 /* wall, of the steps alone */
+    double amount[SPEED_PARTS];     /* cells x steps, particles x steps, directed bonds x sweeps; SPEED_REST: unused */
+    double seconds_of[SPEED_PARTS]; /* of them, sums over the ranks */
 };
 
 /* The machine, the build and the kind of scene: what a sample must agree in. Collective. */
@@ -40,10 +40,10 @@ int speed_sample_of(const struct speed_work *work, struct speed_sample *sample);
 
 /* What the file says of the speed of such a run. */
 struct speed_known {
-    int samples;      /* number of runs; 0: nothing is known */
-    int same_kind;    /* they were of the same kind of scene */
-    int same_ranks;   /* on the same number of ranks */
-    double newest;    /* s since 1970 */
+    int samples;              /* number of runs; 0: nothing is known */
+    int same_kind;            /* they were of the same kind of scene */
+    int same_ranks;           /* on the same number of ranks */
+    double newest;            /* s since 1970 */
     double part[SPEED_PARTS]; /* medians; 0: not known */
 };
 /* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Not

@@ -21,8 +21,9 @@ static int is_vector(const cyaml_schema_value_t *v) { return v->type == CYAML_SE
 
 /* What docs/scene.md says of the key: the last cell of its row; malloc'ed. */
 static char *meaning(const struct scene_rule *rule) {
+    const char *page = (const char *)frana_scene_page;
     char *start = text_new("| `%s` | ", rule->path);
-    const char *row = strstr(frana_scene_page, start), *cell = row ? row + strlen(start) : NULL;
+    const char *row = strstr(page, start), *cell = row ? row + strlen(start) : NULL;
     for (int k = 0; cell && k < 3; k++) cell = strstr(cell, "|") ? strstr(cell, "|") + 1 : NULL;
     free(start);
     if (!cell) return text_new("%s", "");

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The yaml language server accepts the scenes of cases/ and tests/ by `frana schema`, and refuses broken ones. Without it
-# (npm install yaml-language-server; its folder in PATH) the test is skipped: exit code 77.
+# The yaml language server accepts the scenes of cases/ and tests/ by `frana schema`, and refuses broken ones. Without
+# it (npm install yaml-language-server; its folder node_modules/.bin in PATH) the test is skipped: exit code 77.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 server=$(command -v yaml-language-server) && command -v node >/dev/null || { echo "no yaml-language-server"; exit 77; }

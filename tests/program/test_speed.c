@@ -1,4 +1,5 @@
-/* The file of speeds: medians of the newest samples of such runs, and files that are broken, strange or not writable. */
+/* The file of speeds: medians of the newest samples of such runs, and files that are broken, strange or not writable.
+ */
 #include "base/machine.h"
 #include "files/cache.h"
 #include "program/speed.h"
@@ -128,9 +129,8 @@ static void a_sample_of_some_work(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test_setup(the_nearest_runs_are_taken, fresh),
-                                       cmocka_unit_test_setup(the_file_stays_small, fresh),
-                                       cmocka_unit_test_setup(broken_files_are_as_good_as_none, fresh),
-                                       cmocka_unit_test(a_sample_of_some_work)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(the_nearest_runs_are_taken, fresh), cmocka_unit_test_setup(the_file_stays_small, fresh),
+        cmocka_unit_test_setup(broken_files_are_as_good_as_none, fresh), cmocka_unit_test(a_sample_of_some_work)};
     return cmocka_run_group_tests(tests, begin, NULL);
 }
