@@ -13,5 +13,5 @@ double checkpoint_bytes(struct run *r);
 void checkpoint_look(const char *folder, const char *file);
 /* Reads a file, or the newest checkpoint of the folder if file is NULL. Dies with exit code 4 if none can be read, 5 if
  * it does not fit the scene. The run is then at the beginning of, or within, the stage that it had reached.
- * Collective. */
-void checkpoint_read(struct run *r, const char *folder, const char *file);
+ * Returns the file's path, which the next call overwrites. Collective. */
+const char *checkpoint_read(struct run *r, const char *folder, const char *file);

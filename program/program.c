@@ -295,13 +295,14 @@ static void begin(struct program *p) {
     p->events = events_new(p->run);
     char(*too_long)[TIMESCALE_SENTENCE] = calloc((size_t)p->scene->stages * (OVERSTEP_MAX + 1), sizeof *too_long);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
+    const char *from = c->resume ? checkpoint_read(p->run, c->out, c->resume_file) : NULL; /* before a folder is made */
     folder_make(c->out);
     folder_hold(c->out);
     refuse_to_overwrite(c, here); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, here);
     log_line("frana: %s", p->scene->title);
     if (c->resume) {
-        checkpoint_read(p->run, c->out, c->resume_file);
+        log_line("resumed from %s", from);
         p->checked = p->run->resumed = p->run->step;
         log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
         if (here) fields_cut(p->run, c->out);

@@ -6,13 +6,13 @@
 #include "base/par_shared.h"
 #include "base/version.h"
 #include "files/cache.h"
+#include "files/whole.h"
 #include "solid/bonds/family.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -94,9 +94,7 @@ void speed_learn(const struct run *r, const struct speed_work *work, double leas
 /* Opens the file if it is one, and not a pipe, which one would wait for. */
 static FILE *open_file(void) {
     char path[CACHE_PATH];
-    struct stat is;
-    if (!cache_path(path, NAME, 0) || stat(path, &is) != 0 || !S_ISREG(is.st_mode)) return NULL;
-    return fopen(path, "r");
+    return cache_path(path, NAME, 0) && !whole_is_no_file(path) ? fopen(path, "r") : NULL;
 }
 
 /* The sample of a line; 0: the line is none. */

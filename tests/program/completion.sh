@@ -29,7 +29,7 @@ offers_only() {
 touch mine.yaml other.yml notes.txt && mkdir folder
 offers_only 'frana c' check calibrate
 offers 'frana ' run check post study bench permeability calibrate init schema keys help --version
-offers_only 'frana run --re' --resume
+offers 'frana run --re' --resume
 offers_only 'frana check --m' --measure
 offers 'frana post --' --film --slice --level --magnify --out --help
 offers_only 'frana init pl' plate_hole plate_wave
