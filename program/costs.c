@@ -186,8 +186,9 @@ static int measure(struct run *r, double *seconds) {
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
                 const struct march_loss loss = march_give_up(m, &status);
-                say("  warning: stage %s is unstable from its step %d on: %s; %s\n", stage->name, n + 1, loss.what,
-                    loss.why);
+                say("  warning: stage %s, measured after only a few steps of the stages before it, is unstable in its "
+                    "step %d: %s; %s\n",
+                    stage->name, n + 1, loss.what, loss.why);
                 break;
             }
             march_settle(m);
@@ -206,10 +207,12 @@ static int measure(struct run *r, double *seconds) {
     return good;
 }
 
-static void say_measured(struct run *r) {
+/* Returns 0 if a step was lost. */
+static int say_measured(struct run *r) {
     double *seconds = calloc((size_t)r->scene->stages, sizeof *seconds), sum = 0;
     char text[BRIEF];
-    if (seconds && measure(r, seconds)) {
+    const int good = seconds && measure(r, seconds);
+    if (good) {
         say("  %-10s", "time");
         for (int k = 0, n = 0; k < r->scene->stages; k++) {
             const double its = seconds[k] * (double)r->scene->stage[k].steps;
@@ -223,6 +226,7 @@ static void say_measured(struct run *r) {
         if (sum > MONTH) say("  warning: the run takes %s\n", duration(sum, text));
     }
     free(seconds);
+    return good;
 }
 
 static void say_known(struct run *r, const struct costs *n) {
@@ -272,8 +276,5 @@ void costs_say(const struct costs *c, struct run *r, const char *out, int measur
     say_steps(r, c);
     say_disk(r, c, out);
     for (int k = 0; k < c->warnings; k++) say("  warning: %s\n", c->warning[k]);
-    if (measured)
-        say_measured(r);
-    else
-        say_known(r, c);
+    if (!measured || !say_measured(r)) say_known(r, c);
 }

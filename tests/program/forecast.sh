@@ -40,6 +40,9 @@ says 'from 1 run of such scenes on any number of ranks'
 sed -i 's/,10000000,/,999999999,/' "$file"
 code 0 ranks 1 check scene.yaml --set stages.flow.steps=5000
 says '^  warning: the run takes 47[0-9] days'
+code 0 ranks 2 check scene.yaml --measure --set stages.flow.time_step=1.0
+says 'warning: stage flow, measured after .* is unstable in its step [0-9]+: '
+says '^  time +more than'
 # a cache that cannot be read or written is no reason to fail
 rm -r "$XDG_CACHE_HOME" && echo text >"$XDG_CACHE_HOME"
 code 0 ranks 1 check scene.yaml --measure
