@@ -59,6 +59,11 @@ static void find_nodes(void) {
     is_known = 1;
 }
 
+int par_shared_ranks(void) {
+    if (par_size() > 1) find_nodes();
+    return par_size() > 1 ? node.sharers : 1;
+}
+
 void par_shared_limit(int ranks) {
     forget();
     limit = ranks;

@@ -24,6 +24,7 @@ void par_shared_fence(const struct par_shared *s);
 void par_shared_unite(const struct par_shared *s);
 /* Rank 0's copy becomes the content of all. Begins and ends with a fence. Collective. */
 void par_shared_spread(const struct par_shared *s);
+int par_shared_ranks(void); /* number of ranks on this rank's node. Collective. */
 /* At most so many ranks of a node share a copy from now on, as if they were on several nodes; 0: all of them. For
  * tests, while there is no such array. Collective. */
 void par_shared_limit(int ranks);

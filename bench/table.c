@@ -3,6 +3,7 @@
 #include "bench/bench.h"
 #include "bench/cells.h"
 #include "bench/whole.h"
+#include "files/whole.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,7 +22,7 @@ static void read_file(struct page *p, const char *path) {
         if (p->runs < 8) p->run[p->runs++] = bench_whole_read(path);
         return;
     }
-    FILE *file = fopen(path, "r");
+    FILE *file = whole_is_no_file(path) ? NULL : fopen(path, "r");
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);
     if (!fgets(head, sizeof head, file)) head[0] = '\0';
     fclose(file);

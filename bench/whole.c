@@ -2,6 +2,7 @@
 #include "bench/whole.h"
 #include "base/die.h"
 #include "files/folder.h"
+#include "files/whole.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,7 +33,7 @@ static int is_rk3(const char *path) {
 struct bench_whole bench_whole_read(const char *path) {
     struct bench_whole whole = {.rk3 = is_rk3(path)};
     char line[1024], text[64], status[64] = "";
-    FILE *file = fopen(path, "r");
+    FILE *file = whole_is_no_file(path) ? NULL : fopen(path, "r");
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);
     while (fgets(line, sizeof line, file)) {
         if (strstr(line, "\"wall_seconds\"") && value_of(line, "\"wall_seconds\"", text, sizeof text))

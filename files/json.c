@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { DEPTH = 16 };
+enum { DEPTH = 32 };
 
 struct json {
-    struct aside aside;
+    struct aside aside; /* path "": a stream of the caller's */
     int depth;
     char closing[DEPTH]; /* the closing brackets of the open objects and arrays */
     int items[DEPTH];    /* number of items written to each so far */
@@ -61,6 +61,13 @@ struct json *json_begin(const char *path) {
     return j;
 }
 
+struct json *json_begin_stream(FILE *stream) {
+    struct json *j = calloc(1, sizeof *j);
+    j->aside.file = stream;
+    opened(j, '{', '}');
+    return j;
+}
+
 void json_close(struct json *j) {
     FILE *f = j->aside.file;
     ENSURE(j->depth > 0, "JSON: nothing is open");
@@ -75,7 +82,7 @@ void json_close(struct json *j) {
 void json_end(struct json *j) {
     while (j->depth > 0) json_close(j);
     fputc('\n', j->aside.file);
-    aside_end(&j->aside);
+    if (j->aside.path[0]) aside_end(&j->aside);
     free(j);
 }
 

@@ -1,12 +1,14 @@
 /* A JSON file, written aside and renamed. key is NULL inside an array and for the outermost object. Not collective: one
  * rank writes. NaN and infinity, which JSON lacks, are written as null. */
 #pragma once
+#include <stdio.h>
 
 struct json; /* opaque, owned by the caller */
 
-struct json *json_begin(const char *path); /* opens the outermost object */
-void json_end(struct json *j);             /* closes the outermost object and all that is still open; dies with exit
-                                            * code 4 */
+struct json *json_begin(const char *path);    /* opens the outermost object */
+struct json *json_begin_stream(FILE *stream); /* the same to an open stream, which json_end leaves open */
+void json_end(struct json *j);                /* closes the outermost object and all that is still open; dies with exit
+                                               * code 4 */
 
 void json_object(struct json *j, const char *key);
 void json_array(struct json *j, const char *key);

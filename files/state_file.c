@@ -136,6 +136,34 @@ void state_file_write(struct store *s, const struct state_list *list) {
     }
 }
 
+static double bytes_of(const struct state_item *item, const struct state_part *part) {
+    const struct state_size size = size_of(part);
+    const double each = type_of(item->kind) == STORE_BYTE ? 1 : 8;
+    const int *n = size.block.n;
+    switch (item->shape) {
+    case STATE_ONE:
+    case STATE_SHARE:
+        return each;
+    case STATE_PARTICLE:
+    case STATE_SET:
+        return each * state_item_comps(item, part) * (double)size.n_global;
+    case STATE_ROWS:
+        return each * state_item_comps(item, part) * (double)par_sum_long(item->rows_of(part->owner));
+    case STATE_CELL:
+        return each * n[0] * n[1] * n[2];
+    case STATE_BODY:
+        return each * item->comps * size.bodies;
+    }
+    return 0;
+}
+
+double state_file_bytes(const struct state_list *list) {
+    double sum = 0;
+    for (int k = 0; k < list->n; k++)
+        if (list->at[k].item->in & STATE_STORED) sum += bytes_of(list->at[k].item, list->at[k].part);
+    return sum;
+}
+
 /* Handles an item that the checkpoint does not have. Returns 1 if it may be missing; its default is then set. */
 static int is_left_out(const struct state_item *item, const struct state_part *part, long count, long wanted) {
     if (item->missing == STATE_FAULT || count == wanted) return 0;

@@ -4,6 +4,8 @@
 
 /* Collective. */
 void state_file_write(struct store *s, const struct state_list *list);
+/* Bytes of the arrays that such a checkpoint holds. Collective. */
+double state_file_bytes(const struct state_list *list);
 /* Returns 1 if an item is missing, damaged or does not fit the scene, with the reason in why, or in store_read_error()
  * if why is empty. head: the item was a single value. Arrays by particle may be allocated again during the call
  * (STATE_SET). Collective. */

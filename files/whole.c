@@ -4,6 +4,12 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/stat.h>
+
+int whole_is_no_file(const char *path) {
+    struct stat is;
+    return stat(path, &is) == 0 && !S_ISREG(is.st_mode);
+}
 
 char *whole_new(const char *path) {
     FILE *in = fopen(path, "rb");

@@ -1,9 +1,11 @@
-/* frana check: prints parts of the run, stable steps and their limits, memory, dimensionless groups. Takes no step. */
+/* frana check: prints parts of the run, stable steps and their limits, memory, dimensionless groups, costs. Takes
+ * no step, unless it is to measure some. */
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/blocked.h"
+#include "coupling/march.h"
 #include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/setup/forecast.h"
@@ -13,6 +15,7 @@
 #include "physics/waves.h"
 #include "program/check_cracks.h"
 #include "program/check_sizes.h"
+#include "program/costs.h"
 #include "program/program.h"
 #include "program/fragments.h"
 #include "program/intensity.h"
@@ -140,22 +143,10 @@ static void say_moving(const struct solid_input *in) {
     }
 }
 
-/* Number of dumps of fields, and their size: 4 bytes a number, 8 an id, 17 a vertex (program/fields.c). */
 static void say_fields(const struct run *r) {
-    const struct scene_output *out = &r->scene->output;
-    const int *n = r->scene->domain.cells;
-    const double cells = r->fluid ? (double)n[0] * n[1] * n[2] : 0;
-    const double particles = r->solid ? (double)r->solid->n_global : 0;
-    long steps = 0, dumps = 0;
-    if (out->fields_every == 0) return;
-    for (int k = 0; k < r->scene->stages; k++) { /* and one at the end of each stage */
-        const long before = steps / out->fields_every;
-        steps += r->scene->stage[k].steps;
-        dumps += steps / out->fields_every - before + (r->scene->stage[k].steps > 0 && steps % out->fields_every != 0);
-    }
-    const int each = (!r->needs.bonds ? 40 : out->stress ? 172 : 100) + (r->fluid ? 0 : 12);
-    say("  fields     every %ld steps, %ld times, about %.3g MB each\n", out->fields_every, dumps,
-        1e-6 * (cells * 4 * (r->medium ? 5 : 4) + particles * each));
+    if (r->scene->output.fields_every == 0) return;
+    say("  fields     every %ld steps, %ld times, about %.3g MB each\n", r->scene->output.fields_every, costs_dumps(r),
+        1e-6 * costs_dump_bytes(r));
 }
 
 static void say_holdings(struct run *r) {
@@ -239,7 +230,7 @@ static void say_levels(struct run *r) {
     }
 }
 
-static void say_limits(struct run *r) {
+static void say_limits(struct run *r, struct costs *costs) {
     say("\nstable steps, s\n");
     if (r->fluid) {
         const struct fluid_limits l = fluid_limits_foreseen(r->fluid);
@@ -268,6 +259,7 @@ static void say_limits(struct run *r) {
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
         const struct scene_stage *stage = &r->scene->stage[r->stage];
         step_begin_stage(r);
+        costs_add(costs, r);
         say("  %-10s %ld steps%s", stage->name, stage->steps,
             stage->has_until ? " at most, until the permeability is steady" : "");
         if (r->dt > 0)
@@ -296,7 +288,10 @@ static void say_memory(void) {
     par_max_array(most, MEMORY_PARTS + 1);
     say("\nmemory per rank, MB (largest of %d)\n", par_size());
     for (int p = 0; p < MEMORY_PARTS; p++) say("  %-10s %.1f\n", memory_name((enum memory_part)p), most[p] * 1e-6);
-    say("  %-10s %.1f, and the libraries' own\n", "in all", most[MEMORY_PARTS] * 1e-6);
+    const double share = par_min(forecast_share());
+    say("  %-10s %.1f, and the libraries' own; of %.0f that a rank has here\n", "in all", most[MEMORY_PARTS] * 1e-6,
+        share * 1e-6);
+    if (most[MEMORY_PARTS] > share) say("  warning: the run needs more memory than there is: other ranks or nodes\n");
 }
 
 /* The largest inflow velocity or driven velocity of the scene, m/s. */
@@ -367,9 +362,9 @@ static double gigabytes_of(const struct scene *scene, double particles) {
 
 /* Whether a body of an image makes the run larger than this machine's memory for so many ranks; if so, says it. */
 static int is_too_large(const struct scene *scene, double particles) {
-    const double share = 1e-9 * forecast_share();
+    const double share = 1e-9 * par_min(forecast_share());
     const double needed = gigabytes_of(scene, particles) / par_size();
-    if (particles == 0 || par_min(share) >= needed) return 0;
+    if (particles == 0 || share >= needed) return 0;
     say("\nThe run needs some %.3g GB a rank on %d ranks; this machine has %.3g GB a rank. Stable steps and what else "
         "needs the particles is left out: check the scene on more ranks, or a crop of the image.\n",
         needed, par_size(), share);
@@ -380,12 +375,16 @@ int check_scene(const struct command *c, const struct scene *scene) {
     const double particles = check_image(c, scene);
     if (is_too_large(scene, particles)) return EXIT_CODE_DONE;
     struct run *r = run_new(scene);
+    struct costs costs = {0};
     struct fragments *fragments = fragments_new(r); /* they take memory by particle */
     intensity_free(intensity_new(r));               /* dies on radii that do not fit */
+    struct march *march = march_new(r);             /* the kept state takes memory */
     say_holdings(r);
-    say_limits(r);
+    say_limits(r, &costs);
     say_memory();
+    march_free(march);
     say_groups(r);
+    costs_say(&costs, r, c->out, c->measure);
     check_sizes_say(r);
     fragments_free(fragments);
     run_free(r);

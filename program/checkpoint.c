@@ -5,7 +5,6 @@
 #include "base/par_ghost.h"
 #include "coupling/run_state.h"
 #include "files/folder.h"
-#include "files/log.h"
 #include "files/state_file.h"
 
 #include <stdio.h>
@@ -24,13 +23,19 @@ static void write(struct run *r, const char *folder, const char *name, int keep)
 void checkpoint_write(struct run *r, const char *folder) {
     char name[64];
     snprintf(name, sizeof name, "step_%08ld", r->step);
-    write(r, folder, name, 2);
+    write(r, folder, name, CHECKPOINTS_KEPT);
 }
 
 void checkpoint_write_stage(struct run *r, const char *folder) {
     char name[128];
     snprintf(name, sizeof name, "stage_%s", r->scene->stage[r->stage].name);
     write(r, folder, name, 0);
+}
+
+double checkpoint_bytes(struct run *r) {
+    struct run_state state;
+    run_state_of(r, &state);
+    return state_file_bytes(&state.list);
 }
 
 /* Reads the whole checkpoint. Returns 0, or 1 with a sentence in why. */
@@ -62,14 +67,14 @@ void checkpoint_look(const char *folder, const char *file) {
     store_read_close(s);
 }
 
-void checkpoint_read(struct run *r, const char *folder, const char *file) {
+const char *checkpoint_read(struct run *r, const char *folder, const char *file) {
     struct store *s = file ? store_read_open(file) : store_read_open_latest(folder);
     if (!s) refuse(EXIT_CODE_FILE, file, store_read_error());
-    char why[2048], path[FOLDER_PATH];
+    static char path[FOLDER_PATH];
+    char why[2048];
     snprintf(path, sizeof path, "%s", store_read_path(s));
     const int bad = read_state(r, s, why, sizeof why), damaged = store_read_is_damaged(s);
     store_read_close(s);
-    if (!bad) log_line("resumed from %s", path);
     if (bad) refuse(damaged ? EXIT_CODE_FILE : EXIT_CODE_CHECKPOINT, path, why);
     const int ended = r->stage_step >= r->scene->stage[r->stage].steps || steady_has_ended(r);
     if (ended && r->stage + 1 < r->scene->stages) {
@@ -77,4 +82,5 @@ void checkpoint_read(struct run *r, const char *folder, const char *file) {
         r->stage_step = 0;
     }
     r->deposited = -1;
+    return path;
 }

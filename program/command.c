@@ -3,32 +3,14 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/threads.h"
+#include "program/usage.h"
 
 #include <getopt.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-const char *command_usage(void) {
-    return "usage:\n"
-           "  frana run   SCENE.yaml [--out DIR] [--set key.path=value]... [--resume[=FILE] | --resume-or-start]\n"
-           "              [--max-wall HH:MM:SS] [--quiet]\n"
-           "  frana check SCENE.yaml [--out DIR] [--set key.path=value]...\n"
-           "  frana permeability SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
-           "[--fresh]\n"
-           "  frana calibrate SCENE.yaml [--out DIR] [--set key.path=value]... [--max-wall HH:MM:SS] [--quiet] "
-           "[--fresh] [--quick]\n"
-           "              [--only PART,...]\n"
-           "  frana post  RUNDIR... [--out DIR] [--film[=QUANTITY]] [--slice x=PLACE]... [--level DAMAGE]\n"
-           "              [--magnify FACTOR]\n"
-           "  frana study STUDY.yaml [--out DIR] [--fresh] [--list | --run NUMBER | --collect]\n"
-           "  frana bench [--quick] [--only PART,...] [--sizes 128x64x64,38,...] [--repeats N] [--out DIR]\n"
-           "  frana bench --table=performance|growth TABLE.csv... [RUN.json...]\n"
-           "  frana --version\n"
-           "run, check, permeability, calibrate and bench under mpiexec -n N where they should run in parallel, with\n"
-           "[--threads N] on several cores a rank.\n";
-}
 
 static const double LONGEST = 1e9; /* of --max-wall, s */
 
@@ -48,27 +30,12 @@ static double seconds_of(const char *text) {
     die_all(EXIT_CODE_SCENE, "--max-wall %s: must be HH:MM:SS, more than nothing and at most %g s", text, LONGEST);
 }
 
-static enum command_verb verb_of(const char *word) {
-    static const struct {
-        const char *word;
-        enum command_verb verb;
-    } verb[] = {{"run", COMMAND_RUN},
-                {"check", COMMAND_CHECK},
-                {"post", COMMAND_POST},
-                {"bench", COMMAND_BENCH},
-                {"study", COMMAND_STUDY},
-                {"--version", COMMAND_VERSION},
-                {"permeability", COMMAND_PERMEABILITY},
-                {"calibrate", COMMAND_CALIBRATE},
-                {"--help", COMMAND_HELP},
-                {"-h", COMMAND_HELP},
-                {"help", COMMAND_HELP}};
-    for (size_t k = 0; k < sizeof verb / sizeof *verb; k++)
-        if (!strcmp(word, verb[k].word)) return verb[k].verb;
-    die_all(
-        EXIT_CODE_SCENE,
-        "%s: unknown command; there are run, check, post, bench, study, permeability, calibrate, --version and --help",
-        word);
+static const struct usage_command *known(const char *word) {
+    const struct usage_command *c = usage_command_of(word);
+    if (c) return c;
+    unsigned all = 0;
+    for (const struct usage_command *k = usage_command; k->word; k++) all |= 1u << k->verb;
+    die_all(EXIT_CODE_SCENE, "%s: unknown command; there are %s", word, usage_commands(all));
 }
 
 /* above/NAME, where NAME is the scene's file name without its ending. */
@@ -112,23 +79,9 @@ static void slice_of(struct command *c, const char *text) {
 }
 
 /* Checks that the option belongs to the command. */
-static void check_option(int o, const char *word, enum command_verb verb) {
-    const int several = verb == COMMAND_PERMEABILITY || verb == COMMAND_CALIBRATE,
-              runs = verb == COMMAND_RUN || several;
-    if (strchr("ra", o) && verb != COMMAND_RUN) die_all(EXIT_CODE_SCENE, "%s: goes with frana run only", word);
-    if (strchr("wq", o) && !runs)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, permeability and calibrate only", word);
-    if (o == 's' && !runs && verb != COMMAND_CHECK)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check, permeability and calibrate only", word);
-    if (strchr("ilmx", o) && verb != COMMAND_POST) die_all(EXIT_CODE_SCENE, "%s: goes with frana post only", word);
-    if (o == 'f' && verb != COMMAND_STUDY && !several)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana study, permeability and calibrate only", word);
-    if (o == 'h' && !runs && verb != COMMAND_CHECK && verb != COMMAND_BENCH)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana run, check, permeability, calibrate and bench only", word);
-    if (strchr("kn", o) && verb != COMMAND_BENCH && verb != COMMAND_CALIBRATE)
-        die_all(EXIT_CODE_SCENE, "%s: goes with frana bench and calibrate only", word);
-    if (strchr("uLC", o) && verb != COMMAND_STUDY) die_all(EXIT_CODE_SCENE, "%s: goes with frana study only", word);
-    if (strchr("zpt", o) && verb != COMMAND_BENCH) die_all(EXIT_CODE_SCENE, "%s: goes with frana bench only", word);
+static void check_option(const struct usage_option *o, enum command_verb verb) {
+    if (o->of & 1u << verb) return;
+    die_all(EXIT_CODE_SCENE, "--%s: goes with frana %s only", o->name, usage_commands(o->of));
 }
 
 static void start_threads(int threads) {
@@ -145,35 +98,15 @@ static void task(struct command *c, enum study_task task) {
 }
 
 static void options(struct command *c, int argc, char **argv) {
-    static const struct option option[] = {{"out", required_argument, NULL, 'o'},
-                                           {"set", required_argument, NULL, 's'},
-                                           {"resume", optional_argument, NULL, 'r'},
-                                           {"max-wall", required_argument, NULL, 'w'},
-                                           {"quiet", no_argument, NULL, 'q'},
-                                           {"fresh", no_argument, NULL, 'f'},
-                                           {"quick", no_argument, NULL, 'k'},
-                                           {"only", required_argument, NULL, 'n'},
-                                           {"sizes", required_argument, NULL, 'z'},
-                                           {"repeats", required_argument, NULL, 'p'},
-                                           {"table", required_argument, NULL, 't'},
-                                           {"film", optional_argument, NULL, 'i'},
-                                           {"level", required_argument, NULL, 'l'},
-                                           {"magnify", required_argument, NULL, 'm'},
-                                           {"slice", required_argument, NULL, 'x'},
-                                           {"resume-or-start", no_argument, NULL, 'a'},
-                                           {"list", no_argument, NULL, 'L'},
-                                           {"run", required_argument, NULL, 'u'},
-                                           {"collect", no_argument, NULL, 'C'},
-                                           {"threads", required_argument, NULL, 'h'},
-                                           {NULL, 0, NULL, 0}};
+    struct option option[32] = {{0}};
+    for (int k = 0; usage_option[k].name; k++)
+        option[k] = (struct option){usage_option[k].name, usage_option[k].argument, NULL, usage_option[k].letter};
     opterr = 0;
-    for (int o, which; (o = getopt_long(argc, argv, ":", option, &which)) != -1;) {
+    for (int o, which = 0; (o = getopt_long(argc, argv, ":h", option, &which)) != -1;) {
         const char *word = argv[optind - 1];
-        char name[32];
         if (o == ':') die_all(EXIT_CODE_SCENE, "%s: needs a value", word);
         if (o == '?') die_all(EXIT_CODE_SCENE, "%s: unknown option; frana --help lists them", word);
-        snprintf(name, sizeof name, "--%s", option[which].name);
-        check_option(o, name, c->verb);
+        if (o != 'h') check_option(&usage_option[which], c->verb);
         switch (o) {
         case 'o':
             snprintf(c->out, sizeof c->out, "%s", optarg);
@@ -197,11 +130,20 @@ static void options(struct command *c, int argc, char **argv) {
         case 'C':
             task(c, STUDY_COLLECT);
             break;
+        case 'j':
+            start_threads(whole(optarg, "--threads", 1));
+            break;
         case 'w':
             c->max_wall = seconds_of(optarg);
             break;
         case 'q':
             c->quiet = 1;
+            break;
+        case 'e':
+            c->measure = 1;
+            break;
+        case 'h':
+            c->help = 1;
             break;
         case 'f':
             c->fresh = 1;
@@ -224,9 +166,6 @@ static void options(struct command *c, int argc, char **argv) {
         case 'n':
             c->only = optarg;
             break;
-        case 'h':
-            start_threads(whole(optarg, "--threads", 1));
-            break;
         case 'z':
             c->sizes = optarg;
             break;
@@ -242,49 +181,37 @@ static void options(struct command *c, int argc, char **argv) {
     }
 }
 
-/* What a command reads. */
-static const char *file_of(enum command_verb verb) {
-    switch (verb) {
-    case COMMAND_RUN:
-    case COMMAND_CHECK:
-    case COMMAND_PERMEABILITY:
-    case COMMAND_CALIBRATE:
-        return "scene";
-    case COMMAND_POST:
-        return "run folder";
-    case COMMAND_STUDY:
-        return "study";
-    case COMMAND_BENCH:
-        return "measured table";
-    case COMMAND_VERSION:
-    case COMMAND_HELP:
-        break;
-    }
-    return "file";
-}
-
 /* Checks the arguments after the options. */
-static void check_files(const struct command *c, const char *word) {
+static void check_files(const struct command *c, const struct usage_command *is) {
+    const int most = c->verb == COMMAND_POST     ? INT_MAX
+                     : c->verb == COMMAND_INIT   ? 2
+                     : c->verb == COMMAND_SCHEMA ? 0
+                                                 : 1;
     if (c->verb == COMMAND_BENCH) {
         if (c->table && c->files == 0) die_all(EXIT_CODE_SCENE, "frana bench --table: of which measured tables?");
         if (!c->table && c->files > 0)
             die_all(EXIT_CODE_SCENE, "frana bench %s: takes files with --table only", c->file[0]);
         return;
     }
-    if (c->files == 0) die_all(EXIT_CODE_SCENE, "frana %s: which %s?", word, file_of(c->verb));
-    if (c->files > 1 && c->verb != COMMAND_POST)
-        die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", word, c->file[0], c->file[1], file_of(c->verb));
+    if (c->files == 0 && *is->arguments && *is->arguments != '[')
+        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", is->word, is->file);
+    if (c->files <= most) return;
+    if (most == 0) die_all(EXIT_CODE_SCENE, "frana %s %s: takes no arguments", is->word, c->file[0]);
+    if (most == 2) die_all(EXIT_CODE_SCENE, "frana %s: takes a case and a folder", is->word);
+    die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", is->word, c->file[0], c->file[1], is->file);
 }
 
 struct command *command_new(int argc, char **argv) {
     struct command *c = calloc(1, sizeof *c);
     c->repeats = 7;
     if (argc < 2) {
-        c->verb = COMMAND_HELP;
+        c->verb = c->about = COMMAND_HELP;
         return c;
     }
-    c->verb = verb_of(argv[1]);
+    const struct usage_command *is = known(argv[1]);
+    c->verb = c->about = is->verb;
     c->set = calloc((size_t)argc, sizeof *c->set);
+    if (c->verb == COMMAND_HELP && argc > 2) c->about = known(argv[2])->verb;
     if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
     options(c, argc - 1, argv + 1);
     if (c->fresh && (c->task == STUDY_LIST || c->task == STUDY_COLLECT))
@@ -292,7 +219,11 @@ struct command *command_new(int argc, char **argv) {
     if (c->resume && c->resume_or_start) die_all(EXIT_CODE_SCENE, "--resume-or-start: does not go with --resume");
     c->file = (const char *const *)(argv + 1 + optind);
     c->files = argc - 1 - optind;
-    check_files(c, argv[1]);
+    if (c->help) {
+        c->verb = COMMAND_HELP;
+        return c;
+    }
+    check_files(c, is);
     if ((c->verb == COMMAND_RUN || c->verb == COMMAND_PERMEABILITY) && !c->out[0]) default_out(c, "runs");
     if (c->verb == COMMAND_CALIBRATE && !c->out[0]) default_out(c, "calibrations");
     if (c->verb == COMMAND_CHECK && !c->out[0]) default_out(c, "checks");

@@ -11,13 +11,17 @@ enum command_verb {
     COMMAND_STUDY,
     COMMAND_PERMEABILITY,
     COMMAND_CALIBRATE,
+    COMMAND_INIT,
+    COMMAND_SCHEMA,
+    COMMAND_KEYS,
     COMMAND_VERSION,
     COMMAND_HELP
 };
 
 struct command {
     enum command_verb verb;
-    int files;               /* scene; study; run folders for post; tables and run.json for bench --table */
+    enum command_verb about; /* of COMMAND_HELP: the command that is explained, COMMAND_HELP: all */
+    int files; /* scene; study; run folders for post; case and folder; tables and run.json for bench --table */
     const char *const *file; /* borrowed from argv */
     char out[512];           /* run: the run folder; post with several folders: the folder of the comparison; bench,
                               * study: the folder of the tables */
@@ -29,6 +33,8 @@ struct command {
     int anew;                /* 1: the folder's unfinished run is moved out of the way first (program/resume.h) */
     double max_wall;         /* s; 0: no limit */
     int quiet;
+    int measure;          /* check: --measure */
+    int help;             /* --help */
     enum study_task task; /* study: --list, --run NUMBER, --collect */
     int number;           /* study: --run NUMBER */
     int fresh;            /* study, permeability, calibrate: --fresh */
@@ -49,4 +55,3 @@ struct command {
 /* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */
 struct command *command_new(int argc, char **argv);
 void command_free(struct command *c);
-const char *command_usage(void);

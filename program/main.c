@@ -7,10 +7,13 @@
 #include "postproc/post.h"
 #include "program/calibrate/calibrate.h"
 #include "program/command.h"
+#include "program/init.h"
 #include "program/program.h"
 #include "program/record.h"
 #include "program/resume.h"
 #include "program/solve.h"
+#include "program/usage.h"
+#include "scene/rules/describe.h"
 #include "scene/scene.h"
 #include "study/study.h"
 
@@ -123,16 +126,34 @@ static int obey(const struct command *c) {
         return calibrate(c);
     case COMMAND_VERSION:
         return version();
+    case COMMAND_INIT:
+        return init_scene(c->files > 0 ? c->file[0] : NULL, c->files > 1 ? c->file[1] : ".");
+    case COMMAND_SCHEMA:
+        scene_describe_schema(stdout);
+        return EXIT_CODE_DONE;
+    case COMMAND_KEYS:
+        scene_describe_keys(stdout, c->files > 0 ? c->file[0] : "");
+        return EXIT_CODE_DONE;
     case COMMAND_HELP:
-        return say(command_usage());
+        if (par_rank() == 0 && c->about == COMMAND_HELP) usage_print(stdout);
+        if (par_rank() == 0 && c->about != COMMAND_HELP) usage_print_of(stdout, c->about);
+        return EXIT_CODE_DONE;
     }
     ENSURE(0, "no command of number %d", (int)c->verb);
     return EXIT_CODE_SCENE;
 }
 
+/* Whether the command needs MPI: a study starts mpiexec, which a process that is itself an MPI rank cannot do; others
+ * only print, for a shell's completion also. */
+static int needs_ranks(int argc, char **argv) {
+    static const char *const alone[] = {"study", "init", "schema", "keys", "help", "--help", "-h"};
+    for (size_t k = 0; argc > 1 && k < sizeof alone / sizeof *alone; k++)
+        if (!strcmp(argv[1], alone[k])) return 0;
+    return argc > 1;
+}
+
 int main(int argc, char **argv) {
-    /* a study starts mpiexec, which a process that is itself an MPI rank cannot do */
-    if (argc < 2 || strcmp(argv[1], "study")) par_begin(&argc, &argv);
+    if (needs_ranks(argc, argv)) par_begin(&argc, &argv);
     struct command *c = command_new(argc, argv);
     const int code = obey(c);
     command_free(c);

@@ -12,6 +12,7 @@
 #include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "coupling/timescale.h"
 #include "cracks/cracks.h"
 #include "files/aside.h"
 #include "files/folder.h"
@@ -30,14 +31,19 @@
 #include "program/reactions.h"
 #include "program/record.h"
 #include "program/series.h"
+#include "program/speed.h"
 #include "program/texture.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Reynolds number with the root of the permeability from which inertia is said to count. */
 #define INERTIA 0.1
+
+/* Seconds of steps from which a finished run is kept as a measurement of this machine's speed. */
+#define LEARNT 20
 
 struct program {
     const struct command *command;
@@ -267,12 +273,17 @@ static void refuse_to_overwrite(const struct command *c, int may) {
 }
 
 /* Dies (exit 2) on stages whose steps the solid cannot take; that is known only once its bonds exist. Returns the
- * number of sentences on given steps that are too long, OVERSTEP_MAX a stage at most. */
-static int check_stages(struct run *r, char (*sentence)[OVERSTEP_SENTENCE]) {
+ * number of sentences on given steps that are too long, OVERSTEP_MAX a stage at most, and, one a stage, on steps of so
+ * many substeps that the run will hardly end. */
+static int check_stages(struct run *r, char (*sentence)[TIMESCALE_SENTENCE]) {
+    char longer[OVERSTEP_MAX][OVERSTEP_SENTENCE];
     int n = 0;
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
-        if (r->solid && r->scene->stage[r->stage].solid == SCENE_SOLID_ELASTIC) step_begin_stage(r);
-        n += overstep_of(r, sentence + n);
+        const int elastic = r->solid && r->scene->stage[r->stage].solid == SCENE_SOLID_ELASTIC;
+        if (elastic) step_begin_stage(r);
+        for (int k = 0, found = overstep_of(r, longer); k < found; k++)
+            memcpy(sentence[n++], longer[k], OVERSTEP_SENTENCE);
+        if (elastic) n += timescale_of(r, sentence[n]);
     }
     r->stage = 0;
     return n;
@@ -299,8 +310,9 @@ static void begin(struct program *p) {
     p->bodies = bodies_new(p->run);
     p->events = events_new(p->run);
     p->crack_speed = crack_speed_new(p->run);
-    char(*too_long)[OVERSTEP_SENTENCE] = calloc((size_t)p->scene->stages * OVERSTEP_MAX, sizeof *too_long);
+    char(*too_long)[TIMESCALE_SENTENCE] = calloc((size_t)p->scene->stages * (OVERSTEP_MAX + 1), sizeof *too_long);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
+    const char *from = c->resume ? checkpoint_read(p->run, c->out, c->resume_file) : NULL; /* before a folder is made */
     if (c->anew) folder_set_aside(c->out, aside);
     folder_make(c->out);
     folder_hold(c->out);
@@ -313,7 +325,7 @@ static void begin(struct program *p) {
         log_line("warning: %d threads of a rank share %d core%s: mpiexec --map-by slot:pe=%d gives them as many",
                  threads, cores, cores > 1 ? "s" : "", threads);
     if (c->resume) {
-        checkpoint_read(p->run, c->out, c->resume_file);
+        log_line("resumed from %s", from);
         p->checked = p->run->resumed = p->run->step;
         log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
         if (here) p->run->wall_earlier = record_earlier(c->out, p->run->step);
@@ -348,6 +360,8 @@ int program_run(const struct command *c, const struct scene *scene) {
     if (code == EXIT_CODE_DONE) {
         if (scene->output.checkpoint_every > 0) checkpoint(&p);
         record_write(p.run, c->out, "done", code);
+        const struct speed_work work = speed_worked(p.run);
+        speed_learn(p.run, &work, LEARNT);
         log_line("done: %ld steps in %.1f s", p.run->step, par_seconds() - p.run->wall_start);
     }
     march_free(p.march);

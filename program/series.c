@@ -122,13 +122,25 @@ struct series {
     double *damage; /* [room], work */
 };
 
+/* The bits NEED_ of what the run has. */
+static int has(const struct run *r) {
+    return (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
+           (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
+           (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0) |
+           (r->needs.contact ? NEED_CONTACT : 0) | (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0) |
+           (r->cracks ? NEED_CRACKS : 0);
+}
+
+int series_columns(const struct run *r) {
+    const int have = has(r);
+    int n = 0;
+    for (int k = 0; k < ALL_COLUMNS; k++) n += (all_columns[k].needs & have) == all_columns[k].needs;
+    return n;
+}
+
 struct series *series_new(struct run *r, const char *folder, long resume_step) {
     struct series *s = calloc(1, sizeof *s);
-    const int have = (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
-                     (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
-                     (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0) |
-                     (r->needs.contact ? NEED_CONTACT : 0) | (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0) |
-                     (r->cracks ? NEED_CRACKS : 0);
+    const int have = has(r);
     const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
     for (int k = 0; k < ALL_COLUMNS; k++) {
         if ((all_columns[k].needs & have) != all_columns[k].needs) continue;

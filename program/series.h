@@ -6,6 +6,7 @@ struct series; /* opaque */
 
 /* resume_step < 0: a new file. Collective. */
 struct series *series_new(struct run *r, const char *folder, long resume_step);
+int series_columns(const struct run *r); /* of series.csv. Not collective. */
 void series_free(struct series *s);
 /* To be called before the step after which a sample is taken: stores the values from which rates are computed.
  * Collective. */

@@ -104,7 +104,7 @@ files=$(git ls-files '*.c' '*.h')
         a = room_of(from)
         if (!(a in is_room)) next
         if ($0 ~ /<mpi\.h>/ && a != "base" && from != "files/h5.c") wrong("only base/ may include mpi.h")
-        if (!match($0, /"[^"]*"/) || $0 ~ /"frana_version\.h"/) next # made by the build
+        if (!match($0, /"[^"]*"/) || $0 ~ /"frana_(version|cases|scene_page)\.h"/) next # made by the build
         to = substr($0, RSTART + 1, RLENGTH - 2)
         b = room_of(to)
         if (b == "" || !(b in is_room)) { wrong(to " is in no room: write the path from the top"); next }

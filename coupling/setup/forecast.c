@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/machine.h"
 #include "base/par.h"
+#include "base/par_shared.h"
 #include "coupling/setup/setup.h"
 
 #include <math.h>
@@ -11,7 +12,7 @@
  * displacements, velocities and loads, and with bonds two accelerations, volumes and the bits of its bonds. */
 enum { CELL = 64, AT_REST = 80, WITH_BONDS = 150 };
 
-double forecast_share(void) { return (double)machine_memory() / fmin(par_size(), machine_cores()); }
+double forecast_share(void) { return (double)machine_memory() / par_shared_ranks(); }
 
 static double product(const double low[3], const double high[3], int dimension) {
     double volume = 1;

@@ -6,5 +6,5 @@
  * whose volume is not known from the scene alone, those of files, with holes or with cavities, are not looked at.
  * Collective. */
 void forecast_check(const struct scene *scene);
-/* Bytes of memory that a rank may take, on a machine whose cores each run a rank. Not collective. */
+/* Bytes of memory that a rank may take: its node's memory, in equal parts for the node's ranks. Collective. */
 double forecast_share(void);

@@ -1,36 +1,19 @@
 /* Reads FFTW's measured plans from the user's cache folder and stores new ones there. */
 #include "fluid/poisson/wisdom.h"
 #include "base/par.h"
+#include "files/cache.h"
 
-#include <errno.h>
 #include <fftw3.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-enum { PATH_MOST = 4096, FILE_MOST = 4 << 20 };
+enum { FILE_MOST = 4 << 20 };
+
+#define NAME "fftw.wisdom"
 
 static char *known; /* FFTW's wisdom as text, as it was after loading */
-
-static int make_folder(const char *path) { return mkdir(path, 0777) == 0 || errno == EEXIST; }
-
-/* Makes the folder if the file is to be written. Returns 0 if there is no folder. */
-static int file_path(char path[PATH_MOST], int make) {
-    const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
-    int length = -1;
-    if (cache && cache[0] == '/')
-        length = snprintf(path, PATH_MOST - 64, "%s", cache);
-    else if (home && home[0] == '/')
-        length = snprintf(path, PATH_MOST - 64, "%s/.cache", home);
-    if (length < 0 || length >= PATH_MOST - 64) return 0;
-    if (make && !make_folder(path)) return 0;
-    strcat(path, "/frana");
-    if (make && !make_folder(path)) return 0;
-    strcat(path, "/fftw.wisdom");
-    return 1;
-}
 
 static char *read_text(const char *path) {
     FILE *file = fopen(path, "rb");
@@ -47,9 +30,9 @@ static char *read_text(const char *path) {
 }
 
 void fluid_wisdom_load(void) {
-    char path[PATH_MOST], *text = NULL;
+    char path[CACHE_PATH], *text = NULL;
     long length = 0;
-    if (par_rank() == 0 && file_path(path, 0)) text = read_text(path);
+    if (par_rank() == 0 && cache_path(path, NAME, 0)) text = read_text(path);
     if (text) length = (long)strlen(text) + 1;
     par_bcast(&length, sizeof length, 0);
     if (length > 0 && !text) text = malloc((size_t)length);
@@ -70,10 +53,10 @@ static int write_text(const char *path, const char *text) {
 }
 
 void fluid_wisdom_store(void) {
-    char path[PATH_MOST], fresh[PATH_MOST + 32];
+    char path[CACHE_PATH], fresh[CACHE_PATH + 32];
     if (par_rank() != 0) return;
     char *text = fftw_export_wisdom_to_string();
-    if (text && !(known && strcmp(text, known) == 0) && file_path(path, 1)) {
+    if (text && !(known && strcmp(text, known) == 0) && cache_path(path, NAME, 1)) {
         snprintf(fresh, sizeof fresh, "%s.%ld", path, (long)getpid());
         if (!write_text(fresh, text) || rename(fresh, path) != 0) unlink(fresh);
     }

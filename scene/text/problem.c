@@ -96,8 +96,10 @@ static void say(struct scene_problems *p, const struct scene_node *node, const c
     char *where, *name;
     char *const brief = shortened(path, PATH);
     if (node->set) {
+        char *const set = shortened(node->set, PATH);
         where = text_new("--set ");
-        name = node->set_inner ? text_new("%s: %s", node->set, brief) : text_new("%s", node->set);
+        name = node->set_inner ? text_new("%s: %s", set, brief) : text_new("%s", set);
+        free(set);
     } else {
         where = node->line ? text_new("%s:%d: ", p->file, node->line) : text_new("%s: ", p->file);
         name = text_new("%s", brief);

@@ -2,6 +2,7 @@
 #include "study/file/file.h"
 #include "base/die.h"
 #include "base/text.h"
+#include "files/whole.h"
 #include "scene/text/yaml.h"
 #include "study/file/key.h"
 #include "study/file/parts.h"
@@ -114,6 +115,7 @@ struct study *study_file_parse(const char *path, const char *text, size_t bytes,
 
 struct study *study_file_new(const char *path) {
     struct scene_problems problems = {.file = path};
+    if (whole_is_no_file(path)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: it is not a file", path);
     FILE *in = fopen(path, "rb");
     if (!in) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
     char *text = malloc(BYTES_MAX + 1);

@@ -58,6 +58,7 @@ static void ranks_of_a_node_see_one_copy(void **state) {
         const size_t before = memory_bytes(MEMORY_OUTPUT);
         par_shared_limit(most < size ? most : 0);
         struct par_shared *s = par_shared_new(MEMORY_OUTPUT, WORDS * sizeof(uint64_t));
+        assert_int_equal(par_shared_ranks(), sharers_of(most));
         uint64_t *word = s->data;
         const long files = files_open();
         assert_string_equal(s->why, "");

@@ -19,9 +19,15 @@ code 4 ranks 1 run scene.yaml --out nan
 code 4 ranks 1 run scene.yaml --out none --resume
 echo rubbish >rubbish.h5
 code 4 ranks 2 run scene.yaml --out none2 --resume=rubbish.h5
+# a pipe, for which one would wait
+mkfifo pipe.yaml
+code 4 timeout 60 mpiexec --oversubscribe -n 2 "$frana" run scene.yaml --out none3 --resume=pipe.yaml
+code 2 timeout 60 "$frana" study pipe.yaml
+grep -q 'it is not a file' err || fail "not said that a pipe is no study: $(cat err)"
 # a checkpoint of another scene
 code 5 ranks 2 run scene.yaml --out other --resume=nan/checkpoint/stage_flow.h5 --set domain.cells="[32, 16, 32]" \
   --set domain.size="[0.05, 0.025, 0.05]"
+for folder in none none2 none3 other; do [ ! -e $folder ] || fail "a --resume that failed leaves $folder"; done
 # limit on the run's wall time
 code 75 ranks 2 run scene.yaml --out wall --max-wall 1 --set stages.flow.steps=1000000
 grep -q -- '--max-wall' wall/run.log || fail "run.log does not say why it stopped"

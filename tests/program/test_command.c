@@ -48,6 +48,13 @@ static void each_command_by_its_word(void **state) {
               {"study a.yaml", COMMAND_STUDY},
               {"permeability a.yaml", COMMAND_PERMEABILITY},
               {"calibrate a.yaml", COMMAND_CALIBRATE},
+              {"init", COMMAND_INIT},
+              {"init bar folder", COMMAND_INIT},
+              {"schema", COMMAND_SCHEMA},
+              {"keys solid.", COMMAND_KEYS},
+              {"run --help", COMMAND_HELP},
+              {"check a.yaml b.yaml -h", COMMAND_HELP},
+              {"help run", COMMAND_HELP},
               {"--version", COMMAND_VERSION},
               {"--help", COMMAND_HELP},
               {"-h", COMMAND_HELP},
@@ -140,6 +147,16 @@ static void options_of_the_others(void **state) {
     c = command_of("check s.yaml --set a=1");
     assert_int_equal(c->sets, 1);
     assert_string_equal(c->out, "checks/s"); /* written by scenes with an image only */
+    assert_false(c->measure);
+    command_free(c);
+    c = command_of("check s.yaml --measure");
+    assert_true(c->measure);
+    command_free(c);
+    c = command_of("post --help");
+    assert_int_equal(c->about, COMMAND_POST);
+    command_free(c);
+    c = command_of("help");
+    assert_int_equal(c->about, COMMAND_HELP);
     command_free(c);
 }
 
@@ -148,6 +165,11 @@ static void each_mistake_ends_with_code_2(void **state) {
     (void)state;
     static const char *const table[][2] = {
         {"runs a.yaml", "runs: unknown command; there are run, check, post, bench, study"},
+        {"help runs", "runs: unknown command"},
+        {"schema a", "frana schema a: takes no arguments"},
+        {"keys a b", "frana keys a b: takes one beginning"},
+        {"init a b c", "frana init: takes a case and a folder"},
+        {"run a --measure", "--measure: goes with frana check only"},
         {"run", "frana run: which scene?"},
         {"post", "frana post: which run folder?"},
         {"permeability", "frana permeability: which scene?"},

@@ -468,6 +468,7 @@ static void test_too_much_of_a_thing(void **state) {
         {"coupled", "  bodies:\n", "  bodies:\n", "    - {shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.001}\n",
          "", "solid.bodies: has "},
         {"fluid", "density: 1", "", "k", ": 1", "it.yaml:3: not valid YAML"},
+        {"fluid", "density: 1", "? ", "k", "\n  : 1", "...: unknown key; known here: density, viscosity"},
         {"fluid", "start-up", "", "n", "", "stages[0].name = nnnnnnn"}};
     for (size_t k = 0; k < sizeof heap / sizeof *heap; k++) {
         const size_t entry = strlen(heap[k].entry);
@@ -480,7 +481,10 @@ static void test_too_much_of_a_thing(void **state) {
         assert_null(sample_read(text, 0, NULL, &problems));
         check_above(problems.n, 0);
         int says = 0;
-        for (int i = 0; i < problems.n; i++) says |= strstr(problems.text[i], heap[k].says) != NULL;
+        for (int i = 0; i < problems.n; i++) {
+            says |= strstr(problems.text[i], heap[k].says) != NULL;
+            check_below(strlen(problems.text[i]), 1000);
+        }
         if (!says) fail_msg("%s: %s", heap[k].says, problems.text[0]);
         scene_problem_free(&problems);
         free(text);
@@ -488,6 +492,15 @@ static void test_too_much_of_a_thing(void **state) {
         free(from);
         free(sample);
     }
+    char *from = sample_text(SCENES "fluid.yaml"), *setting = calloc(1, MANY + 3);
+    memset(setting, 'k', MANY);
+    memcpy(setting + MANY, "=1", 2);
+    struct scene_problems problems;
+    assert_null(sample_read(from, 1, (const char *const[]){setting}, &problems));
+    check_below(strlen(problems.text[0]), 1000);
+    scene_problem_free(&problems);
+    free(setting);
+    free(from);
 }
 
 int main(int argc, char **argv) {

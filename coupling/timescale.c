@@ -1,0 +1,44 @@
+/* Says that a step of the fluid is so long for the solid that a run will hardly end. */
+#include "coupling/timescale.h"
+#include "physics/model.h"
+#include "physics/waves.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* The main case takes some ten. */
+static const double COSTLY = 1000, HOPELESS = 10000;
+
+static double step_of(const struct run *r) {
+    if (r->dt > 0 || !r->fluid) return r->dt;
+    return r->scene->stage[r->stage].cfl * fluid_limits_foreseen(r->fluid).step;
+}
+
+double timescale_substeps(struct run *r) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    if (!r->needs.bonds || stage->solid != SCENE_SOLID_ELASTIC || stage->relax) return 0;
+    if (stage->substeps > 0) return stage->substeps;
+    const double least = ceil(step_of(r) / (stage->safety * r->solid_stable) * (1 - 1e-12));
+    return isfinite(least) ? fmax(fmax(least, r->substeps), 1) : 1;
+}
+
+int timescale_of(struct run *r, char sentence[TIMESCALE_SENTENCE]) {
+    const double n = timescale_substeps(r), dt = step_of(r);
+    if (n < COSTLY) return 0;
+    double fastest = 0;
+    const enum physics_model model = (enum physics_model)r->solid->in.model;
+    for (int m = 0; m < r->scene->solid->materials; m++) {
+        const struct scene_material *s = &r->scene->solid->material[m];
+        fastest = fmax(
+            fastest,
+            physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density).longitudinal);
+    }
+    snprintf(sentence, TIMESCALE_SENTENCE,
+             "stage %s: %.0f substeps a step%s: the step of %.3g s%s is %.3g times the solid's stable step of %.3g s, "
+             "limited by %s (waves of %.4g m/s cross a spacing of %.3g m in %.3g s). A softer or denser material, a "
+             "larger spacing or a shorter time_step bring the two nearer to each other",
+             r->scene->stage[r->stage].name, n, n < HOPELESS ? "" : ": the run is hopeless", dt,
+             r->fluid ? " of the fluid" : "", dt / r->solid_stable, r->solid_stable,
+             solid_stable_bound_name[r->solid_bound], fastest, r->solid->in.spacing, r->solid->in.spacing / fastest);
+    return 1;
+}

@@ -1,0 +1,53 @@
+/* What runs have learnt of this machine's speed, kept in the user's cache: $XDG_CACHE_HOME/frana/speed.csv, or
+ * ~/.cache/frana/speed.csv. A cache that is missing, broken or not writable is as good as none: nothing here fails.
+ * (docs/run-folder.md) */
+#pragma once
+#include "coupling/run.h"
+
+enum speed_part {
+    SPEED_CELL,     /* a step of a cell of the fluid, ns */
+    SPEED_IMMERSED, /* a step of a particle of the interface: forcing, probe, surface, ns */
+    SPEED_BOND,     /* a sweep over a directed bond, with contact and integration, ns */
+    SPEED_REST,     /* everything else, output included, as a part of the three */
+    SPEED_PARTS
+};
+enum { SPEED_TEXT = 96 };
+
+/* One line of the file. */
+struct speed_sample {
+    char processor[SPEED_TEXT], build[SPEED_TEXT], kind[SPEED_TEXT]; /* without commas */
+    int cores, ranks;
+    double when;              /* s since 1970 */
+    double part[SPEED_PARTS]; /* times the number of ranks; 0: the run had none of it */
+};
+
+/* Work that was done, or will be. */
+struct speed_work {
+    double seconds;                 /* wall, of the steps alone */
+    double amount[SPEED_PARTS];     /* cells x steps, particles x steps, directed bonds x sweeps; SPEED_REST: unused */
+    double seconds_of[SPEED_PARTS]; /* of them, sums over the ranks */
+};
+
+/* The machine, the build and the kind of scene: what a sample must agree in. Collective. */
+struct speed_sample speed_of(const struct run *r);
+/* The steps that the run has taken since it began or was resumed, by the clocks. Collective. */
+struct speed_work speed_worked(const struct run *r);
+/* Keeps what the work says, if it took `least` s or more, no stage relaxes, and no node has more ranks than cores.
+ * Collective. */
+void speed_learn(const struct run *r, const struct speed_work *work, double least);
+/* The sample of a work. Returns 0 if it says nothing. Not collective. */
+int speed_sample_of(const struct speed_work *work, struct speed_sample *sample);
+
+/* What the file says of the speed of such a run. */
+struct speed_known {
+    int samples;              /* number of runs; 0: nothing is known */
+    int same_kind;            /* they were of the same kind of scene */
+    int same_ranks;           /* on the same number of ranks */
+    double newest;            /* s since 1970 */
+    double part[SPEED_PARTS]; /* medians; 0: not known */
+};
+/* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Not
+ * collective. */
+struct speed_known speed_recall(const struct speed_sample *like);
+/* Appends a line; the newest 200 lines stay. Not collective. */
+void speed_keep(const struct speed_sample *sample);

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# frana check forecasts steps, the size of the files, and the time from what this machine's runs took.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+export XDG_CACHE_HOME=$work/cache # the speeds are learnt there
+says() { grep -qE -- "$1" out || { cat out >&2; fail "not said: $1"; }; }
+scene >full.yaml
+sed -e 's/steps: 60/steps: 20/' -e 's/series_every: .*/series_every: 5/; s/fields_every: .*/fields_every: 10/' \
+  -e 's/checkpoint_every: .*/checkpoint_every: 20/' full.yaml >scene.yaml
+
+code 0 ranks 1 check scene.yaml
+says '^  steps +60, .* substeps of the solid, .* sweeps over [0-9]+ directed bonds'
+says '^  time +no measurement on this machine yet'
+! grep -q 'substeps a step' out || fail "said of a scene whose time scales fit"
+# what the run writes is what was forecast
+read -r fields checkpoints < <(sed -n 's/.*: fields \([0-9.]*\) MB, 6 checkpoints \([0-9.]*\) MB,.*/\1 \2/p' out)
+code 0 ranks 2 run scene.yaml --quiet
+near() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0.85 * b && a < 1.15 * b) }' || fail "$3: $1 MB, forecast $2 MB"; }
+size() { # 5 checkpoints are kept, and one more is written before one is deleted
+  find runs/scene -name "$1" -printf '%s\n' | awk '{ s += $1; n++ } END { print 1e-6 * s * (n == 5 ? 6 / 5 : 1) }'
+}
+near "$(size '*.hdf')" "$fields" fields
+near "$(size '*.h5')" "$checkpoints" checkpoints
+
+# measured steps are kept, and used by the next check
+code 0 ranks 1 check scene.yaml --measure
+says '^  time +flow .* \(.* s a step\), settle .*, fracture .*; in all about .* on 1 rank, without output, measured now'
+[ ! -e checks ] || fail "a measurement writes a folder"
+file=$XDG_CACHE_HOME/frana/speed.csv
+[ "$(grep -vc '^#' "$file")" = 1 ] || fail "not one measurement: $(cat "$file")"
+# exact numbers: 60 steps of 8192 cells at 10 ms are 82 min; twice as many ranks take half the time
+awk -F, -v OFS=, '/^#/ { print; next } { $7 = 1e7; $8 = 0; $9 = 1; $10 = 0; $6 -= 3 * 86400; print }' "$file" >edited
+cp edited "$file"
+code 0 ranks 1 check scene.yaml
+says '^  time +more than 82 min on 1 rank: flow 82 min, interface not known, bonds'
+says 'from 1 run of such scenes on as many ranks on this machine, the newest 3 days old'
+code 0 ranks 2 check scene.yaml
+says '^  time +more than 41 min on 2 ranks'
+says 'from 1 run of such scenes on any number of ranks'
+sed -i 's/,10000000,/,999999999,/' "$file"
+code 0 ranks 1 check scene.yaml --set stages.flow.steps=5000
+says '^  warning: the run takes 47[0-9] days'
+code 0 ranks 2 check scene.yaml --measure --set stages.flow.time_step=1.0
+says 'warning: stage flow, measured after .* is unstable in its step [0-9]+: '
+says '^  time +more than'
+# a cache that cannot be read or written is no reason to fail
+rm -r "$XDG_CACHE_HOME" && echo text >"$XDG_CACHE_HOME"
+code 0 ranks 1 check scene.yaml --measure
+code 0 ranks 1 check scene.yaml
+says 'no measurement on this machine yet'
+
+# time scales that do not fit
+code 0 ranks 1 check scene.yaml --set 'solid.materials[0].youngs_modulus=6.0e15' --set coupling.load=probe
+says 'warning: stage settle: [0-9]{5} substeps a step: the run is hopeless: the step of .* s of the fluid is [0-9.e+]*'
+says 'waves of .* m/s cross a spacing of .* m in .* s'
+echo ok
