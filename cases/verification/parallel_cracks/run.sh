@@ -11,12 +11,13 @@ number_of() { kept "$1 $3" in_run "$@"; }
 at_rest() {
   local low high
   low=$(calc "0.12 - $2 / 2000") high=$(calc "0.12 + $2 / 2000")
-  run_of "$1" scene.yaml "solid.cracks[0].points=[[$(calc "0.12 - $3 / 1000"), $low], [$(calc "0.12 + $3 / 1000"), $low]]" \
-    "solid.cracks[1].points=[[$(calc "0.12 - $4 / 1000"), $high], [$(calc "0.12 + $4 / 1000"), $high]]" \
+  run_of "$1" scene.yaml "solid.cracks[0].points=$(crack "$3" "$low")" \
+    "solid.cracks[1].points=$(crack "$4" "$high")" \
     "crack_fluid.injections[0].low=[0.1, $(calc "$low - 0.01")]" \
     "crack_fluid.injections[0].high=[0.14, $(calc "$high + 0.01")]" \
     "output.probes={at: [$(probed "$low"), $(probed "$high")], every: 10}" "${@:5}"
 }
+crack() { echo "[[$(calc "0.12 - $1 / 1000"), $2], [$(calc "0.12 + $1 / 1000"), $2]]"; } # half length, height
 half=0.0005 # of a spacing
 probed() { echo "[0.1205, $(calc "$1 + $half")], [0.1205, $(calc "$1 - $half")]"; } # above and below a crack's middle
 # judged NAME WHAT VOLUME FIRST SECOND TOLERANCE: the references are interaction.py's
