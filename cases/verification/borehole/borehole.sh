@@ -2,7 +2,8 @@
 # Prints, in a run folder, one number of a notched borehole (collocation.py) that is pumped up, and writes record.csv:
 # length of a crack, pressure of the fluid and the pressure of linear elasticity at this length.
 # The fracture energy is that of a creeping crack, $creeping G0 (1.4377: frana calibrate, m = 3 in a plate).
-# usage: borehole.sh breakdown|breakdown_ratio   the largest pressure; over that at which K_I = K_IC at the notches' length
+# usage: borehole.sh breakdown|breakdown_ratio   the largest pressure; over that at which K_I = K_IC at the notches'
+#                                                length
 #        borehole.sh pressure|pressure_ratio     mean deviation from the pressure at which K_I = K_IC, mean of the ratio
 #        borehole.sh grown                       growth of a crack in spacings
 #        borehole.sh energy_begin|books|cavity   K_I^2/(E' G0) at breakdown; largest volume residual over the injected
