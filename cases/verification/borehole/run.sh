@@ -21,7 +21,7 @@ pressed() {
         "{edge: {from: [0, 0.36], to: [0.36, 0.36]}, traction: [0, -$2], $rise}")]"
 }
 # The sides are pressed with damping, then fluid is injected without. The fluid is let through where the sides press
-# ring and plug together.
+# ring and plug together, also in the runs without stress that they are compared with.
 later=('stages=[{name: press, steps: 1030, integrator: verlet, crack_fluid: true, damping_absolute: 5.0e4},
     {name: pump, steps: 1450, integrator: verlet, crack_fluid: true}]' crack_fluid.least_aperture=3.0e-5
   'crack_fluid.injections[0].time=[[5.5e-4, 0], [7.5e-4, 1]]')
@@ -72,10 +72,11 @@ done
 [ "$again" ] || awk 'NR <= 2 || NR % 4 == 0' "$runs/notch_1/record.csv" >"$out/record.csv"
 
 # a compression in both directions: by net pressures, and by tractions on a lattice that is strained by them
-free=$(number_of notch_1 breakdown)
 pumped net 0.012 crack_fluid.least_pressure=-1.0e7
-near "compression of 10 MPa, net pressures: breakdown pressure less 10 MPa" Pa "$(number_of net breakdown)" "$free" \
-  "without it" 0.01
+near "compression of 10 MPa, net pressures: breakdown pressure less 10 MPa" Pa "$(number_of net breakdown)" \
+  "$(number_of notch_1 breakdown)" "without it" 0.01
+pumped free_1 0.012 crack_fluid.least_aperture=3.0e-5 stages.pump.steps=1200
+free=$(number_of free_1 breakdown) growing=$(number_of free_1 pressure_ratio)
 for s in 10 5; do
   confined=$s.0e6
   pumped "confined_$s" 0.012 "$(pressed $confined $confined)" "${later[@]}"
@@ -84,19 +85,23 @@ for s in 10 5; do
     "$(calc "$(number_of "confined_$s" breakdown) / $free")" "$factor" "1 + 0.625 sigma0/(E s0)" 0.05
   shown "compression of $s MPa by tractions: pressure before the injection less it" Pa \
     "$(number_of "confined_$s" rest)" 0 "no volume"
-  shown "compression of $s MPa by tractions: pressure over the growing cracks: mean of the ratio" 1 \
-    "$(number_of "confined_$s" pressure_ratio)" "$factor" "1 + 0.625 sigma0/(E s0)"
+  shown "compression of $s MPa by tractions: mean pressure over the growing cracks, over that without" 1 \
+    "$(calc "$(number_of "confined_$s" pressure_ratio) / $growing")" "$factor" "1 + 0.625 sigma0/(E s0)"
   confined=0
 done
 
 # a compression along the notches: what is left of two unequal stresses when the smaller one is taken off the pressure
-free=$(number_of notch_0.5 breakdown) ratio=$(number_of notch_0.5 breakdown_ratio)
+pumped free_0.5 0.006 crack_fluid.least_aperture=3.0e-5 stages.pump.steps=900
+free=$(number_of free_0.5 breakdown) ratio=$(number_of free_0.5 breakdown_ratio)
 along=-5.0e6
 pumped along 0.006 "$(pressed 5.0e6)" "${later[@]}"
-pressure=$(number_of along breakdown)
+pressure=$(number_of along breakdown) reference=$(number_of along breakdown_ratio)
 near "notches of 0.5 R, compression of 5 MPa along them: breakdown pressure over that without" 1 \
-  "$(calc "$pressure / $free")" "$(calc "$pressure / $(number_of along breakdown_ratio) * $ratio / $free")" \
-  "linear elasticity" 0.05
+  "$(calc "$pressure / $free")" "$(calc "$pressure / $reference * $ratio / $free")" "linear elasticity" 0.05
+# K at the start is 1 + 0.3125 sigma/(E s0) times that without, and F_p p = K/sqrt(pi a) + F_s sigma
+shown "notches of 0.5 R, compression of 5 MPa along them: breakdown pressure over that without" 1 \
+  "$(calc "$pressure / $free")" "$(calc "1 + 0.3125 * 5 / 20.8886 - 0.26893 / 1.56386 * 5.0e6 / $free")" \
+  "linear elasticity, K_IC times 1 + 0.3125 sigma/(E s0)"
 shown "notches of 0.5 R, compression of 5 MPa along them: pressure over the growing cracks: mean of the ratio" 1 \
   "$(number_of along pressure_ratio)" 1 "$lefm"
 finish
