@@ -28,8 +28,9 @@ later=('stages=[{name: press, steps: 1030, integrator: verlet, crack_fluid: true
 lefm="linear elasticity, K_I = K_IC with 1.4377 G0"
 export creeping=1.4377 along=0 confined=0
 
-if [ "$quick" ]; then # 2 mm
+if [ "$quick" ]; then # 2 mm, in a smaller plate
   pumped coarse 0.012 solid.spacing=2.0e-3 stages.pump.steps=640 output.crack.every=5 output.series_every=5 \
+    'solid.bodies[0].low=[0.06, 0.06]' 'solid.bodies[0].high=[0.3, 0.3]' \
     'crack_fluid.injections[0].low=[0.16, 0.16]' 'crack_fluid.injections[0].high=[0.2, 0.2]'
   near "notches of 1 R, 2 mm: breakdown pressure" Pa "$(number_of coarse breakdown)" \
     "$(calc "$(number_of coarse breakdown) / $(number_of coarse breakdown_ratio)")" "$lefm" 0.3
