@@ -41,3 +41,8 @@ run_of() {
   "$frana" run "$here/$scene" "${set[@]}" --out "$runs/$name" >"$runs/$name.log" 2>&1 ||
     { cat "$runs/$name.log" >&2; exit 1; }
 }
+
+# run_once NAME SCENE SETTING...: run_of, but a run in RUNS/NAME that this frana has made is not made again
+run_once() {
+  if ! is_done "$runs/$1" || [ "$runs/$1/run.json" -ot "$frana" ]; then run_of "$@"; fi
+}

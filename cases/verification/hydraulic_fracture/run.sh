@@ -118,24 +118,70 @@ viscous "p_cav = -E s0, 2/3 mm" "-E s0 2/3 mm" -E-s0-2-3-mm
 shown "viscosity regime: K'/(mu' E'^3 Q0)^(1/4)" 1 "$(number_of $name -E-s0 1 toughness)" "<= 1" "Detournay 2004"
 sparse $name -E-s0 1 viscosity
 
-# penny: runs the penny-shaped crack; a run that this frana has made is not made again
-penny() {
-  local dir=$runs/penny
-  [ ! "$again" ] || return 0
-  ! is_done "$dir" || [ "$dir/run.json" -ot "$frana" ] || return 0
-  rm -rf "$dir"
-  "$frana" run "$here/penny.yaml" --quiet --out "$dir" >"$runs/penny.log" 2>&1 || { cat "$runs/penny.log" >&2; exit 1; }
-}
-in_penny() { (cd "$runs/penny" && "$here/penny.sh" "$1"); }
-of_penny() { kept "penny $1" in_penny "$1"; }
-penny
-at_most "penny, toughness regime: volume residual over the injected volume" 1 "$(of_penny books)" 0 exact 1e-12
-near "penny, a = 4 horizons: opening over Sneddon's" 1 "$(of_penny rest_opening)" 1 "Sneddon 1946" 0.08
-near "penny, a = 4 horizons: volume over Sneddon's" 1 "$(of_penny rest_volume)" 1 "Sneddon 1946" 0.08
-shown "penny, toughness regime: growth" spacings "$(of_penny grown)" "" ""
-for quantity in length opening pressure; do
-  shown "penny, toughness regime: $quantity: mean deviation" 1 "$(of_penny $quantity)" 0 exact
-  shown "penny, toughness regime: $quantity: mean of the ratio" 1 "$(of_penny ${quantity}_ratio)" 1 exact
+# the pressure along the crack, from the fields of the first of these runs
+in_profile() { (cd "$runs/runs/$name/-E-s0/1/1" && "$here/profile.sh" "$1"); }
+for which in well half; do # at the well and half-way to the tips
+  shown "viscosity regime, p_cav = -E s0: pressure from fields, $which: mean of the ratio" 1 \
+    "$(kept "profile $which" in_profile $which)" 1 "no toughness"
 done
-shown "penny, toughness regime: 4 p^2 a/(pi E'): energy" G0 "$(of_penny energy)" 1.328 "cases/verification/calibration"
+shown "viscosity regime, p_cav = -E s0: pressure half-way to the tips over that at the well" 1 \
+  "$(kept "profile fall" in_profile fall)" "$(calc 0.42706/0.54482)" "no toughness"
+
+# other m: the energy that the crack takes beside that of a wedge
+for m in 2 4; do
+  grown_with() { (cd "$runs/m$m" && "$here/growth.sh" "$1"); }
+  run_once m$m toughness.yaml "solid.materials[0].horizon_ratio=$m" \
+    'crack_fluid.injections[0].low=[0.1185, 0.110]' 'crack_fluid.injections[0].high=[0.1215, 0.130]'
+  wedge=$([ $m = 2 ] && echo 1.919 || echo 1.305)
+  shown "toughness regime, m = $m: pi p^2 l/E': energy" G0 "$(kept "m$m energy" grown_with energy)" "$wedge" \
+    "frana calibrate"
+  for which in energy_least energy_most; do
+    shown "toughness regime, m = $m: pi p^2 l/E': ${which/_/, }" G0 "$(kept "m$m $which" grown_with $which)" "$wedge" \
+      "frana calibrate"
+  done
+done
+
+# penny-shaped cracks
+in_penny() { (cd "$runs/$1" && "$here/penny.sh" "${@:2}"); }
+of_penny() { kept "$1 $2" in_penny "$@"; } # NAME NUMBER [REGIME]
+run_once penny penny.yaml
+at_most "penny, toughness regime: volume residual over the injected volume" 1 "$(of_penny penny books)" 0 exact 1e-12
+near "penny, a = 4 horizons: opening over Sneddon's" 1 "$(of_penny penny rest_opening)" 1 "Sneddon 1946" 0.08
+near "penny, a = 4 horizons: volume over Sneddon's" 1 "$(of_penny penny rest_volume)" 1 "Sneddon 1946" 0.08
+row "penny, toughness regime: growth that is averaged over" spacings "$(calc "$(of_penny penny grown) - 2")" 10 \
+  "asked for" 10
+limits=(0.1 0.15 0.2) i=0
+for quantity in length opening pressure; do
+  at_most "penny, toughness regime: $quantity: mean deviation" 1 "$(of_penny penny $quantity)" 0 exact "${limits[i]}"
+  shown "penny, toughness regime: $quantity: mean of the ratio" 1 "$(of_penny penny ${quantity}_ratio)" 1 exact
+  i=$((i + 1))
+done
+shown "penny, toughness regime: 4 p^2 a/(pi E'): energy" G0 "$(of_penny penny energy)" 1.328 \
+  "cases/verification/calibration"
+shown "penny, toughness regime: K' (t^2/(mu'^5 Q0^3 E'^13))^(1/18), least" 1 "$(of_penny penny number_least)" ">= 3.5" \
+  "Savitski and Detournay 2002"
+
+name=penny_viscosity
+run_once $name $name.yaml
+at_most "penny, viscosity regime: volume residual over the injected volume" 1 "$(of_penny $name books)" 0 exact 1e-12
+row "penny, viscosity regime: growth that is averaged over" spacings \
+  "$(calc "$(of_penny $name grown) - 2")" 10 "asked for" 10
+at_most "penny, viscosity regime: opening: mean deviation" 1 "$(of_penny $name opening viscosity)" 0 "no toughness" \
+  0.12
+row "penny, viscosity regime: radius: exponent" 1 "$(of_penny $name length_exponent viscosity)" 0.444444444444 4/9 \
+  "$(calc 4/9-0.03)" "$(calc 4/9+0.03)"
+row "penny, viscosity regime: opening: exponent" 1 "$(of_penny $name opening_exponent viscosity)" 0.111111111111 \
+  1/9 "$(calc 1/9-0.03)" "$(calc 1/9+0.03)"
+shown "penny, viscosity regime: radius: mean deviation" 1 "$(of_penny $name length viscosity)" 0 "no toughness"
+for quantity in length opening; do
+  shown "penny, viscosity regime: $quantity: mean of the ratio" 1 "$(of_penny $name ${quantity}_ratio viscosity)" 1 \
+    "no toughness"
+done
+for which in least most; do
+  shown "penny, viscosity regime: K' (t^2/(mu'^5 Q0^3 E'^13))^(1/18), $which" 1 \
+    "$(of_penny $name number_$which viscosity)" "<= 1" "Savitski and Detournay 2002"
+done
+for name in penny penny_viscosity; do
+  [ "$again" ] || awk 'NR <= 2 || NR % 12 == 0' "$runs/$name/growth.csv" >"$out/$name.csv"
+done
 finish
