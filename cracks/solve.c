@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "cracks/struts.h"
+#include "cracks/sums.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,22 +24,34 @@ static const double ROUNDING = 1e-15;
 static const double SPAN_MOST = 60;
 
 struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t) {
-    const int links = t->n > 0 ? t->link_start[t->n] : 0;
+    const long links = t->rows.n > 0 ? t->rows.link_start[t->rows.n] : 0;
+    const int seats = CRACKS_LANES * t->rows.n;
     if (!w) w = memory_new(MEMORY_SOLID, 1, sizeof *w);
-    if (t->n + t->ghosts + 1 > w->room || links + 1 > w->link_room) {
-        const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64, m = (size_t)links + (size_t)links / 4 + 64;
+    if (t->n + t->ghosts + 1 > w->room) {
+        const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64;
         w->set = memory_renew(MEMORY_SOLID, w->set, n, sizeof *w->set);
         w->ones_set = memory_renew(MEMORY_SOLID, w->ones_set, n, sizeof *w->ones_set);
-        double **const array[] = {&w->b,     &w->residual, &w->width,  &w->inverse, &w->search,
-                                  &w->along, &w->z,        &w->change, &w->of_ones, &w->ones_stiff};
+        double **const array[] = {&w->b,     &w->residual, &w->width,   &w->inverse,   &w->search,
+                                  &w->along, &w->z,        &w->of_ones, &w->ones_stiff};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
-        w->conductance = memory_renew(MEMORY_SOLID, w->conductance, m, sizeof *w->conductance);
         cracks_vec **const vector[] = {&w->force, &w->of_search, &w->ones_force, &w->u};
         for (size_t a = 0; a < sizeof vector / sizeof vector[0]; a++)
             *vector[a] = memory_renew(MEMORY_SOLID, *vector[a], n, sizeof **vector[a]);
         w->room = (int)n;
-        w->link_room = (int)m;
+    }
+    if (seats + 1 > w->seat_room) {
+        const size_t n = (size_t)seats + (size_t)seats / 4 + 64;
+        double **const array[] = {&w->outflow, &w->left, &w->weight, &w->change};
+        for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
+            *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
+        w->seat_room = (int)n;
+    }
+    if (links + 1 > w->link_room) {
+        const size_t n = (size_t)links + (size_t)links / 4 + 64;
+        w->conductance = memory_renew(MEMORY_SOLID, w->conductance, CRACKS_LANES * n, sizeof *w->conductance);
+        w->smooth = memory_renew(MEMORY_SOLID, w->smooth, CRACKS_LANES * n, sizeof *w->smooth);
+        w->link_room = (long)n;
     }
     w->ones_hold = w->force_holds = 0;
     return w;
@@ -46,9 +59,9 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
 
 void cracks_solve_free(struct cracks_work *w) {
     if (!w) return;
-    void *const own[] = {w->set,    w->b,        w->residual,  w->conductance, w->width,   w->inverse,
-                         w->search, w->along,    w->z,         w->change,      w->of_ones, w->ones_stiff,
-                         w->force,  w->ones_set, w->of_search, w->ones_force,  w->u};
+    void *const own[] = {w->set,     w->b,          w->residual, w->conductance, w->smooth,    w->outflow,    w->width,
+                         w->inverse, w->search,     w->along,    w->z,           w->left,      w->weight,     w->change,
+                         w->of_ones, w->ones_stiff, w->force,    w->ones_set,    w->of_search, w->ones_force, w->u};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     memory_free(w);
 }
@@ -56,10 +69,10 @@ void cracks_solve_free(struct cracks_work *w) {
 void cracks_solve_stiffness(const struct cracks *c, double dt, const double *p, cracks_vec *force, double *y) {
     const struct cracks_struts *t = &c->struts;
     cracks_vec *u = c->work->u;
-    cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, p, force);
+    cracks_sums_force(c, p, force);
     for (int i = 0; i < t->n; i++) u[i] = dt * dt * t->mobility[i] * force[i];
     cracks_struts_update(t, sizeof *u, u);
-    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, u, y);
+    cracks_sums_volume(c, u, y);
 }
 
 /* y = A p, force = B p. Ghosts of p are updated. */
@@ -68,17 +81,18 @@ static void apply(const struct cracks *c, double dt, double *p, cracks_vec *forc
     cracks_struts_update(t, sizeof *p, p);
     cracks_solve_stiffness(c, dt, p, force, y);
     for (int i = 0; i < t->n; i++) y[i] += c->storage[i] * p[i];
-    cracks_kernel_flow(t->n, t->link_start, t->link, c->work->conductance, dt, p, y);
+    cracks_sums_flow(c, dt, p, y);
 }
 
 static void diagonal_invert(const struct cracks *c, double dt) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_work *w = c->work;
     for (int i = 0; i < t->n; i++) {
-        double sum = c->storage[i] + dt * dt * t->diagonal[i];
-        for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) sum += dt * w->conductance[k];
+        const double sum = c->storage[i] + dt * dt * t->diagonal[i] + dt * w->outflow[t->seat[i]];
         w->inverse[i] = sum > 0 ? 1 / sum : 0;
     }
+    const long links = t->rows.n > 0 ? CRACKS_LANES * t->rows.link_start[t->rows.n] : 0;
+    for (long k = 0; k < links; k++) w->smooth[k] = (float)w->conductance[k];
 }
 
 /* The number of terms of the preconditioner's polynomial, and the part of the spectrum that it is made for: the
@@ -97,30 +111,39 @@ static void terms_of(struct cracks *c, double dt) {
     w->terms = (int)ceil(sqrt(w->span));
 }
 
+/* The values of z at the places, ghosts included. */
+static void exchange(const struct cracks *c) {
+    const struct cracks_struts *t = &c->struts;
+    double *z = c->work->z, *x = t->rows.x;
+    if (par_size() == 1) return;
+    for (int i = 0; i < t->n; i++) z[i] = x[t->place[i]];
+    cracks_struts_update(t, sizeof *z, z);
+    for (int i = t->n; i < t->n + t->ghosts; i++) x[t->place[i]] = z[i];
+}
+
 /* z = an approximation of P^-1 r over the full particles, P = D - dt T: A with the diagonal of its elastic part alone.
  * A polynomial of D^-1 P (Chebyshev's), which is the same on any number of ranks. */
 static void precondition(const struct cracks *c, double dt) {
     const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
     struct cracks_work *w = c->work;
     const double half = 0.5 * (2 - 2 / w->span), middle = 0.5 * (2 + 2 / w->span);
     double rho = half / middle;
     for (int i = 0; i < t->n; i++) {
-        const double r = w->set[i] == CRACKS_FULL ? w->residual[i] : 0;
-        w->z[i] = w->change[i] = w->inverse[i] * r / middle;
+        const int seat = t->seat[i], full = w->set[i] == CRACKS_FULL;
+        w->left[seat] = full ? w->residual[i] : 0;
+        w->weight[seat] = full ? w->inverse[i] : 0;
+        r->x[t->place[i]] = w->change[seat] = w->weight[seat] * w->left[seat] / middle;
     }
     for (int term = 1; term < w->terms; term++) {
         const double next = 1 / (2 * middle / half - rho);
-        cracks_struts_update(t, sizeof *w->z, w->z);
-        for (int i = 0; i < t->n; i++) {
-            if (w->set[i] != CRACKS_FULL) continue;
-            double flow = 0;
-            for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) flow += w->conductance[k] * w->z[t->link[k]];
-            const double left = w->inverse[i] * (w->residual[i] + dt * flow) - w->z[i];
-            w->change[i] = next * rho * w->change[i] + 2 * next / half * left;
-        }
-        for (int i = 0; i < t->n; i++) w->z[i] += w->change[i];
+        exchange(c);
+        cracks_kernel_relax(r->n, r->first, r->link_start, r->link_start + 1, r->link, w->smooth, dt, next * rho,
+                            2 * next / half, w->left, w->weight, r->x, w->change);
+        cracks_kernel_add(r->n, r->first, w->change, r->x);
         rho = next;
     }
+    for (int i = 0; i < t->n; i++) w->z[i] = r->x[t->place[i]];
 }
 
 /* Of the full particles: takes the part of z along 1 out in the sense of A, so that the sum of the residuals stays 0;
@@ -165,7 +188,7 @@ static void ones_begin(struct cracks *c, double dt) {
         w->ones_dt = dt;
     }
     for (int i = 0; i < n; i++) w->of_ones[i] = w->ones_stiff[i] + c->storage[i] * w->search[i];
-    cracks_kernel_flow(n, c->struts.link_start, c->struts.link, w->conductance, dt, w->search, w->of_ones);
+    cracks_sums_flow(c, dt, w->search, w->of_ones);
     for (int i = 0; i < n; i++) sum += w->of_ones[i] * w->search[i];
     w->ones = par_sum(sum);
 }

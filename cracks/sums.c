@@ -1,0 +1,45 @@
+/* Sums over struts and links, from and to arrays by wet particle. */
+#include "cracks/sums.h"
+#include "cracks/solve.h"
+
+void cracks_sums_spread(const struct cracks_struts *t, const cracks_vec *vector, double *const u[3]) {
+    for (int i = 0; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) u[k][t->place[i]] = vector[i][k];
+}
+
+static void spread(const struct cracks_struts *t, const double *p) {
+    for (int i = 0; i < t->n + t->ghosts; i++) t->rows.x[t->place[i]] = p[i];
+}
+
+void cracks_sums_force(const struct cracks *c, const double *p, cracks_vec *force) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    spread(t, p);
+    cracks_kernel_force(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->x, r->y);
+    for (int i = 0; i < t->n; i++)
+        force[i] = (cracks_vec){r->y[0][t->seat[i]], r->y[1][t->seat[i]], r->y[2][t->seat[i]], 0};
+}
+
+static void volume_of(const struct cracks *c, const long *end, const cracks_vec *u, double *volume) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    cracks_sums_spread(t, u, r->u);
+    cracks_kernel_volume(r->n, r->first, r->start, end, r->strut, c->table.half, r->u, r->y[0]);
+    for (int i = 0; i < t->n; i++) volume[i] = r->y[0][t->seat[i]];
+}
+
+void cracks_sums_volume(const struct cracks *c, const cracks_vec *u, double *volume) {
+    volume_of(c, c->struts.rows.end, u, volume);
+}
+
+void cracks_sums_volume_of_cracks(const struct cracks *c, const cracks_vec *u, double *volume) {
+    volume_of(c, c->struts.rows.middle, u, volume);
+}
+
+void cracks_sums_flow(const struct cracks *c, double factor, const double *p, double *y) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    spread(t, p);
+    cracks_kernel_flow(r->n, r->first, r->link_start, r->link_start + 1, r->link, c->work->conductance, r->x, r->y[0]);
+    for (int i = 0; i < t->n; i++) y[i] += factor * r->y[0][t->seat[i]];
+}
