@@ -90,8 +90,9 @@ void bench_cracks(struct bench *bench) {
     const int side = bench->sizes ? bench->size[0].side : bench->quick ? 14 : 100;
     const double radius = 0.4 * side;
     struct block b = {.s = solid_of(side, radius), .dt = 0.4 * SPACING / sqrt(YOUNG / DENSITY), .substeps = 1};
-    const int fill = 3 * side;
+    const int fill = (getenv("FILL") ? atof(getenv("FILL")) : 3.) * side;
     pump(&b, side, radius, fill * b.dt, getenv("VISC") ? atof(getenv("VISC")) : 1e-6);
+    if (getenv("QUIET")) { for (int k = 0; k < 2 * fill; k++) advance(&b); printf("total its %ld solves %ld wet %d\n", b.c->iterations, b.c->solves, b.c->struts.n); return; }
     long it = 0, so = 0, re = 0;
     for (int k = 0; k < 2 * fill; k++) {
         double t0 = par_seconds();

@@ -35,7 +35,7 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
                                   &w->along, &w->z,        &w->of_ones, &w->ones_stiff};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
-        cracks_vec **const vector[] = {&w->force, &w->of_search, &w->ones_force, &w->u};
+        cracks_vec **const vector[] = {&w->force, &w->u};
         for (size_t a = 0; a < sizeof vector / sizeof vector[0]; a++)
             *vector[a] = memory_renew(MEMORY_SOLID, *vector[a], n, sizeof **vector[a]);
         w->room = (int)n;
@@ -59,29 +59,17 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
 
 void cracks_solve_free(struct cracks_work *w) {
     if (!w) return;
-    void *const own[] = {w->set,     w->b,          w->residual, w->conductance, w->smooth,    w->outflow,    w->width,
-                         w->inverse, w->search,     w->along,    w->z,           w->left,      w->weight,     w->change,
-                         w->of_ones, w->ones_stiff, w->force,    w->ones_set,    w->of_search, w->ones_force, w->u};
+    void *const own[] = {w->set,     w->b,      w->residual, w->conductance, w->smooth, w->outflow,
+                         w->width,   w->inverse, w->search,  w->along,       w->z,      w->left,
+                         w->weight,  w->change, w->of_ones,  w->ones_stiff,  w->force,  w->ones_set, w->u};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     memory_free(w);
 }
 
-void cracks_solve_stiffness(const struct cracks *c, double dt, const double *p, cracks_vec *force, double *y) {
-    const struct cracks_struts *t = &c->struts;
-    cracks_vec *u = c->work->u;
-    cracks_sums_force(c, p, force);
-    for (int i = 0; i < t->n; i++) u[i] = dt * dt * t->mobility[i] * force[i];
-    cracks_struts_update(t, sizeof *u, u);
-    cracks_sums_volume(c, u, y);
-}
-
-/* y = A p, force = B p. Ghosts of p are updated. */
-static void apply(const struct cracks *c, double dt, double *p, cracks_vec *force, double *y) {
-    const struct cracks_struts *t = &c->struts;
-    cracks_struts_update(t, sizeof *p, p);
-    cracks_solve_stiffness(c, dt, p, force, y);
-    for (int i = 0; i < t->n; i++) y[i] += c->storage[i] * p[i];
-    cracks_sums_flow(c, dt, p, y);
+/* y = A p. Ghosts of p are updated. */
+static void apply(const struct cracks *c, double dt, double *p, double *y) {
+    cracks_sums_apply(c, dt, 1, p, y);
+    for (int i = 0; i < c->struts.n; i++) y[i] += c->storage[i] * p[i];
 }
 
 static void diagonal_invert(const struct cracks *c, double dt) {
@@ -172,7 +160,7 @@ static double absolute(const struct cracks *c) {
     return par_sum(sum);
 }
 
-/* A 1 and B 1 with 1 at the full particles. The part of the struts is kept as long as the set and the struts are the
+/* A 1 with 1 at the full particles. The part of the struts is kept as long as the set and the struts are the
  * same. */
 static void ones_begin(struct cracks *c, double dt) {
     const int n = c->struts.n;
@@ -180,26 +168,25 @@ static void ones_begin(struct cracks *c, double dt) {
     const int same = w->ones_hold && w->ones_dt == dt && memcmp(w->ones_set, w->set, (size_t)n) == 0;
     double sum = 0;
     for (int i = 0; i < n; i++) w->search[i] = w->set[i] == CRACKS_FULL;
-    cracks_struts_update(&c->struts, sizeof *w->search, w->search);
     if (par_min(same) < 1) {
-        cracks_solve_stiffness(c, dt, w->search, w->ones_force, w->ones_stiff);
+        cracks_sums_apply(c, dt, 0, w->search, w->ones_stiff);
         memcpy(w->ones_set, w->set, (size_t)n);
         w->ones_hold = 1;
         w->ones_dt = dt;
     }
+    cracks_struts_update(&c->struts, sizeof *w->search, w->search);
     for (int i = 0; i < n; i++) w->of_ones[i] = w->ones_stiff[i] + c->storage[i] * w->search[i];
     cracks_sums_flow(c, dt, w->search, w->of_ones);
     for (int i = 0; i < n; i++) sum += w->of_ones[i] * w->search[i];
     w->ones = par_sum(sum);
 }
 
-/* p, residual and force go on by a step along the search. */
-static void go(struct cracks *c, double step, const double *search, const double *along, const cracks_vec *force) {
+/* p and residual go on by a step along the search. */
+static void go(struct cracks *c, double step, const double *search, const double *along) {
     struct cracks_work *w = c->work;
     for (int i = 0; i < c->struts.n; i++) {
         c->p[i] += step * search[i];
         w->residual[i] -= step * along[i];
-        w->force[i] += step * force[i];
     }
 }
 
@@ -212,7 +199,7 @@ static void level(struct cracks *c, double dt) {
     for (int i = 0; i < c->struts.n; i++)
         if (w->set[i] == CRACKS_FULL) sum += w->residual[i];
     sum = par_sum(sum);
-    if (w->ones > 0) go(c, sum / w->ones, w->search, w->of_ones, w->ones_force);
+    if (w->ones > 0) go(c, sum / w->ones, w->search, w->of_ones);
 }
 
 /* Conjugate gradients over the full particles until the sum of |residual| is at most `least`, with the sum of the
@@ -231,11 +218,11 @@ static int iterate(struct cracks *c, double dt, double least, long *left) {
         double curvature = 0;
         for (int i = 0; i < n; i++) w->search[i] = w->z[i] + (old > 0 ? beta * w->search[i] : 0);
         old = sum[1];
-        apply(c, dt, w->search, w->of_search, w->along);
+        apply(c, dt, w->search, w->along);
         for (int i = 0; i < n; i++) curvature += w->search[i] * w->along[i];
         curvature = par_sum(curvature);
         if (!(curvature > 0)) return 0;
-        go(c, old / curvature, w->search, w->along, w->of_search);
+        go(c, old / curvature, w->search, w->along);
         c->iterations++;
     }
     return 1;
@@ -260,8 +247,8 @@ static long change_set(struct cracks *c, double dt, double least) {
     }
     par_sum_array(changed, 2);
     if (changed[1] > 0) { /* pressures were raised */
-        apply(c, dt, w->search, w->of_search, w->along);
-        go(c, 1, w->search, w->along, w->of_search);
+        apply(c, dt, w->search, w->along);
+        go(c, 1, w->search, w->along);
         for (int i = 0; i < n; i++)
             if (w->set[i] == CRACKS_CAVITY) c->p[i] = c->in.least_pressure; /* to the bit */
     }
@@ -274,6 +261,12 @@ static int lost(struct cracks *c, const char *field, double value) {
     return 0;
 }
 
+/* force = B p. Collective. */
+static void push(const struct cracks *c) {
+    cracks_struts_update(&c->struts, sizeof *c->p, c->p);
+    cracks_sums_force(c, c->p, c->work->force);
+}
+
 int cracks_solve(struct cracks *c, double dt, double injected, double size) {
     long left = ITERATIONS_MOST;
     double sum = 0;
@@ -283,7 +276,9 @@ int cracks_solve(struct cracks *c, double dt, double injected, double size) {
     for (int turn = 0; turn < SETS_MOST; turn++) {
         c->solves++;
         if (!iterate(c, dt, least, &left)) return lost(c, "crack iteration", (double)(ITERATIONS_MOST - left));
-        if (change_set(c, dt, least) == 0) return 1;
+        if (change_set(c, dt, least) > 0) continue;
+        push(c);
+        return 1;
     }
     return lost(c, "crack cavities", SETS_MOST);
 }

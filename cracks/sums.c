@@ -1,6 +1,8 @@
 /* Sums over struts and links, from and to arrays by wet particle. */
 #include "cracks/sums.h"
+#include "base/par.h"
 #include "cracks/solve.h"
+#include "cracks/struts.h"
 
 void cracks_sums_spread(const struct cracks_struts *t, const cracks_vec *vector, double *const u[3]) {
     for (int i = 0; i < t->n + t->ghosts; i++)
@@ -42,4 +44,36 @@ void cracks_sums_flow(const struct cracks *c, double factor, const double *p, do
     spread(t, p);
     cracks_kernel_flow(r->n, r->first, r->link_start, r->link_start + 1, r->link, c->work->conductance, r->x, r->y[0]);
     for (int i = 0; i < t->n; i++) y[i] += factor * r->y[0][t->seat[i]];
+}
+
+/* u = dt^2 M^-1 F at the places, with F by seat. */
+static void push(const struct cracks *c, double dt) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    cracks_vec *u = c->work->u;
+    for (int i = 0; i < t->n; i++) {
+        const int seat = t->seat[i];
+        u[i] = dt * dt * t->mobility[i] * (cracks_vec){r->y[0][seat], r->y[1][seat], r->y[2][seat], 0};
+        for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
+    }
+    if (par_size() == 1) return;
+    cracks_struts_update(t, sizeof *u, u);
+    for (int i = t->n; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
+}
+
+void cracks_sums_apply(const struct cracks *c, double dt, int flows, double *p, double *y) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    cracks_struts_update(t, sizeof *p, p);
+    spread(t, p);
+    cracks_kernel_force(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->x, r->y);
+    push(c, dt);
+    cracks_kernel_volume(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->u, r->y[0]);
+    if (!flows) {
+        for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->seat[i]];
+        return;
+    }
+    cracks_kernel_flow(r->n, r->first, r->link_start, r->link_start + 1, r->link, c->work->conductance, r->x, r->y[1]);
+    for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->seat[i]] + dt * r->y[1][t->seat[i]];
 }
