@@ -21,7 +21,7 @@ static const double TOLERANCE = 1e-7;
 /* The same over the volumes whose difference it is: what rounding leaves. */
 static const double ROUNDING = 1e-15;
 /* The preconditioner's polynomial is made for eigenvalues over a span of at most this, with sqrt(span) terms. */
-static const double SPAN_MOST = 60;
+static const double SPAN_MOST = 240;
 
 struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t) {
     const long links = t->rows.n > 0 ? t->rows.link_start[t->rows.n] : 0;
@@ -66,10 +66,15 @@ void cracks_solve_free(struct cracks_work *w) {
     memory_free(w);
 }
 
-/* y = A p. Ghosts of p are updated. */
-static void apply(const struct cracks *c, double dt, double *p, double *y) {
+/* y = A p. Ghosts of p are updated. Returns p.y of this rank. */
+static double apply(const struct cracks *c, double dt, double *p, double *y) {
+    double sum = 0;
     cracks_sums_apply(c, dt, 1, p, y);
-    for (int i = 0; i < c->struts.n; i++) y[i] += c->storage[i] * p[i];
+    for (int i = 0; i < c->struts.n; i++) {
+        y[i] += c->storage[i] * p[i];
+        sum += p[i] * y[i];
+    }
+    return sum;
 }
 
 static void diagonal_invert(const struct cracks *c, double dt) {
@@ -134,30 +139,18 @@ static void precondition(const struct cracks *c, double dt) {
     for (int i = 0; i < t->n; i++) w->z[i] = r->x[t->place[i]];
 }
 
-/* Of the full particles: takes the part of z along 1 out in the sense of A, so that the sum of the residuals stays 0;
- * sum: of |r| and of r z, on all ranks. */
-static void deflate(const struct cracks *c, double sum[2]) {
-    struct cracks_work *w = c->work;
-    double along[3] = {0, 0, 0};
-    for (int i = 0; i < c->struts.n; i++) {
-        if (w->set[i] != CRACKS_FULL) continue;
-        along[0] += w->of_ones[i] * w->z[i];
-        along[1] += fabs(w->residual[i]);
-        along[2] += w->residual[i] * w->z[i];
+/* The part of z along 1 in the sense of A, which the search does without, so that the sum of the residuals stays 0.
+ * product: of r and z, on all ranks. */
+static double part_along_ones(const struct cracks *c, double *product) {
+    const struct cracks_work *w = c->work;
+    double sum[2] = {0, 0};
+    for (int i = 0; i < c->struts.n; i++) { /* z is 0 where a particle is not full */
+        sum[0] += w->of_ones[i] * w->z[i];
+        sum[1] += w->residual[i] * w->z[i];
     }
-    par_sum_array(along, 3);
-    const double part = w->ones > 0 ? along[0] / w->ones : 0;
-    for (int i = 0; i < c->struts.n; i++)
-        if (w->set[i] == CRACKS_FULL) w->z[i] -= part;
-    sum[0] = along[1];
-    sum[1] = along[2];
-}
-
-static double absolute(const struct cracks *c) {
-    double sum = 0;
-    for (int i = 0; i < c->struts.n; i++)
-        if (c->work->set[i] == CRACKS_FULL) sum += fabs(c->work->residual[i]);
-    return par_sum(sum);
+    par_sum_array(sum, 2);
+    *product = sum[1];
+    return w->ones > 0 ? sum[0] / w->ones : 0;
 }
 
 /* A 1 with 1 at the full particles. The part of the struts is kept as long as the set and the struts are the
@@ -181,25 +174,28 @@ static void ones_begin(struct cracks *c, double dt) {
     w->ones = par_sum(sum);
 }
 
-/* p and residual go on by a step along the search. */
-static void go(struct cracks *c, double step, const double *search, const double *along) {
+/* p and residual go on by a step along the search. Returns the sum of the full particles' |residual|, on all ranks. */
+static double go(struct cracks *c, double step, const double *search, const double *along) {
     struct cracks_work *w = c->work;
+    double sum = 0;
     for (int i = 0; i < c->struts.n; i++) {
         c->p[i] += step * search[i];
         w->residual[i] -= step * along[i];
+        sum += w->set[i] == CRACKS_FULL ? fabs(w->residual[i]) : 0;
     }
+    return par_sum(sum);
 }
 
 /* Moves all full pressures by one number, so that the sum of their residuals is 0: what was injected is in the cracks.
- */
-static void level(struct cracks *c, double dt) {
+ * Returns the sum of their |residual|, on all ranks. */
+static double level(struct cracks *c, double dt) {
     struct cracks_work *w = c->work;
     double sum = 0;
     ones_begin(c, dt);
     for (int i = 0; i < c->struts.n; i++)
         if (w->set[i] == CRACKS_FULL) sum += w->residual[i];
     sum = par_sum(sum);
-    if (w->ones > 0) go(c, sum / w->ones, w->search, w->of_ones);
+    return go(c, w->ones > 0 ? sum / w->ones : 0, w->search, w->of_ones);
 }
 
 /* Conjugate gradients over the full particles until the sum of |residual| is at most `least`, with the sum of the
@@ -207,22 +203,21 @@ static void level(struct cracks *c, double dt) {
 static int iterate(struct cracks *c, double dt, double least, long *left) {
     const int n = c->struts.n;
     struct cracks_work *w = c->work;
-    double sum[2], old = 0;
-    level(c, dt);
+    double sum = level(c, dt), old = 0;
     terms_of(c, dt);
-    while (absolute(c) > least) {
+    while (sum > least) {
+        double product;
         precondition(c, dt);
-        deflate(c, sum);
-        if ((*left)-- == 0 || !isfinite(sum[1])) return 0;
-        const double beta = old > 0 ? sum[1] / old : 0;
-        double curvature = 0;
-        for (int i = 0; i < n; i++) w->search[i] = w->z[i] + (old > 0 ? beta * w->search[i] : 0);
-        old = sum[1];
-        apply(c, dt, w->search, w->along);
-        for (int i = 0; i < n; i++) curvature += w->search[i] * w->along[i];
-        curvature = par_sum(curvature);
+        const double part = part_along_ones(c, &product), beta = old > 0 ? product / old : 0;
+        if ((*left)-- == 0 || !isfinite(product)) return 0;
+        for (int i = 0; i < n; i++) {
+            const double z = w->set[i] == CRACKS_FULL ? w->z[i] - part : 0;
+            w->search[i] = old > 0 ? z + beta * w->search[i] : z;
+        }
+        old = product;
+        const double curvature = par_sum(apply(c, dt, w->search, w->along));
         if (!(curvature > 0)) return 0;
-        go(c, old / curvature, w->search, w->along);
+        sum = go(c, old / curvature, w->search, w->along);
         c->iterations++;
     }
     return 1;
