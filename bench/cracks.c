@@ -15,12 +15,11 @@ enum { FAN = 12 }; /* quadrilaterals of the crack */
 /* A block with a penny-shaped crack between two layers in its middle, and the fluid's step in a stopwatch. */
 struct block {
     struct solid *s;
-    struct cracks *c;         /* NULL: dry */
-    struct solid_push inner;  /* the fluid's */
-    struct solid_push timed;  /* calls it */
-    double seconds;           /* in it */
+    struct cracks *c;        /* NULL: dry */
+    struct solid_push inner; /* the fluid's */
+    struct solid_push timed; /* calls it */
+    double seconds;          /* in it */
     double dt;
-    int substeps; /* a call */
 };
 
 static void stopwatch(struct solid *s, double dt, void *with) {
@@ -58,57 +57,88 @@ static struct solid *solid_of(int side, double radius) {
     return s;
 }
 
-/* The whole crack is filled to a pressure near the one at which it grows, V = 5 p a^3/E and p = 0.915 sqrt(E G/a), in
- * `fill` seconds. Then the same rate goes on in its middle: it grows. */
-static void pump(struct block *b, int side, double radius, double fill, double viscosity) {
-    const double middle = 0.5 * side * SPACING, a = radius * SPACING, z = (side / 2) * SPACING,
-                 p = 0.915 * sqrt(YOUNG * FRACTURE_ENERGY / a), volume = 5 * p * a * a * a / YOUNG;
-    const double time[4] = {0, 0.1 * fill, 0.9 * fill, fill}, whole[4] = {0, 1, 1, 0}, centre[4] = {0, 0, 0, 1};
+/* The whole crack is filled to 0.8 of the pressure at which it grows, V = 5 p a^3/E and p = 0.915 sqrt(E G/a), in
+ * `fill` seconds. Then a fifth of the rate goes on in its middle. */
+static void pump(struct block *b, int side, double radius, double fill) {
+    const double end = side * SPACING, middle = 0.5 * end, a = radius * SPACING, z = (side / 2) * SPACING,
+                 near = 3 * SPACING, p = 0.8 * 0.915 * sqrt(YOUNG * FRACTURE_ENERGY / a),
+                 rate = 5 * p * a * a * a / YOUNG / (0.9 * fill);
+    const double time[4] = {0, 0.1 * fill, 0.9 * fill, fill}, whole[4] = {0, 1, 1, 0}, centre[4] = {0, 0, 0, 0.2};
     const struct cracks_injection injection[2] = {
-        {.low = {0, 0, z - 3 * SPACING},
-         .high = {2 * middle, 2 * middle, z + 3 * SPACING},
-         .value = volume / (0.9 * fill),
-         .time = {4, time, whole}},
-        {.low = {middle - 3 * SPACING, middle - 3 * SPACING, z - 3 * SPACING},
-         .high = {middle + 3 * SPACING, middle + 3 * SPACING, z + 3 * SPACING},
-         .value = volume / (0.9 * fill),
+        {.low = {0, 0, z - near}, .high = {end, end, z + near}, .value = rate, .time = {4, time, whole}},
+        {.low = {middle - near, middle - near, z - near},
+         .high = {middle + near, middle + near, z + near},
+         .value = rate,
          .time = {4, time, centre}}};
-    b->c = cracks_new(&(struct cracks_input){.viscosity = viscosity, .injections = 2, .injection = injection}, b->s);
+    b->c = cracks_new(&(struct cracks_input){.viscosity = 1e-6, .injections = 2, .injection = injection}, b->s);
     cracks_begin(b->c, 1);
     b->inner = *b->s->push;
     b->timed = (struct solid_push){stopwatch, b};
     b->s->push = &b->timed;
 }
 
-static void advance(void *block) {
-    struct block *b = block;
-    solid_integrate(b->s, b->dt, b->substeps);
+static void advance(struct block *b, int substeps) {
+    solid_integrate(b->s, b->dt, substeps);
+    ENSURE(!b->c || !b->c->status.failed, "%s", b->c->status.field);
 }
 
-#include <stdlib.h>
-void bench_cracks(struct bench *bench) {
-    const int side = bench->sizes ? bench->size[0].side : bench->quick ? 14 : 100;
-    const double radius = 0.4 * side;
-    struct block b = {.s = solid_of(side, radius), .dt = 0.4 * SPACING / sqrt(YOUNG / DENSITY), .substeps = 1};
-    const int fill = (getenv("FILL") ? atof(getenv("FILL")) : 3.) * side;
-    pump(&b, side, radius, fill * b.dt, getenv("VISC") ? atof(getenv("VISC")) : 1e-6);
-    if (getenv("QUIET")) { for (int k = 0; k < 2 * fill; k++) advance(&b); printf("total its %ld solves %ld wet %d\n", b.c->iterations, b.c->solves, b.c->struts.n); return; }
-    long it = 0, so = 0, re = 0;
-    for (int k = 0; k < 2 * fill; k++) {
-        double t0 = par_seconds();
-        advance(&b);
-        ENSURE(!b.c->status.failed, "%s", b.c->status.field);
-        static double total; total += par_seconds() - t0;
-        if (k % (fill / 8) == fill / 8 - 1 && par_rank() == 0) {
-            double pm = 0;
-            for (int i = 0; i < b.c->struts.n; i++) pm += b.c->p[i] / b.c->struts.n;
-            printf("%4d wet %d entries %ld p %.4g its %.2f solves %.2f renewals %.2f project %.3f of total %.3f\n", k,
-                   b.c->struts.n, b.c->struts.rows.struts - b.c->struts.rows.struts_dead, pm, (b.c->iterations - it) / (fill / 8.),
-                   (b.c->solves - so) / (fill / 8.), (b.c->renewals - re) / (fill / 8.), b.seconds / (fill / 8.),
-                   total / (fill / 8.));
-            it = b.c->iterations, so = b.c->solves, re = b.c->renewals, b.seconds = total = 0;
-            fflush(stdout);
-        }
-    }
+/* What is measured, by repeat: seconds a substep. */
+enum { SWEEP, DRY, WET, PRESSURES, THINGS };
 
+static double seconds_of(struct block *b, int thing, int substeps) {
+    par_barrier();
+    const double begin = par_seconds();
+    if (thing == SWEEP)
+        for (int k = 0; k < substeps; k++) bench_sweep(b->s);
+    else
+        advance(b, substeps);
+    return (par_seconds() - begin) / substeps;
+}
+
+static void write(struct bench *bench, const char *part, const struct solid *s, int repeats, double *seconds,
+                  double units, const char *unit) {
+    const double median = bench_measure_median(repeats, seconds);
+    struct bench_row row = {
+        .part = part,
+        .time = {.repeats = repeats, .median = median, .low = seconds[0], .high = seconds[repeats - 1]},
+        .units = units,
+        .unit = unit};
+    snprintf(row.size, sizeof row.size, "%ld", s->n_global);
+    bench_row_write(&bench->table, &row);
+}
+
+/* A sweep of the dry body, its substeps, and those of the wet one are taken in turn. */
+static void measure(struct bench *bench, int side) {
+    const double radius = 0.4 * side, dt = 0.4 * SPACING / sqrt(YOUNG / DENSITY);
+    const int fill = 2 * side, substeps = bench->quick ? 2 : 5, repeats = bench->effort.repeats;
+    static double seconds[THINGS][BENCH_REPEATS_MAX];
+    struct block dry = {.s = solid_of(side, radius), .dt = dt}, wet = {.s = solid_of(side, radius), .dt = dt};
+    pump(&wet, side, radius, fill * dt);
+    advance(&wet, fill);
+    advance(&dry, 2);
+    const long iterations = wet.c->iterations, solves = wet.c->solves, steps = wet.c->steps;
+    for (int r = 0; r < repeats; r++) {
+        seconds[SWEEP][r] = seconds_of(&dry, SWEEP, substeps);
+        seconds[DRY][r] = seconds_of(&dry, DRY, substeps);
+        wet.seconds = 0;
+        seconds[WET][r] = seconds_of(&wet, WET, substeps);
+        seconds[PRESSURES][r] = wet.seconds / substeps;
+        for (int k = 0; k < THINGS; k++) par_max_array(&seconds[k][r], 1);
+    }
+    const double bonds = (double)par_sum_long(solid_family_directed(dry.s)), taken = (double)(wet.c->steps - steps);
+    write(bench, "crack_sweep", dry.s, repeats, seconds[SWEEP], bonds, "directed bond");
+    write(bench, "crack_substep_dry", dry.s, repeats, seconds[DRY], bonds, "directed bond");
+    write(bench, "crack_substep_wet", wet.s, repeats, seconds[WET], bonds, "directed bond");
+    write(bench, "crack_pressures", wet.s, repeats, seconds[PRESSURES],
+          (double)(wet.c->iterations - iterations) / taken, "iteration");
+    write(bench, "crack_solves", wet.s, repeats, seconds[PRESSURES], (double)(wet.c->solves - solves) / taken, "solve");
+    cracks_free(wet.c);
+    solid_free(wet.s);
+    solid_free(dry.s);
+}
+
+void bench_cracks(struct bench *bench) {
+    for (int k = 0; k < bench->sizes; k++)
+        if (bench->size[k].side) measure(bench, bench->size[k].side);
+    if (!bench->sizes) measure(bench, bench->quick ? 14 : 100);
 }

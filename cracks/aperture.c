@@ -19,13 +19,9 @@ static const cracks_vec *displacements(const struct cracks *c) {
     return u;
 }
 
-void cracks_aperture_volume(const struct cracks *c, double *volume) {
-    cracks_sums_volume(c, displacements(c), volume);
-}
+void cracks_aperture_volume(const struct cracks *c, double *volume) { cracks_sums_volume(c, displacements(c), volume); }
 
-void cracks_aperture_open(const struct cracks *c) {
-    cracks_sums_volume_of_cracks(c, displacements(c), c->open);
-}
+void cracks_aperture_open(const struct cracks *c) { cracks_sums_volume_of_cracks(c, displacements(c), c->open); }
 
 const double *cracks_aperture_cracks(const struct cracks *c) { return c->open ? c->open : c->volume; }
 

@@ -53,25 +53,25 @@ void cracks_kernel_conductance(int rows, const int *first, const long *start, co
     }
 }
 
-void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end,
-                        const struct cracks_entry *link, const double *conductance, const double *p,
-                        double *y) {
+void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
+                        const double *conductance, const double *p, double *y) {
     for (int r = 0; r < rows; r++) {
         const vec own = vec_load(p + first[r]);
         vec sum = vec_set(0);
-        for (long k = start[r]; k < end[r]; k++) sum += vec_load(conductance + CRACKS_LANES * k) * (own - vec_load(p + link[k].at));
+        for (long k = start[r]; k < end[r]; k++)
+            sum += vec_load(conductance + CRACKS_LANES * k) * (own - vec_load(p + link[k].at));
         vec_store(y + CRACKS_LANES * (long)r, sum);
     }
 }
 
 void cracks_kernel_relax(int rows, const int *first, const long *start, const long *end,
-                         const struct cracks_entry *link, const float *conductance, double dt,
-                         double keep, double gain, const double *residual, const double *inverse, const double *z,
-                         double *change) {
+                         const struct cracks_entry *link, const float *conductance, double dt, double keep, double gain,
+                         const double *residual, const double *inverse, const double *z, double *change) {
     for (int r = 0; r < rows; r++) {
         const long seat = CRACKS_LANES * (long)r;
         vec flow = vec_set(0);
-        for (long k = start[r]; k < end[r]; k++) flow += vec_load_floats(conductance + CRACKS_LANES * k) * vec_load(z + link[k].at);
+        for (long k = start[r]; k < end[r]; k++)
+            flow += vec_load_floats(conductance + CRACKS_LANES * k) * vec_load(z + link[k].at);
         const vec left = vec_load(inverse + seat) * (vec_load(residual + seat) + dt * flow) - vec_load(z + first[r]);
         vec_store(change + seat, keep * vec_load(change + seat) + gain * left);
     }

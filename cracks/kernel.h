@@ -32,8 +32,7 @@ void cracks_kernel_force(int rows, const int *first, const long *start, const lo
  *     v_h = sum over struts of omega/2 (u_l - u_h).xi/|xi|
  * u     [3][by place]  m                  volume  [by seat]  m3, written */
 void cracks_kernel_volume(int rows, const int *first, const long *start, const long *end,
-                          const struct cracks_entry *entry, const cracks_vec *half, double *const u[3],
-                          double *volume);
+                          const struct cracks_entry *entry, const cracks_vec *half, double *const u[3], double *volume);
 /* T_hl = both + factor (A_h + A_l) ((w_h + w_l)/2)^3 of the links, and its sum over a particle's links.
  * area, width  [by place]  m2, m
  * conductance  [links][8]  m3/(s Pa), written; 0 in lanes without a link           total  [by seat], written */
@@ -41,16 +40,14 @@ void cracks_kernel_conductance(int rows, const int *first, const long *start, co
                                const struct cracks_entry *link, double both, double factor, const double *area,
                                const double *width, double *conductance, double *total);
 /* y_h = sum over links of T_hl (p_h - p_l).  p [by place] finite;  y [by seat], written */
-void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end,
-                        const struct cracks_entry *link, const double *conductance, const double *p,
-                        double *y);
+void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
+                        const double *conductance, const double *p, double *y);
 /* A term of Chebyshev's iteration for (D - dt T) z = r:
  *     change = keep change + gain (D^-1 (r + dt T z) - z)
  * residual, inverse = D^-1, change  [by seat]; inverse 0: change becomes keep change - gain z
  * conductance  [links][8]  in single precision                    z  [by place] */
 void cracks_kernel_relax(int rows, const int *first, const long *start, const long *end,
-                         const struct cracks_entry *link, const float *conductance, double dt,
-                         double keep, double gain, const double *residual, const double *inverse, const double *z,
-                         double *change);
+                         const struct cracks_entry *link, const float *conductance, double dt, double keep, double gain,
+                         const double *residual, const double *inverse, const double *z, double *change);
 /* z += change.  z [by place], change [by seat] */
 void cracks_kernel_add(int rows, const int *first, const double *change, double *z);

@@ -228,9 +228,9 @@ void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int 
 }
 
 void cracks_rows_free(struct cracks_rows *r) {
-    void *const own[] = {r->place,  r->of,    r->wet,    r->x,    r->u[0],  r->u[1], r->u[2],
-                         r->first,  r->index, r->intact, r->start, r->middle, r->end,  r->strut,
-                         r->last,   r->link_start, r->link, r->y[0], r->y[1], r->y[2]};
+    void *const own[] = {r->place, r->of,         r->wet,    r->x,     r->u[0],   r->u[1], r->u[2],
+                         r->first, r->index,      r->intact, r->start, r->middle, r->end,  r->strut,
+                         r->last,  r->link_start, r->link,   r->y[0],  r->y[1],   r->y[2]};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     *r = (struct cracks_rows){0};
 }
