@@ -66,18 +66,16 @@ void cracks_kernel_flow(int rows, const int *first, const long *start, const lon
 
 void cracks_kernel_relax(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *link, const float *conductance, double dt, double keep, double gain,
-                         const double *residual, const double *inverse, const double *z, double *change) {
+                         const double *residual, const double *inverse, const double *z, double *change, double *next) {
     for (int r = 0; r < rows; r++) {
         const long seat = CRACKS_LANES * (long)r;
+        const vec own = vec_load(z + first[r]);
         vec flow = vec_set(0);
         for (long k = start[r]; k < end[r]; k++)
             flow += vec_load_floats(conductance + CRACKS_LANES * k) * vec_load(z + link[k].at);
-        const vec left = vec_load(inverse + seat) * (vec_load(residual + seat) + dt * flow) - vec_load(z + first[r]);
-        vec_store(change + seat, keep * vec_load(change + seat) + gain * left);
+        const vec left = vec_load(inverse + seat) * (vec_load(residual + seat) + dt * flow) - own,
+                  moves = keep * vec_load(change + seat) + gain * left;
+        vec_store(change + seat, moves);
+        vec_store(next + first[r], own + moves);
     }
-}
-
-void cracks_kernel_add(int rows, const int *first, const double *change, double *z) {
-    for (int r = 0; r < rows; r++)
-        vec_store(z + first[r], vec_load(z + first[r]) + vec_load(change + CRACKS_LANES * (long)r));
 }

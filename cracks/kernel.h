@@ -43,11 +43,9 @@ void cracks_kernel_conductance(int rows, const int *first, const long *start, co
 void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
                         const double *conductance, const double *p, double *y);
 /* A term of Chebyshev's iteration for (D - dt T) z = r:
- *     change = keep change + gain (D^-1 (r + dt T z) - z)
- * residual, inverse = D^-1, change  [by seat]; inverse 0: change becomes keep change - gain z
- * conductance  [links][8]  in single precision                    z  [by place] */
+ *     change = keep change + gain (D^-1 (r + dt T z) - z),   next = z + change
+ * residual, inverse = D^-1, change  [by seat]; where they are 0, z stays 0
+ * conductance  [links][8]  in single precision          z, next  [by place], next of the rows' lanes */
 void cracks_kernel_relax(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *link, const float *conductance, double dt, double keep, double gain,
-                         const double *residual, const double *inverse, const double *z, double *change);
-/* z += change.  z [by place], change [by seat] */
-void cracks_kernel_add(int rows, const int *first, const double *change, double *z);
+                         const double *residual, const double *inverse, const double *z, double *change, double *next);

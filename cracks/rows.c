@@ -81,6 +81,7 @@ void cracks_rows_forget(struct cracks_rows *r) {
     memset(r->of, 0xff, room / CRACKS_LANES * sizeof *r->of);
     memset(r->wet, 0, room);
     memset(r->x, 0, room * sizeof *r->x); /* a step that failed may have left numbers that are none */
+    memset(r->u[0], 0, room * sizeof *r->u[0]);
     r->n = 0;
     r->struts = r->struts_dead = 0;
 }

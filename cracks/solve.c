@@ -104,10 +104,10 @@ static void terms_of(struct cracks *c, double dt) {
     w->terms = (int)ceil(sqrt(w->span));
 }
 
-/* The values of z at the places, ghosts included. */
-static void exchange(const struct cracks *c) {
+/* Brings the ghosts' values of x, by place. */
+static void exchange(const struct cracks *c, double *x) {
     const struct cracks_struts *t = &c->struts;
-    double *z = c->work->z, *x = t->rows.x;
+    double *z = c->work->z;
     if (par_size() == 1) return;
     for (int i = 0; i < t->n; i++) z[i] = x[t->place[i]];
     cracks_struts_update(t, sizeof *z, z);
@@ -120,23 +120,25 @@ static void precondition(const struct cracks *c, double dt) {
     const struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
     struct cracks_work *w = c->work;
-    const double half = 0.5 * (2 - 2 / w->span), middle = 0.5 * (2 + 2 / w->span);
-    double rho = half / middle;
+    const double half = 0.5 * (2 - 2 / w->span), middle = 0.5 * (2 + 2 / w->span), first = 1 / middle;
+    double rho = half / middle, *x = r->x, *next = r->u[0];
     for (int i = 0; i < t->n; i++) {
         const int seat = t->seat[i], full = w->set[i] == CRACKS_FULL;
         w->left[seat] = full ? w->residual[i] : 0;
         w->weight[seat] = full ? w->inverse[i] : 0;
-        r->x[t->place[i]] = w->change[seat] = w->weight[seat] * w->left[seat] / middle;
+        x[t->place[i]] = w->change[seat] = first * w->weight[seat] * w->left[seat];
     }
     for (int term = 1; term < w->terms; term++) {
-        const double next = 1 / (2 * middle / half - rho);
-        exchange(c);
-        cracks_kernel_relax(r->n, r->first, r->link_start, r->link_start + 1, r->link, w->smooth, dt, next * rho,
-                            2 * next / half, w->left, w->weight, r->x, w->change);
-        cracks_kernel_add(r->n, r->first, w->change, r->x);
-        rho = next;
+        const double then = 1 / (2 * middle / half - rho);
+        exchange(c, x);
+        cracks_kernel_relax(r->n, r->first, r->link_start, r->link_start + 1, r->link, w->smooth, dt, then * rho,
+                            2 * then / half, w->left, w->weight, x, w->change, next);
+        double *const before = x;
+        x = next;
+        next = before;
+        rho = then;
     }
-    for (int i = 0; i < t->n; i++) w->z[i] = r->x[t->place[i]];
+    for (int i = 0; i < t->n; i++) w->z[i] = x[t->place[i]];
 }
 
 /* The part of z along 1 in the sense of A, which the search does without, so that the sum of the residuals stays 0.
