@@ -5,7 +5,6 @@
 #include "base/par_ghost.h"
 #include "base/vec.h"
 #include "cracks/axis.h"
-#include "cracks/sums.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"
 
@@ -247,7 +246,8 @@ void cracks_struts_renew(struct cracks *c) {
     }
     const int added = find_wet(s, t, c->in.porous, NULL, &n);
     if (par_max(all || added > 0) > 0) renew_wet(c, n);
-    cracks_sums_spread(t, t->mobility, t->rows.u);
+    for (int i = 0; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) t->rows.u[k][t->place[i]] = t->mobility[i][k];
     for (int row = 0; row < t->rows.n; row++)
         if (cracks_rows_read(&t->rows, s, &c->table, t->h, c->in.porous, row)) areas_of(c, row);
     cracks_rows_press(&t->rows);

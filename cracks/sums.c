@@ -4,11 +4,6 @@
 #include "cracks/solve.h"
 #include "cracks/struts.h"
 
-void cracks_sums_spread(const struct cracks_struts *t, const cracks_vec *vector, double *const u[3]) {
-    for (int i = 0; i < t->n + t->ghosts; i++)
-        for (int k = 0; k < 3; k++) u[k][t->place[i]] = vector[i][k];
-}
-
 static void spread(const struct cracks_struts *t, const double *p) {
     for (int i = 0; i < t->n + t->ghosts; i++) t->rows.x[t->place[i]] = p[i];
 }
@@ -25,7 +20,8 @@ void cracks_sums_force(const struct cracks *c, const double *p, cracks_vec *forc
 static void volume_of(const struct cracks *c, const long *end, const cracks_vec *u, double *volume) {
     const struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
-    cracks_sums_spread(t, u, r->u);
+    for (int i = 0; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
     cracks_kernel_volume(r->n, r->first, r->start, end, r->strut, c->table.half, r->u, r->y[0]);
     for (int i = 0; i < t->n; i++) volume[i] = r->y[0][t->seat[i]];
 }

@@ -2,8 +2,6 @@
 #pragma once
 #include "cracks/cracks.h"
 
-/* Vectors of the wet particles and ghosts, to their places: u [3]. */
-void cracks_sums_spread(const struct cracks_struts *t, const cracks_vec *vector, double *const u[3]);
 /* force [n] = B p, N; p [n + ghosts] with current ghosts. */
 void cracks_sums_force(const struct cracks *c, const double *p, cracks_vec *force);
 /* volume [n] = B^T u, m3; u [n + ghosts] with current ghosts. */

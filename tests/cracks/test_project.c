@@ -2,7 +2,10 @@
 #include "base/par.h"
 #include "cracks/measure.h"
 #include "cracks/project.h"
+#include "cracks/aperture.h"
 #include "cracks/solve.h"
+#include "cracks/struts.h"
+#include "cracks/sums.h"
 #include "solid/force/force.h"
 #include "solid/step/integrate.h"
 #include "tests/cracks/make.h"
@@ -72,6 +75,38 @@ static void check_void(const struct cracks *c) {
     }
 }
 
+/* The rows that were made anew where bonds broke are those that are found from the bonds at once. */
+static void check_rows(struct cracks *c) {
+    const int n = c->struts.n;
+    double *p = calloc((size_t)(n + c->struts.ghosts) + 1, sizeof *p), *v = malloc(((size_t)n + 1) * sizeof *v);
+    cracks_vec *force = aligned_alloc(sizeof *force, ((size_t)n + 1) * sizeof *force);
+    const long entries = c->struts.rows.struts - c->struts.rows.struts_dead;
+    for (int i = 0; i < n; i++) p[i] = 1 + noise(c->solid, c->struts.h[i], 3);
+    cracks_struts_update(&c->struts, sizeof *p, p);
+    cracks_sums_force(c, p, force);
+    cracks_aperture_volume(c, v);
+    double *const diagonal = memcpy(malloc(((size_t)n + 1) * sizeof *v), c->struts.diagonal, (size_t)n * sizeof *v),
+                  *const area = memcpy(malloc(((size_t)n + 1) * sizeof *v), c->struts.area_size, (size_t)n * sizeof *v);
+    c->stale = 1;
+    cracks_project_settle(c);
+    assert_int_equal(c->struts.n, n);
+    assert_int_equal(c->struts.rows.struts_dead, 0);
+    assert_int_equal(c->struts.rows.struts, entries);
+    cracks_sums_force(c, p, c->work->force);
+    cracks_aperture_volume(c, c->work->b);
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < 3; k++) check_equal(c->work->force[i][k], force[i][k]);
+        check_equal(c->work->b[i], v[i]);
+        check_equal(c->struts.diagonal[i], diagonal[i]);
+        check_equal(c->struts.area_size[i], area[i]);
+    }
+    free(p);
+    free(v);
+    free(force);
+    free(diagonal);
+    free(area);
+}
+
 enum { KINDS = 8, STEPS = 120, NUMBERS = 9, ROWS = 4 };
 
 /* One of the kinds; value: numbers of some steps. */
@@ -102,6 +137,7 @@ static void pump(int kind, double (*value)[NUMBERS]) {
     if (breaks) {
         solid_family_count(r.s);
         check_above(r.c->renewals, 5);
+        check_rows(r.c);
     }
     for (int h = 0; h < r.s->n; h++)
         for (int k = 0; k < r.s->dim; k++) {
