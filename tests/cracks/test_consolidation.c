@@ -1,4 +1,5 @@
 /* Consolidation of porous plates: Terzaghi's column, Mandel's slab. */
+#include "cracks/struts.h"
 #include "tests/cracks/terzaghi.h"
 
 static void incompressible(void **state) {
