@@ -95,14 +95,18 @@ static double seconds_of(struct block *b, int thing, int substeps) {
     return (par_seconds() - begin) / substeps;
 }
 
-static void write(struct bench *bench, const char *part, const struct solid *s, int repeats, double *seconds,
+static void write(struct bench *bench, const char *part, const struct solid *s, int substeps, double *seconds,
                   double units, const char *unit) {
+    const int repeats = bench->effort.repeats;
     const double median = bench_measure_median(repeats, seconds);
-    struct bench_row row = {
-        .part = part,
-        .time = {.repeats = repeats, .median = median, .low = seconds[0], .high = seconds[repeats - 1]},
-        .units = units,
-        .unit = unit};
+    struct bench_row row = {.part = part,
+                            .time = {.calls = substeps,
+                                     .repeats = repeats,
+                                     .median = median,
+                                     .low = seconds[0],
+                                     .high = seconds[repeats - 1]},
+                            .units = units,
+                            .unit = unit};
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
     bench_row_write(&bench->table, &row);
 }
@@ -126,12 +130,13 @@ static void measure(struct bench *bench, int side) {
         for (int k = 0; k < THINGS; k++) par_max_array(&seconds[k][r], 1);
     }
     const double bonds = (double)par_sum_long(solid_family_directed(dry.s)), taken = (double)(wet.c->steps - steps);
-    write(bench, "crack_sweep", dry.s, repeats, seconds[SWEEP], bonds, "directed bond");
-    write(bench, "crack_substep_dry", dry.s, repeats, seconds[DRY], bonds, "directed bond");
-    write(bench, "crack_substep_wet", wet.s, repeats, seconds[WET], bonds, "directed bond");
-    write(bench, "crack_pressures", wet.s, repeats, seconds[PRESSURES],
+    write(bench, "crack_sweep", dry.s, substeps, seconds[SWEEP], bonds, "directed bond");
+    write(bench, "crack_substep_dry", dry.s, substeps, seconds[DRY], bonds, "directed bond");
+    write(bench, "crack_substep_wet", wet.s, substeps, seconds[WET], bonds, "directed bond");
+    write(bench, "crack_pressures", wet.s, substeps, seconds[PRESSURES],
           (double)(wet.c->iterations - iterations) / taken, "iteration");
-    write(bench, "crack_solves", wet.s, repeats, seconds[PRESSURES], (double)(wet.c->solves - solves) / taken, "solve");
+    write(bench, "crack_solves", wet.s, substeps, seconds[PRESSURES], (double)(wet.c->solves - solves) / taken,
+          "solve");
     cracks_free(wet.c);
     solid_free(wet.s);
     solid_free(dry.s);
