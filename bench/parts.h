@@ -25,6 +25,7 @@ void bench_plate(struct bench *bench);        /* force sweeps over a plate */
 void bench_refine(struct bench *bench);       /* searches for particles to refine, and refinements of a plate */
 void bench_solid_peer(struct bench *bench);   /* the sweep that bench/lammps compares */
 void bench_immersed(struct bench *bench);     /* the main case: forcing, probe, interface, contact, whole steps */
+void bench_cracks(struct bench *bench);       /* fluid that is pumped into a crack */
 void bench_memory(struct bench *bench);       /* bytes a cell, a bond, a marker */
 void bench_solid_image(struct bench *bench);  /* force sweeps over bodies of images */
 void bench_memory_image(struct bench *bench); /* bytes a bond of such a body */

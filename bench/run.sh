@@ -3,7 +3,7 @@
 #     bench/run.sh [--build DIR] [--no-lammps] [RUN.json...]
 # RUN.json: run.json of whole runs of the main case's S3, each with its scene.resolved.yaml in the same folder. Without
 # one: those in bench/results.
-# Builds the program if it is missing. Takes less than five minutes. Nothing else should run on the machine.
+# Builds the program if it is missing. Takes less than ten minutes. Nothing else should run on the machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=build lammps=1 runs=()

@@ -114,6 +114,34 @@ static void images(const struct page *p) {
                held[1][0], held[0][1], held[1][1]);
 }
 
+/* The pressures of a crack's fluid as a part of the same body's sweep, %, on one rank. */
+static double pressures(const struct page *p) {
+    const char *const size = "1000000";
+    return 100 * bench_cells_number(p->rows, bench_cells_find(p->rows, "crack_pressures", size, 1), "median_ms") /
+           bench_cells_number(p->rows, bench_cells_find(p->rows, "crack_sweep", size, 1), "median_ms");
+}
+
+/* What the fluid in a crack costs beside the same body without it. */
+static void cracks(const struct page *p) {
+    const char *const part[5] = {"crack_sweep", "crack_substep_dry", "crack_substep_wet", "crack_pressures",
+                                 "crack_solves"};
+    for (int ranks = 1; ranks <= 2; ranks++) {
+        double ms[5], each[5];
+        for (int k = 0; k < 5; k++) {
+            const int row = bench_cells_find(p->rows, part[k], "1000000", ranks);
+            ms[k] = bench_cells_number(p->rows, row, "median_ms");
+            each[k] = 1e-6 * bench_cells_number(p->rows, row, "ns_per_unit") / ranks;
+        }
+        if (isnan(ms[0] + ms[1] + ms[2] + ms[3] + ms[4])) continue;
+        printf(
+            "\nA crack of 40 spacings' radius that a fluid is pumped into, among 10⁶ particles, in turn with the same "
+            "body without it, %d rank%s: its pressures take\n%.3g ms a substep, %.3g iterations in %.3g solves; a "
+            "sweep takes %.3g ms: ratio %.3f. The rest of a substep takes %.3f of one without `crack_fluid`.\n",
+            ranks, ranks > 1 ? "s" : "", ms[3], ms[3] / each[3], ms[4] / each[4], ms[0], ms[3] / ms[0],
+            (ms[2] - ms[3]) / ms[1]);
+    }
+}
+
 static void targets(const struct page *p) {
     printf("## To reach\n\nThe peers were measured on a machine of two cores with AVX-512, 32 MB of L3, "
            "triad 42 GB/s on "
@@ -132,6 +160,8 @@ static void targets(const struct page *p) {
     target_bond(p, "force sweep, the main case's porous block", "–", "sweep_porous", "", 1.0);
     target_bond(p, "force sweep, a plate with holes", "–", "sweep_plate", "", 1.5);
     target("markers, forcing (N_s = 2) and probe, of a coupled step", "–", "%", 20, share(p), NAN, NAN, NAN);
+    target("pressures of a crack that a fluid is pumped into, 10⁶ particles, radius 40 spacings, of the sweep, 1 rank",
+           "–", "%", 20, pressures(p), NAN, NAN, NAN);
     for (int rk3 = 1; rk3 >= 0; rk3--) {
         const struct bench_whole *found = NULL;
         for (int k = 0; k < p->runs; k++)
@@ -152,6 +182,7 @@ static void targets(const struct page *p) {
                "taken in turn).\n",
                on / off);
     images(p);
+    cracks(p);
     for (int row = 0; p->peer && row < p->peer->rows; row++)
         printf("%sLAMMPS and frana in one go, in turn, 1 rank, %s directed bonds each: %s and %s ns a bond, "
                "ratio %s (%s).\n",

@@ -3,6 +3,7 @@
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
+#include "cracks/sums.h"
 
 #include <math.h>
 
@@ -18,15 +19,9 @@ static const cracks_vec *displacements(const struct cracks *c) {
     return u;
 }
 
-void cracks_aperture_volume(const struct cracks *c, double *volume) {
-    const struct cracks_struts *t = &c->struts;
-    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, displacements(c), volume);
-}
+void cracks_aperture_volume(const struct cracks *c, double *volume) { cracks_sums_volume(c, displacements(c), volume); }
 
-void cracks_aperture_open(const struct cracks *c) {
-    const struct cracks_struts *t = &c->struts;
-    cracks_kernel_volume_part(t->n, t->start, t->middle, t->other, t->kind, c->table.half, displacements(c), c->open);
-}
+void cracks_aperture_open(const struct cracks *c) { cracks_sums_volume_of_cracks(c, displacements(c), c->open); }
 
 const double *cracks_aperture_cracks(const struct cracks *c) { return c->open ? c->open : c->volume; }
 
@@ -41,13 +36,14 @@ void cracks_aperture_conductance(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     const double spacing = c->solid->in.spacing, factor = 0.5 / (spacing * spacing * c->in.viscosity * 12),
                  pores = c->in.porous ? cracks_pores_conductance(c) : 0;
+    const struct cracks_rows *r = &t->rows;
     double *w = c->work->width;
     for (int i = 0; i < t->n; i++) w[i] = fmax(c->least_aperture, cracks_aperture_of(c, i));
     cracks_struts_update(t, sizeof *w, w);
-    for (int i = 0; i < t->n; i++)
-        for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) {
-            const int l = t->link[k];
-            const double mean = 0.5 * (w[i] + w[l]);
-            c->work->conductance[k] = pores + factor * (t->area_size[i] + t->area_size[l]) * (mean * mean * mean);
-        }
+    for (int i = 0; i < t->n + t->ghosts; i++) {
+        r->u[0][t->place[i]] = t->area_size[i];
+        r->u[1][t->place[i]] = w[i];
+    }
+    cracks_kernel_conductance(r->n, r->first, r->link_start, r->link_start + 1, r->link, pores, factor, r->u[0],
+                              r->u[1], c->work->conductance, c->work->outflow);
 }

@@ -5,8 +5,7 @@
  * strut or a link here needs. */
 #pragma once
 #include "base/step_status.h"
-#include "cracks/kernel.h"
-#include "cracks/table.h"
+#include "cracks/rows.h"
 #include "solid/input.h"
 #include "solid/step/push.h"
 
@@ -43,23 +42,18 @@ struct cracks_input {
 
 #define CRACKS_LEAST_STRETCH 0.3
 
-/* The wet particles' geometry: made anew when bonds have broken. */
+/* The wet particles' geometry: made anew where bonds have broken. */
 struct cracks_struts {
     int n, ghosts;        /* wet particles owned here, and copies of other ranks' */
-    int room;             /* of the arrays below, n + ghosts at least */
     int *h;               /* [n + ghosts] local index in the solid, ascending in each of the two parts */
-    long *start;          /* [n + 1] struts of a wet particle: start[i] .. start[i+1]-1 */
-    long *middle;         /* [n] with pores the intact bonds of a wet particle: middle[i] .. start[i+1]-1; else NULL */
-    int *other;           /* [start[n]] wet index of the other end */
-    uint16_t *kind;       /* [start[n]] offset in the table */
-    long strut_room;      /* of other and kind */
-    int *link_start;      /* [n + 1] nearest neighbours that are wet too */
-    int *link;            /* [link_start[n]] their wet indices */
+    int *place;           /* [n + ghosts] in the rows */
+    int *seat;            /* [n] 8 row + lane */
     cracks_vec *mobility; /* [n + ghosts] 1/mass of each component, 1/kg; 0: held */
     cracks_vec *area;     /* [n] a_h, m2 */
     double *area_size; /* [n + ghosts] |a_h|, or where the faces of several cracks cancel the area along the main axis
                         * of the struts, m2 */
     double *diagonal;  /* [n] of B^T M^-1 B, m4/kg */
+    struct cracks_rows rows;
     struct par_ghost *plan;
     long *id;           /* [solid's n + n_ghost] number of a wet particle among those of all ranks, -1: not wet */
     long bonds_version; /* of the solid when they were made */

@@ -1,36 +1,81 @@
 /* Sums over struts and links: force of the pressures, volume of the cracks, flow. */
 #include "cracks/kernel.h"
+#include "base/vec.h"
 
-void cracks_kernel_force(int n, const long *start, const int *other, const uint16_t *kind, const cracks_vec *half,
-                         const double *p, cracks_vec *force) {
-    for (int i = 0; i < n; i++) {
-        const double own = p[i];
-        cracks_vec sum = {0};
-        for (long k = start[i]; k < start[i + 1]; k++) sum += (own + p[other[k]]) * half[kind[k]];
-        force[i] = -sum;
+void cracks_kernel_force(int rows, const int *first, const long *start, const long *end,
+                         const struct cracks_entry *entry, const cracks_vec *half, const double *p,
+                         double *const force[3]) {
+    for (int r = 0; r < rows; r++) {
+        const vec own = vec_load(p + first[r]);
+        vec x = vec_set(0), y = x, z = x;
+        for (long k = start[r]; k < end[r]; k++) {
+            const double *h = (const double *)&half[entry[k].kind];
+            const vec sum = vec_where(entry[k].lanes, own + vec_load(p + entry[k].at));
+            x -= sum * h[0];
+            y -= sum * h[1];
+            z -= sum * h[2];
+        }
+        vec_store(force[0] + CRACKS_LANES * (long)r, x);
+        vec_store(force[1] + CRACKS_LANES * (long)r, y);
+        vec_store(force[2] + CRACKS_LANES * (long)r, z);
     }
 }
 
-void cracks_kernel_volume_part(int n, const long *start, const long *end, const int *other, const uint16_t *kind,
-                               const cracks_vec *half, const cracks_vec *u, double *volume) {
-    for (int i = 0; i < n; i++) {
-        const cracks_vec own = u[i];
-        cracks_vec sum = {0};
-        for (long k = start[i]; k < end[i]; k++) sum += (u[other[k]] - own) * half[kind[k]];
-        volume[i] = cracks_kernel_sum(sum);
+void cracks_kernel_volume(int rows, const int *first, const long *start, const long *end,
+                          const struct cracks_entry *entry, const cracks_vec *half, double *const u[3],
+                          double *volume) {
+    for (int r = 0; r < rows; r++) {
+        const vec x = vec_load(u[0] + first[r]), y = vec_load(u[1] + first[r]), z = vec_load(u[2] + first[r]);
+        vec sum = vec_set(0);
+        for (long k = start[r]; k < end[r]; k++) {
+            const double *h = (const double *)&half[entry[k].kind];
+            const int at = entry[k].at;
+            sum += vec_where(entry[k].lanes, (vec_load(u[0] + at) - x) * h[0] + (vec_load(u[1] + at) - y) * h[1] +
+                                                 (vec_load(u[2] + at) - z) * h[2]);
+        }
+        vec_store(volume + CRACKS_LANES * (long)r, sum);
     }
 }
 
-void cracks_kernel_volume(int n, const long *start, const int *other, const uint16_t *kind, const cracks_vec *half,
-                          const cracks_vec *u, double *volume) {
-    cracks_kernel_volume_part(n, start, start + 1, other, kind, half, u, volume);
+void cracks_kernel_conductance(int rows, const int *first, const long *start, const long *end,
+                               const struct cracks_entry *link, double both, double factor, const double *area,
+                               const double *width, double *conductance, double *total) {
+    for (int r = 0; r < rows; r++) {
+        const vec a = vec_load(area + first[r]), w = vec_load(width + first[r]);
+        vec sum = vec_set(0);
+        for (long k = start[r]; k < end[r]; k++) {
+            const vec mean = 0.5 * (w + vec_load(width + link[k].at)), areas = a + vec_load(area + link[k].at);
+            const vec t = vec_where(link[k].lanes, both + factor * areas * (mean * mean * mean));
+            vec_store(conductance + CRACKS_LANES * k, t);
+            sum += t;
+        }
+        vec_store(total + CRACKS_LANES * (long)r, sum);
+    }
 }
 
-void cracks_kernel_flow(int n, const int *start, const int *link, const double *conductance, double factor,
-                        const double *p, double *y) {
-    for (int i = 0; i < n; i++) {
-        double sum = 0;
-        for (int k = start[i]; k < start[i + 1]; k++) sum += conductance[k] * (p[i] - p[link[k]]);
-        y[i] += factor * sum;
+void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
+                        const double *conductance, const double *p, double *y) {
+    for (int r = 0; r < rows; r++) {
+        const vec own = vec_load(p + first[r]);
+        vec sum = vec_set(0);
+        for (long k = start[r]; k < end[r]; k++)
+            sum += vec_load(conductance + CRACKS_LANES * k) * (own - vec_load(p + link[k].at));
+        vec_store(y + CRACKS_LANES * (long)r, sum);
+    }
+}
+
+void cracks_kernel_relax(int rows, const int *first, const long *start, const long *end,
+                         const struct cracks_entry *link, const float *conductance, double dt, double keep, double gain,
+                         const double *residual, const double *inverse, const double *z, double *change, double *next) {
+    for (int r = 0; r < rows; r++) {
+        const long seat = CRACKS_LANES * (long)r;
+        const vec own = vec_load(z + first[r]);
+        vec flow = vec_set(0);
+        for (long k = start[r]; k < end[r]; k++)
+            flow += vec_load_floats(conductance + CRACKS_LANES * k) * vec_load(z + link[k].at);
+        const vec left = vec_load(inverse + seat) * (vec_load(residual + seat) + dt * flow) - own,
+                  moves = keep * vec_load(change + seat) + gain * left;
+        vec_store(change + seat, moves);
+        vec_store(next + first[r], own + moves);
     }
 }

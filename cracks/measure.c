@@ -33,7 +33,7 @@ struct cracks_values cracks_measure(const struct cracks *c) {
         sum[2] += c->storage[i] * c->p[i];
         sum[3] += t->area_size[i];
         sum[4] += t->area_size[i] * c->p[i];
-        sum[5] += !t->middle || t->middle[i] > t->start[i];
+        sum[5] += t->area_size[i] > 0 || !c->in.porous;
         if (c->in.injections > 0) sum[6] += c->weight[i] * c->p[i];
         sum[7] += cracks[i];
         v.aperture_max = fmax(v.aperture_max, cracks_aperture_of(c, i));

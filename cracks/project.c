@@ -7,6 +7,7 @@
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
+#include "cracks/sums.h"
 #include "solid/imposed/reactions.h"
 
 #include <math.h>
@@ -34,7 +35,7 @@ static void force_begin(struct cracks *c) {
     struct cracks_work *w = c->work;
     if (w->force_holds) return;
     cracks_struts_update(t, sizeof *c->p, c->p);
-    cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, c->p, w->force);
+    cracks_sums_force(c, c->p, w->force);
     w->force_holds = 1;
 }
 
@@ -63,7 +64,7 @@ static double residual_begin(struct cracks *c, double dt, double *size) {
     const double injected = cracks_inject_begin(c, c->solid->t, dt);
     force_begin(c);
     predict(c, dt);
-    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, w->u, w->b);
+    cracks_sums_volume(c, w->u, w->b);
     cracks_struts_update(t, sizeof *c->p, c->p);
     *size = 0;
     for (int i = 0; i < t->n; i++) {
@@ -71,7 +72,7 @@ static double residual_begin(struct cracks *c, double dt, double *size) {
         w->residual[i] = c->content[i] - w->b[i] - c->storage[i] * c->p[i];
     }
     cracks_inject_source(c, dt, w->residual);
-    cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, -dt, c->p, w->residual);
+    cracks_sums_flow(c, -dt, c->p, w->residual);
     if (c->leak) *size += cracks_leak_source(c, c->solid->t, dt, w->residual);
     *size = par_sum(*size);
     return injected;
@@ -106,7 +107,7 @@ static void fill(struct cracks *c, double dt) {
     double *flow = w->along;
     for (int i = 0; i < t->n; i++) flow[i] = 0;
     cracks_struts_update(t, sizeof *c->p, c->p);
-    cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, dt, c->p, flow);
+    cracks_sums_flow(c, dt, c->p, flow);
     cracks_inject_fill(c, dt, w->residual);
     if (c->leak) cracks_leak_book(c, c->solid->t + dt);
     for (int i = 0; i < t->n; i++) {

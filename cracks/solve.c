@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "cracks/struts.h"
+#include "cracks/sums.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,25 +21,37 @@ static const double TOLERANCE = 1e-7;
 /* The same over the volumes whose difference it is: what rounding leaves. */
 static const double ROUNDING = 1e-15;
 /* The preconditioner's polynomial is made for eigenvalues over a span of at most this, with sqrt(span) terms. */
-static const double SPAN_MOST = 60;
+static const double SPAN_MOST = 240;
 
 struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t) {
-    const int links = t->n > 0 ? t->link_start[t->n] : 0;
+    const long links = t->rows.n > 0 ? t->rows.link_start[t->rows.n] : 0;
+    const int seats = CRACKS_LANES * t->rows.n;
     if (!w) w = memory_new(MEMORY_SOLID, 1, sizeof *w);
-    if (t->n + t->ghosts + 1 > w->room || links + 1 > w->link_room) {
-        const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64, m = (size_t)links + (size_t)links / 4 + 64;
+    if (t->n + t->ghosts + 1 > w->room) {
+        const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64;
         w->set = memory_renew(MEMORY_SOLID, w->set, n, sizeof *w->set);
         w->ones_set = memory_renew(MEMORY_SOLID, w->ones_set, n, sizeof *w->ones_set);
-        double **const array[] = {&w->b,     &w->residual, &w->width,  &w->inverse, &w->search,
-                                  &w->along, &w->z,        &w->change, &w->of_ones, &w->ones_stiff};
+        double **const array[] = {&w->b,     &w->residual, &w->width,   &w->inverse,   &w->search,
+                                  &w->along, &w->z,        &w->of_ones, &w->ones_stiff};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
-        w->conductance = memory_renew(MEMORY_SOLID, w->conductance, m, sizeof *w->conductance);
-        cracks_vec **const vector[] = {&w->force, &w->of_search, &w->ones_force, &w->u};
+        cracks_vec **const vector[] = {&w->force, &w->u};
         for (size_t a = 0; a < sizeof vector / sizeof vector[0]; a++)
             *vector[a] = memory_renew(MEMORY_SOLID, *vector[a], n, sizeof **vector[a]);
         w->room = (int)n;
-        w->link_room = (int)m;
+    }
+    if (seats + 1 > w->seat_room) {
+        const size_t n = (size_t)seats + (size_t)seats / 4 + 64;
+        double **const array[] = {&w->outflow, &w->left, &w->weight, &w->change};
+        for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
+            *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
+        w->seat_room = (int)n;
+    }
+    if (links + 1 > w->link_room) {
+        const size_t n = (size_t)links + (size_t)links / 4 + 64;
+        w->conductance = memory_renew(MEMORY_SOLID, w->conductance, CRACKS_LANES * n, sizeof *w->conductance);
+        w->smooth = memory_renew(MEMORY_SOLID, w->smooth, CRACKS_LANES * n, sizeof *w->smooth);
+        w->link_room = (long)n;
     }
     w->ones_hold = w->force_holds = 0;
     return w;
@@ -46,39 +59,33 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
 
 void cracks_solve_free(struct cracks_work *w) {
     if (!w) return;
-    void *const own[] = {w->set,    w->b,        w->residual,  w->conductance, w->width,   w->inverse,
-                         w->search, w->along,    w->z,         w->change,      w->of_ones, w->ones_stiff,
-                         w->force,  w->ones_set, w->of_search, w->ones_force,  w->u};
+    void *const own[] = {w->set,     w->b,          w->residual, w->conductance, w->smooth, w->outflow, w->width,
+                         w->inverse, w->search,     w->along,    w->z,           w->left,   w->weight,  w->change,
+                         w->of_ones, w->ones_stiff, w->force,    w->ones_set,    w->u};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     memory_free(w);
 }
 
-void cracks_solve_stiffness(const struct cracks *c, double dt, const double *p, cracks_vec *force, double *y) {
-    const struct cracks_struts *t = &c->struts;
-    cracks_vec *u = c->work->u;
-    cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, p, force);
-    for (int i = 0; i < t->n; i++) u[i] = dt * dt * t->mobility[i] * force[i];
-    cracks_struts_update(t, sizeof *u, u);
-    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, u, y);
-}
-
-/* y = A p, force = B p. Ghosts of p are updated. */
-static void apply(const struct cracks *c, double dt, double *p, cracks_vec *force, double *y) {
-    const struct cracks_struts *t = &c->struts;
-    cracks_struts_update(t, sizeof *p, p);
-    cracks_solve_stiffness(c, dt, p, force, y);
-    for (int i = 0; i < t->n; i++) y[i] += c->storage[i] * p[i];
-    cracks_kernel_flow(t->n, t->link_start, t->link, c->work->conductance, dt, p, y);
+/* y = A p. Ghosts of p are updated. Returns p.y of this rank. */
+static double apply(const struct cracks *c, double dt, double *p, double *y) {
+    double sum = 0;
+    cracks_sums_apply(c, dt, 1, p, y);
+    for (int i = 0; i < c->struts.n; i++) {
+        y[i] += c->storage[i] * p[i];
+        sum += p[i] * y[i];
+    }
+    return sum;
 }
 
 static void diagonal_invert(const struct cracks *c, double dt) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_work *w = c->work;
     for (int i = 0; i < t->n; i++) {
-        double sum = c->storage[i] + dt * dt * t->diagonal[i];
-        for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) sum += dt * w->conductance[k];
+        const double sum = c->storage[i] + dt * dt * t->diagonal[i] + dt * w->outflow[t->seat[i]];
         w->inverse[i] = sum > 0 ? 1 / sum : 0;
     }
+    const long links = t->rows.n > 0 ? CRACKS_LANES * t->rows.link_start[t->rows.n] : 0;
+    for (long k = 0; k < links; k++) w->smooth[k] = (float)w->conductance[k];
 }
 
 /* The number of terms of the preconditioner's polynomial, and the part of the spectrum that it is made for: the
@@ -97,59 +104,58 @@ static void terms_of(struct cracks *c, double dt) {
     w->terms = (int)ceil(sqrt(w->span));
 }
 
+/* Brings the ghosts' values of x, by place. */
+static void exchange(const struct cracks *c, double *x) {
+    const struct cracks_struts *t = &c->struts;
+    double *z = c->work->z;
+    if (par_size() == 1) return;
+    for (int i = 0; i < t->n; i++) z[i] = x[t->place[i]];
+    cracks_struts_update(t, sizeof *z, z);
+    for (int i = t->n; i < t->n + t->ghosts; i++) x[t->place[i]] = z[i];
+}
+
 /* z = an approximation of P^-1 r over the full particles, P = D - dt T: A with the diagonal of its elastic part alone.
  * A polynomial of D^-1 P (Chebyshev's), which is the same on any number of ranks. */
 static void precondition(const struct cracks *c, double dt) {
     const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
     struct cracks_work *w = c->work;
-    const double half = 0.5 * (2 - 2 / w->span), middle = 0.5 * (2 + 2 / w->span);
-    double rho = half / middle;
+    const double half = 0.5 * (2 - 2 / w->span), middle = 0.5 * (2 + 2 / w->span), first = 1 / middle;
+    double rho = half / middle, *x = r->x, *next = r->u[0];
     for (int i = 0; i < t->n; i++) {
-        const double r = w->set[i] == CRACKS_FULL ? w->residual[i] : 0;
-        w->z[i] = w->change[i] = w->inverse[i] * r / middle;
+        const int seat = t->seat[i], full = w->set[i] == CRACKS_FULL;
+        w->left[seat] = full ? w->residual[i] : 0;
+        w->weight[seat] = full ? w->inverse[i] : 0;
+        x[t->place[i]] = w->change[seat] = first * w->weight[seat] * w->left[seat];
     }
     for (int term = 1; term < w->terms; term++) {
-        const double next = 1 / (2 * middle / half - rho);
-        cracks_struts_update(t, sizeof *w->z, w->z);
-        for (int i = 0; i < t->n; i++) {
-            if (w->set[i] != CRACKS_FULL) continue;
-            double flow = 0;
-            for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) flow += w->conductance[k] * w->z[t->link[k]];
-            const double left = w->inverse[i] * (w->residual[i] + dt * flow) - w->z[i];
-            w->change[i] = next * rho * w->change[i] + 2 * next / half * left;
-        }
-        for (int i = 0; i < t->n; i++) w->z[i] += w->change[i];
-        rho = next;
+        const double then = 1 / (2 * middle / half - rho);
+        exchange(c, x);
+        cracks_kernel_relax(r->n, r->first, r->link_start, r->link_start + 1, r->link, w->smooth, dt, then * rho,
+                            2 * then / half, w->left, w->weight, x, w->change, next);
+        double *const before = x;
+        x = next;
+        next = before;
+        rho = then;
     }
+    for (int i = 0; i < t->n; i++) w->z[i] = x[t->place[i]];
 }
 
-/* Of the full particles: takes the part of z along 1 out in the sense of A, so that the sum of the residuals stays 0;
- * sum: of |r| and of r z, on all ranks. */
-static void deflate(const struct cracks *c, double sum[2]) {
-    struct cracks_work *w = c->work;
-    double along[3] = {0, 0, 0};
-    for (int i = 0; i < c->struts.n; i++) {
-        if (w->set[i] != CRACKS_FULL) continue;
-        along[0] += w->of_ones[i] * w->z[i];
-        along[1] += fabs(w->residual[i]);
-        along[2] += w->residual[i] * w->z[i];
+/* The part of z along 1 in the sense of A, which the search does without, so that the sum of the residuals stays 0.
+ * product: of r and z, on all ranks. */
+static double part_along_ones(const struct cracks *c, double *product) {
+    const struct cracks_work *w = c->work;
+    double sum[2] = {0, 0};
+    for (int i = 0; i < c->struts.n; i++) { /* z is 0 where a particle is not full */
+        sum[0] += w->of_ones[i] * w->z[i];
+        sum[1] += w->residual[i] * w->z[i];
     }
-    par_sum_array(along, 3);
-    const double part = w->ones > 0 ? along[0] / w->ones : 0;
-    for (int i = 0; i < c->struts.n; i++)
-        if (w->set[i] == CRACKS_FULL) w->z[i] -= part;
-    sum[0] = along[1];
-    sum[1] = along[2];
+    par_sum_array(sum, 2);
+    *product = sum[1];
+    return w->ones > 0 ? sum[0] / w->ones : 0;
 }
 
-static double absolute(const struct cracks *c) {
-    double sum = 0;
-    for (int i = 0; i < c->struts.n; i++)
-        if (c->work->set[i] == CRACKS_FULL) sum += fabs(c->work->residual[i]);
-    return par_sum(sum);
-}
-
-/* A 1 and B 1 with 1 at the full particles. The part of the struts is kept as long as the set and the struts are the
+/* A 1 with 1 at the full particles. The part of the struts is kept as long as the set and the struts are the
  * same. */
 static void ones_begin(struct cracks *c, double dt) {
     const int n = c->struts.n;
@@ -157,39 +163,41 @@ static void ones_begin(struct cracks *c, double dt) {
     const int same = w->ones_hold && w->ones_dt == dt && memcmp(w->ones_set, w->set, (size_t)n) == 0;
     double sum = 0;
     for (int i = 0; i < n; i++) w->search[i] = w->set[i] == CRACKS_FULL;
-    cracks_struts_update(&c->struts, sizeof *w->search, w->search);
     if (par_min(same) < 1) {
-        cracks_solve_stiffness(c, dt, w->search, w->ones_force, w->ones_stiff);
+        cracks_sums_apply(c, dt, 0, w->search, w->ones_stiff);
         memcpy(w->ones_set, w->set, (size_t)n);
         w->ones_hold = 1;
         w->ones_dt = dt;
     }
+    cracks_struts_update(&c->struts, sizeof *w->search, w->search);
     for (int i = 0; i < n; i++) w->of_ones[i] = w->ones_stiff[i] + c->storage[i] * w->search[i];
-    cracks_kernel_flow(n, c->struts.link_start, c->struts.link, w->conductance, dt, w->search, w->of_ones);
+    cracks_sums_flow(c, dt, w->search, w->of_ones);
     for (int i = 0; i < n; i++) sum += w->of_ones[i] * w->search[i];
     w->ones = par_sum(sum);
 }
 
-/* p, residual and force go on by a step along the search. */
-static void go(struct cracks *c, double step, const double *search, const double *along, const cracks_vec *force) {
+/* p and residual go on by a step along the search. Returns the sum of the full particles' |residual|, on all ranks. */
+static double go(struct cracks *c, double step, const double *search, const double *along) {
     struct cracks_work *w = c->work;
+    double sum = 0;
     for (int i = 0; i < c->struts.n; i++) {
         c->p[i] += step * search[i];
         w->residual[i] -= step * along[i];
-        w->force[i] += step * force[i];
+        sum += w->set[i] == CRACKS_FULL ? fabs(w->residual[i]) : 0;
     }
+    return par_sum(sum);
 }
 
 /* Moves all full pressures by one number, so that the sum of their residuals is 0: what was injected is in the cracks.
- */
-static void level(struct cracks *c, double dt) {
+ * Returns the sum of their |residual|, on all ranks. */
+static double level(struct cracks *c, double dt) {
     struct cracks_work *w = c->work;
     double sum = 0;
     ones_begin(c, dt);
     for (int i = 0; i < c->struts.n; i++)
         if (w->set[i] == CRACKS_FULL) sum += w->residual[i];
     sum = par_sum(sum);
-    if (w->ones > 0) go(c, sum / w->ones, w->search, w->of_ones, w->ones_force);
+    return go(c, w->ones > 0 ? sum / w->ones : 0, w->search, w->of_ones);
 }
 
 /* Conjugate gradients over the full particles until the sum of |residual| is at most `least`, with the sum of the
@@ -197,22 +205,21 @@ static void level(struct cracks *c, double dt) {
 static int iterate(struct cracks *c, double dt, double least, long *left) {
     const int n = c->struts.n;
     struct cracks_work *w = c->work;
-    double sum[2], old = 0;
-    level(c, dt);
+    double sum = level(c, dt), old = 0;
     terms_of(c, dt);
-    while (absolute(c) > least) {
+    while (sum > least) {
+        double product;
         precondition(c, dt);
-        deflate(c, sum);
-        if ((*left)-- == 0 || !isfinite(sum[1])) return 0;
-        const double beta = old > 0 ? sum[1] / old : 0;
-        double curvature = 0;
-        for (int i = 0; i < n; i++) w->search[i] = w->z[i] + (old > 0 ? beta * w->search[i] : 0);
-        old = sum[1];
-        apply(c, dt, w->search, w->of_search, w->along);
-        for (int i = 0; i < n; i++) curvature += w->search[i] * w->along[i];
-        curvature = par_sum(curvature);
+        const double part = part_along_ones(c, &product), beta = old > 0 ? product / old : 0;
+        if ((*left)-- == 0 || !isfinite(product)) return 0;
+        for (int i = 0; i < n; i++) {
+            const double z = w->set[i] == CRACKS_FULL ? w->z[i] - part : 0;
+            w->search[i] = old > 0 ? z + beta * w->search[i] : z;
+        }
+        old = product;
+        const double curvature = par_sum(apply(c, dt, w->search, w->along));
         if (!(curvature > 0)) return 0;
-        go(c, old / curvature, w->search, w->along, w->of_search);
+        sum = go(c, old / curvature, w->search, w->along);
         c->iterations++;
     }
     return 1;
@@ -237,8 +244,8 @@ static long change_set(struct cracks *c, double dt, double least) {
     }
     par_sum_array(changed, 2);
     if (changed[1] > 0) { /* pressures were raised */
-        apply(c, dt, w->search, w->of_search, w->along);
-        go(c, 1, w->search, w->along, w->of_search);
+        apply(c, dt, w->search, w->along);
+        go(c, 1, w->search, w->along);
         for (int i = 0; i < n; i++)
             if (w->set[i] == CRACKS_CAVITY) c->p[i] = c->in.least_pressure; /* to the bit */
     }
@@ -251,6 +258,12 @@ static int lost(struct cracks *c, const char *field, double value) {
     return 0;
 }
 
+/* force = B p. Collective. */
+static void push(const struct cracks *c) {
+    cracks_struts_update(&c->struts, sizeof *c->p, c->p);
+    cracks_sums_force(c, c->p, c->work->force);
+}
+
 int cracks_solve(struct cracks *c, double dt, double injected, double size) {
     long left = ITERATIONS_MOST;
     double sum = 0;
@@ -260,7 +273,9 @@ int cracks_solve(struct cracks *c, double dt, double injected, double size) {
     for (int turn = 0; turn < SETS_MOST; turn++) {
         c->solves++;
         if (!iterate(c, dt, least, &left)) return lost(c, "crack iteration", (double)(ITERATIONS_MOST - left));
-        if (change_set(c, dt, least) == 0) return 1;
+        if (change_set(c, dt, least) > 0) continue;
+        push(c);
+        return 1;
     }
     return lost(c, "crack cavities", SETS_MOST);
 }

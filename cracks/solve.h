@@ -12,37 +12,37 @@ enum cracks_set {
 };
 
 struct cracks_work {
-    int room, ghosts_room, link_room;
-    uint8_t *set;           /* [n] enum cracks_set */
-    double *b;              /* [n] a volume, m3 */
-    double *residual;       /* [n] b - A p, m3; of a cavity the void with a minus sign */
-    double *conductance;    /* [links] T_hl, m3/(s Pa) */
-    double *width;          /* [n + ghosts] aperture w_h, m */
-    double *inverse;        /* [n] 1/diagonal of A */
-    double *search;         /* [n + ghosts] direction of the search */
-    double *along;          /* [n] A search */
-    double *z, *change;     /* [n + ghosts], [n] the preconditioned residual, and its last change */
-    double *of_ones;        /* [n] A 1, with 1 at the full particles */
-    double ones;            /* 1.A 1 */
-    uint8_t *ones_set;      /* [n] the set that ones_stiff and ones_force are of */
-    double *ones_stiff;     /* [n] dt^2 B^T M^-1 B 1, for the step ones_dt */
-    cracks_vec *ones_force; /* [n] B 1 */
+    int room, seat_room;
+    long link_room;
+    uint8_t *set;                   /* [n] enum cracks_set */
+    double *b;                      /* [n] a volume, m3 */
+    double *residual;               /* [n] b - A p, m3; of a cavity the void with a minus sign */
+    double *conductance;            /* [links of the rows][8] T_hl, m3/(s Pa) */
+    float *smooth;                  /* the same in single precision, for the preconditioner */
+    double *outflow;                /* [by seat] the sum of a particle's T */
+    double *width;                  /* [n + ghosts] aperture w_h, m */
+    double *inverse;                /* [n] 1/diagonal of A */
+    double *search;                 /* [n + ghosts] direction of the search */
+    double *along;                  /* [n] A search */
+    double *z;                      /* [n + ghosts] the preconditioned residual */
+    double *left, *weight, *change; /* [by seat] of the preconditioner: residual, inverse, last change */
+    double *of_ones;                /* [n] A 1, with 1 at the full particles */
+    double ones;                    /* 1.A 1 */
+    uint8_t *ones_set;              /* [n] the set that ones_stiff is of */
+    double *ones_stiff;             /* [n] dt^2 B^T M^-1 B 1, for the step ones_dt */
     double ones_dt;
-    int ones_hold;         /* 1: they are those of the present struts */
-    int force_holds;       /* 1: force is B p of the present struts and p */
-    double span;           /* of the spectrum that the preconditioner is made for */
-    int terms;             /* of the preconditioner */
-    cracks_vec *force;     /* [n] B p, N */
-    cracks_vec *of_search; /* [n] B search, N */
-    cracks_vec *u;         /* [n + ghosts] a displacement, m */
+    int ones_hold;     /* 1: they are those of the present struts */
+    int force_holds;   /* 1: force is B p of the present struts and p */
+    double span;       /* of the spectrum that the preconditioner is made for */
+    int terms;         /* of the preconditioner */
+    cracks_vec *force; /* [n] B p, N */
+    cracks_vec *u;     /* [n + ghosts] a displacement, m */
 };
 
 /* Room for the present struts. Not collective. */
 struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t);
 void cracks_solve_free(struct cracks_work *w);
-/* From p, set, residual and force = B p to those of the solution. p of the set CRACKS_GIVEN stays. injected: the sum of
- * dt |Q|; size: volume that rounding is compared to, m3. Returns 1; 0: the set does not settle or the iteration does
- * not converge, and c->status says which. Collective. */
+/* From p, set and residual to those of the solution, with force = B p. p of the set CRACKS_GIVEN stays. injected: the
+ * sum of dt |Q|; size: volume that rounding is compared to, m3. Returns 1; 0: the set does not settle or the iteration
+ * does not converge, and c->status says which. Collective. */
 int cracks_solve(struct cracks *c, double dt, double injected, double size);
-/* y = A p without S and the flow: dt^2 B^T M^-1 B p, and force = B p. p has current ghosts. Collective. */
-void cracks_solve_stiffness(const struct cracks *c, double dt, const double *p, cracks_vec *force, double *y);

@@ -37,13 +37,7 @@ static void save_wet(void *owner, void *value) {
 static void set_wet(struct cracks *c, int n, const double (*row)[WET_ROW]) {
     struct cracks_struts *t = &c->struts;
     const long first = c->solid->first[par_rank()];
-    for (int i = 0; i < t->n; i++) t->id[t->h[i]] = -1;
-    if (n >= t->room) {
-        t->room = n + 1;
-        t->h = memory_renew(MEMORY_SOLID, t->h, (size_t)t->room, sizeof *t->h);
-        t->start = memory_renew(MEMORY_SOLID, t->start, (size_t)t->room, sizeof *t->start);
-        if (c->in.porous) t->middle = memory_renew(MEMORY_SOLID, t->middle, (size_t)t->room, sizeof *t->middle);
-    }
+    t->h = memory_renew(MEMORY_SOLID, t->h, (size_t)n + 1, sizeof *t->h);
     double **const array[] = {&c->p, &c->content, &c->cavity, &c->volume, &c->storage};
     for (int a = 0; a < 5; a++) *array[a] = memory_renew(MEMORY_SOLID, *array[a], (size_t)n + 1, sizeof **array[a]);
     c->share = memory_renew(MEMORY_SOLID, c->share, (size_t)n + 1, sizeof *c->share);

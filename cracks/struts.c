@@ -1,9 +1,9 @@
 /* The wet particles, their struts and links: found from the solid's broken bonds. */
 #include "cracks/struts.h"
-#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "base/vec.h"
 #include "cracks/axis.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"
@@ -27,73 +27,44 @@ void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *rec
 }
 
 void cracks_struts_free(struct cracks_struts *t) {
-    void *const own[] = {t->h,    t->start,    t->middle, t->other,     t->kind,     t->link_start,
-                         t->link, t->mobility, t->area,   t->area_size, t->diagonal, t->id};
+    void *const own[] = {t->h, t->place, t->seat, t->mobility, t->area, t->area_size, t->diagonal, t->id};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    cracks_rows_free(&t->rows);
     par_ghost_free(t->plan);
     *t = (struct cracks_struts){0};
 }
 
-/* Room for one more wet particle and its struts. */
-static void make_room(struct cracks_struts *t, long struts, int porous) {
-    if (t->n + 1 >= t->room) {
-        const int room = 2 * t->room + 64;
-        t->h = memory_grown(MEMORY_SOLID, t->h, (size_t)t->n, (size_t)room, sizeof *t->h);
-        t->start = memory_grown(MEMORY_SOLID, t->start, (size_t)t->n, (size_t)room, sizeof *t->start);
-        if (porous) t->middle = memory_grown(MEMORY_SOLID, t->middle, (size_t)t->n, (size_t)room, sizeof *t->middle);
-        t->room = room;
-    }
-    if (struts + SOLID_FAMILY_MAX > t->strut_room) {
-        const size_t used = (size_t)struts, room = 2 * (size_t)t->strut_room + SOLID_FAMILY_MAX;
-        t->other = memory_grown(MEMORY_SOLID, t->other, used, room, sizeof *t->other);
-        t->kind = memory_grown(MEMORY_SOLID, t->kind, used, room, sizeof *t->kind);
-        t->strut_room = (long)room;
-    }
-}
-
-/* Reads the struts of all wet particles: h, start, other (local index in the solid) and kind. With pores the intact
- * bonds follow the broken ones. */
-static void read_struts(const struct solid *s, const struct cracks_table *table, int porous, struct cracks_struts *t) {
+static int has_struts(const struct solid *s, int h) {
     int other[SOLID_FAMILY_MAX];
     signed char step[SOLID_FAMILY_MAX][3];
-    long struts = 0;
-    t->n = 0;
-    for (int h = 0; h < s->n; h++) {
-        const int found = s->flag[h] & SOLID_BROKEN ? solid_family_struts(s, h, other, step) : 0;
-        if (found == 0 && !porous) continue;
-        make_room(t, struts, porous);
-        t->h[t->n] = h;
-        t->start[t->n] = struts;
-        for (int k = 0; k < found; k++, struts++) {
-            t->other[struts] = other[k];
-            t->kind[struts] = (uint16_t)cracks_table_number(table, step[k]);
-        }
-        if (porous) {
-            t->middle[t->n] = struts;
-            const int intact = solid_family_intact(s, h, other, step);
-            for (int k = 0; k < intact; k++, struts++) {
-                t->other[struts] = other[k];
-                t->kind[struts] = (uint16_t)(table->kinds + cracks_table_number(table, step[k]));
-            }
-        }
-        t->n++;
-    }
-    if (t->room == 0) t->start = memory_new(MEMORY_SOLID, (size_t)(t->room = 1), sizeof *t->start);
-    t->start[t->n] = struts;
+    return s->flag[h] & SOLID_BROKEN && solid_family_struts(s, h, other, step) > 0;
 }
 
-/* Reads the links: nearest neighbours that are wet, by local index in the solid. */
-static void read_links(const struct solid *s, struct cracks_struts *t) {
-    int nearest[6], links = 0;
-    t->link_start = memory_renew(MEMORY_SOLID, t->link_start, (size_t)t->n + 1, sizeof *t->link_start);
-    t->link = memory_renew(MEMORY_SOLID, t->link, 6 * (size_t)t->n + 1, sizeof *t->link);
-    for (int i = 0; i < t->n; i++) {
-        t->link_start[i] = links;
-        solid_family_nearest(s, t->h[i], nearest);
-        for (int f = 0; f < 6; f++)
-            if (nearest[f] >= 0 && t->id[nearest[f]] >= 0) t->link[links++] = nearest[f];
+/* The next particle from h on whose flag BROKEN is set; s->n: none. */
+static int next_broken(const struct solid *s, int h) {
+    uint64_t flags, broken;
+    memset(&broken, SOLID_BROKEN, sizeof broken);
+    for (; h + (int)sizeof flags <= s->n; h += (int)sizeof flags) {
+        memcpy(&flags, s->flag + h, sizeof flags);
+        if (flags & broken) break;
     }
-    t->link_start[t->n] = links;
+    while (h < s->n && !(s->flag[h] & SOLID_BROKEN)) h++;
+    return h;
+}
+
+/* Finds the wet particles: with pores all, else those with a broken bond. Those with an id are known to be. Returns how
+ * many were not known. h: NULL, or written. */
+static int find_wet(const struct solid *s, const struct cracks_struts *t, int porous, int *h, int *n) {
+    int added = 0;
+    *n = 0;
+    for (int k = porous ? 0 : next_broken(s, 0); k < s->n; k = porous ? k + 1 : next_broken(s, k + 1)) {
+        const int known = t->id[k] >= 0;
+        if (!known && !porous && !has_struts(s, k)) continue;
+        added += !known;
+        if (h) h[*n] = k;
+        ++*n;
+    }
+    return added;
 }
 
 /* The arrays of the state in the order of the new wet particles. Both lists ascend. */
@@ -126,52 +97,27 @@ static void carry_over(struct cracks *c, int old_n, const int *old_h, int ghosts
     }
 }
 
-/* Numbers the wet particles of all ranks: id of owned ones and of the solid's ghosts. Returns the first number of every
- * rank [size + 1]. Collective. */
-static long *number(const struct solid *s, struct cracks_struts *t, int old_n, const int *old_h) {
+/* Numbers the wet particles of all ranks: id of owned ones and of the solid's ghosts. The wet ghosts follow the owned
+ * particles in h, and the plan brings their values. Collective. */
+static void number(const struct solid *s, struct cracks_struts *t) {
     const int size = par_size();
     long *first = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *first), mine = t->n;
     par_all_gather(&mine, sizeof mine, first + 1);
     for (int r = 0; r < size; r++) first[r + 1] += first[r];
-    if (!t->id) {
-        t->id = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *t->id);
-        for (int h = 0; h < s->n; h++) t->id[h] = -1;
-    }
-    for (int i = 0; i < old_n; i++) t->id[old_h[i]] = -1;
     for (int i = 0; i < t->n; i++) t->id[t->h[i]] = first[par_rank()] + i;
     par_ghost_update_records(s->ghost, sizeof *t->id, t->id, s->n);
-    return first;
-}
-
-/* The ghosts at the ends of struts and links: their places in h and the plan. Struts and links then hold wet indices.
- * Collective. */
-static void link_ghosts(const struct solid *s, struct cracks_struts *t, const long *first) {
-    int *slot = memory_new(MEMORY_SOLID, (size_t)s->n_ghost + 1, sizeof *slot);
-    const long struts = t->start[t->n], links = t->link_start[t->n], before = first[par_rank()];
-    for (long k = 0; k < struts; k++)
-        if (t->other[k] >= s->n) slot[t->other[k] - s->n] = 1;
-    for (long k = 0; k < links; k++)
-        if (t->link[k] >= s->n) slot[t->link[k] - s->n] = 1;
+    long *wanted = memory_new(MEMORY_SOLID, (size_t)s->n_ghost + 1, sizeof *wanted);
+    t->h = memory_grown(MEMORY_SOLID, t->h, (size_t)t->n, (size_t)(t->n + s->n_ghost) + 1, sizeof *t->h);
     t->ghosts = 0;
-    for (int g = 0; g < s->n_ghost; g++) t->ghosts += slot[g];
-    long *wanted = memory_new(MEMORY_SOLID, (size_t)t->ghosts + 1, sizeof *wanted);
-    t->h = memory_grown(MEMORY_SOLID, t->h, (size_t)t->n, (size_t)(t->room + t->ghosts), sizeof *t->h);
-    t->ghosts = 0;
-    for (int g = 0; g < s->n_ghost; g++) {
-        if (!slot[g]) continue;
-        wanted[t->ghosts] = t->id[s->n + g];
-        ENSURE(wanted[t->ghosts] >= 0, "ghost %d has a strut at one end only", g);
-        slot[g] = t->n + t->ghosts++;
-        t->h[slot[g]] = s->n + g;
+    for (int g = s->n; g < s->n + s->n_ghost; g++) {
+        if (t->id[g] < 0) continue;
+        wanted[t->ghosts] = t->id[g];
+        t->h[t->n + t->ghosts++] = g;
     }
-    for (long k = 0; k < struts; k++)
-        t->other[k] = t->other[k] < s->n ? (int)(t->id[t->other[k]] - before) : slot[t->other[k] - s->n];
-    for (long k = 0; k < links; k++)
-        t->link[k] = t->link[k] < s->n ? (int)(t->id[t->link[k]] - before) : slot[t->link[k] - s->n];
     par_ghost_free(t->plan);
     t->plan = par_ghost_new(first, t->ghosts, wanted);
     memory_free(wanted);
-    memory_free(slot);
+    memory_free(first);
 }
 
 /* 1/mass of the free components, of wet particles and ghosts. Flags, volumes and bodies of ghosts are current. */
@@ -184,98 +130,128 @@ static void mobilities(const struct solid *s, struct cracks_struts *t) {
     }
 }
 
-/* Area vector, area, and the diagonal of B^T M^-1 B, where a_h and the sum are those of all struts, intact bonds
- * included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l */
-static void area_of(struct cracks_struts *t, const struct cracks_table *table, int i) {
-    const long broken = t->middle ? t->middle[i] : t->start[i + 1];
-    cracks_vec area = {0}, others = {0};
-    double sum = 0;
-    for (long k = t->start[i]; k < broken; k++) {
-        const cracks_vec half = table->half[t->kind[k]];
-        area += half;
-        others += half * half * t->mobility[t->other[k]];
-        sum += 0.5 * table->omega[t->kind[k]];
+/* Area vector, area, and the diagonal of B^T M^-1 B of a row's particles, where a_h and the sum are those of all
+ * struts, intact bonds included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l. The rows'
+ * u holds the mobilities. */
+static void areas_of(struct cracks *c, int row) {
+    struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    vec area[3] = {{0}}, cracks[3] = {{0}}, sum = {0}, others = {0};
+    for (long k = r->start[row]; k < r->end[row]; k++) {
+        const struct cracks_entry e = r->strut[k];
+        const double *half = (const double *)&c->table.half[e.kind];
+        if (k == r->middle[row]) memcpy(cracks, area, sizeof area);
+        for (int d = 0; d < 3; d++) {
+            area[d] += vec_where(e.lanes, vec_set(half[d]));
+            others += vec_where(e.lanes, half[d] * half[d] * vec_load(r->u[d] + e.at));
+        }
+        if (k < r->middle[row]) sum += vec_where(e.lanes, vec_set(0.5 * c->table.omega[e.kind]));
     }
-    t->area[i] = area;
-    t->area_size[i] = sqrt(cracks_kernel_sum(area * area));
-    if (t->area_size[i] < CANCELLED * sum)
-        t->area_size[i] = cracks_axis_area(table, (int)(broken - t->start[i]), t->kind + t->start[i]);
-    for (long k = broken; k < t->start[i + 1]; k++) {
-        const cracks_vec half = table->half[t->kind[k]];
-        area += half;
-        others += half * half * t->mobility[t->other[k]];
+    if (r->middle[row] == r->end[row]) memcpy(cracks, area, sizeof area);
+    for (int k = 0; k < CRACKS_LANES; k++) {
+        const int i = r->index[row][k];
+        if (i < 0) continue;
+        const cracks_vec all = {area[0][k], area[1][k], area[2][k], 0};
+        t->area[i] = (cracks_vec){cracks[0][k], cracks[1][k], cracks[2][k], 0};
+        t->diagonal[i] = cracks_kernel_sum(all * all * t->mobility[i]) + others[k];
+        t->area_size[i] = sqrt(cracks_kernel_sum(t->area[i] * t->area[i]));
+        if (!(t->area_size[i] < CANCELLED * sum[k])) continue;
+        uint16_t kind[2 * SOLID_FAMILY_MAX];
+        int broken = 0;
+        for (long e = r->start[row]; e < r->middle[row]; e++)
+            if (r->strut[e].lanes >> k & 1) kind[broken++] = r->strut[e].kind;
+        t->area_size[i] = cracks_axis_area(&c->table, broken, kind);
     }
-    t->diagonal[i] = cracks_kernel_sum(area * area * t->mobility[i] + others);
+}
+
+/* The wet index of the particle or ghost at a place. */
+static int index_at(const struct cracks_struts *t, int place) {
+    const int row = t->rows.of[place / CRACKS_LANES];
+    int i = row < 0 ? -1 : t->rows.index[row][place % CRACKS_LANES];
+    for (int g = t->n; i < 0 && g < t->n + t->ghosts; g++) i = t->place[g] == place ? g : -1;
+    return i;
+}
+
+int cracks_struts_of(const struct cracks *c, int i, uint16_t *kind, int *other) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    const int row = t->seat[i] / CRACKS_LANES, lane = t->seat[i] % CRACKS_LANES;
+    int n = 0;
+    for (long k = r->start[row]; k < r->end[row]; k++) {
+        if (!(r->strut[k].lanes >> lane & 1)) continue;
+        if (kind) kind[n] = r->strut[k].kind;
+        if (other) other[n] = index_at(t, r->strut[k].at + lane);
+        n++;
+    }
+    return n;
 }
 
 static void arrays_resize(struct cracks *c) {
     struct cracks_struts *t = &c->struts;
     const size_t n = (size_t)t->n + 1, all = n + (size_t)t->ghosts;
+    t->place = memory_renew(MEMORY_SOLID, t->place, all, sizeof *t->place);
+    t->seat = memory_renew(MEMORY_SOLID, t->seat, n, sizeof *t->seat);
     t->mobility = memory_renew(MEMORY_SOLID, t->mobility, all, sizeof *t->mobility);
-    t->area = memory_renew(MEMORY_SOLID, t->area, n, sizeof *t->area);
-    t->area_size = memory_renew(MEMORY_SOLID, t->area_size, all, sizeof *t->area_size);
-    t->diagonal = memory_renew(MEMORY_SOLID, t->diagonal, n, sizeof *t->diagonal);
     if (c->in.porous) c->open = memory_renew(MEMORY_SOLID, c->open, n, sizeof *c->open);
     if (c->in.leak_off > 0) c->leak = memory_renew(MEMORY_SOLID, c->leak, n, sizeof *c->leak);
 }
 
-/* The places of a swap: struts a and b. */
-static void swap_struts(struct cracks_struts *t, long a, long b) {
-    const int other = t->other[a];
-    const uint16_t kind = t->kind[a];
-    t->other[a] = t->other[b];
-    t->kind[a] = t->kind[b];
-    t->other[b] = other;
-    t->kind[b] = kind;
-}
-
-/* Intact bonds of a particle that are broken now move in front of the others. Returns whether there are some. */
-static int move_broken(const struct solid *s, const struct cracks_table *table, struct cracks_struts *t, int i) {
-    int other[SOLID_FAMILY_MAX];
-    signed char step[SOLID_FAMILY_MAX][3];
-    uint8_t is_broken[SOLID_FAMILY_MAX] = {0};
-    const int found = solid_family_struts(s, t->h[i], other, step);
-    if (found == t->middle[i] - t->start[i]) return 0;
-    for (int k = 0; k < found; k++) is_broken[cracks_table_number(table, step[k])] = 1;
-    for (long k = t->middle[i]; k < t->start[i + 1]; k++) {
-        const int kind = t->kind[k] - table->kinds;
-        if (!is_broken[kind]) continue;
-        t->kind[k] = (uint16_t)kind;
-        swap_struts(t, k, t->middle[i]++);
+/* A copy of an array of the particles that were wet before, by their new indices; new ones get 0. old_h [old_n] and h
+ * ascend. Frees the old one. */
+static void *moved(const struct cracks_struts *t, int old_n, const int *old_h, size_t bytes, void *array) {
+    char *from = array, *to = memory_new(MEMORY_SOLID, (size_t)(t->n + t->ghosts) + 1, bytes);
+    for (int i = 0, j = 0; i < t->n; i++) {
+        while (j < old_n && old_h[j] < t->h[i]) j++;
+        if (j < old_n && old_h[j] == t->h[i]) memcpy(to + bytes * (size_t)i, from + bytes * (size_t)j, bytes);
     }
-    ENSURE(t->middle[i] - t->start[i] == found, "particle %d has %d broken bonds", t->h[i], found);
-    return 1;
+    memory_free(array);
+    return to;
 }
 
-/* With pores all particles are wet, so that only the kinds of struts change when bonds break. */
-static void renew_kinds(struct cracks *c) {
+/* The wet particles are others than before, or all is to be made anew. Collective. */
+static void renew_wet(struct cracks *c, int n) {
+    const struct solid *s = c->solid;
     struct cracks_struts *t = &c->struts;
+    const int old_n = t->n;
+    int *old_h = t->h;
+    t->h = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *t->h);
+    find_wet(s, t, c->in.porous, t->h, &t->n);
+    number(s, t);
+    carry_over(c, old_n, old_h, t->ghosts);
+    const int kept = t->rows.n > 0 ? old_n : 0; /* without rows all areas are found anew */
+    t->area = moved(t, kept, old_h, sizeof *t->area, t->area);
+    t->area_size = moved(t, kept, old_h, sizeof *t->area_size, t->area_size);
+    t->diagonal = moved(t, kept, old_h, sizeof *t->diagonal, t->diagonal);
+    memory_free(old_h);
+    arrays_resize(c);
+    mobilities(s, t);
+    cracks_rows_renew(&t->rows, s, t->n, t->ghosts, t->h);
+    for (int i = 0; i < t->n + t->ghosts; i++) t->place[i] = t->rows.place[t->h[i]];
     for (int i = 0; i < t->n; i++)
-        if (c->solid->flag[t->h[i]] & SOLID_BROKEN && move_broken(c->solid, &c->table, t, i)) area_of(t, &c->table, i);
-    cracks_struts_update(t, sizeof *t->area_size, t->area_size);
-    c->renewals++;
+        t->seat[i] = CRACKS_LANES * t->rows.of[t->place[i] / CRACKS_LANES] + t->place[i] % CRACKS_LANES;
 }
 
 void cracks_struts_renew(struct cracks *c) {
     const struct solid *s = c->solid;
     struct cracks_struts *t = &c->struts;
-    if (c->in.porous && !par_max(c->stale || c->restored || t->bonds_version != s->bonds_version)) {
-        renew_kinds(c);
-        return;
+    const int all = par_max(c->stale || c->restored || t->bonds_version != s->bonds_version) > 0;
+    int n;
+    if (!t->id) {
+        t->id = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *t->id);
+        cracks_rows_place(&t->rows, s, &c->table);
     }
-    const int old_n = t->n;
-    int *old_h = memory_copy(MEMORY_SOLID, t->h, (size_t)old_n, sizeof *old_h);
-    read_struts(s, &c->table, c->in.porous, t);
-    long *first = number(s, t, old_n, old_h);
-    read_links(s, t);
-    link_ghosts(s, t, first);
-    carry_over(c, old_n, old_h, t->ghosts);
-    arrays_resize(c);
-    mobilities(s, t);
-    for (int i = 0; i < t->n; i++) area_of(t, &c->table, i);
+    if (all) {
+        memset(t->id, 0xff, (size_t)(s->n + s->n_ghost) * sizeof *t->id);
+        cracks_rows_forget(&t->rows);
+    }
+    const int added = find_wet(s, t, c->in.porous, NULL, &n);
+    if (par_max(all || added > 0) > 0) renew_wet(c, n);
+    for (int i = 0; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) t->rows.u[k][t->place[i]] = t->mobility[i][k];
+    for (int row = 0; row < t->rows.n; row++)
+        if (cracks_rows_read(&t->rows, s, &c->table, t->h, c->in.porous, row)) areas_of(c, row);
+    cracks_rows_press(&t->rows);
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
-    memory_free(old_h);
-    memory_free(first);
     t->bonds_version = s->bonds_version;
     c->stale = 0;
     c->renewals++;

@@ -11,3 +11,7 @@ int cracks_struts_changed(struct cracks *c);
 void cracks_struts_free(struct cracks_struts *t);
 /* Copies records of so many bytes from the owners to the ghosts; record [n + ghosts]. Collective. */
 void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *record);
+/* The struts of wet particle i, with pores the intact bonds too: kind and other end [2 SOLID_FAMILY_MAX], as the wet
+ * index of an owned particle or a ghost. NULL: not wanted. Returns how many. For tests and particles where the faces of
+ * cracks cancel. Not collective. */
+int cracks_struts_of(const struct cracks *c, int i, uint16_t *kind, int *other);

@@ -2,6 +2,7 @@
 #include "program/check_cracks.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "physics/model.h"
 #include "scene/notch.h"
 #include "solid/measure/damage.h"
 
@@ -86,15 +87,19 @@ static double load_stress(const struct scene *s) {
     return most;
 }
 
-/* A lattice under the compression sigma0 takes G0 (1 + sigma0/(2 E s0))^2 from a crack: a bond has to be stretched from
- * its compressed length up to s0. */
+/* A lattice under the compression sigma0 from all sides takes G0 (1 + k sigma0/(E s0))^2 from a crack: a bond has to be
+ * stretched from its compressed length, by k sigma0/E, up to s0. k = 1 - 2 nu in space, (1 + nu)(1 - 2 nu) in plane
+ * strain, 1 - nu in plane stress (cases/verification/borehole). */
 static void say_confined(const struct scene *s, double limit) {
     const double least = s->crack_fluid->least_pressure, load = load_stress(s);
+    const enum physics_model model = s->dimension == 2 ? (enum physics_model)s->solid->model : PHYSICS_3D;
+    const double nu = physics_model_poisson_ratio(model),
+                 k = model == PHYSICS_PLANE_STRESS ? 1 - nu : (1 - 2 * nu) * (model == PHYSICS_3D ? 1 : 1 + nu);
     if (least < 0)
         say("  confined   least_pressure stands for a confining stress of %.3g Pa: pressures are net of it. As a load "
             "on "
             "the lattice it would raise the fracture energy to %.3g G0\n",
-            -least, pow(1 - 0.5 * least / limit, 2));
+            -least, pow(1 - k * least / limit, 2));
     if (least < -1.001 * limit)
         say("  warning: crack_fluid.least_pressure: suction of %.3g Pa is above E s0 = %.3g Pa, and breaks bonds "
             "beside "
@@ -103,7 +108,7 @@ static void say_confined(const struct scene *s, double limit) {
     if (load > 0.01 * limit)
         say("  warning: crack_fluid: the loads reach %.3g Pa. Where they press across the crack its fracture energy is "
             "%.3g G0: leave such a load out, and set least_pressure: -%.3g, with pressures net of it\n",
-            load, pow(1 + 0.5 * load / limit, 2), load);
+            load, pow(1 + k * load / limit, 2), load);
 }
 
 /* In the toughness regime the fluid reaches the tip. Elsewhere the lag is at most that of a solid without toughness at

@@ -130,6 +130,21 @@ int solid_family_intact(const struct solid *s, int h, int *other, signed char (*
     return n;
 }
 
+int solid_family_intact_bonds(const struct solid *s, int h) {
+    const struct solid_list *list = s->family->list[s->body[h]];
+    int n = 0;
+    if (!list) {
+        const struct solid_lattice *lattice = s->family->lattice[s->body[h]];
+        const uint8_t *lambda = lambda_of(lattice, h);
+        const unsigned lane = lattice->cell[h - lattice->first] % SOLID_ROW;
+        for (int o = 0; o < lattice->stencil->n; o++) n += lambda[o] >> lane & 1;
+        return n;
+    }
+    for (long j = list->start[h - list->first]; j < list->end[h - list->first]; j += SOLID_LIST_BLOCK)
+        n += __builtin_popcount(solid_list_block_intact(list, j));
+    return n;
+}
+
 static void nearest_in_lattice(const struct solid_lattice *lattice, int h, int nearest[6]) {
     const int cell = lattice->cell[h - lattice->first];
     const long shift[3] = {1, lattice->size[0], (long)lattice->size[0] * lattice->size[1]};

@@ -28,6 +28,8 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other);
 int solid_family_struts(const struct solid *s, int h, int *other, signed char (*step)[3]);
 /* The same of the intact bonds. */
 int solid_family_intact(const struct solid *s, int h, int *other, signed char (*step)[3]);
+/* The number of intact bonds of h: it tells whether some have broken since. Not collective. */
+int solid_family_intact_bonds(const struct solid *s, int h);
 /* On a lattice: the nearest particles in the directions -x, x, -y, y, -z, z, whether or not the bond is broken; -1:
  * none, or one of another body without a bond. Not collective. */
 void solid_family_nearest(const struct solid *s, int h, int nearest[6]);

@@ -3,6 +3,7 @@
 #include "cracks/aperture.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
+#include "cracks/sums.h"
 #include "solid/law/material.h"
 #include "solid/step/relax.h"
 #include "tests/cracks/make.h"
@@ -46,7 +47,7 @@ static inline struct found at_rest(const int sites[3], double a) {
     struct cracks *c = cracks_new(&in, s);
     const struct cracks_struts *t = &c->struts;
     for (int i = 0; i < t->n + t->ghosts; i++) c->p[i] = p;
-    cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, c->p, c->work->force);
+    cracks_sums_force(c, c->p, c->work->force);
     for (int i = 0; i < t->n; i++)
         for (int k = 0; k < s->dim; k++) s->load[k][t->h[i]] = c->work->force[i][k] / s->volume[t->h[i]];
     assert_true(solid_relax(s, 1e-5, 20000) > 0);

@@ -14,6 +14,7 @@ struct make {
     int periodic, list;     /* periodic 1: in all directions, 2: in x alone */
     double ratio;           /* m, default 3 */
     double fracture_energy; /* 0: never breaks */
+    double density;         /* 0: DENSITY */
     int cuts, constraints, contact;
     const struct solid_cut *cut;
     const struct solid_constraint *constraint;
@@ -30,9 +31,12 @@ static inline struct solid *make(struct make m) {
     struct solid_body body = {.name = "body", .shape = plate ? SOLID_POLYGON : SOLID_BOX};
     body.outlines = plate;
     body.outline = &outline;
-    const struct solid_material material = {
-        YOUNG,          DENSITY, m.fracture_energy > 0 ? m.fracture_energy : INFINITY, m.ratio > 0 ? m.ratio : 3,
-        SOLID_CONSTANT, 0};
+    const struct solid_material material = {YOUNG,
+                                            m.density > 0 ? m.density : DENSITY,
+                                            m.fracture_energy > 0 ? m.fracture_energy : INFINITY,
+                                            m.ratio > 0 ? m.ratio : 3,
+                                            SOLID_CONSTANT,
+                                            0};
     struct solid_input in = {.model = plate ? SOLID_PLANE_STRAIN : SOLID_3D,
                              .thickness = plate ? THICKNESS : 0,
                              .spacing = SPACING,

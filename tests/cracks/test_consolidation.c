@@ -1,5 +1,6 @@
 /* Mandel's slab under a constant load. With the plates' displacement instead, and Terzaghi's column:
  * cases/verification/consolidation. */
+#include "cracks/struts.h"
 #include "physics/consolidation.h"
 #include "solid/imposed/time.h"
 #include "solid/step/integrate.h"
@@ -21,6 +22,8 @@ static double compression(const struct cracks *c) {
     const struct solid *s = c->solid;
     const struct cracks_struts *t = &c->struts;
     const double middle = 0.5 * HIGH * SPACING;
+    uint16_t kind[2 * SOLID_FAMILY_MAX];
+    int other[2 * SOLID_FAMILY_MAX];
     double sum = 0;
     for (int i = 0; i < t->n; i++) { /* every particle is wet: i is h */
         const int h = t->h[i];
@@ -33,10 +36,10 @@ static double compression(const struct cracks *c) {
             const double length = hypot(xi[0], xi[1]), now = hypot(x, y), stretch = (now - length) / length;
             sum -= view.alpha[b] * view.micro[b] * stretch * view.weight[b] * s->volume[h] * y / now;
         }
-        for (long k = t->start[i]; k < t->start[i + 1]; k++) {
-            const cracks_vec half = c->table.half[t->kind[k]];
-            if (s->x0[1][h] + c->table.step[t->kind[k]][1] * SPACING < middle) continue;
-            sum += (c->p[i] + c->p[t->other[k]]) * half[1];
+        const int struts = cracks_struts_of(c, i, kind, other);
+        for (int k = 0; k < struts; k++) {
+            if (s->x0[1][h] + c->table.step[kind[k]][1] * SPACING < middle) continue;
+            sum += (c->p[i] + c->p[other[k]]) * c->table.half[kind[k]][1];
         }
     }
     return par_sum(sum) / (2 * HALF * SPACING * THICKNESS);

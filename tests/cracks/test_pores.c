@@ -3,6 +3,8 @@
 #include "cracks/measure.h"
 #include "cracks/project.h"
 #include "cracks/solve.h"
+#include "cracks/struts.h"
+#include "cracks/sums.h"
 #include "solid/imposed/reactions.h"
 #include "solid/measure/energy.h"
 #include "solid/step/integrate.h"
@@ -133,13 +135,16 @@ enum { LONG = 22, HIGH = 8, WIDE = 8, DEEP_END = 4 }; /* struts reach 3 spacings
 static const double SOLVED = 1e-7;                    /* the pressures' tolerance, cracks/solve.c */
 static const double PERMEABILITY = 3e-13, DROP = 7e5, VISCOSITY = 1e-3;
 
+/* The flow out of the particles below a layer, which have the pressure 1 where all above have 0. */
 static double conductance_across(const struct cracks *c, int layer) {
     const struct cracks_struts *t = &c->struts;
+    double *p = calloc((size_t)(t->n + t->ghosts) + 1, sizeof *p), *flow = calloc((size_t)t->n + 1, sizeof *flow);
     double sum = 0;
-    for (int i = 0; i < t->n; i++)
-        for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++)
-            if (c->solid->x0[1][t->h[i]] < layer * SPACING && c->solid->x0[1][t->h[t->link[k]]] > layer * SPACING)
-                sum += c->work->conductance[k];
+    for (int i = 0; i < t->n + t->ghosts; i++) p[i] = c->solid->x0[1][t->h[i]] < layer * SPACING;
+    cracks_sums_flow(c, 1, p, flow);
+    for (int i = 0; i < t->n; i++) sum += p[i] * flow[i];
+    free(p);
+    free(flow);
     return par_sum(sum);
 }
 

@@ -2,6 +2,7 @@
 #include "cracks/aperture.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
+#include "cracks/sums.h"
 #include "cracks/table.h"
 #include "tests/cracks/lattice.h"
 #include "tests/cracks/make.h"
@@ -71,7 +72,7 @@ static void uniform_jump(void **state) {
                    *of = malloc(((size_t)(t->n + t->ghosts) + 1) * sizeof *of);
             cracks_aperture_volume(c, v);
             for (int i = 0; i < t->n + t->ghosts; i++) of[i] = pressure;
-            cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, of, c->work->force);
+            cracks_sums_force(c, of, c->work->force);
             for (int i = 0; i < t->n; i++) {
                 const int number = number_of(s, p, t->h[i]), upper = side_of(p, number);
                 if (!is_at_first(p, number)) continue;
@@ -117,7 +118,7 @@ static void pairs(void **state) {
         for (int h = 0; h < s->n; h++)
             for (int k = 0; k < s->dim; k++) s->d[k][h] = noise(s, h, k);
         cracks_aperture_volume(c, v);
-        cracks_kernel_force(t->n, t->start, t->other, t->kind, c->table.half, p, c->work->force);
+        cracks_sums_force(c, p, c->work->force);
         for (int i = 0; i < t->n; i++) {
             const int h = t->h[i];
             const cracks_vec f = c->work->force[i];
@@ -164,25 +165,27 @@ static double conductance_of(const struct planes *p, double w) {
         for (int c = 0; c < s->dim; c++) s->d[c][h] = side_of(p, number_of(s, p, h)) ? w * n[c] : 0;
     struct cracks *c = cracks_of(s);
     const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
     double *q = calloc((size_t)(t->n + t->ghosts) + 1, sizeof *q), *next = calloc((size_t)t->n + 1, sizeof *q);
     cracks_aperture_volume(c, c->volume);
     for (int i = 0; i < t->n; i++) c->volume[i] = fabs(c->volume[i]); /* the second cut closes by w: count it as open */
     cracks_aperture_conductance(c);
     for (int turn = 0; turn < 200; turn++) {
         cracks_struts_update(t, sizeof *q, q);
+        for (int i = 0; i < t->n + t->ghosts; i++) r->x[t->place[i]] = q[i];
         flow[0] = flow[1] = 0;
         for (int i = 0; i < t->n; i++) {
             double sum = 0, weight = 0;
-            for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) {
-                const int l = t->link[k];
-                double along = 0;
-                for (int d = 0; d < s->dim; d++)
-                    along +=
-                        g[d] * SPACING * rint(solid_shortest(s, d, s->x0[d][t->h[l]] - s->x0[d][t->h[i]]) / SPACING);
-                const double drop = q[l] - q[i] + along;
-                flow[0] += 0.5 * c->work->conductance[k] * drop * drop;
-                sum += c->work->conductance[k] * drop;
-                weight += c->work->conductance[k];
+            const int row = t->seat[i] / CRACKS_LANES, lane = t->seat[i] % CRACKS_LANES;
+            for (long k = r->link_start[row]; k < r->link_start[row + 1]; k++) {
+                if (!(r->link[k].lanes >> lane & 1)) continue;
+                const double of = c->work->conductance[CRACKS_LANES * k + lane];
+                const int f = r->link[k].kind, side = f % 2 ? 1 : -1;
+                const double along = g[f / 2] * SPACING * side;
+                const double drop = r->x[r->link[k].at + lane] - q[i] + along;
+                flow[0] += 0.5 * of * drop * drop;
+                sum += of * drop;
+                weight += of;
             }
             next[i] = q[i] + 0.9 * sum / weight;
         }

@@ -1,0 +1,75 @@
+/* Sums over struts and links, from and to arrays by wet particle. */
+#include "cracks/sums.h"
+#include "base/par.h"
+#include "cracks/solve.h"
+#include "cracks/struts.h"
+
+static void spread(const struct cracks_struts *t, const double *p) {
+    for (int i = 0; i < t->n + t->ghosts; i++) t->rows.x[t->place[i]] = p[i];
+}
+
+void cracks_sums_force(const struct cracks *c, const double *p, cracks_vec *force) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    spread(t, p);
+    cracks_kernel_force(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->x, r->y);
+    for (int i = 0; i < t->n; i++)
+        force[i] = (cracks_vec){r->y[0][t->seat[i]], r->y[1][t->seat[i]], r->y[2][t->seat[i]], 0};
+}
+
+static void volume_of(const struct cracks *c, const long *end, const cracks_vec *u, double *volume) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    for (int i = 0; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
+    cracks_kernel_volume(r->n, r->first, r->start, end, r->strut, c->table.half, r->u, r->y[0]);
+    for (int i = 0; i < t->n; i++) volume[i] = r->y[0][t->seat[i]];
+}
+
+void cracks_sums_volume(const struct cracks *c, const cracks_vec *u, double *volume) {
+    volume_of(c, c->struts.rows.end, u, volume);
+}
+
+void cracks_sums_volume_of_cracks(const struct cracks *c, const cracks_vec *u, double *volume) {
+    volume_of(c, c->struts.rows.middle, u, volume);
+}
+
+void cracks_sums_flow(const struct cracks *c, double factor, const double *p, double *y) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    spread(t, p);
+    cracks_kernel_flow(r->n, r->first, r->link_start, r->link_start + 1, r->link, c->work->conductance, r->x, r->y[0]);
+    for (int i = 0; i < t->n; i++) y[i] += factor * r->y[0][t->seat[i]];
+}
+
+/* u = dt^2 M^-1 F at the places, with F by seat. */
+static void push(const struct cracks *c, double dt) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    cracks_vec *u = c->work->u;
+    for (int i = 0; i < t->n; i++) {
+        const int seat = t->seat[i];
+        u[i] = dt * dt * t->mobility[i] * (cracks_vec){r->y[0][seat], r->y[1][seat], r->y[2][seat], 0};
+        for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
+    }
+    if (par_size() == 1) return;
+    cracks_struts_update(t, sizeof *u, u);
+    for (int i = t->n; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
+}
+
+void cracks_sums_apply(const struct cracks *c, double dt, int flows, double *p, double *y) {
+    const struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    cracks_struts_update(t, sizeof *p, p);
+    spread(t, p);
+    cracks_kernel_force(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->x, r->y);
+    push(c, dt);
+    cracks_kernel_volume(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->u, r->y[0]);
+    if (!flows) {
+        for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->seat[i]];
+        return;
+    }
+    cracks_kernel_flow(r->n, r->first, r->link_start, r->link_start + 1, r->link, c->work->conductance, r->x, r->y[1]);
+    for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->seat[i]] + dt * r->y[1][t->seat[i]];
+}
