@@ -19,8 +19,13 @@ struct par_pencil {
     MPI_Request *request;
 };
 
-static int low(int n, const struct par_pencil *p, int q) { return par_piece_low(n, p->in.ranks[1], q); }
-static int piece(int n, const struct par_pencil *p, int q) { return low(n, p, q + 1) - low(n, p, q); }
+static int low_x(const struct par_pencil *p, int q) { return par_piece_low(p->in.n[0], p->in.ranks[1], q); }
+static int piece_x(const struct par_pencil *p, int q) { return low_x(p, q + 1) - low_x(p, q); }
+static int low_of(const struct par_pencil *p, int d, int q) {
+    return p->in.cut[d] ? p->in.cut[d][q] : par_piece_low(p->in.n[d], p->in.ranks[d], q);
+}
+static int low_y(const struct par_pencil *p, int q) { return low_of(p, 1, q); }
+static int piece_y(const struct par_pencil *p, int q) { return low_y(p, q + 1) - low_y(p, q); }
 
 struct par_pencil *par_pencil_new(const struct par_pencil_input *in) {
     struct par_pencil *p = calloc(1, sizeof *p);
@@ -29,10 +34,10 @@ struct par_pencil *par_pencil_new(const struct par_pencil_input *in) {
     p->in = *in;
     p->place = par_rank() % in->ranks[1];
     p->first = par_rank() - p->place;
-    p->m_x = piece(in->n[0], p, p->place);
-    p->m_y = piece(in->n[1], p, p->place);
+    p->m_x = piece_x(p, p->place);
+    p->m_y = piece_y(p, p->place);
     const int c = par_rank() / in->ranks[1];
-    p->m_z = par_piece_low(in->n[2], in->ranks[2], c + 1) - par_piece_low(in->n[2], in->ranks[2], c);
+    p->m_z = low_of(p, 2, c + 1) - low_of(p, 2, c);
     if (par_pencil_same(p)) return p;
     const size_t planes = (size_t)(p->m_z + in->extra);
     p->packed = memory_new(MEMORY_FLUID, planes * (size_t)in->n[0] * (size_t)p->m_y, sizeof(double));
@@ -54,7 +59,7 @@ void par_pencil_shape(const struct par_pencil *p, int x_pencil[3], int y_pencil[
     memcpy(y_pencil, (int[3]){p->m_x, p->in.n[1], p->m_z}, 3 * sizeof(int));
 }
 
-int par_pencil_low(const struct par_pencil *p) { return low(p->in.n[0], p, p->place); }
+int par_pencil_low(const struct par_pencil *p) { return low_x(p, p->place); }
 
 int par_pencil_same(const struct par_pencil *p) { return p->in.ranks[1] == 1; }
 
@@ -75,15 +80,15 @@ static void copy_box(double *block, double *array, size_t row, size_t plane, int
 /* Peer q's box in an x pencil: its x for this rank's y; and its box in a y pencil: its y for this rank's x. */
 static void copy_x_box(const struct par_pencil *p, int q, int planes, double *array, int out) {
     const int n = p->in.n[0];
-    copy_box(p->packed + (size_t)low(n, p, q) * (size_t)p->m_y * (size_t)planes, array + low(n, p, q), (size_t)n,
-             (size_t)n * (size_t)p->m_y, piece(n, p, q), p->m_y, planes, out);
+    copy_box(p->packed + (size_t)low_x(p, q) * (size_t)p->m_y * (size_t)planes, array + low_x(p, q), (size_t)n,
+             (size_t)n * (size_t)p->m_y, piece_x(p, q), p->m_y, planes, out);
 }
 
 static void copy_y_box(const struct par_pencil *p, int q, int planes, double *array, int out) {
     const int n = p->in.n[1];
-    copy_box(p->landed + (size_t)low(n, p, q) * (size_t)p->m_x * (size_t)planes,
-             array + (size_t)low(n, p, q) * (size_t)p->m_x, (size_t)p->m_x, (size_t)n * (size_t)p->m_x, p->m_x,
-             piece(n, p, q), planes, out);
+    copy_box(p->landed + (size_t)low_y(p, q) * (size_t)p->m_x * (size_t)planes,
+             array + (size_t)low_y(p, q) * (size_t)p->m_x, (size_t)p->m_x, (size_t)n * (size_t)p->m_x, p->m_x,
+             piece_y(p, q), planes, out);
 }
 
 /* Sends the blocks of packed to the other ranks' landed (back = 0), or those of landed to the others' packed. */
@@ -92,10 +97,10 @@ static void swap(struct par_pencil *p, int planes, int back) {
     int requests = 0;
     for (int out = 0; out < 2; out++)
         for (int step = 0; step < parts; step++) {
-            const int q = (p->place + step) % parts, *n = p->in.n;
-            const size_t x_at = (size_t)low(n[0], p, q) * (size_t)p->m_y * (size_t)planes,
-                         y_at = (size_t)low(n[1], p, q) * (size_t)p->m_x * (size_t)planes;
-            const int x_count = piece(n[0], p, q) * p->m_y * planes, y_count = piece(n[1], p, q) * p->m_x * planes;
+            const int q = (p->place + step) % parts;
+            const size_t x_at = (size_t)low_x(p, q) * (size_t)p->m_y * (size_t)planes,
+                         y_at = (size_t)low_y(p, q) * (size_t)p->m_x * (size_t)planes;
+            const int x_count = piece_x(p, q) * p->m_y * planes, y_count = piece_y(p, q) * p->m_x * planes;
             if (q == p->place && out)
                 memcpy(back ? p->packed + x_at : p->landed + y_at, back ? p->landed + y_at : p->packed + x_at,
                        (size_t)x_count * sizeof(double));

@@ -9,9 +9,10 @@
 struct par_pencil; /* opaque, owned by the caller */
 
 struct par_pencil_input {
-    int n[3];     /* values of the whole box */
-    int ranks[3]; /* ranks[0] = 1; rank = c_z ranks[1] + c_y */
-    int extra;    /* planes beyond this rank's own that a transpose may include */
+    int n[3];          /* values of the whole box */
+    int ranks[3];      /* ranks[0] = 1; rank = c_z ranks[1] + c_y */
+    const int *cut[3]; /* of y, of z: first cells of the pieces (par_piece_cut), borrowed; NULL: even ones */
+    int extra;         /* planes beyond this rank's own that a transpose may include */
 };
 
 struct par_pencil *par_pencil_new(const struct par_pencil_input *in); /* Collective. */

@@ -9,6 +9,7 @@
 #include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/given.h"
+#include "coupling/share.h"
 #include "solid/bonds/breaks.h"
 #include "solid/solid.h"
 
@@ -122,6 +123,7 @@ struct run *run_new(const struct scene *scene) {
             solid_forget_bonds(r->solid);
             solid_surface_settle(r->surface);
         }
+        share_divide(r);
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
         for (int c = 0; c < 3 && r->needs.bonds; c++)

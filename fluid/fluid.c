@@ -18,6 +18,7 @@ static struct fluid_poisson *new_poisson(const struct fluid *f) {
         in.n[d] = g->n[d];
         in.d[d] = g->d[d];
         in.ranks[d] = g->ranks[d];
+        in.cut[d] = g->cut[d];
         for (int side = 0; side < 2; side++)
             in.end[d][side] = g->periodic[d] ? FLUID_END_PERIODIC : fluid_boundary_end(f->boundary, d, side, 3);
     }
@@ -46,7 +47,7 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     check_driving(in);
     for (int d = 0; d < 3; d++)
         periodic[d] = in->side[d][0].type == FLUID_PERIODIC && in->side[d][1].type == FLUID_PERIODIC;
-    f->grid = fluid_grid_new(in->n, in->length, periodic, in->immersed ? 3 : 1);
+    f->grid = fluid_grid_new(in->n, in->length, periodic, in->immersed ? 3 : 1, in->weight);
     f->boundary = fluid_boundary_new(f->grid, in);
     double **arrays[] = {&f->state.u, &f->state.v, &f->state.w, &f->state.p, &f->rate[0], &f->rate[1], &f->rate[2]};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)

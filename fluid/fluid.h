@@ -58,6 +58,8 @@ struct fluid_input {
     int immersed;                   /* 1: three ghost layers, and arrays for the forcing */
     double speed;                   /* of waves in immersed solids, m/s; 0: no solid moves by itself */
     int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
+    const double *weight[3];        /* borrowed during fluid_new: work by y [n_y] and by z [n_z], for equal pieces
+                                     * (fluid_grid_new); NULL: equal numbers of cells */
 };
 
 /* Component c of the unit vector along which the driving points. Not collective. */

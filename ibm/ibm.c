@@ -15,15 +15,15 @@ static struct ibm_touch *touch_new(const struct fluid_grid *g, int d) {
         int low = i - IBM_BEFORE, high = i + IBM_BEHIND;
         if (low < 0) low = g->periodic[d] ? low + n : 0;
         if (high >= n) high = g->periodic[d] ? high - n : n - 1;
-        touch[i].low = (short)par_piece_of(n, g->ranks[d], low);
-        touch[i].high = (short)par_piece_of(n, g->ranks[d], high);
+        touch[i].low = (short)par_piece_of(g->cut[d], g->ranks[d], low);
+        touch[i].high = (short)par_piece_of(g->cut[d], g->ranks[d], high);
     }
     return touch;
 }
 
 static int *owner_new(const struct fluid_grid *g, int d) {
     int *owner = memory_new(MEMORY_IBM, (size_t)g->n[d], sizeof *owner);
-    for (int i = 0; i < g->n[d]; i++) owner[i] = par_piece_of(g->n[d], g->ranks[d], i) * (d == 2 ? g->ranks[1] : 1);
+    for (int i = 0; i < g->n[d]; i++) owner[i] = par_piece_of(g->cut[d], g->ranks[d], i) * (d == 2 ? g->ranks[1] : 1);
     return owner;
 }
 

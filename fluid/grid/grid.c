@@ -32,9 +32,13 @@ static int choose(const int n[3], int size, int thick, int ranks[3]) {
     return isfinite(least);
 }
 
+int fluid_grid_choose(const int n[3], int size, int halo, int ranks[3]) {
+    return choose(n, size, 2 * halo > 4 ? 2 * halo : 4, ranks) || choose(n, size, halo, ranks);
+}
+
 static void choose_or_die(const int n[3], int halo, int ranks[3]) {
-    const int size = par_size(), thick = 2 * halo > 4 ? 2 * halo : 4;
-    if (choose(n, size, thick, ranks) || choose(n, size, halo, ranks)) return;
+    const int size = par_size();
+    if (fluid_grid_choose(n, size, halo, ranks)) return;
     int most = size - 1;
     while (most > 1 && !choose(n, most, halo, ranks)) most--;
     die_all(EXIT_CODE_SCENE,
@@ -56,7 +60,21 @@ static void lay_out(struct fluid_grid *g) {
     g->size = (size_t)(g->plane * (g->m[2] + 2 * h) + rounded_up(h));
 }
 
-struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo) {
+void fluid_grid_cut(int n, const double *weight, int pieces, int halo, int *first) {
+    const int even = n / pieces, third = even / 3 > halo ? even / 3 : halo;
+    par_piece_cut(n, pieces > 1 ? weight : NULL, pieces, third < even ? third : even, first);
+}
+
+/* Pieces along d, of which this rank has the c-th. */
+static void cut(struct fluid_grid *g, int d, int c, const double *weight) {
+    g->cut[d] = calloc((size_t)g->ranks[d] + 1, sizeof *g->cut[d]);
+    fluid_grid_cut(g->n[d], weight, g->ranks[d], g->halo, g->cut[d]);
+    g->lo[d] = g->cut[d][c];
+    g->m[d] = g->cut[d][c + 1] - g->lo[d];
+}
+
+struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo,
+                                  const double *const weight[3]) {
     for (int d = 0; d < 3; d++)
         if (n[d] < 1 || (periodic[d] && n[d] < halo))
             die_all(EXIT_CODE_SCENE, "domain.cells = [%d, %d, %d]: each direction needs at least %d cells", n[0], n[1],
@@ -70,8 +88,7 @@ struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const 
         g->length[d] = length[d];
         g->d[d] = length[d] / n[d];
         g->periodic[d] = periodic[d];
-        g->lo[d] = par_piece_low(n[d], g->ranks[d], c[d]);
-        g->m[d] = par_piece_low(n[d], g->ranks[d], c[d] + 1) - g->lo[d];
+        cut(g, d, c[d], weight ? weight[d] : NULL);
     }
     lay_out(g);
     struct par_halo_input in = {.halo = halo, .first = g->first, .row = g->row, .plane = g->plane};
@@ -87,6 +104,7 @@ const struct fluid_grid *fluid_grid_of(const struct fluid *f) { return f->grid; 
 void fluid_grid_free(struct fluid_grid *g) {
     if (!g) return;
     par_halo_free(g->halos);
+    for (int d = 0; d < 3; d++) free(g->cut[d]);
     free(g);
 }
 
@@ -103,5 +121,5 @@ int fluid_grid_rank_of(const struct fluid_grid *g, const double x[3]) {
         cell[d] = (int)at;
         if (cell[d] >= g->n[d]) cell[d] = g->n[d] - 1; /* the far end of the domain belongs to the last cell */
     }
-    return par_piece_of(g->n[2], g->ranks[2], cell[2]) * g->ranks[1] + par_piece_of(g->n[1], g->ranks[1], cell[1]);
+    return par_piece_of(g->cut[2], g->ranks[2], cell[2]) * g->ranks[1] + par_piece_of(g->cut[1], g->ranks[1], cell[1]);
 }

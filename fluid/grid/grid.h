@@ -23,6 +23,7 @@ struct fluid_grid {
     int halo;
     int lo[3], m[3];        /* this rank's first cell, and its number of cells */
     int ranks[3];           /* process grid: ranks[0] = 1 */
+    int *cut[3];            /* [ranks + 1] first cells of the pieces; x is not cut */
     ptrdiff_t row, plane;   /* strides of j and k */
     ptrdiff_t first;        /* index of cell 0,0,0 in an array */
     size_t size;            /* doubles in an array with its ghosts */
@@ -33,9 +34,16 @@ static inline size_t fluid_grid_at(const struct fluid_grid *g, int i, int j, int
     return (size_t)(g->first + k * g->plane + j * g->row + i);
 }
 
-/* Chooses the process grid. Dies (exit 2) if the mesh cannot be divided over the ranks. Collective. */
-struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo);
+/* Chooses the process grid, and cuts y and z so that pieces have equal sums of weight[1] [n_y] and weight[2] [n_z];
+ * NULL: equal numbers of cells. No piece has less than a third of these, or than `halo` cells. Dies (exit 2) if the
+ * mesh cannot be divided over the ranks. Collective. */
+struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const int periodic[3], int halo,
+                                  const double *const weight[3]);
 void fluid_grid_free(struct fluid_grid *g);
+/* The process grid of `size` ranks; returns 0 if there is none. Not collective. */
+int fluid_grid_choose(const int n[3], int size, int halo, int ranks[3]);
+/* The cuts of fluid_grid_new along one direction: first [pieces + 1]. Not collective. */
+void fluid_grid_cut(int n, const double *weight, int pieces, int halo, int *first);
 size_t fluid_grid_cells(const struct fluid_grid *g); /* of the whole domain */
 /* The rank that owns the cell holding the point, which is first wrapped in periodic directions; -1 outside the domain.
  * Not collective. */

@@ -42,6 +42,7 @@ static struct fluid_poisson *new_solver(const struct fluid *f, int c) {
         in.n[d] = g->n[d];
         in.d[d] = g->d[d];
         in.ranks[d] = g->ranks[d];
+        in.cut[d] = g->cut[d];
     }
     ends_of(f, c, in.end);
     return fluid_poisson_new(&in);

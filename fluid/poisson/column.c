@@ -53,13 +53,17 @@ static void fill_columns(struct fluid_column *c, const double *lambda, double sh
     }
 }
 
+static int low_of(const struct fluid_column *c, int piece) {
+    return c->in.cut ? c->in.cut[piece] : par_piece_low(c->in.n, c->in.ranks[2], piece);
+}
+
 static void fill_own(struct fluid_column *c, const double *lambda, double shift) {
     const int parts = c->in.ranks[2];
     for (int i = 0; i < c->own; i++) {
         const double theta = fluid_column_ends_theta(lambda[i] - shift, c->in.d), r = exp(-theta);
         c->ends[i] = fluid_column_ends_close(c->in.n, theta, c->in.low, c->in.high);
         for (int p = 0; p < parts; p++) {
-            const int low = par_piece_low(c->in.n, parts, p), m = par_piece_low(c->in.n, parts, p + 1) - low;
+            const int low = low_of(c, p), m = low_of(c, p + 1) - low;
             c->decay[p * c->own + i] = power_of(theta, m);
             c->feel[p * c->own + i] = r * r * fluid_column_ends_ratio(2.0 * m, 2, theta);
             c->place[p * c->own + i] = power_of(theta, low);
@@ -75,8 +79,8 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     c->free_column = -1;
     c->exchange = par_column_new(in->ranks, in->columns, 2);
     const int at = par_column_place(c->exchange);
-    c->low = par_piece_low(in->n, in->ranks[2], at);
-    c->m = par_piece_low(in->n, in->ranks[2], at + 1) - c->low;
+    c->low = low_of(c, at);
+    c->m = low_of(c, at + 1) - c->low;
     double **of_columns[] = {&c->r, &c->inverse, &c->power, &c->sum, &c->reach, &c->end, &c->from_below};
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
     for (int t = 0; t < threads_count(); t++) c->q[t] = array(columns);

@@ -13,10 +13,11 @@
 #include <stddef.h>
 
 struct fluid_column_input {
-    int n;        /* cells of z */
-    int ranks[3]; /* process grid */
-    double d;     /* m */
-    double scale; /* factor of the right-hand side */
+    int n;          /* cells of z */
+    int ranks[3];   /* process grid */
+    const int *cut; /* [ranks[2] + 1] first planes of the pieces (par_piece_cut), borrowed; NULL: even ones */
+    double d;       /* m */
+    double scale;   /* factor of the right-hand side */
     enum fluid_end low, high;
     int columns;          /* number of columns of this rank: [columns] in each plane */
     const double *lambda; /* [columns], 1/m2, borrowed during the call */

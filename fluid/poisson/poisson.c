@@ -79,6 +79,7 @@ static struct fluid_column *new_columns(const struct fluid_poisson *p, const dou
     const int *m = p->y;
     const struct fluid_column_input in = {.n = p->in.n[2],
                                           .ranks = {1, p->in.ranks[1], p->in.ranks[2]},
+                                          .cut = p->in.cut[2],
                                           .d = p->in.d[2],
                                           .scale = p->inverse_scale,
                                           .low = p->in.end[2][0],
@@ -117,8 +118,10 @@ void fluid_poisson_shift(struct fluid_poisson *p, int which, double shift) {
 
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     struct fluid_poisson *p = calloc(1, sizeof *p);
-    const struct par_pencil_input grid = {
-        .n = {in->n[0], in->n[1], in->n[2]}, .ranks = {1, in->ranks[1], in->ranks[2]}, .extra = 1};
+    const struct par_pencil_input grid = {.n = {in->n[0], in->n[1], in->n[2]},
+                                          .ranks = {1, in->ranks[1], in->ranks[2]},
+                                          .cut = {NULL, in->cut[1], in->cut[2]},
+                                          .extra = 1};
     p->in = *in;
     p->pencil = par_pencil_new(&grid);
     par_pencil_shape(p->pencil, p->x, p->y);

@@ -12,6 +12,7 @@ struct fluid_poisson_input {
     int n[3];
     double d[3];              /* m */
     int ranks[3];             /* process grid, as fluid_grid's */
+    const int *cut[3];        /* and its cuts, borrowed; NULL: even ones */
     enum fluid_end end[3][2]; /* of the unknown at the low and high face: value 0 or normal derivative 0 */
     ptrdiff_t row;            /* stride of the rows of the planes that the solution is written to */
     int shifts;               /* 0: Poisson equation; otherwise Helmholtz equation, with this number of shifts */

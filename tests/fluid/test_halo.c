@@ -10,7 +10,7 @@ enum { NX = 9, NY = 13, NZ = 17, HALO = 3 };
 static int wrap(int i, int n) { return ((i % n) + n) % n; }
 
 static struct fluid_grid *grid(int px, int py, int pz) {
-    return fluid_grid_new((int[3]){NX, NY, NZ}, (double[3]){1, 1, 1}, (int[3]){px, py, pz}, HALO);
+    return fluid_grid_new((int[3]){NX, NY, NZ}, (double[3]){1, 1, 1}, (int[3]){px, py, pz}, HALO, NULL);
 }
 
 static void fill_gives_images(void **state) {

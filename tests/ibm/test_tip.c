@@ -57,7 +57,7 @@ static void items(const struct fluid_grid *g, double item[TIPS][IBM_TIP_SENT]) {
  * bends. */
 static void linear_fields(void **state) {
     (void)state;
-    struct fluid_grid *g = fluid_grid_new(cells, length, walls, 3);
+    struct fluid_grid *g = fluid_grid_new(cells, length, walls, 3, NULL);
     struct fluid_state f = state_of(g, linear);
     double item[TIPS][IBM_TIP_SENT], result[TIPS][IBM_TIP_RETURNED];
     items(g, item);
@@ -96,7 +96,7 @@ static double sheared(int field, const double x[3]) {
  * */
 static void carried_to_the_wall(void **state) {
     (void)state;
-    struct fluid_grid *g = fluid_grid_new(cells, length, walls, 3);
+    struct fluid_grid *g = fluid_grid_new(cells, length, walls, 3, NULL);
     struct fluid_state f = state_of(g, sheared);
     for (int q = 0; q < 6; q++) {
         const double l = 0.21 + 0.1 * q, s = l, u = s * (2 + s * (-3 + s * 1.5)), w = -s + s * s * s;

@@ -90,7 +90,7 @@ static void test_volume_is_kept(void **state) {
     (void)state;
     const int n[3] = {13, 12, 15}, periodic[3] = {1, 1, 1};
     const double L[3] = {1.3, 1.2, 1.5}, low[3] = {0, 0, 0};
-    struct fluid_grid *g = fluid_grid_new(n, L, periodic, 3);
+    struct fluid_grid *g = fluid_grid_new(n, L, periodic, 3, NULL);
     struct medium *m = medium_new(g, low, L);
     seed = 7;
     for (int time = 0; time < 3; time++) {
@@ -115,7 +115,7 @@ static void test_every_cell(void **state) {
     (void)state;
     const int n[3] = {9, 12, 12}, periodic[3] = {0, 1, 0};
     const double L[3] = {0.9, 1.2, 1.2}, low[3] = {0, 0, 0};
-    struct fluid_grid *g = fluid_grid_new(n, L, periodic, 3);
+    struct fluid_grid *g = fluid_grid_new(n, L, periodic, 3, NULL);
     struct medium *m = medium_new(g, low, L);
     seed = 11;
     for (int wide = 0; wide < 2; wide++) {
@@ -153,7 +153,7 @@ static void test_cavity_lattice(void **state) {
     const int n[3] = {24, 16, 16}, periodic[3] = {0, 0, 1};
     const double d = 0.0015625, L[3] = {24 * d, 16 * d, 16 * d};
     const double low[3] = {4 * d, 0, 0}, high[3] = {20 * d, 16 * d, 16 * d};
-    struct fluid_grid *g = fluid_grid_new(n, L, periodic, 1);
+    struct fluid_grid *g = fluid_grid_new(n, L, periodic, 1, NULL);
     struct medium *m = medium_new(g, low, high);
     all.n = 0;
     for (int k = 0; k < 16; k++)
@@ -202,7 +202,7 @@ static void deposit_map(struct medium *m) {
 static struct fluid_grid *map_grid(int periodic_y, int periodic_z) {
     const int n[3] = {M, M, M}, periodic[3] = {0, periodic_y, periodic_z};
     const double L[3] = {M, M, M};
-    return fluid_grid_new(n, L, periodic, 1);
+    return fluid_grid_new(n, L, periodic, 1, NULL);
 }
 
 static struct medium *map_medium(struct fluid_grid *g) {
@@ -341,7 +341,7 @@ static void test_cut_off(void **state) {
     map[8][7][3] = 1;
     for (int wraps = 0; wraps < 2; wraps++) {
         const int periodic[3] = {wraps, 0, 0}, along_y[3] = {1, 1, 0};
-        struct fluid_grid *g = fluid_grid_new(n, L, periodic, 1);
+        struct fluid_grid *g = fluid_grid_new(n, L, periodic, 1, NULL);
         struct medium *m = map_medium(g);
         deposit_map(m);
         const double cells = M * M, through = wraps ? 1 : 0;
@@ -350,7 +350,7 @@ static void test_cut_off(void **state) {
         check_close(medium_cut_off(m, 1, 0, y_low, 1), 1 - 2 / cells, 1e-12);
         medium_free(m);
         fluid_grid_free(g);
-        g = fluid_grid_new(n, L, along_y, 1); /* y periodic: from end to end, or across as well */
+        g = fluid_grid_new(n, L, along_y, 1, NULL); /* y periodic: from end to end, or across as well */
         m = map_medium(g);
         deposit_map(m);
         check_close(medium_cut_off(m, 1, 0, y_high, 0), 1 - 1 / cells, 1e-12);

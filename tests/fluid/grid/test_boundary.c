@@ -36,7 +36,7 @@ static void check_sides(const struct fluid_side *kind, const enum fluid_conditio
     const int periodic[3] = {0, 1, 1};
     double *q[3];
     in.side[0][0] = in.side[0][1] = *kind;
-    struct fluid_grid *g = fluid_grid_new(in.n, in.length, periodic, 3);
+    struct fluid_grid *g = fluid_grid_new(in.n, in.length, periodic, 3, NULL);
     struct fluid_boundary *b = fluid_boundary_new(g, &in);
     fill(g, q);
     fluid_boundary_velocity(b, g, q, 3);
@@ -77,7 +77,7 @@ static void across_periodic_sides(void **state) {
     struct fluid_input in = {.n = {8, 8, 12}, .length = {1, 1, 1}, .density = 1, .viscosity = 1};
     const int periodic[3] = {1, 1, 1};
     double *q[3];
-    struct fluid_grid *g = fluid_grid_new(in.n, in.length, periodic, 3);
+    struct fluid_grid *g = fluid_grid_new(in.n, in.length, periodic, 3, NULL);
     struct fluid_boundary *b = fluid_boundary_new(g, &in);
     fill(g, q);
     fluid_boundary_velocity(b, g, q, 3);
@@ -101,7 +101,7 @@ static void flow_through_the_sides(void **state) {
     struct fluid_input in = {.n = {8, 8, 12}, .length = {0.8, 1.6, 1.2}, .density = 1, .viscosity = 1};
     in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .bulk_velocity = 0.5};
     in.side[0][1] = (struct fluid_side){.type = FLUID_OUTFLOW};
-    struct fluid_grid *g = fluid_grid_new(in.n, in.length, (const int[]){0, 1, 1}, 1);
+    struct fluid_grid *g = fluid_grid_new(in.n, in.length, (const int[]){0, 1, 1}, 1, NULL);
     struct fluid_boundary *b = fluid_boundary_new(g, &in);
     check_relative(b->inflow, 0.5 * 1.6 * 1.2, 1e-13);
     check_relative(b->outlet, 1.6 * 1.2, 1e-13);

@@ -12,7 +12,7 @@ static const double length[3] = {1.3, 3.4, 0.95};
 static void pieces_make_the_domain(void **state) {
     (void)state;
     for (int halo = 1; halo <= 3; halo += 2) {
-        struct fluid_grid *g = fluid_grid_new(cells, length, periodic, halo);
+        struct fluid_grid *g = fluid_grid_new(cells, length, periodic, halo, NULL);
         long mine = 0;
         assert_int_equal(g->ranks[0], 1);
         assert_int_equal(g->ranks[1] * g->ranks[2], par_size());
@@ -37,7 +37,7 @@ static void pieces_make_the_domain(void **state) {
  * */
 static void places_at_the_ends(void **state) {
     (void)state;
-    struct fluid_grid *g = fluid_grid_new(cells, length, periodic, 1);
+    struct fluid_grid *g = fluid_grid_new(cells, length, periodic, 1, NULL);
     const double z = length[2];
     assert_int_equal(fluid_grid_rank_of(g, (double[]){0.1, 0.1, z - 1e-9}), par_size() - 1);
     assert_int_equal(fluid_grid_rank_of(g, (double[]){0.1, 0.1, z}), par_size() - 1);
@@ -57,7 +57,7 @@ static void places_at_the_ends(void **state) {
 static void places_in_the_array(void **state) {
     (void)state;
     for (int halo = 1; halo <= 3; halo++) {
-        struct fluid_grid *g = fluid_grid_new(cells, length, periodic, halo);
+        struct fluid_grid *g = fluid_grid_new(cells, length, periodic, halo, NULL);
         size_t before = 0;
         for (int k = -halo; k < g->m[2] + halo; k++)
             for (int j = -halo; j < g->m[1] + halo; j++) {

@@ -100,12 +100,13 @@ static double residual(struct fluid_poisson *p, const struct fluid_poisson_input
 /* With shifts from a step far below the viscous limit to one a hundred thousand times above it, kept side by side. */
 static void check(const int n[3], const int pair[3]) {
     const double length[3] = {1.0, 0.7, 1.3};
-    struct fluid_grid *g = fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1);
+    struct fluid_grid *g = fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1, NULL);
     struct fluid_poisson_input in = {.row = g->row, .shifts = 3};
     for (int d = 0; d < 3; d++) {
         in.n[d] = n[d];
         in.d[d] = g->d[d];
         in.ranks[d] = g->ranks[d];
+        in.cut[d] = g->cut[d];
         memcpy(in.end[d], ends[pair[d]], sizeof in.end[d]);
     }
     struct fluid_poisson *p = fluid_poisson_new(&in);

@@ -8,7 +8,8 @@
 enum { NX = 7, NY = 5, NZ = 6 };
 
 static struct fluid_grid *grid(int periodic) {
-    return fluid_grid_new((int[]){NX, NY, NZ}, (double[]){0.7, 1.5, 2.4}, (int[]){periodic, periodic, periodic}, 1);
+    return fluid_grid_new((int[]){NX, NY, NZ}, (double[]){0.7, 1.5, 2.4}, (int[]){periodic, periodic, periodic}, 1,
+                          NULL);
 }
 
 static double *array(const struct fluid_grid *g) { return calloc(g->size, sizeof(double)); }

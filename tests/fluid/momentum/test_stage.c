@@ -96,8 +96,8 @@ static void stage_is_its_formula(void **state) {
         for (int kind = 0; kind < 12; kind++) {
             const int in_place = kind % 2, sides = kind / 2 % 2, r = kind / 4;
             struct fluid_grid *g = fluid_grid_new(
-                cells[size], (double[3]){0.9 * cells[size][0], 1.1 * cells[size][1], 1.0 * cells[size][2]}, periodic,
-                1);
+                cells[size], (double[3]){0.9 * cells[size][0], 1.1 * cells[size][1], 1.0 * cells[size][2]}, periodic, 1,
+                NULL);
             struct fields before = new_fields(g, 0), after = new_fields(g, in_place);
             struct fluid_momentum_stage s = {.grid = g,
                                              .faces = {g->m[0] - sides, g->m[1] - sides, g->m[2] - sides},

@@ -67,7 +67,7 @@ static void foresee(struct fluid_poisson *p, const int pair[3], double mean[3][2
 
 static struct error solve(const int n[3], const int pair[3]) {
     const double length[3] = {1.0, 0.7, n[2] > 100 ? 0.1 * n[2] : 1.3}, wanted = 0.01;
-    struct fluid_grid *g = fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1);
+    struct fluid_grid *g = fluid_grid_new(n, length, (int[3]){pair[0] == PP, pair[1] == PP, pair[2] == PP}, 1, NULL);
     struct fluid_poisson_input in = {.row = g->row};
     struct error error = {0, 0, 0, 0};
     int free_mean = 1;
@@ -75,6 +75,7 @@ static struct error solve(const int n[3], const int pair[3]) {
         in.n[d] = n[d];
         in.d[d] = g->d[d];
         in.ranks[d] = g->ranks[d];
+        in.cut[d] = g->cut[d];
         memcpy(in.end[d], ends[pair[d]], sizeof in.end[d]);
         free_mean &= pair[d] == PP || pair[d] == NN;
     }
