@@ -16,4 +16,7 @@ endif()
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
   add_compile_options(-Wno-psabi)
 endif()
+if(FRANA_MPI STREQUAL mpich AND CMAKE_C_COMPILER_ID STREQUAL GNU)
+  add_compile_options(-Wno-stringop-overflow) # MPICH's MPI_STATUSES_IGNORE is the address 1
+endif()
 add_compile_definitions(_GNU_SOURCE)

@@ -33,7 +33,7 @@ code 2 ranks 1 run nowhere.yaml
 code 2 ranks 1 run scene.yaml --max-wall soon
 code 2 ranks 1 check scene.yaml --resume
 code 2 ranks 7 check scene.yaml # 16 cells cannot be divided into seven pieces of three
-code 0 mpiexec --oversubscribe -n 1 "$frana" --version
+code 0 mpiexec -n 1 "$frana" --version
 grep -q HDF5 out || fail "--version does not name HDF5"
 # an unknown key is reported before any file is written
 echo 'oddity: 1' >>scene.yaml
