@@ -44,6 +44,28 @@ if(NOT CMAKE_CROSSCOMPILING)
   endif()
 endif()
 
+# frana_wrap(TEST FUNCTION...): calls of these functions in the library come to the test's __wrap_FUNCTION. The linker
+# does so in static libraries alone: with BUILD_SHARED_LIBS the test is built and does not run.
+function(frana_wrap name)
+  list(TRANSFORM ARGN PREPEND --wrap=)
+  list(JOIN ARGN "," wrapped)
+  target_link_options(${name} PRIVATE "LINKER:${wrapped}")
+  if(BUILD_SHARED_LIBS)
+    get_property(tests DIRECTORY PROPERTY TESTS)
+    list(FILTER tests INCLUDE REGEX "^${name}(_[0-9])?$")
+    if(tests)
+      set_tests_properties(${tests} PROPERTIES DISABLED TRUE)
+    endif()
+  endif()
+endfunction()
+
+# Tests with the label smoke, on one and two ranks: a quick look at a build of another kind (tools/builds.sh). The target
+# smoke builds them.
+set(frana_smoke base_test_signals base_test_par base_test_par_exchange base_test_par_ghost base_test_par_column
+  base_test_par_pencil base_test_par_shared files_test_h5 files_test_store files_test_image_tiff scene_test_scene
+  fluid_poisson_test_poisson solid_test_ranks meshless_galerkin_test_elastic ibm_test_forcing coupling_test_step)
+add_custom_target(smoke DEPENDS frana ${frana_smoke})
+
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])
 # One executable of cmocka tests, run by ctest once for each number of ranks; on one rank without mpiexec.
 function(frana_test source)
@@ -79,7 +101,11 @@ function(frana_test source)
       add_test(NAME ${name}_${n} COMMAND ${frana_launch} $<TARGET_FILE:${name}>)
       set(environment ${frana_test_environment})
     endif()
-    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${T_ROOM};${T_LABELS}"
+    set(labels ${T_ROOM} ${T_LABELS})
+    if(name IN_LIST frana_smoke AND n LESS 3)
+      list(APPEND labels smoke)
+    endif()
+    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${labels}"
       PROCESSORS ${n} ENVIRONMENT "${environment}")
   endforeach()
 endfunction()

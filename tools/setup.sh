@@ -2,7 +2,7 @@
 # Common to demo.sh, test.sh and .ci/run: installation of missing packages, and building. To be sourced by bash.
 #
 #   setup_install [clang...]  what frana needs (Debian: by apt), and the packages named: $packages_of_tests, clang, ...
-#   setup_build DIR [args]    configures (cmake, with args) and builds
+#   setup_build DIR [args]    configures (cmake, with args) and builds, all or what $FRANA_TARGET names
 #   setup_mpi                 the environment in which mpiexec runs as any user, in a container, on few cores
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -106,7 +106,8 @@ setup_build() {
     fi
     [ -f "$dir/CMakeCache.txt" ] || ! command -v ninja >/dev/null 2>&1 || generator=(-G Ninja)
     setup_quietly "configuring $dir" "$dir/log/configure.log" cmake -S "$root" -B "$dir" "${generator[@]}" "$@"
-    setup_quietly "building $dir" "$dir/log/build.log" cmake --build "$dir" --parallel "$(setup_cores)"
+    setup_quietly "building $dir" "$dir/log/build.log" cmake --build "$dir" --parallel "$(setup_cores)" \
+        ${FRANA_TARGET:+--target "$FRANA_TARGET"}
 }
 
 setup_cores() { getconf _NPROCESSORS_ONLN; }
