@@ -3,7 +3,7 @@
 #   frana_find(NAME PC HEADER LIBRARY WHAT DEBIAN SOURCE [FUNCTION])
 #                         sets FRANA_NAME to the target of a library: below NAME_ROOT if that variable is set (of CMake
 #                         or the environment), else by pkg-config's module PC, else by header and library
-#   frana_find_mpi()      CMake's FindMPI; sets FRANA_MPI to openmpi, mpich or nothing, and finds the launcher of that MPI
+#   frana_find_mpi()      CMake's FindMPI; sets FRANA_MPI to openmpi, mpich or nothing; finds the launcher of that MPI
 #   frana_find_hdf5()     a parallel HDF5 that was built with the same MPI: by pkg-config, else by CMake's FindHDF5
 #   frana_find_lapacke()  LAPACKE in its own library, or in the one that CMake's FindLAPACK finds (OpenBLAS)
 #   frana_find_end()      ends the configuration if anything is missing, with one paragraph for each
@@ -46,7 +46,8 @@ macro(frana_find_files name header library)
     set(where "")
   endif()
   find_path(FRANA_${name}_INCLUDE ${header} ${where} PATH_SUFFIXES include)
-  find_library(FRANA_${name}_LIBRARY NAMES ${library} ${where} PATH_SUFFIXES lib lib64 lib/${CMAKE_LIBRARY_ARCHITECTURE})
+  find_library(FRANA_${name}_LIBRARY NAMES ${library} ${where}
+    PATH_SUFFIXES lib lib64 lib/${CMAKE_LIBRARY_ARCHITECTURE})
   mark_as_advanced(FRANA_${name}_INCLUDE FRANA_${name}_LIBRARY)
   if(FRANA_${name}_INCLUDE AND FRANA_${name}_LIBRARY)
     set(frana_target frana_found_${name})
@@ -119,10 +120,11 @@ macro(frana_find_mpi)
       "libopenmpi-dev openmpi-bin, or libmpich-dev mpich"
       "its mpicc in PATH, or -DMPI_C_COMPILER=/where/it/is/mpicc")
   else()
-    frana_find_links(FRANA_MPI_IS_OPENMPI "#include <mpi.h>\n#ifndef OPEN_MPI\n#error\n#endif\nint main(void) { return 0; }"
-      MPI::MPI_C)
-    frana_find_links(FRANA_MPI_IS_MPICH "#include <mpi.h>\n#if !defined MPICH_VERSION && !defined I_MPI_VERSION\n#error\n\
-#endif\nint main(void) { return 0; }" MPI::MPI_C)
+    set(program "#include <mpi.h>\n#if !(CONDITION)\n#error\n#endif\nint main(void) { return 0; }")
+    string(REPLACE CONDITION "defined OPEN_MPI" is_openmpi "${program}")
+    string(REPLACE CONDITION "defined MPICH_VERSION || defined I_MPI_VERSION" is_mpich "${program}")
+    frana_find_links(FRANA_MPI_IS_OPENMPI "${is_openmpi}" MPI::MPI_C)
+    frana_find_links(FRANA_MPI_IS_MPICH "${is_mpich}" MPI::MPI_C)
     if(FRANA_MPI_IS_OPENMPI)
       set(FRANA_MPI openmpi)
     elseif(FRANA_MPI_IS_MPICH)
@@ -132,7 +134,7 @@ macro(frana_find_mpi)
   # Which MPI the launcher belongs to: a rank that another MPI's launcher starts runs alone.
   set(FRANA_LAUNCHER "")
   if(MPIEXEC_EXECUTABLE AND NOT CMAKE_CROSSCOMPILING)
-    execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE code)
+    execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE said ERROR_VARIABLE said)
     if(said MATCHES "Open MPI|OpenRTE|prterun|PRRTE")
       set(FRANA_LAUNCHER openmpi)
     elseif(said MATCHES "HYDRA|Intel")
@@ -205,7 +207,8 @@ macro(frana_find_hdf5)
       set(HDF5_PREFER_PARALLEL ON)
       find_package(HDF5 QUIET COMPONENTS C)
       if(HDF5_FOUND AND TARGET hdf5::hdf5)
-        frana_find_try_hdf5("CMake's FindHDF5 (${HDF5_C_LIBRARIES})" hdf5::hdf5)
+        list(GET HDF5_C_LIBRARIES 0 frana_library)
+        frana_find_try_hdf5("CMake's FindHDF5 (${frana_library})" hdf5::hdf5)
       endif()
     endif()
     if(NOT FRANA_HDF5)

@@ -5,7 +5,8 @@ if(FRANA_SANITIZE)
   set(tenfold 0)
 endif()
 
-# Environment of tests on several ranks, as Open MPI takes it; MPICH needs none. frana_test_environment also for the sanitizers, because Open MPI leaks memory.
+# Environment of tests on several ranks, as Open MPI takes it; MPICH needs none.
+# frana_test_environment also for the sanitizers, because Open MPI leaks memory.
 # With pml=ob1 no drivers of networks are asked, one of which sleeps for 0.2 s at every start. Without the timeout
 # mpiexec sleeps for 2 s when a rank has ended with another exit code than 0.
 set(frana_mpi_environment
@@ -45,7 +46,7 @@ if(NOT CMAKE_CROSSCOMPILING)
 endif()
 
 # frana_wrap(TEST FUNCTION...): calls of these functions in the library come to the test's __wrap_FUNCTION. The linker
-# does so in static libraries alone: with BUILD_SHARED_LIBS the test is built and does not run.
+# does so with static libraries alone: with BUILD_SHARED_LIBS the test is built and does not run.
 function(frana_wrap name)
   list(TRANSFORM ARGN PREPEND --wrap=)
   list(JOIN ARGN "," wrapped)
@@ -59,11 +60,12 @@ function(frana_wrap name)
   endif()
 endfunction()
 
-# Tests with the label smoke, on one and two ranks: a quick look at a build of another kind (tools/builds.sh). The target
-# smoke builds them.
+# Tests with the label smoke, on one and two ranks: a quick look at a build of another kind (tools/builds.sh).
+# The target smoke builds them.
 set(frana_smoke base_test_signals base_test_par base_test_par_exchange base_test_par_ghost base_test_par_column
-  base_test_par_pencil base_test_par_shared files_test_h5 files_test_store files_test_image_tiff scene_test_scene
-  fluid_poisson_test_poisson solid_test_ranks meshless_galerkin_test_elastic ibm_test_forcing coupling_test_step)
+  base_test_par_pencil base_test_par_shared files_test_h5 files_test_store files_test_seal scene_test_scene
+  fluid_poisson_test_poisson solid_contact_test_contact solid_step_test_relax meshless_galerkin_test_elastic
+  ibm_test_forcing cracks_test_pores coupling_test_step)
 add_custom_target(smoke DEPENDS frana ${frana_smoke})
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])

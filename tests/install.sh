@@ -16,7 +16,7 @@ set -- moved/share/man/man1/frana*.1
 [ $# = $((1 + $(wc -l <<<"$commands"))) ] || fail "pages: $*; commands: $commands"
 for command in $commands; do
   page=moved/share/man/man1/frana-$command.1
-  grep -q '^\.SH SYNOPSIS' "$page" && grep -Eq "^\.B frana $command( |$)" "$page" || fail "$page: no synopsis"
+  { grep -q "^\.SH SYNOPSIS" "$page" && grep -Eq "^\.B frana $command( |$)" "$page"; } || fail "$page: no synopsis"
   grep -q "frana $command" moved/share/man/man1/frana.1 || fail "frana.1 lacks $command"
 done
 # an option of the program, and an exit code of base/die.h

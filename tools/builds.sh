@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds frana with each compiler, MPI and kind of libraries, and runs the tests with the label smoke in each build:
-# on one and two ranks, with the installed tree. Optimised little (-O1), because compiling takes most of the time.
+# on one and two ranks, with the installed tree. Without optimisation (-O0), because compiling takes most of the time.
 #   tools/builds.sh [COMPILER-MPI-KIND ...]     as gcc-mpich-shared; by default all eight: gcc|clang, openmpi|mpich,
 #                                               static|shared. BUILDS=FOLDER: where they are built (the current clone)
 set -euo pipefail
@@ -30,9 +30,10 @@ for build; do
     # Debian's names of the wrappers; elsewhere the one in PATH
     wrapper=$(command -v "mpicc.$mpi" || command -v mpicc)
     FRANA_TARGET=smoke setup_build "$folder" -DCMAKE_C_COMPILER="$compiler" -DMPI_C_COMPILER="$wrapper" \
-        -DBUILD_SHARED_LIBS="$shared" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS=-O1 -DFRANA_WERROR=ON
+        -DBUILD_SHARED_LIBS="$shared" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS=-O0 -DFRANA_WERROR=ON
     # MPICH's ranks do not yield: never more of them than cores
     setup_quietly "the smoke tests of $build" "$folder/log/test.log" \
-        ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout 300 --parallel "$(setup_cores)" -L smoke
+        ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout 300 -L smoke \
+        --parallel "$(setup_cores)"
     grep 'tests passed' "$folder/log/test.log"
 done

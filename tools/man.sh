@@ -47,8 +47,8 @@ done < <(entries)
     page frana "fracture of solids in a flow"
     printf '.SH SYNOPSIS\n.B frana\n.I COMMAND\n[arguments] [options]\n.PP\n.B mpiexec \\-n\n.I N\n'
     printf '.B frana run\n.I SCENE.yaml\n.SH DESCRIPTION\n'
-    printf 'frana computes how a solid breaks in a flow: the incompressible Navier\\-Stokes equations in a channel, and\n'
-    printf 'bond\\-based peridynamics coupled by an immersed boundary. A scene is a YAML file.\n.SH COMMANDS\n'
+    printf 'frana computes how a solid breaks in a flow, by the incompressible Navier\\-Stokes equations in a channel\n'
+    printf 'and bond\\-based peridynamics, coupled by an immersed boundary. A scene is a YAML file.\n.SH COMMANDS\n'
     entries | while IFS=$'\t' read -r synopsis text; do
         printf '.TP\n.B %s\n%s\n' "$(roff <<<"$synopsis")" "$(roff <<<"${text:-}")"
     done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Packages of frana for any machine of this architecture: frana-VERSION-Linux.tar.gz, which can be unpacked anywhere, and
-# on Debian frana_VERSION_ARCH.deb with its dependencies. Both use the system's libraries.
+# Packages of frana for any machine of this architecture: frana-VERSION-Linux.tar.gz, which can be unpacked anywhere,
+# and on Debian frana_VERSION_ARCH.deb with its dependencies. Both use the system's libraries.
 #   tools/package.sh [FOLDER [cmake's arguments]]     built in FOLDER (build-package), which then holds the packages
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

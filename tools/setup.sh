@@ -13,8 +13,7 @@ packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-
     zlib1g-dev gnuplot-nox"
 # shellcheck disable=SC2034 # for whoever sources this
 packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
-commands="cmake gcc pkg-config mpicc mpiexec gnuplot"
-libraries="hdf5-openmpi fftw3 lapacke libcyaml yaml-0.1 cmocka libpng libtiff-4 zlib"
+commands="cmake mpiexec gnuplot"
 
 say() { printf '%s\n' "-- $*"; }
 # setup_quietly WHAT LOG COMMAND...: the output goes to LOG. On a terminal the log's last line is shown while the
@@ -46,12 +45,10 @@ setup_quietly() {
     say "$what: done in $((SECONDS - from)) s"
 }
 
-# Finds what is missing, by testing commands, then libraries, instead of asking for packages. Prints names, one a line.
+# Prints the commands that are missing, one a line. CMake says which libraries are (docs/install.md).
 setup_lacking() {
     local name
     for name in $commands; do command -v "$name" >/dev/null 2>&1 || echo "$name (command)"; done
-    command -v pkg-config >/dev/null 2>&1 || return 0
-    for name in $libraries; do pkg-config --exists "$name" || echo "$name (library)"; done
 }
 
 setup_apt() {
@@ -72,7 +69,7 @@ setup_without() {
             "    ${packages//$'\n'    /$'\n'        }" >&2
         exit 1
     fi
-    say "$1; what the build needs is there, going on"
+    say "$1; CMake finds out whether the libraries are there"
 }
 
 setup_install() {

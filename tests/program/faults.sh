@@ -35,6 +35,11 @@ code 2 ranks 1 check scene.yaml --resume
 code 2 ranks 7 check scene.yaml # 16 cells cannot be divided into seven pieces of three
 code 0 mpiexec -n 1 "$frana" --version
 grep -q HDF5 out || fail "--version does not name HDF5"
+# two ranks by the launcher of another MPI: what it sets is not what the library reads
+other=PMI_SIZE
+grep -q '^MPI: Open MPI' out || other=OMPI_COMM_WORLD_SIZE
+code 2 env $other=2 "$frana" --version
+grep -q '^frana: .*2 ranks were started, and each runs alone' err || { cat err; fail "another MPI's launcher"; }
 # an unknown key is reported before any file is written
 echo 'oddity: 1' >>scene.yaml
 code 2 ranks 2 run scene.yaml --out never
