@@ -64,8 +64,8 @@ endfunction()
 # The target smoke builds them.
 set(frana_smoke base_test_signals base_test_par base_test_par_exchange base_test_par_ghost base_test_par_column
   base_test_par_pencil base_test_par_shared files_test_h5 files_test_store files_test_seal scene_test_scene
-  fluid_poisson_test_poisson solid_contact_test_contact solid_step_test_relax meshless_galerkin_test_elastic
-  ibm_test_forcing cracks_test_pores coupling_test_step)
+  fluid_poisson_test_poisson solid_contact_test_contact meshless_galerkin_test_elastic ibm_test_forcing
+  coupling_test_step)
 add_custom_target(smoke DEPENDS frana ${frana_smoke})
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])

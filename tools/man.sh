@@ -63,7 +63,7 @@ for name in "${names[@]}"; do
         # "usage: ...", a paragraph, "options", and "  --option VALUE   text"
         what=$(awk 'NF == 0 { n++; next } n == 1 { text = text (text == "" ? "" : " ") $0 } n > 1 { exit }
             END { print text }' <<<"$help")
-        short=$(sed -e 's/\. .*//; s/\.$//' <<<"$what")
+        short=$(sed -e 's/ *(docs[^)]*)//; s/\. .*//; s/\.$//' <<<"$what")
         page "frana-$name" "${short,}"
         printf '.SH SYNOPSIS\n'
         sed -n '/^usage: /,/^$/p' <<<"$help" | sed 's/^usage: *//; s/^ *//; /^$/d' | roff | sed 's/^/.B /; $!s/$/\n.br/'
