@@ -7,7 +7,8 @@ frana=$(realpath "$1") folder=$2 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.."
 mkdir -p "$folder"
 rm -f "$folder"/frana*.1
 usage=$("$frana" --help)
-version=$("$frana" --version | head -n 1)
+version=$("$frana" --version)
+version=${version%%$'\n'*}
 
 # roff: text for a page. "- " at the start of a line would be a list in no page, "." a request.
 roff() { sed -e 's/\\/\\e/g' -e 's/-/\\-/g' -e "s/^[.']/\\\\\&&/"; }
