@@ -8,7 +8,7 @@ mkdir -p "$folder"
 rm -f "$folder"/frana*.1
 usage=$("$frana" --help)
 version=$("$frana" --version)
-version=${version%%$'\n'*}
+version=$(sed -n '/^frana /{p;q}' <<<"$version") # libraries may print as well
 
 # roff: text for a page. "- " at the start of a line would be a list in no page, "." a request.
 roff() { sed -e 's/\\/\\e/g' -e 's/-/\\-/g' -e "s/^[.']/\\\\\&&/"; }
