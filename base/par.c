@@ -1,12 +1,10 @@
 /* MPI basics: start, ranks, reductions, broadcasts, gathers, wall clock. */
 #include "base/par.h"
-#include "base/die.h"
 #include "base/par_count.h"
 
 #include <mpi.h>
 #include <limits.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 static int on(void) {
@@ -16,31 +14,10 @@ static int on(void) {
     return begun && !ended;
 }
 
-/* A launcher of another MPI than the library's starts ranks of which each runs alone, and all write the same files. */
-static void refuse_other_launcher(void) {
-    static const char *const set[][2] = {{"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"}, {"PMI_SIZE", "PMI_RANK"}};
-    char library[MPI_MAX_LIBRARY_VERSION_STRING] = "";
-    int length = 0;
-    for (int k = 0; k < 2; k++) {
-        const char *ranks = getenv(set[k][0]), *rank = getenv(set[k][1]);
-        if (!ranks || atoi(ranks) < 2) continue;
-        if (rank && atoi(rank) != 0) { /* one of them says it */
-            par_end();
-            exit(EXIT_CODE_SCENE);
-        }
-        MPI_Get_library_version(library, &length);
-        library[strcspn(library, ",\n")] = '\0';
-        die_all(EXIT_CODE_SCENE,
-                "%s ranks were started, and each runs alone: the launcher is of another MPI than the library, %s",
-                ranks, library);
-    }
-}
-
 void par_begin(int *argc, char ***argv) {
     int begun = 0;
     MPI_Initialized(&begun);
     if (!begun) MPI_Init(argc, argv);
-    if (par_size() == 1) refuse_other_launcher();
 }
 
 void par_end(void) {

@@ -1,6 +1,7 @@
 /* Program entry: calls the command that the command line names. */
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/launcher.h"
 #include "base/par.h"
 #include "bench/bench.h"
 #include "coupling/setup/setup.h"
@@ -129,7 +130,10 @@ static int obey(const struct command *c) {
 
 int main(int argc, char **argv) {
     /* a study starts mpiexec, which a process that is itself an MPI rank cannot do */
-    if (argc < 2 || strcmp(argv[1], "study")) par_begin(&argc, &argv);
+    if (argc < 2 || strcmp(argv[1], "study")) {
+        par_begin(&argc, &argv);
+        launcher_check();
+    }
     struct command *c = command_new(argc, argv);
     const int code = obey(c);
     command_free(c);
