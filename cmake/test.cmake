@@ -5,7 +5,8 @@ if(FRANA_SANITIZE)
   set(tenfold 0)
 endif()
 
-# Environment of tests on several ranks; frana_test_environment also for the sanitizers, because Open MPI leaks memory.
+# Environment of tests on several ranks, as Open MPI takes it; MPICH needs none.
+# frana_test_environment also for the sanitizers, because Open MPI leaks memory.
 # With pml=ob1 no drivers of networks are asked, one of which sleeps for 0.2 s at every start. Without the timeout
 # mpiexec sleeps for 2 s when a rank has ended with another exit code than 0. Threads that wait sleep, because there may
 # be more of them than cores.
@@ -24,6 +25,51 @@ set(frana_test_environment ${frana_mpi_environment} ASAN_OPTIONS=detect_leaks=0)
 set(frana_alone_environment ${frana_test_environment} OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated
   OMPI_MCA_orte_create_session_dirs=0)
 
+# frana_launch(N): sets frana_launch to the words that start N ranks; MPIEXEC_PREFLAGS are the user's, after mpiexec.
+if(FRANA_LAUNCHER STREQUAL openmpi)
+  set(frana_launch_options --allow-run-as-root --oversubscribe)
+endif()
+macro(frana_launch n)
+  set(frana_launch ${MPIEXEC_EXECUTABLE} ${frana_launch_options} ${MPIEXEC_PREFLAGS} ${MPIEXEC_NUMPROC_FLAG} ${n})
+endmacro()
+# The scripts call mpiexec. Where that is another one, a folder ahead of PATH holds one that is the library's.
+file(REMOVE_RECURSE ${CMAKE_BINARY_DIR}/tests/bin)
+set(frana_test_path "")
+if(NOT CMAKE_CROSSCOMPILING)
+  execute_process(COMMAND sh -c "command -v mpiexec" OUTPUT_VARIABLE in_path OUTPUT_STRIP_TRAILING_WHITESPACE)
+  get_filename_component(in_path "${in_path}" REALPATH)
+  get_filename_component(ours "${MPIEXEC_EXECUTABLE}" REALPATH)
+  if(NOT in_path STREQUAL ours)
+    file(WRITE ${CMAKE_BINARY_DIR}/tests/bin/mpiexec "#!/bin/sh\nexec '${MPIEXEC_EXECUTABLE}' \"$@\"\n")
+    file(CHMOD ${CMAKE_BINARY_DIR}/tests/bin/mpiexec
+      PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    set(frana_test_path "set(ENV{PATH} \"${CMAKE_BINARY_DIR}/tests/bin:\$ENV{PATH}\")\n")
+  endif()
+endif()
+
+# frana_wrap(TEST FUNCTION...): calls of these functions in the library come to the test's __wrap_FUNCTION. The linker
+# does so with static libraries alone: with BUILD_SHARED_LIBS the test is built and does not run.
+function(frana_wrap name)
+  list(TRANSFORM ARGN PREPEND --wrap=)
+  list(JOIN ARGN "," wrapped)
+  target_link_options(${name} PRIVATE "LINKER:${wrapped}")
+  if(BUILD_SHARED_LIBS)
+    get_property(tests DIRECTORY PROPERTY TESTS)
+    list(FILTER tests INCLUDE REGEX "^${name}(_[0-9])?$")
+    if(tests)
+      set_tests_properties(${tests} PROPERTIES DISABLED TRUE)
+    endif()
+  endif()
+endfunction()
+
+# Tests with the label smoke, on one and two ranks: a quick look at a build of another kind (tools/builds.sh).
+# The target smoke builds them.
+set(frana_smoke base_test_signals base_test_par base_test_par_exchange base_test_par_ghost base_test_par_column
+  base_test_par_pencil base_test_par_shared files_test_h5 files_test_store files_test_seal scene_test_scene
+  fluid_poisson_test_poisson solid_contact_test_contact meshless_galerkin_test_elastic ibm_test_forcing
+  coupling_test_step)
+add_custom_target(smoke DEPENDS frana ${frana_smoke})
+
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])
 # One executable of cmocka tests, run by ctest once for each number of ranks; on one rank without mpiexec.
 function(frana_test source)
@@ -31,7 +77,7 @@ function(frana_test source)
   string(REGEX REPLACE "[/.]" "_" name ${source})
   string(REGEX REPLACE "_c$" "" name ${name})
   add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
-  target_link_libraries(${name} PRIVATE frana_${T_ROOM} PkgConfig::CMOCKA)
+  target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
   target_compile_definitions(${name} PRIVATE
     FRANA_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FRANA_BINARY_DIR="${CMAKE_BINARY_DIR}")
   if(NOT T_RANKS)
@@ -55,11 +101,15 @@ function(frana_test source)
       add_test(NAME ${name}_${n} COMMAND ${name})
       set(environment ${frana_alone_environment})
     else()
-      add_test(NAME ${name}_${n}
-        COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n ${n} $<TARGET_FILE:${name}>)
+      frana_launch(${n})
+      add_test(NAME ${name}_${n} COMMAND ${frana_launch} $<TARGET_FILE:${name}>)
       set(environment ${frana_test_environment})
     endif()
-    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${T_ROOM};${T_LABELS}"
+    set(labels ${T_ROOM} ${T_LABELS})
+    if(name IN_LIST frana_smoke AND n LESS 3)
+      list(APPEND labels smoke)
+    endif()
+    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${labels}"
       PROCESSORS ${n} ENVIRONMENT "${environment}")
   endforeach()
 endfunction()

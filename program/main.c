@@ -1,6 +1,7 @@
 /* Program entry: calls the command that the command line names. */
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/launcher.h"
 #include "base/par.h"
 #include "bench/bench.h"
 #include "coupling/setup/setup.h"
@@ -153,7 +154,10 @@ static int needs_ranks(int argc, char **argv) {
 }
 
 int main(int argc, char **argv) {
-    if (needs_ranks(argc, argv)) par_begin(&argc, &argv);
+    if (needs_ranks(argc, argv)) {
+        par_begin(&argc, &argv);
+        launcher_check();
+    }
     struct command *c = command_new(argc, argv);
     const int code = obey(c);
     command_free(c);

@@ -31,11 +31,11 @@ push="{low: [0, -0.01, 0], high: [0.05, 0.035, 0.025], force: [6.0e5, 6.0e5, 0],
 sed "/^coupling:/i\\  loads:\n    - $push" calm.yaml >scene.yaml
 
 from=$EPOCHREALTIME
-mpiexec --oversubscribe -n "$n" "$frana" run scene.yaml --out run --max-wall "$seconds" >out 2>err & mpiexec=$!
+mpiexec -n "$n" "$frana" run scene.yaml --out run --max-wall "$seconds" >out 2>err & mpiexec=$!
 trap 'kill $mpiexec 2>/dev/null || true' EXIT
 echo seconds,process,kB >memory.csv
 while sleep $((seconds < 600 ? 2 : 5)); kill -0 $mpiexec 2>/dev/null; do
-  for pid in $(pgrep -P $mpiexec -x "$(basename "$frana")" || true); do
+  for pid in $(ranks_of $mpiexec || true); do
     kb=$(awk '/^VmRSS/ { print $2 }' "/proc/$pid/status" 2>/dev/null || true)
     [ -z "$kb" ] || echo "$(awk -v a="$from" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }'),$pid,$kb" >>memory.csv
   done

@@ -3,7 +3,7 @@
 #
 #   setup_install [clang...]  what frana needs (Debian: by apt), and the packages named: $packages_of_tests,
 #                             $packages_of_batch, clang, ...
-#   setup_build DIR [args]    configures (cmake, with args) and builds
+#   setup_build DIR [args]    configures (cmake, with args) and builds, all or what $FRANA_TARGET names
 #   setup_mpi                 the environment in which mpiexec runs as any user, in a container, on few cores
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,8 +16,7 @@ packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-
 packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
 # shellcheck disable=SC2034
 packages_of_batch="munge slurmctld slurmd slurm-client" # a Slurm for the test of the job scripts
-commands="cmake gcc pkg-config mpicc mpiexec gnuplot"
-libraries="hdf5-openmpi fftw3 lapacke libcyaml yaml-0.1 cmocka libpng libtiff-4 zlib"
+commands="cmake mpiexec gnuplot"
 
 say() { printf '%s\n' "-- $*"; }
 # setup_quietly WHAT LOG COMMAND...: the output goes to LOG. On a terminal the log's last line is shown while the
@@ -49,12 +48,10 @@ setup_quietly() {
     say "$what: done in $((SECONDS - from)) s"
 }
 
-# Finds what is missing, by testing commands, then libraries, instead of asking for packages. Prints names, one a line.
+# Prints the commands that are missing, one a line. CMake says which libraries are (docs/install.md).
 setup_lacking() {
     local name
     for name in $commands; do command -v "$name" >/dev/null 2>&1 || echo "$name (command)"; done
-    command -v pkg-config >/dev/null 2>&1 || return 0
-    for name in $libraries; do pkg-config --exists "$name" || echo "$name (library)"; done
 }
 
 setup_apt() {
@@ -75,7 +72,7 @@ setup_without() {
             "    ${packages//$'\n'    /$'\n'        }" >&2
         exit 1
     fi
-    say "$1; what the build needs is there, going on"
+    say "$1; CMake finds out whether the libraries are there"
 }
 
 setup_install() {
@@ -109,7 +106,8 @@ setup_build() {
     fi
     [ -f "$dir/CMakeCache.txt" ] || ! command -v ninja >/dev/null 2>&1 || generator=(-G Ninja)
     setup_quietly "configuring $dir" "$dir/log/configure.log" cmake -S "$root" -B "$dir" "${generator[@]}" "$@"
-    setup_quietly "building $dir" "$dir/log/build.log" cmake --build "$dir" --parallel "$(setup_cores)"
+    setup_quietly "building $dir" "$dir/log/build.log" cmake --build "$dir" --parallel "$(setup_cores)" \
+        ${FRANA_TARGET:+--target "$FRANA_TARGET"}
 }
 
 setup_cores() { getconf _NPROCESSORS_ONLN; }

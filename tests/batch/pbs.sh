@@ -14,7 +14,8 @@ echo "Job Id: 12.server"\necho "    Resource_List.walltime = 24:00:00"\necho "  
 chmod +x fake/*
 export PATH=$PWD/fake:$PATH PBS_O_WORKDIR=$PWD PBS_JOBID=12.server LC_ALL=C
 edit() { # the copy that a user makes
-  sed "s|^frana=.*|frana=$frana|; s|^launch=.*|launch=(mpiexec --oversubscribe -n 2)|; s|^least=.*|least=$2|; s|^limit=.*|limit=$1|" \
+  sed "s|^frana=.*|frana=$frana|; s|^launch=.*|launch=(mpiexec --oversubscribe -n 2)|
+    s|^least=.*|least=$2|; s|^limit=.*|limit=$1|" \
     "$source/tools/batch/run.pbs" >run.pbs
 }
 submitted() { cat submitted 2>/dev/null || true; }

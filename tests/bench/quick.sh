@@ -7,7 +7,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 fail() { echo "FAILED: $*" >&2; exit 1; }
-mpiexec --oversubscribe -n "$ranks" "$frana" bench --quick --repeats 5 --out out >said
+mpiexec -n "$ranks" "$frana" bench --quick --repeats 5 --out out >said
 [ "$(ls out/*.csv | wc -l)" = 2 ] || fail "not two tables: $(ls out)"
 table=$(ls out/*-"$ranks".csv) traffic=$(ls out/*-"$ranks"-traffic.csv)
 awk -F, '

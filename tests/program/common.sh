@@ -14,8 +14,14 @@ ranks() {
   if [ "$n" = 1 ]; then
     OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_orte_create_session_dirs=0 "$frana" "$@"
   else
-    mpiexec --oversubscribe -n "$n" "$frana" "$@"
+    mpiexec -n "$n" "$frana" "$@"
   fi
+}
+# ranks_of PID: the processes of the ranks that mpiexec has started: its children, or those of MPICH's proxy
+ranks_of() {
+  local proxies
+  proxies=$(pgrep -d , -P "$1" || true)
+  pgrep -P "$1${proxies:+,$proxies}" -x "$(basename "$frana")"
 }
 # code N command...: the command must end with this exit code; its output goes to out and err
 code() {

@@ -50,12 +50,12 @@ while :; do
   resume=
   if exists 'run/checkpoint/*.h5'; then resume=--resume; elif [ -e run ]; then rm -rf run; anew=$((anew + 1)); fi
   got=0
-  mpiexec --oversubscribe -n "$n" "$frana" run scene.yaml --out run $resume >out 2>err & mpiexec=$!
+  mpiexec -n "$n" "$frana" run scene.yaml --out run $resume >out 2>err & mpiexec=$!
   ((EPOCHSECONDS < until)) || kills=$killed
   if ((killed < kills)); then
     moment $((RANDOM % 4))
     # shellcheck disable=SC2207 # numbers
-    pids=($(pgrep -P "$mpiexec" -x frana || true))
+    pids=($(ranks_of "$mpiexec" || true))
     if ((${#pids[@]} == n && RANDOM % 3 > 0)); then
       victim=rank pid=${pids[RANDOM % n]}
     else

@@ -18,12 +18,12 @@ begin() {
   local folder=$1
   said=$PWD/${1//\//_}; shift
   while :; do
-    "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" >"$said.out" 2>"$said.err" &
+    "$@" mpiexec -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" >"$said.out" 2>"$said.err" &
     mpiexec=$!
     await "$mpiexec" test -f "$folder/checkpoint/latest" ||
       { cat "$said.out" "$said.err" >&2; fail "$folder: no checkpoint"; }
     # shellcheck disable=SC2207 # numbers
-    pids=($(pgrep -P "$mpiexec" -x frana || true))
+    pids=($(ranks_of "$mpiexec" || true))
     ((${#pids[@]} == 2)) && kill -STOP "${pids[@]}" && ! grep -q '"status": *"done"' "$folder/run.json" && return
     ((${#pids[@]} == 0)) || kill -CONT "${pids[@]}" 2>/dev/null || true
     wait "$mpiexec" || true # it was done before: once more
@@ -44,7 +44,7 @@ refused() { # FOLDER WHY
 whole() { # FOLDER [COMMAND...]: no file is damaged, and the run can be resumed
   local folder=$1; shift
   "$look" "$folder" >found || { cat found >&2; fail "$folder: damaged"; }
-  code 0 "$@" mpiexec --oversubscribe -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" --resume
+  code 0 "$@" mpiexec -n 2 "$frana" run "$PWD/scene.yaml" --out "$folder" --resume
   same whole/series.csv "$folder/series.csv"
   [ "$("$look" "$folder" | tail -n 1)" = "$("$look" whole | tail -n 1)" ] ||
     fail "$folder: other files than of the uninterrupted run"

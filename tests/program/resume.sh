@@ -36,8 +36,8 @@ resume=
 while :; do
   got=0
   target=$(($(last) + 15 + RANDOM % 20)) # this run writes that row, and so is ready for a signal
-  mpiexec --oversubscribe -n $n "$frana" run scene.yaml --out stopped $resume >out 2>err & pid=$!
-  if [ $stops -lt 3 ] && await $pid reached $target; then pkill -TERM -P $pid -x frana 2>/dev/null || true; fi
+  mpiexec -n $n "$frana" run scene.yaml --out stopped $resume >out 2>err & pid=$!
+  if [ $stops -lt 3 ] && await $pid reached $target; then ranks_of $pid | xargs -r kill -TERM 2>/dev/null || true; fi
   wait $pid || got=$?
   if [ "$got" = 0 ] && [ $stops -lt 3 ]; then # it was done before the signal came: once more from the start
     rm -rf stopped

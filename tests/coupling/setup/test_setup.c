@@ -394,7 +394,7 @@ static void test_broken_lists(void **state) {
 
 int main(int argc, char **argv) {
     /* forks: before MPI has begun, and on one rank */
-    const char *ranks = getenv("OMPI_COMM_WORLD_SIZE");
+    const char *of_open_mpi = getenv("OMPI_COMM_WORLD_SIZE"), *ranks = of_open_mpi ? of_open_mpi : getenv("PMI_SIZE");
     int failed = 0;
     if (!ranks || atoi(ranks) == 1) {
         const struct CMUnitTest leaving[] = {
