@@ -10,7 +10,8 @@ mkdir fake
 printf '#!/bin/sh\necho "$*" >>submitted\n' >fake/qsub
 # shellcheck disable=SC2016
 printf '#!/bin/sh\n[ "$*" = "-f 12.server" ] || exit 1
-echo "Job Id: 12.server"\necho "    Resource_List.walltime = 24:00:00"\necho "    stime = $(date "+%%a %%b %%d %%T %%Y")"\n' >fake/qstat
+echo "Job Id: 12.server"\necho "    Resource_List.walltime = 24:00:00"\n'\
+'echo "    stime = $(date "+%%a %%b %%d %%T %%Y")"\n' >fake/qstat
 chmod +x fake/*
 export PATH=$PWD/fake:$PATH PBS_O_WORKDIR=$PWD PBS_JOBID=12.server LC_ALL=C
 edit() { # the copy that a user makes
