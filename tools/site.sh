@@ -6,7 +6,7 @@ set -euo pipefail
 # shellcheck source=tools/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-command -v mkdocs >/dev/null && python3 -c 'import material' 2>/dev/null || setup_install mkdocs mkdocs-material
+mkdocs build --help 2>/dev/null | grep -q material || setup_install mkdocs mkdocs-material # it lists the themes
 [ "${1:-}" != --serve ] || exec mkdocs serve
 setup_quietly "building build/site" build/log/site.log mkdocs build --clean
 python3 tools/site/links.py build/site
