@@ -13,6 +13,8 @@ packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-
     zlib1g-dev gnuplot-nox"
 # shellcheck disable=SC2034 # for whoever sources this
 packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
+# shellcheck disable=SC2034
+packages_of_site="mkdocs mkdocs-material" # tools/site.sh
 commands="cmake gcc pkg-config mpicc mpiexec gnuplot"
 libraries="hdf5-openmpi fftw3 lapacke libcyaml yaml-0.1 cmocka libpng libtiff-4 zlib"
 

@@ -6,7 +6,12 @@ set -euo pipefail
 # shellcheck source=tools/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-mkdocs build --help 2>/dev/null | grep -q material || setup_install mkdocs mkdocs-material # it lists the themes
+themes=$(mkdocs build --help 2>/dev/null || true) # it lists them
+# shellcheck disable=SC2086,SC2154 # a list, from setup.sh
+case $themes in
+    *material*) ;;
+    *) setup_install $packages_of_site ;;
+esac
 [ "${1:-}" != --serve ] || exec mkdocs serve
 setup_quietly "building build/site" build/log/site.log mkdocs build --clean
 python3 tools/site/links.py build/site

@@ -18,8 +18,14 @@ PATH=$(dirname "$frana"):$PATH
 # The blocks in their order: blocks/001.sh, blocks/002.text, ...; list has a line a block: its file, its kind, its name
 awk -v to=../blocks '
     /^<!-- file: .* -->$/ { name = $3; next }
-    /^```/ && !open { open = 1; kind = substr($0, 4); if (name) kind = "file"; path = sprintf("%s/%03d.%s", to, ++n, kind)
-                      print path, kind, name > (to "/list"); printf "" > path; next }
+    /^```/ && !open {
+        open = 1
+        kind = name ? "file" : substr($0, 4)
+        path = sprintf("%s/%03d.%s", to, ++n, kind)
+        print path, kind, name > (to "/list")
+        printf "" > path
+        next
+    }
     /^```$/ { open = 0; name = ""; close(path); next }
     open { print > path }' "$page"
 
@@ -62,5 +68,8 @@ while read -r path kind name; do
       } ;;
   esac
 done <../blocks/list
-[ "$ran" -gt 0 ] && [ "$shown" -gt 0 ] || { echo "$page: no commands or nothing shown"; exit 1; }
+if [ "$ran" = 0 ] || [ "$shown" = 0 ]; then
+  echo "$page: no commands or nothing shown"
+  exit 1
+fi
 echo "$page: $ran blocks of commands ran, $shown blocks of output are as shown"

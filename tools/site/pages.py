@@ -25,7 +25,7 @@ place = {}  # path in the repository: place in the site
 
 def outside_code(text):
     """Lines of a page as (line, is it text): code of fences and of four blanks is no text."""
-    fenced, listed, blank = False, False, True
+    fenced, listed = False, False
     for line in text.split("\n"):
         if FENCE.match(line):
             fenced = not fenced
@@ -35,7 +35,6 @@ def outside_code(text):
         else:
             listed = bool(ITEM.match(line.lstrip())) or (listed and (line[:1] in (" ", "")))
             yield line, True
-        blank = not line.strip()
 
 
 def in_links(text, change):
@@ -44,7 +43,7 @@ def in_links(text, change):
     for line, is_text in outside_code(text):
         if is_text and "](" in line:
             spans = re.split(r"(`+[^`]*`+)", line)
-            kept = [s for s in spans[1::2]]
+            kept = spans[1::2]
             joined = "".join(s if i % 2 == 0 else "\0%d\0" % (i // 2) for i, s in enumerate(spans))
             joined = LINK.sub(lambda m: m.group(1) + change(m.group(2)) + m.group(3), joined)
             line = re.sub("\0([0-9]+)\0", lambda m: kept[int(m.group(1))], joined)
