@@ -7,8 +7,11 @@
 #   ```sh                   commands, which must succeed
 #   ```text                 lines that the commands before it print, in this order; other lines may stand between them.
 #                           Numbers may differ by 1 %, and what follows … in a line is not compared
+# A script beside this one that has the page's name looks at the files afterwards: it is called in their folder. What all
+# commands printed is in ../all.
 set -euo pipefail
 frana=$(realpath "$1") page=$(realpath "$2") folder=$3
+check=$(realpath "$(dirname "$0")")/$(basename "$page" .md).sh
 export LC_ALL=C.UTF-8
 rm -rf "$folder"
 mkdir -p "$folder/work" "$folder/blocks"
@@ -39,7 +42,8 @@ while read -r path kind name; do
         cat "$path" ../printed
         echo "a command of $page fails"
         exit 1
-      } ;;
+      }
+      cat ../printed >>../all ;;
     text)
       shown=$((shown + 1))
       awk -v page="$page" '
@@ -68,8 +72,14 @@ while read -r path kind name; do
       } ;;
   esac
 done <../blocks/list
-if [ "$ran" = 0 ] || [ "$shown" = 0 ]; then
-  echo "$page: no commands or nothing shown"
+if [ -f "$check" ]; then
+  bash -euo pipefail "$check"
+elif [ "$shown" = 0 ]; then
+  echo "$page: nothing is shown"
+  exit 1
+fi
+if [ "$ran" = 0 ]; then
+  echo "$page: no commands"
   exit 1
 fi
 echo "$page: $ran blocks of commands ran, $shown blocks of output are as shown"
