@@ -7,8 +7,8 @@
 #   ```sh                   commands, which must succeed
 #   ```text                 lines that the commands before it print, in this order; other lines may stand between them.
 #                           Numbers may differ by 1 %, and what follows … in a line is not compared
-# A script beside this one that has the page's name looks at the files afterwards: it is called in their folder. What all
-# commands printed is in ../all.
+# A script beside this one that has the page's name looks at the files afterwards: it is called in their folder, and
+# ../all has what all commands printed.
 set -euo pipefail
 frana=$(realpath "$1") page=$(realpath "$2") folder=$3
 check=$(realpath "$(dirname "$0")")/$(basename "$page" .md).sh
