@@ -16,6 +16,8 @@ packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-
 packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
 # shellcheck disable=SC2034
 packages_of_batch="munge slurmctld slurmd slurm-client" # a Slurm for the test of the job scripts
+# shellcheck disable=SC2034
+packages_of_site="mkdocs mkdocs-material" # tools/site.sh
 commands="cmake mpiexec gnuplot"
 
 say() { printf '%s\n' "-- $*"; }

@@ -1,0 +1,55 @@
+"""Checks the links of a built site without a network: each file that a page links to or loads exists, each #anchor is
+an id of its page, and nothing is loaded from another host. Prints each broken one; leaves with 1 if there is one.
+usage: python3 tools/site/links.py FOLDER
+"""
+import os
+import sys
+from html.parser import HTMLParser
+from urllib.parse import unquote, urlsplit
+
+
+class Page(HTMLParser):
+    def __init__(self, path):
+        super().__init__()
+        self.ids, self.links, self.loads = set(), [], []
+        with open(path, encoding="utf-8") as f:
+            self.feed(f.read())
+
+    def handle_starttag(self, tag, attrs):
+        attrs = dict(attrs)
+        self.ids.update(attrs[a] for a in ("id", "name") if attrs.get(a))
+        if tag == "a" and attrs.get("href"):
+            self.links.append(attrs["href"])
+        if tag == "link" and attrs.get("href") and attrs.get("rel") not in ("canonical", "prev", "next"):
+            self.loads.append(attrs["href"])
+        if tag in ("img", "script", "iframe", "source", "video") and attrs.get("src"):
+            self.loads.append(attrs["src"])
+
+
+folder = os.path.abspath(sys.argv[1])
+pages = {}
+for where, _, names in os.walk(folder):
+    for name in names:
+        if name.endswith(".html") and name != "404.html":  # its links are meant for a server's root
+            pages[os.path.join(where, name)] = Page(os.path.join(where, name))
+broken, count = [], 0
+for path, page in pages.items():
+    for target in page.links + page.loads:
+        part = urlsplit(target)
+        if part.scheme or part.netloc:
+            if target in page.loads and part.scheme != "data":
+                broken.append((path, target, "loaded from another host"))
+            continue
+        count += 1
+        there = os.path.normpath(os.path.join(os.path.dirname(path), unquote(part.path))) if part.path else path
+        if os.path.isdir(there):
+            there = os.path.join(there, "index.html")
+        if not os.path.isfile(there):
+            broken.append((path, target, "no such file"))
+        elif part.fragment and there in pages and unquote(part.fragment) not in pages[there].ids | {"__skip"}:
+            broken.append((path, target, "no such heading"))
+for path, target, why in broken:
+    print("%s: %s: %s" % (os.path.relpath(path, folder), target, why))
+if not pages or broken:
+    sys.exit("%d of %d links of %d pages are broken" % (len(broken), count, len(pages)))
+print("%d links of %d pages hold" % (count, len(pages)))

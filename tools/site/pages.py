@@ -1,0 +1,166 @@
+"""Hook of mkdocs (mkdocs.yml): what the pages in docs/ link to outside of docs/ becomes a part of the site.
+
+A Markdown file or a folder's README.md becomes a page, a source file a page with its text, a folder without README.md
+a list of what is in it, and any other file a copy. These pages are searched for links in turn. Only files that git
+tracks, or that could be added, are taken. Links are rewritten to where their target stands in the site.
+"""
+import os
+import posixpath
+import re
+import subprocess
+
+from mkdocs.structure.files import File
+
+SHOWN = {".c": "c", ".h": "c", ".sh": "bash", ".awk": "awk", ".yaml": "yaml", ".cmake": "cmake", ".py": "python"}
+LINK = re.compile(r"(!?\[(?:[^][]|\[[^][]*\])*\]\()<?([^ ()<>]*(?:\([^ ()]*\)[^ ()<>]*)*)>?((?: +\"[^\"]*\")?\))")
+FENCE = re.compile(r" *(```|~~~)")
+ITEM = re.compile(r"([-*]|[0-9]+\.) ")
+
+root = ""  # of the repository
+tracked = set()  # paths of files in it
+folders = set()
+made = {}  # place in the site: text of a page that is no file
+place = {}  # path in the repository: place in the site
+
+
+def outside_code(text):
+    """Lines of a page as (line, is it text): code of fences and of four blanks is no text."""
+    fenced, listed = False, False
+    for line in text.split("\n"):
+        if FENCE.match(line):
+            fenced = not fenced
+            yield line, False
+        elif fenced or (line.startswith("    ") and not listed):
+            yield line, False
+        else:
+            listed = bool(ITEM.match(line.lstrip())) or (listed and (line[:1] in (" ", "")))
+            yield line, True
+
+
+def in_links(text, change):
+    """The text with each link's target replaced by change(target); code in backquotes is left alone."""
+    out = []
+    for line, is_text in outside_code(text):
+        if is_text and "](" in line:
+            spans = re.split(r"(`+[^`]*`+)", line)
+            kept = spans[1::2]
+            joined = "".join(s if i % 2 == 0 else "\0%d\0" % (i // 2) for i, s in enumerate(spans))
+            joined = LINK.sub(lambda m: m.group(1) + change(m.group(2)) + m.group(3), joined)
+            line = re.sub("\0([0-9]+)\0", lambda m: kept[int(m.group(1))], joined)
+        out.append(line)
+    return "\n".join(out)
+
+
+def spaced(text):
+    """Lists and tables need a blank line before them in mkdocs' Markdown."""
+    out, before, before_is_text, in_list = [], "", True, False
+    for line, is_text in outside_code(text):
+        item = is_text and bool(ITEM.match(line.lstrip()))
+        if is_text and before.strip() and before_is_text:
+            if item and not in_list or line.startswith("|") and not before.startswith("|"):
+                out.append("")
+        if not before.strip() and line[:1] not in (" ", "") and not item:
+            in_list = False
+        in_list = in_list or item
+        out.append(line)
+        before, before_is_text = line, is_text
+    return "\n".join(out)
+
+
+def found(path):
+    """The file or folder that a path of the repository means: its README.md, if it is a folder with one."""
+    path = posixpath.normpath(path)
+    return posixpath.join(path, "README.md") if posixpath.join(path, "README.md") in tracked else path
+
+
+def place_of(path):
+    """Where a file of the repository stands in the site."""
+    if path.startswith("docs/"):
+        return path[len("docs/"):]
+    if path == "README.md":
+        return "repository.md"
+    if path in folders:
+        return path + "/index.md"
+    return path + ".md" if os.path.splitext(path)[1] in SHOWN else path
+
+
+def text_of(path):
+    """Markdown of a path of the repository that becomes a page, else None."""
+    extension = os.path.splitext(path)[1]
+    if path in folders:
+        inside = sorted({p[len(path) + 1:].split("/")[0] for p in tracked if p.startswith(path + "/")})
+        inside = [i for i in inside if path != "cases" or posixpath.join(path, i, "README.md") in tracked]
+        return "# %s\n\n%s\n" % (path, "\n".join("* [%s](%s)" % (i, i) for i in inside))
+    if extension != ".md" and extension not in SHOWN:
+        return None
+    with open(os.path.join(root, path), encoding="utf-8") as f:
+        text = f.read()
+    return text if extension == ".md" else "# %s\n\n~~~~{.%s}\n%s\n~~~~\n" % (path, SHOWN[extension], text)
+
+
+def is_elsewhere(target):
+    return not target or target.startswith("#") or re.match(r"[a-z]+:", target)
+
+
+def targets(path, text):
+    """Paths of the repository that a page links to."""
+    links = []
+    in_links(text, lambda t: links.append(t) or t)
+    for target in links:
+        if not is_elsewhere(target):
+            yield found(posixpath.join(posixpath.dirname(path), target.split("#")[0]))
+
+
+def on_files(files, config):
+    global root
+    root = os.path.dirname(os.path.abspath(config["config_file_path"]))
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=root,
+                            check=True, capture_output=True, text=True).stdout
+    tracked.update(p for p in listed.split("\0") if os.path.isfile(os.path.join(root, p)))
+    for path in tracked:
+        while "/" in path:
+            path = path.rsplit("/", 1)[0]
+            folders.add(path)
+    todo = sorted(p for p in tracked if p.startswith("docs/"))
+    seen = set(todo)
+    while todo:
+        path = todo.pop()
+        where = place[path] = place_of(path)
+        text = text_of(path) if path.endswith(".md") or not path.startswith("docs/") else None
+        if not path.startswith("docs/"):
+            file = File(where, root, config["site_dir"], config["use_directory_urls"])
+            file.abs_src_path = os.path.join(root, path)
+            files.append(file)
+            if not path.endswith(".md") and text is not None:
+                made[where] = text
+        if text is None or os.path.splitext(path)[1] in SHOWN:
+            continue
+        base = path + "/index.md" if path in folders else path
+        for target in targets(base, text):
+            if target not in seen and (target in tracked or target in folders):
+                seen.add(target)
+                todo.append(target)
+    return files
+
+
+def on_page_read_source(page, config):
+    return made.get(page.file.src_uri)
+
+
+def on_page_markdown(markdown, page, config, files):
+    where = page.file.src_uri
+    path = next((p for p, w in place.items() if w == where), where)
+    if os.path.splitext(path)[1] in SHOWN:
+        return markdown
+    base = path + "/index.md" if path in folders else path
+
+    def change(target):
+        if is_elsewhere(target):
+            return target
+        bare, _, anchor = target.partition("#")
+        there = place.get(found(posixpath.join(posixpath.dirname(base), bare)))
+        if there is None:
+            return target  # mkdocs warns of it
+        return posixpath.relpath(there, posixpath.dirname(where) or ".") + ("#" + anchor if anchor else "")
+
+    return spaced(in_links(markdown, change))
