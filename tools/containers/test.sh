@@ -57,7 +57,7 @@ demonstration() {
     ! grep -iE 'warning|error:' "$folder.log" || fail "$1: a warning, in $folder.log"
     grep -q '"status": *"done"' "$folder/demo/run.json" || fail "$1: the run is not done"
     [ -s "$folder/demo/post/summary.csv" ] || fail "$1: no summary"
-    ls "$folder"/demo/post/*.png >/dev/null || fail "$1: no picture"
+    ls "$folder"/demo/post/pictures/*.png >/dev/null || fail "$1: no picture"
 }
 
 docker() {
