@@ -77,7 +77,7 @@ section() {
         /^%/ { arguments = 0; within = here && substr($0, 2) == name; next }
         /^Bootstrap: / { within = arguments = 0 }
         arguments && /=/ { sub(/^ +/, ""); n = index($0, "="); value[substr($0, 1, n - 1)] = substr($0, n + 1) }
-        within { for (v in value) gsub("{{ *" v " *}}", value[v]); print }' source/tools/containers/frana.def
+        within { for (v in value) gsub("{{ *" v " *}}", value[v]); print }' "$work/source/tools/containers/frana.def"
 }
 
 apptainer() {
@@ -86,7 +86,7 @@ apptainer() {
     build=$(container apptainer-build localhost/frana-base)
     final=$(container apptainer localhost/frana-base)
     rm -rf "$build/frana"
-    (cd source && APPTAINER_ROOTFS=$build sh -ec "$(section build setup)")
+    (cd source && APPTAINER_ROOTFS=$build quietly ../apptainer-setup.log sh -ec "$(section build setup)")
     quietly apptainer-build.log images run --network host apptainer-build -- sh -ec "$(section build post)"
     while read -r from to; do
         [ -z "$from" ] || cp -r "$build$from" "$final$to"
