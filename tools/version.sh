@@ -5,13 +5,14 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+spack=tools/packaging/spack/spack_repo/frana/packages/frana/package.py
 number='[0-9]+\.[0-9]+\.[0-9]+'
 # file|line|what may differ: the version in a line that matches is the group between the two others
 places="CMakeLists.txt|^(project\(frana VERSION )($number)( .*)$
 CITATION.cff|^(version: )($number)()$
 codemeta.json|^(  \"version\": \")($number)(\",)$
 tools/packaging/easybuild/frana.eb|^(version = ')($number)(')$
-tools/packaging/spack/spack_repo/frana/packages/frana/package.py|^(    version\(\"[^\"]*\", tag=\"v)($number)(\"\))$"
+$spack|^(    version\(\"[^\"]*\", tag=\"v)($number)(\"\))$"
 
 has() { sed -nE "s/$2/\2/p" "$1"; }
 if [ $# -gt 0 ]; then
@@ -20,7 +21,7 @@ if [ $# -gt 0 ]; then
         exit 2
     }
     while IFS='|' read -r file line; do sed -Ei "s/$line/\1$1\3/" "$file"; done <<<"$places"
-    sed -Ei "s/^(    version\(\")$number(\", tag=)/\1$1\2/" tools/packaging/spack/spack_repo/frana/packages/frana/package.py
+    sed -Ei "s/^(    version\(\")$number(\", tag=)/\1$1\2/" "$spack"
 fi
 version=$(has CMakeLists.txt "$(sed -n '1s/^[^|]*|//p' <<<"$places")")
 wrong=0

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds the images of the Dockerfile and of frana.def, and runs the demonstration in them. Root, on Debian; needs buildah
-# and debootstrap. The base is made by debootstrap, so that no registry of images is asked. Apptainer itself is not run:
-# the sections of frana.def are executed in containers, in the order and with the variables that its manual states.
+# Builds the images of the Dockerfile and of frana.def, and runs the demonstration in them. Root, on Debian; needs
+# buildah and debootstrap. The base is made by debootstrap, so that no registry of images is asked. Apptainer itself is
+# not run: the sections of frana.def are executed in containers, in the order and with the variables of its manual.
 #   tools/containers/test.sh [docker] [apptainer]     both, if none is named; in build-containers
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -41,8 +41,8 @@ base() {
     rm -rf base base.tar
 }
 
-# demonstration CONTAINER [COMMAND]: the small porous block on two ranks, as a user who is not root and has no home. COMMAND
-# is executed before the program: what sets its environment, if the image does not.
+# demonstration CONTAINER [COMMAND]: the small porous block on two ranks, as a user who is not root and has no home.
+# COMMAND is executed before the program: what sets its environment, if the image does not.
 demonstration() {
     local folder=$work/run-$1 before=${2:-true}
     rm -rf "$folder"
