@@ -15,7 +15,7 @@ class Frana(CMakePackage):
     homepage = "file://" + os.path.join(_checkout, "README.md")
     git = "file://" + _checkout
 
-    license("MIT", checked_by="frana")
+    license("MIT")
 
     version("main", branch="main")
     version("0.1.0", tag="v0.1.0")
