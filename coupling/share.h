@@ -1,5 +1,5 @@
-/* The division of the cells over the ranks by the work of a coupled step: forcing and probes are computed by the rank that
- * holds their cells, so a piece with markers has more to do than one of fluid alone. */
+/* The division of the cells over the ranks by the work of a coupled step: forcing and probes are computed by the rank
+ * that holds their cells, so a piece with markers has more to do than one of fluid alone. */
 #pragma once
 #include "coupling/run.h"
 
@@ -10,6 +10,6 @@ double *share_work(const struct run *r);
 void share_cut(const int n[3], int halo, const double *work, const int ranks[3], int *const cut[3]);
 /* The largest piece's work over the mean. Not collective. */
 double share_imbalance(const int n[3], const double *work, const int ranks[3], const int *const cut[3]);
-/* Makes the fluid again, in pieces of equal work, if that takes 3 % off the largest piece. Before anything else is made of
- * the fluid. Collective. */
+/* Makes the fluid again, in pieces of equal work, if that takes 3 % off the largest piece. Before anything else is made
+ * of the fluid. Collective. */
 void share_divide(struct run *r);
