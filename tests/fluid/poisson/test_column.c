@@ -1,6 +1,7 @@
 /* Column solver on any number of ranks against LAPACK, for every pair of ends and near-singular systems. */
 /* Columns divided over ranks, also where r^k vanishes, where the system is nearly singular, and where it is
  * singular. */
+#include "base/par_count.h"
 #include "base/par_piece.h"
 #include "fluid/poisson/column.h"
 #include "tests/fluid/fluid_case.h"
@@ -47,6 +48,16 @@ static void reference(int n, double d, int pair, double l, const double *b, doub
 
 static double right_hand_side(int column, int k) { return random_at(column, k, 3, 4); }
 
+/* What a rank sends, there and back: to all others, or in groups of equal size to those of its group and to one of each
+ * group. All ranks together send as many values in groups as without. */
+static void assert_sent(int groups, struct par_count was) {
+    const int size = par_size(), several = groups > 0 ? groups : size > 8 ? (int)lround(sqrt(size)) : 1;
+    const struct par_count now = par_count_of(PAR_COUNT_TRANSPOSE);
+    assert_int_equal(par_sum_long(now.bytes - was.bytes), 8L * 4 * COLUMNS * (size - 1));
+    if (size % several) return;
+    assert_int_equal(now.messages - was.messages, 2 * (size / several - 1) + 2 * (several - 1));
+}
+
 /* Largest difference over the largest value, of all columns but the singular one; that one's residual and mean.
  * expected: [COLUMNS][n] */
 static void compare(int groups, int n, double d, int pair, const double *expected) {
@@ -72,7 +83,9 @@ static void compare(int groups, int n, double d, int pair, const double *expecte
         for (int i = 0; i < COLUMNS; i++) y[k * COLUMNS + i] = right_hand_side(i, low + k) / scale;
         fluid_column_up(c, k, 0, COLUMNS, k > 0 ? y + (k - 1) * COLUMNS : NULL, y + k * COLUMNS);
     }
+    const struct par_count was = par_count_of(PAR_COUNT_TRANSPOSE);
     fluid_column_couple(c, y, COLUMNS, mean);
+    assert_sent(groups, was);
     for (int k = m; k >= 0; k--) {
         fluid_column_down(c, k, 0, COLUMNS, y + k * COLUMNS);
         const double *plane = fluid_column_found(c, k);
