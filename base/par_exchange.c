@@ -43,11 +43,11 @@ static struct par_exchange *empty(void) {
     return x;
 }
 
-/* Fills from[], which tells how many items each rank sends here, without a word from ranks that send none (Hoefler,
- * Siebert and Lumsdaine 2010: NBX). Each rank tells the ranks that it sends to. A synchronous send ends once it is
- * received, so a rank that has no open sends enters a barrier, and when all are in it, nothing is under way. Until then
- * it receives. The tag alternates, because a rank that has left the barrier may begin the next round while another one
- * still receives; no rank can be two rounds ahead. */
+/* Fills from[]: how many items each rank sends here. Only the ranks that get items are told (algorithm NBX of Hoefler,
+ * Siebert and Lumsdaine 2010). A synchronous send ends once it is received. So a rank without open sends enters a
+ * barrier, and when all are in it, nothing is under way; until then it receives. The tag alternates, because a rank
+ * that has left the barrier may begin the next round while another one still receives. No rank can be two rounds
+ * ahead. */
 static void tell(struct par_exchange *x) {
     static int round;
     const int size = par_size(), rank = par_rank(), tag = 74 + round;

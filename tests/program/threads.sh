@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A coupled run whose bonds break is the same on several threads and ranks, also where the ranks' pieces are uneven; what
-# threads a command takes.
+# A coupled run whose bonds break is the same on several threads and ranks; so is one whose ranks have uneven pieces.
+# What threads a command takes.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 export OMP_WAIT_POLICY=passive # there may be more threads than cores
