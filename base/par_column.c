@@ -1,8 +1,8 @@
 /* Exchanges values of z columns that are divided over ranks, each column with the rank that solves it. */
 #include "base/par_column.h"
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/memory.h"
-#include "base/par.h"
 #include "base/par_count.h"
 #include "base/par_piece.h"
 
@@ -11,35 +11,38 @@
 #include <string.h>
 
 struct par_column {
-    int parts, place, stride, first; /* ranks along z, this one's place, rank of place c: first + c stride */
-    int columns, values;
-    double *packed; /* [columns of place][values][...] one block after another */
+    int parts, place, owners, columns, values;
+    int *rank;      /* [parts] */
+    double *packed; /* [columns of an owner][values][...] one block after another */
     MPI_Request *request;
 };
 
-struct par_column *par_column_new(const int ranks[3], int columns, int values) {
+struct par_column *par_column_new(const struct par_column_input *in) {
     struct par_column *c = calloc(1, sizeof *c);
-    c->parts = ranks[2];
-    c->stride = ranks[1];
-    c->first = par_rank() % ranks[1];
-    c->place = par_rank() / ranks[1];
-    c->columns = columns;
-    c->values = values;
-    c->packed = memory_new(MEMORY_FLUID, (size_t)columns * (size_t)values + 1, sizeof(double));
-    c->request = calloc(2 * (size_t)c->parts, sizeof *c->request);
+    ENSURE(c && in->owners >= 1 && in->owners <= in->parts, "%d of %d ranks own columns", in->owners, in->parts);
+    c->parts = in->parts;
+    c->place = in->place;
+    c->owners = in->owners;
+    c->columns = in->columns;
+    c->values = in->values;
+    c->rank = calloc((size_t)in->parts, sizeof *c->rank);
+    memcpy(c->rank, in->rank, (size_t)in->parts * sizeof *c->rank);
+    c->packed = memory_new(MEMORY_FLUID, (size_t)in->columns * (size_t)in->values + 1, sizeof(double));
+    c->request = calloc(2 * (size_t)in->parts, sizeof *c->request);
     return c;
 }
 
 void par_column_free(struct par_column *c) {
     if (!c) return;
     memory_free(c->packed);
+    free(c->rank);
     free(c->request);
     free(c);
 }
 
-int par_column_place(const struct par_column *c) { return c->place; }
-
-static int low_of(const struct par_column *c, int place) { return par_piece_low(c->columns, c->parts, place); }
+static int low_of(const struct par_column *c, int place) {
+    return place < c->owners ? par_piece_low(c->columns, c->owners, place) : c->columns;
+}
 
 static int count_of(const struct par_column *c, int place) { return low_of(c, place + 1) - low_of(c, place); }
 
@@ -55,17 +58,18 @@ static void swap(struct par_column *c, double *packed, double *of_all, int back)
     int requests = 0;
     for (int out = 0; out < 2; out++)
         for (int step = 1; step < c->parts; step++) {
-            const int other = (c->place + step) % c->parts, rank = c->first + other * c->stride;
+            const int other = (c->place + step) % c->parts, rank = c->rank[other];
             double *theirs = packed + (size_t)c->values * (size_t)low_of(c, other);
             double *ours = of_all + (size_t)other * (size_t)own;
             const int their_count = c->values * count_of(c, other);
-            const int sent = back ? own : their_count;
+            const int sent = back ? own : their_count, received = back ? their_count : own;
+            if ((out ? sent : received) == 0) continue;
             if (out) par_count_message(PAR_COUNT_TRANSPOSE, (size_t)sent * sizeof(double));
             if (out)
                 MPI_Isend(back ? ours : theirs, sent, MPI_DOUBLE, rank, 100 + back, MPI_COMM_WORLD,
                           &c->request[requests++]);
             else
-                MPI_Irecv(back ? theirs : ours, back ? their_count : own, MPI_DOUBLE, rank, 100 + back, MPI_COMM_WORLD,
+                MPI_Irecv(back ? theirs : ours, received, MPI_DOUBLE, rank, 100 + back, MPI_COMM_WORLD,
                           &c->request[requests++]);
         }
     double *mine = packed + (size_t)c->values * (size_t)low_of(c, c->place),

@@ -6,6 +6,7 @@
 #include "base/par_exchange_private.h"
 
 #include <mpi.h>
+#include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,6 +43,42 @@ static struct par_exchange *empty(void) {
     return x;
 }
 
+/* Fills from[]: how many items each rank sends here. Only the ranks that get items are told (algorithm NBX of Hoefler,
+ * Siebert and Lumsdaine 2010). A synchronous send ends once it is received. So a rank without open sends enters a
+ * barrier, and when all are in it, nothing is under way; until then it receives. The tag alternates, because a rank
+ * that has left the barrier may begin the next round while another one still receives. No rank can be two rounds
+ * ahead. */
+static void tell(struct par_exchange *x) {
+    static int round;
+    const int size = par_size(), rank = par_rank(), tag = 74 + round;
+    int open = 0, sent = 0, is_over = 0;
+    MPI_Request barrier;
+    memset(x->from, 0, (size_t)size * sizeof *x->from);
+    x->from[rank] = x->to[rank];
+    for (int r = 0; r < size; r++)
+        if (x->to[r] > 0 && r != rank) {
+            MPI_Issend(&x->to[r], 1, MPI_INT, r, tag, MPI_COMM_WORLD, &x->request[open++]);
+            par_count_message(x->kind, sizeof(int));
+        }
+    while (!is_over) {
+        MPI_Status status;
+        int has_arrived;
+        MPI_Iprobe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &has_arrived, &status);
+        if (has_arrived) {
+            const int r = status.MPI_SOURCE;
+            MPI_Recv(&x->from[r], 1, MPI_INT, r, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        } else if (sent) {
+            MPI_Test(&barrier, &is_over, MPI_STATUS_IGNORE);
+        } else {
+            MPI_Testall(open, x->request, &sent, MPI_STATUSES_IGNORE);
+            if (sent) MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
+        }
+        if (!has_arrived && !is_over) sched_yield(); /* several ranks may share a core */
+    }
+    par_count_collective(x->kind, 0);
+    round = !round;
+}
+
 struct par_exchange *par_exchange_new(int n, const int *dest) {
     return par_exchange_renew(NULL, n, NULL, dest);
 }
@@ -70,8 +107,7 @@ struct par_exchange *par_exchange_renew(struct par_exchange *x, int n, const int
     if (size == 1)
         x->from[0] = x->to[0];
     else
-        MPI_Alltoall(x->to, 1, MPI_INT, x->from, 1, MPI_INT, MPI_COMM_WORLD);
-    if (size > 1) par_count_collective(x->kind, (size_t)size * sizeof(int));
+        tell(x);
     x->served = offsets(x->from, x->from_at, size);
     return x;
 }

@@ -2,10 +2,9 @@
 #include "fluid/poisson/column.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_column.h"
-#include "base/par_piece.h"
 #include "base/threads.h"
 #include "fluid/poisson/column_ends.h"
+#include "fluid/poisson/column_ranks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +14,7 @@ static const double negligible = 1e-25, smallest = 1e-290;
 
 struct fluid_column {
     struct fluid_column_input in;
-    struct par_column *exchange;
+    struct fluid_column_ranks *ranks;
     int low, m;      /* this rank's planes */
     int free_column; /* the column whose mean is free, or -1 */
     /* [columns] */
@@ -25,20 +24,10 @@ struct fluid_column {
     double *reach, *end;     /* number of planes, from the first, over which a y below has an effect; r^reach */
     double *from_below;      /* y below times r^(k+1) */
     double *q[THREADS_MOST]; /* q of the planes computed last, one for each thread: plane k in q[(m - k) % threads] */
-    /* of the columns owned here: [own], and [ranks][own] for values by rank */
-    int own, own_low;
-    struct fluid_column_ends *ends;
-    double *decay, *feel, *place; /* by rank: r^m, r^2 + .. + r^2m, r^low */
-    double *share, *line;         /* [ranks][2][own]; [n] a whole column */
+    double *line;            /* [n] a whole column */
 };
 
 static double *array(size_t count) { return memory_new(MEMORY_FLUID, count + 1, sizeof(double)); }
-
-/* exp(-theta n), flushed to zero. */
-static double power_of(double theta, int n) {
-    const double p = exp(-theta * n);
-    return p < smallest ? 0 : p;
-}
 
 static void fill_columns(struct fluid_column *c, const double *lambda, double shift) {
     for (int i = 0; i < c->in.columns; i++) {
@@ -53,44 +42,17 @@ static void fill_columns(struct fluid_column *c, const double *lambda, double sh
     }
 }
 
-static int low_of(const struct fluid_column *c, int piece) {
-    return c->in.cut ? c->in.cut[piece] : par_piece_low(c->in.n, c->in.ranks[2], piece);
-}
-
-static void fill_own(struct fluid_column *c, const double *lambda, double shift) {
-    const int parts = c->in.ranks[2];
-    for (int i = 0; i < c->own; i++) {
-        const double theta = fluid_column_ends_theta(lambda[i] - shift, c->in.d), r = exp(-theta);
-        c->ends[i] = fluid_column_ends_close(c->in.n, theta, c->in.low, c->in.high);
-        for (int p = 0; p < parts; p++) {
-            const int low = low_of(c, p), m = low_of(c, p + 1) - low;
-            c->decay[p * c->own + i] = power_of(theta, m);
-            c->feel[p * c->own + i] = r * r * fluid_column_ends_ratio(2.0 * m, 2, theta);
-            c->place[p * c->own + i] = power_of(theta, low);
-        }
-    }
-}
-
 struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     struct fluid_column *c = calloc(1, sizeof *c);
-    const size_t columns = (size_t)in->columns, parts = (size_t)in->ranks[2];
+    const size_t columns = (size_t)in->columns;
     c->in = *in;
     c->in.lambda = NULL;
     c->free_column = -1;
-    c->exchange = par_column_new(in->ranks, in->columns, 2);
-    const int at = par_column_place(c->exchange);
-    c->low = low_of(c, at);
-    c->m = low_of(c, at + 1) - c->low;
+    c->ranks = fluid_column_ranks_new(in);
+    fluid_column_ranks_planes(c->ranks, &c->low, &c->m);
     double **of_columns[] = {&c->r, &c->inverse, &c->power, &c->sum, &c->reach, &c->end, &c->from_below};
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
     for (int t = 0; t < threads_count(); t++) c->q[t] = array(columns);
-    par_column_own(c->exchange, &c->own_low, &c->own);
-    const size_t own = (size_t)c->own;
-    c->ends = memory_new(MEMORY_FLUID, own + 1, sizeof *c->ends);
-    c->decay = array(parts * own);
-    c->feel = array(parts * own);
-    c->place = array(parts * own);
-    c->share = array(2 * parts * own);
     c->line = array((size_t)in->n);
     fluid_column_set(c, in->lambda, in->shift);
     return c;
@@ -98,17 +60,15 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
 
 void fluid_column_set(struct fluid_column *c, const double *lambda, double shift) {
     fill_columns(c, lambda, shift);
-    fill_own(c, lambda + c->own_low, shift);
+    fluid_column_ranks_set(c->ranks, lambda, shift);
 }
 
 void fluid_column_free(struct fluid_column *c) {
     if (!c) return;
-    double *arrays[] = {c->r,          c->inverse, c->power, c->sum,   c->reach, c->end,
-                        c->from_below, c->decay,   c->feel,  c->place, c->share, c->line};
+    double *arrays[] = {c->r, c->inverse, c->power, c->sum, c->reach, c->end, c->from_below, c->line};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memory_free(arrays[i]);
     for (int t = 0; t < THREADS_MOST; t++) memory_free(c->q[t]);
-    memory_free(c->ends);
-    par_column_free(c->exchange);
+    fluid_column_ranks_free(c->ranks);
     free(c);
 }
 
@@ -139,34 +99,6 @@ void fluid_column_up(struct fluid_column *c, int k, int from, int to, const doub
         up_first(n, scale, c->r + from, c->power + from, c->sum + from, b + from);
     else
         up(n, scale, c->r + from, below + from, c->power + from, c->sum + from, b + from);
-}
-
-/* From each rank's [Y, S] (its last y, its sum) to its [y below, q above]: up through the ranks, closed by the end
- * conditions, and down again. */
-static void couple(int parts, int own, const struct fluid_column_ends *ends, const double *decay, const double *feel,
-                   const double *place, double *share) {
-    for (int i = 0; i < own; i++) {
-        double y = 0, q = 0;
-        for (int p = 0; p < parts; p++) { /* Y becomes the y below; so far it was computed from zero */
-            double *about = share + 2 * p * own + i;
-            const double top = about[0];
-            about[0] = y;
-            y = decay[p * own + i] * y + top;
-        }
-        for (int p = parts - 1; p >= 0; p--) {
-            const double *about = share + 2 * p * own + i;
-            q = decay[p * own + i] * q - about[own] - feel[p * own + i] * about[0];
-        }
-        const double start = ends[i].y_by_y * y - ends[i].y_by_s * q;
-        q = ends[i].q_by_y * y - ends[i].q_by_s * q;
-        for (int p = parts - 1; p >= 0; p--) {
-            double *about = share + 2 * p * own + i;
-            const double sum = about[own], below = about[0] + place[p * own + i] * start;
-            about[0] = below;
-            about[own] = q;
-            q = decay[p * own + i] * q - sum - feel[p * own + i] * below;
-        }
-    }
 }
 
 /* The column whose mean is free, r = 1: computes its differences q[k+1] - q[k] in line, for the whole column on every
@@ -212,9 +144,7 @@ void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, dou
     double q_above = 0;
     const double *const known[2] = {y + (c->m - 1) * plane, c->sum};
     double *const found[2] = {c->from_below, c->q[0]};
-    par_column_share(c->exchange, known, c->share);
-    couple(c->in.ranks[2], c->own, c->ends, c->decay, c->feel, c->place, c->share);
-    par_column_return(c->exchange, c->share, found);
+    fluid_column_ranks_couple(c->ranks, known, found);
     for (int i = 0; i < c->in.columns; i++) c->from_below[i] *= c->end[i];
     if (!c->in.free_mean) return;
     solve_free(c, y, plane, mean, &q_above);

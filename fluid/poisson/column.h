@@ -5,9 +5,10 @@
  *     up    y[k] = d^2 b[k] + r y[k-1]          down    q[k] = r (q[k+1] - y[k])
  * Each rank runs up from y = 0 below, plane by plane, and sums what q at its first plane would be. These two values of
  * each column and rank give the true y below and q above each rank's planes (geometric sums, closed by the end
- * conditions); this takes one exchange of two values a column, there and back. The run down adds the y from below times
+ * conditions; fluid/poisson/column_ranks.h); this takes one exchange of two values a column, there and back, or two of
+ * them with fewer messages. The run down adds the y from below times
  * r^(k+1). Between faces (FLUID_END_FACE) q is zero at k = -1 and at k = n-1, whatever b is there. The cost is reading
- * and writing the planes: no elimination, no transpose, one round of messages on any number of ranks. */
+ * and writing the planes: no elimination, no transpose. */
 #pragma once
 #include "fluid/poisson/transform.h"
 #include <stddef.h>
@@ -16,6 +17,7 @@ struct fluid_column_input {
     int n;          /* cells of z */
     int ranks[3];   /* process grid */
     const int *cut; /* [ranks[2] + 1] first planes of the pieces (par_piece_cut), borrowed; NULL: even ones */
+    int groups;     /* of ranks along z (fluid/poisson/column_ranks.h); 0: as many as pays, 1: one level */
     double d;       /* m */
     double scale;   /* factor of the right-hand side */
     enum fluid_end low, high;

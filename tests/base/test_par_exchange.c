@@ -1,5 +1,6 @@
 /* Items arrive at the ranks that serve them, by rank and in order, and come back to their places. */
 #include "base/par.h"
+#include "base/par_count.h"
 #include "base/par_exchange.h"
 #include "tests/check.h"
 
@@ -76,11 +77,59 @@ static void nothing_is_exchanged(void **state) {
     par_exchange_free(x);
 }
 
+/* Rounds back to back, each with a pattern and numbers of its own: a rank that has finished one begins the next while
+ * others still receive. In turn: all to one rank; one rank to all; the first half to the second; everyone to some. */
+static void plans_follow_each_other(void **state) {
+    (void)state;
+    enum { ROUNDS = 400, MOST = 7 };
+    const int size = par_size(), rank = par_rank();
+    struct par_exchange *x = NULL;
+    int dest[32 * MOST];
+    assert_true(size <= 32);
+    for (int round = 0; round < ROUNDS; round++) {
+        int n = 0, expected = 0;
+        for (int r = 0; r < size; r++) {
+            const int goes[4] = {r == round % size, rank == round % size, 2 * rank < size && 2 * r >= size,
+                                 (rank + 2 * r + round) % 3 == 0};
+            const int comes[4] = {rank == round % size, r == round % size, 2 * r < size && 2 * rank >= size,
+                                  (r + 2 * rank + round) % 3 == 0};
+            for (int k = 0; k < (round + rank) % MOST && goes[round % 4]; k++) dest[n++] = r;
+            expected += comes[round % 4] ? (round + r) % MOST : 0;
+        }
+        x = par_exchange_renew(x, n, NULL, dest);
+        assert_int_equal(par_exchange_count(x), expected);
+    }
+    par_exchange_free(x);
+}
+
+/* Two plans renewed in turn do not take each other's messages; a message of a plan is one to each rank that gets items.
+ */
+static void plans_are_told_to_those_that_get_items(void **state) {
+    (void)state;
+    const int size = par_size(), rank = par_rank(), is_last = rank == size - 1;
+    struct par_exchange *a = NULL, *b = NULL;
+    int dest[2] = {size - 1, size - 1};
+    const struct par_count before = par_count_of(PAR_COUNT_EXCHANGE);
+    for (int round = 0; round < 50; round++) {
+        a = par_exchange_renew(a, 2, NULL, dest);
+        b = par_exchange_renew(b, is_last, NULL, &(int){0});
+        assert_int_equal(par_exchange_count(a), is_last ? 2 * size : 0);
+        assert_int_equal(par_exchange_count(b), rank == 0);
+    }
+    const struct par_count now = par_count_of(PAR_COUNT_EXCHANGE);
+    assert_int_equal(now.messages - before.messages, size > 1 ? 50 : 0);
+    assert_int_equal(now.collectives - before.collectives, size > 1 ? 100 : 0);
+    assert_int_equal(now.bytes - before.bytes, size > 1 ? 200 : 0);
+    par_exchange_free(a);
+    par_exchange_free(b);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(items_go_and_come_back),
-                                       cmocka_unit_test(an_item_goes_to_several_ranks),
-                                       cmocka_unit_test(nothing_is_exchanged)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(items_go_and_come_back), cmocka_unit_test(an_item_goes_to_several_ranks),
+        cmocka_unit_test(nothing_is_exchanged), cmocka_unit_test(plans_follow_each_other),
+        cmocka_unit_test(plans_are_told_to_those_that_get_items)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A coupled run whose bonds break is the same on several threads and ranks; what threads a command takes.
+# A coupled run whose bonds break is the same on several threads and ranks; so is one whose ranks have uneven pieces.
+# What threads a command takes.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 export OMP_WAIT_POLICY=passive # there may be more threads than cores
@@ -14,6 +15,12 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") k = i } E
   one/series.csv || fail "too few bonds break"
 code 0 ranks 2 run scene.yaml --out ranks --threads 2
 same one/series.csv ranks/series.csv
+# the block in one half of a channel twice as wide: the pieces of z are cut by work (tests/coupling/test_share.c)
+sed -e 's/size: .*/size: [0.05, 0.025, 0.05]/' -e 's/cells: .*/cells: [32, 16, 32]/' -e 's/steps: 60/steps: 30/' \
+  scene.yaml >wide.yaml
+code 0 ranks 1 run wide.yaml --out wide-1
+code 0 ranks 3 run wide.yaml --out wide-3
+same wide-1/series.csv wide-3/series.csv
 code 2 ranks 1 run scene.yaml --out none --threads 0
 grep -q 'threads 0: must be a whole number, at least 1' err || fail "0 threads: $(cat err)"
 code 2 ranks 1 run scene.yaml --out none --threads 1000
