@@ -6,8 +6,7 @@
 
 #include <math.h>
 
-/* The present displacements of wet particles and ghosts, in the work. Collective. */
-static const cracks_vec *displacements(const struct cracks *c) {
+const cracks_vec *cracks_aperture_displacements(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     cracks_vec *u = c->work->u;
     for (int i = 0; i < t->n; i++) {
@@ -20,12 +19,14 @@ static const cracks_vec *displacements(const struct cracks *c) {
 
 void cracks_aperture_volume(const struct cracks *c, double *volume) {
     const struct cracks_struts *t = &c->struts;
-    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, displacements(c), volume);
+    const cracks_vec *u = cracks_aperture_displacements(c);
+    cracks_kernel_volume(t->n, t->start, t->other, t->kind, c->table.half, u, volume);
 }
 
 void cracks_aperture_open(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
-    cracks_kernel_volume_part(t->n, t->start, t->middle, t->other, t->kind, c->table.half, displacements(c), c->open);
+    const cracks_vec *u = cracks_aperture_displacements(c);
+    cracks_kernel_volume_part(t->n, t->start, t->middle, t->other, t->kind, c->table.half, u, c->open);
 }
 
 const double *cracks_aperture_cracks(const struct cracks *c) { return c->open ? c->open : c->volume; }

@@ -2,6 +2,8 @@
 #pragma once
 #include "cracks/cracks.h"
 
+/* The present displacements of wet particles and ghosts, m, [n + ghosts]: in the work. Collective. */
+const cracks_vec *cracks_aperture_displacements(const struct cracks *c);
 /* v_h of the present displacements, m3, [n]. Collective. */
 void cracks_aperture_volume(const struct cracks *c, double *volume);
 /* With pores: the broken bonds' part of v_h, in c->open. Collective. */

@@ -1,10 +1,12 @@
 /* Creates and frees the fluid in cracks. */
 #include "cracks/cracks.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "cracks/aperture.h"
 #include "cracks/inject.h"
+#include "cracks/mouth.h"
 #include "cracks/pores.h"
 #include "cracks/project.h"
 #include "cracks/solve.h"
@@ -68,6 +70,12 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
     c->solid = s;
     cracks_table_new(&c->table, &s->in, &s->in.material[s->in.body[0].material]);
     if (in->porous) cracks_table_add_intact(&c->table, in->pores.biot);
+    if (in->outside) {
+        ENSURE(!in->porous, "pores and a fluid outside");
+        cracks_table_add_intact(&c->table, 0); /* of struts that are off */
+        c->gap = (s->in.material[s->in.body[0].material].horizon_ratio - 1) * s->in.spacing;
+        c->mouths = cracks_mouth_new();
+    }
     c->least_aperture = in->least_aperture > 0 ? in->least_aperture : least_aperture(s);
     if (!(c->least_aperture > 0))
         die_all(EXIT_CODE_SCENE,
@@ -106,6 +114,7 @@ void cracks_free(struct cracks *c) {
                          c->particles,
                          c->weight};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    cracks_mouth_free(c->mouths);
     cracks_solve_free(c->work);
     cracks_struts_free(&c->struts);
     cracks_table_free(&c->table);

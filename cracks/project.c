@@ -1,9 +1,11 @@
 /* The pressures of a substep, and their load on the solid. */
 #include "cracks/project.h"
 #include "base/par.h"
+#include "cracks/apart.h"
 #include "cracks/aperture.h"
 #include "cracks/inject.h"
 #include "cracks/leak.h"
+#include "cracks/mouth.h"
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -17,6 +19,7 @@ void cracks_project_settle(struct cracks *c) {
     c->work = cracks_solve_room(c->work, &c->struts);
     cracks_inject_renew(c);
     if (c->restored) {
+        if (c->in.outside) cracks_apart_look(c, 0);
         c->restored = 0;
         return;
     }
@@ -70,6 +73,7 @@ static double residual_begin(struct cracks *c, double dt, double *size) {
         w->residual[i] = c->content[i] - w->b[i] - c->storage[i] * c->p[i];
     }
     cracks_inject_source(c, dt, w->residual);
+    if (c->mouths) cracks_mouth_source(c, dt, w->residual);
     cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, -dt, c->p, w->residual);
     if (c->leak) *size += cracks_leak_source(c, c->solid->t, dt, w->residual);
     *size = par_sum(*size);
@@ -103,6 +107,7 @@ static void fill(struct cracks *c, double dt) {
     cracks_struts_update(t, sizeof *c->p, c->p);
     cracks_kernel_flow(t->n, t->link_start, t->link, w->conductance, dt, c->p, flow);
     cracks_inject_fill(c, dt, w->residual);
+    if (c->mouths) cracks_mouth_fill(c, dt);
     if (c->leak) cracks_leak_book(c, c->solid->t + dt);
     for (int i = 0; i < t->n; i++) {
         c->content[i] -= flow[i];
@@ -110,6 +115,11 @@ static void fill(struct cracks *c, double dt) {
         c->volume[i] = c->content[i] - c->storage[i] * c->p[i] - left;
         c->cavity[i] = w->set[i] == CRACKS_CAVITY ? -left : 0;
     }
+}
+
+void cracks_project_load_again(struct cracks *c) {
+    for (int i = 0; i < c->struts.n; i++)
+        for (int k = 0; k < c->solid->dim; k++) c->solid->load[k][c->struts.h[i]] += c->share[i][k];
 }
 
 void cracks_project(struct solid *s, double dt, void *cracks) {
@@ -126,8 +136,11 @@ void cracks_project(struct solid *s, double dt, void *cracks) {
         c->work->set[i] = c->p[i] > c->in.least_pressure ? CRACKS_FULL : CRACKS_CAVITY;
     }
     double size;
+    if (c->mouths) cracks_mouth_begin(c, dt);
     const double injected = residual_begin(c, dt, &size);
-    if (!cracks_solve(c, dt, injected, size)) return;
+    const int found = cracks_solve(c, dt, injected, size);
+    if (c->mouths) cracks_mouth_end(c);
+    if (!found) return;
     load(c, dt);
     fill(c, dt);
     c->steps++;

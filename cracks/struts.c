@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "cracks/apart.h"
 #include "cracks/axis.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"
@@ -186,7 +187,7 @@ static void mobilities(const struct solid *s, struct cracks_struts *t) {
 
 /* Area vector, area, and the diagonal of B^T M^-1 B, where a_h and the sum are those of all struts, intact bonds
  * included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l */
-static void area_of(struct cracks_struts *t, const struct cracks_table *table, int i) {
+void cracks_struts_area(struct cracks_struts *t, const struct cracks_table *table, int i) {
     const long broken = t->middle ? t->middle[i] : t->start[i + 1];
     cracks_vec area = {0}, others = {0};
     double sum = 0;
@@ -251,7 +252,7 @@ static int move_broken(const struct solid *s, const struct cracks_table *table, 
 static void renew_kinds(struct cracks *c) {
     struct cracks_struts *t = &c->struts;
     for (int i = 0; i < t->n; i++)
-        if (c->solid->flag[t->h[i]] & SOLID_BROKEN && move_broken(c->solid, &c->table, t, i)) area_of(t, &c->table, i);
+        if (c->solid->flag[t->h[i]] & SOLID_BROKEN && move_broken(c->solid, &c->table, t, i)) cracks_struts_area(t, &c->table, i);
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
     c->renewals++;
 }
@@ -265,6 +266,10 @@ void cracks_struts_renew(struct cracks *c) {
     }
     const int old_n = t->n;
     int *old_h = memory_copy(MEMORY_SOLID, t->h, (size_t)old_n, sizeof *old_h);
+    const int switches = c->in.outside && !c->restored && old_n > 0;
+    const long old_struts = switches ? t->start[old_n] : 0;
+    long *old_start = switches ? memory_copy(MEMORY_SOLID, t->start, (size_t)old_n + 1, sizeof *old_start) : NULL;
+    uint16_t *old_kind = switches ? memory_copy(MEMORY_SOLID, t->kind, (size_t)old_struts, sizeof *old_kind) : NULL;
     read_struts(s, &c->table, c->in.porous, t);
     long *first = number(s, t, old_n, old_h);
     read_links(s, t);
@@ -272,8 +277,11 @@ void cracks_struts_renew(struct cracks *c) {
     carry_over(c, old_n, old_h, t->ghosts);
     arrays_resize(c);
     mobilities(s, t);
-    for (int i = 0; i < t->n; i++) area_of(t, &c->table, i);
+    if (switches) cracks_apart_keep(c, old_n, old_h, old_start, old_kind);
+    for (int i = 0; i < t->n; i++) cracks_struts_area(t, &c->table, i);
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
+    memory_free(old_start);
+    memory_free(old_kind);
     memory_free(old_h);
     memory_free(first);
     t->bonds_version = s->bonds_version;

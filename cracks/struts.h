@@ -8,6 +8,12 @@ void cracks_struts_renew(struct cracks *c);
 /* Whether bonds have broken, or were restored, since the struts were made; the same on all ranks. Clears the solid's
  * mark. Collective. */
 int cracks_struts_changed(struct cracks *c);
+/* The area of a wet particle and its diagonal, from its struts. Not collective. */
+void cracks_struts_area(struct cracks_struts *t, const struct cracks_table *table, int i);
+/* The wet index of the solid's particle h, which is owned here; -1: not wet. Not collective. */
+static inline int cracks_struts_wet(const struct cracks_struts *t, int h) {
+    return t->n > 0 && t->id[h] >= 0 ? (int)(t->id[h] - t->id[t->h[0]]) : -1;
+}
 void cracks_struts_free(struct cracks_struts *t);
 /* Copies records of so many bytes from the owners to the ghosts; record [n + ghosts]. Collective. */
 void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *record);
