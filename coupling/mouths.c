@@ -8,12 +8,15 @@
 #include "coupling/mouths.h"
 #include "base/ensure.h"
 #include "base/memory.h"
+#include "base/par.h"
 #include "cracks/apart.h"
 #include "cracks/mouth.h"
 #include "cracks/project.h"
+#include "cracks/struts.h"
 #include "solid/bonds/family.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Spacings: below it the mean bond of a particle gives no normal. */
 static const double SHORT = 1e-3;
@@ -30,6 +33,8 @@ struct mouths {
     uint8_t *active;                /* [n] */
     int *h;                         /* [mouths] local index in the solid */
     double *flow, *conductance;     /* [mouths] mean pressure of the probes, Pa; m3/(s Pa) */
+    int points, point_room;
+    double (*point)[3], *rate;      /* [points] where volume enters the flow, m; m3/s */
 };
 
 /* Room for one mouth more, with two probes. */
@@ -60,7 +65,8 @@ void mouths_free(struct mouths *m) {
     if (!m) return;
     void *const own[] = {m->place, m->owner, m->root[0],     m->root[1],     m->root[2],   m->normal[0], m->normal[1],
                          m->normal[2],   m->root_v[0],   m->root_v[1],   m->root_v[2], m->pressure,  m->active,
-                         m->traction[0], m->traction[1], m->traction[2], m->h,         m->flow,      m->conductance};
+                         m->traction[0], m->traction[1], m->traction[2], m->h,         m->flow,      m->conductance,
+                         m->point, m->rate};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++) memory_free(own[i]);
     ibm_free(m->ibm);
     memory_free(m);
@@ -123,6 +129,67 @@ void mouths_straighten(struct run *r) {
         ENSURE(p < to->probes && to->owner[p] == m->owner[q], "a mouth without a probe of the load");
         for (int c = 0; c < 3; c++) to->traction[c][p] += to->pressure[p] * (to->normal[c][p] - m->normal[c][q]);
     }
+}
+
+static void add_point(struct mouths *m, const double x[3], double rate) {
+    if (m->points == m->point_room) {
+        const size_t used = (size_t)m->points, room = 2 * used + 64;
+        m->point = memory_grown(MEMORY_COUPLING, m->point, used, room, sizeof *m->point);
+        m->rate = memory_grown(MEMORY_COUPLING, m->rate, used, room, sizeof *m->rate);
+        m->point_room = (int)room;
+    }
+    memcpy(m->point[m->points], x, sizeof m->point[0]);
+    m->rate[m->points++] = rate;
+}
+
+/* The places before a mouth, one cell off the wall: x [2][3]. Returns how many can take volume. q: its first probe; on
+ * return the first of the next mouth. */
+static int places_before(const struct run *r, int mouth, int *q, double x[2][3]) {
+    const struct mouths *m = r->mouths;
+    const double dx = fluid_grid_of(r->fluid)->d[0];
+    int places = 0;
+    for (; *q < m->n && m->place[*q] == mouth; ++*q) {
+        for (int c = 0; c < 3; c++) x[places][c] = m->root[c][*q] + dx * m->normal[c][*q];
+        places += fluid_volume_source_holds(r->fluid, x[places]);
+    }
+    return places;
+}
+
+/* Inside, volume enters where it was taken up. What cannot leave before its mouth is taken off there, so that both sums
+ * are the same. What remains, because a particle stands beside the domain and by rounding, is taken off the mouths. */
+void mouths_give(struct run *r) {
+    struct mouths *m = r->mouths;
+    const struct cracks *c = r->cracks;
+    const struct cracks_mouths *of = c->mouths;
+    double sum[3] = {0, 0, 0}; /* all rates; those of mouths, absolute; those of mouths */
+    mouths_find(r);
+    m->points = 0;
+    for (int k = 0, q = 0; k < m->mouths; k++) {
+        double x[2][3];
+        const int places = places_before(r, k, &q, x);
+        const double rate = cracks_mouth_rate(of, m->h[k]);
+        for (int p = 0; p < places && rate != 0; p++) add_point(m, x[p], -rate / places);
+        if (places == 0) of->gain[m->h[k]] -= rate * r->dt;
+    }
+    const int before = m->points;
+    for (int i = 0; i < c->struts.n; i++) {
+        const int h = c->struts.h[i];
+        double x[3];
+        solid_position(r->solid, h, x);
+        if (of->gain[h] != 0 && fluid_volume_source_holds(r->fluid, x)) add_point(m, x, of->gain[h] / r->dt);
+    }
+    for (int k = 0; k < m->points; k++) {
+        sum[0] += m->rate[k];
+        sum[1] += k < before ? fabs(m->rate[k]) : 0;
+    }
+    par_sum_array(sum, 2);
+    for (int k = 0; k < before && sum[1] > 0; k++) {
+        m->rate[k] -= sum[0] * fabs(m->rate[k]) / sum[1];
+        sum[2] -= m->rate[k];
+    }
+    if (!(sum[1] > 0)) m->points = 0;
+    r->cracks->handed += par_sum(sum[2]) * r->dt;
+    fluid_volume_source_set(r->fluid, m->points, (const double(*)[3])m->point, m->rate);
 }
 
 /* The means over the active probes of each mouth. Returns how many mouths have one; those are the first in h. */

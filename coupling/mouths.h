@@ -4,6 +4,9 @@
 
 struct mouths *mouths_new(struct run *r); /* NULL unless cracks carry fluid and a flow is resolved. Collective. */
 void mouths_free(struct mouths *m);
+/* A part of the step, before the fluid's: what entered the cracks in the last step leaves the flow before the mouths,
+ * and as much enters where the cracks took it up, inside the body. Collective. */
+void mouths_give(struct run *r);
 /* In a stage in which cracks carry fluid, before the tractions become loads: finds the mouths, and turns the pressure's
  * part of their tractions to the normal of the face without the crack. Not collective. */
 void mouths_find(struct run *r);

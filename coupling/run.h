@@ -19,7 +19,7 @@ struct cracks; /* cracks/cracks.h */
 struct reaction;
 struct mouths;
 typedef void run_part(struct run *r);
-enum { RUN_PARTS_MAX = 10 };
+enum { RUN_PARTS_MAX = 12 };
 
 /* Markers and probes of the interface: positions, velocities, forces, tractions. One marker for each particle of the
  * surface; two probes for a wall wetted on both faces. Work arrays, computed from the state. */

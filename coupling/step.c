@@ -125,6 +125,7 @@ static const struct step_part box[] = {
     {"loads raised, relaxation and breakage in turn", STAGE_RAISES, 0, part_increment},
     {"time step from the fluid's limits", STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
     {"markers", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG, part_markers},    /* 001: sec. 3.5.2, X^n and V^n */
+    {"volume given to cracks", STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_give},   /* docs/design/cracks.md */
     {"fluid", STAGE_FLUID, STAGE_IMMERSED, part_fluid},                         /* 001: eqs 3.70-3.74 */
     {"fluid with forcing", STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
      part_fluid_forced}, /* 001: eqs 3.70-3.82 */

@@ -74,7 +74,7 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
         ENSURE(!in->porous, "pores and a fluid outside");
         cracks_table_add_intact(&c->table, 0); /* of struts that are off */
         c->gap = (s->in.material[s->in.body[0].material].horizon_ratio - 1) * s->in.spacing;
-        c->mouths = cracks_mouth_new();
+        c->mouths = cracks_mouth_new(s);
     }
     c->least_aperture = in->least_aperture > 0 ? in->least_aperture : least_aperture(s);
     if (!(c->least_aperture > 0))

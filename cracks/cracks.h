@@ -94,6 +94,7 @@ struct cracks {
     /* With a fluid outside. */
     double entered;               /* volume that came in through the mouths so far, m3, the same on all ranks */
     double resolved;              /* volume of fluid in struts that were switched off so far, m3, the same on all ranks */
+    double handed;                /* volume that the fluid outside has given so far, m3, the same on all ranks */
     struct cracks_mouths *mouths; /* their places and rates; NULL: no fluid outside */
 
     /* Work */

@@ -35,6 +35,7 @@ static void measure_mouths(const struct cracks *c, struct cracks_values *v) {
     v->mouths = (long)sum[2];
     v->entered = c->entered;
     v->resolved = c->resolved;
+    v->handed = c->handed;
 }
 
 struct cracks_values cracks_measure(const struct cracks *c) {

@@ -8,10 +8,11 @@ struct cracks_values {
     double cavity;             /* void that is not filled, m3 */
     double stored;             /* sum of S p, of cracks and pores, m3 */
     double leaked;             /* off the cracks' faces since the start, m3 */
-    double entered;            /* through the mouths since the start, m3; 0 without a fluid outside, as the next four */
+    double entered;            /* through the mouths since the start, m3; 0 without a fluid outside, as the next five */
     double mouth_rate;         /* of all mouths in the last step, m3/s */
     double mouth_pressure;     /* mean over the mouths, Pa */
     long mouths;
+    double handed;             /* of it, given by the fluid outside, m3 */
     double resolved;           /* fluid in struts that were switched off since the start, m3 */
     double residual;           /* volume - cavity + stored + leaked + resolved - injected - entered, m3; volume
                                 * and stored with those of the pores, less what was in the pores at the start */

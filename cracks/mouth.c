@@ -5,16 +5,18 @@
 #include "cracks/struts.h"
 
 #include <math.h>
+#include <string.h>
 
-struct cracks_mouths *cracks_mouth_new(void) {
+struct cracks_mouths *cracks_mouth_new(const struct solid *s) {
     struct cracks_mouths *m = memory_new(MEMORY_SOLID, 1, sizeof *m);
     cracks_mouth_room(m, 1);
+    m->gain = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *m->gain);
     return m;
 }
 
 void cracks_mouth_free(struct cracks_mouths *m) {
     if (!m) return;
-    void *const own[] = {m->h, m->rate, m->pressure, m->conductance, m->volume, m->storage, m};
+    void *const own[] = {m->h, m->rate, m->pressure, m->conductance, m->volume, m->storage, m->gain, m};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -26,6 +28,18 @@ void cracks_mouth_room(struct cracks_mouths *m, int n) {
     for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
         *array[a] = memory_grown(MEMORY_SOLID, *array[a], used, room, sizeof **array[a]);
     m->room = (int)room;
+}
+
+double cracks_mouth_rate(const struct cracks_mouths *m, int h) {
+    int low = 0, high = m->n;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (m->h[middle] < h)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < m->n && m->h[low] == h ? m->rate[low] : 0;
 }
 
 int cracks_mouth_is_wet(const struct cracks *c, int h) {
@@ -43,6 +57,7 @@ void cracks_mouth_set(struct cracks *c, int n, const int *h, const double *flow,
         rate[k] = j < m->n && m->h[j] == h[k] ? m->rate[j] : 0;
     }
     m->n = n;
+    memset(m->gain, 0, (size_t)c->solid->n * sizeof *m->gain);
     for (int k = 0; k < n; k++) {
         m->h[k] = h[k];
         m->rate[k] = rate[k];
@@ -79,6 +94,7 @@ void cracks_mouth_fill(struct cracks *c, double dt) {
         const double entered = dt * m->conductance[k] * (m->pressure[k] - c->p[i]);
         c->content[i] += entered;
         m->volume[k] += entered;
+        m->gain[m->h[k]] += entered;
     }
 }
 

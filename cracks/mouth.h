@@ -15,9 +15,10 @@ struct cracks_mouths {
     double *conductance; /* [n] G, m3/(s Pa) */
     double *volume;      /* [n] that has entered in the present step, m3 */
     double *storage;     /* [n] work: S_h without the mouth, m3/Pa */
+    double *gain;        /* [the solid's n] what particles got in the present or last step, through mouths and links, m3 */
 };
 
-struct cracks_mouths *cracks_mouth_new(void);
+struct cracks_mouths *cracks_mouth_new(const struct solid *s);
 void cracks_mouth_free(struct cracks_mouths *m);
 /* Whether the particle h may be one: it has a strut. Not collective. */
 int cracks_mouth_is_wet(const struct cracks *c, int h);
@@ -26,6 +27,9 @@ int cracks_mouth_is_wet(const struct cracks *c, int h);
 void cracks_mouth_set(struct cracks *c, int n, const int *h, const double *flow, const double *conductance);
 /* Room for n mouths; values are kept. Not collective. */
 void cracks_mouth_room(struct cracks_mouths *m, int n);
+
+/* Of a mouth of the last step, m3/s; 0: the particle was none. Not collective. */
+double cracks_mouth_rate(const struct cracks_mouths *m, int h);
 
 /* In a substep. The first adds dt G to the storage, the second dt G p_out to the source [n], m3; so the pressures are
  * found with the mouths. The third takes the storage back, the fourth books what has entered. Not collective. */

@@ -111,6 +111,7 @@ static void fill(struct cracks *c, double dt) {
     if (c->leak) cracks_leak_book(c, c->solid->t + dt);
     for (int i = 0; i < t->n; i++) {
         c->content[i] -= flow[i];
+        if (c->mouths) c->mouths->gain[t->h[i]] -= flow[i];
         const double left = w->set[i] == CRACKS_GIVEN ? 0 : w->residual[i];
         c->volume[i] = c->content[i] - c->storage[i] * c->p[i] - left;
         c->cavity[i] = w->set[i] == CRACKS_CAVITY ? -left : 0;

@@ -9,8 +9,9 @@
 #include <string.h>
 
 /* A row of a wet particle: global id, p, content, cavity, volume, storage, share, since (0 if nothing leaks off). The
- * row of the totals: leaked, filled, began. A row of a mouth: global id, rate. */
-enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3, MOUTH_ROW = 2 };
+ * row of the totals: leaked, filled, began. A row of what
+ * a wet particle got from the fluid outside: global id, rate as a mouth (0: it is none), gain. */
+enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3, MOUTH_ROW = 3 };
 
 static struct cracks *cracks_of(const void *owner) { return (struct cracks *)(uintptr_t)owner; }
 
@@ -124,14 +125,16 @@ static int load_totals(void *owner, long n, const void *value) {
 
 static int has_mouths(const void *owner) { return cracks_of(owner)->mouths != NULL; }
 
-static long mouth_rows(const void *owner) { return cracks_of(owner)->mouths->n; }
+static long mouth_rows(const void *owner) { return cracks_of(owner)->struts.n; }
 
 static void save_mouths(void *owner, void *value) {
     const struct cracks *c = cracks_of(owner);
     double(*row)[MOUTH_ROW] = value;
-    for (int k = 0; k < c->mouths->n; k++) {
-        row[k][0] = (double)(c->solid->first[par_rank()] + c->mouths->h[k]);
-        row[k][1] = c->mouths->rate[k];
+    for (int i = 0; i < c->struts.n; i++) {
+        const int h = c->struts.h[i];
+        row[i][0] = (double)(c->solid->first[par_rank()] + h);
+        row[i][1] = cracks_mouth_rate(c->mouths, h);
+        row[i][2] = c->mouths->gain[h];
     }
 }
 
@@ -141,12 +144,14 @@ static int load_mouths(void *owner, long n, const void *value) {
     struct cracks_mouths *m = c->mouths;
     const double(*row)[MOUTH_ROW] = value;
     m->n = 0;
+    memset(m->gain, 0, (size_t)c->solid->n * sizeof *m->gain);
     for (long k = 0; k < n; k++) {
         const long h = (long)row[k][0] - c->solid->first[par_rank()];
         if (h < 0 || h >= c->solid->n) continue;
         cracks_mouth_room(m, m->n + 1);
         m->h[m->n] = (int)h;
         m->rate[m->n++] = row[k][1];
+        m->gain[h] = row[k][2];
     }
     return 0;
 }
@@ -231,7 +236,7 @@ static void mouths_make(void *keep, void *owner) {
 
 static void mouths_take(void *keep, void *owner) {
     struct cracks_keep *k = *(struct cracks_keep **)keep;
-    k->mouths = cracks_of(owner)->mouths->n;
+    k->mouths = cracks_of(owner)->struts.n;
     if (k->mouths > k->mouth_room) {
         k->mouth_room = k->mouths + k->mouths / 4;
         k->mouth = memory_renew(MEMORY_OUTPUT, k->mouth, (size_t)k->mouth_room, sizeof *k->mouth);
@@ -270,6 +275,8 @@ const struct state_item cracks_state_table[] = {
     {"crack_entered", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, entered), .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_mouths},
     {"crack_resolved", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, resolved), .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_mouths},
+    {"crack_handed", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, handed), .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_mouths},
     {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(mouths, struts), .comps = MOUTH_ROW, .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_mouths, .rows_of = mouth_rows, .save = save_mouths,

@@ -66,6 +66,7 @@ static double forward(struct fluid *f, double c, double length2) {
         if (f->in.driving.type == FLUID_DRIVING_BULK) bulk += bulk_of(f, k);
         double *divergence = fluid_poisson_plane(f->poisson, k);
         fluid_momentum_kernels_divergence(g, k, 1 / c, predicted, divergence);
+        if (f->source) fluid_volume_source_subtract(f, k, 1 / c, divergence);
         if (length2 > 0) add_to_pressure(f, k, -length2, divergence);
         fluid_poisson_plane_forward(f->poisson, k);
     }

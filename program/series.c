@@ -96,6 +96,7 @@ static const struct column {
     COLUMN("aperture_mean", "m", NEED_CRACKS, aperture_mean),
     COLUMN("wet_particles", "1", NEED_CRACKS, wet_particles),
     COLUMN("mouth_volume", "m3", NEED_CRACKS | NEED_FLUID, mouth_volume),
+    COLUMN("handed_volume", "m3", NEED_CRACKS | NEED_FLUID, handed_volume),
     COLUMN("mouth_rate", "m3/s", NEED_CRACKS | NEED_FLUID, mouth_rate),
     COLUMN("mouth_pressure", "Pa", NEED_CRACKS | NEED_FLUID, mouth_pressure),
     COLUMN("mouths", "1", NEED_CRACKS | NEED_FLUID, mouths),
@@ -306,6 +307,7 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.aperture_mean = v.aperture_mean;
     s->now.wet_particles = (double)v.wet_particles;
     s->now.mouth_volume = v.entered;
+    s->now.handed_volume = v.handed;
     s->now.mouth_rate = v.mouth_rate;
     s->now.mouth_pressure = v.mouth_pressure;
     s->now.mouths = (double)v.mouths;
