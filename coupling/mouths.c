@@ -1,7 +1,8 @@
 /* Mouths of cracks: where the fluid of cracks below the grid meets the resolved flow. */
 /* A particle of the interface that has a strut is a mouth. The flow's pressure there is read by a probe from the wall,
  * in the form that is extrapolated to the wall (coupling.load: wall), whatever the loads are; of a wall that is wetted
- * on both faces it is the mean of both. Where no tip lies in the domain the crack is shut.
+ * on both faces it is the mean of both. A particle without any intact bond has the pressure that is extrapolated to its
+ * centre. Where no tip lies in the domain the crack is shut.
  *
  * The conductance of a mouth is dx dt/rho: that of the inertia of the fluid in one cell before it, so that a rate that
  * changes by dQ in a step needs the pressure rho dQ/(dx dt). */
@@ -100,7 +101,7 @@ void mouths_find(struct run *r) {
     m->n = 0;
     for (int i = 0; i < f->n; i++) {
         const int h = f->h[i], faces = f->two_sided[i];
-        if (faces == SOLID_SET_FREE || !cracks_mouth_is_wet(r->cracks, h)) continue;
+        if (!cracks_mouth_is_wet(r->cracks, h)) continue;
         make_room(m, mouths);
         double x[3], n[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         solid_position(s, h, x);
@@ -111,7 +112,7 @@ void mouths_find(struct run *r) {
             m->owner[q] = i;
             for (int c = 0; c < 3; c++) {
                 m->normal[c][q] = side * n[c];
-                m->root[c][q] = x[c] + side * f->depth[i] * n[c];
+                m->root[c][q] = x[c] + (faces == SOLID_SET_FREE ? 0 : side * f->depth[i] * n[c]);
                 m->root_v[c][q] = s->v[c][h];
             }
         }
@@ -120,11 +121,13 @@ void mouths_find(struct run *r) {
     m->mouths = mouths;
 }
 
-/* Both lists of probes have the order of the interface. */
+/* Both lists of probes have the order of the interface. A particle without bonds has no probe of the load. */
 void mouths_straighten(struct run *r) {
     const struct mouths *m = r->mouths;
     struct run_markers *to = &r->markers;
     for (int q = 0, p = 0; q < m->n; q++, p++) {
+        while (q < m->n && r->surface->two_sided[m->owner[q]] == SOLID_SET_FREE) q++;
+        if (q == m->n) return;
         while (p < to->probes && to->owner[p] < m->owner[q]) p++;
         ENSURE(p < to->probes && to->owner[p] == m->owner[q], "a mouth without a probe of the load");
         for (int c = 0; c < 3; c++) to->traction[c][p] += to->pressure[p] * (to->normal[c][p] - m->normal[c][q]);

@@ -36,6 +36,7 @@ static void measure_mouths(const struct cracks *c, struct cracks_values *v) {
     v->entered = c->entered;
     v->resolved = c->resolved;
     v->handed = c->handed;
+    v->unshared = v->volume + v->resolved - v->handed;
 }
 
 struct cracks_values cracks_measure(const struct cracks *c) {

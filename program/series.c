@@ -97,6 +97,7 @@ static const struct column {
     COLUMN("wet_particles", "1", NEED_CRACKS, wet_particles),
     COLUMN("mouth_volume", "m3", NEED_CRACKS | NEED_FLUID, mouth_volume),
     COLUMN("handed_volume", "m3", NEED_CRACKS | NEED_FLUID, handed_volume),
+    COLUMN("unshared_volume", "m3", NEED_CRACKS | NEED_FLUID, unshared_volume),
     COLUMN("mouth_rate", "m3/s", NEED_CRACKS | NEED_FLUID, mouth_rate),
     COLUMN("mouth_pressure", "Pa", NEED_CRACKS | NEED_FLUID, mouth_pressure),
     COLUMN("mouths", "1", NEED_CRACKS | NEED_FLUID, mouths),
@@ -308,6 +309,7 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.wet_particles = (double)v.wet_particles;
     s->now.mouth_volume = v.entered;
     s->now.handed_volume = v.handed;
+    s->now.unshared_volume = v.unshared;
     s->now.mouth_rate = v.mouth_rate;
     s->now.mouth_pressure = v.mouth_pressure;
     s->now.mouths = (double)v.mouths;
