@@ -38,12 +38,6 @@ static void check_bodies(const struct scene_check *c) {
     }
 }
 
-/* Whether a key is written in the scene or set for the run, and not a default. */
-static int is_written(const struct scene_check *c, const char *path) {
-    const struct scene_node *node = scene_node_find(c->root, path);
-    return node && (node->line > 0 || node->set);
-}
-
 /* With a resolved flow outside the cracks. */
 static void check_outside(const struct scene_check *c) {
     static const double EQUAL = 1e-6;
@@ -55,10 +49,6 @@ static void check_outside(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "crack_fluid.viscosity",
                          "must be that of the section fluid, density times viscosity = %g Pa s, or be left out",
                          viscosity);
-    if (!is_written(c, "crack_fluid.least_pressure"))
-        scene_problem_at(c->problems, c->root, "crack_fluid",
-                         "needs least_pressure in a scene with a fluid, whose pressures are relative to the outlet's: "
-                         "-1.0e5 if the outlet is at the pressure of the air");
     if (f->pores) scene_problem_at(c->problems, c->root, "crack_fluid.pores", "cannot go with the section fluid");
     if (!c->scene->coupling) return;
     if (c->scene->coupling->load == SCENE_LOAD_REACTION)

@@ -308,7 +308,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("crack_fluid", "section", .only = SOLID | STEPPED),
     RULE("crack_fluid.viscosity", "Pa s", ABOVE(0), .needed = NO_FLUID),
     RULE("crack_fluid.compressibility", "1/Pa", "0", FROM(0)),
-    RULE("crack_fluid.least_pressure", "Pa", "0"),
+    RULE("crack_fluid.least_pressure", "Pa", "0", .needed = FLUID),
     RULE("crack_fluid.least_aperture", "m", "auto", ABOVE(0), .word = "auto", .load = "0"),
     RULE("crack_fluid.leak_off", "m/s^(1/2)", "0", FROM(0), NOT_WITH("pores")),
     RULE("crack_fluid.pores", "section"),
