@@ -12,6 +12,7 @@
 #include "base/par.h"
 #include "cracks/apart.h"
 #include "cracks/mouth.h"
+#include "cracks/off.h"
 #include "cracks/project.h"
 #include "cracks/struts.h"
 #include "solid/bonds/family.h"
@@ -35,15 +36,15 @@ struct mouths {
     int *h;                         /* [mouths] local index in the solid */
     double *flow, *conductance;     /* [mouths] mean pressure of the probes, Pa; m3/(s Pa) */
     int points, point_room;
-    double (*point)[3], *rate;      /* [points] where volume enters the flow, m; m3/s */
+    double (*point)[3], *rate; /* [points] where volume enters the flow, m; m3/s */
 };
 
 /* Room for one mouth more, with two probes. */
 static void make_room(struct mouths *m, int mouths) {
     if (m->n + 2 <= m->room) return;
     const size_t used = (size_t)m->n, room = 2 * (size_t)m->room + 64;
-    double **const array[] = {&m->root[0],   &m->root[1],   &m->root[2],     &m->normal[0],   &m->normal[1],
-                              &m->normal[2], &m->root_v[0], &m->root_v[1],   &m->root_v[2],   &m->pressure,
+    double **const array[] = {&m->root[0],   &m->root[1],     &m->root[2],     &m->normal[0],   &m->normal[1],
+                              &m->normal[2], &m->root_v[0],   &m->root_v[1],   &m->root_v[2],   &m->pressure,
                               &m->flow,      &m->conductance, &m->traction[0], &m->traction[1], &m->traction[2]};
     for (size_t a = 0; a < sizeof array / sizeof *array; a++)
         *array[a] = memory_grown(MEMORY_COUPLING, *array[a], used, room, sizeof **array[a]);
@@ -64,10 +65,10 @@ struct mouths *mouths_new(struct run *r) {
 
 void mouths_free(struct mouths *m) {
     if (!m) return;
-    void *const own[] = {m->place, m->owner, m->root[0],     m->root[1],     m->root[2],   m->normal[0], m->normal[1],
-                         m->normal[2],   m->root_v[0],   m->root_v[1],   m->root_v[2], m->pressure,  m->active,
-                         m->traction[0], m->traction[1], m->traction[2], m->h,         m->flow,      m->conductance,
-                         m->point, m->rate};
+    void *const own[] = {m->place,       m->owner,       m->root[0],     m->root[1],     m->root[2],   m->normal[0],
+                         m->normal[1],   m->normal[2],   m->root_v[0],   m->root_v[1],   m->root_v[2], m->pressure,
+                         m->active,      m->traction[0], m->traction[1], m->traction[2], m->h,         m->flow,
+                         m->conductance, m->point,       m->rate};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++) memory_free(own[i]);
     ibm_free(m->ibm);
     memory_free(m);
@@ -84,7 +85,7 @@ static void straighten(const struct run *r, int h, double n[3]) {
     for (int b = 0; b < view.n; b++) {
         double jump[3];
         for (int c = 0; c < 3; c++) jump[c] = s->d[c][view.l[b]] - s->d[c][h];
-        if (!view.intact[b] && cracks_apart_is_off(r->cracks, jump)) continue;
+        if (!view.intact[b] && cracks_off_is(r->cracks, (cracks_vec){jump[0], jump[1], jump[2], 0})) continue;
         for (int c = 0; c < 3; c++) sum[c] -= view.weight[b] * (view.xi[b][c] + jump[c]);
         weight += view.weight[b];
     }

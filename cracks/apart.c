@@ -2,33 +2,11 @@
 #include "cracks/apart.h"
 #include "base/par.h"
 #include "cracks/aperture.h"
+#include "cracks/off.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
 
 #include <math.h>
-
-static int is_off(const struct cracks *c, cracks_vec jump) {
-    return cracks_kernel_sum(jump * jump) > c->gap * c->gap;
-}
-
-int cracks_apart_is_off(const struct cracks *c, const double jump[3]) {
-    return is_off(c, (cracks_vec){jump[0], jump[1], jump[2], 0});
-}
-
-void cracks_apart_keep(struct cracks *c, int old_n, const int *old_h, const long *old_start, const uint16_t *old_kind) {
-    struct cracks_struts *t = &c->struts;
-    const int kinds = c->table.kinds;
-    for (int i = 0, j = 0; i < t->n; i++) {
-        uint8_t was_off[SOLID_FAMILY_MAX] = {0};
-        while (j < old_n && old_h[j] < t->h[i]) j++;
-        if (j == old_n) return;
-        if (old_h[j] != t->h[i]) continue;
-        for (long k = old_start[j]; k < old_start[j + 1]; k++)
-            if (old_kind[k] >= kinds) was_off[old_kind[k] - kinds] = 1;
-        for (long k = t->start[i]; k < t->start[i + 1]; k++)
-            if (was_off[t->kind[k]]) t->kind[k] = (uint16_t)(t->kind[k] + kinds);
-    }
-}
 
 /* Switches the struts of a particle. Returns whether one has changed; leaves: the volume of those that were switched
  * off, less that of those switched on, m3; on: the number of struts that are on. */
@@ -40,7 +18,7 @@ static int switch_struts(struct cracks *c, const cracks_vec *u, int i, double *l
     *on = 0;
     for (long k = t->start[i]; k < t->start[i + 1]; k++) {
         const cracks_vec jump = u[t->other[k]] - u[i];
-        const int was_off = t->kind[k] >= kinds, now_off = is_off(c, jump);
+        const int was_off = t->kind[k] >= kinds, now_off = cracks_off_is(c, jump);
         const int kind = was_off ? t->kind[k] - kinds : t->kind[k];
         *on += !now_off;
         if (was_off == now_off) continue;

@@ -1,14 +1,7 @@
-/* Struts that are switched off: where a crack stands so wide open that the fluid outside is resolved in it.
- *
- * A strut is off while its ends have moved apart by more than c->gap, the same distance at which the crack's faces
- * become a part of the solid's surface. Its kind is then that of an intact bond in the table, whose weight is 0. */
+/* Switches struts off and on: where a crack stands wide open the fluid outside takes over (cracks/off.h). */
 #pragma once
 #include "cracks/cracks.h"
 
-/* Whether a strut is off whose ends have moved apart by a vector, m. Not collective. */
-int cracks_apart_is_off(const struct cracks *c, const double jump[3]);
-/* The switches of the struts that were there before they were made anew: old_* describe the old ones. Not collective. */
-void cracks_apart_keep(struct cracks *c, int old_n, const int *old_h, const long *old_start, const uint16_t *old_kind);
 /* Switches struts by the present displacements. books: what leaves the struts' volume goes from content and void into
  * c->resolved; what comes back is full of fluid. Collective. */
 void cracks_apart_look(struct cracks *c, int books);

@@ -12,7 +12,7 @@
 
 struct par_ghost;
 struct cracks_mouths; /* cracks/mouth.h */
-struct cracks_work; /* cracks/solve.h */
+struct cracks_work;   /* cracks/solve.h */
 
 /* What enters the cracks through the wet particles of a box (X0). */
 struct cracks_injection {
@@ -92,9 +92,9 @@ struct cracks {
     int began;     /* 1: it has flowed */
 
     /* With a fluid outside. */
-    double entered;               /* volume that came in through the mouths so far, m3, the same on all ranks */
-    double resolved;              /* volume of fluid in struts that were switched off so far, m3, the same on all ranks */
-    double handed;                /* volume that the fluid outside has given so far, m3, the same on all ranks */
+    double entered;  /* volume that came in through the mouths so far, m3, the same on all ranks */
+    double resolved; /* volume of fluid in struts that were switched off so far, m3, the same on all ranks */
+    double handed;   /* volume that the fluid outside has given so far, m3, the same on all ranks */
     struct cracks_mouths *mouths; /* their places and rates; NULL: no fluid outside */
 
     /* Work */

@@ -15,7 +15,7 @@ struct cracks_mouths {
     double *conductance; /* [n] G, m3/(s Pa) */
     double *volume;      /* [n] that has entered in the present step, m3 */
     double *storage;     /* [n] work: S_h without the mouth, m3/Pa */
-    double *gain;        /* [the solid's n] what particles got in the present or last step, through mouths and links, m3 */
+    double *gain; /* [the solid's n] what particles got in the present or last step, through mouths and links, m3 */
 };
 
 struct cracks_mouths *cracks_mouth_new(const struct solid *s);

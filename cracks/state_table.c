@@ -269,9 +269,9 @@ const struct state_item cracks_state_table[] = {
     {"crack_injected", STATE_DOUBLE, STATE_ROWS, MEMBERS(injected, leaked), .comps = INJECTION_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .rows_of = injection_rows, .save = save_injections,
      .load_rows = load_injections, .kept = &injections_kept},
-    {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, entered), .comps = TOTAL_ROW, .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals, .load_rows = load_totals,
-     .kept = &totals_kept},
+    {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, entered), .comps = TOTAL_ROW, .last = 1,
+     .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals,
+     .load_rows = load_totals, .kept = &totals_kept},
     {"crack_entered", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, entered), .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_mouths},
     {"crack_resolved", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, resolved), .last = 1, .in = STATE_BOTH,
@@ -279,8 +279,8 @@ const struct state_item cracks_state_table[] = {
     {"crack_handed", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, handed), .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_mouths},
     {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(mouths, struts), .comps = MOUTH_ROW, .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_mouths, .rows_of = mouth_rows, .save = save_mouths,
-     .load_rows = load_mouths, .kept = &mouths_kept},
+     .missing = STATE_LEFT, .is_part = has_mouths, .rows_of = mouth_rows, .save = save_mouths, .load_rows = load_mouths,
+     .kept = &mouths_kept},
 };
 
 #undef MEMBERS

@@ -4,8 +4,8 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
-#include "cracks/apart.h"
 #include "cracks/axis.h"
+#include "cracks/off.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"
 
@@ -252,7 +252,8 @@ static int move_broken(const struct solid *s, const struct cracks_table *table, 
 static void renew_kinds(struct cracks *c) {
     struct cracks_struts *t = &c->struts;
     for (int i = 0; i < t->n; i++)
-        if (c->solid->flag[t->h[i]] & SOLID_BROKEN && move_broken(c->solid, &c->table, t, i)) cracks_struts_area(t, &c->table, i);
+        if (c->solid->flag[t->h[i]] & SOLID_BROKEN && move_broken(c->solid, &c->table, t, i))
+            cracks_struts_area(t, &c->table, i);
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
     c->renewals++;
 }
@@ -277,7 +278,7 @@ void cracks_struts_renew(struct cracks *c) {
     carry_over(c, old_n, old_h, t->ghosts);
     arrays_resize(c);
     mobilities(s, t);
-    if (switches) cracks_apart_keep(c, old_n, old_h, old_start, old_kind);
+    if (switches) cracks_off_keep(c, old_n, old_h, old_start, old_kind);
     for (int i = 0; i < t->n; i++) cracks_struts_area(t, &c->table, i);
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
     memory_free(old_start);

@@ -30,7 +30,7 @@ struct fluid {
     struct fluid_diffusion *diffusion; /* NULL: explicit */
     struct fluid_audit audit;
     struct fluid_volume_source *source; /* fluid/volume_source.c; NULL: nothing enters at points */
-    double shift[3]; /* uniform velocity that the bulk driving adds in this stage, m/s */
+    double shift[3];                    /* uniform velocity that the bulk driving adds in this stage, m/s */
 };
 
 static inline double *fluid_component(const struct fluid_state *s, int c) {

@@ -42,8 +42,7 @@ void fluid_volume_source_set(struct fluid *f, int n, const double (*x)[3], const
     const double volume = g->d[0] * g->d[1] * g->d[2];
     if (!f->source) {
         f->source = memory_new(MEMORY_FLUID, 1, sizeof *f->source);
-        f->source->rate =
-            memory_new(MEMORY_FLUID, (size_t)g->m[0] * (size_t)g->m[1] * (size_t)g->m[2], sizeof(double));
+        f->source->rate = memory_new(MEMORY_FLUID, (size_t)g->m[0] * (size_t)g->m[1] * (size_t)g->m[2], sizeof(double));
     }
     fluid_volume_source_clear(f);
     double(*mine)[ITEM] = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *mine);

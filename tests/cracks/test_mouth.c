@@ -75,8 +75,7 @@ static void check_ranks(const char *name, const double *value, int n, const doub
 
 static void numbers_of(const struct run *r, double value[NUMBERS]) {
     const struct cracks_values v = cracks_measure(r->c);
-    const double of[NUMBERS] = {v.entered, v.volume,   v.cavity,          v.mouth_rate, v.mouth_pressure,
-                                v.area,    v.resolved};
+    const double of[NUMBERS] = {v.entered, v.volume, v.cavity, v.mouth_rate, v.mouth_pressure, v.area, v.resolved};
     memcpy(value, of, sizeof of);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A notch that fluid is pumped into, in a plate and in a block, and one that is open to a flow: the same series on other ranks, and resumed in the
-# middle on another number of ranks; volumes add up; mistakes are refused with sentences.
+# A notch that fluid is pumped into, in a plate and in a block, and one that is open to a flow: the same series on other
+# ranks, and resumed in the middle on another number of ranks; volumes add up; mistakes are refused with sentences.
 # usage: crack_fluid.sh FRANA SOURCE WORK
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
