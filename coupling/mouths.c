@@ -4,8 +4,10 @@
  * on both faces it is the mean of both. A particle without any intact bond has the pressure that is extrapolated to its
  * centre. Where no tip lies in the domain the crack is shut.
  *
- * The conductance of a mouth is dx dt/rho: that of the inertia of the fluid in one cell before it, so that a rate that
- * changes by dQ in a step needs the pressure rho dQ/(dx dt). */
+ * A crack is as many mouths wide as it has layers of struts, six at m = 3. A change of the rate through all of them by
+ * dQ in a step needs the pressure rho dQ/(dx dt), as the inertia of the fluid in one cell before them does; so the
+ * conductance of one is dx dt/(6 rho). With dx dt/rho each, a flow from one side of a body to the other through a crack
+ * that is a third of a spacing wide grows by itself. */
 #include "coupling/mouths.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -224,7 +226,9 @@ void mouths_open(struct run *r) {
                                        .is_carried = 1,
                                        .length = r->scene->coupling->probe_length};
     ibm_probe(m->ibm, &in, m->traction, m->pressure, m->active);
-    const int n = take_means(m, dx * r->dt / fluid_input_of(r->fluid)->density);
+    const double layers = 2 * r->cracks->table.reach,
+                 inertia = layers * fluid_input_of(r->fluid)->density / (dx * r->dt);
+    const int n = take_means(m, 1 / inertia);
     cracks_mouth_set(r->cracks, n, m->h, m->flow, m->conductance);
     cracks_project_load_again(r->cracks);
 }

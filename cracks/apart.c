@@ -37,7 +37,6 @@ static double book(struct cracks *c, int i, double leaves, long on) {
         fluid = leaves - empty;
     } else {
         leaves = c->volume[i];
-        c->p[i] = c->in.least_pressure;
         c->storage[i] = 0;
     }
     c->volume[i] -= leaves;
@@ -53,14 +52,17 @@ void cracks_apart_look(struct cracks *c, int books) {
     for (int i = 0; i < t->n; i++) {
         double leaves;
         long on;
-        if (!switch_struts(c, u, i, &leaves, &on)) continue;
+        if (!switch_struts(c, u, i, &leaves, &on)) {
+            if (on == 0 && books) sum[0] += book(c, i, 0, 0); /* what flowed through it */
+            continue;
+        }
         cracks_struts_area(t, &c->table, i);
         if (books) sum[0] += book(c, i, leaves, on);
         sum[1]++;
     }
     par_sum_array(sum, 2);
+    c->resolved += sum[0];
     if (sum[1] == 0) return;
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
     c->work->ones_hold = c->work->force_holds = 0;
-    c->resolved += sum[0];
 }

@@ -1,5 +1,6 @@
 /* Volumes, apertures and conductances of the wet particles. */
 #include "cracks/aperture.h"
+#include "cracks/mouth.h"
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -50,5 +51,32 @@ void cracks_aperture_conductance(const struct cracks *c) {
             const int l = t->link[k];
             const double mean = 0.5 * (w[i] + w[l]);
             c->work->conductance[k] = pores + factor * (t->area_size[i] + t->area_size[l]) * (mean * mean * mean);
+        }
+}
+
+/* A link of conductance T beside the elastic part dt a^2/m of its ends, for the largest mass: over the number of
+ * spacings (T m/(dt a^2))^(1/2) pressures become equal in a substep, in which a wave of the solid passes less than one.
+ * Where few struts are left on in a wide crack the number has no bound, and the pressures would be lost in rounding. */
+void cracks_aperture_bound(const struct cracks *c, double dt) {
+    enum { SPACINGS = 100 };
+    const struct cracks_struts *t = &c->struts;
+    const struct solid_input *in = &c->solid->in;
+    double density = 0;
+    for (int m = 0; m < in->materials; m++) density = fmax(density, in->material[m].density);
+    const double mass = density * pow(in->spacing, c->solid->dim) * solid_depth(in);
+    double *w = c->work->width;
+    for (int i = 0; i < t->n; i++)
+        if (!(t->area_size[i] > 0)) w[i] = 0;
+    for (int k = 0; k < c->mouths->n; k++) {
+        const int i = cracks_struts_wet(t, c->mouths->h[k]);
+        w[i] = fmax(w[i], c->least_aperture);
+    }
+    cracks_struts_update(t, sizeof *w, w);
+    for (int i = 0; i < t->n; i++)
+        for (int k = t->link_start[i]; k < t->link_start[i + 1]; k++) {
+            const double a = t->area_size[i], b = t->area_size[t->link[k]];
+            const int is_open = w[i] > 0 && w[t->link[k]] > 0;
+            const double most = is_open * SPACINGS * SPACINGS * dt * 0.5 * (a * a + b * b) / mass;
+            c->work->conductance[k] = fmin(c->work->conductance[k], most);
         }
 }

@@ -42,10 +42,7 @@ double cracks_mouth_rate(const struct cracks_mouths *m, int h) {
     return low < m->n && m->h[low] == h ? m->rate[low] : 0;
 }
 
-int cracks_mouth_is_wet(const struct cracks *c, int h) {
-    const int i = cracks_struts_wet(&c->struts, h);
-    return i >= 0 && c->struts.area_size[i] > 0;
-}
+int cracks_mouth_is_wet(const struct cracks *c, int h) { return cracks_struts_wet(&c->struts, h) >= 0; }
 
 /* Both lists ascend. */
 void cracks_mouth_set(struct cracks *c, int n, const int *h, const double *flow, const double *conductance) {

@@ -20,7 +20,8 @@ struct cracks_mouths {
 
 struct cracks_mouths *cracks_mouth_new(const struct solid *s);
 void cracks_mouth_free(struct cracks_mouths *m);
-/* Whether the particle h may be one: it has a strut. Not collective. */
+/* Whether the particle h may be one: it has a strut, be it off: then fluid flows through it to struts that are on. Not
+ * collective. */
 int cracks_mouth_is_wet(const struct cracks *c, int h);
 /* The mouths of the coming step. flow [n] p_flow, Pa. Particles that are mouths already keep their rate. Not
  * collective. */

@@ -1,9 +1,7 @@
 /* Which struts are off. */
 #include "cracks/off.h"
 
-int cracks_off_is(const struct cracks *c, cracks_vec jump) {
-    return cracks_kernel_sum(jump * jump) > c->gap * c->gap;
-}
+int cracks_off_is(const struct cracks *c, cracks_vec jump) { return cracks_kernel_sum(jump * jump) > c->gap * c->gap; }
 
 void cracks_off_keep(struct cracks *c, int old_n, const int *old_h, const long *old_start, const uint16_t *old_kind) {
     struct cracks_struts *t = &c->struts;

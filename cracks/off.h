@@ -7,5 +7,6 @@
 
 /* Whether a strut is off whose ends have moved apart by a vector, m. Not collective. */
 int cracks_off_is(const struct cracks *c, cracks_vec jump);
-/* The switches of the struts that were there before they were made anew: old_* describe the old ones. Not collective. */
+/* The switches of the struts that were there before they were made anew: old_* describe the old ones. Not collective.
+ */
 void cracks_off_keep(struct cracks *c, int old_n, const int *old_h, const long *old_start, const uint16_t *old_kind);

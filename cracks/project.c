@@ -130,6 +130,7 @@ void cracks_project(struct solid *s, double dt, void *cracks) {
     if (c->status.failed) return;
     if (c->open) cracks_aperture_open(c);
     cracks_aperture_conductance(c);
+    if (c->mouths) cracks_aperture_bound(c, dt);
     const double *open = cracks_aperture_cracks(c);
     for (int i = 0; i < c->struts.n; i++) {
         c->storage[i] = c->in.compressibility * fmax(open[i] - c->cavity[i], 0);
