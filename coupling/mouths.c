@@ -76,6 +76,12 @@ void mouths_free(struct mouths *m) {
     memory_free(m);
 }
 
+long mouths_count(const struct run *r) {
+    long count = 0;
+    for (int i = 0; i < r->surface->n; i++) count += cracks_mouth_is_wet(r->cracks, r->surface->h[i]);
+    return par_sum_long(count);
+}
+
 /* The normal of the face that the flow wets, without those of a crack that struts fill: from the bonds that are intact
  * and those that are struts (001: eq. 3.46). The interface's normal leans into the crack there, and the flow's pressure
  * would open it once more. n is left as it is where nothing balances. */

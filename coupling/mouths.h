@@ -4,6 +4,7 @@
 
 struct mouths *mouths_new(struct run *r); /* NULL unless cracks carry fluid and a flow is resolved. Collective. */
 void mouths_free(struct mouths *m);
+long mouths_count(const struct run *r); /* the interface's particles that are mouths now. Collective. */
 /* A part of the step, before the fluid's: what entered the cracks in the last step leaves the flow before the mouths,
  * and as much enters where the cracks took it up, inside the body. Collective. */
 void mouths_give(struct run *r);

@@ -85,6 +85,9 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   END { p = $at["mouth_pressure"]; given = $at["handed_volume"]/$at["mouth_volume"]
     exit !(p > 60 && p < 140 && given > 0.9 && given < 1.1 && $at["mouths"] >= 48 && $at["div_max"] < 1e-10 &&
       $at["momentum_residual"] < 1e-10 && $at["e_fracture"] > 0) }' open/series.csv || fail "open: the mouths"
+code 0 "$frana" check open.yaml
+grep -q 'mouths     at 48 of' out || fail "check does not say the mouths"
+grep -q 'least_pressure: an empty crack holds together with 19 times' out || fail "check does not say the suction"
 # a scene without the section has none of its columns
 sed -e '/^crack_fluid/,/injections/d; s/, crack_fluid: true//' plate.yaml >dry.yaml
 code 0 ranks 1 run dry.yaml --out dry --set stages.pump.steps=10

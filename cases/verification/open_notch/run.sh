@@ -21,8 +21,8 @@ near "load on the wall" N "$(value open load_x)" 0.0256 "pressure times area" 0.
 near "volume of the notch" m3 "$(value open crack_volume)" "$(value alone crack_volume)" "the solid alone" 0.05
 near "largest aperture" m "$(value open aperture_max)" "$(value alone aperture_max)" "the solid alone" 0.05
 for load in probe balanced; do
-  near "volume of the notch, load $load" m3 "$(value $load crack_volume)" "$(value alone crack_volume)" "the solid alone" \
-    0.05
+  near "volume of the notch, load $load" m3 "$(value $load crack_volume)" "$(value alone crack_volume)" \
+    "the solid alone" 0.05
 done
 near "volume that entered" m3 "$(value open mouth_volume)" "$(value open crack_volume)" "volume of the notch" 1e-10
 near "volume that the fluid gave" m3 "$(value open handed_volume)" "$(value open crack_volume)" "volume of the notch" \
