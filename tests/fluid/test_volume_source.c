@@ -28,7 +28,8 @@ static void rates(void **state) {
     const double volume = 0.1 * 0.1 * 0.1, part = 1.0 / par_size();
     for (int walls = 0; walls < 2; walls++) {
         struct fluid *f = box(walls);
-        const double far = walls ? 0 : 1.2, x[3][3] = {{0.25, 0.31, 0.55}, {0.45, 0.62 + far, 0.55}, {0.45, 0.95, 0.15}};
+        const double far = walls ? 0 : 1.2;
+        const double x[3][3] = {{0.25, 0.31, 0.55}, {0.45, 0.62 + far, 0.55}, {0.45, 0.95, 0.15}};
         const double near[3] = {0.45, 0.62, 0.55}, rate[3] = {-3e-4 * part, 2e-4 * part, 1e-4 * part};
         fluid_volume_source_set(f, 3, x, rate);
         for (int k = 0; k < 3; k++) fluid_step(f, 0.01);
