@@ -89,7 +89,7 @@ void cracks_rows_forget(struct cracks_rows *r) {
 void cracks_rows_doubt(struct cracks_rows *r) {
     const size_t room = (size_t)r->places + CRACKS_LANES;
     memset(r->wet, 0, room);
-    memset(r->intact, 0xfe, (size_t)r->n * sizeof *r->intact); /* not read yet */
+    if (r->n > 0) memset(r->intact, 0xfe, (size_t)r->n * sizeof *r->intact); /* not read yet */
 }
 
 /* The lanes of a row whose struts are off, by kind. Returns whether there are some. */
