@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "coupling/balance.h"
 #include "coupling/interface.h"
+#include "coupling/mouths.h"
 #include "coupling/reaction.h"
 #include "coupling/run.h"
 #include "physics/retraction.h"
@@ -198,6 +199,10 @@ void interface_probe(struct run *r) {
     }
     ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active);
     clock_begin(CLOCK_PROBE);
+    if (r->mouths && s->push) {
+        mouths_find(r);
+        mouths_straighten(r);
+    }
     for (int c = 0; c < 3; c++) {
         for (int h = 0; h < s->n; h++) s->load[c][h] = solid_given_of(s, h, c);
         r->load[c] = 0;

@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "coupling/interface.h"
 #include "coupling/leak.h"
+#include "coupling/mouths.h"
 #include "coupling/reaction.h"
 #include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/forecast.h"
@@ -140,6 +141,7 @@ struct run *run_new(const struct scene *scene) {
                 memcpy(r->v_last[c], r->solid->v[c], (size_t)r->solid->n * sizeof(double));
             }
         r->strong = strong_new(r);
+        r->mouths = mouths_new(r);
         if (r->needs.bonds && scene->coupling->load == SCENE_LOAD_BALANCED && !r->strong)
             r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
     }
@@ -172,6 +174,7 @@ void run_free(struct run *r) {
     interface_markers_free(r);
     strong_free(r->strong);
     reaction_free(r->reaction);
+    mouths_free(r->mouths);
     for (int c = 0; c < 3; c++) {
         memory_free(r->v_last[c]);
         memory_free(r->inner_velocity[c]);

@@ -17,8 +17,9 @@
 struct run;
 struct cracks; /* cracks/cracks.h */
 struct reaction;
+struct mouths;
 typedef void run_part(struct run *r);
-enum { RUN_PARTS_MAX = 8 };
+enum { RUN_PARTS_MAX = 12 };
 
 /* Markers and probes of the interface: positions, velocities, forces, tractions. One marker for each particle of the
  * surface; two probes for a wall wetted on both faces. Work arrays, computed from the state. */
@@ -55,6 +56,7 @@ struct run {
     struct medium *medium;         /* NULL unless immersed */
     struct scene_medium measured;  /* the medium's direction, and why a permeability would mean nothing */
     struct cracks *cracks;         /* NULL: cracks carry no fluid */
+    struct mouths *mouths;         /* NULL unless cracks are open to the fluid (coupling/mouths.h) */
     struct reaction *reaction;     /* NULL unless the load is the forcing's reaction (coupling/reaction.h) */
     struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
 

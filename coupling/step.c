@@ -6,6 +6,7 @@
 #include "coupling/balance.h"
 #include "coupling/forcing_guess.h"
 #include "coupling/interface.h"
+#include "coupling/mouths.h"
 #include "coupling/reaction.h"
 #include "coupling/refinement.h"
 #include "coupling/run.h"
@@ -79,7 +80,10 @@ static void part_solid(struct run *r) {
 }
 
 /* The pressures are found within the solid's substeps (cracks/project.c). */
-static void part_cracks(struct run *r) { cracks_project_settle(r->cracks); }
+static void part_cracks(struct run *r) {
+    cracks_project_settle(r->cracks);
+    if (r->mouths) mouths_settle(r);
+}
 
 static void part_contact(struct run *r) { solid_contact_update(r->solid); }
 
@@ -121,11 +125,13 @@ static const struct step_part box[] = {
     {"loads raised, relaxation and breakage in turn", STAGE_RAISES, 0, part_increment},
     {"time step from the fluid's limits", STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
     {"markers", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG, part_markers},    /* 001: sec. 3.5.2, X^n and V^n */
+    {"volume given to cracks", STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_give},   /* docs/design/cracks.md */
     {"fluid", STAGE_FLUID, STAGE_IMMERSED, part_fluid},                         /* 001: eqs 3.70-3.74 */
     {"fluid with forcing", STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
      part_fluid_forced}, /* 001: eqs 3.70-3.82 */
     {"fluid with forcing, implicit diffusion", STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG, part_fluid_implicit},
     {"probe", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, interface_probe}, /* 001: eqs 3.83-3.96 */
+    {"mouths of cracks", STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_open},                      /* docs/design/cracks.md */
     {"refinement", STAGE_REFINES, STAGE_STRONG, part_refine},                                /* 000: ch. 2 */
     {"contact", STAGE_TOUCHES, 0, part_contact},                       /* lists of pairs for 001: eq. 3.40 */
     {"number of substeps", STAGE_FOLLOWS, 0, adapt_substeps},          /* the solid's stable step */

@@ -1,5 +1,6 @@
 /* Volumes, apertures and conductances of the wet particles. */
 #include "cracks/aperture.h"
+#include "cracks/mouth.h"
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -7,8 +8,7 @@
 
 #include <math.h>
 
-/* The present displacements of wet particles and ghosts, in the work. Collective. */
-static const cracks_vec *displacements(const struct cracks *c) {
+const cracks_vec *cracks_aperture_displacements(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     cracks_vec *u = c->work->u;
     for (int i = 0; i < t->n; i++) {
@@ -19,9 +19,13 @@ static const cracks_vec *displacements(const struct cracks *c) {
     return u;
 }
 
-void cracks_aperture_volume(const struct cracks *c, double *volume) { cracks_sums_volume(c, displacements(c), volume); }
+void cracks_aperture_volume(const struct cracks *c, double *volume) {
+    cracks_sums_volume(c, cracks_aperture_displacements(c), volume);
+}
 
-void cracks_aperture_open(const struct cracks *c) { cracks_sums_volume_of_cracks(c, displacements(c), c->open); }
+void cracks_aperture_open(const struct cracks *c) {
+    cracks_sums_volume_of_cracks(c, cracks_aperture_displacements(c), c->open);
+}
 
 const double *cracks_aperture_cracks(const struct cracks *c) { return c->open ? c->open : c->volume; }
 
@@ -46,4 +50,28 @@ void cracks_aperture_conductance(const struct cracks *c) {
     }
     cracks_kernel_conductance(r->n, r->first, r->link_start, r->link_start + 1, r->link, pores, factor, r->u[0],
                               r->u[1], c->work->conductance, c->work->outflow);
+}
+
+/* A link of conductance T beside the elastic part dt a^2/m of its ends, for the largest mass: over the number of
+ * spacings (T m/(dt a^2))^(1/2) pressures become equal in a substep, in which a wave of the solid passes less than one.
+ * Where few struts are left on in a wide crack the number has no bound, and the pressures would be lost in rounding. */
+void cracks_aperture_bound(const struct cracks *c, double dt) {
+    enum { SPACINGS = 100 };
+    const struct cracks_struts *t = &c->struts;
+    const struct solid_input *in = &c->solid->in;
+    double density = 0;
+    for (int m = 0; m < in->materials; m++) density = fmax(density, in->material[m].density);
+    const double mass = density * pow(in->spacing, c->solid->dim) * solid_depth(in);
+    const double factor = SPACINGS * SPACINGS * dt * 0.5 / mass;
+    const struct cracks_rows *r = &t->rows;
+    double *open = c->work->z; /* work: [n + ghosts] */
+    for (int i = 0; i < t->n; i++) open[i] = t->area_size[i] > 0;
+    for (int k = 0; k < c->mouths->n; k++) open[cracks_struts_wet(t, c->mouths->h[k])] = 1;
+    cracks_struts_update(t, sizeof *open, open);
+    for (int i = 0; i < t->n + t->ghosts; i++) {
+        r->u[0][t->place[i]] = factor * (t->area_size[i] * t->area_size[i]);
+        r->u[1][t->place[i]] = open[i];
+    }
+    cracks_kernel_bound(r->n, r->first, r->link_start, r->link_start + 1, r->link, r->u[0], r->u[1],
+                        c->work->conductance, c->work->outflow);
 }

@@ -1,9 +1,11 @@
 /* Creates and frees the fluid in cracks. */
 #include "cracks/cracks.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "cracks/aperture.h"
 #include "cracks/inject.h"
+#include "cracks/mouth.h"
 #include "cracks/project.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -66,6 +68,11 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
     c->solid = s;
     cracks_table_new(&c->table, &s->in, &s->in.material[s->in.body[0].material]);
     if (in->porous) cracks_table_add_intact(&c->table, in->pores.biot);
+    if (in->outside) {
+        ENSURE(!in->porous, "pores and a fluid outside");
+        c->gap = (s->in.material[s->in.body[0].material].horizon_ratio - 1) * s->in.spacing;
+        c->mouths = cracks_mouth_new(s);
+    }
     c->least_aperture = in->least_aperture > 0 ? in->least_aperture : least_aperture(s);
     if (!(c->least_aperture > 0))
         die_all(EXIT_CODE_SCENE,
@@ -104,6 +111,7 @@ void cracks_free(struct cracks *c) {
                          c->particles,
                          c->weight};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    cracks_mouth_free(c->mouths);
     cracks_solve_free(c->work);
     cracks_struts_free(&c->struts);
     cracks_table_free(&c->table);

@@ -10,7 +10,8 @@
 #include "solid/step/push.h"
 
 struct par_ghost;
-struct cracks_work; /* cracks/solve.h */
+struct cracks_mouths; /* cracks/mouth.h */
+struct cracks_work;   /* cracks/solve.h */
 
 /* What enters the cracks through the wet particles of a box (X0). */
 struct cracks_injection {
@@ -36,6 +37,7 @@ struct cracks_input {
     double leak_off;        /* Carter's coefficient of one face, m/s^(1/2); not with pores */
     int porous;             /* 1: the intact solid holds fluid too */
     struct cracks_pores pores;
+    int outside; /* 1: a resolved fluid stands outside the solid, and in cracks that are wide open; not with pores */
     int injections;
     const struct cracks_injection *injection; /* borrowed during cracks_new */
 };
@@ -65,6 +67,7 @@ struct cracks {
     struct solid *solid;    /* borrowed */
     struct cracks_table table;
     double least_aperture;  /* m */
+    double gap;             /* m; with a fluid outside a strut whose ends have moved farther apart is off */
     struct solid_push push; /* for solid->push */
 
     /* State: what the table in cracks/state_table.c lists. Arrays by wet particle. */
@@ -81,6 +84,12 @@ struct cracks {
     double leaked; /* volume that leaked off so far, m3, the same on all ranks */
     double filled; /* volume in the pores when the fluid first flowed, m3, the same on all ranks */
     int began;     /* 1: it has flowed */
+
+    /* With a fluid outside. */
+    double entered;  /* volume that came in through the mouths so far, m3, the same on all ranks */
+    double resolved; /* volume of fluid in struts that were switched off so far, m3, the same on all ranks */
+    double handed;   /* volume that the fluid outside has given so far, m3, the same on all ranks */
+    struct cracks_mouths *mouths; /* their places and rates; NULL: no fluid outside */
 
     /* Work */
     struct cracks_struts struts;

@@ -53,6 +53,22 @@ void cracks_kernel_conductance(int rows, const int *first, const long *start, co
     }
 }
 
+void cracks_kernel_bound(int rows, const int *first, const long *start, const long *end,
+                         const struct cracks_entry *link, const double *most, const double *open, double *conductance,
+                         double *total) {
+    for (int r = 0; r < rows; r++) {
+        const vec m = vec_load(most + first[r]), o = vec_load(open + first[r]);
+        vec sum = vec_set(0);
+        for (long k = start[r]; k < end[r]; k++) {
+            const vec bound = (m + vec_load(most + link[k].at)) * (o * vec_load(open + link[k].at));
+            const vec t = vec_where(link[k].lanes, vec_min(vec_load(conductance + CRACKS_LANES * k), bound));
+            vec_store(conductance + CRACKS_LANES * k, t);
+            sum += t;
+        }
+        vec_store(total + CRACKS_LANES * (long)r, sum);
+    }
+}
+
 void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
                         const double *conductance, const double *p, double *y) {
     for (int r = 0; r < rows; r++) {

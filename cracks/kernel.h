@@ -12,11 +12,11 @@ typedef double cracks_vec __attribute__((vector_size(32)));
 enum { CRACKS_LANES = 8 };
 
 /* Struts of one kind, or links in one direction, of a row's particles: where bit k of lanes is set, from lane k to the
- * place at + k. */
+ * place at + k. Struts that are switched off (cracks/apart.h) have their bits in off instead; no sum reads them. */
 struct cracks_entry {
     int at;
     uint16_t kind;
-    uint8_t lanes;
+    uint8_t lanes, off;
 };
 
 static inline double cracks_kernel_sum(cracks_vec v) { return (v[0] + v[1]) + (v[2] + v[3]); }
@@ -39,6 +39,11 @@ void cracks_kernel_volume(int rows, const int *first, const long *start, const l
 void cracks_kernel_conductance(int rows, const int *first, const long *start, const long *end,
                                const struct cracks_entry *link, double both, double factor, const double *area,
                                const double *width, double *conductance, double *total);
+/* T_hl = min(T_hl, most_h + most_l), and 0 unless both ends are open; anew its sum over a particle's links.
+ * most, open  [by place]  m3/(s Pa); 1 or 0        conductance, total  as above */
+void cracks_kernel_bound(int rows, const int *first, const long *start, const long *end,
+                         const struct cracks_entry *link, const double *most, const double *open, double *conductance,
+                         double *total);
 /* y_h = sum over links of T_hl (p_h - p_l).  p [by place] finite;  y [by seat], written */
 void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
                         const double *conductance, const double *p, double *y);

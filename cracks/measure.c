@@ -2,7 +2,9 @@
 #include "cracks/measure.h"
 #include "base/par.h"
 #include "cracks/aperture.h"
+#include "cracks/mouth.h"
 #include "cracks/solve.h"
+#include "cracks/struts.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,6 +19,24 @@ void cracks_measure_field(const struct cracks *c, int field, double *value) {
         const double of[CRACKS_FIELDS] = {c->p[i], cracks_aperture_of(c, i), t->area_size[i], c->cavity[i]};
         value[t->h[i]] = of[field];
     }
+}
+
+static void measure_mouths(const struct cracks *c, struct cracks_values *v) {
+    const struct cracks_mouths *m = c->mouths;
+    double sum[3] = {0, 0, 0};
+    for (int k = 0; k < m->n; k++) {
+        const int i = cracks_struts_wet(&c->struts, m->h[k]);
+        sum[0] += m->rate[k];
+        if (i >= 0) sum[1] += c->p[i], sum[2]++;
+    }
+    par_sum_array(sum, 3);
+    v->mouth_rate = sum[0];
+    v->mouth_pressure = sum[2] > 0 ? sum[1] / sum[2] : 0;
+    v->mouths = (long)sum[2];
+    v->entered = c->entered;
+    v->resolved = c->resolved;
+    v->handed = c->handed;
+    v->unshared = v->volume + v->resolved - v->handed;
 }
 
 struct cracks_values cracks_measure(const struct cracks *c) {
@@ -48,7 +68,8 @@ struct cracks_values cracks_measure(const struct cracks *c) {
         v.injection_rate += c->rate[q];
     }
     v.leaked = c->leaked;
-    v.residual = sum[0] - sum[1] + v.stored + v.leaked - v.injected - c->filled;
+    if (c->mouths) measure_mouths(c, &v);
+    v.residual = sum[0] - sum[1] + v.stored + v.leaked + v.resolved - v.injected - v.entered - c->filled;
     v.injection_pressure = sum[6];
     v.area = sum[3];
     v.pressure_mean = sum[3] > 0 ? sum[4] / sum[3] : 0;

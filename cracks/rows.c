@@ -86,6 +86,33 @@ void cracks_rows_forget(struct cracks_rows *r) {
     r->struts = r->struts_dead = 0;
 }
 
+void cracks_rows_doubt(struct cracks_rows *r) {
+    const size_t room = (size_t)r->places + CRACKS_LANES;
+    memset(r->wet, 0, room);
+    if (r->n > 0) memset(r->intact, 0xfe, (size_t)r->n * sizeof *r->intact); /* not read yet */
+}
+
+/* The lanes of a row whose struts are off, by kind. Returns whether there are some. */
+static int find_off(const struct cracks_rows *r, int row, uint8_t off[SOLID_FAMILY_MAX]) {
+    int some = 0;
+    memset(off, 0, SOLID_FAMILY_MAX);
+    for (long k = r->start[row]; k < r->end[row]; k++) {
+        if (!r->strut[k].off) continue;
+        off[r->strut[k].kind] |= r->strut[k].off;
+        some = 1;
+    }
+    return some;
+}
+
+/* Switches those off again. A strut is one of a particle and a kind. */
+static void switch_off(struct cracks_rows *r, int row, const uint8_t off[SOLID_FAMILY_MAX]) {
+    for (long k = r->start[row]; k < r->end[row]; k++) {
+        struct cracks_entry *e = &r->strut[k];
+        e->off = e->lanes & off[e->kind];
+        e->lanes &= (uint8_t)~e->off;
+    }
+}
+
 /* Entries for the struts of one particle, which is at the lane of the row that begins at the entry `start`. */
 static void add_struts(struct cracks_rows *r, long start, int lane, int n, const int *other,
                        signed char (*const step)[3], const struct cracks_table *table, int kinds) {
@@ -96,7 +123,7 @@ static void add_struts(struct cracks_rows *r, long start, int lane, int n, const
             r->strut[last].lanes |= (uint8_t)(1u << lane);
         } else {
             r->last[kind] = r->struts;
-            r->strut[r->struts++] = (struct cracks_entry){at, (uint16_t)kind, (uint8_t)(1u << lane)};
+            r->strut[r->struts++] = (struct cracks_entry){at, (uint16_t)kind, (uint8_t)(1u << lane), 0};
         }
     }
 }
@@ -116,6 +143,8 @@ int cracks_rows_read(struct cracks_rows *r, const struct solid *s, const struct 
         r->strut = memory_grown(MEMORY_SOLID, r->strut, (size_t)r->struts, room, sizeof *r->strut);
         r->struts_room = (long)room;
     }
+    uint8_t off[SOLID_FAMILY_MAX];
+    const int some_off = find_off(r, row, off);
     r->struts_dead += r->end[row] - r->start[row];
     r->start[row] = r->struts;
     for (int k = 0; k < CRACKS_LANES; k++) {
@@ -132,6 +161,7 @@ int cracks_rows_read(struct cracks_rows *r, const struct solid *s, const struct 
         add_struts(r, r->middle[row], k, n, other, step, table, table->kinds);
     }
     r->end[row] = r->struts;
+    if (some_off) switch_off(r, row, off);
     return 1;
 }
 
@@ -175,7 +205,7 @@ static void read_links(struct cracks_rows *r, const struct solid *s, const int *
                 if (links > begin && r->link[links - 1].at == at)
                     r->link[links - 1].lanes |= (uint8_t)(1u << k);
                 else
-                    r->link[links++] = (struct cracks_entry){at, (uint16_t)f, (uint8_t)(1u << k)};
+                    r->link[links++] = (struct cracks_entry){at, (uint16_t)f, (uint8_t)(1u << k), 0};
             }
         }
     }

@@ -7,7 +7,8 @@
  *     row       places 8 q .. 8 q + 7                     lane k: place 8 q + k
  *     entry     kind, lanes, at                           where bit k is set: from lane k to place at + k
  *
- * Places stay as they are while cracks grow, and so do the entries of rows in which no bond breaks. */
+ * Places stay as they are while cracks grow, and so do the entries of rows in which no bond breaks. Where one does, the
+ * struts that are switched off stay off. */
 #pragma once
 #include "cracks/table.h"
 
@@ -35,6 +36,8 @@ struct cracks_rows {
 /* Gives every particle and ghost a place; no rows yet. Collective. */
 void cracks_rows_place(struct cracks_rows *r, const struct solid *s, const struct cracks_table *table);
 void cracks_rows_forget(struct cracks_rows *r); /* no rows */
+/* No wet particles. The rows stay, with what is switched off, but all of them are read anew. Not collective. */
+void cracks_rows_doubt(struct cracks_rows *r);
 /* The rows of the wet particles: n owned, then ghosts; h [n + ghosts] their local indices. Known rows keep their
  * entries. Not collective. */
 void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int ghosts, const int *h);

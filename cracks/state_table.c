@@ -2,14 +2,16 @@
 #include "cracks/state_table.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "cracks/mouth.h"
 #include "cracks/project.h"
 #include "solid/state_table.h"
 
 #include <string.h>
 
 /* A row of a wet particle: global id, p, content, cavity, volume, storage, share, since (0 if nothing leaks off). The
- * row of the totals: leaked, filled, began. */
-enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3 };
+ * row of the totals: leaked, filled, began. A row of what
+ * a wet particle got from the fluid outside: global id, rate as a mouth (0: it is none), gain. */
+enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3, MOUTH_ROW = 3 };
 
 static struct cracks *cracks_of(const void *owner) { return (struct cracks *)(uintptr_t)owner; }
 
@@ -115,11 +117,45 @@ static int load_totals(void *owner, long n, const void *value) {
     return 0;
 }
 
+static int has_mouths(const void *owner) { return cracks_of(owner)->mouths != NULL; }
+
+static long mouth_rows(const void *owner) { return cracks_of(owner)->struts.n; }
+
+static void save_mouths(void *owner, void *value) {
+    const struct cracks *c = cracks_of(owner);
+    double(*row)[MOUTH_ROW] = value;
+    for (int i = 0; i < c->struts.n; i++) {
+        const int h = c->struts.h[i];
+        row[i][0] = (double)(c->solid->first[par_rank()] + h);
+        row[i][1] = cracks_mouth_rate(c->mouths, h);
+        row[i][2] = c->mouths->gain[h];
+    }
+}
+
+/* Takes the rows of this rank's particles. What else a mouth has is set in the next step. */
+static int load_mouths(void *owner, long n, const void *value) {
+    struct cracks *c = cracks_of(owner);
+    struct cracks_mouths *m = c->mouths;
+    const double(*row)[MOUTH_ROW] = value;
+    m->n = 0;
+    memset(m->gain, 0, (size_t)c->solid->n * sizeof *m->gain);
+    for (long k = 0; k < n; k++) {
+        const long h = (long)row[k][0] - c->solid->first[par_rank()];
+        if (h < 0 || h >= c->solid->n) continue;
+        cracks_mouth_room(m, m->n + 1);
+        m->h[m->n] = (int)h;
+        m->rate[m->n++] = row[k][1];
+        m->gain[h] = row[k][2];
+    }
+    return 0;
+}
+
 struct cracks_keep {
-    int n, room;
+    int n, room, mouths, mouth_room;
     double (*wet)[WET_ROW];
     double (*injection)[INJECTION_ROW];
     double total[TOTAL_ROW];
+    double (*mouth)[MOUTH_ROW];
 };
 
 static void wet_make(void *keep, void *owner) {
@@ -146,6 +182,7 @@ static void wet_drop(void *keep) {
     struct cracks_keep *k = *(struct cracks_keep **)keep;
     memory_free(k->wet);
     memory_free(k->injection);
+    memory_free(k->mouth);
     memory_free(k);
 }
 
@@ -186,10 +223,33 @@ static void totals_restore(void *keep, void *owner) {
 
 static void totals_drop(void *keep) { (void)keep; /* with the wet particles */ }
 
+static void mouths_make(void *keep, void *owner) {
+    (void)keep;
+    (void)owner;
+}
+
+static void mouths_take(void *keep, void *owner) {
+    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    k->mouths = cracks_of(owner)->struts.n;
+    if (k->mouths > k->mouth_room) {
+        k->mouth_room = k->mouths + k->mouths / 4;
+        k->mouth = memory_renew(MEMORY_OUTPUT, k->mouth, (size_t)k->mouth_room, sizeof *k->mouth);
+    }
+    save_mouths(owner, k->mouth);
+}
+
+static void mouths_restore(void *keep, void *owner) {
+    const struct cracks_keep *k = *(struct cracks_keep **)keep;
+    load_mouths(owner, k->mouths, k->mouth);
+}
+
+static void mouths_drop(void *keep) { (void)keep; /* with the wet particles */ }
+
 static const struct state_kept wet_kept = {wet_make, wet_take, wet_restore, wet_drop};
 static const struct state_kept injections_kept = {injections_make, injections_take, injections_restore,
                                                   injections_drop};
 static const struct state_kept totals_kept = {totals_make, totals_take, totals_restore, totals_drop};
+static const struct state_kept mouths_kept = {mouths_make, mouths_take, mouths_restore, mouths_drop};
 
 /* The members from one up to another. */
 #define MEMBERS(from, to)                                                                                              \
@@ -203,9 +263,18 @@ const struct state_item cracks_state_table[] = {
     {"crack_injected", STATE_DOUBLE, STATE_ROWS, MEMBERS(injected, leaked), .comps = INJECTION_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .rows_of = injection_rows, .save = save_injections,
      .load_rows = load_injections, .kept = &injections_kept},
-    {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, struts), .comps = TOTAL_ROW, .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals, .load_rows = load_totals,
-     .kept = &totals_kept},
+    {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, entered), .comps = TOTAL_ROW, .last = 1,
+     .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals,
+     .load_rows = load_totals, .kept = &totals_kept},
+    {"crack_entered", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, entered), .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_mouths},
+    {"crack_resolved", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, resolved), .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_mouths},
+    {"crack_handed", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, handed), .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_mouths},
+    {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(mouths, struts), .comps = MOUTH_ROW, .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = has_mouths, .rows_of = mouth_rows, .save = save_mouths, .load_rows = load_mouths,
+     .kept = &mouths_kept},
 };
 
 #undef MEMBERS

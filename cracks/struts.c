@@ -130,10 +130,14 @@ static void mobilities(const struct solid *s, struct cracks_struts *t) {
     }
 }
 
+void cracks_struts_areas_begin(const struct cracks_struts *t) {
+    for (int i = 0; i < t->n + t->ghosts; i++)
+        for (int k = 0; k < 3; k++) t->rows.u[k][t->place[i]] = t->mobility[i][k];
+}
+
 /* Area vector, area, and the diagonal of B^T M^-1 B of a row's particles, where a_h and the sum are those of all
- * struts, intact bonds included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l. The rows'
- * u holds the mobilities. */
-static void areas_of(struct cracks *c, int row) {
+ * struts, intact bonds included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l */
+void cracks_struts_areas(struct cracks *c, int row) {
     struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
     vec area[3] = {{0}}, cracks[3] = {{0}}, sum = {0}, others = {0};
@@ -242,14 +246,16 @@ void cracks_struts_renew(struct cracks *c) {
     }
     if (all) {
         memset(t->id, 0xff, (size_t)(s->n + s->n_ghost) * sizeof *t->id);
-        cracks_rows_forget(&t->rows);
+        if (c->in.outside && !c->restored)
+            cracks_rows_doubt(&t->rows);
+        else
+            cracks_rows_forget(&t->rows);
     }
     const int added = find_wet(s, t, c->in.porous, NULL, &n);
     if (par_max(all || added > 0) > 0) renew_wet(c, n);
-    for (int i = 0; i < t->n + t->ghosts; i++)
-        for (int k = 0; k < 3; k++) t->rows.u[k][t->place[i]] = t->mobility[i][k];
+    cracks_struts_areas_begin(t);
     for (int row = 0; row < t->rows.n; row++)
-        if (cracks_rows_read(&t->rows, s, &c->table, t->h, c->in.porous, row)) areas_of(c, row);
+        if (cracks_rows_read(&t->rows, s, &c->table, t->h, c->in.porous, row)) cracks_struts_areas(c, row);
     cracks_rows_press(&t->rows);
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
     t->bonds_version = s->bonds_version;

@@ -81,6 +81,7 @@ void fluid_free(struct fluid *f) {
     memory_free(f->flux);
     fluid_poisson_free(f->poisson);
     fluid_diffusion_free(f->diffusion);
+    fluid_volume_source_free(f->source);
     fluid_boundary_free(f->boundary);
     fluid_grid_free(f->grid);
     free(f);

@@ -134,6 +134,15 @@ void fluid_state_refresh(struct fluid *f);
  * apart, may keep old values. Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
+/* Volume that enters the flow at points from now on, in place of the points before: in the next steps div u is the sum
+ * of the rates, m3/s, in each cell over its volume. x [n] on any rank, m, wrapped in periodic directions. The sum over
+ * all ranks must be 0. Collective. */
+void fluid_volume_source_set(struct fluid *f, int n, const double (*x)[3], const double *rate);
+void fluid_volume_source_clear(struct fluid *f); /* Not collective. */
+/* Whether a point can be one: it lies in the domain, and not in a cell next to a side. Others are left out. Not
+ * collective. */
+int fluid_volume_source_holds(const struct fluid *f, const double x[3]);
+
 /* The largest stable step by its convective and its viscous limit, each INFINITY if there is none. With implicit
  * diffusion `viscous` is no limit of stability; it is the step that keeps the way to a steady state accurate.
  * Collective. */
@@ -155,7 +164,7 @@ struct fluid_limits fluid_limits_of(const struct fluid *f, double rate);
 struct step_status fluid_limits_check(struct fluid *f);
 
 /* Measures. Collective. */
-double fluid_measures_divergence_max(struct fluid *f); /* 1/s */
+double fluid_measures_divergence_max(struct fluid *f); /* 1/s, without the volume that enters at points */
 double fluid_limits_cfl(struct fluid *f, double dt);
 /* A velocity scale, m/s: the largest of those of sides, initial flow, driving, body force and diffusion over a cell.
  * Not collective. */

@@ -5,6 +5,7 @@
 struct fluid_boundary;  /* fluid/grid/boundary.h */
 struct fluid_poisson;   /* fluid/poisson/poisson.h */
 struct fluid_diffusion; /* fluid/momentum/diffusion.h */
+struct fluid_volume_source;
 
 /* The force on the box, summed during a step. */
 struct fluid_audit {
@@ -28,7 +29,8 @@ struct fluid {
     struct fluid_poisson *poisson;
     struct fluid_diffusion *diffusion; /* NULL: explicit */
     struct fluid_audit audit;
-    double shift[3]; /* uniform velocity that the bulk driving adds in this stage, m/s */
+    struct fluid_volume_source *source; /* fluid/volume_source.c; NULL: nothing enters at points */
+    double shift[3];                    /* uniform velocity that the bulk driving adds in this stage, m/s */
 };
 
 static inline double *fluid_component(const struct fluid_state *s, int c) {
@@ -40,5 +42,8 @@ void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion
 void fluid_box_force_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */
 /* Adds sign times the present p: for a change of p that exerts no force in this stage. Not collective. */
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign);
+/* Subtracts factor times div u as the points want it from plane k of a divergence, [m1][m0]. Not collective. */
+void fluid_volume_source_subtract(const struct fluid *f, int k, double factor, double *plane);
+void fluid_volume_source_free(struct fluid_volume_source *s);
 void fluid_initial_fill(struct fluid *f);  /* the initial velocity. Not collective. */
 void fluid_project_start(struct fluid *f); /* makes the initial velocity divergence-free. Collective. */

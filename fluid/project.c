@@ -63,6 +63,7 @@ static void fill(void *data, int k, double *divergence) {
     if (f->grid->ranks[1] == 1) low_faces(f, 1, k, k + 1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) r->bulk[threads_me()] += bulk_of(f, k);
     fluid_momentum_kernels_divergence(f->grid, k, 1 / r->c, predicted, divergence);
+    if (f->source) fluid_volume_source_subtract(f, k, 1 / r->c, divergence);
     if (r->length2 > 0) add_to_pressure(f, k, -r->length2, divergence);
 }
 

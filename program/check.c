@@ -6,6 +6,7 @@
 #include "base/par.h"
 #include "coupling/blocked.h"
 #include "coupling/march.h"
+#include "coupling/mouths.h"
 #include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/setup/forecast.h"
@@ -119,6 +120,22 @@ static void say_pores(const struct cracks *c) {
         physics_consolidation_coefficient(&rock));
 }
 
+/* Where cracks are open to the flow; a warning where empty ones hold together by themselves. */
+static void say_mouths(const struct run *r) {
+    const struct solid *s = r->solid;
+    double least = INFINITY;
+    say("  mouths     at %ld of the interface's particles\n", mouths_count(r));
+    for (int m = 0; m < s->in.materials; m++) {
+        const struct solid_material *k = &s->in.material[m];
+        const double s0 =
+            solid_material_constants(s->in.model, s->in.thickness, k, k->horizon_ratio * s->in.spacing).s0;
+        least = fmin(least, k->youngs_modulus * s0);
+    }
+    if (-r->cracks->in.least_pressure > least)
+        say("  crack_fluid.least_pressure: an empty crack holds together with %.3g times the strength E s0\n",
+            -r->cracks->in.least_pressure / least);
+}
+
 /* The fluid in cracks, and the particles that each injection enters by. */
 static void say_crack_fluid(const struct run *r) {
     const struct cracks *c = r->cracks;
@@ -127,6 +144,7 @@ static void say_crack_fluid(const struct run *r) {
     say("  crack fluid  in %ld particles with broken bonds, %.4g m2 of cracks; least aperture %.3g m\n",
         v.wet_particles, v.area, c->least_aperture);
     if (c->in.porous) say_pores(c);
+    if (r->mouths) say_mouths(r);
     for (int q = 0; q < c->in.injections; q++)
         say("  injection  %s %g %s by %ld of them\n", c->in.injection[q].is_pressure ? "at a pressure of" : "of",
             c->in.injection[q].value, c->in.injection[q].is_pressure ? "Pa" : "m3/s", c->particles[q]);

@@ -95,6 +95,13 @@ static const struct column {
     COLUMN("aperture_max", "m", NEED_CRACKS, aperture_max),
     COLUMN("aperture_mean", "m", NEED_CRACKS, aperture_mean),
     COLUMN("wet_particles", "1", NEED_CRACKS, wet_particles),
+    COLUMN("mouth_volume", "m3", NEED_CRACKS | NEED_FLUID, mouth_volume),
+    COLUMN("handed_volume", "m3", NEED_CRACKS | NEED_FLUID, handed_volume),
+    COLUMN("unshared_volume", "m3", NEED_CRACKS | NEED_FLUID, unshared_volume),
+    COLUMN("mouth_rate", "m3/s", NEED_CRACKS | NEED_FLUID, mouth_rate),
+    COLUMN("mouth_pressure", "Pa", NEED_CRACKS | NEED_FLUID, mouth_pressure),
+    COLUMN("mouths", "1", NEED_CRACKS | NEED_FLUID, mouths),
+    COLUMN("resolved_volume", "m3", NEED_CRACKS | NEED_FLUID, resolved_volume),
     COLUMN("particles", "1", NEED_BONDS | NEED_REFINED, particles),
     COLUMN("damage_mean", "1", NEED_BONDS, damage_mean),
     COLUMN("damage_max", "1", NEED_BONDS, damage_max),
@@ -312,6 +319,13 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.aperture_max = v.aperture_max;
     s->now.aperture_mean = v.aperture_mean;
     s->now.wet_particles = (double)v.wet_particles;
+    s->now.mouth_volume = v.entered;
+    s->now.handed_volume = v.handed;
+    s->now.unshared_volume = v.unshared;
+    s->now.mouth_rate = v.mouth_rate;
+    s->now.mouth_pressure = v.mouth_pressure;
+    s->now.mouths = (double)v.mouths;
+    s->now.resolved_volume = v.resolved;
 }
 
 void series_sample(struct series *s, struct run *r) {

@@ -26,6 +26,7 @@ struct series_sample {
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
         interface_particles, particles_outside;
     double injected_volume, crack_volume, cavity_volume, leaked_volume, volume_residual, injection_pressure,
-        injection_rate, crack_pressure_mean, crack_area_wet, aperture_max, aperture_mean, wet_particles;
+        injection_rate, crack_pressure_mean, crack_area_wet, aperture_max, aperture_mean, wet_particles, mouth_volume,
+        handed_volume, unshared_volume, mouth_rate, mouth_pressure, mouths, resolved_volume;
 };
 const struct series_sample *series_last(const struct series *s);

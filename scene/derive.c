@@ -121,6 +121,8 @@ void scene_derive(struct scene *s, const struct scene_node *root) {
     if (s->fluid) s->fluid->has_taylor_green = is_given(root, scene_check_parts_path("fluid.initial.taylor_green"));
     if (s->solid) derive_solid(s->solid, root);
     derive_injections(s->crack_fluid, root);
+    if (s->crack_fluid && s->fluid && !is_given(root, scene_check_parts_path("crack_fluid.viscosity")))
+        s->crack_fluid->viscosity = s->fluid->density * s->fluid->viscosity;
     for (int i = 0; i < s->stages; i++)
         s->stage[i].has_until = is_given(root, scene_check_parts_path("stages[%d].until", i));
     derive_output(s);

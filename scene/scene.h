@@ -408,7 +408,7 @@ struct scene_pores {
     double modulus;      /* Pa; INFINITY by default */
 };
 struct scene_crack_fluid {
-    double viscosity;          /* Pa s */
+    double viscosity;          /* Pa s; of the section fluid, if there is one */
     double compressibility;    /* 1/Pa, default 0 */
     double least_pressure;     /* Pa, default 0 */
     double least_aperture;     /* m; 0: auto */

@@ -24,6 +24,7 @@ struct cracks *setup_crack_fluid(const struct scene *scene, struct solid *s) {
         .least_pressure = f->least_pressure,
         .least_aperture = f->least_aperture,
         .leak_off = f->leak_off,
+        .outside = scene->fluid != NULL,
         .porous = f->pores != NULL,
         .pores = f->pores ? (struct cracks_pores){f->pores->permeability, f->pores->biot, f->pores->modulus}
                           : (struct cracks_pores){0},

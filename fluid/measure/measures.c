@@ -18,6 +18,7 @@ double fluid_measures_divergence_max(struct fluid *f) {
     for (int k = 0; k < g->m[2]; k++) {
         double *plane = fluid_poisson_plane(f->poisson, k); /* scratch between steps */
         fluid_momentum_kernels_divergence(g, k, 1, q, plane);
+        if (f->source) fluid_volume_source_subtract(f, k, 1, plane);
         for (int n = 0; n < g->m[0] * g->m[1]; n++)
             most = fabs(plane[n]) <= most ? most
                    : plane[n] == plane[n] ? fabs(plane[n])

@@ -1,6 +1,8 @@
 /* Checks the fluid of cracks against the bodies and the stages. */
 #include "scene/check/check.h"
 
+#include <math.h>
+
 /* Struts stand for the broken bonds of a lattice. */
 static void check_bodies(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
@@ -36,6 +38,28 @@ static void check_bodies(const struct scene_check *c) {
     }
 }
 
+/* With a resolved flow outside the cracks. */
+static void check_outside(const struct scene_check *c) {
+    static const double EQUAL = 1e-6;
+    const struct scene_crack_fluid *f = c->scene->crack_fluid;
+    const struct scene_fluid *outside = c->scene->fluid;
+    if (!outside || !scene_node_is_clean(c->root, "fluid") || !scene_node_is_clean(c->root, "coupling")) return;
+    const double viscosity = outside->density * outside->viscosity;
+    if (fabs(f->viscosity - viscosity) > EQUAL * viscosity)
+        scene_problem_at(c->problems, c->root, "crack_fluid.viscosity",
+                         "must be that of the section fluid, density times viscosity = %g Pa s, or be left out",
+                         viscosity);
+    if (f->pores) scene_problem_at(c->problems, c->root, "crack_fluid.pores", "cannot go with the section fluid");
+    if (!c->scene->coupling) return;
+    if (c->scene->coupling->load == SCENE_LOAD_REACTION)
+        scene_problem_at(c->problems, c->root, "crack_fluid",
+                         "needs coupling.load: wall, balanced or probe: the reaction leaves out the pressure inside "
+                         "the body, so a crack that takes the flow's pressure would open under a pressure that is the "
+                         "same all around");
+    if (c->scene->coupling->scheme == SCENE_STRONG)
+        scene_problem_at(c->problems, c->root, "crack_fluid", "cannot go with coupling.scheme: strong");
+}
+
 static void check_stage(const struct scene_check *c, int i) {
     const struct scene_stage *s = &c->scene->stage[i];
     const struct scene_path path = scene_check_parts_path("stages[%d].crack_fluid", i);
@@ -44,6 +68,8 @@ static void check_stage(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, path.text, "needs the section crack_fluid");
     else if (s->relax)
         scene_problem_at(c->problems, c->root, path.text, "cannot go with relax: the fluid flows in time steps only");
+    else if (s->solid == SCENE_SOLID_RIGID)
+        scene_problem_at(c->problems, c->root, path.text, "needs solid: elastic");
     else if (s->integrator != SCENE_VERLET)
         scene_problem_at(c->problems, c->root, path.text,
                          "needs integrator: verlet, whose step the pressures are projected in");
@@ -62,6 +88,7 @@ void scene_check_crack_fluid(const struct scene_check *c) {
     if (!flows && scene_node_is_clean(c->root, "stages"))
         scene_problem_at(c->problems, c->root, "crack_fluid", "flows in no stage: none has crack_fluid: true");
     check_bodies(c);
+    check_outside(c);
     for (int i = 0; i < f->injections; i++) {
         const struct scene_path path = scene_check_parts_path("crack_fluid.injections[%d]", i);
         scene_check_region_time(c, path, &f->injection[i].time);

@@ -147,10 +147,10 @@ static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, 
 /* Fills in the default of a key that is left out, or reports the missing key. */
 static void check_missing(struct scene_walk *w, struct scene_node *node, const cyaml_schema_field_t *field,
                           const struct scene_rule *rule, const char *path) {
-    const int needed =
-        !(field->value.flags & CYAML_FLAG_OPTIONAL) || (rule && rule->needed & (w->parts | SCENE_ALWAYS));
+    const int asked = rule && rule->needed & (w->parts | SCENE_ALWAYS),
+              needed = !(field->value.flags & CYAML_FLAG_OPTIONAL) || asked;
     struct scene_node *c = NULL;
-    if (rule && rule->fallback) {
+    if (rule && rule->fallback && !asked) {
         char *why = NULL;
         const int in_plate = w->dimension == 2;
         c = scene_yaml_parse_value(in_plate && rule->in_plate ? rule->in_plate : rule->fallback, &why);

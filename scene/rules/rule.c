@@ -305,10 +305,10 @@ const struct scene_rule scene_rule_table[] = {
     RULE("coupling.medium.high", "m"),
     RULE("coupling.medium.direction", "choice", "auto"),
 
-    RULE("crack_fluid", "section", .only = SOLID | NO_FLUID | STEPPED),
-    RULE("crack_fluid.viscosity", "Pa s", ABOVE(0)),
+    RULE("crack_fluid", "section", .only = SOLID | STEPPED),
+    RULE("crack_fluid.viscosity", "Pa s", ABOVE(0), .needed = NO_FLUID),
     RULE("crack_fluid.compressibility", "1/Pa", "0", FROM(0)),
-    RULE("crack_fluid.least_pressure", "Pa", "0"),
+    RULE("crack_fluid.least_pressure", "Pa", "0", .needed = FLUID),
     RULE("crack_fluid.least_aperture", "m", "auto", ABOVE(0), .word = "auto", .load = "0"),
     RULE("crack_fluid.leak_off", "m/s^(1/2)", "0", FROM(0), NOT_WITH("pores")),
     RULE("crack_fluid.pores", "section"),
@@ -356,7 +356,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("stages[].breakage", "bool", "true", .only = SOLID),
     RULE("stages[].damping_relative", "N s/m7", "0", FROM(0), .only = SOLID),
     RULE("stages[].damping_absolute", "1/s", "0", FROM(0), .only = SOLID),
-    RULE("stages[].crack_fluid", "bool", .only = SOLID | NO_FLUID),
+    RULE("stages[].crack_fluid", "bool", .only = SOLID),
 
     RULE("output", "section", "{}"),
     RULE("output.series_every", "steps", "10", FROM(0), .only = STEPPED),

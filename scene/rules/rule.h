@@ -23,7 +23,7 @@ struct scene_rule {
     const char *load;       /* the value that the word stands for in the struct */
     int only;               /* enum scene_need bits: the key is allowed in scenes with these parts; 0: in any */
     int needed;             /* enum scene_need bits: the key is required in these scenes (if its sibling allows the
-                             * key) */
+                             * key); others have the default */
     const char *sibling;    /* the key is allowed only if this key beside it ... */
     const char *values;     /* ... has one of these values */
     const char *with;       /* ... or if this one is given beside it */

@@ -115,7 +115,7 @@ static const cyaml_schema_field_t pores_fields[] = {NUMBER("permeability", NEEDE
                                                     NUMBER("biot", NEEDED, scene_pores, biot),
                                                     NUMBER("modulus", OPTIONAL, scene_pores, modulus), CYAML_FIELD_END};
 static const cyaml_schema_field_t crack_fluid_fields[] = {
-    NUMBER("viscosity", NEEDED, scene_crack_fluid, viscosity),
+    NUMBER("viscosity", OPTIONAL, scene_crack_fluid, viscosity),
     NUMBER("compressibility", OPTIONAL, scene_crack_fluid, compressibility),
     NUMBER("least_pressure", OPTIONAL, scene_crack_fluid, least_pressure),
     NUMBER("least_aperture", OPTIONAL, scene_crack_fluid, least_aperture),

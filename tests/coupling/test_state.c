@@ -3,6 +3,7 @@
 #include "coupling/guard.h"
 #include "coupling/run_state.h"
 #include "coupling/step.h"
+#include "cracks/mouth.h"
 #include "cracks/project.h"
 #include "cracks/state_table.h"
 #include "files/folder.h"
@@ -96,6 +97,27 @@ static const char *const cracked = "title: test\n"
                                    "stages:\n"
                                    "  - {name: first, steps: 1000, integrator: verlet, crack_fluid: true}\n"
                                    "  - {name: second, steps: 1000, integrator: verlet, crack_fluid: true}\n";
+
+/* A block in a flow, with a notch that is open to it. */
+static const char *const open_notch =
+    "title: test\n"
+    "domain: {size: [0.12, 0.08, 0.08], cells: [24, 16, 16]}\n"
+    "fluid:\n"
+    "  density: 1000\n"
+    "  viscosity: 1.0e-3\n"
+    "  initial: {velocity: [0.1, 0, 0]}\n"
+    "  driving: {type: bulk_velocity, direction: x, value: 0.1}\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
+    "  materials: [{name: soft, youngs_modulus: 1.0e6, density: 3000}]\n"
+    "  bodies: [{material: soft, shape: box, low: [0.04, 0.02, 0.02], high: [0.08, 0.06, 0.06]}]\n"
+    "  cracks: [{points: [[0.03, 0.04, 0.01], [0.06, 0.04, 0.01], [0.06, 0.04, 0.07], [0.03, 0.04, 0.07]]}]\n"
+    "coupling: {load: wall, medium: {low: [0, 0, 0], high: [0.12, 0.08, 0.08]}}\n"
+    "crack_fluid:\n"
+    "  least_pressure: -1.0e5\n"
+    "  least_aperture: 1.0e-5\n"
+    "  injections: [{low: [0.04, 0.03, 0.03], high: [0.05, 0.05, 0.05], rate: 1.0e-9}]\n"
+    "stages:\n"
+    "  - {name: first, steps: 100, time_step: 1.0e-3, integrator: verlet, crack_fluid: true}\n"
+    "  - {name: second, steps: 100, time_step: 1.0e-3, integrator: verlet, crack_fluid: true}\n";
 
 /* A block that an indenter moves into, whose limits of the stretch follow the other bonds. */
 static const char *const indented =
@@ -335,6 +357,21 @@ static void fill_totals(struct run *r, const struct state_item *item, const stru
     r->cracks->began = 1;
 }
 
+static void fill_mouths(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    const struct cracks_struts *t = &r->cracks->struts;
+    struct cracks_mouths *m = r->cracks->mouths;
+    (void)item, (void)part;
+    cracks_project_settle(r->cracks);
+    cracks_mouth_room(m, t->n);
+    m->n = t->n;
+    for (int i = 0; i < t->n; i++) {
+        const double base = 100 * seed + 1e-3 * (double)(r->solid->first[par_rank()] + t->h[i]);
+        m->h[i] = t->h[i];
+        m->rate[i] = base;
+        m->gain[t->h[i]] = base + 1;
+    }
+}
+
 static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"spacing", fill_nothing, NULL},
                                          {"body", fill_nothing, NULL},
@@ -353,7 +390,8 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"softening_released", fill_released, read_released},
                                          {"crack_fluid", fill_wet, NULL},
                                          {"crack_injected", fill_injected, NULL},
-                                         {"crack_totals", fill_totals, NULL}};
+                                         {"crack_totals", fill_totals, NULL},
+                                         {"crack_mouths", fill_mouths, NULL}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)
@@ -646,6 +684,7 @@ static void test_indented(void **state) {
 static void test_cracked(void **state) {
     (void)state;
     go(cracked, 10, 0, NULL);
+    go(open_notch, 3, 0, NULL);
 }
 
 static void test_blocks(void **state) {

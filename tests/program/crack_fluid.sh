@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A notch that fluid is pumped into, in a plate and in a block: the same series on other ranks, and resumed in the
-# middle on another number of ranks; volumes add up; mistakes are refused with sentences.
+# A notch that fluid is pumped into, in a plate and in a block, and one that is open to a flow: the same series on other
+# ranks, and resumed in the middle on another number of ranks; volumes add up; mistakes are refused with sentences.
 # usage: crack_fluid.sh FRANA SOURCE WORK
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
@@ -27,11 +27,36 @@ sed -e 's/\[0.04, 0.04\]/[0.02, 0.02, 0.016]/g; s/  model.*//; s/  thickness.*//
   -e "s/rectangle, low: \[0, 0\]/box, low: [0, 0, 0]/; s/  cracks:.*/  cracks: [{points: $crack}]/" \
   -e "s/injections:.*/injections: [$given]/; s/steps: 80/steps: 40/; s/every: 50/every: 25/" \
   -e 's/fields_every: 80/fields_every: 0/' plate.yaml >block.yaml
-# books: crack_volume - cavity_volume = injected_volume, which is above 0
+# a wall between two pressures, with a notch that is open to the higher one and grows
+cat >open.yaml <<'E3'
+title: The flow's pressure enters a notch
+domain: {size: [0.024, 0.016, 0.008], cells: [24, 16, 8]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-8
+  sides:
+    x_low: {type: pressure, pressure: 100}
+    x_high: {type: pressure, pressure: 0}
+    y_low: {type: slip}
+    y_high: {type: slip}
+    z_low: {type: periodic}
+    z_high: {type: periodic}
+solid:
+  materials: [{name: rubber, youngs_modulus: 1.0e5, density: 3000, fracture_energy: 1.0e-4}]
+  bodies: [{shape: box, low: [0.007, -0.003, 0], high: [0.018, 0.019, 0.008]}]
+  cracks: [{points: [[0.006, 0.008, -0.001], [0.012, 0.008, -0.001], [0.012, 0.008, 0.009], [0.006, 0.008, 0.009]]}]
+  constraints: [{low: [0.015, -0.003, 0], high: [0.018, 0.019, 0.008]}]
+coupling: {load: wall}
+crack_fluid: {least_pressure: -1.0e3, least_aperture: 5.0e-5}
+stages: [{name: fill, steps: 40, time_step: 1.0e-4, integrator: verlet, damping_absolute: 200, crack_fluid: true}]
+output: {series_every: 10, checkpoint_every: 20, fields_every: 0}
+E3
+# books: crack_volume - cavity_volume = injected_volume or mouth_volume, which is above 0
 books() {
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
     NR > 2 { r = $at["volume_residual"]; v = $at["crack_volume"] + $at["injected_volume"]
       n++; last = $at["injected_volume"]
+      if ("mouth_volume" in at) { last = $at["mouth_volume"]; v += last }
       if (r < 0) r = -r
       if (r > 1e-12 * v) exit 1 }
     END { exit !(n > 1 && last > 0) }' "$1" || fail "$1: the volumes do not add up"
@@ -51,7 +76,7 @@ resumed() {
   same tail.csv "$1_$3/series.csv"
   books "$1_$3/series.csv"
 }
-for kind in plate block porous leaky; do
+for kind in plate block porous leaky open; do
   code 0 ranks 2 run $kind.yaml --out $kind
   books $kind/series.csv
   code 0 ranks 3 run $kind.yaml --out ${kind}_3
@@ -84,6 +109,14 @@ said '12 particles have lost all their bonds' 'a pressure of 3e+07 Pa is above E
 grep -q 'warning: crack fluid: the tips run at .* inertia counts' plate/run.log || fail "the run does not say the speed"
 code 0 "$frana" check porous.yaml
 grep -q 'pores      in all 1600 particles; pressure spreads by' out || fail "check does not say the pores"
+# the mouths take the pressure of the flow beside the wall, the flow gives what they take, and bonds break
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+  END { p = $at["mouth_pressure"]; given = $at["handed_volume"]/$at["mouth_volume"]
+    exit !(p > 60 && p < 140 && given > 0.9 && given < 1.1 && $at["mouths"] >= 48 && $at["div_max"] < 1e-10 &&
+      $at["momentum_residual"] < 1e-10 && $at["e_fracture"] > 0) }' open/series.csv || fail "open: the mouths"
+code 0 "$frana" check open.yaml
+grep -q 'mouths     at 48 of' out || fail "check does not say the mouths"
+grep -q 'least_pressure: an empty crack holds together with 19 times' out || fail "check does not say the suction"
 # a scene without the section has none of its columns
 sed -e '/^crack_fluid/,/injections/d; s/, crack_fluid: true//' plate.yaml >dry.yaml
 code 0 ranks 1 run dry.yaml --out dry --set stages.pump.steps=10
@@ -108,4 +141,11 @@ refused "crack_fluid: needs particles on the lattice" \
 refused "crack_fluid: cannot go with solid.refinement" 's/^solid:/&\n  refinement: {levels: 1}/'
 refused "crack_fluid.viscosity = 0: must be greater than 0" 's/viscosity: 1.0e-3/viscosity: 0/'
 refused "crack_fluid.injections[0].time[1] = [0, 1]: must be later" 's/5.0e-5, 1/0, 1/'
+cp open.yaml plate.yaml
+refused "crack_fluid: needs coupling.load: wall, balanced or probe" 's/load: wall/load: reaction/'
+refused "crack_fluid: cannot go with coupling.scheme: strong" 's/load: wall/load: wall, scheme: strong/'
+refused "crack_fluid.least_pressure: missing; a scene with a fluid needs it" 's/least_pressure: -1.0e3, //'
+refused "crack_fluid.viscosity = 1.0e-3: must be that of the section fluid" 's/crack_fluid: {/&viscosity: 1.0e-3, /'
+refused "stages[0].crack_fluid = true: needs solid: elastic" 's/integrator: verlet/solid: rigid, &/'
+refused "cannot go with the section fluid" 's/crack_fluid: {/&pores: {permeability: 1.0e-13, biot: 0.7}, /'
 echo ok
