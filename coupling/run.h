@@ -1,5 +1,6 @@
 /* A run: the parts that a scene needs, its time and step, and the list of the parts of a step. */
 #pragma once
+#include "base/clock.h"
 #include "coupling/adapt.h"
 #include "coupling/medium/medium.h"
 #include "coupling/setup/setup.h"
@@ -86,6 +87,7 @@ struct run {
     int parts;
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
+    enum clock_part part_clock[RUN_PARTS_MAX];
     struct adapt adapt; /* how its steps are chosen */
 
     /* Work: found anew from the state. */
