@@ -29,21 +29,10 @@ static void count(double now) {
 }
 
 enum clock_part clock_owner(enum clock_part detail) {
-    switch (detail) {
-    case CLOCK_FORWARD:
-    case CLOCK_COLUMNS:
-    case CLOCK_BACKWARD:
-        return CLOCK_POISSON;
-    case CLOCK_CRACKS:
-        return CLOCK_SOLID;
-    case CLOCK_SERIES:
-    case CLOCK_FIELDS:
-    case CLOCK_CHECKPOINT:
-    case CLOCK_LOG:
-        return CLOCK_OUTPUT;
-    default:
-        return detail;
-    }
+    static const enum clock_part owner[CLOCK_ALL - CLOCK_PARTS] = {CLOCK_POISSON, CLOCK_POISSON, CLOCK_POISSON,
+                                                                   CLOCK_SOLID,   CLOCK_OUTPUT,  CLOCK_OUTPUT,
+                                                                   CLOCK_OUTPUT,  CLOCK_OUTPUT};
+    return detail < CLOCK_PARTS ? detail : owner[detail - CLOCK_PARTS];
 }
 
 /* The clock that a part runs on: the innermost one, if that is a detail of the part. */

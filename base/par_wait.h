@@ -10,6 +10,6 @@
         par_wait_end(par_wait_from);                                                                                   \
     } while (0)
 
-double par_wait_begin(void);      /* Not collective, nor are the others. */
-void par_wait_end(double from);   /* from: what par_wait_begin returned */
-double par_wait_seconds(void);    /* since the program began */
+double par_wait_begin(void);    /* Not collective, nor are the others. */
+void par_wait_end(double from); /* from: what par_wait_begin returned */
+double par_wait_seconds(void);  /* since the program began */

@@ -96,12 +96,12 @@ static void check_steps(const struct run *r) {
 
 struct run *run_new(const struct scene *scene) {
     struct run *r = calloc(1, sizeof *r);
+    r->wall_start = par_seconds();
+    clock_phase(CLOCK_PHASE_FLUID);
     forecast_check(scene);
     r->scene = scene;
     r->needs = setup_needs_of(scene);
-    r->wall_start = par_seconds();
     r->deposited = -1;
-    clock_phase(CLOCK_PHASE_FLUID);
     if (r->needs.fluid) {
         struct fluid_input in;
         setup_fluid(scene, &in);

@@ -152,6 +152,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         section[k].add(out, h);
         last[k] = out->facts.n;
         if (section[k].heading) report_section(report, out, section[k].heading, k ? last[k - 1] : 0, last[k]);
+        if (section[k].add == postproc_sections_wall) postproc_sections_timeline(report, h);
     }
     film_write(out);
     report_images(report, out);

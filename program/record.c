@@ -126,7 +126,6 @@ void record_write_version(struct json *j) {
 
 void record_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code) {
     const int size = par_size();
-    const double wall = par_max(par_seconds() - r->wall_start);
     const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
     double mine[1 + MEMORY_PARTS];
     timeline_collect(t, r->step);
@@ -160,12 +159,14 @@ void record_write(struct run *r, struct timeline *t, const char *folder, const c
         write_bounds(j, &r->adapt);
         json_long(j, "ranks", size);
         json_long(j, "threads", threads_count());
-        json_number(j, "wall_seconds", wall);
+        json_number(j, "wall_seconds", timeline_wall(t));
         json_number(j, "setup_seconds", r->setup_seconds); /* part of it, before the first step */
         if (r->wall_earlier != 0) json_number(j, "wall_seconds_earlier", r->wall_earlier);
-        if (!strcmp(status, "done")) json_number(j, "end_seconds", timeline_last(t)); /* part of it, after the last step */
+        if (!strcmp(status, "done"))
+            json_number(j, "end_seconds", timeline_last(t)); /* part of it, after the last step */
         write_parts(j, t);
-        const double fluid = timeline_seconds(t, CLOCK_MOMENTUM) + timeline_seconds(t, CLOCK_POISSON) + timeline_seconds(t, CLOCK_HALO);
+        const double fluid =
+            timeline_seconds(t, CLOCK_MOMENTUM) + timeline_seconds(t, CLOCK_POISSON) + timeline_seconds(t, CLOCK_HALO);
         if (r->fluid) json_long(j, "cells", (long)fluid_cells(r->fluid));
         if (r->solid) json_long(j, "particles", r->solid->n_global);
         if (r->needs.bonds) json_long(j, "directed_bonds", directed);

@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Up to so many ranks are written one by one. */
@@ -26,16 +27,17 @@ struct span {
 struct timeline {
     int spans, room;
     struct span *span;
-    long step;                           /* when it was collected */
-    struct reading mean, least, most;    /* of the whole run, over the ranks */
-    struct reading *rank;                /* [ranks] on rank 0; NULL: too many */
+    long step;                        /* when it was collected */
+    struct reading mean, least, most; /* of the whole run, over the ranks */
+    double wall;                      /* s, the largest of the ranks */
+    struct reading *rank;             /* [ranks] on rank 0; NULL: too many */
 };
 
 static void read_clocks(struct reading *r) {
     clock_count();
     for (int p = 0; p < CLOCK_ALL; p++) {
         r->of[p][WAITING] = clock_waiting((enum clock_part)p);
-        r->of[p][WORKING] = clock_seconds((enum clock_part)p) - r->of[p][WAITING];
+        r->of[p][WORKING] = fmax(clock_seconds((enum clock_part)p) - r->of[p][WAITING], 0); /* rounding */
     }
 }
 
@@ -64,6 +66,14 @@ void timeline_span(struct timeline *t, const char *name, long step) {
     if (t->spans > 1) read_clocks(&s->before); /* the set-up begins with clocks at 0 */
 }
 
+static double sum_of(const struct reading *r, int part) { return r->of[part][WORKING] + r->of[part][WAITING]; }
+
+static double whole(const struct reading *r) {
+    double sum = 0;
+    for (int p = 0; p < CLOCK_PARTS; p++) sum += sum_of(r, p);
+    return sum;
+}
+
 static void mean_of(struct reading *r) {
     par_sum_array(&r->of[0][0], CLOCK_ALL * KINDS);
     for (int p = 0; p < CLOCK_ALL; p++)
@@ -74,6 +84,7 @@ void timeline_collect(struct timeline *t, long step) {
     struct reading now;
     read_clocks(&now);
     t->step = step;
+    t->wall = par_max(whole(&now));
     for (int s = 0; s < t->spans; s++) {
         const struct reading *end = s + 1 < t->spans ? &t->span[s + 1].before : &now;
         for (int p = 0; p < CLOCK_ALL; p++)
@@ -90,15 +101,9 @@ void timeline_collect(struct timeline *t, long step) {
     par_gather(&now, sizeof now, t->rank);
 }
 
-static double sum_of(const struct reading *r, int part) { return r->of[part][WORKING] + r->of[part][WAITING]; }
-
-static double whole(const struct reading *r) {
-    double sum = 0;
-    for (int p = 0; p < CLOCK_PARTS; p++) sum += sum_of(r, p);
-    return sum;
-}
-
 double timeline_seconds(const struct timeline *t, int part) { return sum_of(&t->mean, part); }
+
+double timeline_wall(const struct timeline *t) { return t->wall; }
 
 double timeline_last(const struct timeline *t) { return whole(&t->span[t->spans - 1].mean); }
 

@@ -11,7 +11,8 @@ void timeline_free(struct timeline *t);
 void timeline_span(struct timeline *t, const char *name, long step);
 /* Gathers the seconds of all ranks up to now, of which the others below speak. Collective. */
 void timeline_collect(struct timeline *t, long step);
-double timeline_seconds(const struct timeline *t, int part);   /* mean over the ranks. Not collective. */
-double timeline_last(const struct timeline *t);                /* of the last span, mean over the ranks */
+double timeline_seconds(const struct timeline *t, int part); /* mean over the ranks. Not collective. */
+double timeline_wall(const struct timeline *t);              /* since clock_clear, of the rank that began first */
+double timeline_last(const struct timeline *t);              /* of the last span, mean over the ranks */
 /* Members of run.json. Not collective: rank 0 alone may call it. */
 void timeline_write(const struct timeline *t, struct json *j);
