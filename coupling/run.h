@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "solid/force/added_mass.h"
 #include "solid/state.h"
+#include "solid/step/rates.h"
 #include "solid/step/stable.h"
 #include "solid/surface/surface.h"
 
@@ -91,6 +92,7 @@ struct run {
     struct adapt adapt; /* how its steps are chosen */
 
     /* Work: found anew from the state. */
+    struct solid_rates_found rates_found; /* by the last iteration: stages of the same damping share it */
     struct run_markers markers;
     double *position[3]; /* [n] of the deposit, m; NULL: the solid is rigid in every stage */
     long deposited;      /* step of the last deposit, -1: none */
