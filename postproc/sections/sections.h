@@ -5,7 +5,6 @@
 #include "postproc/draw/colour.h"
 #include "postproc/facts.h"
 #include "postproc/options.h"
-#include "postproc/report.h"
 
 enum { POSTPROC_PICTURES = 48 };
 struct postproc_output {
@@ -38,8 +37,6 @@ void postproc_sections_fragments(struct postproc_output *out, const struct postp
 void postproc_sections_events(struct postproc_output *out, const struct postproc_history *h);    /* of events.csv */
 void postproc_sections_modes(struct postproc_output *out, const struct postproc_history *h);     /* of the damage */
 void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);      /* seconds by part */
-/* A table of run.json's timeline: parts by set-up, stages and end, with waiting. None if the run has no timeline. */
-void postproc_sections_timeline(struct postproc_report *report, const struct postproc_history *h);
 void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h);       /* strain and stress */
 void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h);   /* pressure along x */
 void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h); /* planes of the fluid */

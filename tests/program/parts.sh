@@ -65,7 +65,7 @@ for name in whole fluid solid rigid both; do
     END {
       close_to(sum, wall, "all parts and the wall time")
       close_to(span_sum, wall, "all spans and the wall time")
-      if (phases > 1.01 * setup || phases < 0.9 * setup) { print "FAILED: " name ": phases " phases " of " setup; bad = 1 }
+      close_to(phases, setup, "the phases and the set-up")
       for (p in of_part) {
         if (of_part[p] == 0) continue
         close_to(in_spans[p], of_part[p], p " in the spans and in the run")

@@ -1,6 +1,5 @@
 /* Prints the timeline of run.json: seconds by part of the program and by span of the run, and how much was waiting. */
-#include "postproc/sections/sections.h"
-#include "postproc/tree.h"
+#include "postproc/timeline.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -50,8 +49,7 @@ static void row(struct cells *c, int at, const struct postproc_tree *t, const ch
     put(text[c->m - 1], all[0], all[1]);
 }
 
-void postproc_sections_timeline(struct postproc_report *report, const struct postproc_history *h) {
-    const struct postproc_tree *t = h->record;
+void postproc_timeline_report(struct postproc_report *report, const struct postproc_tree *t) {
     char path[PATH];
     struct cells c = {.n = 2, .m = 2};
     const char *name, *part;
