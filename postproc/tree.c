@@ -52,7 +52,8 @@ static yaml_node_t *find(const struct postproc_tree *t, const char *path) {
             char *end;
             const unsigned long item = strtoul(path, &end, 10);
             const yaml_node_item_t *items = node->data.sequence.items.start;
-            if (end != path + length || item >= (size_t)(node->data.sequence.items.top - items)) return NULL;
+            if (length == 0 || end != path + length || item >= (size_t)(node->data.sequence.items.top - items))
+                return NULL;
             node = yaml_document_get_node(d, items[item]);
             path += length + (*end == '.');
             continue;
