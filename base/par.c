@@ -1,6 +1,7 @@
 /* MPI basics: start, ranks, reductions, broadcasts, gathers, wall clock. */
 #include "base/par.h"
 #include "base/par_count.h"
+#include "base/par_wait.h"
 
 #include <mpi.h>
 #include <limits.h>
@@ -50,7 +51,7 @@ static void note(size_t bytes) {
 static void reduce(void *value, int n, MPI_Datatype type, MPI_Op op) {
     if (!on()) return;
     note((size_t)n * 8); /* doubles and longs */
-    MPI_Allreduce(MPI_IN_PLACE, value, n, type, op, MPI_COMM_WORLD);
+    PAR_WAIT(MPI_Allreduce(MPI_IN_PLACE, value, n, type, op, MPI_COMM_WORLD));
 }
 
 void par_sum_array(double *value, int n) { reduce(value, n, MPI_DOUBLE, MPI_SUM); }
@@ -81,7 +82,7 @@ long par_sum_long(long value) {
 long par_sum_before(long value) {
     long before = 0;
     note(sizeof value);
-    if (on()) MPI_Exscan(&value, &before, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD);
+    if (on()) PAR_WAIT(MPI_Exscan(&value, &before, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD));
     return par_rank() == 0 ? 0 : before;
 }
 
@@ -90,7 +91,7 @@ void par_bcast(void *data, size_t bytes, int root) {
     note(bytes);
     while (on() && bytes > 0) {
         const int piece = bytes > INT_MAX ? INT_MAX : (int)bytes;
-        MPI_Bcast(at, piece, MPI_BYTE, root, MPI_COMM_WORLD);
+        PAR_WAIT(MPI_Bcast(at, piece, MPI_BYTE, root, MPI_COMM_WORLD));
         at += piece;
         bytes -= (size_t)piece;
     }
@@ -98,12 +99,12 @@ void par_bcast(void *data, size_t bytes, int root) {
 
 void par_gather(const void *mine, size_t bytes, void *everyone) {
     note(bytes);
-    MPI_Gather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, 0, MPI_COMM_WORLD);
+    PAR_WAIT(MPI_Gather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, 0, MPI_COMM_WORLD));
 }
 
 void par_all_gather(const void *mine, size_t bytes, void *everyone) {
     note(bytes);
-    MPI_Allgather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, MPI_COMM_WORLD);
+    PAR_WAIT(MPI_Allgather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, MPI_COMM_WORLD));
 }
 
 void *par_all_gather_any(const void *mine, size_t bytes, size_t *total) {
@@ -111,20 +112,20 @@ void *par_all_gather_any(const void *mine, size_t bytes, size_t *total) {
     int *count = malloc(2 * (size_t)size * sizeof *count), *at = count + size, my_count = (int)bytes;
     note(sizeof my_count);
     note(bytes);
-    MPI_Allgather(&my_count, 1, MPI_INT, count, 1, MPI_INT, MPI_COMM_WORLD);
+    PAR_WAIT(MPI_Allgather(&my_count, 1, MPI_INT, count, 1, MPI_INT, MPI_COMM_WORLD));
     *total = 0;
     for (int r = 0; r < size; r++) {
         at[r] = (int)*total;
         *total += (size_t)count[r];
     }
     void *everyone = malloc(*total + 1);
-    MPI_Allgatherv(mine, my_count, MPI_BYTE, everyone, count, at, MPI_BYTE, MPI_COMM_WORLD);
+    PAR_WAIT(MPI_Allgatherv(mine, my_count, MPI_BYTE, everyone, count, at, MPI_BYTE, MPI_COMM_WORLD));
     free(count);
     return everyone;
 }
 
 void par_barrier(void) {
-    if (on()) MPI_Barrier(MPI_COMM_WORLD);
+    if (on()) PAR_WAIT(MPI_Barrier(MPI_COMM_WORLD));
 }
 
 double par_seconds(void) {

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par_count.h"
 #include "base/par_piece.h"
+#include "base/par_wait.h"
 
 #include <mpi.h>
 #include <stdlib.h>
@@ -75,7 +76,7 @@ static void swap(struct par_column *c, double *packed, double *of_all, int back)
     double *mine = packed + (size_t)c->values * (size_t)low_of(c, c->place),
            *about_me = of_all + (size_t)c->place * (size_t)own;
     memcpy(back ? mine : about_me, back ? about_me : mine, (size_t)own * sizeof *mine);
-    MPI_Waitall(requests, c->request, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(requests, c->request, MPI_STATUSES_IGNORE));
 }
 
 /* The block of an owner's columns in packed holds one value of all of them after another. */

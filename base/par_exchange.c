@@ -4,6 +4,7 @@
 #include "base/par.h"
 #include "base/par_count.h"
 #include "base/par_exchange_private.h"
+#include "base/par_wait.h"
 
 #include <mpi.h>
 #include <sched.h>
@@ -107,7 +108,7 @@ struct par_exchange *par_exchange_renew(struct par_exchange *x, int n, const int
     if (size == 1)
         x->from[0] = x->to[0];
     else
-        tell(x);
+        PAR_WAIT(tell(x));
     x->served = offsets(x->from, x->from_at, size);
     return x;
 }
@@ -155,7 +156,7 @@ void par_exchange_forward(struct par_exchange *x, const void *mine, void *served
     for (int k = 0; k < x->to[rank]; k++)
         memcpy((char *)served + (size_t)(x->from_at[rank] + k) * bytes,
                (const char *)mine + (size_t)x->order[x->to_at[rank] + k] * bytes, bytes);
-    MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE));
 }
 
 void par_exchange_backward(struct par_exchange *x, const void *served, void *mine, size_t bytes) {
@@ -169,7 +170,7 @@ void par_exchange_backward(struct par_exchange *x, const void *served, void *min
     for (int k = 0; k < x->to[rank]; k++)
         memcpy((char *)mine + (size_t)x->order[x->to_at[rank] + k] * bytes,
                (const char *)served + (size_t)(x->from_at[rank] + k) * bytes, bytes);
-    MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE));
     for (int r = 0; r < size; r++)
         for (int k = x->to_at[r]; k < x->to_at[r] + x->to[r] && r != rank; k++)
             memcpy((char *)mine + (size_t)x->order[k] * bytes, pack + (size_t)k * bytes, bytes);

@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/par_exchange_private.h"
+#include "base/par_wait.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -50,7 +51,7 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id) {
 
 /* Waits until the messages of the update before have left. */
 static void settle(struct par_ghost *g) {
-    MPI_Waitall(g->sending, g->wish->request + g->receiving, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(g->sending, g->wish->request + g->receiving, MPI_STATUSES_IGNORE));
     g->sending = 0;
 }
 
@@ -90,7 +91,7 @@ void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int 
 void par_ghost_end(struct par_ghost *g) {
     struct par_exchange *x = g->wish;
     if (!g->fields) return;
-    MPI_Waitall(g->receiving, x->request, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(g->receiving, x->request, MPI_STATUSES_IGNORE));
     const double *arrived = (const double *)(const void *)x->buffer;
     for (int k = 0; k < x->sent; k++)
         for (int f = 0; f < g->fields; f++) g->field[f][x->order[k]] = arrived[k * g->fields + f];

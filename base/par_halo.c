@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_count.h"
+#include "base/par_wait.h"
 
 #include <mpi.h>
 #include <stdlib.h>
@@ -134,7 +135,7 @@ static void swap(struct par_halo *h, int direction, double *const sent[2], doubl
                       &request[requests++]);
             par_count_message(PAR_COUNT_HALO, count * sizeof(double));
         }
-    MPI_Waitall(requests, request, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(requests, request, MPI_STATUSES_IGNORE));
 }
 
 /* A periodic direction with one rank: the cells at each side are copied to the ghosts at the other side. */

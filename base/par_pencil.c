@@ -6,6 +6,7 @@
 #include "base/par.h"
 #include "base/par_count.h"
 #include "base/par_piece.h"
+#include "base/par_wait.h"
 
 #include <mpi.h>
 #include <stdlib.h>
@@ -113,7 +114,7 @@ static void swap(struct par_pencil *p, int planes, int back) {
             else
                 MPI_Irecv(block, count, MPI_DOUBLE, p->first + q, 90 + back, MPI_COMM_WORLD, &p->request[requests++]);
         }
-    MPI_Waitall(requests, p->request, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(requests, p->request, MPI_STATUSES_IGNORE));
 }
 
 void par_pencil_forward(struct par_pencil *p, int planes, const double *x_pencil, double *y_pencil) {

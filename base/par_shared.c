@@ -4,6 +4,7 @@
 #include "base/par_shared.h"
 #include "base/par.h"
 #include "base/par_count.h"
+#include "base/par_wait.h"
 
 #include <mpi.h>
 #include <errno.h>
@@ -55,7 +56,7 @@ static void find_nodes(void) {
     MPI_Comm_size(node.copy, &node.sharers);
     MPI_Comm_split(MPI_COMM_WORLD, node.rank == 0 ? 0 : MPI_UNDEFINED, par_rank(), &node.first);
     if (node.rank == 0) MPI_Comm_size(node.first, &node.copies);
-    MPI_Bcast(&node.copies, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    PAR_WAIT(MPI_Bcast(&node.copies, 1, MPI_INT, 0, MPI_COMM_WORLD));
     is_known = 1;
 }
 
@@ -117,8 +118,8 @@ static void *join(size_t bytes, const struct origin *origin, char why[128]) {
 /* Agrees on the first sentence of any rank. */
 static void agree(char why[128]) {
     int first = why[0] ? par_rank() : par_size();
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    if (first < par_size()) MPI_Bcast(why, 128, MPI_CHAR, first, MPI_COMM_WORLD);
+    PAR_WAIT(MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD));
+    if (first < par_size()) PAR_WAIT(MPI_Bcast(why, 128, MPI_CHAR, first, MPI_COMM_WORLD));
 }
 
 /* Maps the node's copy on all its ranks; leaves data NULL and says why if any rank of all cannot. */
@@ -126,7 +127,7 @@ static void share(struct par_shared *s) {
     struct origin origin = {.file = -1};
     if (node.rank == 0) s->data = begin(s->bytes, &origin, s->why);
     origin.fault = s->why[0] != '\0';
-    MPI_Bcast(&origin, (int)sizeof origin, MPI_BYTE, 0, node.copy);
+    PAR_WAIT(MPI_Bcast(&origin, (int)sizeof origin, MPI_BYTE, 0, node.copy));
     if (node.rank > 0 && !origin.fault) s->data = join(s->bytes, &origin, s->why);
     agree(s->why);
     if (node.rank == 0 && origin.file >= 0) close(origin.file);
@@ -166,7 +167,7 @@ void par_shared_free(struct par_shared *s) {
 void par_shared_fence(const struct par_shared *s) {
     if (s->sharers == 1) return;
     __atomic_thread_fence(__ATOMIC_SEQ_CST);
-    MPI_Barrier(node.copy);
+    PAR_WAIT(MPI_Barrier(node.copy));
     __atomic_thread_fence(__ATOMIC_SEQ_CST);
 }
 
@@ -182,13 +183,14 @@ void par_shared_unite(const struct par_shared *s) {
     char *data = s->data;
     par_shared_fence(s);
     for (size_t at = 0, n; (n = piece(s, at)) > 0; at += n)
-        MPI_Allreduce(MPI_IN_PLACE, data + at, (int)(n / 8), MPI_UINT64_T, MPI_BOR, first_of(s));
+        PAR_WAIT(MPI_Allreduce(MPI_IN_PLACE, data + at, (int)(n / 8), MPI_UINT64_T, MPI_BOR, first_of(s)));
     par_shared_fence(s);
 }
 
 void par_shared_spread(const struct par_shared *s) {
     char *data = s->data;
     par_shared_fence(s);
-    for (size_t at = 0, n; (n = piece(s, at)) > 0; at += n) MPI_Bcast(data + at, (int)n, MPI_BYTE, 0, first_of(s));
+    for (size_t at = 0, n; (n = piece(s, at)) > 0; at += n)
+        PAR_WAIT(MPI_Bcast(data + at, (int)n, MPI_BYTE, 0, first_of(s)));
     par_shared_fence(s);
 }

@@ -2,6 +2,7 @@
 #include "base/par_swap.h"
 #include "base/ensure.h"
 #include "base/par_count.h"
+#include "base/par_wait.h"
 
 #include <mpi.h>
 #include <stdlib.h>
@@ -50,5 +51,5 @@ void par_swap(struct par_swap *s, const double *send, double *received, int doub
         MPI_Isend(send + at, n, MPI_DOUBLE, s->rank[p], TAG, MPI_COMM_WORLD, &s->request[2 * p + 1]);
         at += (size_t)n;
     }
-    MPI_Waitall(2 * s->peers, s->request, MPI_STATUSES_IGNORE);
+    PAR_WAIT(MPI_Waitall(2 * s->peers, s->request, MPI_STATUSES_IGNORE));
 }

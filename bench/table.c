@@ -241,7 +241,8 @@ static void performance(const struct page *p) {
            "time that the "
            "bandwidth and the multiply-adds measured in the same\nrun allow (roofline), over the time taken. "
            "Where that "
-           "is above what memory gives, the data stay in the cache.\n\n");
+           "is above what memory gives, the data stay in the cache.\n\n"
+           "Where the time of a whole run goes, by part, stage and rank, is in [timeline.md](timeline.md).\n\n");
     machine(p->rows);
     targets(p);
     measured(p->rows, 1);

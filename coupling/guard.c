@@ -56,7 +56,7 @@ int guard_fits(const struct guard *g, const struct run *r) {
 
 void guard_keep(struct guard *g, struct run *r) {
     const struct state_part run = run_state_part(r);
-    clock_begin(CLOCK_OUTPUT);
+    clock_begin(CLOCK_KEEPING);
     if (g->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
         state_copy_take(g->fluid, &fluid, g);
@@ -68,14 +68,14 @@ void guard_keep(struct guard *g, struct run *r) {
     }
     state_copy_take(g->run, &run, &g->demand);
     g->kept = 1;
-    clock_end(CLOCK_OUTPUT);
+    clock_end(CLOCK_KEEPING);
 }
 
 /* The forcing's guess, of the run, comes back when the solid has. */
 long guard_restore(struct guard *g, struct run *r) {
     const struct state_part run = run_state_part(r);
     if (!g->kept || !guard_fits(g, r)) return -1;
-    clock_begin(CLOCK_OUTPUT);
+    clock_begin(CLOCK_KEEPING);
     if (g->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
         state_copy_restore(g->fluid, &fluid, g);
@@ -89,6 +89,6 @@ long guard_restore(struct guard *g, struct run *r) {
     /* work that belongs to another state */
     r->adapt.limits_of = -1;
     if (r->deposited > r->step) r->deposited = -1;
-    clock_end(CLOCK_OUTPUT);
+    clock_end(CLOCK_KEEPING);
     return r->step;
 }

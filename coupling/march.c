@@ -1,5 +1,6 @@
 /* Takes steps: takes a step, decides whether it is accepted, and repeats a rejected one from a kept state. */
 #include "coupling/march.h"
+#include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
 #include "coupling/adapt.h"
@@ -52,9 +53,11 @@ static int go_back(struct march *m) {
         struct step_status status = {0};
         double number[ADAPT_NUMBERS];
         step_advance(r);
+        clock_begin(CLOCK_JUDGING);
         adapt_look(r, 0, number);
         par_max_array(number, ADAPT_NUMBERS);
         adapt_judge(r, number, &status);
+        clock_end(CLOCK_JUDGING);
     }
     a->replays = 0;
     if (r->step > kept) guard_keep(m->guard, r);
@@ -74,12 +77,15 @@ int march_step(struct march *m, int whole, const struct march_caller *caller, st
         double number[ADAPT_NUMBERS];
         if (caller->before) caller->before(caller->with);
         step_advance(r);
+        clock_begin(CLOCK_JUDGING);
         adapt_look(r, step_check(r, whole, status), number);
         if (caller->largest)
             caller->largest(caller->with, number, ADAPT_NUMBERS);
         else
             par_max_array(number, ADAPT_NUMBERS);
-        switch (adapt_judge(r, number, status)) {
+        const enum adapt_verdict verdict = adapt_judge(r, number, status);
+        clock_end(CLOCK_JUDGING);
+        switch (verdict) {
         case ADAPT_HOLDS:
             return 1;
         case ADAPT_LOST:

@@ -1,5 +1,6 @@
 /* Creates and frees a run: the fluid, solid, interface and medium that the scene needs. */
 #include "coupling/run.h"
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -96,16 +97,18 @@ static void check_steps(const struct run *r) {
 
 struct run *run_new(const struct scene *scene) {
     struct run *r = calloc(1, sizeof *r);
+    r->wall_start = par_seconds();
+    clock_phase(CLOCK_PHASE_FLUID);
     forecast_check(scene);
     r->scene = scene;
     r->needs = setup_needs_of(scene);
-    r->wall_start = par_seconds();
     r->deposited = -1;
     if (r->needs.fluid) {
         struct fluid_input in;
         setup_fluid(scene, &in);
         r->fluid = fluid_new(&in);
     }
+    clock_phase(CLOCK_PHASE_SOLID);
     if (r->needs.solid) {
         struct solid_input *in = setup_solid(scene);
         given_add(scene, in);
@@ -117,6 +120,7 @@ struct run *run_new(const struct scene *scene) {
         check_steps(r);
         r->cracks = setup_crack_fluid(scene, r->solid);
     }
+    clock_phase(CLOCK_PHASE_SURFACE);
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);
         solid_surface_area_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
@@ -125,6 +129,7 @@ struct run *run_new(const struct scene *scene) {
             solid_surface_settle(r->surface);
         }
         share_divide(r);
+        clock_phase(CLOCK_PHASE_FORCING);
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
         for (int c = 0; c < 3 && r->needs.bonds; c++)

@@ -1,5 +1,6 @@
 /* A run: the parts that a scene needs, its time and step, and the list of the parts of a step. */
 #pragma once
+#include "base/clock.h"
 #include "coupling/adapt.h"
 #include "coupling/medium/medium.h"
 #include "coupling/setup/setup.h"
@@ -11,6 +12,7 @@
 #include "scene/scene.h"
 #include "solid/force/added_mass.h"
 #include "solid/state.h"
+#include "solid/step/rates.h"
 #include "solid/step/stable.h"
 #include "solid/surface/surface.h"
 
@@ -88,9 +90,11 @@ struct run {
     int parts;
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
+    enum clock_part part_clock[RUN_PARTS_MAX];
     struct adapt adapt; /* how its steps are chosen */
 
     /* Work: found anew from the state. */
+    struct solid_rates_found rates_found; /* by the last iteration: stages of the same damping share it */
     struct run_markers markers;
     double *position[3]; /* [n] of the deposit, m; NULL: the solid is rigid in every stage */
     long deposited;      /* step of the last deposit, -1: none */

@@ -43,11 +43,17 @@ static void begin_numbers(struct run *r, int elastic) {
     if (starts) steady_begin(r);
 }
 
+/* An earlier stage's rates may be taken where they choose no more than a number of substeps: found again they differ in
+ * their last digits. */
 static void find_stable_step(struct run *r) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const int is_given = r->fluid || stage->time_step > 0 || stage->increment > 0;
     if (r->scene->solid->refinement)
         refinement_rates(r);
-    else
+    else if (!is_given || !solid_rates_again(r->solid, &r->rates_found, &r->solid_rates)) {
         solid_rates_of(r->solid, &r->solid_rates);
+        r->rates_found = (struct solid_rates_found){1, r->solid->stage.damping_relative, r->solid_rates};
+    }
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 

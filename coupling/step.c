@@ -1,4 +1,5 @@
 /* The time step: the box of all parts, those of it that a stage needs, and the loop over them.  (001: sec. 4.3) */
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -121,25 +122,29 @@ static void part_increment(struct run *r) {
 /* The box: the parts of a step in their order. A stage has a part if it has all needs of `with` and none of `without`.
  * (001: sec. 4.3) */
 static const struct step_part box[] = {
-    {"relaxation", STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
-    {"loads raised, relaxation and breakage in turn", STAGE_RAISES, 0, part_increment},
-    {"time step from the fluid's limits", STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
-    {"markers", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG, part_markers},    /* 001: sec. 3.5.2, X^n and V^n */
-    {"volume given to cracks", STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_give},   /* docs/design/cracks.md */
-    {"fluid", STAGE_FLUID, STAGE_IMMERSED, part_fluid},                         /* 001: eqs 3.70-3.74 */
-    {"fluid with forcing", STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
+    {"relaxation", CLOCK_SOLID, STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
+    {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_RAISES, 0, part_increment},
+    {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
+    {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG,
+     part_markers}, /* 001: sec. 3.5.2, X^n and V^n */
+    {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_give}, /* docs/design/cracks.md */
+    {"fluid", CLOCK_MOMENTUM, STAGE_FLUID, STAGE_IMMERSED, part_fluid},                     /* 001: eqs 3.70-3.74 */
+    {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
      part_fluid_forced}, /* 001: eqs 3.70-3.82 */
-    {"fluid with forcing, implicit diffusion", STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG, part_fluid_implicit},
-    {"probe", STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, interface_probe}, /* 001: eqs 3.83-3.96 */
-    {"mouths of cracks", STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_open},                      /* docs/design/cracks.md */
-    {"refinement", STAGE_REFINES, STAGE_STRONG, part_refine},                                /* 000: ch. 2 */
-    {"contact", STAGE_TOUCHES, 0, part_contact},                       /* lists of pairs for 001: eq. 3.40 */
-    {"number of substeps", STAGE_FOLLOWS, 0, adapt_substeps},          /* the solid's stable step */
-    {"solid", STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid}, /* 001: eqs 3.38, 3.47, 3.48 */
-    {"cracks", STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
-    {"fluid, probe and solid, iterated", STAGE_STRONG, 0, strong_step},           /* Degroote et al. 2009 */
-    {"fluid, forcing and solid, stage by stage", STAGE_REACTS, 0, reaction_step}, /* Tschisgale et al. 2017 */
-    {"surface", STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface},                 /* 001: secs 3.3.7, 3.3.9 */
+    {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG,
+     part_fluid_implicit},
+    {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS,
+     interface_probe},                                                                /* 001: eqs 3.83-3.96 */
+    {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_open}, /* docs/design/cracks.md */
+    {"refinement", CLOCK_SOLID, STAGE_REFINES, STAGE_STRONG, part_refine},            /* 000: ch. 2 */
+    {"contact", CLOCK_CONTACT, STAGE_TOUCHES, 0, part_contact},              /* lists of pairs for 001: eq. 3.40 */
+    {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, adapt_substeps}, /* the solid's stable step */
+    {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid}, /* 001: eqs 3.38, 3.47, 3.48 */
+    {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
+    {"fluid, probe and solid, iterated", CLOCK_COUPLING, STAGE_STRONG, 0, strong_step}, /* Degroote et al. 2009 */
+    {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTS, 0,
+     reaction_step},                                                               /* Tschisgale et al. 2017 */
+    {"surface", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface}, /* 001: secs 3.3.7, 3.3.9 */
 };
 
 int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]) {
@@ -159,13 +164,18 @@ void step_begin_stage(struct run *r) {
     for (int k = 0; k < r->parts; k++) {
         r->part[k] = part[k]->run;
         r->part_name[k] = part[k]->name;
+        r->part_clock[k] = part[k]->clock;
     }
     if (needs & STAGE_STRONG) strong_parts(r->strong, part_markers, part_fluid_forced);
     if (needs & STAGE_IMMERSED && !(needs & STAGE_ELASTIC)) part_markers(r); /* a solid at rest: once a stage */
 }
 
 void step_advance(struct run *r) {
-    for (int k = 0; k < r->parts; k++) r->part[k](r);
+    for (int k = 0; k < r->parts; k++) {
+        clock_begin(r->part_clock[k]);
+        r->part[k](r);
+        clock_end(r->part_clock[k]);
+    }
     r->t += r->dt;
     r->step++;
     r->stage_step++;

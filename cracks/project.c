@@ -1,5 +1,6 @@
 /* The pressures of a substep, and their load on the solid. */
 #include "cracks/project.h"
+#include "base/clock.h"
 #include "base/par.h"
 #include "cracks/apart.h"
 #include "cracks/aperture.h"
@@ -145,9 +146,8 @@ void cracks_project_load_again(struct cracks *c) {
         for (int k = 0; k < c->solid->dim; k++) c->solid->load[k][c->struts.h[i]] += c->share[i][k];
 }
 
-void cracks_project(struct solid *s, double dt, void *cracks) {
-    struct cracks *c = cracks;
-    (void)s;
+/* Finds the pressures at the substep's end and what they push with. */
+static void project(struct cracks *c, double dt) {
     cracks_project_settle(c);
     if (c->status.failed) return;
     if (c->in.porous && !c->began) fill_pores(c);
@@ -170,4 +170,11 @@ void cracks_project(struct solid *s, double dt, void *cracks) {
     load(c, dt);
     fill(c, dt);
     c->steps++;
+}
+
+void cracks_project(struct solid *s, double dt, void *cracks) {
+    (void)s;
+    clock_begin(CLOCK_CRACKS);
+    project(cracks, dt);
+    clock_end(CLOCK_CRACKS);
 }

@@ -1,5 +1,6 @@
 /* Log lines to the screen and to run.log, and the progress bar. */
 #include "files/log.h"
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/par.h"
 #include "files/folder.h"
@@ -62,10 +63,12 @@ void log_line(const char *format, ...) {
     char line[1024];
     va_list args;
     if (par_rank() != 0) return;
+    clock_begin(CLOCK_LOG);
     va_start(args, format);
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
     say(line);
+    clock_end(CLOCK_LOG);
 }
 
 /* "1:02:03" or "2:03". */

@@ -1,4 +1,5 @@
 /* Creates and frees the fluid, gives access to its state, and steps it without immersed bodies. */
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/memory.h"
 #include "fluid/grid/boundary.h"
@@ -58,10 +59,12 @@ struct fluid *fluid_new(const struct fluid_input *in) {
             apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : fluid_component(&f->state, c);
     f->correction = fluid_correction_new(f->grid);
     f->flux = memory_new_work(MEMORY_FLUID, fluid_momentum_work(f->grid));
+    const enum clock_phase phase = clock_phase(CLOCK_PHASE_PLANS);
     fluid_wisdom_load();
     f->poisson = new_poisson(f);
     if (in->implicit) f->diffusion = fluid_diffusion_new(f);
     fluid_wisdom_store();
+    clock_phase(phase);
     if (in->driving.type == FLUID_DRIVING_GRADIENT) f->state.driving = f->state.driven = in->driving.value;
     fluid_initial_fill(f);
     fluid_project_start(f);

@@ -7,6 +7,7 @@
 #include "postproc/gnuplot.h"
 #include "postproc/report.h"
 #include "postproc/sections/sections.h"
+#include "postproc/timeline.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -152,6 +153,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         section[k].add(out, h);
         last[k] = out->facts.n;
         if (section[k].heading) report_section(report, out, section[k].heading, k ? last[k - 1] : 0, last[k]);
+        if (section[k].add == postproc_sections_wall) postproc_timeline_report(report, h->record);
     }
     film_write(out);
     report_images(report, out);

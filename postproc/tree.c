@@ -46,8 +46,18 @@ static yaml_node_t *find(const struct postproc_tree *t, const char *path) {
     yaml_node_t *node = yaml_document_get_root_node(d);
     while (node && *path) {
         const size_t length = strcspn(path, ".");
-        if (node->type != YAML_MAPPING_NODE) return NULL;
         yaml_node_t *next = NULL;
+        if (node->type == YAML_SCALAR_NODE) return NULL;
+        if (node->type == YAML_SEQUENCE_NODE) {
+            char *end;
+            const unsigned long item = strtoul(path, &end, 10);
+            const yaml_node_item_t *items = node->data.sequence.items.start;
+            if (length == 0 || end != path + length || item >= (size_t)(node->data.sequence.items.top - items))
+                return NULL;
+            node = yaml_document_get_node(d, items[item]);
+            path += length + (*end == '.');
+            continue;
+        }
         for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++) {
             const yaml_node_t *key = yaml_document_get_node(d, p->key);
             if (key->type == YAML_SCALAR_NODE && key->data.scalar.length == length &&

@@ -1,4 +1,5 @@
 /* Program entry: calls the command that the command line names. */
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/launcher.h"
@@ -154,10 +155,12 @@ static int needs_ranks(int argc, char **argv) {
 }
 
 int main(int argc, char **argv) {
+    clock_phase(CLOCK_PHASE_LAUNCH);
     if (needs_ranks(argc, argv)) {
         par_begin(&argc, &argv);
         launcher_check();
     }
+    clock_phase(CLOCK_PHASE_SCENE);
     struct command *c = command_new(argc, argv);
     const int code = obey(c);
     command_free(c);

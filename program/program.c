@@ -33,6 +33,7 @@
 #include "program/series.h"
 #include "program/speed.h"
 #include "program/texture.h"
+#include "program/timeline.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -62,6 +63,7 @@ struct program {
     struct events *events;             /* NULL: not asked for */
     struct crack_speed *crack_speed;   /* NULL: cracks carry no fluid */
     struct march *march;
+    struct timeline *timeline;
     enum signals_reason reason; /* to stop after the present step */
     struct steady_found found;  /* at the last window's end of a stage that waits for a quantity */
     long checked;               /* last step with a checkpoint, -1: none */
@@ -83,9 +85,11 @@ static void write_resolved(const struct program *p) {
 static void checkpoint(struct program *p) {
     if (p->checked == p->run->step) return;
     const double start = par_seconds();
+    clock_begin(CLOCK_CHECKPOINT);
     events_write(p->events, p->run);
     checkpoint_write(p->run, p->command->out);
-    record_write(p->run, p->command->out, "running", 0);
+    record_write(p->run, p->timeline, p->command->out, "running", 0);
+    clock_end(CLOCK_CHECKPOINT);
     p->checked = p->run->step;
     p->checkpoint_seconds = par_max(par_seconds() - start);
 }
@@ -116,7 +120,7 @@ static int unstable(struct program *p, struct step_status *status) {
     log_line("%s; %s", loss.what, loss.why);
     if (par_rank() == 0) fprintf(stderr, "frana: %s; %s\n", loss.what, loss.why);
     if (loss.step >= 0) log_line("the last good state is that of step %ld: its checkpoint can be resumed", loss.step);
-    record_write(p->run, p->command->out, "unstable", EXIT_CODE_UNSTABLE);
+    record_write(p->run, p->timeline, p->command->out, "unstable", EXIT_CODE_UNSTABLE);
     return EXIT_CODE_UNSTABLE;
 }
 
@@ -128,7 +132,7 @@ static int stopped(struct program *p) {
     checkpoint(p);
     log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(p->reason),
              p->run->step);
-    record_write(p->run, p->command->out, "stopped", EXIT_CODE_REQUEUE);
+    record_write(p->run, p->timeline, p->command->out, "stopped", EXIT_CODE_REQUEUE);
     return EXIT_CODE_REQUEUE;
 }
 
@@ -214,6 +218,7 @@ static int step(struct program *p) {
     const int last = look(p, full);
     sampled = due(out->series_every, now) || (last && out->series_every > 0);
     drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
+    clock_begin(CLOCK_SERIES);
     if (!sampled) series_leave(p->series, r);
     if (sampled) series_sample(p->series, r);
     if (sampled) crack_speed_sample(p->crack_speed, r, series_last(p->series)->crack_area_wet);
@@ -226,17 +231,26 @@ static int step(struct program *p) {
     if (modes_are_due(p->modes, now) || (last && p->modes)) modes_sample(p->modes, r);
     if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
     if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
+    clock_end(CLOCK_SERIES);
     march_settle(p->march);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
+    clock_begin(CLOCK_LOG);
     say_limit(p);
     progress(p);
+    clock_end(CLOCK_LOG);
+    clock_begin(CLOCK_FIELDS);
     if (drawn) fields_write(r, p->command->out);
+    clock_end(CLOCK_FIELDS);
+    clock_begin(CLOCK_SERIES);
     if (last) say_flow(p);
     if (last) texture_sample(p->texture, r);
+    clock_end(CLOCK_SERIES);
+    clock_begin(CLOCK_CHECKPOINT);
     if (last)
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
                                                      * continues */
     if (saved) checkpoint(p);
+    clock_end(CLOCK_CHECKPOINT);
     return p->reason != SIGNALS_NONE ? stopped(p) : -1;
 }
 
@@ -244,8 +258,15 @@ static int stages(struct program *p) {
     struct run *r = p->run;
     for (;; r->stage++, r->stage_step = 0) {
         const struct scene_stage *stage = &p->scene->stage[r->stage];
+        const int first = r->setup_seconds == 0;
+        if (!first) timeline_span(p->timeline, stage->name, r->step);
+        clock_rest(CLOCK_SETUP);
+        clock_phase(CLOCK_PHASE_LIMITS);
         step_begin_stage(r);
-        if (r->setup_seconds == 0) r->setup_seconds = par_seconds() - r->wall_start;
+        if (first) r->setup_seconds = par_seconds() - r->wall_start;
+        if (first) timeline_span(p->timeline, stage->name, r->step);
+        clock_phase(CLOCK_PHASE_STEPS);
+        clock_rest(CLOCK_OTHER);
         p->found = (struct steady_found){NAN, NAN, NAN};
         if (r->stage_step < stage->steps && !steady_has_ended(r))
             log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
@@ -298,8 +319,11 @@ static void begin(struct program *p) {
     refuse_to_overwrite(c, here || c->anew);
     signals_begin(c->max_wall);
     clock_clear();
+    clock_rest(CLOCK_SETUP);
+    p->timeline = timeline_new();
     par_count_clear();
     p->run = run_new(p->scene); /* all mistakes of the scene are found here at the latest, before any file is written */
+    clock_phase(CLOCK_PHASE_OUTPUT);
     p->crack = crack_series_new(p->run);
     p->intensity = intensity_new(p->run);
     p->modes = modes_new(p->run);
@@ -311,7 +335,9 @@ static void begin(struct program *p) {
     p->events = events_new(p->run);
     p->crack_speed = crack_speed_new(p->run);
     char(*too_long)[TIMESCALE_SENTENCE] = calloc((size_t)p->scene->stages * (OVERSTEP_MAX + 1), sizeof *too_long);
+    clock_phase(CLOCK_PHASE_LIMITS);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
+    clock_phase(CLOCK_PHASE_OUTPUT);
     const char *from = c->resume ? checkpoint_read(p->run, c->out, c->resume_file) : NULL; /* before a folder is made */
     if (c->anew) folder_set_aside(c->out, aside);
     folder_make(c->out);
@@ -358,13 +384,15 @@ int program_run(const struct command *c, const struct scene *scene) {
     begin(&p);
     const int code = stages(&p);
     if (code == EXIT_CODE_DONE) {
+        timeline_span(p.timeline, "end", p.run->step);
         if (scene->output.checkpoint_every > 0) checkpoint(&p);
-        record_write(p.run, c->out, "done", code);
+        record_write(p.run, p.timeline, c->out, "done", code);
         const struct speed_work work = speed_worked(p.run);
         speed_learn(p.run, &work, LEARNT);
         log_line("done: %ld steps in %.1f s", p.run->step, par_seconds() - p.run->wall_start);
     }
     march_free(p.march);
+    timeline_free(p.timeline);
     series_free(p.series);
     texture_free(p.texture);
     crack_series_free(p.crack);

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 void record_version(char *text, int size) {
@@ -46,9 +47,9 @@ int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RE
     return n;
 }
 
-static void write_parts(struct json *j, const double *seconds) {
+static void write_parts(struct json *j, const struct timeline *t) {
     json_object(j, "wall_seconds_by_part");
-    for (int p = 0; p < CLOCK_PARTS; p++) json_number(j, clock_name((enum clock_part)p), seconds[p]);
+    for (int p = 0; p < CLOCK_PARTS; p++) json_number(j, clock_name((enum clock_part)p), timeline_seconds(t, p));
     json_close(j);
 }
 
@@ -123,14 +124,11 @@ void record_write_version(struct json *j) {
     json_text(j, "host", host);
 }
 
-void record_write(struct run *r, const char *folder, const char *status, int exit_code) {
+void record_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code) {
     const int size = par_size();
-    const double wall = par_max(par_seconds() - r->wall_start);
     const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
-    double seconds[CLOCK_PARTS], mine[1 + MEMORY_PARTS];
-    for (int p = 0; p < CLOCK_PARTS; p++) seconds[p] = clock_seconds((enum clock_part)p);
-    par_sum_array(seconds, CLOCK_PARTS);
-    for (int p = 0; p < CLOCK_PARTS; p++) seconds[p] /= size; /* mean over the ranks */
+    double mine[1 + MEMORY_PARTS];
+    timeline_collect(t, r->step);
     double traffic[PAR_COUNT_KINDS][3];
     for (int k = 0; k < PAR_COUNT_KINDS; k++) {
         const struct par_count sent = par_count_of((enum par_count_kind)k);
@@ -161,18 +159,21 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
         write_bounds(j, &r->adapt);
         json_long(j, "ranks", size);
         json_long(j, "threads", threads_count());
-        json_number(j, "wall_seconds", wall);
+        json_number(j, "wall_seconds", timeline_wall(t));
         json_number(j, "setup_seconds", r->setup_seconds); /* part of it, before the first step */
         if (r->wall_earlier != 0) json_number(j, "wall_seconds_earlier", r->wall_earlier);
-        write_parts(j, seconds);
-        const double fluid = seconds[CLOCK_MOMENTUM] + seconds[CLOCK_POISSON] + seconds[CLOCK_HALO];
+        if (!strcmp(status, "done"))
+            json_number(j, "end_seconds", timeline_last(t)); /* part of it, after the last step */
+        write_parts(j, t);
+        const double fluid =
+            timeline_seconds(t, CLOCK_MOMENTUM) + timeline_seconds(t, CLOCK_POISSON) + timeline_seconds(t, CLOCK_HALO);
         if (r->fluid) json_long(j, "cells", (long)fluid_cells(r->fluid));
         if (r->solid) json_long(j, "particles", r->solid->n_global);
         if (r->needs.bonds) json_long(j, "directed_bonds", directed);
         if (r->fluid_cell_steps) json_number(j, "ns_per_cell_step", 1e9 * fluid * size / (double)r->fluid_cell_steps);
         if (r->solid_sweeps && directed)
             json_number(j, "ns_per_directed_bond_sweep",
-                        1e9 * seconds[CLOCK_SOLID] * size / ((double)r->solid_sweeps * (double)directed));
+                        1e9 * timeline_seconds(t, CLOCK_SOLID) * size / ((double)r->solid_sweeps * (double)directed));
         json_array(j, "peak_memory_bytes_per_rank");
         for (int k = 0; k < size; k++) json_number(j, NULL, memory[k * (1 + MEMORY_PARTS)]);
         json_close(j);
@@ -184,6 +185,7 @@ void record_write(struct run *r, const char *folder, const char *status, int exi
             json_number(j, memory_name((enum memory_part)p), sum);
         }
         json_close(j);
+        timeline_write(t, j);
         json_array(j, "left_out");
         for (int k = 0, n = record_left_out(r->scene, sentence); k < n; k++) json_text(j, NULL, sentence[k]);
         json_close(j);

@@ -2,9 +2,10 @@
 #pragma once
 #include "coupling/run.h"
 #include "files/json.h"
+#include "program/timeline.h"
 
 /* status: "running", "done", "stopped", "unstable". Collective. */
-void record_write(struct run *r, const char *folder, const char *status, int exit_code);
+void record_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code);
 /* Seconds of the steps, set-up left out, that led to the checkpoint of this step, by the folder's run.json; NAN: not
  * known. Collective. */
 double record_earlier(const char *folder, long step);

@@ -1,6 +1,7 @@
 /* Builds and frees the solid: particles, ghosts, bonds, weights, initial state; exchange of ghost values. */
 #include "solid/body/bricks.h"
 #include "solid/solid.h"
+#include "base/clock.h"
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -205,15 +206,19 @@ struct solid *solid_new(const struct solid_input *in) {
     solid_number_divide(sites, in->bodies, in->general_bonds, s->first);
     struct solid_cloud **cloud = memory_new(MEMORY_SOLID, (size_t)in->bodies, sizeof(struct solid_cloud *));
     for (int b = 0; b < in->bodies; b++) cloud[b] = cloud_new(&s->in, &s->in.body[b], sites[b]);
+    const enum clock_phase phase = clock_phase(CLOCK_PHASE_BONDS);
     family_new(s, sites, cloud);
+    clock_phase(phase);
     solid_build_ghosts(s, sites, cloud);
     arrays_new(s);
     solid_build_materials(s, sites);
     solid_build_places(s, sites, cloud);
     points_check(s, sites, cloud);
     interfaces_check(s);
+    clock_phase(CLOCK_PHASE_BONDS);
     solid_cut_bonds(s, cloud);
     solid_cut_shapes(s);
+    clock_phase(phase);
     solid_build_edges(s);
     solid_given_new(s, sites, NULL);
     solid_indenter_new(s);

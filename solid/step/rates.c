@@ -110,16 +110,22 @@ static double start_value(long id, int c) { /* the same on any number of ranks *
     return (double)(z >> 11) * 0x1p-53 - 0.5;
 }
 
-/* The largest eigenvalue, at least 0. */
-static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
-    double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0, norm;
+/* Begins with vectors of length 1 that are the same on any number of ranks. Returns 0 if all particles are held. */
+static int start(struct solid *s, struct krylov *k) {
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++)
             k->u[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : start_value(s->first[par_rank()] + h, c);
-    norm = sqrt(product(s, k->u, k->u));
-    if (!(norm > 0)) return 0; /* all particles are held */
+    const double norm = sqrt(product(s, k->u, k->u));
+    if (!(norm > 0)) return 0;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
+    return 1;
+}
+
+/* The largest eigenvalue, at least 0. */
+static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
+    double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0;
+    if (!start(s, k)) return 0;
     for (int i = 0; i < ITERATIONS; i++) {
         apply(s, k->u, of);
         diagonal[i] = product(s, k->u, s->a);
@@ -140,7 +146,20 @@ static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
     return eigenvalue;
 }
 
-void solid_rates_of(struct solid *s, struct solid_rates *rates) {
+static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
+    *rates = (struct solid_rates){.sum = 1, .difference = 1, .absolute = s->stage.damping_absolute};
+    rates->stiffness = lanczos(s, k, (struct operator){1, 0});
+    if (s->indent) rates->stiffness += solid_indenter_rate(s);
+    if (!(s->stage.damping_relative > 0 && rates->stiffness > 0)) return;
+    rates->damping = lanczos(s, k, (struct operator){0, 1});
+    const double ratio = rates->stiffness / rates->damping;
+    rates->sum = lanczos(s, k, (struct operator){1, ratio}) / rates->stiffness;
+    rates->difference = lanczos(s, k, (struct operator){1, -ratio}) / rates->stiffness;
+}
+
+/* The rates of the unbroken body. known: they are given, and one sweep leaves what the sweeps of an iteration leave in
+ * the lists of bonds, for example that their stretches were small: the next steps are the same to the bit. */
+static void rates_of(struct solid *s, struct solid_rates *rates, int known) {
     struct solid_family *f = s->family;
     struct krylov k;
     double *d[3], *v[3];
@@ -156,15 +175,10 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     }
     const long sweeps = s->sweeps;
     swap_whole(s, whole);
-    *rates = (struct solid_rates){.sum = 1, .difference = 1, .absolute = s->stage.damping_absolute};
-    rates->stiffness = lanczos(s, &k, (struct operator){1, 0});
-    if (s->indent) rates->stiffness += solid_indenter_rate(s);
-    if (s->stage.damping_relative > 0 && rates->stiffness > 0) {
-        rates->damping = lanczos(s, &k, (struct operator){0, 1});
-        const double ratio = rates->stiffness / rates->damping;
-        rates->sum = lanczos(s, &k, (struct operator){1, ratio}) / rates->stiffness;
-        rates->difference = lanczos(s, &k, (struct operator){1, -ratio}) / rates->stiffness;
-    }
+    if (!known)
+        find(s, &k, rates);
+    else if (start(s, &k))
+        apply(s, k.u, (struct operator){1, 0});
     swap_whole(s, whole);
     s->sweeps = sweeps;
     s->a_holds = 0;
@@ -181,6 +195,17 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     }
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     par_ghost_update(s->ghost, s->dim, s->v, s->n);
+}
+
+void solid_rates_of(struct solid *s, struct solid_rates *rates) { rates_of(s, rates, 0); }
+
+/* The iteration depends on the unbroken body, its held particles and the pairwise damping alone. */
+int solid_rates_again(struct solid *s, const struct solid_rates_found *found, struct solid_rates *rates) {
+    if (!found->known || found->damping_relative != s->stage.damping_relative || s->refine || s->indent) return 0;
+    *rates = found->rates;
+    rates->absolute = s->stage.damping_absolute;
+    rates_of(s, rates, 1);
+    return 1;
 }
 
 double solid_rates_stable_step(struct solid *s, enum solid_integrator integrator) {

@@ -4,6 +4,15 @@
 
 /* For the intact body with the stage's damping, accurate to about 1e-3. Collective. */
 void solid_rates_of(struct solid *s, struct solid_rates *rates);
+/* Rates that were found before for the same solid with this pairwise damping. */
+struct solid_rates_found {
+    int known;
+    double damping_relative;
+    struct solid_rates rates;
+};
+/* Returns whether those rates are the present stage's too, and sets *rates then; the solid is left as solid_rates_of
+ * leaves it. Collective. */
+int solid_rates_again(struct solid *s, const struct solid_rates_found *found, struct solid_rates *rates);
 /* The largest stable step of the intact solid with the stage's damping, by the rates of solid/step/stable.h: without
  * damping sqrt(3)/omega_max (RK3), 2/omega_max (Verlet). If contact has lists, the contact of a particle squeezed
  * between two pairs of others is added. Collective. */

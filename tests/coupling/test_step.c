@@ -74,6 +74,61 @@ static void test_parts(void **state) {
     scene_free(scene);
 }
 
+/* Two stages in turn, three steps each. before: what is done to the rates that the first stage found. */
+static struct run *two_stages(struct scene *scene, void before(struct solid_rates_found *)) {
+    struct run *r = run_new(scene);
+    for (int h = 0; h < r->solid->n; h++) r->solid->v[0][h] = 0.1 + r->solid->x0[1][h];
+    for (r->stage = 0; r->stage < 2; r->stage++) {
+        if (r->stage > 0) before(&r->rates_found);
+        r->stage_step = 0;
+        step_begin_stage(r);
+        while (r->stage_step < 3) step_advance(r);
+    }
+    return r;
+}
+
+static void keep_rates(struct solid_rates_found *found) { (void)found; }
+static void forget_rates(struct solid_rates_found *found) { found->known = 0; }
+static void spoil_rates(struct solid_rates_found *found) { found->rates.stiffness *= 4; }
+
+/* A stage takes the rates of an earlier stage with the same pairwise damping. It goes on as it would with rates of its
+ * own, to the bit, though an iteration rounds otherwise the second time. With another pairwise damping it finds its
+ * own. */
+static void test_rates_again(void **state) {
+    (void)state;
+    static const char *const two =
+        "stages:\n"
+        "  - {name: one, steps: 3, time_step: 2.0e-3, integrator: verlet, damping_relative: 6.0e10}\n"
+        "  - {name: two, steps: 3, time_step: 1.0e-3, integrator: verlet, damping_relative: 6.0e10, "
+        "damping_absolute: 5}\n";
+    struct scene *scene = scene_of(box, two, 0, NULL);
+    struct run *again = two_stages(scene, keep_rates), *own = two_stages(scene, forget_rates),
+               *spoilt = two_stages(scene, spoil_rates);
+    check_relative(again->solid_rates.stiffness, own->solid_rates.stiffness, 1e-12);
+    check_relative(again->solid_rates.damping, own->solid_rates.damping, 1e-12);
+    check_relative(again->solid_rates.sum, own->solid_rates.sum, 1e-12);
+    check_relative(again->solid_rates.difference, own->solid_rates.difference, 1e-12);
+    check_equal(again->solid_rates.absolute, 5);
+    assert_int_equal(again->substeps, own->substeps);
+    for (int c = 0; c < 3; c++) {
+        assert_memory_equal(again->solid->d[c], own->solid->d[c], (size_t)own->solid->n * sizeof(double));
+        assert_memory_equal(again->solid->v[c], own->solid->v[c], (size_t)own->solid->n * sizeof(double));
+    }
+    check_below(spoilt->solid_stable, 0.9 * own->solid_stable); /* the earlier rates are indeed taken */
+    run_free(again);
+    run_free(own);
+    run_free(spoilt);
+    scene_free(scene);
+    const char *set[] = {"stages.two.damping_relative=3.0e10"};
+    scene = scene_of(box, two, 1, set);
+    own = two_stages(scene, forget_rates);
+    spoilt = two_stages(scene, spoil_rates);
+    assert_memory_equal(&spoilt->solid_rates, &own->solid_rates, sizeof own->solid_rates);
+    run_free(own);
+    run_free(spoilt);
+    scene_free(scene);
+}
+
 /* How far the ball's particles have moved apart along x after four steps: the root mean square about their mean, m. No
  * bond breaks, as one that does at another substep moves the others by a jump. */
 static double spread_after(const char *integrator, const char *damping, int substeps) {
@@ -147,7 +202,8 @@ static void test_set_free(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_moves_with_flow), cmocka_unit_test(test_parts),
-                                       cmocka_unit_test(test_substeps_converge), cmocka_unit_test(test_set_free)};
+                                       cmocka_unit_test(test_rates_again), cmocka_unit_test(test_substeps_converge),
+                                       cmocka_unit_test(test_set_free)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

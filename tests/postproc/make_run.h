@@ -291,6 +291,19 @@ static void make_record(const struct make_run *in) {
     json_number(j, "momentum", 20.25);
     json_number(j, "poisson", 31);
     json_close(j);
+    json_array(j, "timeline");
+    for (int span = 0; span < 2; span++) {
+        json_object(j, NULL);
+        json_text(j, "span", span ? "flow" : "set-up");
+        json_object(j, "working");
+        json_number(j, "momentum", span ? 16 : 0.25);
+        json_close(j);
+        json_object(j, "waiting");
+        json_number(j, "momentum", span ? 4 : 0);
+        json_close(j);
+        json_close(j);
+    }
+    json_close(j);
     json_text(j, "host", "a machine");
     json_end(j);
 }

@@ -153,6 +153,8 @@ static void whole_run(void **state) {
     check_close(summary(folder, "first field with damage, x/L"), (make_onset_x - 0.025) / 0.075, 1e-5);
     check_between(make_onset_x, 0.08, 0.095);
     assert_true(holds(folder, "post/report.md", "back (x/L"));
+    assert_true(holds(folder, "post/report.md", "| set-up | flow | all |"));
+    assert_true(holds(folder, "post/report.md", "| momentum | 0.25 | 20, 20 % waiting | 20.2, 20 % waiting |"));
     assert_true(holds(folder, "post/report.md", "pictures/damage_back.png"));
     /* the page needs no other file */
     assert_true(holds(folder, "post/report.html", "data:image/png;base64,iVBORw0KGgo"));

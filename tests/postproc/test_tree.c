@@ -34,7 +34,9 @@ static void what_is_written_is_read(void **state) {
     assert_string_equal(postproc_tree_text(t, "yes"), "true");
     assert_string_equal(postproc_tree_text(t, "quoted"), quoted);
     check_equal(postproc_tree_number(t, "inner.most.value"), 2.5e-8);
-    static const char *const none[] = {"other", "inner", "inner.most", "inner.value", "long.value", "list", "thir"};
+    check_equal(postproc_tree_number(t, "list.0"), 1);
+    static const char *const none[] = {"other", "inner",  "inner.most", "inner.value", "long.value", "list",
+                                       "thir",  "list.1", "list.-1",    "list.0.one",  "list.one",   "list.."};
     for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
         if (postproc_tree_text(t, none[k])) fail_msg("%s is found", none[k]);
         assert_true(isnan(postproc_tree_number(t, none[k])));

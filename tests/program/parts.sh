@@ -35,6 +35,48 @@ grep -q 'bonds: the solid is rigid' rigid/run.json || fail "run.json does not sa
 [ ! -e solid/fields/fluid.hdf.series ] || fail "a solid alone has written fluid fields"
 grep -q 'strong coupling: coupling.scheme is explicit' whole/run.json ||
   fail "run.json does not say that nothing is iterated"
+# The timeline: the parts add up to the wall time, the spans to the parts, and nobody waits longer than a part takes.
+# There is a key a line. Of two ranks also each one is told apart.
+code 0 ranks 2 run whole.yaml --out both
+for name in whole fluid solid rigid both; do
+  awk -v name=$name -v FS='[":, ]+' '
+    function number() { match($0, /-?[0-9.]+(e[-+][0-9]+)?,?$/); return substr($0, RSTART) + 0 }
+    function close_to(a, b, what) {
+      if ((a - b) ^ 2 > (0.01 * b + 0.01) ^ 2) { print "FAILED: " name ": " what ": " a " and " b; bad = 1 }
+    }
+    /^  "wall_seconds":/ { wall = number() }
+    /^  "setup_seconds":/ { setup = number() }
+    /^  "ranks":/ { ranks = number() }
+    /^  "steps":/ { steps = number() }
+    /^  ["}]/ { block = $2 }
+    block == "wall_seconds_by_part" && /^    "/ { of_part[$2] = number(); sum += number() }
+    block == "setup_seconds_by_phase" && /^    "/ && $2 != "launch" && $2 != "scene" { phases += number() }
+    block == "seconds_by_part_and_rank" && /^    "/ { part = $2 }
+    block == "seconds_by_part_and_rank" && /^          [0-9]/ { each[part] += number(); shown++ }
+    block == "seconds_by_part_and_rank" && /"(least|mean|most)":/ && number() < 0 { negative = 1 }
+    block == "timeline" && /^      "span":/ { spans++ }
+    block == "timeline" && /^      "steps":/ { span_steps += number() }
+    block == "timeline" && /^      "seconds":/ { span_sum += number() }
+    block == "timeline" && /^      "/ { kind = $2 }
+    block == "timeline" && kind ~ /^(working|waiting)$/ && /^        "/ {
+      in_spans[$2] += number()
+      if (number() < 0) negative = 1
+    }
+    END {
+      close_to(sum, wall, "all parts and the wall time")
+      close_to(span_sum, wall, "all spans and the wall time")
+      close_to(phases, setup, "the phases and the set-up")
+      for (p in of_part) {
+        if (of_part[p] == 0) continue
+        close_to(in_spans[p], of_part[p], p " in the spans and in the run")
+        close_to(each[p] / ranks, of_part[p], p " of the ranks and their mean")
+      }
+      if (negative) { print "FAILED: " name ": seconds below 0"; bad = 1 }
+      if (span_steps != steps) { print "FAILED: " name ": " span_steps " steps of " steps; bad = 1 }
+      if (spans < 3 || shown < 2 * ranks) { print "FAILED: " name ": " spans " spans, " shown " numbers"; bad = 1 }
+      exit bad
+    }' $name/run.json >&2 || fail "the timeline of $name"
+done
 head -n 1 fluid/series.csv | grep -qE 'porosity|bonds' && fail "a fluid alone has columns of the solid"
 head -n 1 solid/series.csv | grep -qE 'cfl|dp' && fail "a solid alone has columns of the fluid"
 echo ok
