@@ -18,7 +18,7 @@ class Frana(CMakePackage):
     license("MIT")
 
     version("main", branch="main")
-    version("0.1.0", tag="v0.1.0")
+    version("1.0.0", tag="v1.0.0")
 
     variant("shared", default=False, description="Build a shared library for each part")
     variant("plots", default=True, description="Let frana post draw, by gnuplot")
