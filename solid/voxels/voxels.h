@@ -39,12 +39,12 @@ static inline long solid_voxels_line(const struct solid_voxels *v, int j, int k)
 static inline int solid_voxels_is(const struct solid_voxels *v, const uint64_t *bits, int i, int j, int k) {
     return (int)(bits[solid_voxels_line(v, j, k) + i / 64] >> i % 64 & 1);
 }
-static inline void solid_voxels_set(const struct solid_voxels *v, uint64_t *bits, int i, int j, int k) {
-    bits[solid_voxels_line(v, j, k) + i / 64] |= (uint64_t)1 << i % 64;
-}
 /* Sets bits of a word while other ranks of the node may set others. */
 static inline void solid_voxels_join(uint64_t *word, uint64_t bits) {
     if (bits) __atomic_fetch_or(word, bits, __ATOMIC_RELAXED);
+}
+static inline void solid_voxels_set(const struct solid_voxels *v, uint64_t *bits, int i, int j, int k) {
+    solid_voxels_join(bits + solid_voxels_line(v, j, k) + i / 64, (uint64_t)1 << i % 64);
 }
 static inline int solid_voxels_kind(const struct solid_voxels *v, int i, int j, int k) {
     int kind = 0;
