@@ -5,6 +5,7 @@
 #include "postproc/data/profile.h"
 #include "postproc/post.h"
 #include "tests/check.h"
+#include "tests/postproc/made.h"
 #include "tests/postproc/make_run.h"
 
 #include <setjmp.h>
@@ -39,19 +40,7 @@ static int holds(const char *run, const char *file, const char *words) {
 }
 
 /* The value of a quantity in post/summary.csv. */
-static double summary(const char *run, const char *quantity) {
-    char path[FOLDER_PATH], line[1024], quoted[128];
-    double value = NAN;
-    FILE *f = fopen(folder_path(path, run, "post/summary.csv"), "r");
-    snprintf(quoted, sizeof quoted, "\"%s\",", quantity);
-    while (f && fgets(line, sizeof line, f)) {
-        const size_t plain = strlen(quantity);
-        if (strncmp(line, quoted, plain + 3) == 0 || (strncmp(line, quantity, plain) == 0 && line[plain] == ','))
-            value = strtod(strrchr(line, ',') + 1, NULL);
-    }
-    if (f) fclose(f);
-    return value;
-}
+static double summary(const char *run, const char *quantity) { return made_value(run, "post/summary.csv", quantity); }
 
 static const char *const files_of_whole_run[] = {"post/report.md",
                                                  "post/report.html",

@@ -4,6 +4,7 @@
 #include "postproc/data/plate.h"
 #include "postproc/post.h"
 #include "tests/check.h"
+#include "tests/postproc/made.h"
 #include "tests/postproc/make_plate.h"
 
 #include <setjmp.h>
@@ -17,26 +18,10 @@
 static const char base[] = FRANA_BINARY_DIR "/tests/postproc/plates";
 static char folder[FOLDER_PATH];
 
-static long size_of(const char *file) {
-    char path[FOLDER_PATH];
-    struct stat is;
-    return stat(folder_path(path, folder, file), &is) == 0 ? (long)is.st_size : -1;
-}
+static long size_of(const char *file) { return made_size(folder, file); }
 
 /* Of post/crack-summary.csv. */
-static double summary(const char *quantity) {
-    char path[FOLDER_PATH], line[1024], quoted[160];
-    double value = NAN;
-    FILE *f = fopen(folder_path(path, folder, "post/crack-summary.csv"), "r");
-    snprintf(quoted, sizeof quoted, "\"%s\",", quantity);
-    while (f && fgets(line, sizeof line, f)) {
-        const size_t plain = strlen(quantity);
-        if (strncmp(line, quoted, plain + 3) == 0 || (strncmp(line, quantity, plain) == 0 && line[plain] == ','))
-            value = strtod(strrchr(line, ',') + 1, NULL);
-    }
-    if (f) fclose(f);
-    return value;
-}
+static double summary(const char *quantity) { return made_value(folder, "post/crack-summary.csv", quantity); }
 
 static const char *const files[] = {"post/report.md",
                                     "post/crack-summary.csv",
